@@ -1,0 +1,52 @@
+# Verilated models as ordinary build steps: they run in parallel, only where a target asks for them,
+# and never while CMake configures (which the function shipped with Verilator does).
+
+find_program(VERILATOR verilator REQUIRED)
+execute_process(
+  COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
+  OUTPUT_VARIABLE VERILATOR_ROOT
+  OUTPUT_STRIP_TRAILING_WHITESPACE)
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+
+# The simulator's own run time, compiled once for all models.
+add_library(verilated_runtime STATIC
+  ${VERILATOR_ROOT}/include/verilated.cpp
+  ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  ${VERILATOR_ROOT}/include/verilated_fst_c.cpp)
+target_include_directories(verilated_runtime SYSTEM PUBLIC
+  ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
+target_compile_options(verilated_runtime PRIVATE -w -O2)
+
+# hwffd_verilate(<target> TOP <module> SOURCES <file>... [PARAMETERS NAME=value...] [TRACE])
+#
+# Makes the static library <target>, whose class is V<target> (header "V<target>.h").
+function(hwffd_verilate target)
+  cmake_parse_arguments(ARG "TRACE" "TOP" "SOURCES;PARAMETERS" ${ARGN})
+  set(class V${target})
+  set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
+  set(flags --cc --default-language 1364-2005 -Wall -O3 --x-initial unique --x-assign unique
+    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir} -I${HWFFD_RTL_DIR}/number)
+  foreach(parameter IN LISTS ARG_PARAMETERS)
+    list(APPEND flags -G${parameter})
+  endforeach()
+  if(ARG_TRACE)
+    list(APPEND flags --trace-fst --trace-structs)
+  endif()
+  file(MAKE_DIRECTORY ${dir})
+  file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
+  add_custom_command(
+    OUTPUT ${dir}/${class}__ALL.a ${dir}/${class}.h
+    COMMAND ${VERILATOR} ${flags} ${ARG_SOURCES}
+    COMMAND ${CMAKE_COMMAND} -E env MAKEFLAGS= make --silent -C ${dir} -f ${class}.mk
+            OPT_FAST=-O2 OPT_SLOW=-O1 ${class}__ALL.a > ${dir}/make.log
+    DEPENDS ${ARG_SOURCES} ${headers}
+    COMMENT "Verilating ${target}"
+    VERBATIM)
+  add_custom_target(${target}_verilate DEPENDS ${dir}/${class}__ALL.a)
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_verilate)
+  target_include_directories(${target} SYSTEM INTERFACE ${dir})
+  target_link_libraries(${target} INTERFACE ${dir}/${class}__ALL.a verilated_runtime)
+endfunction()

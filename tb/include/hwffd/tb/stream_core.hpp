@@ -1,0 +1,31 @@
+#pragma once
+
+#include "hwffd/stream/beat.hpp"
+
+namespace hwffd::tb {
+
+/// The pins of a Verilated `hwffd_stream`, whatever its configuration.
+///
+/// A cycle is: drive the inputs, `settle`, read ready and valid, `clock`.
+class StreamCore {
+ public:
+  virtual ~StreamCore() = default;
+
+  /// Drives aresetn (asserted = low).
+  virtual void drive_reset(bool asserted) = 0;
+  /// Drives s_axis_tvalid, _tdata and _tlast.
+  virtual void drive_input(bool valid, const Beat& beat) = 0;
+  /// Drives m_axis_tready.
+  virtual void drive_output_ready(bool ready) = 0;
+
+  /// Settles the combinational paths with the clock low.
+  virtual void settle() = 0;
+  /// One rising and one falling edge of aclk.
+  virtual void clock() = 0;
+
+  virtual bool input_ready() const = 0;   ///< s_axis_tready
+  virtual bool output_valid() const = 0;  ///< m_axis_tvalid
+  virtual Beat output() const = 0;        ///< m_axis_tdata and _tlast
+};
+
+}  // namespace hwffd::tb
