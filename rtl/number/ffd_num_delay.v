@@ -32,20 +32,20 @@ module ffd_num_delay #(
   genvar i;
   generate
     for (i = 0; i < LATENCY; i = i + 1) begin : gen_stage
-      wire [WIDTH-1:0] d;
+      wire [WIDTH-1:0] data_d;
       reg  [WIDTH-1:0] data_q;
       if (i == 0) begin : gen_first
-        assign d = d_i;
+        assign data_d = d_i;
       end else begin : gen_next
-        assign d = gen_stage[i-1].data_q;
+        assign data_d = gen_stage[i-1].data_q;
       end
       if (RESET != 0) begin : gen_reset
         always @(posedge clk) begin
           if (rst) data_q <= {WIDTH{1'b0}};
-          else data_q <= d;
+          else data_q <= data_d;
         end
       end else begin : gen_free
-        always @(posedge clk) data_q <= d;
+        always @(posedge clk) data_q <= data_d;
       end
     end
     if (LATENCY == 0) begin : gen_wire

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "hwffd/numerics/bits.hpp"
+
+namespace hwffd {
+
+/// What an operation's result looks like as a word of the stream.
+struct OutWord {
+  std::uint32_t word = 0;
+  bool saturated = false;
+  bool nan = false;
+};
+
+/// The number format `fp32`: IEEE-754 binary32, round to nearest even, subnormals, infinities;
+/// every NaN result is 0x7FC00000 and every zero result +0 (docs/numerics.md section 2).
+///
+/// Mirrors rtl/number with FORMAT = 0 on the host's own arithmetic: nothing is shared with the
+/// RTL's algorithms. Must be compiled with -ffp-contract=off.
+struct Binary32 {
+  using Weight = float;
+  using Point = float;
+  using Sum = float;
+
+  static constexpr std::uint32_t kBlankWord = 0x7FC00000;
+
+  static Weight coordinate(std::uint32_t word) { return float_of_bits(word); }
+  static Weight coefficient(std::uint32_t word) { return float_of_bits(word); }
+  static Point point(std::uint32_t word) { return float_of_bits(word); }
+
+  static Weight mul(Weight a, Weight b) { return canonical(a * b); }
+  static Sum term(Weight weight, Point point) { return canonical(weight * point); }
+  static Sum add(Sum a, Sum b) { return canonical(a + b); }
+  static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
+    return add(mul(coordinate, weight), coefficient);
+  }
+  static Weight scale(Weight weight, int /*shift*/) { return weight; }
+  static OutWord out(Sum sum) { return {bits_of_float(sum), false, std::isnan(sum)}; }
+
+  static Weight zero_weight() { return 0.0F; }
+  static Sum zero_sum() { return 0.0F; }
+
+ private:
+  static float canonical(float value) {
+    if (std::isnan(value)) return float_of_bits(0x7FC00000);
+    return value == 0.0F ? 0.0F : value;
+  }
+};
+
+}  // namespace hwffd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hwffd/stream/beat.hpp"
+
+namespace hwffd {
+
+/// Packet opcodes, in the low byte of a header's word 0. docs/interface.md section 2.
+enum class Opcode : std::uint8_t { kCoefficients = 1, kInterleaved = 4 };
+
+constexpr int kCoefficientBeats = 12;  ///< three axes, four blending functions
+constexpr int kPointBeats = 48;        ///< 64 points, three words each
+constexpr int kVertexBeats = 1 + kPointBeats;
+
+// Status bits of a result, in its word 3.
+constexpr std::uint32_t kStatusSaturated = 1U << 16;
+constexpr std::uint32_t kStatusNan = 1U << 18;
+constexpr std::uint32_t kStatusTruncated = 1U << 20;
+constexpr std::uint32_t kStatusUnloaded = 1U << 21;
+
+/// The blending functions of one axis as stream words: `word[function][power]`.
+struct AxisWords {
+  std::array<std::array<std::uint32_t, 4>, 4> word{};
+  int degree = 3;  ///< 0 to 3; coefficients of higher powers are taken as 0
+  int shift = 0;   ///< 0 to 3; coefficients are stored times 2^-shift (fixed point)
+};
+
+/// A vertex with its control points as stream words.
+struct InterleavedVertex {
+  std::array<std::uint32_t, 3> local{};     ///< s, t, u
+  std::array<int, 3> cell{};                ///< i, j, k, 0 to 15 each
+  std::uint16_t tag = 0;                    ///< comes back with the result
+  std::array<std::uint32_t, 192> points{};  ///< 64 x 3, local order (l, m, n), n fastest
+};
+
+/// The packet that loads a bank of coefficients: 13 beats. Axes s, t, u.
+std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes);
+
+/// The packet of interleaved vertices: 1 + 49 n beats, in the order given.
+std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices);
+
+}  // namespace hwffd

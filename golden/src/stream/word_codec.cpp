@@ -1,0 +1,50 @@
+#include "hwffd/stream/word_codec.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hwffd/error.hpp"
+#include "hwffd/numerics/bits.hpp"
+
+namespace hwffd {
+namespace {
+
+std::uint32_t rounded(double value, double low, double high) {
+  return static_cast<std::uint32_t>(
+      static_cast<std::int64_t>(std::clamp(std::nearbyint(value), low, high)));
+}
+
+}  // namespace
+
+WordCodec::WordCodec(const std::string& format) {
+  if (format == "fp32") return;
+  if (format.rfind("fx", 0) == 0 && format.size() == 4) width_ = std::atoi(format.c_str() + 2);
+  if (width_ < 12 || width_ > 32) {
+    throw UsageError("unknown format '" + format + "': fp32, or fx12 to fx32");
+  }
+}
+
+std::uint32_t WordCodec::coordinate(double value) const {
+  if (is_float()) return bits_of_float(static_cast<float>(value));
+  return rounded(std::ldexp(value, 31), 0, 0x1p32 - 1);
+}
+
+std::uint32_t WordCodec::coefficient(double value, int shift) const {
+  if (is_float()) return bits_of_float(static_cast<float>(value));
+  return rounded(std::ldexp(value, 30 - shift), -0x1p31, 0x1p31 - 1);
+}
+
+std::uint32_t WordCodec::point(double value) const {
+  if (is_float()) return bits_of_float(static_cast<float>(value));
+  return rounded(std::ldexp(value, 31), -0x1p31, 0x1p31 - 1);
+}
+
+double WordCodec::decode_coordinate(std::uint32_t word) const {
+  return is_float() ? float_of_bits(word) : std::ldexp(word, -31);
+}
+
+double WordCodec::decode_point(std::uint32_t word) const {
+  return is_float() ? float_of_bits(word) : std::ldexp(static_cast<std::int32_t>(word), -31);
+}
+
+}  // namespace hwffd

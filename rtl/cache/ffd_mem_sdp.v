@@ -1,0 +1,53 @@
+// ffd_mem_sdp: a memory with one write port and one read port
+//
+// The one memory of the core, inferred: read data is combinational with READ_LATENCY 0 (small, for
+// distributed memory) and registered with 1 (block memory). A read in the clock of a write to the
+// same address gives the old word.
+//
+// Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
+// Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1.
+// Not checked: an address of DEPTH or more reads an undefined word and writes none.
+// Model:      none (storage only).  Test: every system test.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_mem_sdp #(
+  parameter WIDTH        = 32,
+  parameter DEPTH        = 16,
+  parameter READ_LATENCY = 1,
+  parameter ADDRESS_W    = $clog2(DEPTH)
+) (
+  input  wire                 clk,
+  input  wire                 write_i,
+  input  wire [ADDRESS_W-1:0] write_address_i,
+  input  wire [WIDTH-1:0]     write_data_i,
+  input  wire [ADDRESS_W-1:0] read_address_i,
+  output wire [WIDTH-1:0]     read_data_o
+);
+  generate
+    if (DEPTH < 2) begin : gen_bad_depth
+      ERROR_ffd_mem_sdp_depth_must_be_at_least_2 u_error ();
+    end
+    if (READ_LATENCY < 0 || READ_LATENCY > 1) begin : gen_bad_latency
+      ERROR_ffd_mem_sdp_read_latency_must_be_0_or_1 u_error ();
+    end
+  endgenerate
+
+  reg [WIDTH-1:0] memory_q [0:DEPTH-1];
+
+  always @(posedge clk) begin
+    if (write_i) memory_q[write_address_i] <= write_data_i;
+  end
+
+  generate
+    if (READ_LATENCY == 0) begin : gen_combinational
+      assign read_data_o = memory_q[read_address_i];
+    end else begin : gen_registered
+      reg [WIDTH-1:0] read_q;
+      always @(posedge clk) read_q <= memory_q[read_address_i];
+      assign read_data_o = read_q;
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,115 @@
+// ffd_eval_poly_iterative: weight = ((c3 x + c2) x + c1) x + c0 in three loops (paper, fig. 4)
+//
+// One multiplier and one adder. c3 is multiplexed into the loop, each pass multiplies by x and adds
+// the next coefficient. With one-clock units a polynomial takes the paper's 6 clocks; with deeper
+// ones polynomials interleave in the loop, so that one may start every 6 clocks all the same.
+//
+// Formats, rounding: those of ffd_num_step and ffd_num_scale.
+// Pipeline:   FFD_POLY_LATENCY = 3 loops + CONVERT_LATENCY; II 6: starts must be a multiple of 6
+//             clocks apart. The loop's length is no multiple of 3, so the passes of polynomials 6
+//             clocks apart (0, L, 2L modulo 6) never meet. Never frozen.
+// Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 1.
+// Not checked: a start that is no multiple of 6 clocks after another.
+// Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_eval_poly_iterative #(
+  parameter FORMAT          = 18,
+  parameter MUL_LATENCY     = 1,
+  parameter ADD_LATENCY     = 1,
+  parameter CONVERT_LATENCY = 0,
+  parameter ADDRESS_W       = 3
+) (
+  input  wire                                            clk,
+  input  wire                                            load_i,
+  input  wire [ADDRESS_W-1:0]                            load_address_i,
+  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+  input  wire                                            start_i,
+  input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]                coordinate_i,
+  input  wire [ADDRESS_W-1:0]                            address_i,
+  output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
+);
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+  localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY);
+  localparam LOOP     = `FFD_LOOP_LATENCY(STEP);
+
+  // What goes into the loop: a new polynomial, or one that comes round with its pass counted.
+  wire [1:0]           pass_back;
+  wire [WEIGHT_W-1:0]  coordinate_back;
+  wire [ADDRESS_W-1:0] address_back;
+  wire [WEIGHT_W-1:0]  weight_back;
+  wire [1:0]           pass       = start_i ? 2'd0 : pass_back + 2'd1;
+  wire [WEIGHT_W-1:0]  coordinate = start_i ? coordinate_i : coordinate_back;
+  wire [ADDRESS_W-1:0] address    = start_i ? address_i : address_back;
+
+  wire [4*WEIGHT_W-1:0] coefficients;
+  wire [WEIGHT_W-1:0]   c0 = coefficients[0*WEIGHT_W +: WEIGHT_W];
+  wire [WEIGHT_W-1:0]   c1 = coefficients[1*WEIGHT_W +: WEIGHT_W];
+  wire [WEIGHT_W-1:0]   c2 = coefficients[2*WEIGHT_W +: WEIGHT_W];
+  wire [WEIGHT_W-1:0]   c3 = coefficients[3*WEIGHT_W +: WEIGHT_W];
+  wire [WEIGHT_W-1:0]   coefficient = pass == 2'd0 ? c2 : pass == 2'd1 ? c1 : c0;
+  wire [WEIGHT_W-1:0]   weight      = start_i ? c3 : weight_back;
+  wire [WEIGHT_W-1:0]   weight_next;
+  wire [1:0]            shift;
+
+  ffd_eval_coefficient_file #(
+    .FORMAT   (FORMAT),
+    .ADDRESS_W(ADDRESS_W)
+  ) u_file (
+    .clk            (clk),
+    .load_i         (load_i),
+    .load_address_i (load_address_i),
+    .load_entry_i   (load_entry_i),
+    .address_i      ({4{address}}),
+    .coefficient_o  (coefficients),
+    .shift_address_i(address_back),
+    .shift_o        (shift)
+  );
+
+  ffd_num_step #(
+    .FORMAT     (FORMAT),
+    .MUL_LATENCY(MUL_LATENCY),
+    .ADD_LATENCY(ADD_LATENCY)
+  ) u_step (
+    .clk          (clk),
+    .coefficient_i(coefficient),
+    .coordinate_i (coordinate),
+    .weight_i     (weight),
+    .weight_o     (weight_next)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (WEIGHT_W),
+    .LATENCY(LOOP - STEP)
+  ) u_weight (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(weight_next),
+    .q_o(weight_back)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (2 + WEIGHT_W + ADDRESS_W),
+    .LATENCY(LOOP)
+  ) u_beside (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({pass, coordinate, address}),
+    .q_o({pass_back, coordinate_back, address_back})
+  );
+
+  ffd_num_scale #(
+    .FORMAT (FORMAT),
+    .LATENCY(CONVERT_LATENCY)
+  ) u_scale (
+    .clk     (clk),
+    .weight_i(weight_back),
+    .shift_i (shift),
+    .weight_o(weight_o)
+  );
+endmodule
+
+`default_nettype wire

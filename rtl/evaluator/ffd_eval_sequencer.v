@@ -1,0 +1,117 @@
+// ffd_eval_sequencer: the counter of fig. 1, once for each of CONTEXTS vertices in turn
+//
+// Every INTERVAL clocks is a turn, and turns go round the contexts. In its turn a context emits the
+// next step of its vertex, 0 to STEPS-1; an idle one takes in a vertex and emits its step 0 at once.
+// So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks apart,
+// none waits for a later one, and they leave in the order in which they came.
+//
+// Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
+// Freezes:    never; a context without a vertex leaves a bubble.
+// Parameters: PAYLOAD_W >= 1, STEPS a power of two from 2 to 64, CONTEXTS >= 1, INTERVAL >= 1.
+// Model:      none (order only).  Test: tests/system (clocks per vertex).
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_eval_sequencer #(
+  parameter PAYLOAD_W = 8,
+  parameter STEPS     = 64,
+  parameter CONTEXTS  = 1,
+  parameter INTERVAL  = 1,
+  parameter STEP_W    = $clog2(STEPS)
+) (
+  input  wire                 clk,
+  input  wire                 rst,
+  input  wire                 s_vertex_valid,
+  output wire                 s_vertex_ready,
+  input  wire [PAYLOAD_W-1:0] s_vertex_data,
+  output reg                  step_valid_o,
+  output reg                  step_first_o,
+  output reg                  step_last_o,
+  output reg  [STEP_W-1:0]    step_o,
+  output reg  [PAYLOAD_W-1:0] payload_o
+);
+  generate
+    if (STEPS < 2 || STEPS > 64 || (1 << STEP_W) != STEPS) begin : gen_bad_steps
+      ERROR_ffd_eval_sequencer_steps_must_be_a_power_of_two_from_2_to_64 u_error ();
+    end
+    if (CONTEXTS < 1 || INTERVAL < 1) begin : gen_bad_contexts
+      ERROR_ffd_eval_sequencer_contexts_and_interval_must_be_at_least_1 u_error ();
+    end
+  endgenerate
+
+  localparam              TOP  = STEPS - 1;
+  localparam [STEP_W-1:0] LAST = TOP[STEP_W-1:0];
+
+  wire turn;
+  generate
+    if (INTERVAL == 1) begin : gen_every_clock
+      assign turn = 1'b1;
+    end else begin : gen_phase
+      localparam               PHASE_W    = $clog2(INTERVAL);
+      localparam               TOP_PHASE  = INTERVAL - 1;
+      localparam [PHASE_W-1:0] LAST_PHASE = TOP_PHASE[PHASE_W-1:0];
+      reg [PHASE_W-1:0] phase_q;
+      always @(posedge clk) begin
+        if (rst || phase_q == LAST_PHASE) phase_q <= {PHASE_W{1'b0}};
+        else phase_q <= phase_q + 1'b1;
+      end
+      assign turn = phase_q == {PHASE_W{1'b0}};
+    end
+  endgenerate
+
+  // The contexts shift through a ring; the first is the one whose turn it is.
+  wire                 head_active = gen_context[0].active_q;
+  wire [STEP_W-1:0]    head_step   = gen_context[0].step_q;
+  wire [PAYLOAD_W-1:0] head_data   = gen_context[0].data_q;
+  wire                 emit        = turn && (head_active || s_vertex_valid);
+  wire [STEP_W-1:0]    step        = head_active ? head_step : {STEP_W{1'b0}};
+  wire [PAYLOAD_W-1:0] data        = head_active ? head_data : s_vertex_data;
+
+  assign s_vertex_ready = turn && !head_active;
+
+  genvar i;
+  generate
+    for (i = 0; i < CONTEXTS; i = i + 1) begin : gen_context
+      reg                  active_q;
+      reg  [STEP_W-1:0]    step_q;
+      reg  [PAYLOAD_W-1:0] data_q;
+      wire                 active_d;
+      wire [STEP_W-1:0]    step_d;
+      wire [PAYLOAD_W-1:0] data_d;
+
+      if (i == CONTEXTS - 1) begin : gen_back
+        assign active_d = emit && step != LAST;
+        assign step_d   = step + 1'b1;
+        assign data_d   = data;
+      end else begin : gen_shift
+        assign active_d = gen_context[i+1].active_q;
+        assign step_d   = gen_context[i+1].step_q;
+        assign data_d   = gen_context[i+1].data_q;
+      end
+
+      always @(posedge clk) begin
+        if (rst) active_q <= 1'b0;
+        else if (turn) active_q <= active_d;
+      end
+      always @(posedge clk) begin
+        if (turn) begin
+          step_q <= step_d;
+          data_q <= data_d;
+        end
+      end
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (rst) step_valid_o <= 1'b0;
+    else step_valid_o <= emit;
+  end
+  always @(posedge clk) begin
+    step_first_o <= step == {STEP_W{1'b0}};
+    step_last_o  <= step == LAST;
+    step_o       <= step;
+    payload_o    <= data;
+  end
+endmodule
+
+`default_nettype wire

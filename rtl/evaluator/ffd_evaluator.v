@@ -1,0 +1,182 @@
+// ffd_evaluator: an organization behind a stream of vertices and a stream of results
+//
+// Organizations run free and know no tags; this module lends them both. A vertex enters only when
+// there is room for its result (credits), its `user` word waits in a queue of its own and meets the
+// result at the output: both keep their order.
+//
+// Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
+//             them, results {z, y, x} as stream words with {nan, saturated} of any component.
+// Pipeline:   the organization's, CONVERT_LATENCY, and 1 clock in the result queue.
+// Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
+// Parameters: IN_FLIGHT a power of two >= 2, more than the organization's pipeline holds at full
+//             rate; the others are the organization's.
+// Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_evaluator #(
+  parameter ORG             = 0,
+  parameter N               = 1,
+  parameter FORMAT          = 18,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter CONVERT_LATENCY = 1,
+  parameter READ_LATENCY    = 2,
+  parameter SOURCE_W        = 2,
+  parameter USER_W          = 16,
+  parameter IN_FLIGHT       = 16
+) (
+  input  wire                                            clk,
+  input  wire                                            rst,
+  input  wire                                            load_i,
+  input  wire [1:0]                                      load_axis_i,
+  input  wire [2:0]                                      load_address_i,
+  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+  input  wire                                            s_vertex_valid,
+  output wire                                            s_vertex_ready,
+  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
+  input  wire [11:0]                                     s_vertex_cell,
+  input  wire [SOURCE_W-1:0]                             s_vertex_source,
+  input  wire                                            s_vertex_bank,
+  input  wire [USER_W-1:0]                               s_vertex_user,
+  output wire                                            read_o,
+  output wire                                            read_last_o,
+  output wire [SOURCE_W-1:0]                             read_source_o,
+  output wire [11:0]                                     read_cell_o,
+  output wire [5:0]                                      read_index_o,
+  input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+  output wire                                            m_result_valid,
+  input  wire                                            m_result_ready,
+  output wire [95:0]                                     m_result_words,
+  output wire [1:0]                                      m_result_flags,
+  output wire [USER_W-1:0]                               m_result_user
+);
+  localparam SUM_W   = `FFD_SUM_W(FORMAT);
+  localparam COUNT_W = $clog2(IN_FLIGHT) + 1;
+
+  // Credits: vertices inside, from their entry until their result has left.
+  reg  [COUNT_W-1:0] inside_q;
+  wire               room   = !inside_q[COUNT_W-1];
+  wire               ready;
+  wire               enter  = s_vertex_valid && s_vertex_ready;
+  wire               leave  = m_result_valid && m_result_ready;
+
+  assign s_vertex_ready = ready && room;
+
+  always @(posedge clk) begin
+    if (rst) inside_q <= {COUNT_W{1'b0}};
+    else if (enter && !leave) inside_q <= inside_q + 1'b1;
+    else if (leave && !enter) inside_q <= inside_q - 1'b1;
+  end
+
+  wire               sum_valid;
+  wire [3*SUM_W-1:0] sum;
+
+  ffd_org_select #(
+    .ORG            (ORG),
+    .N              (N),
+    .FORMAT         (FORMAT),
+    .SCHEDULE       (SCHEDULE),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .READ_LATENCY   (READ_LATENCY),
+    .SOURCE_W       (SOURCE_W)
+  ) u_org (
+    .clk                 (clk),
+    .rst                 (rst),
+    .load_i              (load_i),
+    .load_axis_i         (load_axis_i),
+    .load_address_i      (load_address_i),
+    .load_entry_i        (load_entry_i),
+    .s_vertex_valid      (s_vertex_valid && room),
+    .s_vertex_ready      (ready),
+    .s_vertex_coordinates(s_vertex_coordinates),
+    .s_vertex_cell       (s_vertex_cell),
+    .s_vertex_source     (s_vertex_source),
+    .s_vertex_bank       (s_vertex_bank),
+    .read_o              (read_o),
+    .read_last_o         (read_last_o),
+    .read_source_o       (read_source_o),
+    .read_cell_o         (read_cell_o),
+    .read_index_o        (read_index_o),
+    .read_points_i       (read_points_i),
+    .result_valid_o      (sum_valid),
+    .result_sum_o        (sum)
+  );
+
+  wire        word_valid;
+  wire [95:0] words;
+  wire [2:0]  saturated;
+  wire [2:0]  nan;
+
+  genvar c;
+  generate
+    for (c = 0; c < 3; c = c + 1) begin : gen_component
+      ffd_num_out #(
+        .FORMAT (FORMAT),
+        .LATENCY(CONVERT_LATENCY)
+      ) u_out (
+        .clk        (clk),
+        .sum_i      (sum[c*SUM_W +: SUM_W]),
+        .word_o     (words[32*c +: 32]),
+        .saturated_o(saturated[c]),
+        .nan_o      (nan[c])
+      );
+    end
+  endgenerate
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(CONVERT_LATENCY),
+    .RESET  (1)
+  ) u_word_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i(sum_valid),
+    .q_o(word_valid)
+  );
+
+  // Credits keep both queues from overflowing, so their readies are not needed; a user word is
+  // there whenever its result is.
+  wire results_ready;
+  wire users_ready;
+  wire user_valid;
+
+  ffd_stream_fifo #(
+    .WIDTH(98),
+    .DEPTH(IN_FLIGHT)
+  ) u_results (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(word_valid),
+    .s_word_ready(results_ready),
+    .s_word_data ({|nan, |saturated, words}),
+    .m_word_valid(m_result_valid),
+    .m_word_ready(m_result_ready),
+    .m_word_data ({m_result_flags, m_result_words})
+  );
+
+  ffd_stream_fifo #(
+    .WIDTH(USER_W),
+    .DEPTH(IN_FLIGHT)
+  ) u_users (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(enter),
+    .s_word_ready(users_ready),
+    .s_word_data (s_vertex_user),
+    .m_word_valid(user_valid),
+    .m_word_ready(leave),
+    .m_word_data (m_result_user)
+  );
+
+  wire unused_ok = &{1'b0, results_ready, users_ready, user_valid};
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,67 @@
+// ffd_num_scale: weight x 2^shift -> weight
+//
+// Undoes the shift of a coefficient bank whose coefficients were stored times 2^-shift to fit
+// [-2, 2) (docs/numerics.md section 3).
+//
+// Formats:    fp32: a wire, the shift is ignored. fxW: saturated and flagged outside [-2, 2).
+// Pipeline:   LATENCY registers, II 1, never frozen.
+// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
+// Model:      golden/include/hwffd/numerics (scale).  Test: tests/unit/fixed.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+
+module ffd_num_scale #(
+  parameter FORMAT  = 18,
+  parameter LATENCY = 0
+) (
+  input  wire                              clk,
+  input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  weight_i,
+  input  wire [1:0]                        shift_i,
+  output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  weight_o
+);
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+
+  generate
+    if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
+      ERROR_ffd_num_scale_format_is_unknown u_error ();
+    end
+  endgenerate
+
+  wire [WEIGHT_W-1:0] scaled;
+
+  generate
+    if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
+      assign scaled = weight_i;
+      wire unused_ok = &{1'b0, shift_i};
+    end else begin : gen_fixed
+      wire signed [FORMAT+2:0] weight  = {{3{weight_i[FORMAT-1]}}, weight_i[FORMAT-1:0]};
+      wire signed [FORMAT+2:0] shifted = weight <<< shift_i;
+      wire                     saturated;
+
+      ffd_fx_round #(
+        .IN_W (FORMAT + 3),
+        .DROP (0),
+        .OUT_W(FORMAT)
+      ) u_round (
+        .value_i    (shifted),
+        .addend_i   ({FORMAT{1'b0}}),
+        .value_o    (scaled[FORMAT-1:0]),
+        .saturated_o(saturated)
+      );
+      assign scaled[FORMAT] = weight_i[FORMAT] | saturated;
+    end
+  endgenerate
+
+  ffd_num_delay #(
+    .WIDTH  (WEIGHT_W),
+    .LATENCY(LATENCY)
+  ) u_scaled (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(scaled),
+    .q_o(weight_o)
+  );
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,213 @@
+// hwffd_stream: the evaluator between two AXI4-Streams
+//
+// Packets in (coefficients; vertices with their control points), one result beat a vertex out, in
+// order: docs/interface.md. Every ready, valid and data bit at the edge leaves a register.
+//
+// Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface, section 3).
+// Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
+// Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
+// Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
+// Parameters: a row of configurations.csv; IN_FLIGHT a power of two >= 2, the most vertices inside.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module hwffd_stream #(
+  parameter ORG             = 0,
+  parameter N               = 1,
+  parameter FORMAT          = 18,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter CONVERT_LATENCY = 1,
+  parameter IN_FLIGHT       = 16
+) (
+  input  wire         aclk,
+  input  wire         aresetn,
+  input  wire         s_axis_tvalid,
+  output wire         s_axis_tready,
+  input  wire [127:0] s_axis_tdata,
+  input  wire         s_axis_tlast,
+  output wire         m_axis_tvalid,
+  input  wire         m_axis_tready,
+  output wire [127:0] m_axis_tdata,
+  output wire         m_axis_tlast
+);
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam POINT_W      = `FFD_POINT_W(FORMAT);
+  localparam READ_LATENCY = 2;
+  // A sequential organization works on at most ADD_LATENCY vertices; one more drains, one loads.
+  localparam SLOTS        = ADD_LATENCY + 2;
+  localparam SLOT_W       = $clog2(SLOTS);
+  localparam USER_W       = 20;
+
+  generate
+    if (N != 1) begin : gen_bad_n
+      ERROR_hwffd_stream_reads_one_point_a_clock u_error ();
+    end
+  endgenerate
+
+  wire clk = aclk;
+  wire rst = !aresetn;
+
+  wire         in_valid;
+  wire         in_ready;
+  wire [127:0] in_data;
+  wire         in_last;
+
+  ffd_stream_skid #(
+    .WIDTH(129)
+  ) u_in (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(s_axis_tvalid),
+    .s_beat_ready(s_axis_tready),
+    .s_beat_data ({s_axis_tlast, s_axis_tdata}),
+    .m_beat_valid(in_valid),
+    .m_beat_ready(in_ready),
+    .m_beat_data ({in_last, in_data})
+  );
+
+  wire                                      load;
+  wire [1:0]                                load_axis;
+  wire [2:0]                                load_address;
+  wire [`FFD_ENTRY_W(WEIGHT_W)-1:0]         load_entry;
+  wire                                      write;
+  wire [SLOT_W-1:0]                         write_slot;
+  wire [5:0]                                write_row;
+  wire [127:0]                              write_words;
+  wire                                      vertex_valid;
+  wire                                      vertex_ready;
+  wire [3*WEIGHT_W-1:0]                     vertex_coordinates;
+  wire [11:0]                               vertex_cell;
+  wire [SLOT_W-1:0]                         vertex_slot;
+  wire                                      vertex_bank;
+  wire [18:0]                               vertex_user;
+  wire                                      read;
+  wire                                      read_last;
+  wire [SLOT_W-1:0]                         read_slot;
+  wire [11:0]                               read_cell;
+  wire [5:0]                                read_index;
+  wire [3*POINT_W-1:0]                      point;
+  wire                                      result_valid;
+  wire                                      result_ready;
+  wire [95:0]                               result_words;
+  wire [1:0]                                result_flags;
+  wire [USER_W-1:0]                         result_user;
+  wire [127:0]                              result_beat;
+
+  ffd_stream_decoder #(
+    .FORMAT   (FORMAT),
+    .SLOTS    (SLOTS),
+    .IN_FLIGHT(IN_FLIGHT)
+  ) u_decoder (
+    .clk                 (clk),
+    .rst                 (rst),
+    .s_beat_valid        (in_valid),
+    .s_beat_ready        (in_ready),
+    .s_beat_data         (in_data),
+    .s_beat_last         (in_last),
+    .load_o              (load),
+    .load_axis_o         (load_axis),
+    .load_address_o      (load_address),
+    .load_entry_o        (load_entry),
+    .write_o             (write),
+    .write_slot_o        (write_slot),
+    .write_row_o         (write_row),
+    .write_words_o       (write_words),
+    .m_vertex_valid      (vertex_valid),
+    .m_vertex_ready      (vertex_ready),
+    .m_vertex_coordinates(vertex_coordinates),
+    .m_vertex_cell       (vertex_cell),
+    .m_vertex_slot       (vertex_slot),
+    .m_vertex_bank       (vertex_bank),
+    .m_vertex_user       (vertex_user),
+    .slot_free_i         (read_last),
+    .retire_i            (result_valid && result_ready),
+    .retire_bank_i       (result_user[USER_W-1])
+  );
+
+  ffd_cache_interleaved #(
+    .FORMAT(FORMAT),
+    .SLOTS (SLOTS)
+  ) u_points (
+    .clk          (clk),
+    .write_i      (write),
+    .write_slot_i (write_slot),
+    .write_row_i  (write_row),
+    .write_words_i(write_words),
+    .read_slot_i  (read_slot),
+    .read_cell_i  (read_cell),
+    .read_index_i (read_index),
+    .point_o      (point)
+  );
+
+  ffd_evaluator #(
+    .ORG            (ORG),
+    .N              (N),
+    .FORMAT         (FORMAT),
+    .SCHEDULE       (SCHEDULE),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .READ_LATENCY   (READ_LATENCY),
+    .SOURCE_W       (SLOT_W),
+    .USER_W         (USER_W),
+    .IN_FLIGHT      (IN_FLIGHT)
+  ) u_evaluator (
+    .clk                 (clk),
+    .rst                 (rst),
+    .load_i              (load),
+    .load_axis_i         (load_axis),
+    .load_address_i      (load_address),
+    .load_entry_i        (load_entry),
+    .s_vertex_valid      (vertex_valid),
+    .s_vertex_ready      (vertex_ready),
+    .s_vertex_coordinates(vertex_coordinates),
+    .s_vertex_cell       (vertex_cell),
+    .s_vertex_source     (vertex_slot),
+    .s_vertex_bank       (vertex_bank),
+    .s_vertex_user       ({vertex_bank, vertex_user}),
+    .read_o              (read),
+    .read_last_o         (read_last),
+    .read_source_o       (read_slot),
+    .read_cell_o         (read_cell),
+    .read_index_o        (read_index),
+    .read_points_i       (point),
+    .m_result_valid      (result_valid),
+    .m_result_ready      (result_ready),
+    .m_result_words      (result_words),
+    .m_result_flags      (result_flags),
+    .m_result_user       (result_user)
+  );
+
+  ffd_stream_encoder #(
+    .FORMAT(FORMAT)
+  ) u_encoder (
+    .words_i(result_words),
+    .flags_i(result_flags),
+    .user_i (result_user[17:0]),
+    .beat_o (result_beat)
+  );
+
+  ffd_stream_skid #(
+    .WIDTH(129)
+  ) u_out (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(result_valid),
+    .s_beat_ready(result_ready),
+    .s_beat_data ({result_user[18], result_beat}),
+    .m_beat_valid(m_axis_tvalid),
+    .m_beat_ready(m_axis_tready),
+    .m_beat_data ({m_axis_tlast, m_axis_tdata})
+  );
+
+  wire unused_ok = &{1'b0, read};
+endmodule
+
+`default_nettype wire
