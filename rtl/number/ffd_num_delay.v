@@ -48,7 +48,7 @@ module ffd_num_delay #(
         always @(posedge clk) data_q <= data_d;
       end
     end
-    if (LATENCY == 0) begin : gen_wire
+    if (LATENCY < 1) begin : gen_wire
       assign q_o = d_i;
     end else begin : gen_output
       assign q_o = gen_stage[LATENCY-1].data_q;

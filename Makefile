@@ -1,0 +1,66 @@
+# The project's commands. Everything is built in build/ by CMake and Ninja; `make` alone explains.
+# SPDX-License-Identifier: Apache-2.0
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+.PHONY: help sim test test-all lint clean install
+
+BUILD := build
+JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
+TIER  ?= test
+
+CMAKE_CONFIGURE := cmake -S . -B $(BUILD) -G Ninja --log-level=NOTICE
+CMAKE_BUILD     := cmake --build $(BUILD) -j $(JOBS)
+CTEST           := ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
+
+# Variables of `make sim`, handed to hwffd-sim as --model X and so on. Only those given on make's
+# command line count, not those that happen to be in the environment. They travel as they are, in
+# HWFFD_SIM_*, so that neither make nor the shell reads anything into a blank, a quote or a dollar.
+SIM_OPTIONS := model:MODEL deform:DEFORM lattice:LATTICE org:ORG format:FORMAT \
+               schedule:SCHEDULE stream:STREAM seed:SEED
+option_of   = $(firstword $(subst :, ,$1))
+variable_of = $(lastword $(subst :, ,$1))
+given       = $(and $(findstring command line,$(origin $1)),$(value $1))
+
+$(foreach o,$(SIM_OPTIONS),$(eval export HWFFD_SIM_$(call variable_of,$o) := \
+  $$(value $(call variable_of,$o))))
+unexport $(foreach o,$(SIM_OPTIONS),$(call variable_of,$o))
+
+SIM_ARGUMENTS = $(foreach o,$(SIM_OPTIONS),$(if $(call given,$(call variable_of,$o)), \
+  --$(call option_of,$o) "$$HWFFD_SIM_$(call variable_of,$o)")) \
+  $(if $(filter-out 0,$(call given,TRACE)),--trace)
+
+help:
+	@echo 'make sim       deform a mesh on the simulated RTL, compare every bit with the golden model'
+	@echo '               MODEL= DEFORM= LATTICE= ORG= FORMAT= SCHEDULE= STREAM= SEED= TRACE=1'
+	@echo 'make test      build everything and run the tests'
+	@echo 'make test-all  every configuration of the table, and the long tests'
+	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
+	@echo 'make clean     remove build/'
+	@echo
+	@echo 'JOBS=$(JOBS)              processes side by side'
+	@echo 'TIER=$(TIER)           configurations that sim builds: sim, test or all'
+	@echo 'HWFFD_NO_INSTALL=1  say which packages are missing instead of installing them'
+
+install:
+	@scripts/install
+
+sim: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-sim
+	@$(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+
+test: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
+	@$(CMAKE_BUILD)
+	@$(CTEST) -L '^test$$'
+
+test-all: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
+	@$(CMAKE_BUILD)
+	@$(CTEST) -L '^(test|all)$$'
+
+lint: install
+	@scripts/lint -j $(JOBS)
+
+clean:
+	@rm -rf $(BUILD)

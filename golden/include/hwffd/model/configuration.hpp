@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hwffd {
+
+/// One row of rtl/configurations.csv: one build of `hwffd_stream`.
+struct Configuration {
+  const char* name;
+  const char* org;        ///< organization, e.g. "basic"
+  int n;                  ///< units that work side by side
+  const char* format;     ///< "fp32", or "fx" and the width of a word, e.g. "fx18"
+  const char* schedule;   ///< "overlapped" or "paper"
+  const char* evaluator;  ///< "pipelined" or "iterative"
+  bool fmac;              ///< fused multiply-add
+  int mul_latency;        ///< clocks of a multiplier
+  int add_latency;        ///< clocks of an adder
+  int convert_latency;    ///< clocks of a conversion between kinds of number
+  const char* tier;       ///< smallest tier that verilates it: "sim", "test" or "all"
+};
+
+/// Every row of the table, in its order, whatever tier this build is.
+const std::vector<Configuration>& configurations();
+
+/// The row of that name. Throws std::invalid_argument, which lists the names.
+const Configuration& find_configuration(const std::string& name);
+
+}  // namespace hwffd

@@ -1,0 +1,297 @@
+#!/usr/bin/env python3
+"""The table of configurations, rtl/configurations.csv, for every program that needs it.
+
+One row is one build of hwffd_stream: an organization, a number format, a schedule, the latencies of
+the units, and the smallest tier (sim, test, all) in which it is verilated. This module is the one
+place that knows which parameter of the RTL each column sets and how its words are numbered.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import csv
+import pathlib
+import re
+import sys
+from dataclasses import dataclass
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = ROOT / "rtl" / "configurations.csv"
+
+# The enumerations of the RTL's parameters: a word's place is its number.
+ORGANIZATIONS = ("basic",)
+SCHEDULES = ("overlapped", "paper")
+EVALUATORS = ("pipelined", "iterative")
+
+# A tier includes those before it.
+TIERS = ("sim", "test", "all")
+
+COLUMNS = (
+    "name", "org", "n", "format", "schedule", "evaluator", "fmac",
+    "mul_latency", "add_latency", "convert_latency", "tier",
+)
+NUMBERS = {"n": (1, 64), "fmac": (0, 1), "mul_latency": (0, 99), "add_latency": (0, 99),
+           "convert_latency": (0, 99)}
+FIXED_WIDTHS = range(12, 33)
+
+
+class TableError(Exception):
+    """A fault of the table, in one line."""
+
+
+@dataclass(frozen=True)
+class Configuration:
+    name: str
+    org: str
+    n: int
+    format: str
+    schedule: str
+    evaluator: str
+    fmac: int
+    mul_latency: int
+    add_latency: int
+    convert_latency: int
+    tier: str
+
+    @property
+    def identifier(self):
+        """The name as C, CMake and Verilator can use it; the class is V<identifier>."""
+        return self.name.replace("-", "_")
+
+    @property
+    def parameters(self):
+        """Parameter of hwffd_stream -> value."""
+        return {
+            "ORG": ORGANIZATIONS.index(self.org),
+            "N": self.n,
+            "FORMAT": format_number(self.format),
+            "SCHEDULE": SCHEDULES.index(self.schedule),
+            "EVALUATOR": EVALUATORS.index(self.evaluator),
+            "FMAC": self.fmac,
+            "MUL_LATENCY": self.mul_latency,
+            "ADD_LATENCY": self.add_latency,
+            "CONVERT_LATENCY": self.convert_latency,
+        }
+
+    def assignments(self):
+        """["ORG=0", "N=1", ...]"""
+        return [f"{name}={value}" for name, value in self.parameters.items()]
+
+
+def format_number(word):
+    """fp32 is 0, fxW is W; None for anything else."""
+    if word == "fp32":
+        return 0
+    match = re.fullmatch(r"fx([1-9][0-9]*)", word)
+    return int(match.group(1)) if match and int(match.group(1)) in FIXED_WIDTHS else None
+
+
+def _read_row(row, where):
+    if len(row) != len(COLUMNS):
+        raise TableError(f"{where}: {len(row)} columns, {len(COLUMNS)} wanted")
+    fields = dict(zip(COLUMNS, row))
+    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
+        raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
+    for column, words in (("org", ORGANIZATIONS), ("schedule", SCHEDULES),
+                          ("evaluator", EVALUATORS), ("tier", TIERS)):
+        if fields[column] not in words:
+            raise TableError(
+                f"{where}: unknown {column} '{fields[column]}': one of {', '.join(words)}")
+    if format_number(fields["format"]) is None:
+        raise TableError(f"{where}: unknown format '{fields['format']}': fp32 or fx"
+                         f"{FIXED_WIDTHS[0]} to fx{FIXED_WIDTHS[-1]}")
+    for column, (low, high) in NUMBERS.items():
+        if not re.fullmatch(r"[0-9]{1,4}", fields[column]):
+            raise TableError(f"{where}: {column} is '{fields[column]}', a number wanted")
+        fields[column] = int(fields[column])
+        if not low <= fields[column] <= high:
+            raise TableError(f"{where}: {column} is {fields[column]}, {low} to {high} wanted")
+    return Configuration(**fields)
+
+
+def read(path=TABLE):
+    """The rows in order. Raises TableError."""
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise TableError(f"{path}: cannot be read: {error}") from error
+    rows = csv.reader(text.splitlines())
+    header = next(rows, [])
+    if tuple(header) != COLUMNS:
+        raise TableError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
+    found = {}
+    for row in rows:
+        if not row:
+            continue
+        where = f"{path}:{rows.line_num}"
+        configuration = _read_row(row, where)
+        if configuration.name in found:
+            raise TableError(f"{where}: '{configuration.name}' is there twice")
+        found[configuration.name] = configuration
+    if not found:
+        raise TableError(f"{path}: no configurations")
+    return list(found.values())
+
+
+def of_tier(configurations, tier):
+    """Those that are built in a tier: its own and those of the smaller ones."""
+    built = TIERS[: TIERS.index(tier) + 1]
+    return [configuration for configuration in configurations if configuration.tier in built]
+
+
+GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
+
+
+def cmake_text(configurations):
+    lines = [f"# {GENERATED}"]
+    names = " ".join(c.name for c in configurations)
+    identifiers = " ".join(c.identifier for c in configurations)
+    lines.append(f"set(HWFFD_CONFIGURATION_NAMES {names})")
+    lines.append(f"set(HWFFD_CONFIGURATION_IDENTIFIERS {identifiers})")
+    for c in configurations:
+        lines.append(f"set(HWFFD_CONFIGURATION_NAME_{c.identifier} {c.name})")
+        lines.append(
+            f"set(HWFFD_CONFIGURATION_PARAMETERS_{c.identifier} {' '.join(c.assignments())})")
+    return "\n".join(lines) + "\n"
+
+
+def table_text(configurations):
+    lines = [
+        f"// {GENERATED}",
+        '#include "hwffd/model/configuration.hpp"',
+        "",
+        "#include <stdexcept>",
+        "",
+        "namespace hwffd {",
+        "",
+        "const std::vector<Configuration>& configurations() {",
+        "  static const std::vector<Configuration> table = {",
+    ]
+    for c in configurations:
+        lines.append(
+            f'      {{"{c.name}", "{c.org}", {c.n}, "{c.format}", "{c.schedule}", "{c.evaluator}",'
+            f' {"true" if c.fmac else "false"}, {c.mul_latency}, {c.add_latency},'
+            f' {c.convert_latency}, "{c.tier}"}},')
+    lines += [
+        "  };",
+        "  return table;",
+        "}",
+        "",
+        "const Configuration& find_configuration(const std::string& name) {",
+        "  for (const Configuration& configuration : configurations()) {",
+        "    if (name == configuration.name) return configuration;",
+        "  }",
+        "  std::string names;",
+        "  for (const Configuration& configuration : configurations()) {",
+        '    names += (names.empty() ? "" : ", ") + std::string(configuration.name);',
+        "  }",
+        "  throw std::invalid_argument(\"no configuration named '\" + name + \"': one of \" + names);",
+        "}",
+        "",
+        "}  // namespace hwffd",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def factory_text(configurations, tier):
+    lines = [f"// {GENERATED}"]
+    lines += [f'#include "V{c.identifier}.h"' for c in configurations]
+    lines += [
+        '#include "hwffd/tb/stream_core_factory.hpp"',
+        '#include "hwffd/tb/verilated_stream_core.hpp"',
+        "",
+        "#include <stdexcept>",
+        "#include <string>",
+        "",
+        "namespace hwffd::tb {",
+        "namespace {",
+        "",
+        "using Make = std::unique_ptr<StreamCore> (*)(std::uint64_t);",
+        "",
+        "template <class VDut>",
+        "std::unique_ptr<StreamCore> make(std::uint64_t seed) {",
+        "  return std::make_unique<VerilatedStreamCore<VDut>>(seed);",
+        "}",
+        "",
+        "Make find(const Configuration& configuration) {",
+        "  const std::string name = configuration.name;",
+    ]
+    lines += [f'  if (name == "{c.name}") return make<V{c.identifier}>;' for c in configurations]
+    lines += [
+        "  return nullptr;",
+        "}",
+        "",
+        "}  // namespace",
+        "",
+        "bool has_stream_core(const Configuration& configuration) {",
+        "  return find(configuration) != nullptr;",
+        "}",
+        "",
+        "std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration,",
+        "                                             std::uint64_t seed) {",
+        "  const Make make_it = find(configuration);",
+        "  if (make_it == nullptr) {",
+        "    throw std::invalid_argument(std::string(\"configuration '\") + configuration.name +",
+        f"                                \"' is not in this build (tier {tier}): configure with \"",
+        '                                "-DHWFFD_TIER=all");',
+        "  }",
+        "  return make_it(seed);",
+        "}",
+        "",
+        "}  // namespace hwffd::tb",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def write_if_changed(path, text):
+    """Leaves the file alone, time stamp and all, when it has this text already."""
+    path = pathlib.Path(path)
+    if path.is_file() and path.read_text(encoding="utf-8") == text:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Reads the table of configurations.")
+    parser.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    listing = commands.add_parser("list", help="print the names of a tier (default: all)")
+    parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
+    parameters.add_argument("name")
+    parameters.add_argument("--verilator", action="store_true", help="as -GNAME=value ...")
+    cmake = commands.add_parser("cmake", help="write names, identifiers, parameters for CMake")
+    cpp = commands.add_parser("cpp", help="write the table (all tiers) as C++")
+    factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
+    for command in (cmake, cpp, factory):
+        command.add_argument("out")
+    for command in (listing, cmake, factory):
+        command.add_argument("--tier", choices=TIERS, default="all")
+    options = parser.parse_args(arguments)
+
+    try:
+        rows = read(options.table)
+        if options.command == "list":
+            for configuration in of_tier(rows, options.tier):
+                print(configuration.name)
+        elif options.command == "parameters":
+            named = [c for c in rows if c.name == options.name]
+            if not named:
+                raise TableError(f"no configuration named '{options.name}' in {options.table}")
+            prefix = "-G" if options.verilator else ""
+            print(" ".join(prefix + word for word in named[0].assignments()))
+        elif options.command == "cmake":
+            write_if_changed(options.out, cmake_text(of_tier(rows, options.tier)))
+        elif options.command == "cpp":
+            write_if_changed(options.out, table_text(rows))
+        else:
+            write_if_changed(
+                options.out, factory_text(of_tier(rows, options.tier), options.tier))
+    except (TableError, OSError) as error:
+        print(f"configurations.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,120 @@
+"""The RTL as the scripts see it: the file list, which file needs which, and how each tool is run.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import re
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_MODULE = re.compile(r"^\s*module\s+([A-Za-z_]\w*)", re.MULTILINE)
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def strip_comments(text):
+    """Verilog without comments and strings; every line keeps its number and its columns."""
+
+    def blank(match):
+        return re.sub(r"[^\n]", " ", match.group(0))
+
+    return _COMMENT.sub(blank, text)
+
+
+def read_file_list(path):
+    """The entries of a file list, as written: one a line, // comments and blank lines allowed."""
+    entries = []
+    for line in path.read_text().splitlines():
+        entry = line.split("//")[0].strip()
+        if entry:
+            entries.append(entry)
+    return entries
+
+
+class Sources:
+    """The modules of rtl/hwffd.f and what each of them instantiates, directly or not."""
+
+    def __init__(self, root=ROOT):
+        self.root = pathlib.Path(root)
+        self.rtl = self.root / "rtl"
+        self.files = {}  # module -> path
+        self._words = {}
+        for entry in read_file_list(self.rtl / "hwffd.f"):
+            path = self.rtl / entry
+            if not path.is_file():
+                continue  # the text rules say so
+            code = strip_comments(path.read_text())
+            for module in _MODULE.findall(code):
+                self.files[module] = path
+                self._words[module] = set(_WORD.findall(code))
+
+    def modules(self):
+        return list(self.files)
+
+    def needed(self, module):
+        """The files that `module` needs, its own last."""
+        order, seen = [], set()
+
+        def visit(name):
+            seen.add(name)
+            for other in sorted(self._words[name] & self.files.keys()):
+                if other not in seen:
+                    visit(other)
+            if self.files[name] not in order:
+                order.append(self.files[name])
+
+        visit(module)
+        return [str(path) for path in order]
+
+    @property
+    def include(self):
+        return str(self.rtl / "number")
+
+
+def verilator(sources, top, files, parameters=()):
+    waivers = sources.rtl / "lint" / "hwffd.vlt"
+    return (
+        ["verilator", "--lint-only", "--default-language", "1364-2005", "-Wall"]
+        + ["-I" + sources.include, "--top-module", top]
+        + ["-G" + parameter for parameter in parameters]
+        + ([str(waivers)] if waivers.is_file() else [])
+        + files
+    )
+
+
+def icarus(sources, top, files, parameters=()):
+    return (
+        ["iverilog", "-g2005", "-Wall", "-t", "null", "-I", sources.include, "-s", top]
+        + [f"-P{top}.{parameter}" for parameter in parameters]
+        + files
+    )
+
+
+def yosys(sources, jobs):
+    """One process for several (top, files, parameters); each top starts from the sources as read."""
+    files = []
+    for _, needed, _ in jobs:
+        files += [path for path in needed if path not in files]
+    script = [f'read_verilog -I "{sources.include}" ' + " ".join(f'"{path}"' for path in files)]
+    script.append("design -save sources")
+    for top, _, parameters in jobs:
+        values = (parameter.split("=", 1) for parameter in parameters)
+        script += [
+            "design -load sources",
+            f"hierarchy -check -top {top}"
+            + "".join(f" -chparam {name} {value}" for name, value in values),
+            "proc",
+            "check -assert",
+        ]
+    return ["yosys", "-Q", "-T", "-q", "-p", "; ".join(script)]
+
+
+def run(command):
+    """(exit status, everything it printed)."""
+    done = subprocess.run(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, errors="replace", check=False,
+    )
+    return done.returncode, done.stdout

@@ -1,0 +1,234 @@
+"""Each text rule of scripts/lint catches what is planted in a small copy of the tree, and only that;
+what it must let pass, passes.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import text_rules  # noqa: E402
+
+NAME = "ffd_org_sample"
+FILE = f"rtl/evaluator/{NAME}.v"
+CLEAN = """\
+// ffd_org_sample: q_o = d_i, through every construct that a rule could mistake for another.
+//
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_org_sample #(
+  parameter FORMAT = 18,
+  parameter N      = 2
+) (
+  input  wire       clk,
+  input  wire [3:0] d_i,
+  output reg  [3:0] q_o
+);
+  function [3:0] pick;
+    input [3:0] value;
+    begin
+      if (value == 4'd3) begin
+        pick = 4'd0;
+      end else pick = value;
+    end
+  endfunction
+
+  genvar i;
+  generate
+    for (i = 0; i < N; i = i + 1) begin : gen_lane
+      if (i == 0) begin : gen_first
+        wire [3:0] sum;
+        ffd_num_delay #(
+          .WIDTH(`FFD_WEIGHT_WIDTH(FORMAT))
+        ) u_delay (
+          .clk(clk)
+        );
+      end else if (i == 1) begin : gen_second
+        wire [3:0] sum;
+      end else begin : gen_rest
+        wire [3:0] sum;
+      end
+    end
+    case (N)
+      1, 2: begin : gen_few
+        wire x;
+      end
+      default: begin : gen_many
+        wire x;
+      end
+    endcase
+  endgenerate
+
+  always @(posedge clk) begin
+    case (d_i)
+      4'd0: begin
+        q_o <= 4'd1;
+      end
+      default: q_o <= pick(d_i);
+    endcase
+    if (d_i == 4'd1) begin
+      q_o <= 4'd2;
+    end else begin : named
+      q_o <= 4'd3;
+    end
+  end
+
+  initial begin
+    for (;;) begin
+    end
+  end
+endmodule
+
+`default_nettype wire
+"""
+WAIVERS = "// None; lint_off is not for here.\n`verilator_config\n"
+FORMAT_HEADER = "`define FFD_WORD(FORMAT) ((FORMAT) == 0 ? 32 : (FORMAT))\n"
+SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
+MARK = "TO" "DO"
+
+
+def replaced(old, new):
+    assert old in CLEAN, old
+    return {FILE: CLEAN.replace(old, new, 1)}
+
+
+def inserted(line):
+    """A line among the module's items."""
+    return replaced("  genvar i;\n", f"{line}\n  genvar i;\n")
+
+
+# (rule, what is planted, files to write; None removes one)
+PLANTED = [
+    ("default-nettype", "none missing", replaced("`default_nettype none\n", "")),
+    ("default-nettype", "wire missing", replaced("`default_nettype wire\n", "")),
+    ("default-nettype", "only in a comment",
+     replaced("`default_nettype none\n", "// `default_nettype none\n")),
+    ("columns", "101 columns", inserted("  // " + "x" * 96)),
+    ("tabs", "tab before a comment", inserted("  wire y;\t// y")),
+    ("indentation", "three spaces", inserted("   wire y;")),
+    ("module-name", "another name", replaced("module ffd_org_sample", "module ffd_org_other")),
+    ("module-name", "two modules",
+     replaced("endmodule\n", "endmodule\n\nmodule ffd_org_second;\nendmodule\n")),
+    ("module-name", "no family",
+     {FILE: None, "rtl/evaluator/sample.v": CLEAN.replace(NAME, "sample"),
+      "rtl/hwffd.f": "evaluator/sample.v\n"}),
+    ("licence", "no SPDX line", replaced(SPDX, "")),
+    ("licence", "SPDX line after the module", {FILE: CLEAN.replace(SPDX, "") + SPDX}),
+    ("vendor-primitive", "Xilinx", inserted("  DSP48E1 u_mul ();")),
+    ("vendor-primitive", "Lattice", inserted("  MULT18X18D u_mul ();")),
+    ("vendor-primitive", "Intel", inserted("  altsyncram u_ram ();")),
+    ("format-test", "equal", inserted("  wire y = FORMAT == 0;")),
+    ("format-test", "the other way round", inserted("  wire y = 0 != (FORMAT);")),
+    ("format-test", "less", inserted("  wire y = FORMAT < 32;")),
+    ("format-test", "a generate if", replaced("if (i == 0) begin", "if (FORMAT) begin")),
+    ("format-test", "a case", replaced("case (N)", "case (FORMAT)")),
+    ("format-test", "behind a macro",
+     replaced("if (i == 0) begin", "if (`FFD_IS_FLOAT(FORMAT)) begin")),
+    ("format-test", "a constant's macro", inserted("  wire y = N == `FFD_FORMAT_FP32;")),
+    ("format-test", "a conditional expression", inserted("  localparam Y = FORMAT ? 1 : 2;")),
+    ("format-test", "a local name", inserted("  wire y = POINT_FORMAT == 0;")),
+    ("format-test", "a directive", inserted("`ifdef FFD_FORMAT_FLOAT\n`endif")),
+    ("lint-pragma", "lint_off in a source", inserted("  // verilator lint_off WIDTH")),
+    ("generate-arm", "no name", replaced("begin : gen_first", "begin")),
+    ("generate-arm", "another name", replaced("begin : gen_first", "begin : first")),
+    ("generate-arm", "else without a name", replaced("begin : gen_rest", "begin")),
+    ("generate-arm", "else if without a name", replaced("begin : gen_second", "begin")),
+    ("generate-arm", "for without a name", replaced("begin : gen_lane", "begin")),
+    ("generate-arm", "case item without a name", replaced("begin : gen_few", "begin")),
+    ("generate-arm", "default without a name", replaced("begin : gen_many", "begin")),
+    ("generate-arm", "no begin", inserted("  generate if (N > 1) wire y; endgenerate")),
+    ("generate-arm", "no generate keyword", inserted("  if (N > 1) begin\n    wire y;\n  end")),
+    ("generate-arm", "after a procedural block",
+     replaced("  initial begin", "  if (N > 1) begin : late\n    wire y;\n  end\n  initial begin")),
+    ("reason", "bare", inserted(f"  // {MARK}")),
+    ("reason", "one word", inserted(f"  // {MARK}: later")),
+    ("reason", "in C++", {"golden/src/x.cpp": f"// {MARK} speed\n"}),
+    ("reason", "in a script", {"scripts/x": "# FIX" "ME\n"}),
+    ("trailing-blank", "RTL", inserted("  wire y; ")),
+    ("trailing-blank", "C++", {"tb/x.hpp": "#pragma once \n"}),
+    ("trailing-blank", "no newline at the end", {"tests/x.cpp": "int x;"}),
+    ("file-list", "source not listed", {"rtl/hwffd.f": "// nothing\n"}),
+    ("file-list", "listed twice", {"rtl/hwffd.f": f"evaluator/{NAME}.v\nevaluator/{NAME}.v\n"}),
+    ("file-list", "listed but absent", {"rtl/hwffd.f": f"evaluator/{NAME}.v\nevaluator/no.v\n"}),
+    ("file-list", "no list", {"rtl/hwffd.f": None}),
+    ("empty-waivers", "a waiver",
+     {"rtl/lint/hwffd.vlt": WAIVERS + 'lint_off -rule WIDTH -file "*.v"\n'}),
+    ("empty-waivers", "no file", {"rtl/lint/hwffd.vlt": None}),
+]
+
+# what must pass -> files
+PASSES = {
+    "the sample": {},
+    "a test of the format in number/": {"rtl/number/ffd_formats.vh": SPDX + FORMAT_HEADER},
+    "100 columns": inserted("  // " + "x" * 95),
+    "a reason": inserted(f"  // {MARK}: share the adder once the schedule is fixed"),
+    "words inside words": inserted("  wire [3:0] INFORMATION_q = 4'd1 == 4'd2;"),
+    "a comment about FORMAT == 0": inserted("  // FORMAT == 0, DSP48E1, begin"),
+    "an anonymous begin in always": inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
+}
+
+
+class TextRules(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+
+    def plant(self, files):
+        shutil.rmtree(self.root)
+        tree = {FILE: CLEAN, "rtl/hwffd.f": f"// list\nevaluator/{NAME}.v\n",
+                "rtl/lint/hwffd.vlt": WAIVERS, **files}
+        for name, text in tree.items():
+            if text is not None:
+                path = self.root / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+
+    def test_planted_faults_are_caught(self):
+        caught = []
+        for rule, what, files in PLANTED:
+            with self.subTest(rule=rule, planted=what):
+                self.plant(files)
+                warnings = text_rules.check(self.root)[1]
+                rules = {re.search(r"\[([a-z-]+)\]$", warning).group(1) for warning in warnings}
+                self.assertEqual(rules, {rule}, warnings)
+                caught.append(rule)
+        missed = {*text_rules.PER_FILE, *text_rules.WHOLE_TREE} - {rule for rule, _, _ in PLANTED}
+        self.assertEqual(missed, set(), "rules without a case")
+        print(f"text rules: {len(caught)} of {len(PLANTED)} planted faults caught, "
+              f"by {len(set(caught))} rules")
+
+    def test_clean_sources_pass(self):
+        passed = 0
+        for what, files in PASSES.items():
+            with self.subTest(what):
+                self.plant(files)
+                checks, warnings = text_rules.check(self.root)
+                self.assertEqual(warnings, [])
+                self.assertGreaterEqual(checks, len(text_rules.PER_FILE))
+                passed += 1
+        print(f"text rules: {passed} of {len(PASSES)} clean sources passed")
+
+    def test_command(self):
+        """The command's last line and exit status."""
+        for files, status, last in (({}, 0, r"lint: \d+ checks, 0 warnings"),
+                                    (inserted("\twire y;"), 1, r"lint: \d+ checks, 1 warning")):
+            self.plant(files)
+            done = subprocess.run(
+                [sys.executable, "-B", str(ROOT / "scripts" / "lint"), "--text", "--root",
+                 str(self.root)], stdout=subprocess.PIPE, text=True, check=False)
+            self.assertEqual(done.returncode, status)
+            self.assertRegex(done.stdout.splitlines()[-1], f"^{last}$")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
