@@ -15,11 +15,13 @@ import re
 import sys
 from dataclasses import dataclass
 
+from organizations import GENERATED, models_text, select_text
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "rtl" / "configurations.csv"
 
-# The enumerations of the RTL's parameters: a word's place is its number.
-ORGANIZATIONS = ("basic",)
+# The enumerations of the RTL's parameters: a word's place is its number. Organizations are numbered
+# in the order in which the table first names them.
 SCHEDULES = ("overlapped", "paper")
 EVALUATORS = ("pipelined", "iterative")
 
@@ -27,10 +29,10 @@ EVALUATORS = ("pipelined", "iterative")
 TIERS = ("sim", "test", "all")
 
 COLUMNS = (
-    "name", "org", "n", "format", "schedule", "evaluator", "fmac",
-    "mul_latency", "add_latency", "convert_latency", "tier",
+    "name", "org", "n", "format", "schedule", "evaluator", "mul_latency", "add_latency",
+    "convert_latency", "tier",
 )
-NUMBERS = {"n": (1, 64), "fmac": (0, 1), "mul_latency": (0, 99), "add_latency": (0, 99),
+NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
            "convert_latency": (0, 99)}
 FIXED_WIDTHS = range(12, 33)
 
@@ -47,11 +49,11 @@ class Configuration:
     format: str
     schedule: str
     evaluator: str
-    fmac: int
     mul_latency: int
     add_latency: int
     convert_latency: int
     tier: str
+    org_number: int
 
     @property
     def identifier(self):
@@ -62,12 +64,11 @@ class Configuration:
     def parameters(self):
         """Parameter of hwffd_stream -> value."""
         return {
-            "ORG": ORGANIZATIONS.index(self.org),
+            "ORG": self.org_number,
             "N": self.n,
             "FORMAT": format_number(self.format),
             "SCHEDULE": SCHEDULES.index(self.schedule),
             "EVALUATOR": EVALUATORS.index(self.evaluator),
-            "FMAC": self.fmac,
             "MUL_LATENCY": self.mul_latency,
             "ADD_LATENCY": self.add_latency,
             "CONVERT_LATENCY": self.convert_latency,
@@ -92,8 +93,9 @@ def _read_row(row, where):
     fields = dict(zip(COLUMNS, row))
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
-    for column, words in (("org", ORGANIZATIONS), ("schedule", SCHEDULES),
-                          ("evaluator", EVALUATORS), ("tier", TIERS)):
+    if not re.fullmatch(r"[a-z]+[0-9]*", fields["org"]):
+        raise TableError(f"{where}: bad org '{fields['org']}': letters, then perhaps a number")
+    for column, words in (("schedule", SCHEDULES), ("evaluator", EVALUATORS), ("tier", TIERS)):
         if fields[column] not in words:
             raise TableError(
                 f"{where}: unknown {column} '{fields[column]}': one of {', '.join(words)}")
@@ -106,7 +108,7 @@ def _read_row(row, where):
         fields[column] = int(fields[column])
         if not low <= fields[column] <= high:
             raise TableError(f"{where}: {column} is {fields[column]}, {low} to {high} wanted")
-    return Configuration(**fields)
+    return fields
 
 
 def read(path=TABLE):
@@ -120,11 +122,14 @@ def read(path=TABLE):
     if tuple(header) != COLUMNS:
         raise TableError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
     found = {}
+    org_numbers = {}
     for row in rows:
         if not row:
             continue
         where = f"{path}:{rows.line_num}"
-        configuration = _read_row(row, where)
+        fields = _read_row(row, where)
+        org_number = org_numbers.setdefault(fields["org"], len(org_numbers))
+        configuration = Configuration(**fields, org_number=org_number)
         if configuration.name in found:
             raise TableError(f"{where}: '{configuration.name}' is there twice")
         found[configuration.name] = configuration
@@ -137,9 +142,6 @@ def of_tier(configurations, tier):
     """Those that are built in a tier: its own and those of the smaller ones."""
     built = TIERS[: TIERS.index(tier) + 1]
     return [configuration for configuration in configurations if configuration.tier in built]
-
-
-GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
 
 
 def cmake_text(configurations):
@@ -170,8 +172,7 @@ def table_text(configurations):
     for c in configurations:
         lines.append(
             f'      {{"{c.name}", "{c.org}", {c.n}, "{c.format}", "{c.schedule}", "{c.evaluator}",'
-            f' {"true" if c.fmac else "false"}, {c.mul_latency}, {c.add_latency},'
-            f' {c.convert_latency}, "{c.tier}"}},')
+            f' {c.mul_latency}, {c.add_latency}, {c.convert_latency}, "{c.tier}"}},')
     lines += [
         "  };",
         "  return table;",
@@ -263,7 +264,9 @@ def main(arguments=None):
     cmake = commands.add_parser("cmake", help="write names, identifiers, parameters for CMake")
     cpp = commands.add_parser("cpp", help="write the table (all tiers) as C++")
     factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
-    for command in (cmake, cpp, factory):
+    models = commands.add_parser("models", help="write the C++ that makes a row's bit-true model")
+    select = commands.add_parser("select", help="write the RTL that selects the organization")
+    for command in (cmake, cpp, factory, models, select):
         command.add_argument("out")
     for command in (listing, cmake, factory):
         command.add_argument("--tier", choices=TIERS, default="all")
@@ -284,6 +287,10 @@ def main(arguments=None):
             write_if_changed(options.out, cmake_text(of_tier(rows, options.tier)))
         elif options.command == "cpp":
             write_if_changed(options.out, table_text(rows))
+        elif options.command == "models":
+            write_if_changed(options.out, models_text(rows))
+        elif options.command == "select":
+            write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
         else:
             write_if_changed(
                 options.out, factory_text(of_tier(rows, options.tier), options.tier))

@@ -1,0 +1,85 @@
+// ffd_org_select: the organization numbered ORG (0 basic)
+//
+// Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost.
+//
+// Ports, pipeline, parameters: those of every organization (docs/architecture.md).
+// Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_org_select #(
+  parameter ORG             = 0,
+  parameter FORMAT          = 18,
+  parameter N               = 1,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter CONVERT_LATENCY = 1,
+  parameter READ_LATENCY    = 2,
+  parameter SOURCE_W        = 2
+) (
+  input  wire                                            clk,
+  input  wire                                            rst,
+  input  wire                                            load_i,
+  input  wire [1:0]                                      load_axis_i,
+  input  wire [2:0]                                      load_address_i,
+  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+  input  wire                                            s_vertex_valid,
+  output wire                                            s_vertex_ready,
+  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
+  input  wire [11:0]                                     s_vertex_cell,
+  input  wire [SOURCE_W-1:0]                             s_vertex_source,
+  input  wire                                            s_vertex_bank,
+  output wire                                            read_o,
+  output wire                                            read_last_o,
+  output wire [SOURCE_W-1:0]                             read_source_o,
+  output wire [11:0]                                     read_cell_o,
+  output wire [5:0]                                      read_index_o,
+  input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+  output wire                                            result_valid_o,
+  output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o
+);
+  generate
+    if (ORG == 0) begin : gen_basic
+      ffd_org_basic #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else begin : gen_bad_org
+      ERROR_ffd_org_select_org_is_unknown u_error ();
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire

@@ -9,11 +9,10 @@ namespace hwffd {
 struct Configuration {
   const char* name;
   const char* org;        ///< organization, e.g. "basic"
-  int n;                  ///< units that work side by side
+  int n;                  ///< control points an organization takes in one clock
   const char* format;     ///< "fp32", or "fx" and the width of a word, e.g. "fx18"
   const char* schedule;   ///< "overlapped" or "paper"
   const char* evaluator;  ///< "pipelined" or "iterative"
-  bool fmac;              ///< fused multiply-add
   int mul_latency;        ///< clocks of a multiplier
   int add_latency;        ///< clocks of an adder
   int convert_latency;    ///< clocks of a conversion between kinds of number

@@ -1,0 +1,108 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <set>
+
+#include "hwffd/error.hpp"
+#include "hwffd/tb/stream_core_factory.hpp"
+
+namespace hwffd::sim {
+namespace {
+
+struct Text {
+  std::string deform;
+  std::string lattice = "4x4x4";
+  std::string org;
+  std::string format;
+  std::string schedule;
+};
+
+std::string joined(const std::set<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// Keeps the rows whose column has the wanted word; an empty word keeps all.
+void keep(std::vector<Configuration>& rows, const char* option, const std::string& wanted,
+          const std::function<std::string(const Configuration&)>& column) {
+  if (wanted.empty()) return;
+  std::set<std::string> known;
+  for (const Configuration& row : rows) known.insert(column(row));
+  if (known.count(wanted) == 0) {
+    throw UsageError(fmt::format("{}={}: unknown; known here: {}", option, wanted, joined(known)));
+  }
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [&](const Configuration& row) { return column(row) != wanted; }),
+             rows.end());
+}
+
+std::vector<Configuration> rows_of(const Text& text) {
+  std::vector<Configuration> rows;
+  for (const Configuration& row : configurations()) {
+    if (std::string(row.tier) == "sim" && tb::has_stream_core(row)) rows.push_back(row);
+  }
+  keep(rows, "ORG", text.org, [](const Configuration& row) { return row.org; });
+  keep(rows, "FORMAT", text.format, [](const Configuration& row) { return row.format; });
+  keep(rows, "SCHEDULE", text.schedule, [](const Configuration& row) { return row.schedule; });
+  return rows;
+}
+
+Index3 dims_of(const std::string& text) {
+  Index3 dims{};
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%2dx%2dx%2d%n", &dims[0], &dims[1], &dims[2], &end);
+  if (read != 3 || static_cast<std::size_t>(end) != text.size()) {
+    throw UsageError(fmt::format("LATTICE={}: expected points an axis, as 4x4x4 or 8x5x6", text));
+  }
+  for (const int n : dims) {
+    if (n < Lattice::kMinPoints || n > Lattice::kMaxPoints) {
+      throw UsageError(fmt::format("LATTICE={}: 4 to 16 points an axis", text));
+    }
+  }
+  return dims;
+}
+
+}  // namespace
+
+Options parse_options(int argc, char** argv) {
+  Options options;
+  Text text;
+  CLI::App app{"Deforms a mesh on the simulated hardware and compares every bit with the model."};
+  app.add_option("--model", options.model, "mesh file, or a name in glmark2's models");
+  app.add_option("--deform", text.deform,
+                 "twist:90 | bend:90 | shear:0.5 | random:SEED | none (default: twist:90, random)");
+  app.add_option("--lattice", text.lattice, "control points an axis, 4 to 16 (4x4x4)");
+  app.add_option("--org", text.org, "organization (default: all of the table's tier sim)");
+  app.add_option("--format", text.format, "fp32 | fx18 | fx32 (default: all)");
+  app.add_option("--schedule", text.schedule, "paper | overlapped (default: both)");
+  app.add_option("--stream", options.stream, "interleaved");
+  app.add_option("--seed", options.seed, "seed of the bench (1)");
+  app.add_flag("--trace", options.trace, "write waveforms (FST); needs a build with HWFFD_TRACE");
+  app.add_option("--output", options.output, "folder for meshes and reports (build)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    std::exit(app.exit(help));
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see --help");
+  }
+  if (options.stream != "interleaved") {
+    throw UsageError(fmt::format("STREAM={}: unknown; known here: interleaved", options.stream));
+  }
+  options.lattice = dims_of(text.lattice);
+  options.rows = rows_of(text);
+  options.deformations = {text.deform};
+  if (text.deform.empty()) {
+    options.deformations = {"twist:90", fmt::format("random:{}", options.seed)};
+  }
+  for (const std::string& deformation : options.deformations) Deformation::parse(deformation);
+  return options;
+}
+
+}  // namespace hwffd::sim

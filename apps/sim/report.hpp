@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run.hpp"
+
+namespace hwffd::sim {
+
+/// One line of the table; `header` is the line above.
+std::string table_header();
+std::string table_line(const RunResult& result, const std::string& stream);
+
+/// build/reports/sim.json: model, vertices, and one entry a run.
+std::string json_report(const Scene& scene, const Options& options,
+                        const std::vector<RunResult>& results);
+
+}  // namespace hwffd::sim

@@ -1,0 +1,89 @@
+#include "run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/stream/interleave.hpp"
+#include "hwffd/tb/stream_bench.hpp"
+#include "hwffd/tb/stream_core_factory.hpp"
+
+namespace hwffd::sim {
+namespace {
+
+constexpr std::size_t kPacket = 1024;  // vertices
+
+std::vector<Beat> commands(const Scene& scene, const Deformed& deformed, const WordCodec& codec,
+                           const Normalization& normalization) {
+  std::vector<Beat> beats = coefficients_packet(watertight_bspline(codec), codec);
+  const std::vector<InterleavedVertex> stream =
+      interleave(deformed.lattice, scene.vertices, codec, normalization);
+  for (std::size_t first = 0; first < stream.size(); first += kPacket) {
+    const std::size_t last = std::min(first + kPacket, stream.size());
+    const std::vector<Beat> packet =
+        interleaved_packet({stream.begin() + static_cast<std::ptrdiff_t>(first),
+                            stream.begin() + static_cast<std::ptrdiff_t>(last)});
+    beats.insert(beats.end(), packet.begin(), packet.end());
+  }
+  return beats;
+}
+
+Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
+                    const Normalization& normalization) {
+  Points positions(static_cast<Eigen::Index>(results.size()), 3);
+  for (std::size_t v = 0; v < results.size(); ++v) {
+    Point point;
+    for (int c = 0; c < 3; ++c) point[c] = codec.decode_point(results[v].words[c]);
+    positions.row(static_cast<Eigen::Index>(v)) = normalization.to_world(point);
+  }
+  return positions;
+}
+
+void show_progress(const std::string& name, double done) {
+  if (isatty(fileno(stderr)) == 0) return;
+  fmt::print(stderr, "\r{:<32} {:3.0f} %", name, 100 * done);
+  if (done >= 1) fmt::print(stderr, "\r{:40}\r", "");
+}
+
+}  // namespace
+
+RunResult run(const Options& options, const Configuration& row, const Scene& scene,
+              const Deformed& deformed) {
+  const WordCodec codec(row.format);
+  const Normalization normalization = Normalization::of(deformed.lattice, codec);
+  const std::vector<Beat> beats = commands(scene, deformed, codec, normalization);
+
+  const auto core = tb::make_stream_core(row, options.seed);
+  tb::StreamBenchOptions bench_options;
+  bench_options.test.name = fmt::format("sim {} {}", row.name, deformed.name);
+  bench_options.test.seed = options.seed;
+  bench_options.test.replay =
+      fmt::format("make sim ORG={} FORMAT={} SCHEDULE={} DEFORM={} SEED={}", row.org, row.format,
+                  row.schedule, deformed.name, options.seed);
+  tb::StreamBench bench(*core, bench_options);
+  bench.on_progress([&](double done) { show_progress(bench_options.test.name, done); });
+  bench.reset(4);
+  bench.expect(model::StreamModel(row).run(beats));
+  bench.send(beats);
+  bench.run();
+
+  RunResult result{row, deformed.name, 0, 0, 0, 0, 0, {}, {}};
+  if (!bench.finish()) result.failure = bench.report();
+  result.checked = bench.scoreboard().checked();
+  result.mismatches = bench.scoreboard().mismatches() + bench.scoreboard().extra();
+  if (bench.results().size() > 1) result.clocks_per_vertex = bench.clocks_per_result();
+  result.positions = positions_of(bench.results(), codec, normalization);
+  if (result.positions.rows() == deformed.exact.rows()) {
+    const Points error = (result.positions - deformed.exact) / lattice_scale(deformed.lattice);
+    result.max_error = error.cwiseAbs().maxCoeff();
+    result.rms_error = std::sqrt(error.squaredNorm() / static_cast<double>(error.size()));
+  }
+  return result;
+}
+
+}  // namespace hwffd::sim

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "options.hpp"
+#include "scene.hpp"
+
+namespace hwffd::sim {
+
+/// What one configuration made of one deformation.
+struct RunResult {
+  Configuration row;
+  std::string deform;
+  std::uint64_t checked = 0;
+  std::uint64_t mismatches = 0;
+  double clocks_per_vertex = 0;  ///< (last - first result clock) / (n - 1); 0 for one vertex
+  double max_error = 0;          ///< against the oracle, in units of the lattice's scale
+  double rms_error = 0;          ///< per component, same unit
+  std::string failure;           ///< the bench's report where something failed
+  Points positions;              ///< n x 3, what came out of the hardware, world coordinates
+
+  bool ok() const { return failure.empty(); }
+};
+
+/// Streams all vertices through the Verilated core and compares every beat with the model.
+RunResult run(const Options& options, const Configuration& row, const Scene& scene,
+              const Deformed& deformed);
+
+}  // namespace hwffd::sim

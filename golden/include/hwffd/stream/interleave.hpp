@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "hwffd/lattice/lattice.hpp"
+#include "hwffd/stream/packets.hpp"
+#include "hwffd/stream/word_codec.hpp"
+
+namespace hwffd {
+
+/// World coordinates to those of the stream and back: stream = (world - centre) / scale.
+///
+/// Fixed point wants every control point inside [-1, 1): the centre is that of the lattice's
+/// bounding box, the scale a power of two. binary32 takes world coordinates as they are.
+class Normalization {
+ public:
+  /// For control points of a lattice in the format of the codec.
+  static Normalization of(const Lattice& lattice, const WordCodec& codec);
+
+  Point to_stream(const Point& world) const { return (world - centre_) / scale_; }
+  Point to_world(const Point& stream) const { return stream * scale_ + centre_; }
+
+ private:
+  Point centre_{0, 0, 0};
+  double scale_ = 1;
+};
+
+/// The power of two that just exceeds the half extent of a lattice: the unit in which errors are
+/// reported, the same for every format.
+double lattice_scale(const Lattice& lattice);
+
+/// Each vertex with the 64 control points of its cell, as stream words (paper, fig. 3). The tag is
+/// the index modulo 65536.
+std::vector<InterleavedVertex> interleave(const Lattice& lattice,
+                                          const std::vector<Embedded>& vertices,
+                                          const WordCodec& codec,
+                                          const Normalization& normalization);
+
+}  // namespace hwffd

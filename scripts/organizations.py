@@ -1,0 +1,125 @@
+"""Code that follows from the organizations named in the table of configurations: the selector in
+the RTL and the factory of bit-true models. An organization `name` is the module ffd_org_<name> and
+the class OrgName in hwffd/model/org_<name>.hpp; a number at the end of a name (cg3) is the module's
+parameter SIZE. All modules have the ports and parameters of ffd_org_basic.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import re
+
+GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
+
+
+def split_name(org):
+    """cg3 -> ("cg", 3), basic -> ("basic", None)"""
+    match = re.fullmatch(r"([a-z]+)([0-9]*)", org)
+    return match.group(1), int(match.group(2)) if match.group(2) else None
+
+
+def organizations(configurations):
+    """The organizations of the table; a word's place is the value of the parameter ORG."""
+    return list(dict.fromkeys(c.org for c in configurations))
+
+
+def _header(rtl):
+    """The text between `module ffd_org_basic` and its `);`, with its parameters and ports."""
+    text = (pathlib.Path(rtl) / "evaluator" / "ffd_org_basic.v").read_text(encoding="utf-8")
+    match = re.search(r"^module ffd_org_basic #\(\n(.*?)\n\) \(\n(.*?)\n\);$", text, re.M | re.S)
+    parameters, ports = match.group(1), match.group(2)
+    names = re.findall(r"^  parameter (\w+)", parameters, re.M)
+    wires = re.findall(r"(\w+),?$", ports, re.M)
+    return parameters, ports, names, wires
+
+
+def _connections(names, indent):
+    width = max(len(name) for name in names)
+    return ",\n".join(f"{indent}.{name:<{width}}({name})" for name in names)
+
+
+def select_text(configurations, rtl):
+    """ffd_org_select: the organization numbered ORG."""
+    parameters, ports, names, wires = _header(rtl)
+    found = organizations(configurations)
+    arms = []
+    for number, org in enumerate(found):
+        module, size = split_name(org)
+        values = _connections(names, " " * 8)
+        if size is not None:
+            values = f"        .SIZE({size}),\n" + values
+        opening = "if" if number == 0 else "end else if"
+        arms.append(f"""    {opening} (ORG == {number}) begin : gen_{org}
+      ffd_org_{module} #(
+{values}
+      ) u_org (
+{_connections(wires, " " * 8)}
+      );
+""")
+    listing = ", ".join(f"{number} {org}" for number, org in enumerate(found))
+    return f"""// ffd_org_select: the organization numbered ORG ({listing})
+//
+// {GENERATED}
+//
+// Ports, pipeline, parameters: those of every organization (docs/architecture.md).
+// Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_org_select #(
+  parameter ORG             = 0,
+{parameters}
+) (
+{ports}
+);
+  generate
+{"".join(arms)}    end else begin : gen_bad_org
+      ERROR_ffd_org_select_org_is_unknown u_error ();
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire
+"""
+
+
+def _format_class(word):
+    return "Binary32" if word == "fp32" else f"Fixed<{word[2:]}>"
+
+
+def models_text(configurations):
+    """C++: make_evaluator_model for every organization and format of the table."""
+    modules = list(dict.fromkeys(split_name(c.org)[0] for c in configurations))
+    kinds = list(dict.fromkeys((split_name(c.org)[0], c.org, c.format) for c in configurations))
+    lines = [f"// {GENERATED}"]
+    lines += [f'#include "hwffd/model/org_{module}.hpp"' for module in modules]
+    lines += [
+        '#include "hwffd/model/evaluator.hpp"',
+        '#include "hwffd/numerics/binary32.hpp"',
+        '#include "hwffd/numerics/fixed.hpp"',
+        "",
+        "#include <stdexcept>",
+        "#include <string>",
+        "",
+        "namespace hwffd::model {",
+        "",
+        "std::unique_ptr<EvaluatorModel> make_evaluator_model(const Configuration& row) {",
+        "  const std::string org = row.org;",
+        "  const std::string format = row.format;",
+    ]
+    for module, org, word in kinds:
+        lines += [
+            f'  if (org == "{org}" && format == "{word}") {{',
+            f"    return std::make_unique<EvaluatorModelOf<{_format_class(word)},"
+            f" Org{module.capitalize()}>>(row);",
+            "  }",
+        ]
+    lines += [
+        '  throw std::invalid_argument("no model of " + org + " in " + format);',
+        "}",
+        "",
+        "}  // namespace hwffd::model",
+    ]
+    return "\n".join(lines) + "\n"
