@@ -93,7 +93,7 @@ def icarus(sources, top, files, parameters=()):
 
 
 def yosys(sources, jobs):
-    """One process for several (top, files, parameters); each top starts from the sources as read."""
+    """One process for several (top, files, parameters), each from the sources as read."""
     files = []
     for _, needed, _ in jobs:
         files += [path for path in needed if path not in files]

@@ -9,6 +9,7 @@ import re
 from rtl import read_file_list, strip_comments
 
 WIDTH = 100
+OPERATORS = tuple("+-*/%&|^~<>=!?:")
 CPP_FOLDERS = ("golden", "tb", "tests", "apps", "api", "bench")
 CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".cc")
 TEXT_FOLDERS = CPP_FOLDERS + ("rtl", "scripts", "cmake", "synth", "docs", ".ci")
@@ -113,9 +114,17 @@ def tabs(tree, path):
 
 
 def indentation(tree, path):
+    """Two spaces a level; a line that continues an expression may be aligned with it."""
+    before, braces = "", 0
     for number, line in enumerate(tree.code(path).splitlines(), 1):
-        if line.strip() and (len(line) - len(line.lstrip(" "))) % 2:
+        code = line.strip()
+        if not code:
+            continue
+        continues = braces > 0 or code[0] in OPERATORS or before[-1:] in OPERATORS
+        if (len(line) - len(line.lstrip(" "))) % 2 and not continues:
             yield number, "indentation is not a multiple of two spaces"
+        braces += code.count("{") - code.count("}")
+        before = code
 
 
 def module_name(tree, path):
@@ -149,7 +158,7 @@ def vendor_primitive(tree, path):
 
 
 def format_test(tree, path):
-    """FORMAT may be passed on, to a parameter, function or macro; what it means stays in number/."""
+    """FORMAT may be passed on, but not tested: what it means stays in number/."""
     if (tree.root / "rtl" / "number") in path.parents:
         return
     code = tree.code(path)

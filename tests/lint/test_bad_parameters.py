@@ -1,5 +1,5 @@
-"""Every row of bad_parameters.csv stops Verilator, Icarus and yosys alike, at the module's own named
-error; the same module with its defaults passes all three.
+"""Every row of bad_parameters.csv stops Verilator, Icarus and yosys alike, at the module's own
+named error; the same module with its defaults passes all three.
 
 A row is module,parameter,value; parameters that are bad only together are joined by ';', as are
 their values.

@@ -136,8 +136,9 @@ class Accepted(Folder):
         table, factory = self.folder / "table.cpp", self.folder / "factory.cpp"
         self.run_script("cpp", str(table), text=self.ROWS)
         self.run_script("factory", str(factory), "--tier", "test")
-        self.assertIn('{"good-row", "basic", 4, "fx18", "paper", "iterative", true, 5, 4, 0, "test"},',
-                      table.read_text())
+        self.assertIn(
+            '{"good-row", "basic", 4, "fx18", "paper", "iterative", true, 5, 4, 0, "test"},',
+            table.read_text())
         self.assertIn('"large"', table.read_text())
         self.assertIn('#include "Vgood_row.h"', factory.read_text())
         self.assertNotIn("large", factory.read_text())

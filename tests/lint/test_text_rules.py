@@ -1,5 +1,5 @@
-"""Each text rule of scripts/lint catches what is planted in a small copy of the tree, and only that;
-what it must let pass, passes.
+"""Each text rule of scripts/lint catches what is planted in a small copy of the tree, and only
+that; what it must let pass, passes.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -115,6 +115,8 @@ PLANTED = [
     ("columns", "101 columns", inserted("  // " + "x" * 96)),
     ("tabs", "tab before a comment", inserted("  wire y;\t// y")),
     ("indentation", "three spaces", inserted("   wire y;")),
+    ("indentation", "one space in a list", replaced("  input  wire       clk", " input wire clk")),
+    ("indentation", "after a concatenation", inserted("  wire y = &{d_i,\n    d_i};\n   wire z;")),
     ("module-name", "another name", replaced("module ffd_org_sample", "module ffd_org_other")),
     ("module-name", "two modules",
      replaced("endmodule\n", "endmodule\n\nmodule ffd_org_second;\nendmodule\n")),
@@ -170,10 +172,14 @@ PASSES = {
     "the sample": {},
     "a test of the format in number/": {"rtl/number/ffd_formats.vh": SPDX + FORMAT_HEADER},
     "100 columns": inserted("  // " + "x" * 95),
+    "operators aligned":
+        inserted("  wire y = d_i[0]\n         + d_i[1] ?\n           d_i[2] : d_i[3];"),
+    "a concatenation aligned": inserted("  wire y = &{d_i,\n             d_i};"),
     "a reason": inserted(f"  // {MARK}: share the adder once the schedule is fixed"),
     "words inside words": inserted("  wire [3:0] INFORMATION_q = 4'd1 == 4'd2;"),
     "a comment about FORMAT == 0": inserted("  // FORMAT == 0, DSP48E1, begin"),
-    "an anonymous begin in always": inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
+    "an anonymous begin in always":
+        inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
 }
 
 
