@@ -1,0 +1,236 @@
+// ffd_fp_mul: result_o = a_i * b_i, rounded to nearest, ties to even
+//
+// IEEE-754 format {sign, EXP_W, SIG_W - 1}: subnormals in and out, infinities; every NaN result is
+// the canonical {0, all ones, 1, 0...}; a zero result is always +0, an underflow to zero too.
+// Overflow gives infinity. Error at most half an ulp, also of subnormal results.
+//
+// Nothing is normalised before the multiplication. With p = SIG_W the product has 2p bits, and its
+// leading one is at bit p - 1 or above unless it is zero or both factors are subnormal; position
+// counts from there. One right shift then serves both ends: by position for a normal result, by
+// depth, which does not depend on the product, for a subnormal one, whichever is more:
+//
+//   depth = p + BIAS - (exponent a + exponent b),   exponent of the result = position - depth.
+//
+// Two subnormal factors have depth > p, more than any position: their position is never used.
+//
+// Pipeline:   free running, II 1, exactly LATENCY registers, spread over five steps (ffd_fp_stage):
+//             multiply | find leading one | limit | shift | round. Never frozen, no reset.
+// Unchecked:  nothing: every pair of words has a defined result. No exception flags.
+// Parameters: EXP_W, SIG_W (width with the hidden bit) as guarded in ffd_fp_unpack;
+//             LATENCY >= 1, guarded in ffd_fp_stage.
+// Model:      host arithmetic and exact integers.  Test: tests/unit/float/float_test.cpp.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_fp_mul #(
+  parameter EXP_W   = 8,
+  parameter SIG_W   = 24,
+  parameter LATENCY = 1
+) (
+  input  wire                   clk,
+  input  wire [EXP_W+SIG_W-1:0] a_i,
+  input  wire [EXP_W+SIG_W-1:0] b_i,
+  output wire [EXP_W+SIG_W-1:0] result_o
+);
+  localparam STEPS      = 5;
+  localparam W          = EXP_W + SIG_W;
+  localparam PRODUCT_W  = 2 * SIG_W;
+  localparam POSITION_W = $clog2(SIG_W + 1);      // of a leading one among the upper SIG_W + 1 bits
+  localparam UPPER_W    = 1 << POSITION_W;        // these bits, padded in front; <= PRODUCT_W
+  localparam AMOUNT_W   = $clog2(2 * SIG_W + 2);  // all ones shifts 2 * SIG_W + 1 bits out
+  localparam DEPTH_W    = EXP_W + 2;  // signed: SIG_W + BIAS < 2^(EXP_W+1), sum <= 2^(EXP_W+1)
+
+  localparam BIAS                 = (1 << (EXP_W - 1)) - 1;
+  localparam [DEPTH_W-1:0] ORIGIN = SIG_W[DEPTH_W-1:0] + BIAS[DEPTH_W-1:0];
+
+  // Step 0: multiply, add the exponents, classify.
+  wire             p0_a_sign;
+  wire [EXP_W-1:0] p0_a_exponent;
+  wire [SIG_W-1:0] p0_a_significand;
+  wire             p0_a_zero;
+  wire             p0_a_infinite;
+  wire             p0_a_nan;
+  wire             p0_b_sign;
+  wire [EXP_W-1:0] p0_b_exponent;
+  wire [SIG_W-1:0] p0_b_significand;
+  wire             p0_b_zero;
+  wire             p0_b_infinite;
+  wire             p0_b_nan;
+
+  ffd_fp_unpack #(
+    .EXP_W(EXP_W),
+    .SIG_W(SIG_W)
+  ) u_a (
+    .word_i       (a_i),
+    .sign_o       (p0_a_sign),
+    .exponent_o   (p0_a_exponent),
+    .significand_o(p0_a_significand),
+    .zero_o       (p0_a_zero),
+    .infinite_o   (p0_a_infinite),
+    .nan_o        (p0_a_nan)
+  );
+
+  ffd_fp_unpack #(
+    .EXP_W(EXP_W),
+    .SIG_W(SIG_W)
+  ) u_b (
+    .word_i       (b_i),
+    .sign_o       (p0_b_sign),
+    .exponent_o   (p0_b_exponent),
+    .significand_o(p0_b_significand),
+    .zero_o       (p0_b_zero),
+    .infinite_o   (p0_b_infinite),
+    .nan_o        (p0_b_nan)
+  );
+
+  wire                 p0_sign     = p0_a_sign ^ p0_b_sign;
+  wire                 p0_infinite = p0_a_infinite | p0_b_infinite;
+  wire                 p0_nan      = p0_a_nan | p0_b_nan | (p0_infinite & (p0_a_zero | p0_b_zero));
+  wire [PRODUCT_W-1:0] p0_product  = {{SIG_W{1'b0}}, p0_a_significand}
+                                   * {{SIG_W{1'b0}}, p0_b_significand};
+  wire [DEPTH_W-1:0]   p0_depth    = ORIGIN - ({2'b00, p0_a_exponent} + {2'b00, p0_b_exponent});
+
+  wire                 p1_sign;
+  wire                 p1_nan;
+  wire                 p1_infinite;
+  wire [DEPTH_W-1:0]   p1_depth;
+  wire [PRODUCT_W-1:0] p1_product;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + DEPTH_W + PRODUCT_W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (0)
+  ) u_stage0 (
+    .clk(clk),
+    .d_i({p0_sign, p0_nan, p0_infinite, p0_depth, p0_product}),
+    .q_o({p1_sign, p1_nan, p1_infinite, p1_depth, p1_product})
+  );
+
+  // Step 1: the leading one. Padded in front to a power of two, position = ~(leading zeros).
+  wire [PRODUCT_W-1:0]  p1_upper = p1_product >> (SIG_W - 1);
+  wire [POSITION_W-1:0] p1_count;
+  wire                  p1_none;
+
+  ffd_fp_lzc #(
+    .WIDTH(UPPER_W)
+  ) u_lzc (
+    .x_i    (p1_upper[UPPER_W-1:0]),
+    .count_o(p1_count),
+    .none_o (p1_none)
+  );
+
+  wire                  p2_sign;
+  wire                  p2_nan;
+  wire                  p2_infinite;
+  wire [DEPTH_W-1:0]    p2_depth;
+  wire [PRODUCT_W-1:0]  p2_product;
+  wire                  p2_none;
+  wire [POSITION_W-1:0] p2_position;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + DEPTH_W + PRODUCT_W + 1 + POSITION_W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (1)
+  ) u_stage1 (
+    .clk(clk),
+    .d_i({p1_sign, p1_nan, p1_infinite, p1_depth, p1_product, p1_none, ~p1_count}),
+    .q_o({p2_sign, p2_nan, p2_infinite, p2_depth, p2_product, p2_none, p2_position})
+  );
+
+  // Step 2: normal or subnormal, exponent and shift. One sign bit more than depth has.
+  wire [DEPTH_W:0]    p2_left     = {{(DEPTH_W+1-POSITION_W){1'b0}}, p2_position}
+                                  - {p2_depth[DEPTH_W-1], p2_depth};
+  wire                p2_limited  = p2_left[DEPTH_W] | p2_none;
+  wire                p2_overflow = ~p2_limited
+                                  & ((|p2_left[DEPTH_W-1:EXP_W]) | (&p2_left[EXP_W-1:1]));
+  wire [EXP_W-1:0]    p2_field    = p2_left[EXP_W-1:0] & {EXP_W{~p2_limited}};
+  wire                p2_far      = |(p2_depth >> AMOUNT_W);
+  wire [AMOUNT_W-1:0] p2_amount   = p2_limited ? p2_depth[AMOUNT_W-1:0] | {AMOUNT_W{p2_far}}
+                                  : {{(AMOUNT_W-POSITION_W){1'b0}}, p2_position};
+
+  wire                 p3_sign;
+  wire                 p3_nan;
+  wire                 p3_infinite;
+  wire [EXP_W-1:0]     p3_field;
+  wire [AMOUNT_W-1:0]  p3_amount;
+  wire [PRODUCT_W-1:0] p3_product;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + EXP_W + AMOUNT_W + PRODUCT_W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (2)
+  ) u_stage2 (
+    .clk(clk),
+    .d_i({p2_sign, p2_nan, p2_infinite | p2_overflow, p2_field, p2_amount, p2_product}),
+    .q_o({p3_sign, p3_nan, p3_infinite, p3_field, p3_amount, p3_product})
+  );
+
+  // Step 3: the shift; significand and guard bit end up lowest, zeros above them.
+  wire [PRODUCT_W:0] p3_normal;
+  wire               p3_sticky;
+
+  ffd_fp_shift_right #(
+    .WIDTH      (PRODUCT_W + 1),
+    .AMOUNT_W   (AMOUNT_W),
+    .LARGE_FIRST(1)
+  ) u_normalise (
+    .x_i     ({p3_product, 1'b0}),
+    .amount_i(p3_amount),
+    .y_o     (p3_normal),
+    .sticky_o(p3_sticky)
+  );
+
+  wire             p4_sign;
+  wire             p4_nan;
+  wire             p4_infinite;
+  wire [EXP_W-1:0] p4_field;
+  wire [SIG_W-1:0] p4_significand;
+  wire             p4_guard;
+  wire             p4_sticky;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + EXP_W + SIG_W + 2),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (3)
+  ) u_stage3 (
+    .clk(clk),
+    .d_i({p3_sign, p3_nan, p3_infinite, p3_field, p3_normal[SIG_W:0], p3_sticky}),
+    .q_o({p4_sign, p4_nan, p4_infinite, p4_field, p4_significand, p4_guard, p4_sticky})
+  );
+
+  // Step 4: round and pack.
+  wire [W-1:0] p4_result;
+
+  ffd_fp_round #(
+    .EXP_W(EXP_W),
+    .SIG_W(SIG_W)
+  ) u_round (
+    .sign_i       (p4_sign),
+    .exponent_i   (p4_field),
+    .significand_i(p4_significand),
+    .guard_i      (p4_guard),
+    .sticky_i     (p4_sticky),
+    .infinite_i   (p4_infinite),
+    .nan_i        (p4_nan),
+    .result_o     (p4_result)
+  );
+
+  ffd_fp_stage #(
+    .WIDTH  (W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (4)
+  ) u_stage4 (
+    .clk(clk),
+    .d_i(p4_result),
+    .q_o(result_o)
+  );
+
+  wire unused_ok = &{1'b0, p1_upper, p3_normal[PRODUCT_W:SIG_W+1]};
+endmodule
+
+`default_nettype wire
