@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/stream_core.hpp"
+
+namespace hwffd::tb {
+
+/// What is wrong with a loop-back core. Flaws that strike one beat strike number `kFlawedBeat`.
+enum class Flaw {
+  kNone,
+  kPayloadChanges,  // one bit flips while the beat waits
+  kValidDrops,      // valid falls for a cycle while the beat waits
+  kValidInReset,
+  kReadyInReset,
+  kValidAfterReset,  // valid in the first cycle after reset
+  kLosesBeat,
+  kDuplicatesBeat,
+  kSwapsBeats,
+  kFlipsBit,
+  kFlipsLast,
+  kSamplesLate,  // takes data and last one cycle after the handshake
+  kStopsOutput,
+  kStopsInput,
+  kValidWaitsForReady,
+  kExtraBeat,  // one more beat when all is done
+  kKeepsBeatsOverReset,
+  kLosesFirstAfterReset,  // ready in the first cycle after reset, but not listening
+  kHalfRate,
+  kReadyFollowsValid,  // a combinational path from input valid to input ready
+  kDataFollowsReady,   // a combinational path from output ready to output data
+  kValidFollowsReady,  // a combinational path from output ready to output valid
+};
+
+/// A first-in, first-out loop-back with registered outputs: a beat accepted at clock c can be
+/// offered at clock c + latency at the soonest. Holds up to `kDepth` beats.
+class LoopbackCore : public StreamCore {
+ public:
+  static constexpr std::size_t kDepth = 64;
+  static constexpr std::uint64_t kFlawedBeat = 10;
+
+  explicit LoopbackCore(unsigned latency, Flaw flaw = Flaw::kNone);
+
+  void drive_reset(bool asserted) override { reset_ = asserted; }
+  void drive_input(bool valid, const Beat& beat) override;
+  void drive_output_ready(bool ready) override { out_ready_ = ready; }
+  void settle() override;
+  void clock() override;
+  bool input_ready() const override;
+  bool output_valid() const override;
+  Beat output() const override;
+
+ private:
+  struct Entry {
+    Beat beat;
+    std::uint64_t due = 0;
+  };
+
+  void clock_in_reset();
+  void take(Beat beat);
+  void push(const Beat& beat);
+  void offer(bool transferred);
+
+  std::uint64_t latency_;
+  Flaw flaw_;
+  bool reset_ = false;
+  bool in_valid_ = false;
+  bool out_ready_ = false;
+  Beat in_beat_;
+  bool settled_in_valid_ = false;  // as the combinational paths see them
+  bool settled_out_ready_ = false;
+
+  std::array<Entry, 2 * kDepth> ring_;
+  std::uint64_t written_ = 0;
+  std::uint64_t read_ = 0;
+  std::uint64_t clock_ = 0;
+  std::uint64_t accepted_ = 0;
+  std::uint64_t delivered_ = 0;
+  std::uint64_t idle_ = 0;
+  Beat held_back_;
+  bool ready_q_ = true;  // as from a random start: nothing is promised before the first reset
+  bool valid_q_ = true;
+  bool was_reset_ = false;
+  bool struck_ = false;
+  bool sample_pending_ = false;
+};
+
+/// `count` random beats, each with its number as tag.
+std::vector<Beat> random_beats(std::size_t count, std::uint64_t seed);
+
+}  // namespace hwffd::tb
