@@ -19,19 +19,20 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 target_compile_options(verilated_runtime PRIVATE -w -O2)
 
-# hwffd_verilate(<target> TOP <module> SOURCES <file>... [PARAMETERS NAME=value...] [TRACE])
+# hwffd_verilate(<target> TOP <module> SOURCES <file>... [PARAMETERS NAME=value...])
 #
-# Makes the static library <target>, whose class is V<target> (header "V<target>.h").
+# Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
+# where HWFFD_TRACE is on.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "TRACE" "TOP" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TOP" "SOURCES;PARAMETERS" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -Wall -O3 --x-initial unique --x-assign unique
-    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir} -I${HWFFD_RTL_DIR}/number)
+    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir} -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator)
   foreach(parameter IN LISTS ARG_PARAMETERS)
     list(APPEND flags -G${parameter})
   endforeach()
-  if(ARG_TRACE)
+  if(HWFFD_TRACE)
     list(APPEND flags --trace-fst --trace-structs)
   endif()
   file(MAKE_DIRECTORY ${dir})

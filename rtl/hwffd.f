@@ -24,5 +24,14 @@ number/ffd_num_step.v
 number/ffd_num_scale.v
 number/ffd_num_out.v
 number/ffd_num_delay.v
+number/float/ffd_fp_add.v
+number/float/ffd_fp_fma.v
+number/float/ffd_fp_lzc.v
+number/float/ffd_fp_mul.v
+number/float/ffd_fp_round.v
+number/float/ffd_fp_shift_left.v
+number/float/ffd_fp_shift_right.v
+number/float/ffd_fp_stage.v
+number/float/ffd_fp_unpack.v
 number/fixed/ffd_fx_product.v
 number/fixed/ffd_fx_round.v

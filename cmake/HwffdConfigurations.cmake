@@ -1,0 +1,32 @@
+# The table of configurations, rtl/configurations.csv, as CMake needs it:
+#   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f
+#   HWFFD_CONFIGURATION_IDENTIFIERS       the rows of this build's tier
+#   HWFFD_CONFIGURATION_PARAMETERS_<id>   a row's parameters, NAME=value
+# and, in HWFFD_GENERATED_DIR, the C++ that follows from it: the table, the models, the cores.
+
+set(HWFFD_TIER test CACHE STRING "configurations to verilate: sim, test or all")
+set_property(CACHE HWFFD_TIER PROPERTY STRINGS sim test all)
+set(HWFFD_GENERATED_DIR ${CMAKE_BINARY_DIR}/generated)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+set(table ${HWFFD_RTL_DIR}/configurations.csv)
+set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  ${table} ${script} ${CMAKE_SOURCE_DIR}/scripts/organizations.py ${HWFFD_RTL_DIR}/hwffd.f)
+
+function(hwffd_generate)
+  execute_process(COMMAND ${Python3_EXECUTABLE} -B ${script} ${ARGN} RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "the table of configurations is broken; see the line above")
+  endif()
+endfunction()
+
+hwffd_generate(select ${HWFFD_RTL_DIR}/evaluator/ffd_org_select.v)
+hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
+hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
+hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})
+hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER})
+include(${HWFFD_GENERATED_DIR}/configurations.cmake)
+
+file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/]")
+list(TRANSFORM HWFFD_RTL_SOURCES PREPEND ${HWFFD_RTL_DIR}/)

@@ -1,0 +1,131 @@
+// Watertight seams: a vertex on a face, edge or corner that cells share gets the same bits from
+// each of them (docs/numerics.md section 5), in the model and in the RTL.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "hwffd/lattice/lattice.hpp"
+#include "system_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::size_t kValues = 60000;  // compared components, at least
+
+/// A random lattice of 2 x 2 x 2 cells somewhere in a 16^3 lattice: 5^3 points as words.
+struct Neighbourhood {
+  std::array<int, 3> first_cell{};
+  std::vector<std::array<std::uint32_t, 3>> points;
+
+  Neighbourhood(const WordCodec& codec, tb::Random& random) : points(125) {
+    for (int& cell : first_cell) cell = static_cast<int>(random.below(15));
+    for (auto& point : points) {
+      for (std::uint32_t& word : point) word = codec.point(2 * random.unit() - 1);
+    }
+  }
+
+  /// The vertex at `local` in the cell first_cell + `side` (0 or 1 an axis).
+  InterleavedVertex vertex(const std::array<int, 3>& side,
+                           const std::array<std::uint32_t, 3>& local) const {
+    InterleavedVertex vertex;
+    vertex.local = local;
+    for (int axis = 0; axis < 3; ++axis) vertex.cell[axis] = first_cell[axis] + side[axis];
+    for (int p = 0; p < 64; ++p) {
+      const int at = ((p / 16 + side[0]) * 5 + (p / 4 % 4 + side[1])) * 5 + p % 4 + side[2];
+      for (int c = 0; c < 3; ++c) vertex.points[3 * p + c] = points[at][c];
+    }
+    return vertex;
+  }
+};
+
+/// One vertex on a shared face (1 axis), edge (2) or corner (3), as each of the 2, 4 or 8 cells
+/// sees it: coordinate 1 in the lower cell of a shared axis, 0 in the upper one.
+std::vector<InterleavedVertex> shared_vertex(const WordCodec& codec, tb::Random& random) {
+  const Neighbourhood neighbourhood(codec, random);
+  const auto shared = static_cast<unsigned>(1 + random.below(7));  // axes, as bits
+  std::array<std::uint32_t, 3> inside{};
+  for (std::uint32_t& word : inside) word = codec.coordinate(random.unit());
+  std::vector<InterleavedVertex> vertices;
+  for (unsigned sides = 0; sides < 8; ++sides) {
+    if ((sides & ~shared) != 0) continue;
+    std::array<int, 3> side{};
+    std::array<std::uint32_t, 3> local = inside;
+    for (int axis = 0; axis < 3; ++axis) {
+      side[axis] = static_cast<int>(sides >> axis) & 1;
+      if ((shared >> axis & 1) != 0) local[axis] = codec.coordinate(side[axis] == 0 ? 1.0 : 0.0);
+    }
+    vertices.push_back(neighbourhood.vertex(side, local));
+  }
+  return vertices;
+}
+
+/// Vertices in groups that must agree.
+struct Seams {
+  std::vector<InterleavedVertex> vertices;
+  std::vector<std::size_t> group;  // of each vertex
+
+  Seams(const WordCodec& codec, std::size_t values, std::uint64_t seed) {
+    tb::Random random(seed);
+    for (std::size_t g = 0; 3 * vertices.size() < values; ++g) {
+      for (const InterleavedVertex& vertex : shared_vertex(codec, random)) {
+        vertices.push_back(vertex);
+        group.push_back(g);
+      }
+    }
+  }
+
+  /// Components that differ from those of the group's first vertex.
+  std::size_t differences(const std::vector<Beat>& results) const {
+    EXPECT_EQ(results.size(), vertices.size());
+    std::size_t differ = 0;
+    std::size_t first = 0;
+    for (std::size_t v = 0; v < results.size(); ++v) {
+      if (group[v] != group[first]) first = v;
+      for (int c = 0; c < 3; ++c) differ += results[v].words[c] != results[first].words[c] ? 1 : 0;
+    }
+    return differ;
+  }
+};
+
+std::size_t model_differences(const Configuration& row, const Blending& blending) {
+  const WordCodec codec(row.format);
+  const Seams seams(codec, kValues, tb::seed_from_environment(1));
+  model::StreamModel model(row);
+  model.run(coefficients_packet(blending, codec));
+  const std::size_t differ = seams.differences(model.run(interleaved_packet(seams.vertices)));
+  std::printf("%zu values, %zu differ\n", 3 * seams.vertices.size(), differ);
+  return differ;
+}
+
+class Seam : public PerConfiguration {};
+
+TEST_P(Seam, ModelIsWatertight) {
+  const WordCodec codec(GetParam().format);
+  EXPECT_EQ(model_differences(GetParam(), watertight_bspline(codec)), 0U);
+}
+
+// The test can fail: with each coefficient rounded by itself, binary32 cracks.
+TEST_P(Seam, PlainCoefficientsCrackInBinary32) {
+  if (std::string(GetParam().format) != "fp32") GTEST_SKIP() << "only in fp32";
+  EXPECT_GT(model_differences(GetParam(), plain_bspline()), kValues / 10);
+}
+
+TEST_P(Seam, RtlIsWatertight) {
+  SystemRun run(GetParam(), 1);
+  // The schedule of the paper takes ten times as long for the same bits.
+  const bool paper = std::string(GetParam().schedule) == "paper";
+  const std::size_t values = paper ? kValues / 10 : kValues;
+  const Seams seams(run.codec(), values, tb::seed_from_environment(2));
+  run.send_bspline();
+  run.send(interleaved_packet(seams.vertices));
+  ASSERT_TRUE(run.run());
+  EXPECT_GE(3 * seams.vertices.size(), values);
+  EXPECT_EQ(seams.differences(run.bench().results()), 0U);
+  std::printf("%zu values compared\n", 3 * seams.vertices.size());
+}
+
+HWFFD_FOR_EACH_CONFIGURATION(Seam);
+
+}  // namespace
+}  // namespace hwffd::test

@@ -1,0 +1,111 @@
+#include "stimulus.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "hwffd/lattice/box.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/mesh/mesh.hpp"
+#include "hwffd/stream/interleave.hpp"
+
+namespace hwffd::test {
+namespace {
+
+std::uint32_t corner_coordinate(const WordCodec& codec, tb::Random& random) {
+  if (!codec.is_float()) {
+    return random.pick({0x00000000U, 0x00000001U, 0x00002000U, 0x40000000U, 0x7FFFE000U,
+                        0x7FFFFFFFU, 0x80000000U, 0x80000001U, 0xFFFFFFFFU});
+  }
+  return random.pick({0x00000000U, 0x00000001U, 0x007FFFFFU, 0x00800000U, 0x33800000U, 0x3F000000U,
+                      0x3F7FFFFFU, 0x3F800000U, 0x3F800001U, 0x80000000U, 0xBF800000U});
+}
+
+std::uint32_t extreme_word(const WordCodec& codec, tb::Random& random) {
+  if (!codec.is_float()) {
+    return random.pick({0x80000000U, 0x80000001U, 0x7FFFFFFFU, 0x7FFFE000U, 0x00000001U,
+                        0xFFFFFFFFU, 0x00000000U, 0x00001FFFU});
+  }
+  return random.pick({0x7F7FFFFFU, 0xFF7FFFFFU, 0x7F800000U, 0xFF800000U, 0x7FC00000U, 0xFF800001U,
+                      0x00000001U, 0x80000001U, 0x007FFFFFU, 0x80000000U, 0x7E800000U,
+                      0xFE800000U});
+}
+
+InterleavedVertex extreme_vertex(const WordCodec& codec, tb::Random& random) {
+  InterleavedVertex vertex = random_vertex(codec, random);
+  const double share = random.pick({0.01, 0.1, 1.0});
+  for (std::uint32_t& word : vertex.points) {
+    if (random.chance(share)) word = extreme_word(codec, random);
+  }
+  for (std::uint32_t& word : vertex.local) {
+    if (random.chance(0.2)) word = extreme_word(codec, random);
+  }
+  return vertex;
+}
+
+InterleavedVertex corner_vertex(const WordCodec& codec, tb::Random& random) {
+  InterleavedVertex vertex = random_vertex(codec, random);
+  for (std::uint32_t& word : vertex.local) word = corner_coordinate(codec, random);
+  return vertex;
+}
+
+std::vector<InterleavedVertex> mesh_vertices(const WordCodec& codec, std::size_t count,
+                                             std::uint64_t seed) {
+  const Index3 dims{5, 7, 6};
+  static const Mesh mesh = Mesh::procedural();
+  const Box box = Box::around(mesh.positions());
+  const Lattice twisted = Deformation::parse("twist:90").apply(box.lattice(dims));
+  const auto rows = static_cast<Eigen::Index>(count);
+  const auto first = static_cast<Eigen::Index>(seed * 97) % (mesh.positions().rows() - rows);
+  const Points part = mesh.positions().middleRows(first, rows);
+  return interleave(twisted, box.embed(dims, part), codec, Normalization::of(twisted, codec));
+}
+
+}  // namespace
+
+const std::vector<std::string>& stimulus_names() {
+  static const std::vector<std::string> names{"corner", "extreme", "random", "mesh"};
+  return names;
+}
+
+InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random) {
+  InterleavedVertex vertex;
+  for (std::uint32_t& word : vertex.local) word = codec.coordinate(random.unit());
+  for (int& cell : vertex.cell) cell = static_cast<int>(random.below(16));
+  for (std::uint32_t& word : vertex.points) word = codec.point(2 * random.unit() - 1);
+  return vertex;
+}
+
+std::vector<InterleavedVertex> make_stimulus(const std::string& name, const WordCodec& codec,
+                                             std::size_t count, std::uint64_t seed) {
+  if (name == "mesh") return mesh_vertices(codec, count, seed);
+  tb::Random random(seed);
+  std::vector<InterleavedVertex> vertices;
+  for (std::size_t v = 0; v < count; ++v) {
+    if (name == "corner") {
+      vertices.push_back(corner_vertex(codec, random));
+    } else if (name == "extreme") {
+      vertices.push_back(extreme_vertex(codec, random));
+    } else if (name == "random") {
+      vertices.push_back(random_vertex(codec, random));
+    } else {
+      throw std::invalid_argument("no stimulus named " + name);
+    }
+    vertices.back().tag = static_cast<std::uint16_t>(v);
+  }
+  return vertices;
+}
+
+std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random& random) {
+  std::array<AxisWords, 3> axes;
+  for (AxisWords& axis : axes) {
+    axis.degree = static_cast<int>(random.below(4));
+    axis.shift = static_cast<int>(random.below(4));
+    for (auto& function : axis.word) {
+      for (std::uint32_t& word : function) word = codec.coefficient(2 * random.unit() - 1, 0);
+    }
+  }
+  return axes;
+}
+
+}  // namespace hwffd::test

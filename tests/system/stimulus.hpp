@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hwffd/stream/packets.hpp"
+#include "hwffd/stream/word_codec.hpp"
+#include "hwffd/tb/random.hpp"
+
+namespace hwffd::test {
+
+/// The kinds of vertices that the system tests send:
+///   corner   coordinates 0, 1 and one step inside, cells of all residues, ordinary points
+///   extreme  words from the ends of the format: huge, tiny, infinite, NaN; ordinary coordinates
+///   too random   coordinates and points uniform in the format's range mesh     consecutive
+///   vertices of a mesh in a twisted lattice of many cells
+const std::vector<std::string>& stimulus_names();
+
+/// `count` vertices of a kind; tags count from 0.
+std::vector<InterleavedVertex> make_stimulus(const std::string& name, const WordCodec& codec,
+                                             std::size_t count, std::uint64_t seed);
+
+/// A vertex with uniform coordinates and points in [-1, 1) and a random cell.
+InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random);
+
+/// Coefficients, degrees and shifts at random: every bit of the coefficient file is used.
+std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random& random);
+
+}  // namespace hwffd::test

@@ -1,0 +1,155 @@
+// What a stream can do to the core besides vertices at full speed: resets, reloads, bad packets,
+// numbers that are none; and the proof that the bench can fail.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "system_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr int kSeeds = 8;
+
+class Stream : public PerConfiguration {};
+
+TEST_P(Stream, ResetAtAnyMomentLeavesNothingBehind) {
+  int resets = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SystemRun run(GetParam(), seed, "always", "bursts");
+    tb::Random random(seed);
+    for (int again = 0; again < 5; ++again, ++resets) {
+      run.send_bspline();
+      run.send(interleaved_packet(make_stimulus("random", run.codec(), 6, seed + 100)));
+      run.bench().run_for(random.below(900));
+      run.reset(1 + random.below(3));
+    }
+    run.send_bspline();
+    run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, seed)));
+    ASSERT_TRUE(run.run());
+  }
+  EXPECT_EQ(resets, 5 * kSeeds);
+}
+
+TEST_P(Stream, CoefficientsChangeBetweenVertices) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SystemRun run(GetParam(), seed, "bernoulli", "bernoulli");
+    tb::Random random(seed);
+    for (int bank = 0; bank < 6; ++bank) {
+      run.send(coefficients_packet(random_coefficients(run.codec(), random)));
+      const std::size_t vertices = random.below(4);
+      run.send(interleaved_packet(make_stimulus("random", run.codec(), vertices, seed + bank)));
+    }
+    run.send(interleaved_packet(make_stimulus("corner", run.codec(), 2, seed)));
+    ASSERT_TRUE(run.run());
+  }
+}
+
+/// A packet with something wrong: cut short, too long, of unknown opcode, or of no vertices.
+std::vector<Beat> bad_packet(const WordCodec& codec, tb::Random& random) {
+  std::vector<Beat> beats =
+      random.chance(0.3)
+          ? coefficients_packet(random_coefficients(codec, random))
+          : interleaved_packet({random_vertex(codec, random), random_vertex(codec, random)});
+  switch (random.below(4)) {
+    case 0:
+      beats.resize(1 + random.below(beats.size()));
+      break;
+    case 1:
+      beats.back().last = false;
+      for (std::uint64_t extra = 1 + random.below(60); extra > 0; --extra) {
+        beats.push_back({{random.word(), random.word(), random.word(), random.word()}, false});
+      }
+      break;
+    case 2:
+      beats[0].words[0] =
+          (beats[0].words[0] & ~0xFFU) | static_cast<std::uint8_t>(random.below(256));
+      break;
+    default:
+      beats[0].words[1] = 0;
+  }
+  beats.back().last = true;
+  return beats;
+}
+
+TEST_P(Stream, BadPacketsNeverHangNorSpoilTheNext) {
+  int packets = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SystemRun run(GetParam(), seed, "bursts", "bernoulli");
+    tb::Random random(seed);
+    for (int bad = 0; bad < 12; ++bad, ++packets) {
+      run.send(bad_packet(run.codec(), random));
+      if (random.chance(0.5)) run.send_bspline();
+    }
+    run.send_bspline();
+    run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, seed)));
+    ASSERT_TRUE(run.run());
+  }
+  std::printf("%d bad packets\n", packets);
+}
+
+TEST_P(Stream, VertexBeforeCoefficientsIsBlankAndSaysSo) {
+  SystemRun run(GetParam(), 1);
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, 1)));
+  ASSERT_TRUE(run.run());
+  for (const Beat& result : run.bench().results()) {
+    EXPECT_NE(result.words[3] & kStatusUnloaded, 0U);
+    EXPECT_EQ(result.words[0], run.codec().is_float() ? 0x7FC00000U : 0U);
+  }
+}
+
+TEST_P(Stream, NotANumberStaysInItsVertex) {
+  SystemRun run(GetParam(), 1);
+  if (!run.codec().is_float()) GTEST_SKIP() << "fixed point has no NaN";
+  tb::Random random(1);
+  std::vector<InterleavedVertex> vertices;
+  for (const std::uint32_t word : {0x7FC00001U, 0xFFFFFFFFU, 0x7F800000U, 0xFF800000U}) {
+    for (int place = 0; place < 4; ++place) {
+      InterleavedVertex vertex = random_vertex(run.codec(), random);
+      (place < 3 ? vertex.local[place] : vertex.points[93]) = word;
+      vertices.push_back(vertex);
+      vertices.push_back(random_vertex(run.codec(), random));
+    }
+  }
+  run.send_bspline();
+  run.send(interleaved_packet(vertices));
+  ASSERT_TRUE(run.run());
+  const std::vector<Beat>& results = run.bench().results();
+  ASSERT_EQ(results.size(), 32U);
+  for (std::size_t v = 0; v < results.size(); v += 2) {
+    const bool infinite_point = v % 8 == 6 && v >= 16;
+    const bool nan = (results[v].words[3] & kStatusNan) != 0;
+    EXPECT_EQ(nan, !infinite_point) << "vertex " << v;
+    for (int c = 0; c < 3; ++c) {
+      if (v % 8 != 6) EXPECT_EQ(results[v].words[c], 0x7FC00000U) << "vertex " << v;
+    }
+    EXPECT_EQ(results[v + 1].words[3] >> 16, 0U) << "vertex " << v + 1;
+  }
+}
+
+TEST_P(Stream, ValidDoesNotWaitForReady) {
+  SystemRun run(GetParam(), 1);
+  run.send_bspline();
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 30, 1)));
+  EXPECT_TRUE(run.bench().raises_valid_without_ready(3000, 3000));
+  EXPECT_TRUE(run.run());
+}
+
+TEST_P(Stream, ThePlantedFaultIsFound) {
+  using Kind = tb::Fault::Kind;
+  for (const tb::Fault fault :
+       {tb::Fault{Kind::kFlip, 1, 0}, tb::Fault{Kind::kFlip, 2, 95}, tb::Fault{Kind::kFlip, 0, 128},
+        tb::Fault{Kind::kDrop, 1, 0}, tb::Fault{Kind::kDuplicate, 1, 0}}) {
+    SystemRun run(GetParam(), 1);
+    run.send_bspline();
+    run.send(interleaved_packet(make_stimulus("random", run.codec(), 4, 1)));
+    run.bench().plant(fault);
+    EXPECT_FALSE(run.run());
+    EXPECT_TRUE(run.bench().fault_struck());
+  }
+}
+
+HWFFD_FOR_EACH_CONFIGURATION(Stream);
+
+}  // namespace
+}  // namespace hwffd::test

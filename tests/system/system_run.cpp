@@ -1,0 +1,54 @@
+#include "system_run.hpp"
+
+#include <algorithm>
+
+namespace hwffd::test {
+
+std::vector<Configuration> built_configurations() {
+  std::vector<Configuration> built;
+  for (const Configuration& row : configurations()) {
+    if (tb::has_stream_core(row)) built.push_back(row);
+  }
+  return built;
+}
+
+std::string test_name(const Configuration& row) {
+  std::string name = row.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+SystemRun::SystemRun(const Configuration& row, std::uint64_t seed, const std::string& source,
+                     const std::string& sink)
+    : row_(row), codec_(row.format), core_(tb::make_stream_core(row, seed)), model_(row) {
+  tb::StreamBenchOptions options;
+  options.test.name = std::string(row.name) + " " + source + " " + sink;
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  options.test.replay = "SEED=" + std::to_string(seed) + " ctest --test-dir build -R '" +
+                        (info != nullptr ? info->name() : "") + "'";
+  options.test.seed = seed;
+  options.source_throttle = source;
+  options.sink_throttle = sink;
+  bench_ = std::make_unique<tb::StreamBench>(*core_, options);
+  reset(3);
+}
+
+void SystemRun::send(const std::vector<Beat>& beats) {
+  bench_->send(beats);
+  bench_->expect(model_.run(beats));
+}
+
+void SystemRun::send_bspline() { send(coefficients_packet(watertight_bspline(codec_), codec_)); }
+
+void SystemRun::reset(std::uint64_t cycles) {
+  model_.reset();
+  bench_->reset(cycles);
+}
+
+::testing::AssertionResult SystemRun::run() {
+  bench_->run();
+  if (bench_->finish()) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << bench_->report();
+}
+
+}  // namespace hwffd::test

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/stream_bench.hpp"
+#include "hwffd/tb/stream_core_factory.hpp"
+#include "stimulus.hpp"
+
+namespace hwffd::test {
+
+/// The rows of the table that this build has Verilated.
+std::vector<Configuration> built_configurations();
+
+/// basic-fx18-paper -> basic_fx18_paper, as a test may be called.
+std::string test_name(const Configuration& row);
+
+/// A core of one configuration, its model and the bench between them.
+class SystemRun {
+ public:
+  SystemRun(const Configuration& row, std::uint64_t seed, const std::string& source = "always",
+            const std::string& sink = "always");
+
+  /// Appends packets to the command stream, and what the model makes of them to the expectations.
+  void send(const std::vector<Beat>& beats);
+  /// Coefficients of the uniform B-spline.
+  void send_bspline();
+  /// Runs to the end; the failure is the bench's report.
+  ::testing::AssertionResult run();
+  /// Resets core, model and bench.
+  void reset(std::uint64_t cycles);
+
+  const Configuration& row() const { return row_; }
+  const WordCodec& codec() const { return codec_; }
+  tb::StreamBench& bench() { return *bench_; }
+
+ private:
+  Configuration row_;
+  WordCodec codec_;
+  std::unique_ptr<tb::StreamCore> core_;
+  model::StreamModel model_;
+  std::unique_ptr<tb::StreamBench> bench_;
+};
+
+/// For tests over configurations.
+class PerConfiguration : public ::testing::TestWithParam<Configuration> {};
+
+}  // namespace hwffd::test
+
+#define HWFFD_FOR_EACH_CONFIGURATION(suite)                                                     \
+  INSTANTIATE_TEST_SUITE_P(, suite, ::testing::ValuesIn(::hwffd::test::built_configurations()), \
+                           [](const auto& info) { return ::hwffd::test::test_name(info.param); })

@@ -1,0 +1,275 @@
+// The number layer in fixed point, RTL and model, against exact arithmetic.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <deque>
+#include <type_traits>
+
+#include "Vnumber_units_18.h"
+#include "Vnumber_units_32.h"
+#include "Vnumber_units_8.h"
+#include "exact_fixed.hpp"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/sim.hpp"
+
+namespace hwffd::test {
+namespace {
+
+// ---- ports of any width as 128-bit integers
+
+template <class Port>
+void drive(Port& port, Int128 bits) {
+  if constexpr (std::is_integral_v<Port>) {
+    port = static_cast<Port>(bits);
+  } else {
+    for (int word = 0; word < 3; ++word) port[word] = static_cast<EData>(bits >> (32 * word));
+  }
+}
+
+template <class Port>
+Int128 read(const Port& port) {
+  if constexpr (std::is_integral_v<Port>) {
+    return port;
+  } else {
+    return Int128{port[0]} | Int128{port[1]} << 32 | Int128{port[2]} << 64;
+  }
+}
+
+/// Two's complement of `width` bits below a flag.
+Int128 packed(Int128 value, bool flag, int width) {
+  const Int128 mask = (Int128{1} << width) - 1;
+  return (value & mask) | Int128{flag ? 1 : 0} << width;
+}
+Int128 packed(Rounded rounded, bool flag, int width) {
+  return packed(rounded.value, rounded.saturated || flag, width);
+}
+
+template <int W>
+struct Widths;
+template <>
+struct Widths<8> {
+  using Dut = Vnumber_units_8;
+  static constexpr int kMul = 1, kAdd = 1, kConvert = 0;
+};
+template <>
+struct Widths<18> {
+  using Dut = Vnumber_units_18;
+  static constexpr int kMul = 2, kAdd = 1, kConvert = 1;
+};
+template <>
+struct Widths<32> {
+  using Dut = Vnumber_units_32;
+  static constexpr int kMul = 3, kAdd = 2, kConvert = 1;
+};
+
+struct Operands {
+  std::uint32_t word = 0;
+  Int128 a = 0, b = 0, c = 0, sum_a = 0, sum_b = 0;
+  bool flag_a = false, flag_b = false, flag_c = false;
+  int shift = 0;
+};
+
+enum Unit { kCoordinate, kCoefficient, kPoint, kMulUnit, kTerm, kStep, kScale, kAddUnit, kOut };
+constexpr int kUnits = 9;
+using Results = std::array<Int128, kUnits>;
+
+template <int W>
+Results exact_results(const Operands& o) {
+  constexpr int kF = W - 2;
+  const Exact coordinate{o.word > 0x80000000U ? Int128{0x80000000U} : Int128{o.word}, 31};
+  const Int128 word = static_cast<std::int32_t>(o.word);
+  const Int128 product = o.a * o.b;
+  const Int128 one = Int128{1} << kF;
+  const bool flag_ab = o.flag_a || o.flag_b;
+  const Int128 out = packed(nearest({o.sum_a, 2 * W - 3}, 31, 32), o.flag_a, 32);
+  return {packed(nearest(coordinate, kF, W), o.word > 0x80000000U, W),
+          packed(nearest({word, 30}, kF, W), false, W),
+          packed(nearest({word, 31}, W - 1, W), false, W),
+          packed(nearest({product, 2 * kF}, kF, W), flag_ab, W),
+          packed(product, flag_ab, 2 * W + 6),
+          packed(nearest({o.c * one + product, 2 * kF}, kF, W), flag_ab || o.flag_c, W),
+          packed(nearest({o.a * (1 << o.shift), kF}, kF, W), o.flag_a, W),
+          packed(o.sum_a + o.sum_b, flag_ab, 2 * W + 6),
+          out};
+}
+
+template <int W>
+Results model_results(const Operands& o) {
+  using F = Fixed<W>;
+  using Number = typename F::Number;
+  const Number a{static_cast<std::int64_t>(o.a), o.flag_a};
+  const Number b{static_cast<std::int64_t>(o.b), o.flag_b};
+  const Number c{static_cast<std::int64_t>(o.c), o.flag_c};
+  typename F::Sum sum_a;
+  sum_a.value = static_cast<decltype(sum_a.value)>(o.sum_a);
+  sum_a.saturated = o.flag_a;
+  typename F::Sum sum_b;
+  sum_b.value = static_cast<decltype(sum_b.value)>(o.sum_b);
+  sum_b.saturated = o.flag_b;
+  const auto number = [](Number n) { return packed(n.value, n.saturated, W); };
+  const auto sum = [](typename F::Sum s) { return packed(s.value, s.saturated, 2 * W + 6); };
+  const OutWord out = F::out(sum_a);
+  return {number(F::coordinate(o.word)),
+          number(F::coefficient(o.word)),
+          number(F::point(o.word)),
+          number(F::mul(a, b)),
+          sum(F::term(a, b)),
+          number(F::step(c, a, b)),
+          number(F::scale(a, o.shift)),
+          sum(F::add(sum_a, sum_b)),
+          packed(Int128{out.word}, out.saturated, 32)};
+}
+
+/// All units of one width: operands go in every clock, results are compared as they come out.
+template <int W>
+class Units {
+ public:
+  ~Units() { EXPECT_GT(compared_, 0U); }
+
+  void apply(const Operands& o) {
+    const Results exact = exact_results<W>(o);
+    const Results model = model_results<W>(o);
+    for (int unit = 0; unit < kUnits; ++unit) {
+      ASSERT_TRUE(exact[unit] == model[unit]) << "model, unit " << unit << text(o);
+    }
+    auto& dut = sim_.dut();
+    dut.word_i = o.word;
+    drive(dut.a_i, packed(o.a, o.flag_a, W));
+    drive(dut.b_i, packed(o.b, o.flag_b, W));
+    drive(dut.c_i, packed(o.c, o.flag_c, W));
+    dut.shift_i = static_cast<CData>(o.shift);
+    drive(dut.sum_a_i, packed(o.sum_a, o.flag_a, 2 * W + 6));
+    drive(dut.sum_b_i, packed(o.sum_b, o.flag_b, 2 * W + 6));
+    dut.eval();  // converters of latency 0 answer before the edge
+    for (int unit = 0; unit < kUnits; ++unit) expected_[unit].push_back(exact[unit]);
+    operands_ = o;
+    compare();
+    sim_.tick();
+  }
+  std::uint64_t compared() const { return compared_; }
+
+ private:
+  static constexpr std::array<int, kUnits> kLatency{0,
+                                                    0,
+                                                    0,
+                                                    Widths<W>::kMul,
+                                                    Widths<W>::kMul,
+                                                    Widths<W>::kMul + Widths<W>::kAdd,
+                                                    Widths<W>::kConvert,
+                                                    Widths<W>::kAdd,
+                                                    Widths<W>::kConvert};
+
+  void compare() {
+    auto& dut = sim_.dut();
+    const Results got{read(dut.coordinate_o),
+                      read(dut.coefficient_o),
+                      read(dut.point_o),
+                      read(dut.mul_o),
+                      read(dut.term_o),
+                      read(dut.step_o),
+                      read(dut.scale_o),
+                      read(dut.add_o),
+                      Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
+    for (int unit = 0; unit < kUnits; ++unit) {
+      if (expected_[unit].size() <= static_cast<std::size_t>(kLatency[unit])) continue;
+      ASSERT_TRUE(got[unit] == expected_[unit].front())
+          << "RTL, unit " << unit << ": got " << hex(got[unit]) << ", expected "
+          << hex(expected_[unit].front()) << text(operands_);
+      expected_[unit].pop_front();
+      ++compared_;
+    }
+  }
+  static std::string hex(Int128 value) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%llx_%016llx",
+                  static_cast<unsigned long long>(value >> 64),
+                  static_cast<unsigned long long>(value));
+    return buffer;
+  }
+  static std::string text(const Operands& o) {
+    return " after word " + hex(o.word) + " a " + hex(o.a) + " b " + hex(o.b) + " c " + hex(o.c) +
+           " shift " + std::to_string(o.shift) + " sums " + hex(o.sum_a) + " " + hex(o.sum_b);
+  }
+
+  tb::Sim<typename Widths<W>::Dut> sim_{tb::seed_from_environment(1)};
+  std::array<std::deque<Int128>, kUnits> expected_;
+  Operands operands_;
+  std::uint64_t compared_ = 0;
+};
+
+/// A signed word of `width` bits: an end of the range, a power of two or its neighbour, or random.
+Int128 corner_or_random(tb::Random& random, int width) {
+  const Int128 top = (Int128{1} << (width - 1)) - 1;
+  const Int128 power = Int128{1} << random.below(static_cast<std::uint64_t>(width) - 1);
+  switch (random.below(8)) {
+    case 0:
+      return random.pick({top, -top - 1, top - 1, -top});
+    case 1:
+      return power;
+    case 2:
+      return -power;
+    case 3:
+      return power - 1;
+    default: {
+      const Int128 bits = Int128{random.bits()} << 64 | random.bits();
+      return bits >> (128 - width);  // sign extended
+    }
+  }
+}
+
+template <int W>
+Operands random_operands(tb::Random& random) {
+  Operands o;
+  o.word = static_cast<std::uint32_t>(corner_or_random(random, 32));
+  o.a = corner_or_random(random, W);
+  o.b = corner_or_random(random, W);
+  o.c = corner_or_random(random, W);
+  // Sums of a vertex stay within 64 products, half of the word: two of them never overflow.
+  o.sum_a = corner_or_random(random, 2 * W + 5);
+  o.sum_b = corner_or_random(random, 2 * W + 5);
+  o.flag_a = random.chance(0.1);
+  o.flag_b = random.chance(0.1);
+  o.flag_c = random.chance(0.1);
+  o.shift = static_cast<int>(random.below(4));
+  return o;
+}
+
+template <int W>
+void corners_and_random(std::uint64_t cases) {
+  tb::Random random(tb::seed_from_environment(W));
+  Units<W> units;
+  for (std::uint64_t i = 0; i < cases && !::testing::Test::HasFatalFailure(); ++i) {
+    units.apply(random_operands<W>(random));
+  }
+  EXPECT_GE(units.compared(), kUnits * (cases - 10));
+  std::printf("%llu results compared\n", static_cast<unsigned long long>(units.compared()));
+}
+
+TEST(Number, EveryOperandPairAt8Bits) {
+  tb::Random random(tb::seed_from_environment(8));
+  Units<8> units;
+  std::uint64_t pairs = 0;
+  for (int a = -128; a < 128; ++a) {
+    for (int b = -128; b < 128 && !HasFatalFailure(); ++b) {
+      for (int c = -128; c < 128; c += 17) {
+        Operands o = random_operands<8>(random);
+        o.a = a;
+        o.b = b;
+        o.c = c;
+        units.apply(o);
+      }
+      ++pairs;
+    }
+  }
+  EXPECT_EQ(pairs, 65536U);
+  EXPECT_GE(units.compared(), kUnits * 16 * (pairs - 1));
+  std::printf("%llu pairs, %llu results compared\n", static_cast<unsigned long long>(pairs),
+              static_cast<unsigned long long>(units.compared()));
+}
+
+TEST(Number, CornersAndRandomAt18Bits) { corners_and_random<18>(1'000'000); }
+TEST(Number, CornersAndRandomAt32Bits) { corners_and_random<32>(1'000'000); }
+
+}  // namespace
+}  // namespace hwffd::test
