@@ -1,0 +1,46 @@
+// The bench allocates nothing while the clock runs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "hwffd/tb/stream_bench.hpp"
+#include "loopback_core.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  void* memory = std::malloc(size == 0 ? 1 : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace hwffd::tb {
+namespace {
+
+TEST(Allocation, NoneWhileTheClockRuns) {
+  for (const std::string& throttle : throttle_names()) {
+    LoopbackCore core(5);
+    StreamBenchOptions options;
+    options.source_throttle = throttle;
+    options.sink_throttle = throttle;
+    StreamBench bench(core, options);
+    bench.reset(1);
+    bench.send(random_beats(20'000, 1));
+    bench.expect(random_beats(20'000, 1));
+    const std::size_t before = allocations;
+    EXPECT_GT(before, 0u);
+    EXPECT_TRUE(bench.run());
+    EXPECT_EQ(allocations, before) << throttle;
+    EXPECT_TRUE(bench.finish()) << bench.report();
+    EXPECT_EQ(bench.scoreboard().checked(), 20'000u);
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::tb
