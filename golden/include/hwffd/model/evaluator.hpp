@@ -6,6 +6,7 @@
 
 #include "hwffd/model/configuration.hpp"
 #include "hwffd/model/organization.hpp"
+#include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd::model {
 

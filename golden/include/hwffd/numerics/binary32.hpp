@@ -4,15 +4,9 @@
 #include <cstdint>
 
 #include "hwffd/numerics/bits.hpp"
+#include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd {
-
-/// What an operation's result looks like as a word of the stream.
-struct OutWord {
-  std::uint32_t word = 0;
-  bool saturated = false;
-  bool nan = false;
-};
 
 /// The number format `fp32`: IEEE-754 binary32, round to nearest even, subnormals, infinities;
 /// every NaN result is 0x7FC00000 and every zero result +0 (docs/numerics.md section 2).

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "hwffd/numerics/binary32.hpp"
+#include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd {
 
