@@ -53,14 +53,23 @@ TEST(Mesh, WeldsEqualPositionsOverAllParts) {
   EXPECT_EQ(mesh.triangles(), triangles);
 }
 
-/// Only exact equality welds: the next binary32 number is another place. -0 equals +0.
+/// Only exact equality welds, along every axis: the next binary32 number is another place.
 TEST(Mesh, DoesNotWeldWhatIsMerelyClose) {
   const TempFolder folder;
   const Mesh mesh =
       Mesh::load(folder.write("close.obj",
-                              "v 0.5 0 1\nv 0.50000006 0 1\nv 0.5 -0 1\nv 1e-7 0 1\nv 0 0 1\n"
-                              "f 1 2 4\nf 3 5 2\n"));
-  EXPECT_EQ(mesh.vertex_count(), 4u);
+                              "v 0.5 0.5 0.5\nv 0.50000006 0.5 0.5\nv 0.5 0.50000006 0.5\n"
+                              "v 0.5 0.5 0.50000006\nv 0.5 0.5 0.5\nv 1e-7 0 1\nv 0 0 1\n"
+                              "f 1 2 3\nf 4 5 6\nf 5 6 7\n"));
+  EXPECT_EQ(mesh.vertex_count(), 6u);
+}
+
+TEST(Mesh, WeldsNegativeZero) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(folder.write(
+      "zero.obj", "v 0 0 0\nv -0 0 0\nv 0 -0 0\nv 0 0 -0\nv 1 0 0\nv 0 1 0\nf 1 2 5\nf 3 4 6\n"));
+  EXPECT_EQ(mesh.vertex_count_read(), 6u);
+  EXPECT_EQ(mesh.vertex_count(), 3u);
 }
 
 TEST(Mesh, NewPositionsReachEveryDuplicate) {
@@ -110,8 +119,8 @@ TEST(Mesh, SmoothNormals) {
   EXPECT_LT((normals.row(0) - Eigen::RowVector3d(-1, -1, 0).normalized()).norm(), 1e-12);
 }
 
-/// A part shown twice, once mirrored, once under two nodes: each place gets vertices of its own in
-/// world coordinates, and faces of the mirrored one are turned round.
+/// A part shown three times, once mirrored, all under a moved node: each place gets vertices of its
+/// own in world coordinates, and faces of the mirrored one are turned round.
 TEST(Mesh, NodeTransformsAndInstances) {
   const TempFolder folder;
   folder.write("two.obj",
@@ -119,9 +128,10 @@ TEST(Mesh, NodeTransformsAndInstances) {
   Mesh::load(folder / "two.obj").save(folder / "two.gltf");
   std::string text = read_text(folder / "two.gltf");
   const std::string nodes =
-      "\"nodes\":[{\"name\":\"a\",\"children\":[1,2],\"translation\":[0.005,0,0]},"
+      "\"nodes\":[{\"name\":\"a\",\"children\":[1,2,3],\"translation\":[0.005,0,0]},"
       "{\"name\":\"b\",\"mesh\":0,\"scale\":[-1,1,1]},"
-      "{\"name\":\"c\",\"mesh\":0,\"translation\":[10,20,30]}]";
+      "{\"name\":\"c\",\"mesh\":0,\"translation\":[10,20,30]},"
+      "{\"name\":\"d\",\"mesh\":0,\"translation\":[0,0,-0.009]}]";
   std::smatch list;
   ASSERT_TRUE(std::regex_search(text, list, std::regex("\"nodes\": \\[\\s*\\{"))) << text;
   const auto at = static_cast<std::size_t>(list.position());
@@ -134,17 +144,18 @@ TEST(Mesh, NodeTransformsAndInstances) {
   }
   text.replace(at, end + 1 - at, nodes);
   Mesh mesh = Mesh::load(folder.write("two.gltf", text));
-  EXPECT_EQ(mesh.vertex_count(), 8u);
-  EXPECT_EQ(mesh.triangles().size(), 8u);
+  EXPECT_EQ(mesh.vertex_count(), 12u);
+  EXPECT_EQ(mesh.triangles().size(), 12u);
   EXPECT_LT(distance_to(mesh, {-0.995, 0, 0}), 1e-6);
   EXPECT_LT(distance_to(mesh, {0.005, 0, 1}), 1e-6);
   EXPECT_LT(distance_to(mesh, {11.005, 20, 30}), 1e-6);
   EXPECT_LT(distance_to(mesh, {10.005, 21, 30}), 1e-6);
-  EXPECT_NEAR(volume_times_six(mesh), 2.0, 1e-2);
+  EXPECT_LT(distance_to(mesh, {1.005, 0, -0.009}), 1e-6);  // a shift that is nearly none
+  EXPECT_NEAR(volume_times_six(mesh), 3.0, 1e-2);
   mesh.set_positions(2.0 * mesh.positions());
   mesh.save(folder / "three.glb");
   const Mesh again = Mesh::load(folder / "three.glb");
-  EXPECT_EQ(again.vertex_count(), 8u);
+  EXPECT_EQ(again.vertex_count(), 12u);
   EXPECT_LT(distance_to(again, {22.01, 40, 60}), 1e-5);
 }
 
