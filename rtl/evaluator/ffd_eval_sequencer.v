@@ -3,7 +3,8 @@
 // Every INTERVAL clocks is a turn, and turns go round the contexts. In its turn a context emits the
 // next step of its vertex, 0 to STEPS-1; an idle one takes in a vertex and emits its step 0 at once.
 // So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks apart,
-// none waits for a later one, and they leave in the order in which they came.
+// none waits for a later one, and they leave in the order in which they came. Starts are spread over
+// the barrel's time, GAP turns apart, so that points are fetched and results leave evenly.
 //
 // Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
 // Freezes:    never; a context without a vertex leaves a bubble.
@@ -63,11 +64,30 @@ module ffd_eval_sequencer #(
   wire                 head_active = gen_context[0].active_q;
   wire [STEP_W-1:0]    head_step   = gen_context[0].step_q;
   wire [PAYLOAD_W-1:0] head_data   = gen_context[0].data_q;
-  wire                 emit        = turn && (head_active || s_vertex_valid);
+  wire                 may_start;
+  wire                 start       = s_vertex_valid && s_vertex_ready;
+  wire                 emit        = start || (turn && head_active);
   wire [STEP_W-1:0]    step        = head_active ? head_step : {STEP_W{1'b0}};
   wire [PAYLOAD_W-1:0] data        = head_active ? head_data : s_vertex_data;
 
-  assign s_vertex_ready = turn && !head_active;
+  assign s_vertex_ready = turn && !head_active && may_start;
+
+  generate
+    if (CONTEXTS == 1) begin : gen_single
+      assign may_start = 1'b1;
+    end else begin : gen_spread
+      localparam              GAP  = STEPS > CONTEXTS ? STEPS - CONTEXTS + 1 : 1;
+      localparam              LEFT = GAP - 1;
+      localparam [STEP_W-1:0] WAIT = LEFT[STEP_W-1:0];
+      reg [STEP_W-1:0] wait_q;
+      always @(posedge clk) begin
+        if (rst) wait_q <= {STEP_W{1'b0}};
+        else if (start) wait_q <= WAIT;
+        else if (turn && !may_start) wait_q <= wait_q - 1'b1;
+      end
+      assign may_start = wait_q == {STEP_W{1'b0}};
+    end
+  endgenerate
 
   genvar i;
   generate

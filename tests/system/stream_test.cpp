@@ -120,8 +120,8 @@ TEST_P(Stream, NotANumberStaysInItsVertex) {
     const bool infinite_point = v % 8 == 6 && v >= 16;
     const bool nan = (results[v].words[3] & kStatusNan) != 0;
     EXPECT_EQ(nan, !infinite_point) << "vertex " << v;
-    for (int c = 0; c < 3; ++c) {
-      if (v % 8 != 6) EXPECT_EQ(results[v].words[c], 0x7FC00000U) << "vertex " << v;
+    for (int c = 0; c < 3 && v % 8 != 6; ++c) {
+      EXPECT_EQ(results[v].words[c], 0x7FC00000U) << "vertex " << v;
     }
     EXPECT_EQ(results[v + 1].words[3] >> 16, 0U) << "vertex " << v + 1;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@
 #include "hwffd/tb/stream_bench.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
 #include "stimulus.hpp"
+
+namespace hwffd {
+
+/// How GoogleTest names a configuration in a failure.
+inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
+
+}  // namespace hwffd
 
 namespace hwffd::test {
 

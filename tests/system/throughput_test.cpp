@@ -9,7 +9,9 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::size_t kVertices = 150;
+// A barrel of 2, 4 or 6 contexts spreads its starts within its round; over whole rounds the
+// interval is exact.
+constexpr std::size_t kVertices = 1 + 144;
 
 /// Clocks between vertices: the paper's 640, 64 combinations one a clock, or one every 6 clocks.
 double formula(const Configuration& row) {
@@ -32,10 +34,11 @@ TEST_P(Throughput, ClocksPerVertexWhileTheSourceKeepsUp) {
 TEST_P(Throughput, LoadsTheNextVertexDuringThePresentOne) {
   SystemRun run(GetParam(), 1, "sparse");
   run.send_bspline();
-  run.send(interleaved_packet(make_stimulus("random", run.codec(), kVertices / 3, 2)));
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 1 + 48, 2)));
   ASSERT_TRUE(run.run());
-  const double source = 4 * kVertexBeats;
-  EXPECT_EQ(run.bench().clocks_per_result(), std::max(source, formula(GetParam())));
+  const double expected = std::max(4.0 * kVertexBeats, formula(GetParam()));
+  // The first beat is offered out of the throttle's step: leave out the first result.
+  EXPECT_EQ(run.bench().clocks_per_result(1, 48), expected);
 }
 
 // From the last control point to the result: the vertex itself, waiting for its turn, the pipeline.

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "hwffd/points.hpp"
+
+namespace hwffd {
+
+/// Eq. (1) in double precision, straight from the paper. It shares nothing with the bit-true
+/// models: their results are compared with it under an error bound, never for equality.
+class Oracle {
+ public:
+  /// Blending coefficients of one axis, 4 x 4: row l is the function B_l, the columns are the
+  /// coefficients of 1, s, s^2, s^3.
+  using Coefficients = Eigen::Matrix4d;
+
+  enum Axis { kS = 0, kT = 1, kU = 2 };
+
+  /// Uniform cubic B-spline (paper, section 2).
+  static Coefficients uniform_bspline();
+  /// Bernstein polynomials of degree 3 (Bezier volumes).
+  static Coefficients bernstein();
+
+  /// Uniform cubic B-spline along all axes.
+  Oracle();
+  /// The same coefficients along all axes.
+  explicit Oracle(const Coefficients& all);
+  /// Coefficients for s, t and u.
+  Oracle(const Coefficients& s, const Coefficients& t, const Coefficients& u);
+
+  /// B_0(x) .. B_3(x) of an axis.
+  Eigen::Vector4d blending(Axis axis, double x) const;
+
+  /// q(s, t, u) of eq. (1).
+  /// @param support 64 x 3, row (l*4 + m)*4 + n (Lattice::support)
+  Eigen::Vector3d evaluate(const Support& support, double s, double t, double u) const;
+
+ private:
+  std::array<Coefficients, 3> coefficients_;
+};
+
+}  // namespace hwffd

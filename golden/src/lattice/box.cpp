@@ -1,0 +1,101 @@
+#include "hwffd/lattice/box.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "hwffd/error.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr double kFaceTolerance = 1e-12;
+
+/// Position along one axis, 0..1 over the box: a hair outside becomes the face.
+double snap(double x) {
+  if (x < 0.0 && x >= -kFaceTolerance) return 0.0;
+  if (x > 1.0 && x <= 1.0 + kFaceTolerance) return 1.0;
+  return x;
+}
+
+}  // namespace
+
+Box::Box(const Point& origin, const Eigen::Matrix3d& edges)
+    : origin_(origin), edges_(edges), inverse_(edges.inverse()) {
+  const double scale = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
+  const bool spans = std::abs(edges.determinant()) > 1e-9 * scale;
+  if (spans && origin.allFinite() && edges.allFinite() && inverse_.allFinite()) return;
+  throw Error("box lattice: its three edges span no volume; give finite edges in three directions");
+}
+
+Box Box::around(const Points& points) {
+  if (points.rows() == 0 || !points.allFinite()) {
+    throw Error("box lattice: no bounding box; give at least one point, all finite");
+  }
+  const Point low = points.colwise().minCoeff();
+  const Point high = points.colwise().maxCoeff();
+  const Point extent = high - low;
+  const double largest = extent.maxCoeff() > 0.0 ? extent.maxCoeff() : 1.0;
+  Point origin = low;
+  Point size = extent;
+  for (int a = 0; a < 3; ++a) {
+    if (extent[a] > 1e-9 * largest) continue;
+    size[a] = largest;
+    origin[a] = low[a] + extent[a] / 2 - largest / 2;
+  }
+  return Box(origin, size.asDiagonal());
+}
+
+Lattice Box::lattice(const Index3& dims) const {
+  Lattice::check_dims(dims);
+  Points points(static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2], 3);
+  Eigen::Index row = 0;
+  for (int i = 0; i < dims[0]; ++i) {
+    for (int j = 0; j < dims[1]; ++j) {
+      for (int k = 0; k < dims[2]; ++k) {
+        const Eigen::Vector3d at((i - 1.0) / (dims[0] - 3), (j - 1.0) / (dims[1] - 3),
+                                 (k - 1.0) / (dims[2] - 3));
+        points.row(row++) = origin_ + edges_ * at;
+      }
+    }
+  }
+  return Lattice(dims, std::move(points));
+}
+
+Embedded Box::embed(const Index3& dims, const Point& point) const {
+  const Eigen::Vector3d at = inverse_ * (point - origin_);
+  Embedded result;
+  result.inside = true;
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const int cells = dims[axis] - 3;
+    const double x = snap(at[a]);
+    result.inside = result.inside && x >= 0.0 && x <= 1.0;
+    const double cell = std::clamp(std::floor(x * cells), 0.0, cells - 1.0);
+    result.cell[axis] = static_cast<int>(cell);
+    result.local[a] = x * cells - cell;
+  }
+  return result;
+}
+
+std::vector<Embedded> Box::embed(const Index3& dims, const Points& points) const {
+  std::vector<Embedded> result;
+  result.reserve(static_cast<std::size_t>(points.rows()));
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    result.push_back(embed(dims, Point(points.row(i))));
+  }
+  return result;
+}
+
+Point Box::point(const Index3& dims, const Embedded& embedded) const {
+  Eigen::Vector3d at;
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    at[a] = (embedded.cell[axis] + embedded.local[a]) / (dims[axis] - 3);
+  }
+  return origin_ + edges_ * at;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,49 @@
+#include "hwffd/lattice/lattice.hpp"
+
+#include <fmt/format.h>
+
+#include "hwffd/error.hpp"
+
+namespace hwffd {
+
+void Lattice::check_dims(const Index3& dims) {
+  for (const int n : dims) {
+    if (n >= kMinPoints && n <= kMaxPoints) continue;
+    throw Error(fmt::format("lattice of {} x {} x {} points: each axis takes {} to {} points",
+                            dims[0], dims[1], dims[2], kMinPoints, kMaxPoints));
+  }
+}
+
+Lattice::Lattice(const Index3& dims, Points points) : dims_(dims), points_(std::move(points)) {
+  check_dims(dims);
+  const Eigen::Index expected = static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2];
+  if (points_.rows() != expected) {
+    throw Error(fmt::format("lattice of {} x {} x {} points: {} points given; give {}", dims[0],
+                            dims[1], dims[2], points_.rows(), expected));
+  }
+  for (Eigen::Index i = 0; i < points_.rows(); ++i) {
+    if (points_.row(i).allFinite()) continue;
+    throw Error(fmt::format("lattice point {} is not finite; give finite coordinates", i));
+  }
+}
+
+Support Lattice::support(const Index3& cell) const {
+  const Index3 count = cells();
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (cell[a] >= 0 && cell[a] < count[a]) continue;
+    throw Error(fmt::format("cell ({}, {}, {}) is outside the lattice; it has {} x {} x {} cells",
+                            cell[0], cell[1], cell[2], count[0], count[1], count[2]));
+  }
+  Support support;
+  for (int l = 0; l < 4; ++l) {
+    for (int m = 0; m < 4; ++m) {
+      for (int n = 0; n < 4; ++n) {
+        support.row((l * 4 + m) * 4 + n) =
+            points_.row(index(cell[0] + l, cell[1] + m, cell[2] + n));
+      }
+    }
+  }
+  return support;
+}
+
+}  // namespace hwffd

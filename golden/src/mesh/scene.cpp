@@ -1,0 +1,150 @@
+#include "mesh/scene.hpp"
+
+#include <assimp/SceneCombiner.h>
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace hwffd {
+namespace {
+
+/// Deletes an array of owned pointers of the scene.
+template <typename T>
+void drop(T**& items, unsigned& count) {
+  for (unsigned i = 0; i < count; ++i) delete items[i];
+  delete[] items;
+  items = nullptr;
+  count = 0;
+}
+
+/// One vertex attribute as raw memory.
+struct Attribute {
+  char* data;
+  std::size_t size;
+};
+
+std::vector<Attribute> attributes(aiMesh& mesh) {
+  std::vector<Attribute> list;
+  const auto add = [&list](auto* data) {
+    if (data != nullptr) list.push_back({reinterpret_cast<char*>(data), sizeof(*data)});
+  };
+  add(mesh.mVertices);
+  add(mesh.mNormals);
+  for (aiVector3D* data : mesh.mTextureCoords) add(data);
+  for (aiColor4D* data : mesh.mColors) add(data);
+  return list;
+}
+
+void join_corners(aiMesh& mesh) {
+  const std::vector<Attribute> list = attributes(mesh);
+  std::unordered_map<std::string, unsigned> seen;
+  std::vector<unsigned> index(mesh.mNumVertices);
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    std::string key;
+    for (const Attribute& a : list) key.append(a.data + v * a.size, a.size);
+    const auto [entry, is_new] = seen.emplace(std::move(key), static_cast<unsigned>(seen.size()));
+    index[v] = entry->second;
+    if (!is_new || index[v] == v) continue;
+    for (const Attribute& a : list) {
+      std::copy_n(a.data + v * a.size, a.size, a.data + index[v] * a.size);
+    }
+  }
+  mesh.mNumVertices = static_cast<unsigned>(seen.size());
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    aiFace& face = mesh.mFaces[f];
+    for (unsigned c = 0; c < face.mNumIndices; ++c) face.mIndices[c] = index[face.mIndices[c]];
+  }
+}
+
+void transform(aiMesh& mesh, const aiMatrix4x4& matrix) {
+  if (matrix == aiMatrix4x4()) return;
+  aiMatrix3x3 normal_matrix(matrix);
+  normal_matrix.Inverse().Transpose();
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    mesh.mVertices[v] = matrix * mesh.mVertices[v];
+    if (mesh.HasNormals()) mesh.mNormals[v] = (normal_matrix * mesh.mNormals[v]).NormalizeSafe();
+  }
+  if (matrix.Determinant() >= 0) return;
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    aiFace& face = mesh.mFaces[f];
+    std::reverse(face.mIndices, face.mIndices + face.mNumIndices);
+  }
+}
+
+/// Walks the nodes and collects one part for each place where a part is shown.
+class Baker {
+ public:
+  explicit Baker(aiScene& scene) : scene_(scene), used_(scene.mNumMeshes, false) {
+    visit(*scene.mRootNode, aiMatrix4x4());
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+      if (!used_[m]) delete scene.mMeshes[m];
+    }
+    delete[] scene.mMeshes;
+    scene.mNumMeshes = static_cast<unsigned>(parts_.size());
+    scene.mMeshes = new aiMesh*[parts_.size()];
+    std::copy(parts_.begin(), parts_.end(), scene.mMeshes);
+  }
+
+ private:
+  void visit(aiNode& node, const aiMatrix4x4& parent) {
+    const aiMatrix4x4 matrix = parent * node.mTransformation;
+    node.mTransformation = aiMatrix4x4();
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const unsigned old = node.mMeshes[i];
+      node.mMeshes[i] = static_cast<unsigned>(parts_.size());
+      parts_.push_back(claim(old));
+      matrices_.push_back(matrix);
+    }
+    for (unsigned c = 0; c < node.mNumChildren; ++c) visit(*node.mChildren[c], matrix);
+    if (&node != scene_.mRootNode) return;
+    for (std::size_t p = 0; p < parts_.size(); ++p) transform(*parts_[p], matrices_[p]);
+  }
+
+  /// The part itself the first time, a copy afterwards. Transforms wait until all copies are made.
+  aiMesh* claim(unsigned old) {
+    if (!used_[old]) {
+      used_[old] = true;
+      return scene_.mMeshes[old];
+    }
+    aiMesh* copy = nullptr;
+    Assimp::SceneCombiner::Copy(&copy, scene_.mMeshes[old]);
+    return copy;
+  }
+
+  aiScene& scene_;
+  std::vector<bool> used_;
+  std::vector<aiMesh*> parts_;
+  std::vector<aiMatrix4x4> matrices_;
+};
+
+}  // namespace
+
+void strip_scene(aiScene& scene) {
+  drop(scene.mAnimations, scene.mNumAnimations);
+  drop(scene.mCameras, scene.mNumCameras);
+  drop(scene.mLights, scene.mNumLights);
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    aiMesh& mesh = *scene.mMeshes[m];
+    drop(mesh.mBones, mesh.mNumBones);
+    drop(mesh.mAnimMeshes, mesh.mNumAnimMeshes);
+    delete[] mesh.mTangents;
+    delete[] mesh.mBitangents;
+    mesh.mTangents = nullptr;
+    mesh.mBitangents = nullptr;
+  }
+}
+
+void join_corners(aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) join_corners(*scene.mMeshes[m]);
+}
+
+void bake_transforms(aiScene& scene) { Baker{scene}; }
+
+void undo_3ds_turn(aiScene& scene) {
+  const aiMatrix4x4 back(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+  scene.mRootNode->mTransformation = back * scene.mRootNode->mTransformation;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,49 @@
+#include "hwffd/oracle/oracle.hpp"
+
+namespace hwffd {
+
+Oracle::Coefficients Oracle::uniform_bspline() {
+  Coefficients c;
+  c << 1, -3, 3, -1,  //
+      4, 0, -6, 3,    //
+      1, 3, 3, -3,    //
+      0, 0, 0, 1;
+  return c / 6.0;
+}
+
+Oracle::Coefficients Oracle::bernstein() {
+  Coefficients c;
+  c << 1, -3, 3, -1,  //
+      0, 3, -6, 3,    //
+      0, 0, 3, -3,    //
+      0, 0, 0, 1;
+  return c;
+}
+
+Oracle::Oracle() : Oracle(uniform_bspline()) {}
+
+Oracle::Oracle(const Coefficients& all) : Oracle(all, all, all) {}
+
+Oracle::Oracle(const Coefficients& s, const Coefficients& t, const Coefficients& u)
+    : coefficients_{s, t, u} {}
+
+Eigen::Vector4d Oracle::blending(Axis axis, double x) const {
+  return coefficients_[axis] * Eigen::Vector4d(1.0, x, x * x, x * x * x);
+}
+
+Eigen::Vector3d Oracle::evaluate(const Support& support, double s, double t, double u) const {
+  const Eigen::Vector4d b_s = blending(kS, s);
+  const Eigen::Vector4d b_t = blending(kT, t);
+  const Eigen::Vector4d b_u = blending(kU, u);
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();
+  for (int l = 0; l < 4; ++l) {
+    for (int m = 0; m < 4; ++m) {
+      for (int n = 0; n < 4; ++n) {
+        q += b_s[l] * b_t[m] * b_u[n] * support.row((l * 4 + m) * 4 + n).transpose();
+      }
+    }
+  }
+  return q;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,233 @@
+#include "hwffd/lattice/deformation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hwffd/lattice/box.hpp"
+#include "hwffd/oracle/oracle.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+using Kind = Deformation::Kind;
+
+constexpr double kTiny = 1e-13;
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// 4 x 4 x 4 points from (0, 0, 0) to (3, 3, 3): the cell is [1, 2]^3.
+Lattice cube() { return Box(Point(1, 1, 1), Eigen::Matrix3d::Identity()).lattice({4, 4, 4}); }
+
+Lattice deform(const std::string& text, const Lattice& lattice) {
+  return Deformation::parse(text).apply(lattice);
+}
+
+void expect_point(const Point& got, const Point& expected) {
+  EXPECT_LT((got - expected).norm(), kTiny)
+      << got.transpose() << " instead of " << expected.transpose();
+}
+
+/// How a message about this text begins.
+std::string start_of(const std::string& text) { return "deformation '" + text + "'"; }
+
+TEST(Deformation, ParsesDefaultsAndArguments) {
+  EXPECT_EQ(Deformation::parse("none").kind(), Kind::kNone);
+  EXPECT_EQ(Deformation::parse("twist").kind(), Kind::kTwist);
+  EXPECT_EQ(Deformation::parse("twist").amount(), 90.0);
+  EXPECT_EQ(Deformation::parse("twist:-12.5").amount(), -12.5);
+  EXPECT_EQ(Deformation::parse("shear").kind(), Kind::kShear);
+  EXPECT_EQ(Deformation::parse("shear").amount(), 0.5);
+  EXPECT_EQ(Deformation::parse("shear:1e-1").amount(), 0.1);
+  EXPECT_EQ(Deformation::parse("bend").kind(), Kind::kBend);
+  EXPECT_EQ(Deformation::parse("bend").amount(), 90.0);
+  EXPECT_EQ(Deformation::parse("random").kind(), Kind::kRandom);
+  EXPECT_EQ(Deformation::parse("random").seed(), 1u);
+  EXPECT_EQ(Deformation::parse("random:18446744073709551615").seed(), UINT64_MAX);
+}
+
+TEST(Deformation, UnknownNamesListWhatIsAccepted) {
+  const std::string accepted =
+      "accepted are none, twist:DEGREES, shear:AMOUNT, bend:DEGREES and random:SEED";
+  int refused = 0;
+  for (const std::string text : {"", "wobble", "twister:3", "Twist", " twist", ":90"}) {
+    EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse(text); }),
+              start_of(text) + " is unknown; " + accepted);
+    ++refused;
+  }
+  EXPECT_EQ(refused, 6);
+  EXPECT_EQ(message_of<UsageError>([] { Deformation::parse("none:1"); }),
+            "deformation 'none:1': none takes no argument; " + accepted);
+}
+
+TEST(Deformation, ArgumentsMustBeNumbers) {
+  int refused = 0;
+  for (const std::string argument : {"", "ninety", "90deg", "1,5", "nan", "inf", "1e999", " 1"}) {
+    const std::string text = "twist:" + argument;
+    expect_part(
+        message_of<UsageError>([&] { Deformation::parse(text); }),
+        start_of(text).append(": '").append(argument) + "' is not a finite number; accepted");
+    ++refused;
+  }
+  for (const std::string argument : {"", "1.5", "-1", "x", "18446744073709551616"}) {
+    expect_part(message_of<UsageError>([&] { Deformation::parse("random:" + argument); }),
+                "'" + argument + "' is not an integer from 0 to 2^64 - 1; accepted");
+    ++refused;
+  }
+  EXPECT_EQ(refused, 13);
+}
+
+TEST(Deformation, UsageErrorsEndWithStatusTwo) {
+  EXPECT_EQ(Error("x").exit_status(), 1);
+  EXPECT_EQ(UsageError("x").exit_status(), 2);
+  try {
+    Deformation::parse("wobble");
+    ADD_FAILURE() << "no exception";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_status(), 2);
+  }
+}
+
+TEST(Deformation, NothingMoves) {
+  const Lattice lattice = cube();
+  int checked = 0;
+  for (const std::string text : {"none", "twist:0", "shear:0", "bend:0"}) {
+    EXPECT_LT((deform(text, lattice).points() - lattice.points()).norm(), kTiny) << text;
+    ++checked;
+  }
+  EXPECT_EQ(checked, 4);
+}
+
+/// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the
+/// centre, the other points are interpolated from the 8 corners.
+TEST(Deformation, TwistTurnsTheTopCorners) {
+  const Lattice twisted = deform("twist:90", cube());
+  expect_point(twisted.point(0, 3, 0), Point(0, 3, 3));
+  expect_point(twisted.point(3, 3, 0), Point(0, 3, 0));
+  expect_point(twisted.point(3, 3, 3), Point(3, 3, 0));
+  expect_point(twisted.point(0, 3, 3), Point(3, 3, 3));
+  int still = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k, ++still) expect_point(twisted.point(i, 0, k), Point(i, 0, k));
+  }
+  EXPECT_EQ(still, 16);
+  // A third of the way up: two thirds of (3, 0) and one third of (0, 0) in x and z.
+  expect_point(twisted.point(3, 1, 0), Point(2, 1, 0));
+  // Inside the top layer: bilinear between its corners, (1, 2) turned about (1.5, 1.5).
+  expect_point(twisted.point(1, 3, 2), Point(2, 3, 2));
+}
+
+/// All points, in a lattice with three different sizes, against the interpolation of the corners'
+/// positions written out.
+TEST(Deformation, TwistInterpolatesTheCorners) {
+  const Index3 dims{4, 6, 5};
+  const Lattice start = Box(Point(-2, 0.5, 3), Eigen::Vector3d(2, 3, 5).asDiagonal()).lattice(dims);
+  const Lattice twisted = deform("twist:50", start);
+  int checked = 0;
+  for (int i = 0; i < dims[0]; ++i) {
+    for (int j = 0; j < dims[1]; ++j) {
+      for (int k = 0; k < dims[2]; ++k, ++checked) {
+        Point expected = Point::Zero();
+        for (int c = 0; c < 8; ++c) {
+          const double a = (c & 4) != 0 ? i / 3.0 : 1.0 - i / 3.0;
+          const double b = (c & 2) != 0 ? j / 5.0 : 1.0 - j / 5.0;
+          const double d = (c & 1) != 0 ? k / 4.0 : 1.0 - k / 4.0;
+          expected +=
+              a * b * d *
+              twisted.point((c & 4) != 0 ? 3 : 0, (c & 2) != 0 ? 5 : 0, (c & 1) != 0 ? 4 : 0);
+        }
+        expect_point(twisted.point(i, j, k), expected);
+      }
+    }
+  }
+  EXPECT_EQ(checked, 120);
+  const Point corner = start.point(3, 5, 0) - Point(-1, 0, 5.5);
+  const double angle = 50.0 / kDegreesPerRadian;
+  expect_point(twisted.point(3, 5, 0) - Point(-1, 0, 5.5),
+               Point(std::cos(angle) * corner.x() + std::sin(angle) * corner.z(), corner.y(),
+                     -std::sin(angle) * corner.x() + std::cos(angle) * corner.z()));
+}
+
+/// Interpolation moves a point along the chord from its place p to its turned place Rp, not along
+/// the arc: at the fraction v of the height it stands at (1 - v)p + v Rp, which for 90 degrees has
+/// the angle atan(v / (1 - v)) and the radius sqrt((1 - v)^2 + v^2). The model sits in the central
+/// third, v from 1/3 to 2/3, and sees atan(2) - atan(1/2) = 36.87 of the 90 degrees. Uniform
+/// B-splines reproduce linear data, so the deformed points lie on the same chords.
+TEST(Deformation, CentralThirdSees36Point9Degrees) {
+  const Lattice twisted = deform("twist:90", cube());
+  const Support support = twisted.support({0, 0, 0});
+  const auto arm = [&](double t) {
+    const Point q = Oracle().evaluate(support, 1.0, t, 0.5);  // at rest on the line x = 2, z = 1.5
+    return Eigen::Vector2d(q.x() - 1.5, -(q.z() - 1.5));
+  };
+  const auto degrees = [&](double t) {
+    return std::atan2(arm(t)[1], arm(t)[0]) * kDegreesPerRadian;
+  };
+  EXPECT_NEAR(degrees(0.0), 26.565051177, 1e-8);
+  EXPECT_NEAR(degrees(0.5), 45.0, 1e-10);
+  EXPECT_NEAR(degrees(1.0), 63.434948823, 1e-8);
+  EXPECT_NEAR(degrees(1.0) - degrees(0.0), 36.9, 0.05);
+  EXPECT_NEAR(arm(0.0).norm(), 0.5 * std::sqrt(5.0) / 3.0, kTiny);
+  EXPECT_NEAR(arm(0.5).norm(), 0.5 * std::sqrt(0.5), kTiny);
+}
+
+TEST(Deformation, ShearLowersLeftAndLiftsRight) {
+  const Lattice sheared = deform("shear:0.5", cube());
+  int checked = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      for (int k = 0; k < 4; ++k, ++checked) {
+        const double lift = 1.5 * (2.0 * i / 3.0 - 1.0) * (1.0 - j / 3.0);
+        expect_point(sheared.point(i, j, k), Point(i, j + lift, k));
+      }
+    }
+  }
+  EXPECT_EQ(checked, 64);
+  EXPECT_LT(sheared.point(0, 0, 0).y(), 0.0);
+  EXPECT_GT(sheared.point(3, 0, 0).y(), 0.0);
+}
+
+TEST(Deformation, BendMakesAnArc) {
+  const Lattice bent = deform("bend:90", cube());
+  const double radius = 3.0 / (90.0 / kDegreesPerRadian);
+  int still = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k, ++still) expect_point(bent.point(i, 0, k), Point(i, 0, k));
+  }
+  EXPECT_EQ(still, 16);
+  // The top layer has turned by 90 degrees towards +x: its points lie on a vertical line.
+  expect_point(bent.point(0, 3, 1), Point(1.5 + radius, radius + 1.5, 1));
+  expect_point(bent.point(3, 3, 1), Point(1.5 + radius, radius - 1.5, 1));
+  const Lattice back = deform("bend:-90", cube());
+  expect_point(back.point(3, 3, 1), Point(1.5 - radius, radius + 1.5, 1));
+}
+
+TEST(Deformation, RandomMovesEveryPointAlongItsOwnSpacing) {
+  const Lattice start =
+      Box(Point(0, 0, 0), Eigen::Vector3d(1, 10, 400).asDiagonal()).lattice({4, 5, 7});
+  const Points moved = deform("random:7", start).points() - start.points();
+  const Eigen::RowVector3d spacing(1, 5, 100);
+  const Points relative = moved.array().rowwise() / spacing.array();
+  EXPECT_LE(relative.cwiseAbs().maxCoeff(), 0.3);
+  for (int a = 0; a < 3; ++a) {
+    EXPECT_GT(relative.col(a).maxCoeff(), 0.27);
+    EXPECT_LT(relative.col(a).minCoeff(), -0.27);
+    EXPECT_NEAR(relative.col(a).mean(), 0.0, 0.06);
+    EXPECT_GT(relative.col(a).cwiseAbs().minCoeff(), 0.0);
+  }
+  EXPECT_GT((relative.col(0) - relative.col(1)).norm(), 1.0);
+  EXPECT_EQ(relative.rows(), 140);
+}
+
+TEST(Deformation, RandomRepeatsItsSeed) {
+  const Lattice start = cube();
+  EXPECT_EQ(deform("random:7", start).points(), deform("random:7", start).points());
+  EXPECT_NE(deform("random:7", start).points(), deform("random:8", start).points());
+  EXPECT_EQ(deform("random", start).points(), deform("random:1", start).points());
+  // mt19937_64 with its default seed 5489 first gives 14514284786278117030 (C++ standard's engine).
+  const double unit = static_cast<double>(14514284786278117030ull >> 11) * 0x1p-53;
+  EXPECT_NEAR(deform("random:5489", start).point(0, 0, 0).x(), 0.3 * (2.0 * unit - 1.0), kTiny);
+}
+
+}  // namespace
+}  // namespace hwffd

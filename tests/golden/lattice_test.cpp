@@ -1,0 +1,88 @@
+#include "hwffd/lattice/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+/// Point (i, j, k) at (i, 10 j, 100 k), filled in the documented order.
+Lattice numbered(const Index3& dims) {
+  Points points(dims[0] * dims[1] * dims[2], 3);
+  Eigen::Index row = 0;
+  for (int i = 0; i < dims[0]; ++i) {
+    for (int j = 0; j < dims[1]; ++j) {
+      for (int k = 0; k < dims[2]; ++k) points.row(row++) << i, 10 * j, 100 * k;
+    }
+  }
+  return Lattice(dims, points);
+}
+
+TEST(Lattice, OrderOfPoints) {
+  const Lattice lattice = numbered({4, 5, 6});
+  EXPECT_EQ(lattice.index(0, 0, 1), 1);
+  EXPECT_EQ(lattice.index(0, 1, 0), 6);
+  EXPECT_EQ(lattice.index(1, 0, 0), 30);
+  EXPECT_EQ(lattice.index(3, 4, 5), 119);
+  EXPECT_EQ(lattice.point(3, 2, 5), Point(3, 20, 500));
+  EXPECT_EQ(lattice.cells(), (Index3{1, 2, 3}));
+}
+
+TEST(Lattice, SupportOfEveryCell) {
+  const Lattice lattice = numbered({5, 6, 8});
+  const Index3 cells = lattice.cells();
+  int checked = 0;
+  for (int a = 0; a < cells[0]; ++a) {
+    for (int b = 0; b < cells[1]; ++b) {
+      for (int c = 0; c < cells[2]; ++c) {
+        const Support support = lattice.support({a, b, c});
+        for (int row = 0; row < 64; ++row) {
+          const Index3 at{a + row / 16, b + row / 4 % 4, c + row % 4};
+          const Point expected(at[0], 10 * at[1], 100 * at[2]);
+          EXPECT_EQ(Point(support.row(row)), expected);
+          ++checked;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(checked, 2 * 3 * 5 * 64);
+}
+
+TEST(Lattice, RefusesDimensions) {
+  for (const Index3& dims : {Index3{3, 4, 4}, Index3{4, 17, 4}, Index3{4, 4, -1}}) {
+    const std::string text = message_of<Error>([&] { Lattice(dims, Points(0, 3)); });
+    expect_part(text, "each axis takes 4 to 16 points");
+    expect_part(text, std::to_string(dims[0]) + " x " + std::to_string(dims[1]));
+  }
+  EXPECT_EQ(numbered({16, 16, 16}).points().rows(), 4096);
+}
+
+TEST(Lattice, RefusesPoints) {
+  EXPECT_EQ(message_of<Error>([] {
+              Lattice({4, 4, 5}, Points::Zero(64, 3));
+            }),
+            "lattice of 4 x 4 x 5 points: 64 points given; give 80");
+  Points points = Points::Zero(64, 3);
+  points(17, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(message_of<Error>([&] {
+              Lattice({4, 4, 4}, points);
+            }),
+            "lattice point 17 is not finite; give finite coordinates");
+}
+
+TEST(Lattice, RefusesCells) {
+  const Lattice lattice = numbered({4, 5, 6});
+  int refused = 0;
+  for (const Index3& cell : {Index3{1, 0, 0}, Index3{0, 2, 0}, Index3{0, 0, 3}, Index3{0, 0, -1}}) {
+    expect_part(message_of<Error>([&] { lattice.support(cell); }),
+                "is outside the lattice; it has 1 x 2 x 3 cells");
+    ++refused;
+  }
+  EXPECT_EQ(refused, 4);
+}
+
+}  // namespace
+}  // namespace hwffd

@@ -1,0 +1,172 @@
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "hwffd/mesh/mesh.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+using Place = std::array<double, 3>;
+
+std::multiset<Place> places(const Mesh& mesh) {
+  std::multiset<Place> result;
+  for (Eigen::Index i = 0; i < mesh.positions().rows(); ++i) {
+    result.insert({mesh.positions()(i, 0), mesh.positions()(i, 1), mesh.positions()(i, 2)});
+  }
+  return result;
+}
+
+/// A mesh whose coordinates need all bits of binary32.
+Mesh moved_knot() {
+  Mesh mesh = Mesh::procedural();
+  mesh.set_positions((mesh.positions() * 0.3).rowwise() + Eigen::RowVector3d(0.1, -5.0, 100.0));
+  return mesh;
+}
+
+double largest_error(const Mesh& got, const Mesh& expected) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < got.positions().rows(); ++i) {
+    const Eigen::RowVector3d p = got.positions().row(i);
+    largest = std::max(
+        largest, (expected.positions().rowwise() - p).cwiseAbs().rowwise().maxCoeff().minCoeff());
+  }
+  return largest;
+}
+
+/// Binary formats keep every bit; of the text formats only Assimp's readers round the last one.
+TEST(MeshSave, RoundTripOfEveryFormat) {
+  const TempFolder folder;
+  const Mesh mesh = moved_knot();
+  int checked = 0;
+  for (const std::string name : {"a.ply", "a.stl", "a.glb", "a.gltf", "a.obj", "a.dae", "a.PLY"}) {
+    mesh.save(folder / name);
+    const Mesh again = Mesh::load(folder / name);
+    EXPECT_EQ(again.vertex_count(), mesh.vertex_count()) << name;
+    EXPECT_EQ(again.triangles().size(), mesh.triangles().size()) << name;
+    const bool is_text = name == "a.obj" || name == "a.dae";
+    if (is_text) {
+      EXPECT_LE(largest_error(again, mesh), 0x1p-17) << name;  // one ulp of 100
+    } else {
+      EXPECT_EQ(places(again), places(mesh)) << name;
+    }
+    ++checked;
+  }
+  EXPECT_EQ(checked, 7);
+}
+
+/// The obj file itself holds the exact numbers: nine digits.
+TEST(MeshSave, ObjHoldsExactNumbers) {
+  const TempFolder folder;
+  const Mesh mesh = moved_knot();
+  mesh.save(folder / "a.obj");
+  std::multiset<Place> found;
+  std::istringstream lines(read_text(folder / "a.obj"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("v ", 0) != 0) continue;
+    Place place{};
+    const char* text = line.c_str() + 1;
+    for (double& value : place) {
+      char* end = nullptr;
+      value = std::strtof(text, &end);
+      text = end;
+    }
+    found.insert(place);
+  }
+  EXPECT_EQ(found.size(), 3072u);
+  EXPECT_EQ(found, places(mesh));
+}
+
+/// A model smaller than the distance at which Assimp's own steps join vertices.
+TEST(MeshSave, TinyModelKeepsItsVertices) {
+  const TempFolder folder;
+  Mesh mesh = Mesh::procedural();
+  mesh.set_positions(mesh.positions() * 1e-6);
+  int checked = 0;
+  for (const std::string name : {"a.ply", "a.stl", "a.glb", "a.gltf", "a.obj", "a.dae"}) {
+    mesh.save(folder / name);
+    EXPECT_EQ(Mesh::load(folder / name).vertex_count(), mesh.vertex_count()) << name;
+    ++checked;
+  }
+  EXPECT_EQ(checked, 6);
+}
+
+TEST(MeshSave, KeepsGroupsTexturesAndMaterials) {
+  const TempFolder folder;
+  folder.write("in.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  folder.write("in.obj",
+               "mtllib in.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0\nvt 1 0.5\nvt 0 1\n"
+               "g left\nusemtl red\nf 1/1 2/2 3/3\ng right\nusemtl blue\nf 1/1 3/2 4/3\n");
+  Mesh mesh = Mesh::load(folder / "in.obj");
+  mesh.set_positions(mesh.positions() * 2.0);
+  mesh.save(folder / "out.obj");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"in.mtl", "in.obj", "out.mtl", "out.obj"}));
+  const std::string text = read_text(folder / "out.obj");
+  expect_part(text, "mtllib out.mtl\n");
+  expect_part(text, "g left\n");
+  expect_part(text, "usemtl blue\n");
+  expect_part(text, "vt 0.25 0");
+  expect_part(read_text(folder / "out.mtl"), "newmtl red\n");
+  const Mesh again = Mesh::load(folder / "out.obj");
+  EXPECT_EQ(again.scene().mNumMeshes, 2u);
+  EXPECT_TRUE(again.scene().mMeshes[1]->HasTextureCoords(0));
+  aiColor3D colour;
+  const unsigned material = again.scene().mMeshes[1]->mMaterialIndex;
+  again.scene().mMaterials[material]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  EXPECT_EQ(colour, aiColor3D(0, 0, 1));
+}
+
+TEST(MeshSave, QuadsStayQuads) {
+  const TempFolder folder;
+  folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  Mesh::load(folder / "in.obj").save(folder / "out.obj");
+  const Mesh again = Mesh::load(folder / "out.obj");
+  EXPECT_EQ(again.scene().mMeshes[0]->mFaces[0].mNumIndices, 4u);
+}
+
+/// The bin file of a gltf does not fit: neither it nor the gltf is touched.
+TEST(MeshSave, FailedWriteLeavesOldFiles) {
+  const TempFolder folder;
+  folder.write("a.gltf", "old");
+  folder.write("a.bin", "old");
+  const Mesh mesh = Mesh::procedural();
+  rlimit old{};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{20000, old.rlim_max};
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::string text = message_of<Error>([&] { mesh.save(folder / "a.gltf"); });
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  ::signal(SIGXFSZ, handler);
+  expect_part(text, "cannot write: File too large");
+  EXPECT_EQ(read_text(folder / "a.gltf"), "old");
+  EXPECT_EQ(read_text(folder / "a.bin"), "old");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.bin", "a.gltf"}));
+}
+
+TEST(MeshSave, UnknownExtensionListsTheKnownOnes) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::procedural();
+  const std::string list = "; use the extension obj, ply, stl, glb, gltf or dae";
+  EXPECT_EQ(message_of<Error>([&] { mesh.save(folder / "a.xyz"); }),
+            (folder / "a.xyz").string() + ": cannot write .xyz meshes" + list);
+  EXPECT_EQ(message_of<Error>([&] { mesh.save(folder / "a"); }),
+            (folder / "a").string() + ": cannot write without an extension" + list);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(MeshSave, MissingFolder) {
+  const TempFolder folder;
+  expect_part(message_of<Error>([&] { Mesh::procedural().save(folder / "no/a.ply"); }),
+              "a.ply: cannot write: No such file or directory; check that the folder exists");
+}
+
+}  // namespace
+}  // namespace hwffd

@@ -1,0 +1,220 @@
+#include "hwffd/mesh/mesh.hpp"
+
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <regex>
+
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+/// Two unit squares that meet at a right angle along the z axis, as two groups, each with its own
+/// corners, normals and texture coordinates: 8 corners at 6 places.
+const char* const kFold =
+    "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\n"
+    "v 0 0 0\nv 0 0 1\nv 0 1 1\nv 0 1 0\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "vn 0 -1 0\nvn -1 0 0\n"
+    "g floor\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
+    "g wall\nf 5/1/2 6/2/2 7/3/2 8/4/2\n";
+
+/// Distance to the vertex nearest to p.
+double distance_to(const Mesh& mesh, const Eigen::RowVector3d& p) {
+  return (mesh.positions().rowwise() - p).rowwise().norm().minCoeff();
+}
+
+/// Six times the enclosed volume.
+double volume_times_six(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const Mesh::Triangle& t : mesh.triangles()) {
+    const Eigen::Vector3d a = mesh.positions().row(t[0]);
+    const Eigen::Vector3d b = mesh.positions().row(t[1]);
+    const Eigen::Vector3d c = mesh.positions().row(t[2]);
+    sum += a.dot(b.cross(c));
+  }
+  return sum;
+}
+
+TEST(Mesh, WeldsEqualPositionsOverAllParts) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  EXPECT_EQ(mesh.name(), "fold.obj");
+  EXPECT_EQ(mesh.scene().mNumMeshes, 2u);
+  EXPECT_EQ(mesh.vertex_count_read(), 8u);
+  EXPECT_EQ(mesh.vertex_count(), 6u);
+  Points expected(6, 3);
+  expected << 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1, 0;
+  EXPECT_EQ(mesh.positions(), expected);
+  const std::vector<Mesh::Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+  EXPECT_EQ(mesh.triangles(), triangles);
+}
+
+/// Only exact equality welds, along every axis: the next binary32 number is another place.
+TEST(Mesh, DoesNotWeldWhatIsMerelyClose) {
+  const TempFolder folder;
+  const Mesh mesh =
+      Mesh::load(folder.write("close.obj",
+                              "v 0.5 0.5 0.5\nv 0.50000006 0.5 0.5\nv 0.5 0.50000006 0.5\n"
+                              "v 0.5 0.5 0.50000006\nv 0.5 0.5 0.5\nv 1e-7 0 1\nv 0 0 1\n"
+                              "f 1 2 3\nf 4 5 6\nf 5 6 7\n"));
+  EXPECT_EQ(mesh.vertex_count(), 6u);
+}
+
+TEST(Mesh, WeldsNegativeZero) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(folder.write(
+      "zero.obj", "v 0 0 0\nv -0 0 0\nv 0 -0 0\nv 0 0 -0\nv 1 0 0\nv 0 1 0\nf 1 2 5\nf 3 4 6\n"));
+  EXPECT_EQ(mesh.vertex_count_read(), 6u);
+  EXPECT_EQ(mesh.vertex_count(), 3u);
+}
+
+TEST(Mesh, NewPositionsReachEveryDuplicate) {
+  const TempFolder folder;
+  Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  Points moved = mesh.positions();
+  moved.row(0) << 10.1, 20.2, 30.3;
+  mesh.set_positions(moved);
+  EXPECT_EQ(mesh.positions()(0, 0), static_cast<double>(10.1f));
+  int found = 0;
+  for (unsigned m = 0; m < 2; ++m) {
+    const aiMesh& part = *mesh.scene().mMeshes[m];
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      if (part.mVertices[v] == aiVector3D(10.1f, 20.2f, 30.3f)) ++found;
+    }
+  }
+  EXPECT_EQ(found, 2);
+}
+
+/// Normals follow the deformation, and the hard edge between floor and wall stays hard.
+TEST(Mesh, NormalsFollowAndHardEdgesStay) {
+  const TempFolder folder;
+  Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  mesh.set_positions(mesh.positions() * turn.transpose());
+  const std::array<Eigen::Vector3d, 2> normals{turn * Eigen::Vector3d(0, -1, 0),
+                                               turn * Eigen::Vector3d(-1, 0, 0)};
+  // The faces of kFold are wound so that these are their sides.
+  int checked = 0;
+  for (unsigned m = 0; m < 2; ++m) {
+    const aiMesh& part = *mesh.scene().mMeshes[m];
+    for (unsigned v = 0; v < part.mNumVertices; ++v, ++checked) {
+      const aiVector3D& n = part.mNormals[v];
+      EXPECT_LT((Eigen::Vector3d(n.x, n.y, n.z) - normals[m]).norm(), 1e-6);
+    }
+  }
+  EXPECT_EQ(checked, 8);
+}
+
+TEST(Mesh, SmoothNormals) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  const Points normals = mesh.smooth_normals();
+  EXPECT_LT((normals.row(1) - Eigen::RowVector3d(0, -1, 0)).norm(), 1e-12);
+  EXPECT_LT((normals.row(4) - Eigen::RowVector3d(-1, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((normals.row(0) - Eigen::RowVector3d(-1, -1, 0).normalized()).norm(), 1e-12);
+}
+
+/// A part shown three times, once mirrored, all under a moved node: each place gets vertices of its
+/// own in world coordinates, and faces of the mirrored one are turned round.
+TEST(Mesh, NodeTransformsAndInstances) {
+  const TempFolder folder;
+  folder.write("two.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  Mesh::load(folder / "two.obj").save(folder / "two.gltf");
+  std::string text = read_text(folder / "two.gltf");
+  const std::string nodes =
+      "\"nodes\":[{\"name\":\"a\",\"children\":[1,2,3],\"translation\":[0.005,0,0]},"
+      "{\"name\":\"b\",\"mesh\":0,\"scale\":[-1,1,1]},"
+      "{\"name\":\"c\",\"mesh\":0,\"translation\":[10,20,30]},"
+      "{\"name\":\"d\",\"mesh\":0,\"translation\":[0,0,-0.009]}]";
+  std::smatch list;
+  ASSERT_TRUE(std::regex_search(text, list, std::regex("\"nodes\": \\[\\s*\\{"))) << text;
+  const auto at = static_cast<std::size_t>(list.position());
+  // Ends where the list's bracket closes.
+  int depth = 0;
+  std::size_t end = text.find('[', at);
+  for (;; ++end) {
+    if (text[end] == '[') ++depth;
+    if (text[end] == ']' && --depth == 0) break;
+  }
+  text.replace(at, end + 1 - at, nodes);
+  Mesh mesh = Mesh::load(folder.write("two.gltf", text));
+  EXPECT_EQ(mesh.vertex_count(), 12u);
+  EXPECT_EQ(mesh.triangles().size(), 12u);
+  EXPECT_LT(distance_to(mesh, {-0.995, 0, 0}), 1e-6);
+  EXPECT_LT(distance_to(mesh, {0.005, 0, 1}), 1e-6);
+  EXPECT_LT(distance_to(mesh, {11.005, 20, 30}), 1e-6);
+  EXPECT_LT(distance_to(mesh, {10.005, 21, 30}), 1e-6);
+  EXPECT_LT(distance_to(mesh, {1.005, 0, -0.009}), 1e-6);  // a shift that is nearly none
+  EXPECT_NEAR(volume_times_six(mesh), 3.0, 1e-2);
+  mesh.set_positions(2.0 * mesh.positions());
+  mesh.save(folder / "three.glb");
+  const Mesh again = Mesh::load(folder / "three.glb");
+  EXPECT_EQ(again.vertex_count(), 12u);
+  EXPECT_LT(distance_to(again, {22.01, 40, 60}), 1e-5);
+}
+
+TEST(Mesh, ProceduralIsClosedAndTurnedOutwards) {
+  const Mesh mesh = Mesh::procedural();
+  EXPECT_EQ(mesh.name(), "procedural");
+  EXPECT_EQ(mesh.vertex_count(), 3072u);
+  EXPECT_EQ(mesh.vertex_count_read(), 3072u);
+  EXPECT_EQ(mesh.triangles().size(), 6144u);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const Mesh::Triangle& t : mesh.triangles()) {
+    for (std::size_t c = 0; c < 3; ++c) ++edges[{t[c], t[(c + 1) % 3]}];
+  }
+  EXPECT_EQ(edges.size(), 3u * 6144u);
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+  }
+  // About the tube's section (a 16-gon) times the length of the knot.
+  EXPECT_GT(volume_times_six(mesh), 0.0);
+  const aiMesh& part = *mesh.scene().mMeshes[0];
+  const Points normals = mesh.smooth_normals();
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D& n = part.mNormals[v];
+    EXPECT_LT((Eigen::RowVector3d(n.x, n.y, n.z) - normals.row(v)).norm(), 1e-6);
+  }
+}
+
+class Glmark2Model : public ::testing::Test {
+ protected:
+  static std::filesystem::path find(const std::string& name) {
+    const std::filesystem::path path = "/usr/share/glmark2/models/" + name;
+    return std::filesystem::exists(path) ? path : std::filesystem::path();
+  }
+};
+
+/// The counts are those in the file's own headers. The file has y up, and the cat sits on y =
+/// -1.3411; Assimp's turn would lay it on its back.
+TEST_F(Glmark2Model, Cat) {
+  if (find("cat.3ds").empty()) GTEST_SKIP() << "package glmark2-data is not installed";
+  EXPECT_EQ(find_model("cat.3ds"), find("cat.3ds"));
+  const Mesh mesh = Mesh::load(find_model("cat.3ds"));
+  EXPECT_EQ(mesh.name(), "cat.3ds");
+  EXPECT_EQ(mesh.vertex_count_read(), 7340u);
+  EXPECT_EQ(mesh.vertex_count(), 7340u);
+  EXPECT_EQ(mesh.triangles().size(), 14348u);
+  const Eigen::RowVector3d low = mesh.positions().colwise().minCoeff();
+  const Eigen::RowVector3d high = mesh.positions().colwise().maxCoeff();
+  EXPECT_LT((low - Eigen::RowVector3d(-2.233167, -1.353040, -1.283225)).norm(), 1e-5);
+  EXPECT_LT((high - Eigen::RowVector3d(2.252167, 1.341132, 1.244906)).norm(), 1e-5);
+}
+
+TEST_F(Glmark2Model, CubeIsWeldedToItsEightCorners) {
+  if (find("cube.3ds").empty()) GTEST_SKIP() << "package glmark2-data is not installed";
+  const Mesh mesh = Mesh::load(find("cube.3ds"));
+  EXPECT_EQ(mesh.vertex_count_read(), 20u);
+  EXPECT_EQ(mesh.vertex_count(), 8u);
+  EXPECT_EQ(mesh.triangles().size(), 12u);
+}
+
+}  // namespace
+}  // namespace hwffd
