@@ -6,7 +6,7 @@ stream/ffd_stream_fifo.v
 stream/ffd_stream_skid.v
 cache/ffd_cache_interleaved.v
 cache/ffd_mem_sdp.v
-evaluator/ffd_evaluator.v
+evaluator/ffd_eval_stream.v
 evaluator/ffd_org_select.v
 evaluator/ffd_org_basic.v
 evaluator/ffd_eval_sequencer.v

@@ -69,15 +69,17 @@ class Sources:
         return [str(path) for path in order]
 
     @property
-    def include(self):
-        return str(self.rtl / "number")
+    def includes(self):
+        """The folders that hold headers."""
+        return sorted({str(path.parent) for path in self.rtl.glob("*/*.vh")})
 
 
 def verilator(sources, top, files, parameters=()):
     waivers = sources.rtl / "lint" / "hwffd.vlt"
     return (
         ["verilator", "--lint-only", "--default-language", "1364-2005", "-Wall"]
-        + ["-I" + sources.include, "--top-module", top]
+        + ["-I" + folder for folder in sources.includes]
+        + ["--top-module", top]
         + ["-G" + parameter for parameter in parameters]
         + ([str(waivers)] if waivers.is_file() else [])
         + files
@@ -86,7 +88,8 @@ def verilator(sources, top, files, parameters=()):
 
 def icarus(sources, top, files, parameters=()):
     return (
-        ["iverilog", "-g2005", "-Wall", "-t", "null", "-I", sources.include, "-s", top]
+        ["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top]
+        + ["-I" + folder for folder in sources.includes]
         + [f"-P{top}.{parameter}" for parameter in parameters]
         + files
     )
@@ -97,7 +100,8 @@ def yosys(sources, jobs):
     files = []
     for _, needed, _ in jobs:
         files += [path for path in needed if path not in files]
-    script = [f'read_verilog -I "{sources.include}" ' + " ".join(f'"{path}"' for path in files)]
+    folders = "".join(f"-I {folder} " for folder in sources.includes)
+    script = [f"read_verilog {folders}" + " ".join(f'"{path}"' for path in files)]
     script.append("design -save sources")
     for top, _, parameters in jobs:
         values = (parameter.split("=", 1) for parameter in parameters)

@@ -11,7 +11,8 @@
 
 // Clocks around the loop of the iterative evaluator: one step, and one more where three passes
 // would otherwise meet a polynomial that started 6 or 12 clocks later.
-`define FFD_LOOP_LATENCY(STEP_LATENCY) ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
+`define FFD_LOOP_LATENCY(STEP_LATENCY) \
+  ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
 
 // Clocks from a coordinate to its weight: three steps and the shift back.
 `define FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY) \

@@ -1,10 +1,11 @@
 // ffd_eval_sequencer: the counter of fig. 1, once for each of CONTEXTS vertices in turn
 //
-// Every INTERVAL clocks is a turn, and turns go round the contexts. In its turn a context emits the
-// next step of its vertex, 0 to STEPS-1; an idle one takes in a vertex and emits its step 0 at once.
-// So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks apart,
-// none waits for a later one, and they leave in the order in which they came. Starts are spread over
-// the barrel's time, GAP turns apart, so that points are fetched and results leave evenly.
+// Every INTERVAL clocks is a turn, and turns go round the contexts. In its turn a context emits
+// the next step of its vertex, 0 to STEPS-1; an idle one takes in a vertex and emits its step 0 at
+// once. So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks
+// apart, none waits for a later one, and they leave in the order in which they came. Starts are
+// spread over the barrel's time, GAP turns apart, so that points are fetched and results leave
+// evenly.
 //
 // Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
 // Freezes:    never; a context without a vertex leaves a bubble.

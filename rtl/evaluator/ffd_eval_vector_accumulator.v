@@ -1,8 +1,8 @@
 // ffd_eval_vector_accumulator: sum = (clear ? 0 : sum) + term, three components (fig. 1 stage 3)
 //
 // Successive terms of one vertex are DISTANCE clocks apart; between them the adders serve the terms
-// of other vertices. The paper draws an asynchronous reset by the counter's NOR gate; here the first
-// term of a vertex is added to +0 in its own clock.
+// of other vertices. The paper draws an asynchronous reset by the counter's NOR gate; here the
+// first term of a vertex is added to +0 in its own clock.
 //
 // Formats, rounding: those of ffd_num_add. Component 0 (x) lowest.
 // Pipeline:   ADD_LATENCY registers; the sum comes back DISTANCE clocks after its term, held in one

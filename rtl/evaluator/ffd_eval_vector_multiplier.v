@@ -1,8 +1,10 @@
-// ffd_eval_vector_multiplier: term = ((B_l * B_m) * B_n) * P, three components (paper, fig. 1 stage 2)
+// ffd_eval_vector_multiplier: term = ((B_l * B_m) * B_n) * P, three components
+//
+// Stage 2 of the paper's fig. 1.
 //
 // Formats, rounding: those of ffd_num_mul (twice) and ffd_num_term. Component 0 (x) lowest.
-// Pipeline:   3 * MUL_LATENCY registers, II 1, never frozen. The point enters 2 * MUL_LATENCY clocks
-//             after the weights.
+// Pipeline:   3 * MUL_LATENCY registers, II 1, never frozen. The point enters 2 * MUL_LATENCY
+//             clocks after the weights.
 // Parameters: FORMAT as in ffd_num.vh, MUL_LATENCY >= 1.
 // Model:      golden/include/hwffd/model/organization.hpp (term_of).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0

@@ -1,8 +1,8 @@
 // ffd_num_add: sum + sum -> sum
 //
 // Rounding:   fp32: to nearest even. fxW: none.
-// Overflow:   fxW: none in a vertex: 64 products of magnitude at most 2 x 1 stay within [-128, 128],
-//             and the sum is Q9.
+// Overflow:   fxW: none in a vertex: 64 products of magnitude at most 2 x 1 stay within
+//             [-128, 128], and the sum is Q9.
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
 // Model:      golden/include/hwffd/numerics (add).  Test: tests/unit/fixed, tests/unit/float.

@@ -8,7 +8,8 @@
 // Rounding:   half up; a word that rounds past the largest value saturates and is flagged.
 // Pipeline:   combinational.
 // Parameters: FORMAT as in ffd_num.vh, ROLE 0 to 2.
-// Model:      golden/include/hwffd/numerics (coordinate, coefficient, point).  Test: tests/unit/fixed.
+// Model:      golden/include/hwffd/numerics (coordinate, coefficient, point).
+// Test:       tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

@@ -1,8 +1,8 @@
 // ffd_stream_encoder: a result becomes a beat {status, tag, z, y, x}
 //
 // Status bits (docs/interface.md section 4): 0 saturated, 2 NaN, 4 truncated, 5 unloaded; the rest
-// is 0. A truncated or unloaded vertex gives blank coordinates (canonical NaN, or 0 in fixed point),
-// never what the datapath made of half a vertex.
+// is 0. A truncated or unloaded vertex gives blank coordinates (canonical NaN, or 0 in fixed
+// point), never what the datapath made of half a vertex.
 //
 // Pipeline:   combinational, between the result queue and the output's skid buffer.
 // Parameters: FORMAT as in ffd_num.vh.

@@ -3,7 +3,8 @@
 // Packets in (coefficients; vertices with their control points), one result beat a vertex out, in
 // order: docs/interface.md. Every ready, valid and data bit at the edge leaves a register.
 //
-// Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface, section 3).
+// Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface.md,
+//             section 3).
 // Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
 // Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
@@ -145,7 +146,7 @@ module hwffd_stream #(
     .point_o      (point)
   );
 
-  ffd_evaluator #(
+  ffd_eval_stream #(
     .ORG            (ORG),
     .N              (N),
     .FORMAT         (FORMAT),

@@ -26,7 +26,7 @@ struct ResultWords {
 };
 
 /// The bit-true model of an evaluator, whatever its format and organization: words in, words out.
-/// Mirrors ffd_evaluator with its converters.
+/// Mirrors ffd_eval_stream with its converters.
 class EvaluatorModel {
  public:
   virtual ~EvaluatorModel() = default;

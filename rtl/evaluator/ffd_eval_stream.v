@@ -1,4 +1,4 @@
-// ffd_evaluator: an organization behind a stream of vertices and a stream of results
+// ffd_eval_stream: an organization behind a stream of vertices and a stream of results
 //
 // Organizations run free and know no tags; this module lends them both. A vertex enters only when
 // there is room for its result (credits), its `user` word waits in a queue of its own and meets the
@@ -16,7 +16,7 @@
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
-module ffd_evaluator #(
+module ffd_eval_stream #(
   parameter ORG             = 0,
   parameter N               = 1,
   parameter FORMAT          = 18,
