@@ -12,9 +12,9 @@
 // * distance < 0: c begins beyond the top of the frame. It is put at the top, and the product,
 //   which is then too high, is below the two bits under c: it is but a sticky bit. The same place
 //   serves a product of zero, which is below everything.
-// * c shifted out below: it is smaller than half of a product whose leading one may be as low as
-//   p - 1 bits above the guard bits (one factor subnormal); the difference then leads at p - 2, and
-//   significand, guard and sticky bit are all inside. One bit less would be wrong.
+// * c shifted out below: c is then less than half of the product, whose leading one is at bit p - 1
+//   of it or above (one factor subnormal at most). The difference leads at bit p - 2 or above, and
+//   its significand, guard and sticky bit are inside the frame; one bit less below would be wrong.
 // * a sum never carries out of the frame, and a negative one is a multiple of 8.
 //
 // A negative difference is complemented without the one that its negative needs; the rounding adds
