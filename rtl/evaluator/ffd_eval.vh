@@ -21,6 +21,25 @@
 // Clocks between polynomials of one evaluator.
 `define FFD_POLY_INTERVAL(EVALUATOR) ((EVALUATOR) == 1 ? 6 : 1)
 
+// Registers of a sum of N terms: the terms, then log2(N) levels of adders; fused, the odd term of
+// each pair is added as it is multiplied, and a single one where it is accumulated.
+`define FFD_TREE_LATENCY(N, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
+  ((FMA_LATENCY) == 0 ? (MUL_LATENCY) + $clog2(N) * (ADD_LATENCY) : \
+   (N) == 1 ? 0 : (MUL_LATENCY) + (FMA_LATENCY) + ($clog2(N) - 1) * (ADD_LATENCY))
+
+// Registers of the accumulator behind it; there is none where all 64 terms are one sum.
+`define FFD_ACCUMULATE_LATENCY(N, ADD_LATENCY, FMA_LATENCY) \
+  ((N) == 64 ? 0 : (N) == 1 && (FMA_LATENCY) > 0 ? (FMA_LATENCY) : (ADD_LATENCY))
+
+// Steps that an accumulator of that latency leaves idle unless CONTEXTS vertices take turns.
+`define FFD_CONTEXTS(LATENCY, INTERVAL) \
+  ((LATENCY) <= (INTERVAL) ? 1 : ((LATENCY) + (INTERVAL) - 1) / (INTERVAL))
+
+// Evaluators of each axis that the N combinations of one step need, u varying fastest.
+`define FFD_UNITS_S(N) ((N) >= 64 ? 4 : (N) == 32 ? 2 : 1)
+`define FFD_UNITS_T(N) ((N) >= 16 ? 4 : (N) == 8 ? 2 : 1)
+`define FFD_UNITS_U(N) ((N) >= 4 ? 4 : (N))
+
 // One blending function in the coefficient file: {shift, coefficients of x^3, x^2, x, 1}.
 `define FFD_ENTRY_W(WEIGHT_W) (4 * (WEIGHT_W) + 2)
 

@@ -14,6 +14,7 @@ module ffd_eval_poly #(
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 1,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 0,
   parameter ADDRESS_W       = 3
 ) (
@@ -38,6 +39,7 @@ module ffd_eval_poly #(
         .FORMAT         (FORMAT),
         .MUL_LATENCY    (MUL_LATENCY),
         .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
         .CONVERT_LATENCY(CONVERT_LATENCY),
         .ADDRESS_W      (ADDRESS_W)
       ) u_poly (
@@ -55,6 +57,7 @@ module ffd_eval_poly #(
         .FORMAT         (FORMAT),
         .MUL_LATENCY    (MUL_LATENCY),
         .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
         .CONVERT_LATENCY(CONVERT_LATENCY),
         .ADDRESS_W      (ADDRESS_W)
       ) u_poly (

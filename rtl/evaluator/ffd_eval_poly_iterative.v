@@ -20,6 +20,7 @@ module ffd_eval_poly_iterative #(
   parameter FORMAT          = 18,
   parameter MUL_LATENCY     = 1,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 0,
   parameter ADDRESS_W       = 3
 ) (
@@ -33,7 +34,7 @@ module ffd_eval_poly_iterative #(
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
 );
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
-  localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY);
+  localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam LOOP     = `FFD_LOOP_LATENCY(STEP);
 
   // What goes into the loop: a new polynomial, or one that comes round with its pass counted.
@@ -72,7 +73,8 @@ module ffd_eval_poly_iterative #(
   ffd_num_step #(
     .FORMAT     (FORMAT),
     .MUL_LATENCY(MUL_LATENCY),
-    .ADD_LATENCY(ADD_LATENCY)
+    .ADD_LATENCY(ADD_LATENCY),
+    .FMA_LATENCY(FMA_LATENCY)
   ) u_step (
     .clk          (clk),
     .coefficient_i(coefficient),

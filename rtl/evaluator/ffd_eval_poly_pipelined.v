@@ -18,6 +18,7 @@ module ffd_eval_poly_pipelined #(
   parameter FORMAT          = 18,
   parameter MUL_LATENCY     = 1,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 0,
   parameter ADDRESS_W       = 3
 ) (
@@ -30,7 +31,7 @@ module ffd_eval_poly_pipelined #(
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
 );
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
-  localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY);
+  localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
 
   wire [4*ADDRESS_W-1:0] addresses;
   wire [4*WEIGHT_W-1:0]  coefficients;
@@ -68,7 +69,8 @@ module ffd_eval_poly_pipelined #(
       ffd_num_step #(
         .FORMAT     (FORMAT),
         .MUL_LATENCY(MUL_LATENCY),
-        .ADD_LATENCY(ADD_LATENCY)
+        .ADD_LATENCY(ADD_LATENCY),
+        .FMA_LATENCY(FMA_LATENCY)
       ) u_step (
         .clk          (clk),
         .coefficient_i(coefficients[(2-k)*WEIGHT_W +: WEIGHT_W]),

@@ -4,12 +4,14 @@
 // the next step of its vertex, 0 to STEPS-1; an idle one takes in a vertex and emits its step 0 at
 // once. So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks
 // apart, none waits for a later one, and they leave in the order in which they came. Starts are
-// spread over the barrel's time, GAP turns apart, so that points are fetched and results leave
-// evenly.
+// spread over the barrel's time, at least START_GAP clocks apart, so that points are fetched and
+// results leave evenly.
 //
 // Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
 // Freezes:    never; a context without a vertex leaves a bubble.
-// Parameters: PAYLOAD_W >= 1, STEPS a power of two from 2 to 64, CONTEXTS >= 1, INTERVAL >= 1.
+// Parameters: PAYLOAD_W >= 1, STEPS 1 to 64, CONTEXTS >= 1, INTERVAL >= 1. ALIGNED 1: turns keep
+//             to one grid of INTERVAL clocks for ever (the iterative evaluator wants it); 0: an idle
+//             sequencer starts at once.
 // Model:      none (order only).  Test: tests/system (clocks per vertex).
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -19,7 +21,9 @@ module ffd_eval_sequencer #(
   parameter STEPS     = 64,
   parameter CONTEXTS  = 1,
   parameter INTERVAL  = 1,
-  parameter STEP_W    = $clog2(STEPS)
+  parameter ALIGNED   = 1,
+  parameter START_GAP = STEPS > CONTEXTS ? INTERVAL * (STEPS - CONTEXTS + 1) : INTERVAL,
+  parameter STEP_W    = STEPS > 1 ? $clog2(STEPS) : 1
 ) (
   input  wire                 clk,
   input  wire                 rst,
@@ -33,8 +37,8 @@ module ffd_eval_sequencer #(
   output reg  [PAYLOAD_W-1:0] payload_o
 );
   generate
-    if (STEPS < 2 || STEPS > 64 || (1 << STEP_W) != STEPS) begin : gen_bad_steps
-      ERROR_ffd_eval_sequencer_steps_must_be_a_power_of_two_from_2_to_64 u_error ();
+    if (STEPS < 1 || STEPS > 64) begin : gen_bad_steps
+      ERROR_ffd_eval_sequencer_steps_must_be_from_1_to_64 u_error ();
     end
     if (CONTEXTS < 1 || INTERVAL < 1) begin : gen_bad_contexts
       ERROR_ffd_eval_sequencer_contexts_and_interval_must_be_at_least_1 u_error ();
@@ -45,21 +49,6 @@ module ffd_eval_sequencer #(
   localparam [STEP_W-1:0] LAST = TOP[STEP_W-1:0];
 
   wire turn;
-  generate
-    if (INTERVAL == 1) begin : gen_every_clock
-      assign turn = 1'b1;
-    end else begin : gen_phase
-      localparam               PHASE_W    = $clog2(INTERVAL);
-      localparam               TOP_PHASE  = INTERVAL - 1;
-      localparam [PHASE_W-1:0] LAST_PHASE = TOP_PHASE[PHASE_W-1:0];
-      reg [PHASE_W-1:0] phase_q;
-      always @(posedge clk) begin
-        if (rst || phase_q == LAST_PHASE) phase_q <= {PHASE_W{1'b0}};
-        else phase_q <= phase_q + 1'b1;
-      end
-      assign turn = phase_q == {PHASE_W{1'b0}};
-    end
-  endgenerate
 
   // The contexts shift through a ring; the first is the one whose turn it is.
   wire                 head_active = gen_context[0].active_q;
@@ -74,19 +63,35 @@ module ffd_eval_sequencer #(
   assign s_vertex_ready = turn && !head_active && may_start;
 
   generate
-    if (CONTEXTS == 1) begin : gen_single
+    if (INTERVAL == 1) begin : gen_every_clock
+      assign turn = 1'b1;
+    end else begin : gen_phase
+      localparam               PHASE_W    = $clog2(INTERVAL);
+      localparam               TOP_PHASE  = INTERVAL - 1;
+      localparam [PHASE_W-1:0] LAST_PHASE = TOP_PHASE[PHASE_W-1:0];
+      reg [PHASE_W-1:0] phase_q;
+      always @(posedge clk) begin
+        if (rst || phase_q == LAST_PHASE) phase_q <= {PHASE_W{1'b0}};
+        else if (ALIGNED != 0 || emit || !turn) phase_q <= phase_q + 1'b1;
+      end
+      assign turn = phase_q == {PHASE_W{1'b0}};
+    end
+  endgenerate
+
+  generate
+    if (CONTEXTS == 1 && START_GAP <= INTERVAL * STEPS) begin : gen_at_once
       assign may_start = 1'b1;
     end else begin : gen_spread
-      localparam              GAP  = STEPS > CONTEXTS ? STEPS - CONTEXTS + 1 : 1;
-      localparam              LEFT = GAP - 1;
-      localparam [STEP_W-1:0] WAIT = LEFT[STEP_W-1:0];
-      reg [STEP_W-1:0] wait_q;
+      localparam              WAIT_W = $clog2(START_GAP + 1);
+      localparam              LEFT   = START_GAP - 1;
+      localparam [WAIT_W-1:0] WAIT   = LEFT[WAIT_W-1:0];
+      reg [WAIT_W-1:0] wait_q;
       always @(posedge clk) begin
-        if (rst) wait_q <= {STEP_W{1'b0}};
+        if (rst) wait_q <= {WAIT_W{1'b0}};
         else if (start) wait_q <= WAIT;
-        else if (turn && !may_start) wait_q <= wait_q - 1'b1;
+        else if (!may_start) wait_q <= wait_q - 1'b1;
       end
-      assign may_start = wait_q == {STEP_W{1'b0}};
+      assign may_start = wait_q == {WAIT_W{1'b0}};
     end
   endgenerate
 

@@ -28,8 +28,11 @@
 `define FFD_IN_W(FORMAT, ROLE) \
   ((ROLE) == 2 ? `FFD_POINT_W(FORMAT) : `FFD_WEIGHT_W(FORMAT))
 
-// One multiplication and one addition, whatever the format.
-`define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY) ((MUL_LATENCY) + (ADD_LATENCY))
+// A multiplication and the addition behind it: two units, or one fused unit of FMA_LATENCY clocks
+// where that is not 0 (binary32 only: in fixed point the bits would be the same).
+`define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
+  ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : (MUL_LATENCY) + (ADD_LATENCY))
+`define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))
 
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.
 `define FFD_BLANK_WORD(FORMAT) ((FORMAT) == 0 ? 32'h7FC0_0000 : 32'h0000_0000)

@@ -1,9 +1,10 @@
 // ffd_num_step: coefficient + coordinate x weight -> weight, one step of Horner's rule
 //
-// Rounding:   fp32: the product and the sum each to nearest even. fxW: Q2.(W-2), half up, once (the
-//             coefficient is on the grid); saturated and flagged outside [-2, 2).
-// Pipeline:   FFD_STEP_LATENCY = MUL_LATENCY + ADD_LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, MUL_LATENCY >= 1, ADD_LATENCY >= 1.
+// Rounding:   fp32: the product and the sum each to nearest even, or fused, once. fxW: Q2.(W-2),
+//             half up, once (the coefficient is on the grid); saturated and flagged outside [-2, 2).
+// Pipeline:   FFD_STEP_LATENCY registers, II 1, never frozen.
+// Parameters: FORMAT as in ffd_num.vh, MUL_LATENCY >= 1, ADD_LATENCY >= 1; FMA_LATENCY >= 1 fuses
+//             (fp32 only), 0 does not.
 // Model:      golden/include/hwffd/numerics (step).  Test: tests/unit/fixed, tests/unit/float.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -12,7 +13,8 @@
 module ffd_num_step #(
   parameter FORMAT      = 18,
   parameter MUL_LATENCY = 1,
-  parameter ADD_LATENCY = 1
+  parameter ADD_LATENCY = 1,
+  parameter FMA_LATENCY = 0
 ) (
   input  wire                              clk,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  coefficient_i,
@@ -29,13 +31,16 @@ module ffd_num_step #(
     if (MUL_LATENCY < 1 || ADD_LATENCY < 1) begin : gen_bad_latency
       ERROR_ffd_num_step_latencies_must_be_at_least_1 u_error ();
     end
+    if (`FFD_FMA_BAD(FORMAT, FMA_LATENCY)) begin : gen_bad_fma
+      ERROR_ffd_num_step_fused_needs_fp32 u_error ();
+    end
   endgenerate
 
   // The coefficient waits for the product.
   wire [WEIGHT_W-1:0] coefficient;
   ffd_num_delay #(
     .WIDTH  (WEIGHT_W),
-    .LATENCY(MUL_LATENCY)
+    .LATENCY(FMA_LATENCY > 0 ? 0 : MUL_LATENCY)
   ) u_coefficient (
     .clk(clk),
     .rst(1'b0),
@@ -44,7 +49,19 @@ module ffd_num_step #(
   );
 
   generate
-    if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
+    if (FMA_LATENCY > 0) begin : gen_fused
+      ffd_fp_fma #(
+        .EXP_W  (8),
+        .SIG_W  (24),
+        .LATENCY(FMA_LATENCY)
+      ) u_fma (
+        .clk     (clk),
+        .a_i     (coordinate_i),
+        .b_i     (weight_i),
+        .c_i     (coefficient),
+        .result_o(weight_o)
+      );
+    end else if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
       wire [WEIGHT_W-1:0] product;
 
       ffd_fp_mul #(

@@ -1,0 +1,386 @@
+// ffd_org_cg: the basic organization with a combination generator (paper, fig. 6, fig. 7, 4.4)
+//
+// SIZE polynomial evaluators fill three banks of four weights, 12 polynomials a vertex instead of
+// 192; then the combinations are read from the banks, one a step, in the order of the counter.
+//
+// Schedule:   paper: 12/SIZE polynomials one after the other, then 64 combinations of one clock for
+//             the generator, three for the multiplier and one for the accumulator: 72/SIZE + 320
+//             clocks a vertex with one-clock units.
+//             overlapped: the next vertex's weights are evaluated during the present one's
+//             combinations: 64 clocks between vertices, or 72 with one iterative evaluator.
+// Pipeline:   polynomials | set of 12 weights | step | 1: generator | ffd_eval_summation.
+// Freezes:    never; a vertex enters when a set of weights is free.
+// Parameters: those of every organization (docs/architecture.md); N is 1; SIZE 1, 2 or 3.
+// Model:      golden/include/hwffd/model/org_cg.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_org_cg #(
+  parameter SIZE            = 1,
+  parameter FORMAT          = 18,
+  parameter N               = 1,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1,
+  parameter READ_LATENCY    = 2,
+  parameter SOURCE_W        = 2
+) (
+  input  wire                                            clk,
+  input  wire                                            rst,
+  input  wire                                            load_i,
+  input  wire [1:0]                                      load_axis_i,
+  input  wire [2:0]                                      load_address_i,
+  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+  input  wire                                            s_vertex_valid,
+  output wire                                            s_vertex_ready,
+  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
+  input  wire [11:0]                                     s_vertex_cell,
+  input  wire [SOURCE_W-1:0]                             s_vertex_source,
+  input  wire                                            s_vertex_bank,
+  output wire                                            read_o,
+  output wire                                            read_last_o,
+  output wire [SOURCE_W-1:0]                             read_source_o,
+  output wire [11:0]                                     read_cell_o,
+  output wire [5:0]                                      read_index_o,
+  input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+  output wire                                            result_valid_o,
+  output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o
+);
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  localparam TREE_LATENCY = `FFD_TREE_LATENCY(1, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam ACCUMULATE   = `FFD_ACCUMULATE_LATENCY(1, ADD_LATENCY, FMA_LATENCY);
+  localparam GENERATOR    = 1;
+  localparam PAPER        = SCHEDULE == `FFD_SCHEDULE_PAPER;
+  localparam POLYNOMIALS  = 12 / SIZE;
+  localparam FILL         = PAPER ? POLY_LATENCY : `FFD_POLY_INTERVAL(EVALUATOR);
+  localparam INTERVAL     = PAPER ? GENERATOR + 2 * MUL_LATENCY + TREE_LATENCY + ACCUMULATE : 1;
+  localparam CONTEXTS     = `FFD_CONTEXTS(ACCUMULATE, INTERVAL);
+  localparam VERTEX       = PAPER ? POLYNOMIALS * FILL + 64 * INTERVAL : POLYNOMIALS * FILL;
+  // Vertices in turn, one that waits for its turn and one that is filled.
+  localparam SETS         = CONTEXTS + 2;
+  localparam SET_W        = $clog2(SETS);
+  localparam FILL_W       = $clog2(POLYNOMIALS);
+  localparam SELECT_W     = SIZE == 3 ? 3 : 5;
+
+  generate
+    if (SIZE < 1 || SIZE > 3) begin : gen_bad_size
+      ERROR_ffd_org_cg_size_must_be_1_to_3 u_error ();
+    end
+    if (N != 1) begin : gen_bad_n
+      ERROR_ffd_org_cg_n_must_be_1 u_error ();
+    end
+    if (SCHEDULE < 0 || SCHEDULE > 1) begin : gen_bad_schedule
+      ERROR_ffd_org_cg_schedule_must_be_0_or_1 u_error ();
+    end
+  endgenerate
+
+  // ---- sets of weights, given out and taken back in turn
+
+  localparam             TOP_SET  = SETS - 1;
+  localparam [SET_W-1:0] LAST_SET = TOP_SET[SET_W-1:0];
+  localparam [SET_W:0]   ALL_SETS = SETS[SET_W:0];
+  reg  [SET_W-1:0] set_q;
+  reg  [SET_W:0]   used_q;
+  wire             set_free = used_q != ALL_SETS;
+  wire             set_done;
+  wire             fill_ready;
+  wire             enter    = s_vertex_valid && s_vertex_ready;
+
+  assign s_vertex_ready = fill_ready && set_free;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      set_q  <= {SET_W{1'b0}};
+      used_q <= {(SET_W + 1) {1'b0}};
+    end else begin
+      if (enter) set_q <= set_q == LAST_SET ? {SET_W{1'b0}} : set_q + 1'b1;
+      used_q <= used_q + {{SET_W{1'b0}}, enter} - {{SET_W{1'b0}}, set_done};
+    end
+  end
+
+  // ---- polynomials: evaluator e takes the e-th share of the 12, axis s first
+
+  wire                  fill_valid;
+  wire                  fill_first;
+  wire                  fill_last;
+  wire [FILL_W-1:0]     fill;
+  wire [3*WEIGHT_W-1:0] fill_coordinates;
+  wire [11:0]           fill_cell;
+  wire [SOURCE_W-1:0]   fill_source;
+  wire                  fill_bank;
+  wire [SET_W-1:0]      fill_set;
+
+  ffd_eval_sequencer #(
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 1 + SET_W),
+    .STEPS    (POLYNOMIALS),
+    .CONTEXTS (1),
+    .INTERVAL (FILL),
+    .ALIGNED  (!PAPER),
+    .START_GAP(VERTEX)
+  ) u_fill (
+    .clk           (clk),
+    .rst           (rst),
+    .s_vertex_valid(s_vertex_valid && set_free),
+    .s_vertex_ready(fill_ready),
+    .s_vertex_data ({s_vertex_coordinates, s_vertex_cell, s_vertex_source, s_vertex_bank, set_q}),
+    .step_valid_o  (fill_valid),
+    .step_first_o  (fill_first),
+    .step_last_o   (fill_last),
+    .step_o        (fill),
+    .payload_o     ({fill_coordinates, fill_cell, fill_source, fill_bank, fill_set})
+  );
+
+  // The weights of one step, where they belong: {axis, function} of each evaluator.
+  wire                     weight_valid;
+  wire                     weight_last;
+  wire [SET_W-1:0]         weight_set;
+  wire [11:0]              weight_cell;
+  wire [SOURCE_W-1:0]      weight_source;
+  wire [SIZE*WEIGHT_W-1:0] weights;
+  wire [SIZE*4-1:0]        weight_places;
+
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(POLY_LATENCY),
+    .RESET  (1)
+  ) u_weight_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i({fill_valid, fill_valid && fill_last}),
+    .q_o({weight_valid, weight_last})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (SET_W + 12 + SOURCE_W),
+    .LATENCY(POLY_LATENCY)
+  ) u_weight (
+    .clk(clk),
+    .rst(rst),
+    .d_i({fill_set, fill_cell, fill_source}),
+    .q_o({weight_set, weight_cell, weight_source})
+  );
+
+  genvar e;
+  generate
+    for (e = 0; e < SIZE; e = e + 1) begin : gen_evaluator
+      localparam       FIRST_I = e * POLYNOMIALS;
+      localparam [3:0] FIRST   = FIRST_I[3:0];
+      wire [3:0]          place = FIRST + {{(4 - FILL_W) {1'b0}}, fill};
+      wire [1:0]          axis  = place[3:2];
+      wire [WEIGHT_W-1:0] coordinate = fill_coordinates[axis*WEIGHT_W +: WEIGHT_W];
+
+      wire                load;
+      wire [SELECT_W-1:0] load_select;
+      wire [SELECT_W-1:0] select;
+      if (SIZE == 3) begin : gen_own_axis
+        assign load        = load_i && load_axis_i == e;
+        assign load_select = load_address_i;
+        assign select      = {fill_bank, place[1:0]};
+      end else begin : gen_all_axes
+        assign load        = load_i;
+        assign load_select = {load_axis_i, load_address_i};
+        assign select      = {axis, fill_bank, place[1:0]};
+      end
+
+      ffd_eval_poly #(
+        .FORMAT         (FORMAT),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .ADDRESS_W      (SELECT_W)
+      ) u_poly (
+        .clk           (clk),
+        .load_i        (load),
+        .load_address_i(load_select),
+        .load_entry_i  (load_entry_i),
+        .start_i       (fill_valid),
+        .coordinate_i  (coordinate),
+        .address_i     (select),
+        .weight_o      (weights[e*WEIGHT_W +: WEIGHT_W])
+      );
+
+      ffd_num_delay #(
+        .WIDTH  (4),
+        .LATENCY(POLY_LATENCY)
+      ) u_place (
+        .clk(clk),
+        .rst(rst),
+        .d_i(place),
+        .q_o(weight_places[4*e +: 4])
+      );
+    end
+  endgenerate
+
+  // ---- a full set waits for its turn
+
+  wire                filled_valid;
+  wire                filled_ready;
+  wire                filled_room;
+  wire [SET_W-1:0]    filled_set;
+  wire [11:0]         filled_cell;
+  wire [SOURCE_W-1:0] filled_source;
+
+  ffd_stream_fifo #(
+    .WIDTH(SET_W + 12 + SOURCE_W),
+    .DEPTH(1 << SET_W)
+  ) u_filled (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(weight_last),
+    .s_word_ready(filled_room),
+    .s_word_data ({weight_set, weight_cell, weight_source}),
+    .m_word_valid(filled_valid),
+    .m_word_ready(filled_ready),
+    .m_word_data ({filled_set, filled_cell, filled_source})
+  );
+
+  // ---- combinations
+
+  wire                step_valid;
+  wire                step_first;
+  wire                step_last;
+  wire [5:0]          step;
+  wire [SET_W-1:0]    step_set;
+  wire [11:0]         step_cell;
+  wire [SOURCE_W-1:0] step_source;
+
+  ffd_eval_sequencer #(
+    .PAYLOAD_W(SET_W + 12 + SOURCE_W),
+    .STEPS    (64),
+    .CONTEXTS (CONTEXTS),
+    .INTERVAL (INTERVAL),
+    .ALIGNED  (!PAPER)
+  ) u_steps (
+    .clk           (clk),
+    .rst           (rst),
+    .s_vertex_valid(filled_valid),
+    .s_vertex_ready(filled_ready),
+    .s_vertex_data ({filled_set, filled_cell, filled_source}),
+    .step_valid_o  (step_valid),
+    .step_first_o  (step_first),
+    .step_last_o   (step_last),
+    .step_o        (step),
+    .payload_o     ({step_set, step_cell, step_source})
+  );
+
+  assign set_done = step_valid && step_last;
+
+  // The generator's banks, one an axis: at most one evaluator fills an axis at a time.
+  wire [3*WEIGHT_W-1:0] combination;
+
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_bank
+      localparam [1:0] AXIS = a;
+      wire [SIZE-1:0]          here;
+      wire [1:0]               blending = step[4-2*a +: 2] - step_cell[4*a +: 2];
+      wire [SIZE*WEIGHT_W-1:0] masked_weights;
+      wire [SIZE*2-1:0]        masked_functions;
+      reg  [WEIGHT_W-1:0]      weight;
+      reg  [1:0]               function_index;
+      integer                  i;
+
+      for (e = 0; e < SIZE; e = e + 1) begin : gen_masked
+        assign here[e] = weight_valid && weight_places[4*e+2 +: 2] == AXIS;
+        assign masked_weights[e*WEIGHT_W +: WEIGHT_W] =
+            weights[e*WEIGHT_W +: WEIGHT_W] & {WEIGHT_W{here[e]}};
+        assign masked_functions[e*2 +: 2] = weight_places[4*e +: 2] & {2{here[e]}};
+      end
+
+      always @* begin
+        weight         = {WEIGHT_W{1'b0}};
+        function_index = 2'd0;
+        for (i = 0; i < SIZE; i = i + 1) begin
+          weight         = weight | masked_weights[i*WEIGHT_W +: WEIGHT_W];
+          function_index = function_index | masked_functions[i*2 +: 2];
+        end
+      end
+
+      ffd_mem_sdp #(
+        .WIDTH       (WEIGHT_W),
+        .DEPTH       (SETS * 4),
+        .READ_LATENCY(GENERATOR),
+        .ADDRESS_W   (SET_W + 2)
+      ) u_bank (
+        .clk            (clk),
+        .write_i        (|here),
+        .write_address_i({weight_set, function_index}),
+        .write_data_i   (weight),
+        .read_address_i ({step_set, blending}),
+        .read_data_o    (combination[a*WEIGHT_W +: WEIGHT_W])
+      );
+    end
+  endgenerate
+
+  wire                combined_valid;
+  wire                combined_first;
+  wire                combined_last;
+  wire [SOURCE_W-1:0] combined_source;
+  wire [11:0]         combined_cell;
+  wire [5:0]          combined_step;
+
+  ffd_num_delay #(
+    .WIDTH  (3),
+    .LATENCY(GENERATOR),
+    .RESET  (1)
+  ) u_combined_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i({step_valid, step_first, step_last}),
+    .q_o({combined_valid, combined_first, combined_last})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (SOURCE_W + 18),
+    .LATENCY(GENERATOR)
+  ) u_combined (
+    .clk(clk),
+    .rst(rst),
+    .d_i({step_source, step_cell, step}),
+    .q_o({combined_source, combined_cell, combined_step})
+  );
+
+  ffd_eval_summation #(
+    .FORMAT      (FORMAT),
+    .N           (1),
+    .MUL_LATENCY (MUL_LATENCY),
+    .ADD_LATENCY (ADD_LATENCY),
+    .FMA_LATENCY (FMA_LATENCY),
+    .READ_LATENCY(READ_LATENCY),
+    .SOURCE_W    (SOURCE_W),
+    .DISTANCE    (CONTEXTS * INTERVAL)
+  ) u_summation (
+    .clk           (clk),
+    .rst           (rst),
+    .step_valid_i  (combined_valid),
+    .step_first_i  (combined_first),
+    .step_last_i   (combined_last),
+    .step_source_i (combined_source),
+    .step_cell_i   (combined_cell),
+    .step_index_i  (combined_step),
+    .weights_s_i   (combination[0*WEIGHT_W +: WEIGHT_W]),
+    .weights_t_i   (combination[1*WEIGHT_W +: WEIGHT_W]),
+    .weights_u_i   (combination[2*WEIGHT_W +: WEIGHT_W]),
+    .read_o        (read_o),
+    .read_last_o   (read_last_o),
+    .read_source_o (read_source_o),
+    .read_cell_o   (read_cell_o),
+    .read_index_o  (read_index_o),
+    .read_points_i (read_points_i),
+    .result_valid_o(result_valid_o),
+    .result_sum_o  (result_sum_o)
+  );
+
+  wire unused_ok = &{1'b0, fill_first, filled_room};
+endmodule
+
+`default_nettype wire
