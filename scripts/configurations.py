@@ -15,6 +15,7 @@ import re
 import sys
 from dataclasses import dataclass
 
+import organizations
 from organizations import GENERATED, models_text, select_text
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -95,6 +96,9 @@ def _read_row(row, where):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
     if not re.fullmatch(r"[a-z]+[0-9]*", fields["org"]):
         raise TableError(f"{where}: bad org '{fields['org']}': letters, then perhaps a number")
+    module = organizations.module_path(ROOT / "rtl", fields["org"])
+    if not module.is_file():
+        raise TableError(f"{where}: unknown org '{fields['org']}': there is no {module.name}")
     for column, words in (("schedule", SCHEDULES), ("evaluator", EVALUATORS), ("tier", TIERS)):
         if fields[column] not in words:
             raise TableError(

@@ -18,6 +18,10 @@ def split_name(org):
     return match.group(1), int(match.group(2)) if match.group(2) else None
 
 
+def module_path(rtl, org):
+    return pathlib.Path(rtl) / "evaluator" / f"ffd_org_{split_name(org)[0]}.v"
+
+
 def organizations(configurations):
     """The organizations of the table; a word's place is the value of the parameter ORG."""
     return list(dict.fromkeys(c.org for c in configurations))

@@ -44,7 +44,8 @@ def elaborate(module, assignments):
 
 def yosys_hierarchy(files):
     sources = " ".join(f'"{path}"' for path in files)
-    script = f'read_verilog -I "{SOURCES.include}" {sources}; hierarchy -check -top {TOP}'
+    folders = " ".join(f"-I {folder}" for folder in SOURCES.includes)
+    script = f"read_verilog {folders} {sources}; hierarchy -check -top {TOP}"
     return ["yosys", "-Q", "-T", "-q", "-p", script]
 
 

@@ -33,7 +33,9 @@ endmodule
 """
 TOP_PARAMETERS = ",\n  parameter ".join(
     f"{name} = 1" for name in configurations.read()[0].parameters)
-TOP_BODY = """\
+USED_PARAMETERS = "\n    + ".join(
+    name for name in configurations.read()[0].parameters if name != "MUL_LATENCY")
+TOP_BODY = f"""\
   ffd_org_sample u_sample (
     .d_i(d_i),
     .q_o(q_o)
@@ -43,10 +45,9 @@ TOP_BODY = """\
       ERROR_hwffd_stream_latency u_error ();
     end
   endgenerate
-  wire unused_ok = &{1'b0, 32'd0 + ORG + N + FORMAT + SCHEDULE + EVALUATOR + FMAC + ADD_LATENCY
-    + CONVERT_LATENCY};"""
+  wire unused_ok = &{{1'b0, 32'd0 + {USED_PARAMETERS}}};"""
 SAMPLE = "  assign q_o = d_i;"
-ROW = "good-row,basic,1,fx18,overlapped,pipelined,0,2,1,1,test"
+ROW = "good-row,basic,1,fx18,overlapped,pipelined,2,1,1,test"
 TABLE = ",".join(configurations.COLUMNS) + f"\n{ROW}\n"
 
 

@@ -12,6 +12,14 @@ std::vector<Configuration> built_configurations() {
   return built;
 }
 
+std::vector<Configuration> built_configurations(const std::string& format) {
+  std::vector<Configuration> built = built_configurations();
+  built.erase(std::remove_if(built.begin(), built.end(),
+                             [&](const Configuration& row) { return row.format != format; }),
+              built.end());
+  return built;
+}
+
 std::string test_name(const Configuration& row) {
   std::string name = row.name;
   std::replace(name.begin(), name.end(), '-', '_');

@@ -25,6 +25,9 @@ namespace hwffd::test {
 /// The rows of the table that this build has Verilated.
 std::vector<Configuration> built_configurations();
 
+/// Those of one number format.
+std::vector<Configuration> built_configurations(const std::string& format);
+
 /// basic-fx18-paper -> basic_fx18_paper, as a test may be called.
 std::string test_name(const Configuration& row);
 
@@ -60,6 +63,8 @@ class PerConfiguration : public ::testing::TestWithParam<Configuration> {};
 
 }  // namespace hwffd::test
 
-#define HWFFD_FOR_EACH_CONFIGURATION(suite)                                                     \
-  INSTANTIATE_TEST_SUITE_P(, suite, ::testing::ValuesIn(::hwffd::test::built_configurations()), \
+// Instantiates a suite for every built configuration, or for those of the format given.
+#define HWFFD_FOR_EACH_CONFIGURATION(suite, ...)                                                  \
+  INSTANTIATE_TEST_SUITE_P(, suite,                                                               \
+                           ::testing::ValuesIn(::hwffd::test::built_configurations(__VA_ARGS__)), \
                            [](const auto& info) { return ::hwffd::test::test_name(info.param); })

@@ -107,7 +107,7 @@ module ffd_fp_add #(
   ffd_fp_shift_right #(
     .WIDTH      (SIG_W + 2),
     .AMOUNT_W   (ALIGN_W),
-    .LARGE_FIRST(0)
+    .LARGE_FIRST(1)
   ) u_align (
     .x_i     ({p1_smaller_significand, 2'b00}),
     .amount_i(p1_amount),

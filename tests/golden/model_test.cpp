@@ -1,0 +1,112 @@
+// The bit-true models against the oracle, and the properties that their weights must have.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/numerics/fixed.hpp"
+#include "hwffd/oracle/oracle.hpp"
+#include "hwffd/stream/blending.hpp"
+
+namespace hwffd {
+namespace {
+
+double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+
+struct Bound {
+  const char* configuration;
+  double error;  ///< docs/numerics.md section 6: largest over uniform points in [-1, 1)
+};
+
+class ModelAgainstOracle : public ::testing::TestWithParam<Bound> {};
+
+TEST_P(ModelAgainstOracle, ErrorIsWithinTheStatedBound) {
+  constexpr int kVertices = 100000;
+  const Configuration& row = find_configuration(GetParam().configuration);
+  const WordCodec codec(row.format);
+  const auto model = model::make_evaluator_model(row);
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < 4; ++l) model->load(0, a, l, axis.degree, axis.shift, axis.word[l]);
+  }
+  const Oracle oracle;
+  std::mt19937_64 engine(1);
+  double largest = 0;
+  for (int v = 0; v < kVertices; ++v) {
+    Support support;
+    model::VertexWords words;
+    Eigen::Vector3d local;
+    for (int a = 0; a < 3; ++a) {
+      local[a] = unit(engine);
+      words.local[a] = codec.coordinate(local[a]);
+      words.cell[a] = static_cast<int>(engine() & 15);
+    }
+    for (int p = 0; p < 64; ++p) {
+      for (int c = 0; c < 3; ++c) {
+        support(p, c) = 2 * unit(engine) - 1;
+        words.points[3 * p + c] = codec.point(support(p, c));
+      }
+    }
+    const model::ResultWords result = model->evaluate(0, words);
+    const Eigen::Vector3d exact = oracle.evaluate(support, local[0], local[1], local[2]);
+    for (int c = 0; c < 3; ++c) {
+      largest = std::max(largest, std::abs(codec.decode_point(result.words[c]) - exact[c]));
+    }
+  }
+  std::printf("%d vertices, largest error %.3g, bound %.3g\n", kVertices, largest,
+              GetParam().error);
+  EXPECT_LE(largest, GetParam().error);
+  EXPECT_GE(8 * largest, GetParam().error) << "the bound says nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(, ModelAgainstOracle,
+                         ::testing::Values(Bound{"basic-fp32-overlapped", 5e-7},
+                                           Bound{"basic-fx18-overlapped", 1.3e-4},
+                                           Bound{"basic-fx32-overlapped", 8e-9}),
+                         [](const auto& info) {
+                           return std::string(info.param.configuration).substr(6, 4);
+                         });
+
+/// All weights of the watertight B-spline in `fxW` at a coordinate.
+template <int W>
+std::array<std::int64_t, 4> weights_at(const model::CoefficientBank<Fixed<W>>& bank,
+                                       std::int64_t coordinate) {
+  std::array<std::int64_t, 4> weights{};
+  for (int l = 0; l < 4; ++l) {
+    weights[l] = model::polynomial<Fixed<W>>(bank, 0, l, {coordinate, false}).value;
+  }
+  return weights;
+}
+
+// Every coordinate of fx18: weights one unit below 0 at most, their sum within 2 units of 1.
+TEST(FixedWeights, PartitionOfUnityOverEveryCoordinateOfFx18) {
+  const WordCodec codec("fx18");
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  model::CoefficientBank<Fixed<18>> bank;
+  for (int l = 0; l < 4; ++l) bank.load(0, l, axis.degree, axis.shift, axis.word[l]);
+  constexpr std::int64_t kOne = 1 << 16;
+  std::int64_t lowest = 0;
+  std::int64_t off = 0;
+  int coordinates = 0;
+  for (std::int64_t s = 0; s <= kOne; ++s, ++coordinates) {
+    const auto w = weights_at<18>(bank, s);
+    lowest = std::min(lowest, *std::min_element(w.begin(), w.end()));
+    off = std::max(off, std::abs(w[0] + w[1] + w[2] + w[3] - kOne));
+  }
+  EXPECT_EQ(coordinates, 65537);
+  EXPECT_GE(lowest, -1);
+  EXPECT_LE(off, 2);
+  // Exactly 1 at both ends, with the same three weights on either side of a face.
+  const auto first = weights_at<18>(bank, 0);
+  const auto last = weights_at<18>(bank, kOne);
+  EXPECT_EQ(last[0], 0);
+  EXPECT_EQ(first[3], 0);
+  for (int l = 0; l < 3; ++l) EXPECT_EQ(first[l], last[l + 1]);
+  EXPECT_EQ(first[0] + first[1] + first[2], kOne);
+}
+
+}  // namespace
+}  // namespace hwffd
