@@ -9,7 +9,7 @@
 //             clocks apart. The loop's length is no multiple of 3, so the passes of polynomials 6
 //             clocks apart (0, L, 2L modulo 6) never meet. Never frozen.
 // Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 1.
-// Not checked: a start that is no multiple of 6 clocks after another.
+// Not checked: a start that is neither a multiple of 6 clocks after another nor behind its end.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

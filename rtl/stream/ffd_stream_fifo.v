@@ -4,7 +4,7 @@
 //
 // Pipeline:   1 clock from in to out, II 1.  Freezes: s_ready is 0 when full.
 // Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
-// Model:      none (transport only).  Test: tests/unit/stream, every system test.
+// Model:      none (transport only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

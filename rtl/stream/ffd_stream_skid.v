@@ -6,7 +6,7 @@
 //
 // Pipeline:   1 clock, II 1.  Freezes: when m_ready is 0, with at most two beats inside.
 // Parameters: WIDTH >= 1.
-// Model:      none (transport only).  Test: tests/unit/stream, every system test.
+// Model:      none (transport only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

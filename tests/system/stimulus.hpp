@@ -11,10 +11,10 @@
 namespace hwffd::test {
 
 /// The kinds of vertices that the system tests send:
-///   corner   coordinates 0, 1 and one step inside, cells of all residues, ordinary points
-///   extreme  words from the ends of the format: huge, tiny, infinite, NaN; ordinary coordinates
-///   too random   coordinates and points uniform in the format's range mesh     consecutive
-///   vertices of a mesh in a twisted lattice of many cells
+/// - corner: coordinates 0, 1 and one step inside, cells of all residues, ordinary points
+/// - extreme: words from the ends of the format: huge, tiny, infinite, NaN
+/// - random: coordinates and points uniform in the format's range
+/// - mesh: consecutive vertices of a mesh in a twisted lattice of many cells
 const std::vector<std::string>& stimulus_names();
 
 /// `count` vertices of a kind; tags count from 0.

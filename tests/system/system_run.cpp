@@ -37,6 +37,7 @@ SystemRun::SystemRun(const Configuration& row, std::uint64_t seed, const std::st
   options.test.seed = seed;
   options.source_throttle = source;
   options.sink_throttle = sink;
+  options.probe_edges = true;
   bench_ = std::make_unique<tb::StreamBench>(*core_, options);
   reset(3);
 }

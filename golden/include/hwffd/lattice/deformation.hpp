@@ -11,15 +11,14 @@ namespace hwffd {
 /// A way to move the control points of a lattice. Up is the y axis; the top and bottom of
 /// a lattice are its last and first layer along t, left and right its first and last along s.
 ///
-/// | text | effect |
-/// |---|---|
-/// | `none` | nothing moves |
-/// | `twist:DEGREES` | the top 4 corners turn about the vertical line through the lattice's centre,
-/// counterclockwise seen from above (paper, section 6) | | `shear:AMOUNT` | the bottom left corners
-/// sink, the bottom right corners rise, by AMOUNT times the lattice's height (paper, section 6) |
-/// | `bend:DEGREES` | the vertical centre line becomes an arc of that angle towards +x; the bottom
-/// layer stays | | `random:SEED` | every point moves by up to 0.3 spacings along each axis,
-/// independently |
+/// - `none`: nothing moves
+/// - `twist:DEGREES`: the top 4 corners turn about the vertical line through the lattice's centre,
+///   counterclockwise seen from above (paper, section 6)
+/// - `shear:AMOUNT`: the bottom left corners sink, the bottom right corners rise, by AMOUNT times
+///   the lattice's height (paper, section 6)
+/// - `bend:DEGREES`: the vertical centre line becomes an arc of that angle towards +x; the bottom
+///   layer stays
+/// - `random:SEED`: every point moves by up to 0.3 spacings along each axis, independently
 ///
 /// Twist and shear move the 8 corners; all other points follow by trilinear interpolation of the
 /// corners' displacements, which in a box lattice is the paper's interpolation of positions.
