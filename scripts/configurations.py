@@ -31,10 +31,10 @@ TIERS = ("sim", "test", "all")
 
 COLUMNS = (
     "name", "org", "n", "format", "schedule", "evaluator", "mul_latency", "add_latency",
-    "convert_latency", "tier",
+    "fma_latency", "convert_latency", "tier",
 )
 NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
-           "convert_latency": (0, 99)}
+           "fma_latency": (0, 99), "convert_latency": (0, 99)}
 FIXED_WIDTHS = range(12, 33)
 
 
@@ -52,6 +52,7 @@ class Configuration:
     evaluator: str
     mul_latency: int
     add_latency: int
+    fma_latency: int
     convert_latency: int
     tier: str
     org_number: int
@@ -72,6 +73,7 @@ class Configuration:
             "EVALUATOR": EVALUATORS.index(self.evaluator),
             "MUL_LATENCY": self.mul_latency,
             "ADD_LATENCY": self.add_latency,
+            "FMA_LATENCY": self.fma_latency,
             "CONVERT_LATENCY": self.convert_latency,
         }
 
@@ -176,7 +178,8 @@ def table_text(configurations):
     for c in configurations:
         lines.append(
             f'      {{"{c.name}", "{c.org}", {c.n}, "{c.format}", "{c.schedule}", "{c.evaluator}",'
-            f' {c.mul_latency}, {c.add_latency}, {c.convert_latency}, "{c.tier}"}},')
+            f' {c.mul_latency}, {c.add_latency}, {c.fma_latency}, {c.convert_latency},'
+            f' "{c.tier}"}},')
     lines += [
         "  };",
         "  return table;",

@@ -1,7 +1,8 @@
 """Code that follows from the organizations named in the table of configurations: the selector in
 the RTL and the factory of bit-true models. An organization `name` is the module ffd_org_<name> and
 the class OrgName in hwffd/model/org_<name>.hpp; a number at the end of a name (cg3) is the module's
-parameter SIZE. All modules have the ports and parameters of ffd_org_basic.
+parameter SIZE. Where two organizations are one module, the second is in SHARED. All modules have
+the ports and parameters of ffd_org_tree.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -12,10 +13,19 @@ import re
 GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
 
 
+# Organization -> the module that it is, with the parameters that make it so.
+SHARED = {
+    "basic": ("tree", {"SERIAL": 1}),
+    "parallel": ("tree", {}),
+}
+
+
 def split_name(org):
-    """cg3 -> ("cg", 3), basic -> ("basic", None)"""
+    """cg3 -> ("cg", {"SIZE": 3}), basic -> ("tree", {"SERIAL": 1})"""
+    if org in SHARED:
+        return SHARED[org]
     match = re.fullmatch(r"([a-z]+)([0-9]*)", org)
-    return match.group(1), int(match.group(2)) if match.group(2) else None
+    return match.group(1), {"SIZE": int(match.group(2))} if match.group(2) else {}
 
 
 def module_path(rtl, org):
@@ -28,9 +38,9 @@ def organizations(configurations):
 
 
 def _header(rtl):
-    """The text between `module ffd_org_basic` and its `);`, with its parameters and ports."""
-    text = (pathlib.Path(rtl) / "evaluator" / "ffd_org_basic.v").read_text(encoding="utf-8")
-    match = re.search(r"^module ffd_org_basic #\(\n(.*?)\n\) \(\n(.*?)\n\);$", text, re.M | re.S)
+    """The text between `module ffd_org_tree` and its `);`, with its parameters and ports."""
+    text = (pathlib.Path(rtl) / "evaluator" / "ffd_org_tree.v").read_text(encoding="utf-8")
+    match = re.search(r"^module ffd_org_tree #\(\n  parameter SERIAL [^\n]*\n(.*?)\n\) \(\n(.*?)\n\);$", text, re.M | re.S)
     parameters, ports = match.group(1), match.group(2)
     names = re.findall(r"^  parameter (\w+)", parameters, re.M)
     wires = re.findall(r"(\w+),?$", ports, re.M)
@@ -48,10 +58,10 @@ def select_text(configurations, rtl):
     found = organizations(configurations)
     arms = []
     for number, org in enumerate(found):
-        module, size = split_name(org)
+        module, own = split_name(org)
         values = _connections(names, " " * 8)
-        if size is not None:
-            values = f"        .SIZE({size}),\n" + values
+        for name, value in own.items():
+            values = f"        .{name}({value}),\n" + values
         opening = "if" if number == 0 else "end else if"
         arms.append(f"""    {opening} (ORG == {number}) begin : gen_{org}
       ffd_org_{module} #(
@@ -89,14 +99,17 @@ endmodule
 """
 
 
-def _format_class(word):
-    return "Binary32" if word == "fp32" else f"Fixed<{word[2:]}>"
+def _format_class(word, fused):
+    if word == "fp32":
+        return "Binary32Fused" if fused else "Binary32"
+    return f"Fixed<{word[2:]}>"
 
 
 def models_text(configurations):
     """C++: make_evaluator_model for every organization and format of the table."""
     modules = list(dict.fromkeys(split_name(c.org)[0] for c in configurations))
-    kinds = list(dict.fromkeys((split_name(c.org)[0], c.org, c.format) for c in configurations))
+    kinds = list(dict.fromkeys((split_name(c.org)[0], c.org, c.format, c.fma_latency > 0)
+                               for c in configurations))
     lines = [f"// {GENERATED}"]
     lines += [f'#include "hwffd/model/org_{module}.hpp"' for module in modules]
     lines += [
@@ -112,11 +125,12 @@ def models_text(configurations):
         "std::unique_ptr<EvaluatorModel> make_evaluator_model(const Configuration& row) {",
         "  const std::string org = row.org;",
         "  const std::string format = row.format;",
+        "  const bool fused = row.fma_latency > 0;",
     ]
-    for module, org, word in kinds:
+    for module, org, word, fused in kinds:
         lines += [
-            f'  if (org == "{org}" && format == "{word}") {{',
-            f"    return std::make_unique<EvaluatorModelOf<{_format_class(word)},"
+            f'  if (org == "{org}" && format == "{word}" && fused == {str(fused).lower()}) {{',
+            f"    return std::make_unique<EvaluatorModelOf<{_format_class(word, fused)},"
             f" Org{module.capitalize()}>>(row);",
             "  }",
         ]

@@ -24,8 +24,8 @@
 // Registers of a sum of N terms: the terms, then log2(N) levels of adders; fused, the odd term of
 // each pair is added as it is multiplied, and a single one where it is accumulated.
 `define FFD_TREE_LATENCY(N, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
-  ((FMA_LATENCY) == 0 ? (MUL_LATENCY) + $clog2(N) * (ADD_LATENCY) : \
-   (N) == 1 ? 0 : (MUL_LATENCY) + (FMA_LATENCY) + ($clog2(N) - 1) * (ADD_LATENCY))
+  ((FMA_LATENCY) == 0 ? (MUL_LATENCY) + $clog2(N) * (ADD_LATENCY) : (N) == 1 ? 0 : \
+  (MUL_LATENCY) + (FMA_LATENCY) + ($clog2(N) - 1) * (ADD_LATENCY))
 
 // Registers of the accumulator behind it; there is none where all 64 terms are one sum.
 `define FFD_ACCUMULATE_LATENCY(N, ADD_LATENCY, FMA_LATENCY) \

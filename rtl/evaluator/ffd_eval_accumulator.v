@@ -5,9 +5,9 @@
 // first term of a vertex is added to +0 in its own clock. Fused, the term comes as its two factors.
 //
 // Formats, rounding: those of ffd_num_add, or of ffd_num_mac.
-// Pipeline:   ADD_LATENCY registers (FMA_LATENCY where fused); the sum comes back DISTANCE clocks
-//             after its term. DISTANCE is CONTEXTS * INTERVAL with the fewest contexts that suffice,
-//             so what has to wait in between is one sum at a time: one register holds it.
+// Pipeline:   ADD_LATENCY registers (FMA_LATENCY where fused); the sum is back DISTANCE clocks
+//             after its term. DISTANCE is CONTEXTS * INTERVAL with the fewest contexts that
+//             suffice, so what has to wait is one sum at a time: one register holds it.
 // Parameters: FORMAT as in ffd_num.vh; ADD_LATENCY >= 1; FMA_LATENCY >= 1 fuses, 0 does not;
 //             DISTANCE >= the latency.
 // Not checked: that terms are at least DISTANCE - latency clocks apart.

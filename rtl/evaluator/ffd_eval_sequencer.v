@@ -10,7 +10,7 @@
 // Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
 // Freezes:    never; a context without a vertex leaves a bubble.
 // Parameters: PAYLOAD_W >= 1, STEPS 1 to 64, CONTEXTS >= 1, INTERVAL >= 1. ALIGNED 1: turns keep
-//             to one grid of INTERVAL clocks for ever (the iterative evaluator wants it); 0: an idle
+//             to one grid of INTERVAL clocks (the iterative evaluator wants it); 0: an idle
 //             sequencer starts at once.
 // Model:      none (order only).  Test: tests/system (clocks per vertex).
 // SPDX-License-Identifier: Apache-2.0

@@ -24,6 +24,7 @@ module ffd_eval_stream #(
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter READ_LATENCY    = 2,
   parameter SOURCE_W        = 2,
@@ -84,6 +85,7 @@ module ffd_eval_stream #(
     .EVALUATOR      (EVALUATOR),
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SOURCE_W)

@@ -6,10 +6,10 @@
 //
 // Formats, rounding: those of the number layer; order of addition: docs/numerics.md section 4.
 // Pipeline:   weights | 2 MUL_LATENCY: products | FFD_TREE_LATENCY | FFD_ACCUMULATE_LATENCY: sum.
-//             Points are asked for READ_LATENCY clocks before the products are there. II 1.
+//             Points are asked for READ_LATENCY clocks ahead of the products. II 1.
 // Freezes:    never.
-// Parameters: N a power of two, 1 to 64; DISTANCE the clocks between steps of one vertex; the others
-//             as in every organization.
+// Parameters: N a power of two, 1 to 64; DISTANCE the clocks between steps of one vertex; the
+//             others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

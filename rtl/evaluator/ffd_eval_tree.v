@@ -40,7 +40,7 @@ module ffd_eval_tree #(
   genvar level;
   genvar i;
   generate
-    for (level = 0; level <= LEVELS; level = level + 1) begin : gen_level
+    for (level = 0; level <= LEVELS; level = level + 1) begin : gen_rank
       wire [(N>>level)*SUM_W-1:0] sums;
       for (i = 0; i < (N >> level); i = i + 1) begin : gen_sum
         if (level == 0) begin : gen_term
@@ -76,7 +76,7 @@ module ffd_eval_tree #(
             .clk     (clk),
             .weight_i(weight),
             .point_i (point),
-            .sum_i   (gen_level[level-1].sums[2*i*SUM_W +: SUM_W]),
+            .sum_i   (gen_rank[level-1].sums[2*i*SUM_W +: SUM_W]),
             .sum_o   (sums[i*SUM_W +: SUM_W])
           );
         end else begin : gen_add
@@ -85,19 +85,19 @@ module ffd_eval_tree #(
             .LATENCY(ADD_LATENCY)
           ) u_add (
             .clk  (clk),
-            .a_i  (gen_level[level-1].sums[2*i*SUM_W +: SUM_W]),
-            .b_i  (gen_level[level-1].sums[(2*i+1)*SUM_W +: SUM_W]),
+            .a_i  (gen_rank[level-1].sums[2*i*SUM_W +: SUM_W]),
+            .b_i  (gen_rank[level-1].sums[(2*i+1)*SUM_W +: SUM_W]),
             .sum_o(sums[i*SUM_W +: SUM_W])
           );
         end
       end
     end
     if (FUSED) begin : gen_unused
-      wire unused_ok = &{1'b0, gen_level[0].sums};
+      wire unused_ok = &{1'b0, gen_rank[0].sums};
     end
   endgenerate
 
-  assign sum_o = gen_level[LEVELS].sums;
+  assign sum_o = gen_rank[LEVELS].sums;
 endmodule
 
 `default_nettype wire

@@ -1,4 +1,4 @@
-// ffd_org_select: the organization numbered ORG (0 basic)
+// ffd_org_select: the organization numbered ORG (0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel)
 //
 // Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost.
 //
@@ -12,11 +12,12 @@
 module ffd_org_select #(
   parameter ORG             = 0,
   parameter FORMAT          = 18,
-  parameter N               = 1,
+  parameter N               = 8,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter READ_LATENCY    = 2,
   parameter SOURCE_W        = 2
@@ -44,13 +45,188 @@ module ffd_org_select #(
 );
   generate
     if (ORG == 0) begin : gen_basic
-      ffd_org_basic #(
+      ffd_org_tree #(
+        .SERIAL(1),
         .FORMAT         (FORMAT),
         .N              (N),
         .SCHEDULE       (SCHEDULE),
         .EVALUATOR      (EVALUATOR),
         .MUL_LATENCY    (MUL_LATENCY),
         .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 1) begin : gen_cg1
+      ffd_org_cg #(
+        .SIZE(1),
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 2) begin : gen_cg2
+      ffd_org_cg #(
+        .SIZE(2),
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 3) begin : gen_cg3
+      ffd_org_cg #(
+        .SIZE(3),
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 4) begin : gen_tree
+      ffd_org_tree #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 5) begin : gen_parallel
+      ffd_org_tree #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
         .CONVERT_LATENCY(CONVERT_LATENCY),
         .READ_LATENCY   (READ_LATENCY),
         .SOURCE_W       (SOURCE_W)

@@ -9,8 +9,8 @@
 // blending function of a bank is (bank - cell) mod 4, so that cells which share a face add in the
 // same order (docs/numerics.md section 5).
 //
-// Schedule:   paper: a step starts when the one before has finished: its polynomials, products and
-//             tree; the accumulation is hidden under the next step, and with SERIAL (`basic`) it is
+// Schedule:   paper: a step starts when the one before has finished its polynomials, products and
+//             tree; the accumulation is hidden under the next step, or with SERIAL (`basic`)
 //             waited for. (9 + log2 N) * 64/N clocks a vertex with one-clock units, 640 for `basic`.
 //             overlapped: a step a clock (iterative evaluator: every 6 clocks). Where the
 //             accumulator is deeper than that, CONTEXTS vertices take turns.

@@ -1,7 +1,7 @@
 // ffd_num_step: coefficient + coordinate x weight -> weight, one step of Horner's rule
 //
 // Rounding:   fp32: the product and the sum each to nearest even, or fused, once. fxW: Q2.(W-2),
-//             half up, once (the coefficient is on the grid); saturated and flagged outside [-2, 2).
+//             half up, once (the coefficient is on the grid); saturated outside [-2, 2).
 // Pipeline:   FFD_STEP_LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, MUL_LATENCY >= 1, ADD_LATENCY >= 1; FMA_LATENCY >= 1 fuses
 //             (fp32 only), 0 does not.

@@ -40,7 +40,9 @@ module ffd_stream_decoder #(
   output wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_o,
   output wire                                            write_o,
   output wire [SLOT_W-1:0]                               write_slot_o,
-  output wire [5:0]                                      write_row_o,
+  output wire [11:0]                                     write_cell_o,
+  output wire [3:0]                                      write_group_o,
+  output wire [1:0]                                      write_phase_o,
   output wire [127:0]                                    write_words_o,
   output reg                                             m_vertex_valid,
   input  wire                                            m_vertex_ready,
@@ -64,19 +66,21 @@ module ffd_stream_decoder #(
   localparam [2:0] POINTS       = 3'd3;
   localparam [2:0] DROP         = 3'd4;
 
-  localparam [5:0] LAST_ROW      = 6'd47;
-  localparam [5:0] LAST_FUNCTION = 6'd11;
+  localparam [3:0] LAST_FUNCTION = 4'd11;
+  localparam [1:0] LAST_PHASE    = 2'd2;
 
   reg  [2:0]  state_q;
-  reg  [5:0]  beat_q;
+  reg  [3:0]  group_q;
+  reg  [1:0]  phase_q;
   reg  [31:0] count_q;
   wire        take            = s_beat_valid && s_beat_ready;
   wire [7:0]  opcode          = s_beat_data[7:0];
   wire [31:0] count           = s_beat_data[63:32];
   wire        is_coefficients = opcode == OPCODE_COEFFICIENTS;
   wire        is_interleaved  = opcode == OPCODE_INTERLEAVED;
-  wire        last_point      = beat_q == LAST_ROW;
-  wire        last_function   = beat_q == LAST_FUNCTION;
+  wire        last_phase      = phase_q == LAST_PHASE;
+  wire        last_point      = &group_q && last_phase;
+  wire        last_function   = group_q == LAST_FUNCTION;
   wire        last_vertex     = count_q == 32'd1;
 
   // Both the last point and a tlast that comes too early finish a vertex.
@@ -108,9 +112,16 @@ module ffd_stream_decoder #(
     else if (take) state_q <= state_d;
   end
 
+  // Beats of a payload: blending functions one by one, points in groups of three beats.
   always @(posedge clk) begin
     if (take) begin
-      beat_q <= state_q == HEADER || state_q == VERTEX ? 6'd0 : beat_q + 6'd1;
+      if (state_q == HEADER || state_q == VERTEX) begin
+        group_q <= 4'd0;
+        phase_q <= 2'd0;
+      end else begin
+        if (state_q == COEFFICIENTS || last_phase) group_q <= group_q + 4'd1;
+        phase_q <= last_phase ? 2'd0 : phase_q + 2'd1;
+      end
       if (state_q == HEADER) count_q <= count;
       else if (finish) count_q <= count_q - 32'd1;
     end
@@ -153,11 +164,11 @@ module ffd_stream_decoder #(
     end
   end
 
-  wire [1:0] axis   = beat_q[3:2];
+  wire [1:0] axis   = group_q[3:2];
   wire [2:0] terms  = {1'b0, degree_q[2*axis +: 2]} + 3'd1;
   assign load_o         = loads;
   assign load_axis_o    = axis;
-  assign load_address_o = {!bank_q, beat_q[1:0]};
+  assign load_address_o = {!bank_q, group_q[1:0]};
   assign load_entry_o[4*WEIGHT_W +: 2] = shift_q[2*axis +: 2];
 
   genvar p;
@@ -218,7 +229,8 @@ module ffd_stream_decoder #(
 
   assign write_o       = take && state_q == POINTS;
   assign write_slot_o  = slot_q;
-  assign write_row_o   = beat_q;
+  assign write_group_o = group_q;
+  assign write_phase_o = phase_q;
   assign write_words_o = s_beat_data;
 
   // ---- vertex: kept while its points come, then offered
@@ -228,6 +240,8 @@ module ffd_stream_decoder #(
   reg  [27:0]           word_q;
   wire [3*WEIGHT_W-1:0] coordinates_now = state_q == VERTEX ? coordinates : coordinates_q;
   wire [27:0]           word_now        = state_q == VERTEX ? s_beat_data[123:96] : word_q;
+
+  assign write_cell_o = word_q[27:16];
 
   genvar a;
   generate

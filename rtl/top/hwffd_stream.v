@@ -23,6 +23,7 @@ module hwffd_stream #(
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter IN_FLIGHT       = 16
 ) (
@@ -40,16 +41,12 @@ module hwffd_stream #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
   localparam READ_LATENCY = 2;
-  // A sequential organization works on at most ADD_LATENCY vertices; one more drains, one loads.
-  localparam SLOTS        = ADD_LATENCY + 2;
+  // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
+  // two more; one drains, one loads.
+  localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
+  localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
   localparam USER_W       = 20;
-
-  generate
-    if (N != 1) begin : gen_bad_n
-      ERROR_hwffd_stream_reads_one_point_a_clock u_error ();
-    end
-  endgenerate
 
   wire clk = aclk;
   wire rst = !aresetn;
@@ -78,7 +75,9 @@ module hwffd_stream #(
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0]         load_entry;
   wire                                      write;
   wire [SLOT_W-1:0]                         write_slot;
-  wire [5:0]                                write_row;
+  wire [11:0]                               write_cell;
+  wire [3:0]                                write_group;
+  wire [1:0]                                write_phase;
   wire [127:0]                              write_words;
   wire                                      vertex_valid;
   wire                                      vertex_ready;
@@ -92,7 +91,7 @@ module hwffd_stream #(
   wire [SLOT_W-1:0]                         read_slot;
   wire [11:0]                               read_cell;
   wire [5:0]                                read_index;
-  wire [3*POINT_W-1:0]                      point;
+  wire [N*3*POINT_W-1:0]                    points;
   wire                                      result_valid;
   wire                                      result_ready;
   wire [95:0]                               result_words;
@@ -117,7 +116,9 @@ module hwffd_stream #(
     .load_entry_o        (load_entry),
     .write_o             (write),
     .write_slot_o        (write_slot),
-    .write_row_o         (write_row),
+    .write_cell_o        (write_cell),
+    .write_group_o       (write_group),
+    .write_phase_o       (write_phase),
     .write_words_o       (write_words),
     .m_vertex_valid      (vertex_valid),
     .m_vertex_ready      (vertex_ready),
@@ -133,17 +134,19 @@ module hwffd_stream #(
 
   ffd_cache_interleaved #(
     .FORMAT(FORMAT),
+    .N     (N),
     .SLOTS (SLOTS)
   ) u_points (
     .clk          (clk),
     .write_i      (write),
     .write_slot_i (write_slot),
-    .write_row_i  (write_row),
+    .write_cell_i (write_cell),
+    .write_group_i(write_group),
+    .write_phase_i(write_phase),
     .write_words_i(write_words),
     .read_slot_i  (read_slot),
-    .read_cell_i  (read_cell),
     .read_index_i (read_index),
-    .point_o      (point)
+    .points_o     (points)
   );
 
   ffd_eval_stream #(
@@ -154,6 +157,7 @@ module hwffd_stream #(
     .EVALUATOR      (EVALUATOR),
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SLOT_W),
@@ -178,7 +182,7 @@ module hwffd_stream #(
     .read_source_o       (read_slot),
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
-    .read_points_i       (point),
+    .read_points_i       (points),
     .m_result_valid      (result_valid),
     .m_result_ready      (result_ready),
     .m_result_words      (result_words),
@@ -208,7 +212,7 @@ module hwffd_stream #(
     .m_beat_data ({m_axis_tlast, m_axis_tdata})
   );
 
-  wire unused_ok = &{1'b0, read};
+  wire unused_ok = &{1'b0, read, read_cell};
 endmodule
 
 `default_nettype wire

@@ -15,6 +15,7 @@ struct Configuration {
   const char* evaluator;  ///< "pipelined" or "iterative"
   int mul_latency;        ///< clocks of a multiplier
   int add_latency;        ///< clocks of an adder
+  int fma_latency;        ///< clocks of a fused multiply-add; 0: multiply and add are separate
   int convert_latency;    ///< clocks of a conversion between kinds of number
   const char* tier;       ///< smallest tier that verilates it: "sim", "test" or "all"
 };

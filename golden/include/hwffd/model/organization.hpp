@@ -24,24 +24,75 @@ using VectorSum = std::array<typename F::Sum, 3>;
 /// bank, and so add it at the same place (docs/numerics.md section 5).
 inline int local_of_bank(int bank, int cell) { return (bank - cell) & 3; }
 
-/// The term ((B_l B_m) B_n) P of bank index 0 to 63 (l, m, n in two bits each, n fastest).
-/// Mirrors three ffd_eval_poly and ffd_eval_vector_multiplier.
+/// The factors of bank index 0 to 63 (l, m, n in two bits each, n fastest): the weight
+/// (B_l B_m) B_n and the control point. Mirrors ffd_eval_weight_product over the evaluators.
 template <class F>
-VectorSum<F> term_of(const LocalVertex<F>& vertex, const Support<F>& support,
-                     const CoefficientBank<F>& bank, int index) {
-  const int l = local_of_bank(index >> 4, vertex.cell[0]);
-  const int m = local_of_bank(index >> 2, vertex.cell[1]);
-  const int n = local_of_bank(index, vertex.cell[2]);
-  const auto weight = F::mul(F::mul(polynomial<F>(bank, 0, l, vertex.local[0]),
-                                    polynomial<F>(bank, 1, m, vertex.local[1])),
-                             polynomial<F>(bank, 2, n, vertex.local[2]));
-  const auto& point = support[16 * l + 4 * m + n];
-  return {F::term(weight, point[0]), F::term(weight, point[1]), F::term(weight, point[2])};
+struct Factors {
+  typename F::Weight weight{};
+  std::array<typename F::Point, 3> point{};
+};
+
+/// All 64, in the order of the banks. An organization evaluates a weight as often as it likes: the
+/// bits are the same, so the model does it once.
+template <class F>
+std::array<Factors<F>, 64> factors_of(const LocalVertex<F>& vertex, const Support<F>& support,
+                                      const CoefficientBank<F>& bank) {
+  std::array<std::array<typename F::Weight, 4>, 3> weight;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int f = 0; f < 4; ++f) weight[axis][f] = polynomial<F>(bank, axis, f, vertex.local[axis]);
+  }
+  std::array<Factors<F>, 64> factors;
+  for (int index = 0; index < 64; ++index) {
+    const int l = local_of_bank(index >> 4, vertex.cell[0]);
+    const int m = local_of_bank(index >> 2, vertex.cell[1]);
+    const int n = local_of_bank(index, vertex.cell[2]);
+    factors[index].weight = F::mul(F::mul(weight[0][l], weight[1][m]), weight[2][n]);
+    factors[index].point = support[16 * l + 4 * m + n];
+  }
+  return factors;
+}
+
+template <class F>
+VectorSum<F> zero_sum() {
+  return {F::zero_sum(), F::zero_sum(), F::zero_sum()};
+}
+
+template <class F>
+VectorSum<F> term(const Factors<F>& f) {
+  return {F::term(f.weight, f.point[0]), F::term(f.weight, f.point[1]),
+          F::term(f.weight, f.point[2])};
+}
+
+template <class F>
+VectorSum<F> mac(const VectorSum<F>& sum, const Factors<F>& f) {
+  return {F::mac(sum[0], f.weight, f.point[0]), F::mac(sum[1], f.weight, f.point[1]),
+          F::mac(sum[2], f.weight, f.point[2])};
 }
 
 template <class F>
 VectorSum<F> add(const VectorSum<F>& a, const VectorSum<F>& b) {
   return {F::add(a[0], b[0]), F::add(a[1], b[1]), F::add(a[2], b[2])};
+}
+
+/// The sum of n = 1, 2, 4 .. 64 terms by adjacent pairs. Mirrors ffd_eval_tree: the odd term of
+/// each pair is added as it is multiplied, which matters where that is fused.
+template <class F>
+VectorSum<F> tree_sum(const Factors<F>* factors, int n) {
+  if (n == 1) return term<F>(factors[0]);
+  if (n == 2) return mac<F>(term<F>(factors[0]), factors[1]);
+  return add<F>(tree_sum<F>(factors, n / 2), tree_sum<F>(factors + n / 2, n / 2));
+}
+
+/// The 64 terms n at a time, each n by a tree, accumulated from +0 in the order of the banks.
+/// Mirrors ffd_eval_summation.
+template <class F>
+VectorSum<F> summation(const std::array<Factors<F>, 64>& factors, int n) {
+  if (n == 64) return tree_sum<F>(factors.data(), 64);
+  VectorSum<F> sum = zero_sum<F>();
+  for (int index = 0; index < 64; index += n) {
+    sum = n == 1 ? mac<F>(sum, factors[index]) : add<F>(sum, tree_sum<F>(&factors[index], n));
+  }
+  return sum;
 }
 
 }  // namespace hwffd::model

@@ -27,6 +27,7 @@ struct Binary32 {
   static Weight mul(Weight a, Weight b) { return canonical(a * b); }
   static Sum term(Weight weight, Point point) { return canonical(weight * point); }
   static Sum add(Sum a, Sum b) { return canonical(a + b); }
+  static Sum mac(Sum sum, Weight weight, Point point) { return add(sum, term(weight, point)); }
   static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
     return add(mul(coordinate, weight), coefficient);
   }
@@ -36,10 +37,21 @@ struct Binary32 {
   static Weight zero_weight() { return 0.0F; }
   static Sum zero_sum() { return 0.0F; }
 
- private:
+ protected:
   static float canonical(float value) {
     if (std::isnan(value)) return float_of_bits(0x7FC00000);
     return value == 0.0F ? 0.0F : value;
+  }
+};
+
+/// `fp32` with fused multiply-add (paper, section 3.4): one rounding for a product and the addition
+/// behind it, in Horner's steps and where terms are summed.
+struct Binary32Fused : Binary32 {
+  static Sum mac(Sum sum, Weight weight, Point point) {
+    return canonical(std::fma(weight, point, sum));
+  }
+  static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
+    return canonical(std::fma(coordinate, weight, coefficient));
   }
 };
 

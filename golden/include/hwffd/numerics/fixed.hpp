@@ -60,6 +60,7 @@ struct Fixed {
     sum.saturated = a.saturated || b.saturated;
     return sum;
   }
+  static Sum mac(Sum sum, Weight weight, Point point) { return add(sum, term(weight, point)); }
   static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
     const Int128 exact = Int128{coefficient.value} * (Int128{1} << kWeightFraction) +
                          Int128{coordinate.value} * weight.value;
