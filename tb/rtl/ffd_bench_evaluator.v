@@ -1,0 +1,159 @@
+// ffd_bench_evaluator: an evaluator whose control points come from a memory of whole supports
+//
+// For benches only: measures organizations at their read port, where the interleaved stream is too
+// slow for them. Coefficients, supports and vertices come as stream words; a support is written
+// point by point in local order and read back by bank, N points a clock, READ_LATENCY 2.
+//
+// Parameters: a row of configurations.csv; 256 supports.
+// Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/evaluator.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_bench_evaluator #(
+  parameter ORG             = 0,
+  parameter N               = 1,
+  parameter FORMAT          = 18,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1
+) (
+  input  wire         clk,
+  input  wire         rst,
+  input  wire         load_i,
+  input  wire [1:0]   load_axis_i,
+  input  wire [2:0]   load_address_i,
+  input  wire [1:0]   load_shift_i,
+  input  wire [127:0] load_words_i,
+  input  wire         write_i,
+  input  wire [7:0]   write_support_i,
+  input  wire [5:0]   write_index_i,
+  input  wire [95:0]  write_words_i,
+  input  wire         s_vertex_valid,
+  output wire         s_vertex_ready,
+  input  wire [95:0]  s_vertex_words,
+  input  wire [11:0]  s_vertex_cell,
+  input  wire [7:0]   s_vertex_support,
+  input  wire         s_vertex_bank,
+  input  wire [15:0]  s_vertex_tag,
+  output wire         m_result_valid,
+  input  wire         m_result_ready,
+  output wire [95:0]  m_result_words,
+  output wire [1:0]   m_result_flags,
+  output wire [15:0]  m_result_tag
+);
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+  localparam POINT_W  = `FFD_POINT_W(FORMAT);
+
+  wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] entry;
+  wire [3*WEIGHT_W-1:0]             coordinates;
+  wire [3*POINT_W-1:0]              point;
+
+  genvar i;
+  generate
+    for (i = 0; i < 4; i = i + 1) begin : gen_coefficient
+      ffd_num_in #(
+        .FORMAT(FORMAT),
+        .ROLE  (`FFD_ROLE_COEFFICIENT)
+      ) u_in (
+        .word_i  (load_words_i[32*i +: 32]),
+        .number_o(entry[i*WEIGHT_W +: WEIGHT_W])
+      );
+    end
+    for (i = 0; i < 3; i = i + 1) begin : gen_component
+      ffd_num_in #(
+        .FORMAT(FORMAT),
+        .ROLE  (`FFD_ROLE_COORDINATE)
+      ) u_coordinate (
+        .word_i  (s_vertex_words[32*i +: 32]),
+        .number_o(coordinates[i*WEIGHT_W +: WEIGHT_W])
+      );
+      ffd_num_in #(
+        .FORMAT(FORMAT),
+        .ROLE  (`FFD_ROLE_POINT)
+      ) u_point (
+        .word_i  (write_words_i[32*i +: 32]),
+        .number_o(point[i*POINT_W +: POINT_W])
+      );
+    end
+  endgenerate
+  assign entry[4*WEIGHT_W +: 2] = load_shift_i;
+
+  // Supports by local index; read by bank of a cell, one lookup a point.
+  reg [3*POINT_W-1:0] support_q [0:256*64-1];
+  always @(posedge clk) begin
+    if (write_i) support_q[{write_support_i, write_index_i}] <= point;
+  end
+
+  wire        read;
+  wire        read_last;
+  wire [7:0]  read_support;
+  wire [11:0] read_cell;
+  wire [5:0]  read_index;
+  reg  [N*3*POINT_W-1:0] read_q;
+  reg  [N*3*POINT_W-1:0] points_q;
+  always @(posedge clk) points_q <= read_q;
+
+  genvar p;
+  generate
+    for (p = 0; p < N; p = p + 1) begin : gen_point
+      localparam [5:0] OFFSET = p;
+      wire [5:0] bank = read_index + OFFSET;
+      wire [1:0] l    = bank[5:4] - read_cell[1:0];
+      wire [1:0] m    = bank[3:2] - read_cell[5:4];
+      wire [1:0] n    = bank[1:0] - read_cell[9:8];
+      always @(posedge clk) begin
+        read_q[p*3*POINT_W +: 3*POINT_W] <= support_q[{read_support, l, m, n}];
+      end
+    end
+  endgenerate
+
+  ffd_eval_stream #(
+    .ORG            (ORG),
+    .N              (N),
+    .FORMAT         (FORMAT),
+    .SCHEDULE       (SCHEDULE),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .READ_LATENCY   (2),
+    .SOURCE_W       (8),
+    .USER_W         (16),
+    .IN_FLIGHT      (256)
+  ) u_evaluator (
+    .clk                 (clk),
+    .rst                 (rst),
+    .load_i              (load_i),
+    .load_axis_i         (load_axis_i),
+    .load_address_i      (load_address_i),
+    .load_entry_i        (entry),
+    .s_vertex_valid      (s_vertex_valid),
+    .s_vertex_ready      (s_vertex_ready),
+    .s_vertex_coordinates(coordinates),
+    .s_vertex_cell       (s_vertex_cell),
+    .s_vertex_source     (s_vertex_support),
+    .s_vertex_bank       (s_vertex_bank),
+    .s_vertex_user       (s_vertex_tag),
+    .read_o              (read),
+    .read_last_o         (read_last),
+    .read_source_o       (read_support),
+    .read_cell_o         (read_cell),
+    .read_index_o        (read_index),
+    .read_points_i       (points_q),
+    .m_result_valid      (m_result_valid),
+    .m_result_ready      (m_result_ready),
+    .m_result_words      (m_result_words),
+    .m_result_flags      (m_result_flags),
+    .m_result_user       (m_result_tag)
+  );
+
+  wire unused_ok = &{1'b0, read, read_last, read_cell};
+endmodule
+
+`default_nettype wire
