@@ -9,14 +9,15 @@
 namespace hwffd::test {
 namespace {
 
-constexpr int kSeeds = 8;
+constexpr std::uint64_t kSeeds = 8;
 
 class Stream : public PerConfiguration {};
 class FloatStream : public PerConfiguration {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FloatStream);  // gates are of fixed point only
 
 TEST_P(Stream, ResetAtAnyMomentLeavesNothingBehind) {
-  int resets = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  std::uint64_t resets = 0;
+  for (std::uint64_t seed = 1; seed <= share_of(kSeeds); ++seed) {
     SystemRun run(GetParam(), seed, "always", "bursts");
     tb::Random random(seed);
     for (int again = 0; again < 5; ++again, ++resets) {
@@ -29,11 +30,11 @@ TEST_P(Stream, ResetAtAnyMomentLeavesNothingBehind) {
     run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, seed)));
     ASSERT_TRUE(run.run());
   }
-  EXPECT_EQ(resets, 5 * kSeeds);
+  EXPECT_EQ(resets, 5 * share_of(kSeeds));
 }
 
 TEST_P(Stream, CoefficientsChangeBetweenVertices) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= share_of(kSeeds); ++seed) {
     SystemRun run(GetParam(), seed, "bernoulli", "bernoulli");
     tb::Random random(seed);
     for (int bank = 0; bank < 6; ++bank) {
@@ -75,7 +76,7 @@ std::vector<Beat> bad_packet(const WordCodec& codec, tb::Random& random) {
 
 TEST_P(Stream, BadPacketsNeverHangNorSpoilTheNext) {
   int packets = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= share_of(kSeeds); ++seed) {
     SystemRun run(GetParam(), seed, "bursts", "bernoulli");
     tb::Random random(seed);
     for (int bad = 0; bad < 12; ++bad, ++packets) {
