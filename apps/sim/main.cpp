@@ -10,6 +10,7 @@
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/tb/waveform.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "report.hpp"
@@ -48,7 +49,7 @@ int simulate(const Options& options) {
       const std::string waveform = options.trace ? output.waveform(text, row.name).string() : "";
       results.push_back(run(options, row, scene, deform(scene, text), waveform));
       fmt::print("{}\n", table_line(results.back(), options.stream));
-      if (options.trace) fmt::print("  waveform {}\n", waveform);
+      if (options.trace) fmt::print("  first {} clocks in {}\n", tb::kTracedClocks, waveform);
       std::fflush(stdout);
       if (!results.back().ok()) {
         fmt::print(stderr, "{}\n", results.back().failure);

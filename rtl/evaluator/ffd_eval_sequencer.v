@@ -61,8 +61,8 @@ module ffd_eval_sequencer #(
     end
   endgenerate
 
-  // The contexts shift through a ring; the first is the one whose turn it is. (A ring of none, which
-  // is refused above, would stop some tools earlier than the refusal.)
+  // The contexts shift through a ring; the first is the one whose turn it is. (A
+  // ring of none, refused above, would stop Verilator before it comes to the refusal.)
   localparam RING = CONTEXTS < 1 ? 1 : CONTEXTS;
   wire                 head_active = gen_context[0].active_q;
   wire [STEP_W-1:0]    head_step   = gen_context[0].step_q;

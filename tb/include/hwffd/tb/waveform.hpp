@@ -12,6 +12,10 @@
 
 namespace hwffd::tb {
 
+/// The clocks that a waveform shows, from the first on: some 50 MB. A mesh of thousands of vertices
+/// at the schedule of the paper takes millions of clocks.
+inline constexpr std::uint64_t kTracedClocks = 100'000;
+
 #ifdef HWFFD_TRACE
 
 /// The FST waveform of one Verilated design, where one is wanted. A clock is 10 ns.
@@ -34,8 +38,10 @@ class Waveform {
 
   /// Called with the design settled, once with the clock low and once with it high.
   void half_clock() {
-    if (file_ != nullptr) file_->dump(time_);
+    if (file_ == nullptr) return;
+    file_->dump(time_);
     time_ += kHalfClock;
+    if (time_ >= 2 * kHalfClock * kTracedClocks) file_.reset();
   }
 
  private:
