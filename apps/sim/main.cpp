@@ -33,8 +33,7 @@ void print_scene(const Options& options, const Scene& scene) {
     fmt::print("{}: corners move on chords, so the cells see {:.1f} of the {} degrees\n", text,
                twist_of_cells(deformation.amount(), dims[1]), deformation.amount());
   }
-  fmt::print(
-      "errors are against eq. (1) in double, in units of 2^k > half the lattice's size\n\n");
+  fmt::print("errors are against eq. (1) in double, in units of 2^k > half the lattice's size\n\n");
 }
 
 int simulate(const Options& options) {
