@@ -4,13 +4,16 @@
 .NOTPARALLEL:
 .PHONY: help sim test test-all lint clean install
 
-BUILD := build
+# A build with waveforms is one of its own, so that the ordinary one stays as it is.
+tracing = $(filter-out 0,$(call given,TRACE))
+BUILD   = build
+sim: BUILD = $(if $(tracing),build-trace,build)
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 TIER  ?= test
 
-CMAKE_CONFIGURE := cmake -S . -B $(BUILD) -G Ninja --log-level=NOTICE
-CMAKE_BUILD     := cmake --build $(BUILD) -j $(JOBS)
-CTEST           := ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
+CMAKE_CONFIGURE = cmake -S . -B $(BUILD) -G Ninja --log-level=NOTICE
+CMAKE_BUILD     = cmake --build $(BUILD) -j $(JOBS)
+CTEST           = ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
 
 # Variables of `make sim`, handed to hwffd-sim as --model X and so on. Only those given on make's
 # command line count, not those that happen to be in the environment. They travel as they are, in
@@ -27,7 +30,7 @@ unexport $(foreach o,$(SIM_OPTIONS),$(call variable_of,$o))
 
 SIM_ARGUMENTS = $(foreach o,$(SIM_OPTIONS),$(if $(call given,$(call variable_of,$o)), \
   --$(call option_of,$o) "$$HWFFD_SIM_$(call variable_of,$o)")) \
-  $(if $(filter-out 0,$(call given,TRACE)),--trace)
+  $(if $(tracing),--trace)
 
 help:
 	@echo 'make sim       deform a mesh on the simulated RTL, compare every bit with the golden model'
@@ -35,7 +38,7 @@ help:
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
 	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
-	@echo 'make clean     remove build/'
+	@echo 'make clean     remove build/ and build-trace/'
 	@echo
 	@echo 'JOBS=$(JOBS)              processes side by side'
 	@echo 'TIER=$(TIER)           configurations that sim builds: sim, test or all'
@@ -45,7 +48,7 @@ install:
 	@scripts/install
 
 sim: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
 	@$(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
 
@@ -63,4 +66,4 @@ lint: install
 	@scripts/lint -j $(JOBS)
 
 clean:
-	@rm -rf $(BUILD)
+	@rm -rf build build-trace

@@ -19,16 +19,30 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 target_compile_options(verilated_runtime PRIVATE -w -O2)
 
-# hwffd_verilate(<target> TOP <module> SOURCES <file>... [PARAMETERS NAME=value...])
+option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
+
+# hwffd_verilate(<target> [NETLIST] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
-# where HWFFD_TRACE is on.
+# where HWFFD_TRACE is on, which its users see as a definition of that name.
+#
+# NETLIST says that the sources are gates: not linted, since yosys writes what it likes; modules kept
+# apart, since inlining a multiplier of gates a dozen times doubles the code; and compiled for a short
+# build, because an optimizer gains little on a hundred thousand lines without a branch.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "" "TOP" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "NETLIST" "TOP" "SOURCES;PARAMETERS" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
-  set(flags --cc --default-language 1364-2005 -Wall -O3 --x-initial unique --x-assign unique
-    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir} -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator)
+  set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
+    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir}
+    -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator)
+  set(optimize OPT_FAST=-O2 OPT_SLOW=-O1)
+  if(ARG_NETLIST)
+    list(APPEND flags -Wno-lint -Wno-fatal -fno-inline --output-split 20000)
+    set(optimize OPT_FAST=-O0 OPT_SLOW=-O0)
+  else()
+    list(APPEND flags -Wall)
+  endif()
   foreach(parameter IN LISTS ARG_PARAMETERS)
     list(APPEND flags -G${parameter})
   endforeach()
@@ -41,7 +55,7 @@ function(hwffd_verilate target)
     OUTPUT ${dir}/${class}__ALL.a ${dir}/${class}.h
     COMMAND ${VERILATOR} ${flags} ${ARG_SOURCES}
     COMMAND ${CMAKE_COMMAND} -E env MAKEFLAGS= make --silent -C ${dir} -f ${class}.mk
-            OPT_FAST=-O2 OPT_SLOW=-O1 ${class}__ALL.a > ${dir}/make.log
+            ${optimize} ${class}__ALL.a > ${dir}/make.log
     DEPENDS ${ARG_SOURCES} ${headers}
     COMMENT "Verilating ${target}"
     VERBATIM)
@@ -49,5 +63,8 @@ function(hwffd_verilate target)
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_verilate)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
+  if(HWFFD_TRACE)
+    target_compile_definitions(${target} INTERFACE HWFFD_TRACE)
+  endif()
   target_link_libraries(${target} INTERFACE ${dir}/${class}__ALL.a verilated_runtime)
 endfunction()

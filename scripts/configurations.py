@@ -144,6 +144,14 @@ def read(path=TABLE):
     return list(found.values())
 
 
+def find(configurations, name):
+    """The one of that name. Raises TableError."""
+    for configuration in configurations:
+        if configuration.name == name:
+            return configuration
+    raise TableError(f"no configuration named '{name}'")
+
+
 def of_tier(configurations, tier):
     """Those that are built in a tier: its own and those of the smaller ones."""
     built = TIERS[: TIERS.index(tier) + 1]
@@ -202,12 +210,15 @@ def table_text(configurations):
     return "\n".join(lines) + "\n"
 
 
-def factory_text(configurations, tier):
+def factory_text(configurations, suffix=""):
+    """Cores of these rows only; a row's class is V<identifier><suffix>."""
+    classes = {c.name: f"V{c.identifier}{suffix}" for c in configurations}
     lines = [f"// {GENERATED}"]
-    lines += [f'#include "V{c.identifier}.h"' for c in configurations]
+    lines += [f'#include "{made}.h"' for made in classes.values()]
     lines += [
         '#include "hwffd/tb/stream_core_factory.hpp"',
         '#include "hwffd/tb/verilated_stream_core.hpp"',
+        '#include "hwffd/tb/waveform.hpp"',
         "",
         "#include <stdexcept>",
         "#include <string>",
@@ -215,17 +226,19 @@ def factory_text(configurations, tier):
         "namespace hwffd::tb {",
         "namespace {",
         "",
-        "using Make = std::unique_ptr<StreamCore> (*)(std::uint64_t);",
+        "using Make = std::unique_ptr<StreamCore> (*)(std::uint64_t, const std::string&);",
         "",
         "template <class VDut>",
-        "std::unique_ptr<StreamCore> make(std::uint64_t seed) {",
-        "  return std::make_unique<VerilatedStreamCore<VDut>>(seed);",
+        "std::unique_ptr<StreamCore> make(std::uint64_t seed, const std::string& trace) {",
+        "  auto core = std::make_unique<VerilatedStreamCore<VDut>>(seed);",
+        "  if (!trace.empty()) core->trace(trace);",
+        "  return core;",
         "}",
         "",
         "Make find(const Configuration& configuration) {",
         "  const std::string name = configuration.name;",
     ]
-    lines += [f'  if (name == "{c.name}") return make<V{c.identifier}>;' for c in configurations]
+    lines += [f'  if (name == "{name}") return make<{made}>;' for name, made in classes.items()]
     lines += [
         "  return nullptr;",
         "}",
@@ -236,15 +249,18 @@ def factory_text(configurations, tier):
         "  return find(configuration) != nullptr;",
         "}",
         "",
+        "bool stream_cores_can_trace() { return Waveform::kAvailable; }",
+        "",
         "std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration,",
-        "                                             std::uint64_t seed) {",
+        "                                             std::uint64_t seed,",
+        "                                             const std::string& trace) {",
         "  const Make make_it = find(configuration);",
         "  if (make_it == nullptr) {",
         "    throw std::invalid_argument(std::string(\"configuration '\") + configuration.name +",
-        f"                                \"' is not in this build (tier {tier}): \"",
+        "                                \"' is not in this build: \"",
         '                                "configure with -DHWFFD_TIER=all");',
         "  }",
-        "  return make_it(seed);",
+        "  return make_it(seed, trace);",
         "}",
         "",
         "}  // namespace hwffd::tb",
@@ -276,6 +292,8 @@ def main(arguments=None):
     select = commands.add_parser("select", help="write the RTL that selects the organization")
     for command in (cmake, cpp, factory, models, select):
         command.add_argument("out")
+    factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
+    factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, cmake, factory):
         command.add_argument("--tier", choices=TIERS, default="all")
     options = parser.parse_args(arguments)
@@ -286,11 +304,9 @@ def main(arguments=None):
             for configuration in of_tier(rows, options.tier):
                 print(configuration.name)
         elif options.command == "parameters":
-            named = [c for c in rows if c.name == options.name]
-            if not named:
-                raise TableError(f"no configuration named '{options.name}' in {options.table}")
             prefix = "-G" if options.verilator else ""
-            print(" ".join(prefix + word for word in named[0].assignments()))
+            assignments = find(rows, options.name).assignments()
+            print(" ".join(prefix + word for word in assignments))
         elif options.command == "cmake":
             write_if_changed(options.out, cmake_text(of_tier(rows, options.tier)))
         elif options.command == "cpp":
@@ -300,8 +316,9 @@ def main(arguments=None):
         elif options.command == "select":
             write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
         else:
-            write_if_changed(
-                options.out, factory_text(of_tier(rows, options.tier), options.tier))
+            named = [find(rows, name) for name in options.rows or ()]
+            built = named or of_tier(rows, options.tier)
+            write_if_changed(options.out, factory_text(built, options.suffix))
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)
         return 1

@@ -5,11 +5,14 @@
 
 #include <exception>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/stream/interleave.hpp"
+#include "hwffd/tb/waveform.hpp"
 #include "options.hpp"
+#include "output.hpp"
 #include "report.hpp"
 #include "run.hpp"
 #include "scene.hpp"
@@ -33,29 +36,19 @@ void print_scene(const Options& options, const Scene& scene) {
   fmt::print("errors are against eq. (1) in double, in units of 2^k > half the lattice's size\n\n");
 }
 
-std::filesystem::path save_mesh(const Options& options, Scene& scene, const RunResult& result) {
-  const std::filesystem::path folder = options.output / "sim";
-  std::filesystem::create_directories(folder);
-  std::string deform = result.deform;
-  for (char& c : deform) c = c == ':' ? '-' : c;
-  const std::filesystem::path path =
-      folder /
-      fmt::format("{}-{}.obj", std::filesystem::path(scene.mesh.name()).stem().string(), deform);
-  scene.mesh.set_positions(result.positions);
-  scene.mesh.save(path);
-  return path;
-}
-
 int simulate(const Options& options) {
   Scene scene = make_scene(options.model, options.lattice);
+  const Output output(options, scene);
   print_scene(options, scene);
   fmt::print("{}\n", table_header());
   std::vector<RunResult> results;
   bool ok = true;
   for (const Configuration& row : options.rows) {
     for (const std::string& text : options.deformations) {
-      results.push_back(run(options, row, scene, deform(scene, text)));
+      const std::string waveform = options.trace ? output.waveform(text, row.name).string() : "";
+      results.push_back(run(options, row, scene, deform(scene, text), waveform));
       fmt::print("{}\n", table_line(results.back(), options.stream));
+      if (options.trace) fmt::print("  first {} clocks in {}\n", tb::kTracedClocks, waveform);
       std::fflush(stdout);
       if (!results.back().ok()) {
         fmt::print(stderr, "{}\n", results.back().failure);
@@ -65,11 +58,11 @@ int simulate(const Options& options) {
   }
   if (!ok) return 1;
 
-  std::filesystem::create_directories(options.output / "reports");
-  const std::filesystem::path report = options.output / "reports" / "sim.json";
-  write_files({{report, json_report(scene, options, results)}});
-  const std::filesystem::path mesh = save_mesh(options, scene, results.front());
-  fmt::print("\nwrote {} and {}\n", report.string(), mesh.string());
+  const std::filesystem::path mesh = output.mesh(results.front().deform);
+  scene.mesh.set_positions(results.front().positions);
+  scene.mesh.save(mesh);
+  write_files({{output.report(), json_report(scene, options, results)}});
+  fmt::print("\nwrote {} and {}\n", output.report().string(), mesh.string());
   return 0;
 }
 

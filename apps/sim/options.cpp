@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <functional>
 #include <set>
+#include <system_error>
 
 #include "hwffd/error.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
@@ -20,6 +22,7 @@ struct Text {
   std::string org;
   std::string format;
   std::string schedule;
+  std::string seed = "1";
 };
 
 std::string joined(const std::set<std::string>& words) {
@@ -68,6 +71,16 @@ Index3 dims_of(const std::string& text) {
   return dims;
 }
 
+std::uint64_t seed_of(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || read != end) {
+    throw UsageError(fmt::format("SEED={}: expected a whole number from 0 to 2^64 - 1", text));
+  }
+  return seed;
+}
+
 }  // namespace
 
 Options parse_options(int argc, char** argv) {
@@ -82,7 +95,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--format", text.format, "fp32 | fx18 | fx32 (default: all)");
   app.add_option("--schedule", text.schedule, "paper | overlapped (default: both)");
   app.add_option("--stream", options.stream, "interleaved");
-  app.add_option("--seed", options.seed, "seed of the bench (1)");
+  app.add_option("--seed", text.seed, "seed of the bench (1)");
   app.add_flag("--trace", options.trace, "write waveforms (FST); needs a build with HWFFD_TRACE");
   app.add_option("--output", options.output, "folder for meshes and reports (build)");
   try {
@@ -95,6 +108,12 @@ Options parse_options(int argc, char** argv) {
   if (options.stream != "interleaved") {
     throw UsageError(fmt::format("STREAM={}: unknown; known here: interleaved", options.stream));
   }
+  if (options.trace && !tb::stream_cores_can_trace()) {
+    throw UsageError(
+        "--trace: this build writes no waveforms; use make sim TRACE=1, or configure with "
+        "-DHWFFD_TRACE=ON");
+  }
+  options.seed = seed_of(text.seed);
   options.lattice = dims_of(text.lattice);
   options.rows = rows_of(text);
   options.deformations = {text.deform};

@@ -53,12 +53,12 @@ void show_progress(const std::string& name, double done) {
 }  // namespace
 
 RunResult run(const Options& options, const Configuration& row, const Scene& scene,
-              const Deformed& deformed) {
+              const Deformed& deformed, const std::string& waveform) {
   const WordCodec codec(row.format);
   const Normalization normalization = Normalization::of(deformed.lattice, codec);
   const std::vector<Beat> beats = commands(scene, deformed, codec, normalization);
 
-  const auto core = tb::make_stream_core(row, options.seed);
+  const auto core = tb::make_stream_core(row, options.seed, waveform);
   tb::StreamBenchOptions bench_options;
   bench_options.test.name = fmt::format("sim {} {}", row.name, deformed.name);
   bench_options.test.seed = options.seed;

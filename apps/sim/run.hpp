@@ -25,7 +25,8 @@ struct RunResult {
 };
 
 /// Streams all vertices through the Verilated core and compares every beat with the model.
+/// @param waveform  FST file to write; empty: none
 RunResult run(const Options& options, const Configuration& row, const Scene& scene,
-              const Deformed& deformed);
+              const Deformed& deformed, const std::string& waveform);
 
 }  // namespace hwffd::sim

@@ -50,7 +50,9 @@ module ffd_eval_sequencer #(
 
   wire turn;
 
-  // The contexts shift through a ring; the first is the one whose turn it is.
+  // The contexts shift through a ring; the first is the one whose turn it is. (A
+  // ring of none, refused above, would stop Verilator before it comes to the refusal.)
+  localparam RING = CONTEXTS < 1 ? 1 : CONTEXTS;
   wire                 head_active = gen_context[0].active_q;
   wire [STEP_W-1:0]    head_step   = gen_context[0].step_q;
   wire [PAYLOAD_W-1:0] head_data   = gen_context[0].data_q;
@@ -97,7 +99,7 @@ module ffd_eval_sequencer #(
 
   genvar i;
   generate
-    for (i = 0; i < CONTEXTS; i = i + 1) begin : gen_context
+    for (i = 0; i < RING; i = i + 1) begin : gen_context
       reg                  active_q;
       reg  [STEP_W-1:0]    step_q;
       reg  [PAYLOAD_W-1:0] data_q;
@@ -105,7 +107,7 @@ module ffd_eval_sequencer #(
       wire [STEP_W-1:0]    step_d;
       wire [PAYLOAD_W-1:0] data_d;
 
-      if (i == CONTEXTS - 1) begin : gen_back
+      if (i == RING - 1) begin : gen_back
         assign active_d = emit && step != LAST;
         assign step_d   = step + 1'b1;
         assign data_d   = data;

@@ -1,5 +1,6 @@
 """Every row of bad_parameters.csv stops Verilator, Icarus and yosys alike, at the module's own
-named error; the same module with its defaults passes all three.
+named error, and every such error in the RTL has a row; the same module with its defaults passes all
+three.
 
 A row is module,parameter,value; parameters that are bad only together are joined by ';', as are
 their values.
@@ -11,6 +12,7 @@ import concurrent.futures
 import csv
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -23,6 +25,7 @@ import rtl  # noqa: E402
 SOURCES = rtl.Sources()
 TABLE = HERE / "bad_parameters.csv"
 TOP = "bad_parameters_top"
+GUARD = re.compile(r"\bERROR_\w+")
 
 
 def elaborate(module, assignments):
@@ -49,6 +52,12 @@ def yosys_hierarchy(files):
     return ["yosys", "-Q", "-T", "-q", "-p", script]
 
 
+def guards_of_sources():
+    """The name of every guard in the RTL."""
+    return {guard for path in SOURCES.files.values()
+            for guard in GUARD.findall(rtl.strip_comments(path.read_text()))}
+
+
 def read_table():
     with TABLE.open(newline="") as file:
         return [(row["module"], row["parameter"].split(";"), row["value"].split(";"))
@@ -68,6 +77,7 @@ class BadParameters(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
             results = list(pool.map(lambda case: elaborate(*case), cases))
         right = 0
+        seen = {}
         for (module, assignments), result in zip(cases, results):
             for tool, (status, output) in result.items():
                 with self.subTest(module=module, assignments=assignments, tool=tool):
@@ -77,6 +87,9 @@ class BadParameters(unittest.TestCase):
                     else:
                         self.assertEqual((status, "ERROR_" in output), (0, False), output)
                     right += 1
+                seen.setdefault(tool, set()).update(GUARD.findall(output))
+        for tool, guards in seen.items():
+            self.assertEqual(guards_of_sources() - guards, set(), f"never seen with {tool}")
         print(f"bad parameters: {len(rows)} rows to refuse and {len(modules)} defaults to accept, "
               f"{right} of {3 * len(cases)} verdicts of 3 tools right")
 

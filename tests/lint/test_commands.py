@@ -47,8 +47,9 @@ class Make(Checkout):
         self.script("scripts/lint", "exit 0")
         for tool in ("cmake", "ctest"):
             self.script(f"bin/{tool}", f'echo "{tool} $*"')
-        self.script("build/apps/hwffd-sim",
-                    """for word; do printf '<%s>' "$word"; done; exit "${STATUS:-0}" """)
+        for build in ("build", "build-trace"):
+            self.script(f"{build}/apps/hwffd-sim", f"echo {build}; "
+                        """for word; do printf '<%s>' "$word"; done; exit "${STATUS:-0}" """)
 
     def sim(self, *words, **variables):
         done = self.run_here("make", "sim", *words, **variables)
@@ -67,7 +68,12 @@ class Make(Checkout):
 
     def test_trace(self):
         for value, words in (("1", "<--trace>"), ("0", ""), ("", "")):
-            self.assertEqual(self.sim(f"TRACE={value}")[1], words)
+            done, given = self.sim(f"TRACE={value}")
+            build, on = ("build-trace", "ON") if words else ("build", "OFF")
+            self.assertEqual(given, words)
+            self.assertIn(build, done.stdout.splitlines())
+            self.assertIn(f"cmake -S . -B {build} ", done.stdout)
+            self.assertIn(f"-DHWFFD_TRACE={on}\n", done.stdout)
 
     def test_values_survive(self):
         for value in ("a b.obj", "it's", '"q"', "$HOME", "$(shell echo no)", "`id`", "a;b|c&d>e",

@@ -10,7 +10,7 @@
 namespace hwffd::test {
 namespace {
 
-constexpr int kSeeds = 8;
+constexpr std::uint64_t kSeeds = 8;
 constexpr std::size_t kVertices = 5;
 
 class Matrix : public ::testing::TestWithParam<std::tuple<Configuration, std::string>> {};
@@ -18,11 +18,12 @@ class Matrix : public ::testing::TestWithParam<std::tuple<Configuration, std::st
 TEST_P(Matrix, EveryThrottleAndSeed) {
   const auto& [row, stimulus] = GetParam();
   const std::uint64_t first_seed = tb::seed_from_environment(1);
+  const std::uint64_t seeds = share_of(kSeeds);
   std::uint64_t checked = 0;
   std::uint64_t runs = 0;
   for (const std::string& source : tb::throttle_names()) {
     for (const std::string& sink : tb::throttle_names()) {
-      for (std::uint64_t seed = first_seed; seed < first_seed + kSeeds; ++seed) {
+      for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
         SystemRun run(row, seed, source, sink);
         run.send_bspline();
         run.send(interleaved_packet(make_stimulus(stimulus, run.codec(), kVertices, seed)));
@@ -32,7 +33,7 @@ TEST_P(Matrix, EveryThrottleAndSeed) {
       }
     }
   }
-  EXPECT_EQ(runs, tb::throttle_names().size() * tb::throttle_names().size() * kSeeds);
+  EXPECT_EQ(runs, tb::throttle_names().size() * tb::throttle_names().size() * seeds);
   EXPECT_EQ(checked, runs * kVertices);
   std::printf("%llu runs, %llu vertices compared\n", static_cast<unsigned long long>(runs),
               static_cast<unsigned long long>(checked));

@@ -1,6 +1,8 @@
 #include "system_run.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
 
 namespace hwffd::test {
 
@@ -18,6 +20,14 @@ std::vector<Configuration> built_configurations(const std::string& format) {
                              [&](const Configuration& row) { return row.format != format; }),
               built.end());
   return built;
+}
+
+std::uint64_t share_of(std::uint64_t count) {
+  const char* text = std::getenv("HWFFD_TEST_SHARE");
+  if (text == nullptr) return count;
+  const std::uint64_t divisor = std::strtoull(text, nullptr, 10);
+  if (divisor == 0) throw std::invalid_argument("HWFFD_TEST_SHARE: a number from 1 up is wanted");
+  return std::max<std::uint64_t>(1, count / divisor);
 }
 
 std::string test_name(const Configuration& row) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -27,6 +28,10 @@ std::vector<Configuration> built_configurations();
 
 /// Those of one number format.
 std::vector<Configuration> built_configurations(const std::string& format);
+
+/// That share of a test's seeds or values, at least 1, which the environment variable
+/// HWFFD_TEST_SHARE asks for: 4 is a quarter. Without it all of them.
+std::uint64_t share_of(std::uint64_t count);
 
 /// basic-fx18-paper -> basic_fx18_paper, as a test may be called.
 std::string test_name(const Configuration& row);

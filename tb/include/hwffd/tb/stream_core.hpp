@@ -18,9 +18,9 @@ class StreamCore {
   /// Drives m_axis_tready.
   virtual void drive_output_ready(bool ready) = 0;
 
-  /// Settles the combinational paths with the clock low.
+  /// Lowers aclk and settles the combinational paths.
   virtual void settle() = 0;
-  /// One rising and one falling edge of aclk.
+  /// One rising edge of aclk. The falling edge is the next `settle`, or the next `clock`.
   virtual void clock() = 0;
 
   virtual bool input_ready() const = 0;   ///< s_axis_tready

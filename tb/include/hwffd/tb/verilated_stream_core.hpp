@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/tb/stream_core.hpp"
+#include "hwffd/tb/waveform.hpp"
 
 namespace hwffd::tb {
 
@@ -41,13 +43,20 @@ class VerilatedStreamCore final : public StreamCore {
   }
   void drive_output_ready(bool ready) override { dut_->m_axis_tready = ready ? 1 : 0; }
 
-  void settle() override { dut_->eval(); }
-  void clock() override {
-    dut_->aclk = 1;
-    dut_->eval();
+  void settle() override {
     dut_->aclk = 0;
     dut_->eval();
   }
+  void clock() override {
+    if (dut_->aclk != 0) settle();
+    waveform_.half_clock();
+    dut_->aclk = 1;
+    dut_->eval();
+    waveform_.half_clock();
+  }
+
+  /// Writes a waveform from now on; throws as Waveform::open does.
+  void trace(const std::string& path) { waveform_.open(*dut_, path); }
 
   bool input_ready() const override { return dut_->s_axis_tready != 0; }
   bool output_valid() const override { return dut_->m_axis_tvalid != 0; }
@@ -61,6 +70,7 @@ class VerilatedStreamCore final : public StreamCore {
  private:
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<VDut> dut_;
+  Waveform waveform_;
 };
 
 }  // namespace hwffd::tb

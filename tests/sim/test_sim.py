@@ -1,0 +1,195 @@
+"""hwffd-sim: bad input ends with one line that names the thing and what is accepted, and writes
+nothing; a good run writes its report and its mesh.
+
+Called with the path of hwffd-sim.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SIM = pathlib.Path(sys.argv.pop(1)).resolve()
+
+FAILURE, USAGE = 1, 2
+
+# Options that are refused -> exit status, words of the message. Files are those of `make_files`.
+REFUSED = {
+    ("--model", "nowhere.obj"): (FAILURE, "nowhere.obj", "no such file", "give a path"),
+    ("--model", "notes.txt"): (FAILURE, "notes.txt", "not a mesh", "accepted are obj, ply"),
+    ("--model", "notes.obj"): (FAILURE, "notes.obj", "accepted are obj, ply"),
+    ("--model", "empty.obj"): (FAILURE, "empty.obj", "accepted are obj, ply"),
+    ("--model", "comment.obj"): (FAILURE, "comment.obj", "accepted are obj, ply"),
+    ("--model", "folder"): (FAILURE, "folder", "no such file"),
+    ("--model", "./folder"): (FAILURE, "./folder", "not a file", "accepted are obj, ply"),
+    ("--format", "foo"): (USAGE, "FORMAT=foo", "fp32, fx18, fx32"),
+    ("--deform", "foo"): (USAGE, "'foo'", "none, twist:DEGREES, shear:AMOUNT"),
+    ("--deform", "twist:abc"): (USAGE, "'twist:abc'", "not a finite number", "twist:DEGREES"),
+    ("--deform", "twist:inf"): (USAGE, "'twist:inf'", "not a finite number"),
+    ("--deform", "random:-1"): (USAGE, "'random:-1'", "0 to 2^64 - 1"),
+    ("--lattice", "3x4x4"): (USAGE, "LATTICE=3x4x4", "4 to 16"),
+    ("--lattice", "4x4x17"): (USAGE, "LATTICE=4x4x17", "4 to 16"),
+    ("--lattice", "foo"): (USAGE, "LATTICE=foo", "as 4x4x4"),
+    ("--lattice", "4x4"): (USAGE, "LATTICE=4x4:", "as 4x4x4"),
+    ("--lattice", "4x4x4x4"): (USAGE, "LATTICE=4x4x4x4", "as 4x4x4"),
+    ("--org", "foo"): (USAGE, "ORG=foo", "basic"),
+    ("--schedule", "foo"): (USAGE, "SCHEDULE=foo", "overlapped, paper"),
+    ("--stream", "foo"): (USAGE, "STREAM=foo", "interleaved"),
+    ("--seed", "abc"): (USAGE, "SEED=abc", "0 to 2^64 - 1"),
+    ("--seed", "-1"): (USAGE, "SEED=-1", "0 to 2^64 - 1"),
+    ("--seed", "18446744073709551616"): (USAGE, "SEED=1844", "0 to 2^64 - 1"),
+    ("--colour", "red"): (USAGE, "--colour", "--help"),
+    ("--colour",): (USAGE, "--colour", "--help"),
+    ("--lattice",): (USAGE, "--lattice", "--help"),
+}
+
+GOOD = ("--model", "block.obj", "--format", "fx18", "--schedule", "overlapped")
+ROW_FIELDS = ["org", "format", "schedule", "stream", "deform", "checked", "mismatches",
+              "clocks_per_vertex", "max_error", "rms_error"]
+
+
+def block(n):
+    """The surface of a block of n x n squares a side, as obj, and its number of vertices."""
+    places = {}
+    faces = []
+
+    def place(axis, side, a, b):
+        point = [a, b]
+        point.insert(axis, side)
+        return places.setdefault(tuple(point), len(places) + 1)
+
+    for axis in range(3):
+        for side in (0, n):
+            for a in range(n):
+                for b in range(n):
+                    faces.append([place(axis, side, a + i, b + j)
+                                  for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
+    lines = [f"v {x} {y / 2} {z * 3}" for x, y, z in places]
+    lines += ["f " + " ".join(map(str, face)) for face in faces]
+    return "\n".join(lines) + "\n", len(places)
+
+
+def points_of(obj):
+    return [[float(word) for word in line.split()[1:4]]
+            for line in obj.splitlines() if line.startswith("v ")]
+
+
+def on_grid(point):
+    """The nearest point with coordinates that are multiples of 1/2, as those of a block are."""
+    return [round(2 * value) / 2 for value in point]
+
+
+BLOCK, BLOCK_VERTICES = block(4)
+
+
+class Sim(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        files = {"notes.txt": "not a mesh\n", "notes.obj": "not a mesh, only words in a row\n" * 9,
+                 "empty.obj": "", "comment.obj": "# nothing\n" * 9, "block.obj": BLOCK}
+        for name, text in files.items():
+            (self.folder / name).write_text(text)
+        (self.folder / "folder").mkdir()
+        self.given = self.files(self.folder)
+
+    @staticmethod
+    def files(folder):
+        return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
+                for path in folder.rglob("*")}
+
+    def sim(self, *options, output="out"):
+        return subprocess.run(
+            [SIM, *options, "--output", output], cwd=self.folder, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+
+    def refuse(self, done, status, words):
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        self.assertRegex(done.stderr, r"\Ahwffd-sim: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(self.files(self.folder), self.given, "something was written")
+
+    def test_bad_input(self):
+        refused = 0
+        for options, (status, *words) in REFUSED.items():
+            with self.subTest(" ".join(options)):
+                done = subprocess.run(
+                    [SIM, "--output", "out", *options], cwd=self.folder, stdin=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+                self.refuse(done, status, words)
+                refused += 1
+        print(f"sim: {refused} of {len(REFUSED)} bad command lines refused")
+
+    def test_unwritable_output(self):
+        outputs = ["notes.txt", "notes.txt/below", "/proc/below"]
+        if os.geteuid() != 0:  # root may write anywhere
+            (self.folder / "folder").chmod(0o555)
+            outputs.append("folder")
+        for output in outputs:
+            done = self.sim(*GOOD, output=output)
+            self.refuse(done, FAILURE, (output, "cannot write", "--output"))
+
+    def test_trace_where_the_build_has_none(self):
+        done = self.sim(*GOOD, "--trace")
+        if done.returncode == 0:
+            waveforms = sorted((self.folder / "out" / "sim").glob("*.fst"))
+            self.assertEqual(len(waveforms), 2)
+            for waveform in waveforms:
+                self.assertIn(f"out/sim/{waveform.name}\n", done.stdout)
+        else:
+            self.refuse(done, USAGE, ("--trace", "make sim TRACE=1", "-DHWFFD_TRACE=ON"))
+
+    def report(self, done, output="out"):
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads((self.folder / output / "reports" / "sim.json").read_text())
+
+    def test_report_and_mesh(self):
+        report = self.report(self.sim(*GOOD))
+        self.assertEqual(list(report), ["model", "vertices", "runs"])
+        self.assertEqual((report["model"], report["vertices"]), ("block.obj", BLOCK_VERTICES))
+        self.assertEqual([run["deform"] for run in report["runs"]], ["twist:90", "random:1"])
+        for run in report["runs"]:
+            self.assertEqual(list(run), ROW_FIELDS)
+            self.assertEqual([run[field] for field in ROW_FIELDS[:4]],
+                             ["basic", "fx18", "overlapped", "interleaved"])
+            self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
+            self.assertEqual(run["clocks_per_vertex"], 64)
+            self.assertTrue(0 < run["rms_error"] <= run["max_error"] < 1e-3, run)
+        mesh = (self.folder / "out" / "sim" / "block-twist-90.obj").read_text()
+        self.assertEqual(sum(line.startswith("v ") for line in mesh.splitlines()), BLOCK_VERTICES)
+        self.assertEqual(sum(line.startswith("f ") for line in mesh.splitlines()), 6 * 16)
+
+    def test_two_runs_give_the_same_files(self):
+        for output in ("one", "two"):
+            self.report(self.sim(*GOOD, "--seed", "7", output=output), output)
+        one, two = (self.files(self.folder / output) for output in ("one", "two"))
+        self.assertEqual(one, two)
+        self.assertGreaterEqual(sum(content is not None for content in one.values()), 2)
+
+    def test_the_seed_of_the_bench_does_not_change_the_results(self):
+        seen = [self.report(self.sim(*GOOD, "--deform", "bend:45", "--seed", seed))
+                for seed in ("1", "2")]
+        self.assertEqual(*seen)
+
+    def test_several_cells(self):
+        report = self.report(self.sim(*GOOD, "--lattice", "6x5x4", "--deform", "none"))
+        (run,) = report["runs"]
+        self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
+        # An undeformed lattice gives the mesh back.
+        mesh = (self.folder / "out" / "sim" / "block-none.obj").read_text()
+        got, wanted = points_of(mesh), points_of(BLOCK)
+        self.assertEqual(sorted(map(on_grid, got)), sorted(map(on_grid, wanted)))
+        for point in got:
+            for value, exact in zip(point, on_grid(point)):
+                self.assertAlmostEqual(value, exact, delta=0.01)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
