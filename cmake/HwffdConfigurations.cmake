@@ -1,6 +1,7 @@
 # The table of configurations, rtl/configurations.csv, as CMake needs it:
 #   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f
 #   HWFFD_CONFIGURATION_IDENTIFIERS       the rows of this build's tier
+#   HWFFD_STREAM_IDENTIFIERS              those that are verilated with their streams
 #   HWFFD_CONFIGURATION_PARAMETERS_<id>   a row's parameters, NAME=value
 # and, in HWFFD_GENERATED_DIR, the C++ that follows from it: the table, the models, the cores.
 
@@ -12,6 +13,7 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v
   ${table} ${script} ${CMAKE_SOURCE_DIR}/scripts/organizations.py ${HWFFD_RTL_DIR}/hwffd.f)
 
 function(hwffd_generate)
@@ -25,6 +27,7 @@ hwffd_generate(select ${HWFFD_RTL_DIR}/evaluator/ffd_org_select.v)
 hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
 hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
 hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})
+hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/evaluator_core_factory.cpp --tier ${HWFFD_TIER})
 hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER})
 include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 

@@ -31,10 +31,10 @@ TIERS = ("sim", "test", "all")
 
 COLUMNS = (
     "name", "org", "n", "format", "schedule", "evaluator", "mul_latency", "add_latency",
-    "fma_latency", "convert_latency", "tier",
+    "fma_latency", "convert_latency", "stream", "tier",
 )
 NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
-           "fma_latency": (0, 99), "convert_latency": (0, 99)}
+           "fma_latency": (0, 99), "convert_latency": (0, 99), "stream": (0, 1)}
 FIXED_WIDTHS = range(12, 33)
 
 
@@ -54,6 +54,7 @@ class Configuration:
     add_latency: int
     fma_latency: int
     convert_latency: int
+    stream: int
     tier: str
     org_number: int
 
@@ -164,6 +165,8 @@ def cmake_text(configurations):
     identifiers = " ".join(c.identifier for c in configurations)
     lines.append(f"set(HWFFD_CONFIGURATION_NAMES {names})")
     lines.append(f"set(HWFFD_CONFIGURATION_IDENTIFIERS {identifiers})")
+    streams = " ".join(c.identifier for c in configurations if c.stream)
+    lines.append(f"set(HWFFD_STREAM_IDENTIFIERS {streams})")
     for c in configurations:
         lines.append(f"set(HWFFD_CONFIGURATION_NAME_{c.identifier} {c.name})")
         lines.append(
@@ -268,6 +271,58 @@ def factory_text(configurations, suffix=""):
     return "\n".join(lines) + "\n"
 
 
+def evaluators_text(configurations):
+    """Evaluators behind their read ports; a row's class is V<identifier>_evaluator."""
+    lines = [f"// {GENERATED}"]
+    lines += [f'#include "V{c.identifier}_evaluator.h"' for c in configurations]
+    lines += [
+        '#include "hwffd/tb/evaluator_core_factory.hpp"',
+        '#include "hwffd/tb/verilated_evaluator_core.hpp"',
+        "",
+        "#include <stdexcept>",
+        "#include <string>",
+        "",
+        "namespace hwffd::tb {",
+        "namespace {",
+        "",
+        "using Make = std::unique_ptr<EvaluatorCore> (*)(std::uint64_t);",
+        "",
+        "template <class VDut>",
+        "std::unique_ptr<EvaluatorCore> make(std::uint64_t seed) {",
+        "  return std::make_unique<VerilatedEvaluatorCore<VDut>>(seed);",
+        "}",
+        "",
+        "Make find(const Configuration& configuration) {",
+        "  const std::string name = configuration.name;",
+    ]
+    lines += [f'  if (name == "{c.name}") return make<V{c.identifier}_evaluator>;'
+              for c in configurations]
+    lines += [
+        "  return nullptr;",
+        "}",
+        "",
+        "}  // namespace",
+        "",
+        "bool has_evaluator_core(const Configuration& configuration) {",
+        "  return find(configuration) != nullptr;",
+        "}",
+        "",
+        "std::unique_ptr<EvaluatorCore> make_evaluator_core(const Configuration& configuration,",
+        "                                                   std::uint64_t seed) {",
+        "  const Make make_it = find(configuration);",
+        "  if (make_it == nullptr) {",
+        "    throw std::invalid_argument(std::string(\"configuration '\") + configuration.name +",
+        "                                \"' is not in this build: \"",
+        '                                "configure with -DHWFFD_TIER=all");',
+        "  }",
+        "  return make_it(seed);",
+        "}",
+        "",
+        "}  // namespace hwffd::tb",
+    ]
+    return "\n".join(lines) + "\n"
+
+
 def write_if_changed(path, text):
     """Leaves the file alone, time stamp and all, when it has this text already."""
     path = pathlib.Path(path)
@@ -290,11 +345,13 @@ def main(arguments=None):
     factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
     models = commands.add_parser("models", help="write the C++ that makes a row's bit-true model")
     select = commands.add_parser("select", help="write the RTL that selects the organization")
-    for command in (cmake, cpp, factory, models, select):
+    evaluators = commands.add_parser(
+        "evaluators", help="write the C++ that makes a row's evaluator at its read port")
+    for command in (cmake, cpp, factory, models, select, evaluators):
         command.add_argument("out")
     factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
-    for command in (listing, cmake, factory):
+    for command in (listing, cmake, factory, evaluators):
         command.add_argument("--tier", choices=TIERS, default="all")
     options = parser.parse_args(arguments)
 
@@ -315,9 +372,11 @@ def main(arguments=None):
             write_if_changed(options.out, models_text(rows))
         elif options.command == "select":
             write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
+        elif options.command == "evaluators":
+            write_if_changed(options.out, evaluators_text(of_tier(rows, options.tier)))
         else:
             named = [find(rows, name) for name in options.rows or ()]
-            built = named or of_tier(rows, options.tier)
+            built = named or [c for c in of_tier(rows, options.tier) if c.stream]
             write_if_changed(options.out, factory_text(built, options.suffix))
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)

@@ -16,7 +16,7 @@ sys.path.insert(0, str(SCRIPT.parent))
 import configurations  # noqa: E402
 
 HEADER = ",".join(configurations.COLUMNS)
-GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,1,test"
+GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,1,test"
 
 # what is wrong -> (table, line of the fault or None, word of the message)
 BAD = {
@@ -38,7 +38,9 @@ FIELDS = {
     "evaluator": ("", "none"),
     "mul_latency": ("", "-1", "two", "100"),
     "add_latency": ("", "-1", "1 "),
+    "fma_latency": ("", "-1", "x"),
     "convert_latency": ("", "-1", "0x1"),
+    "stream": ("", "2", "yes"),
     "tier": ("", "test-all", "nightly"),
 }
 for column, values in FIELDS.items():
@@ -95,9 +97,9 @@ class Refused(Folder):
 class Accepted(Folder):
     ROWS = (
         f"{HEADER}\n"
-        "small,basic,1,fp32,overlapped,pipelined,2,1,1,sim\n"
-        "good-row,basic,4,fx18,paper,iterative,5,4,0,test\n"
-        "large,basic,64,fx32,overlapped,pipelined,2,1,1,all\n"
+        "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,1,sim\n"
+        "good-row,basic,4,fx18,paper,iterative,5,4,3,0,1,test\n"
+        "large,basic,64,fx32,overlapped,pipelined,2,1,0,1,0,all\n"
     )
 
     def test_committed_table(self):
@@ -115,7 +117,7 @@ class Accepted(Folder):
             self.assertEqual(self.run_script("list", "--tier", tier, text=self.ROWS).stdout, names)
 
     def test_parameters(self):
-        words = ("ORG=0 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 "
+        words = ("ORG=0 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=3 "
                  "CONVERT_LATENCY=0")
         done = self.run_script("parameters", "good-row", text=self.ROWS)
         self.assertEqual(done.stdout, words + "\n")
@@ -136,7 +138,7 @@ class Accepted(Folder):
         self.run_script("cpp", str(table), text=self.ROWS)
         self.run_script("factory", str(factory), "--tier", "test")
         self.assertIn(
-            '{"good-row", "basic", 4, "fx18", "paper", "iterative", 5, 4, 0, "test"},',
+            '{"good-row", "basic", 4, "fx18", "paper", "iterative", 5, 4, 3, 0, "test"},',
             table.read_text())
         self.assertIn('"large"', table.read_text())
         self.assertIn('#include "Vgood_row.h"', factory.read_text())

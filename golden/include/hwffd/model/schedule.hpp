@@ -1,0 +1,19 @@
+#pragma once
+
+#include "hwffd/model/configuration.hpp"
+
+namespace hwffd {
+
+/// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4): 640 for `basic`, 72/E + 320
+/// for `cg` with E evaluators, (9 + log2 N) ceil(64/N) for a tree of N units, 15 for `parallel`;
+/// with fused multiply-add 384, 36/E + 256, (6 + log2 N) ceil(64/N) and 12.
+double paper_clocks(const Configuration& row);
+
+/// Clocks between vertices when steps overlap: one step a clock, or one every 6 clocks with the
+/// iterative evaluator; `cg` no faster than its evaluators fill 12 weights.
+double overlapped_interval(const Configuration& row);
+
+/// Clocks between vertices at the row's own schedule.
+double expected_interval(const Configuration& row);
+
+}  // namespace hwffd

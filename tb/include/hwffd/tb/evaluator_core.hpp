@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace hwffd::tb {
+
+/// The pins of a Verilated `ffd_bench_evaluator`: an evaluator, whatever its configuration, that
+/// reads its control points from a memory of 256 supports.
+///
+/// A cycle is: drive the inputs, `settle`, read ready and valid, `clock`.
+class EvaluatorCore {
+ public:
+  struct Vertex {
+    std::array<std::uint32_t, 3> words{};  ///< s, t, u as stream words
+    std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
+    std::uint8_t support = 0;
+    bool bank = false;
+    std::uint16_t tag = 0;
+  };
+  struct Result {
+    std::array<std::uint32_t, 3> words{};
+    bool saturated = false;
+    bool nan = false;
+    std::uint16_t tag = 0;
+  };
+
+  virtual ~EvaluatorCore() = default;
+
+  virtual void drive_reset(bool asserted) = 0;
+  /// One clock that loads a blending function: coefficients of 1, x, x^2, x^3.
+  virtual void load(int axis, int bank, int function, int shift,
+                    const std::array<std::uint32_t, 4>& words) = 0;
+  /// One clock that writes a control point of a support, in local order, n fastest.
+  virtual void write(std::uint8_t support, int index, const std::uint32_t* xyz) = 0;
+
+  virtual void drive_vertex(bool valid, const Vertex& vertex) = 0;
+  virtual void drive_result_ready(bool ready) = 0;
+  virtual void settle() = 0;
+  virtual void clock() = 0;
+
+  virtual bool vertex_ready() const = 0;
+  virtual bool result_valid() const = 0;
+  virtual Result result() const = 0;
+};
+
+}  // namespace hwffd::tb

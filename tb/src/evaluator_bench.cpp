@@ -1,0 +1,109 @@
+#include "hwffd/tb/evaluator_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace hwffd::tb {
+namespace {
+
+constexpr std::uint64_t kStallLimit = 20'000;  // clocks without a result
+
+EvaluatorCore::Vertex pins_of(const model::VertexWords& vertex, std::size_t index,
+                              std::size_t supports) {
+  EvaluatorCore::Vertex pins;
+  pins.words = vertex.local;
+  for (int axis = 0; axis < 3; ++axis) {
+    pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
+  }
+  pins.support = static_cast<std::uint8_t>(index % supports);
+  pins.tag = static_cast<std::uint16_t>(index);
+  return pins;
+}
+
+}  // namespace
+
+EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model,
+                               const AxisWords& blending)
+    : core_(core), model_(model) {
+  core_.drive_reset(true);
+  core_.drive_vertex(false, {});
+  core_.drive_result_ready(false);
+  for (int i = 0; i < 3; ++i) core_.clock();
+  core_.drive_reset(false);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int f = 0; f < 4; ++f) {
+      core_.load(axis, 0, f, blending.shift, blending.word[f]);
+      model_.load(0, axis, f, 3, blending.shift, blending.word[f]);
+    }
+  }
+}
+
+void EvaluatorBench::write_supports(const std::vector<model::VertexWords>& vertices,
+                                    std::size_t supports) {
+  if (supports == 0 || supports > 256) {
+    throw std::invalid_argument("an evaluator bench has 1 to 256 supports");
+  }
+  for (std::size_t s = 0; s < supports && s < vertices.size(); ++s) {
+    for (int p = 0; p < 64; ++p) {
+      core_.write(static_cast<std::uint8_t>(s), p, &vertices[s].points[3 * p]);
+    }
+  }
+}
+
+void EvaluatorBench::run(const std::vector<model::VertexWords>& vertices, std::size_t supports,
+                         Throttle source, Throttle sink) {
+  write_supports(vertices, supports);
+  std::size_t sent = 0;
+  std::size_t received = 0;
+  std::uint64_t last_result = clock_;
+  bool offered = false;
+  while (received < vertices.size()) {
+    offered = sent < vertices.size() && (offered || source.willing());
+    const bool ready = sink.willing();
+    core_.drive_vertex(offered,
+                       offered ? pins_of(vertices[sent], sent, supports) : EvaluatorCore::Vertex{});
+    core_.drive_result_ready(ready);
+    core_.settle();
+    if (offered && core_.vertex_ready()) {
+      starts_.push_back(clock_);
+      ++sent;
+      offered = false;
+    }
+    if (ready && core_.result_valid()) {
+      results_.push_back(clock_);
+      compare(core_.result(), vertices[received], static_cast<std::uint16_t>(received));
+      ++received;
+      last_result = clock_;
+    }
+    core_.clock();
+    if (++clock_ - last_result > kStallLimit) {
+      throw std::runtime_error(fmt::format("no result for {} clocks", kStallLimit));
+    }
+  }
+  core_.drive_vertex(false, {});
+}
+
+void EvaluatorBench::compare(const EvaluatorCore::Result& got, const model::VertexWords& vertex,
+                             std::uint16_t tag) {
+  const model::ResultWords expected = model_.evaluate(0, vertex);
+  words_.push_back(got);
+  ++checked_;
+  if (got.words == expected.words && got.saturated == expected.saturated &&
+      got.nan == expected.nan && got.tag == tag) {
+    return;
+  }
+  if (++mismatches_ > 1) return;
+  first_mismatch_ = fmt::format(
+      "vertex {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}",
+      checked_ - 1, got.words[0], got.words[1], got.words[2], got.tag, expected.words[0],
+      expected.words[1], expected.words[2], tag);
+}
+
+double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first) {
+  if (clocks.size() < first + 2) throw std::out_of_range("an interval needs two events");
+  return static_cast<double>(clocks.back() - clocks[first]) /
+         static_cast<double>(clocks.size() - 1 - first);
+}
+
+}  // namespace hwffd::tb
