@@ -51,7 +51,7 @@ TEST_P(Throughput, LatencyOfASingleVertex) {
       run.bench().result_clocks().at(0) - run.bench().accept_clocks().back();
   const Configuration& row = GetParam();
   const bool overlapped = std::string(row.schedule) == "overlapped";
-  const double contexts = overlapped && std::string(row.evaluator) == "pipelined" ? row.add_latency
+  const double contexts = overlapped && std::string(row.evaluator) != "iterative" ? row.add_latency
                           : overlapped ? (row.add_latency + 5) / 6
                                        : 1;
   const double steps = contexts * formula(row);
