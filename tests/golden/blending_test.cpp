@@ -186,6 +186,49 @@ TEST(Families, StridesBeyondTheSupportAreRefused) {
   EXPECT_THROW(is_watertight(axis, "fx11", 1), UsageError);
 }
 
+/// A vertex on the face between two cells that lie `stride` points apart along an axis gets the
+/// same bits from both, each with its own support.
+TEST(Families, NeighboursAgreeOnTheirFaceAtTheStride) {
+  std::mt19937_64 engine(1);
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  int checked = 0;
+  int differ = 0;
+  for (const Facts& facts : kFacts) {
+    if (facts.stride == 0) continue;
+    for (const char* format : {"fp32", "fx18", "fx32"}) {
+      const WordCodec codec(format);
+      const auto model = model::make_evaluator_model(
+          find_configuration("basic-" + std::string(format) + "-overlapped"));
+      const AxisWords words = encode(family(facts.name, codec), codec);
+      for (int a = 0; a < 3; ++a) {
+        for (int l = 0; l < 4; ++l) model->load(0, a, l, words.degree, words.shift, words.word[l]);
+      }
+      for (int v = 0; v < 500; ++v, ++checked) {
+        const int axis = v % 3;
+        const int step = 16 >> (2 * axis);
+        model::VertexWords lower;
+        for (std::uint32_t& word : lower.local) word = codec.coordinate(uniform());
+        for (int& cell : lower.cell) cell = static_cast<int>(engine() & 7);
+        for (std::uint32_t& word : lower.points) word = codec.point(uniform() - 0.5);
+        model::VertexWords upper = lower;
+        lower.local[axis] = codec.coordinate(1);
+        upper.local[axis] = codec.coordinate(0);
+        upper.cell[axis] += facts.stride;
+        for (int p = 0; p < 64; ++p) {
+          const bool shared = p / step % 4 + facts.stride < 4;
+          for (int c = 0; c < 3; ++c) {
+            upper.points[3 * p + c] = shared ? lower.points[3 * (p + facts.stride * step) + c]
+                                             : codec.point(uniform() - 0.5);
+          }
+        }
+        differ += model->evaluate(0, lower).words != model->evaluate(0, upper).words ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 5 * 3 * 500);
+  EXPECT_EQ(differ, 0);
+}
+
 /// Bounds of docs/numerics.md section 7: of a weight, of the sum of the four, of a component.
 struct FamilyBound {
   const char* name;
