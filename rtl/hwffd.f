@@ -12,6 +12,7 @@ evaluator/ffd_org_cg.v
 evaluator/ffd_org_tree.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_poly.v
+evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
 evaluator/ffd_eval_coefficient_file.v
@@ -27,6 +28,7 @@ number/ffd_num_add.v
 number/ffd_num_step.v
 number/ffd_num_scale.v
 number/ffd_num_out.v
+number/ffd_num_bspline.v
 number/ffd_num_delay.v
 number/float/ffd_fp_add.v
 number/float/ffd_fp_fma.v

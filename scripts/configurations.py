@@ -24,7 +24,7 @@ TABLE = ROOT / "rtl" / "configurations.csv"
 # The enumerations of the RTL's parameters: a word's place is its number. Organizations are numbered
 # in the order in which the table first names them.
 SCHEDULES = ("overlapped", "paper")
-EVALUATORS = ("pipelined", "iterative")
+EVALUATORS = ("pipelined", "iterative", "bspline")
 
 # A tier includes those before it.
 TIERS = ("sim", "test", "all")

@@ -8,6 +8,7 @@
 
 `define FFD_EVALUATOR_PIPELINED 0
 `define FFD_EVALUATOR_ITERATIVE 1
+`define FFD_EVALUATOR_BSPLINE   2
 
 // Clocks around the loop of the iterative evaluator: one step, and one more where three passes
 // would otherwise meet a polynomial that started 6 or 12 clocks later.

@@ -1,8 +1,8 @@
-// ffd_eval_poly: the polynomial evaluator, iterative or pipelined
+// ffd_eval_poly: the polynomial evaluator: pipelined, iterative, or B-spline
 //
-// Pipeline:   FFD_POLY_LATENCY; starts are FFD_POLY_INTERVAL clocks apart, or a multiple of it. The
-//             pipelined form needs no start and gives a weight for every clock.
-// Parameters: EVALUATOR as in ffd_eval.vh, the others as in either form.
+// Pipeline:   FFD_POLY_LATENCY; starts are FFD_POLY_INTERVAL clocks apart, or a multiple of it. All
+//             but the iterative form need no start and give a weight for every clock.
+// Parameters: EVALUATOR as in ffd_eval.vh, the others as in each form.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,8 +28,8 @@ module ffd_eval_poly #(
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
 );
   generate
-    if (EVALUATOR < 0 || EVALUATOR > 1) begin : gen_bad_evaluator
-      ERROR_ffd_eval_poly_evaluator_must_be_0_or_1 u_error ();
+    if (EVALUATOR < 0 || EVALUATOR > 2) begin : gen_bad_evaluator
+      ERROR_ffd_eval_poly_evaluator_must_be_0_1_or_2 u_error ();
     end
   endgenerate
 
@@ -52,6 +52,24 @@ module ffd_eval_poly #(
         .address_i     (address_i),
         .weight_o      (weight_o)
       );
+    end else if (EVALUATOR == `FFD_EVALUATOR_BSPLINE) begin : gen_bspline
+      ffd_eval_poly_bspline #(
+        .FORMAT         (FORMAT),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .ADDRESS_W      (ADDRESS_W)
+      ) u_poly (
+        .clk           (clk),
+        .load_i        (load_i),
+        .load_address_i(load_address_i),
+        .load_entry_i  (load_entry_i),
+        .coordinate_i  (coordinate_i),
+        .address_i     (address_i),
+        .weight_o      (weight_o)
+      );
+      wire unused_ok = &{1'b0, start_i};
     end else begin : gen_pipelined
       ffd_eval_poly_pipelined #(
         .FORMAT         (FORMAT),

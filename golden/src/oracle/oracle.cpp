@@ -1,5 +1,7 @@
 #include "hwffd/oracle/oracle.hpp"
 
+#include "hwffd/error.hpp"
+
 namespace hwffd {
 
 Oracle::Coefficients Oracle::uniform_bspline() {
@@ -18,6 +20,51 @@ Oracle::Coefficients Oracle::bernstein() {
       0, 0, 3, -3,    //
       0, 0, 0, 1;
   return c;
+}
+
+Oracle::Coefficients Oracle::hermite() {
+  // B(0) = P0, B(1) = P1, B'(0) = T0, B'(1) = T1.
+  Coefficients c;
+  c << 1, 0, -3, 2,  //
+      0, 1, -2, 1,   //
+      0, 0, 3, -2,   //
+      0, 0, -1, 1;
+  return c;
+}
+
+Oracle::Coefficients Oracle::catmull_rom() {
+  // Hermite between P1 and P2 with the tangents (P2 - P0) / 2 and (P3 - P1) / 2.
+  const Coefficients h = hermite();
+  Coefficients c;
+  c.row(0) = -h.row(1) / 2;
+  c.row(1) = h.row(0) - h.row(3) / 2;
+  c.row(2) = h.row(2) + h.row(1) / 2;
+  c.row(3) = h.row(3) / 2;
+  return c;
+}
+
+Oracle::Coefficients Oracle::linear() {
+  Coefficients c = Coefficients::Zero();
+  c.row(1) << 1, -1, 0, 0;
+  c.row(2) << 0, 1, 0, 0;
+  return c;
+}
+
+Oracle::Coefficients Oracle::constant() {
+  Coefficients c = Coefficients::Zero();
+  c(0, 0) = 1;
+  return c;
+}
+
+Oracle::Coefficients Oracle::family(const std::string& name) {
+  if (name == "bspline") return uniform_bspline();
+  if (name == "bernstein") return bernstein();
+  if (name == "hermite") return hermite();
+  if (name == "catmull-rom") return catmull_rom();
+  if (name == "linear") return linear();
+  if (name == "constant") return constant();
+  throw UsageError("unknown blending functions '" + name +
+                   "': one of bspline, bernstein, hermite, catmull-rom, linear, constant");
 }
 
 Oracle::Oracle() : Oracle(uniform_bspline()) {}

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 
 #include "hwffd/points.hpp"
 
@@ -21,6 +22,17 @@ class Oracle {
   static Coefficients uniform_bspline();
   /// Bernstein polynomials of degree 3 (Bezier volumes).
   static Coefficients bernstein();
+  /// Cubic Hermite, in the order P0, T0, P1, T1.
+  static Coefficients hermite();
+  /// Catmull-Rom, through the two middle points.
+  static Coefficients catmull_rom();
+  /// Straight between the two middle points.
+  static Coefficients linear();
+  /// The first point alone.
+  static Coefficients constant();
+  /// bspline, bernstein, hermite, catmull-rom, linear or constant. Throws UsageError, which lists
+  /// them.
+  static Coefficients family(const std::string& name);
 
   /// Uniform cubic B-spline along all axes.
   Oracle();

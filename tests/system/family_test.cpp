@@ -1,0 +1,161 @@
+// Families of blending functions in the core: a family of its own on each axis, axes switched off,
+// a user's matrix that saturates. Every bit against the model, values against the oracle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "hwffd/oracle/oracle.hpp"
+#include "system_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::size_t kVertices = 48;
+
+struct Case {
+  const char* name;
+  std::array<const char*, 3> families;  ///< along s, t, u
+};
+
+constexpr std::array<Case, 6> kCases{{
+    {"mixed", {"bspline", "bernstein", "catmull-rom"}},
+    {"patch", {"bspline", "bspline", "constant"}},
+    {"curve", {"constant", "bernstein", "constant"}},
+    {"hermite", {"hermite", "hermite", "hermite"}},
+    {"linear", {"linear", "linear", "linear"}},
+    {"turned", {"catmull-rom", "constant", "hermite"}},
+}};
+
+/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 7.
+double bound(const std::string& format) {
+  static const std::map<std::string, double> bounds{
+      {"fp32", 5e-7}, {"fx18", 1.4e-4}, {"fx32", 7e-9}};
+  return bounds.at(format);
+}
+
+/// An evaluator with the B-spline wired in ignores what is loaded.
+bool hard_wired(const Configuration& row) { return std::string(row.evaluator) == "bspline"; }
+
+/// Uniform points in [-1/2, 1/2); one coordinate in four is 0 or 1.
+std::vector<InterleavedVertex> vertices_of(const WordCodec& codec, tb::Random& random) {
+  std::vector<InterleavedVertex> vertices(kVertices);
+  for (std::size_t v = 0; v < kVertices; ++v) {
+    vertices[v] = random_vertex(codec, random);
+    vertices[v].tag = static_cast<std::uint16_t>(v);
+    for (std::uint32_t& word : vertices[v].local) {
+      if (random.chance(0.25)) word = codec.coordinate(random.chance(0.5) ? 1 : 0);
+    }
+    for (std::uint32_t& word : vertices[v].points) word = codec.point(random.unit() - 0.5);
+  }
+  return vertices;
+}
+
+Eigen::Vector3d exact(const Oracle& oracle, const InterleavedVertex& vertex,
+                      const WordCodec& codec) {
+  Support support;
+  for (int i = 0; i < 192; ++i) support(i / 3, i % 3) = codec.decode_point(vertex.points[i]);
+  return oracle.evaluate(support, codec.decode_coordinate(vertex.local[0]),
+                         codec.decode_coordinate(vertex.local[1]),
+                         codec.decode_coordinate(vertex.local[2]));
+}
+
+double difference(const Beat& result, const Eigen::Vector3d& expected, const WordCodec& codec) {
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) {
+    largest = std::max(largest, std::abs(codec.decode_point(result.words[c]) - expected[c]));
+  }
+  return largest;
+}
+
+class FamilyOnAxes : public PerConfiguration {};
+
+TEST_P(FamilyOnAxes, BitsOfTheModelAndValuesOfTheOracle) {
+  const bool wired = hard_wired(GetParam());
+  std::uint64_t checked = 0;
+  int cases = 0;
+  for (const Case& c : kCases) {
+    SystemRun run(GetParam(), tb::seed_from_environment(1));
+    tb::Random random(tb::seed_from_environment(1));
+    const WordCodec& codec = run.codec();
+    std::array<AxisWords, 3> axes;
+    std::array<Oracle::Coefficients, 3> expected;
+    for (int a = 0; a < 3; ++a) {
+      axes[a] = encode(family(c.families[a], codec), codec);
+      // Coefficients above the degree must not matter.
+      for (auto& words : axes[a].word) {
+        for (int power = axes[a].degree + 1; power < 4; ++power) {
+          words[power] = codec.coefficient(random.unit(), 0);
+        }
+      }
+      expected[a] = wired ? Oracle::uniform_bspline() : Oracle::family(c.families[a]);
+    }
+    const auto vertices = vertices_of(codec, random);
+    run.send(coefficients_packet(axes));
+    run.send(interleaved_packet(vertices));
+    ASSERT_TRUE(run.run()) << c.name;
+    const auto& results = run.bench().results();
+    ASSERT_EQ(results.size(), kVertices);
+    const Oracle oracle(expected[0], expected[1], expected[2]);
+    double largest = 0;
+    for (std::size_t v = 0; v < kVertices; ++v, ++checked) {
+      EXPECT_EQ(results[v].words[3] >> 16, 0U) << c.name << " vertex " << v;
+      largest = std::max(largest, difference(results[v], exact(oracle, vertices[v], codec), codec));
+    }
+    EXPECT_LE(largest, bound(GetParam().format)) << c.name;
+    EXPECT_GT(largest, 0) << c.name;
+    std::printf("%s: %.3g\n", c.name, largest);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 6);
+  EXPECT_EQ(checked, 6 * kVertices);
+}
+
+// Along u the weights are 3 (1 - u) and 3 u: in fixed point one of them leaves [-2, 2) where u is
+// not between 1/3 and 2/3, and the result says so; binary32 takes them as they are.
+TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
+  const bool wired = hard_wired(GetParam());
+  SystemRun run(GetParam(), tb::seed_from_environment(1));
+  tb::Random random(tb::seed_from_environment(1));
+  const WordCodec& codec = run.codec();
+  auto vertices = vertices_of(codec, random);
+  for (InterleavedVertex& vertex : vertices) {
+    for (std::uint32_t& word : vertex.points) word = codec.point(codec.decode_point(word) / 2);
+  }
+  const Blending user = user_blending({{{}, {3, -3, 0, 0}, {0, 3, 0, 0}, {}}});
+  EXPECT_EQ(user.degree, 1);
+  EXPECT_EQ(encode(user, codec).shift, codec.is_float() ? 0 : 1);
+  const Blending bspline = family("bspline", codec);
+  run.send(coefficients_packet({bspline, bspline, user}, codec));
+  run.send(interleaved_packet(vertices));
+  ASSERT_TRUE(run.run());
+  const auto& results = run.bench().results();
+  ASSERT_EQ(results.size(), kVertices);
+  const Oracle::Coefficients along_u =
+      wired ? Oracle::uniform_bspline() : Oracle::Coefficients(3 * Oracle::linear());
+  const Oracle oracle(Oracle::uniform_bspline(), Oracle::uniform_bspline(), along_u);
+  std::size_t flagged = 0;
+  std::size_t whole = 0;
+  for (std::size_t v = 0; v < kVertices; ++v) {
+    const double u = codec.decode_coordinate(vertices[v].local[2]);
+    const bool saturates = !wired && !codec.is_float() && std::abs(u - 0.5) > 1.0 / 6;
+    EXPECT_EQ(results[v].words[3] >> 16, saturates ? kStatusSaturated >> 16 : 0U) << "u = " << u;
+    if (saturates) {
+      ++flagged;
+      continue;
+    }
+    ++whole;
+    EXPECT_LE(difference(results[v], exact(oracle, vertices[v], codec), codec),
+              bound(GetParam().format));
+  }
+  EXPECT_EQ(flagged + whole, kVertices);
+  EXPECT_GT(whole, 5U);
+  EXPECT_EQ(flagged > 5, !wired && !codec.is_float());
+}
+
+HWFFD_FOR_EACH_CONFIGURATION(FamilyOnAxes);
+
+}  // namespace
+}  // namespace hwffd::test
