@@ -3,9 +3,9 @@
 namespace hwffd::words {
 namespace {
 
-constexpr double kHalfUlpOfOne = 0x1p-24;  // binary32: no relative error of a rounding exceeds it
+constexpr double kRoundoff = 0x1p-24;  // binary32: a rounding's largest relative error
 
-/// The derivative of a B_l in the rounded sixth: coefficient `a` of each function.
+/// How each watertight B_l(x) changes with the rounded sixth.
 std::array<double, 4> by_sixth(double x) {
   const double cube = x * x * x;
   return {1 - cube, -2 + 3 * cube, 1 - 3 * cube, cube};
@@ -17,7 +17,7 @@ double sum_of_magnitudes(const std::array<double, 4>& values) {
   return sum;
 }
 
-/// Both functions of a piece's ends bound it inside too: see docs/numerics.md section 7.
+/// For functions that are largest at an end of a piece: those of docs/numerics.md section 7 are.
 template <class Function>
 double at_worse_end(double low, double high, const Function& function) {
   return std::max(function(low), function(high));
@@ -50,8 +50,8 @@ double binary32_horner(const std::array<double, 4>& c, double low, double high, 
   double error = 0;
   for (int power = 2; power >= 0; --power) {
     const double product = high * (partial_limit(c, power + 1, low, high) + error);
-    const double before = high * error + (fused ? 0 : kHalfUlpOfOne * product);
-    error = before + kHalfUlpOfOne * (partial_limit(c, power, low, high) + before);
+    const double before = high * error + (fused ? 0 : kRoundoff * product);
+    error = before + kRoundoff * (partial_limit(c, power, low, high) + before);
   }
   return error;
 }

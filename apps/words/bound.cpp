@@ -3,7 +3,7 @@
 namespace hwffd::words {
 namespace {
 
-constexpr double kOracle = 1e-13;  // covers the oracle's own roundings
+constexpr double kDouble = 1e-13;  // covers the roundings of the oracle and of these sums
 
 /// sum |w_l w_m w_n - B_l B_m B_n|, from each axis's sum |w - B|: the B_l sum to 1.
 double three_axes(double s, double t, double u) { return (1 + s) * (1 + t) * (1 + u) - 1; }
@@ -48,7 +48,7 @@ double fixed_product_bound(int width, const AxisError& axis) {
       for (const AxisPiece& u : axis) worst = std::max(worst, fixed_piece(s, t, u, pairs, width));
     }
   }
-  return worst + kOracle;
+  return worst + kDouble;
 }
 
 double binary32_product_bound(int n, bool fused) {
@@ -63,7 +63,7 @@ double binary32_product_bound(int n, bool fused) {
   const double weights = three_axes(axis, axis, axis);
   const double point = 0x1p-25;
   // Underflow: an absolute 2^-150 for each of less than 2^10 operations.
-  return weights + (1 + weights) * (point + gamma * (1 + point)) + 0x1p-140 + kOracle;
+  return weights + (1 + weights) * (point + gamma * (1 + point)) + 0x1p-140 + kDouble;
 }
 
 }  // namespace hwffd::words

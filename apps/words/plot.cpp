@@ -10,7 +10,7 @@
 namespace hwffd::words {
 namespace {
 
-constexpr double kWidth = 860;
+constexpr double kWidth = 880;
 constexpr double kHeight = 560;
 constexpr double kLeft = 80;
 constexpr double kRight = 690;  // of the axes; what lines are called stands to the right of them
