@@ -100,6 +100,24 @@ TEST(WordBoundWorst, AlignedErrorsOfFx18StayWithinIt) {
   EXPECT_GE(3 * largest, bound);
 }
 
+// The bound worked out by hand: where two weights of an axis are 1/2 and two are 0, 4 products of
+// two weights and 8 of three are rounded.
+TEST(WordBoundWorst, HandValue) {
+  constexpr double kUnit = 0x1p-16;
+  constexpr double kError = 0x1p-12;
+  constexpr double kSmall = 0x1p-18;  // a quarter of a unit
+  AxisError axis;
+  for (AxisPiece& piece : axis) piece = {kError, {0.5, 0.5, 0, 0}};
+  const double weights = std::pow(1 + kError, 3) - 1 + 2 * kUnit * (1 + kError) + 4 * kUnit;
+  const double bound = weights + (1 + weights) * kUnit / 2 + 0x1p-31;
+  EXPECT_NEAR(fixed_product_bound(18, axis), bound, 1e-12);
+  // A third weight below half a unit: its 5 products of two are rounded to 0, and so are the 4 of
+  // three that have it as their last.
+  for (AxisPiece& piece : axis) piece.weight[2] = kSmall;
+  const double more = (4 * kSmall / 2 + kSmall * kSmall) * (1 + kError) + 4 * kSmall * 0.25;
+  EXPECT_NEAR(fixed_product_bound(18, axis), bound + more * (1 + kUnit / 2), 1e-9);
+}
+
 // The same vertices whatever else is measured: the study is repeatable.
 TEST(WordStudy, IsRepeatable) {
   Rows rows = all_rows();
