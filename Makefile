@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim test test-all lint clean install
+.PHONY: help sim words test test-all lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -35,6 +35,7 @@ SIM_ARGUMENTS = $(foreach o,$(SIM_OPTIONS),$(if $(call given,$(call variable_of,
 help:
 	@echo 'make sim       deform a mesh on the simulated RTL, compare every bit with the golden model'
 	@echo '               MODEL= DEFORM= LATTICE= ORG= FORMAT= SCHEDULE= STREAM= SEED= TRACE=1'
+	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
 	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
@@ -51,6 +52,11 @@ sim: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
 	@$(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+
+words: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-words
+	@$(BUILD)/apps/hwffd-words
 
 test: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test

@@ -1,4 +1,4 @@
-// The families of blending functions: what docs/numerics.md section 7 says of each of them.
+// The families of blending functions: what docs/numerics.md section 8 says of each of them.
 #include "hwffd/stream/blending.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ const std::vector<std::string>& all_formats() {
   return formats;
 }
 
-/// A row of the table in docs/numerics.md section 7.
+/// A row of the table in docs/numerics.md section 8.
 struct Facts {
   const char* name;
   double lowest;     ///< weight on [0, 1]
@@ -229,7 +229,7 @@ TEST(Families, NeighboursAgreeOnTheirFaceAtTheStride) {
   EXPECT_EQ(differ, 0);
 }
 
-/// Bounds of docs/numerics.md section 7: of a weight, of the sum of the four, of a component.
+/// Bounds of docs/numerics.md section 8: of a weight, of the sum of the four, of a component.
 struct FamilyBound {
   const char* name;
   const char* format;

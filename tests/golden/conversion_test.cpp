@@ -97,7 +97,7 @@ TEST(Conversion, OnlyTowardsFamiliesThatSpanTheCubics) {
 
 struct Bound {
   const char* format;
-  double difference;  ///< the bounds of both families, docs/numerics.md section 7
+  double difference;  ///< the bounds of both families, docs/numerics.md section 8
 };
 
 class ConvertedModel : public ::testing::TestWithParam<Bound> {};

@@ -94,6 +94,12 @@ class Make(Checkout):
             self.assertTrue(lines[-1].startswith("ctest "), lines)
             self.assertTrue(lines[-1].endswith(f" -L {label}"), lines)
 
+    def test_words_builds_one_program_and_runs_it(self):
+        self.script("build/apps/hwffd-words", 'echo "words<$*>"')
+        lines = self.run_here("make", "words").stdout.splitlines()
+        self.assertTrue(lines[-2].endswith(" --target hwffd-words"), lines)
+        self.assertEqual(lines[-1], "words<>")
+
     def test_help_is_the_default(self):
         self.assertIn("make test-all", self.run_here("make").stdout)
 

@@ -29,7 +29,7 @@ constexpr std::array<Case, 6> kCases{{
     {"turned", {"catmull-rom", "constant", "hermite"}},
 }};
 
-/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 7.
+/// Largest error of a component, points in [-1/2, 1/2); docs/numerics.md section 8.
 double bound(const std::string& format) {
   static const std::map<std::string, double> bounds{
       {"fp32", 5e-7}, {"fx18", 1.4e-4}, {"fx32", 7e-9}};

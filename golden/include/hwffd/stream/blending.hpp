@@ -18,7 +18,7 @@ struct Blending {
 /// The families that `family` knows: bspline, bernstein, hermite, catmull-rom, linear, constant.
 const std::vector<std::string>& family_names();
 
-/// A family by name, ready for `encode` (docs/numerics.md section 7):
+/// A family by name, ready for `encode` (docs/numerics.md section 8):
 /// - bspline: the uniform cubic B-spline, watertight
 /// - bernstein: Bernstein polynomials of degree 3, points P0 .. P3 of a Bezier segment
 /// - hermite: cubic, in the order P0, T0, P1, T1: a point with its tangent, then the other end

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "axis_error.hpp"
+
+namespace hwffd::words {
+
+/// Proved bounds of the product form ((B_l B_m) B_n) P, for points of magnitude at most 1, from
+/// what is proved of one axis (docs/numerics.md section 7). The error of a component, absolute.
+double fixed_product_bound(int width, const AxisError& axis);
+
+/// The same in binary32 for sums of n = 1 (one after the other) or n = 64 terms (a tree).
+double binary32_product_bound(int n, bool fused);
+
+}  // namespace hwffd::words
