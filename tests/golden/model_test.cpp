@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/numerics/fixed.hpp"
@@ -69,6 +72,45 @@ INSTANTIATE_TEST_SUITE_P(, ModelAgainstOracle,
                          [](const auto& info) {
                            return std::string(info.param.configuration).substr(6, 4);
                          });
+
+class Determinism : public ::testing::TestWithParam<const char*> {};
+
+// In fixed point sums are exact, so every organization in product form gives the same bits.
+TEST_P(Determinism, OrganizationsAgreeInFixedPoint) {
+  constexpr int kVertices = 100000;
+  const WordCodec codec(GetParam());
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  std::vector<std::unique_ptr<model::EvaluatorModel>> models;
+  std::vector<std::string> names;
+  for (const Configuration& row : configurations()) {
+    if (row.format != std::string(GetParam()) || row.schedule != std::string("paper")) continue;
+    models.push_back(model::make_evaluator_model(row));
+    names.emplace_back(row.name);
+    for (int a = 0; a < 3; ++a) {
+      for (int l = 0; l < 4; ++l) models.back()->load(0, a, l, 3, axis.shift, axis.word[l]);
+    }
+  }
+  ASSERT_EQ(models.size(), 11U) << "basic, three cg, six trees, parallel";
+  std::mt19937_64 engine(2);
+  model::VertexWords words;
+  for (int v = 0; v < kVertices; ++v) {
+    for (int a = 0; a < 3; ++a) {
+      words.local[a] = codec.coordinate(unit(engine));
+      words.cell[a] = static_cast<int>(engine() & 15);
+    }
+    for (std::uint32_t& word : words.points) word = static_cast<std::uint32_t>(engine() >> 32);
+    const model::ResultWords first = models[0]->evaluate(0, words);
+    for (std::size_t m = 1; m < models.size(); ++m) {
+      const model::ResultWords other = models[m]->evaluate(0, words);
+      ASSERT_EQ(other.words, first.words) << names[m] << ", vertex " << v;
+      ASSERT_EQ(other.saturated, first.saturated) << names[m] << ", vertex " << v;
+    }
+  }
+  std::printf("%zu organizations, %d vertices\n", models.size(), kVertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Determinism, ::testing::Values("fx18", "fx32"),
+                         [](const auto& info) { return std::string(info.param); });
 
 /// All weights of the watertight B-spline in `fxW` at a coordinate.
 template <int W>
