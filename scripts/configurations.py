@@ -213,114 +213,75 @@ def table_text(configurations):
     return "\n".join(lines) + "\n"
 
 
-def factory_text(configurations, suffix=""):
-    """Cores of these rows only; a row's class is V<identifier><suffix>."""
+_FACTORY = """\
+// {generated}
+{includes}
+#include "hwffd/tb/{core}_core_factory.hpp"
+#include "hwffd/tb/verilated_{core}_core.hpp"
+{more_includes}
+#include <stdexcept>
+#include <string>
+
+namespace hwffd::tb {{
+namespace {{
+
+using Make = std::unique_ptr<{Core}Core> (*)(std::uint64_t{types});
+
+template <class VDut>
+std::unique_ptr<{Core}Core> make(std::uint64_t seed{parameters}) {{
+  auto core = std::make_unique<Verilated{Core}Core<VDut>>(seed);
+{prepare}  return core;
+}}
+
+Make find(const Configuration& configuration) {{
+  const std::string name = configuration.name;
+{rows}
+  return nullptr;
+}}
+
+}}  // namespace
+
+bool has_{core}_core(const Configuration& configuration) {{
+  return find(configuration) != nullptr;
+}}
+
+{more}std::unique_ptr<{Core}Core> make_{core}_core(const Configuration& configuration,
+                                             std::uint64_t seed{parameters}) {{
+  const Make make_it = find(configuration);
+  if (make_it == nullptr) {{
+    throw std::invalid_argument(std::string("configuration '") + configuration.name +
+                                "' is not in this build: configure with -DHWFFD_TIER=all");
+  }}
+  return make_it(seed{arguments});
+}}
+
+}}  // namespace hwffd::tb
+"""
+_CORES = {
+    "stream": {
+        "more_includes": '#include "hwffd/tb/waveform.hpp"\n',
+        "types": ", const std::string&",
+        "parameters": ", const std::string& trace",
+        "arguments": ", trace",
+        "prepare": "  if (!trace.empty()) core->trace(trace);\n",
+        "more": "bool stream_cores_can_trace() { return Waveform::kAvailable; }\n\n",
+    },
+    "evaluator": {
+        "more_includes": "", "types": "", "parameters": "", "arguments": "", "prepare": "",
+        "more": "",
+    },
+}
+
+
+def factory_text(configurations, core, suffix=""):
+    """Cores ("stream" or "evaluator") of these rows; a row's class is V<identifier><suffix>."""
     classes = {c.name: f"V{c.identifier}{suffix}" for c in configurations}
-    lines = [f"// {GENERATED}"]
-    lines += [f'#include "{made}.h"' for made in classes.values()]
-    lines += [
-        '#include "hwffd/tb/stream_core_factory.hpp"',
-        '#include "hwffd/tb/verilated_stream_core.hpp"',
-        '#include "hwffd/tb/waveform.hpp"',
-        "",
-        "#include <stdexcept>",
-        "#include <string>",
-        "",
-        "namespace hwffd::tb {",
-        "namespace {",
-        "",
-        "using Make = std::unique_ptr<StreamCore> (*)(std::uint64_t, const std::string&);",
-        "",
-        "template <class VDut>",
-        "std::unique_ptr<StreamCore> make(std::uint64_t seed, const std::string& trace) {",
-        "  auto core = std::make_unique<VerilatedStreamCore<VDut>>(seed);",
-        "  if (!trace.empty()) core->trace(trace);",
-        "  return core;",
-        "}",
-        "",
-        "Make find(const Configuration& configuration) {",
-        "  const std::string name = configuration.name;",
-    ]
-    lines += [f'  if (name == "{name}") return make<{made}>;' for name, made in classes.items()]
-    lines += [
-        "  return nullptr;",
-        "}",
-        "",
-        "}  // namespace",
-        "",
-        "bool has_stream_core(const Configuration& configuration) {",
-        "  return find(configuration) != nullptr;",
-        "}",
-        "",
-        "bool stream_cores_can_trace() { return Waveform::kAvailable; }",
-        "",
-        "std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration,",
-        "                                             std::uint64_t seed,",
-        "                                             const std::string& trace) {",
-        "  const Make make_it = find(configuration);",
-        "  if (make_it == nullptr) {",
-        "    throw std::invalid_argument(std::string(\"configuration '\") + configuration.name +",
-        "                                \"' is not in this build: \"",
-        '                                "configure with -DHWFFD_TIER=all");',
-        "  }",
-        "  return make_it(seed, trace);",
-        "}",
-        "",
-        "}  // namespace hwffd::tb",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-def evaluators_text(configurations):
-    """Evaluators behind their read ports; a row's class is V<identifier>_evaluator."""
-    lines = [f"// {GENERATED}"]
-    lines += [f'#include "V{c.identifier}_evaluator.h"' for c in configurations]
-    lines += [
-        '#include "hwffd/tb/evaluator_core_factory.hpp"',
-        '#include "hwffd/tb/verilated_evaluator_core.hpp"',
-        "",
-        "#include <stdexcept>",
-        "#include <string>",
-        "",
-        "namespace hwffd::tb {",
-        "namespace {",
-        "",
-        "using Make = std::unique_ptr<EvaluatorCore> (*)(std::uint64_t);",
-        "",
-        "template <class VDut>",
-        "std::unique_ptr<EvaluatorCore> make(std::uint64_t seed) {",
-        "  return std::make_unique<VerilatedEvaluatorCore<VDut>>(seed);",
-        "}",
-        "",
-        "Make find(const Configuration& configuration) {",
-        "  const std::string name = configuration.name;",
-    ]
-    lines += [f'  if (name == "{c.name}") return make<V{c.identifier}_evaluator>;'
-              for c in configurations]
-    lines += [
-        "  return nullptr;",
-        "}",
-        "",
-        "}  // namespace",
-        "",
-        "bool has_evaluator_core(const Configuration& configuration) {",
-        "  return find(configuration) != nullptr;",
-        "}",
-        "",
-        "std::unique_ptr<EvaluatorCore> make_evaluator_core(const Configuration& configuration,",
-        "                                                   std::uint64_t seed) {",
-        "  const Make make_it = find(configuration);",
-        "  if (make_it == nullptr) {",
-        "    throw std::invalid_argument(std::string(\"configuration '\") + configuration.name +",
-        "                                \"' is not in this build: \"",
-        '                                "configure with -DHWFFD_TIER=all");',
-        "  }",
-        "  return make_it(seed);",
-        "}",
-        "",
-        "}  // namespace hwffd::tb",
-    ]
-    return "\n".join(lines) + "\n"
+    return _FACTORY.format(
+        generated=GENERATED,
+        includes="\n".join(f'#include "{made}.h"' for made in classes.values()),
+        rows="\n".join(
+            f'  if (name == "{name}") return make<{made}>;' for name, made in classes.items()),
+        core=core, Core=core.capitalize(), **_CORES[core])
 
 
 def write_if_changed(path, text):
@@ -373,11 +334,12 @@ def main(arguments=None):
         elif options.command == "select":
             write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
         elif options.command == "evaluators":
-            write_if_changed(options.out, evaluators_text(of_tier(rows, options.tier)))
+            text = factory_text(of_tier(rows, options.tier), "evaluator", "_evaluator")
+            write_if_changed(options.out, text)
         else:
             named = [find(rows, name) for name in options.rows or ()]
             built = named or [c for c in of_tier(rows, options.tier) if c.stream]
-            write_if_changed(options.out, factory_text(built, options.suffix))
+            write_if_changed(options.out, factory_text(built, "stream", options.suffix))
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)
         return 1
