@@ -40,7 +40,9 @@ def organizations(configurations):
 def _header(rtl):
     """The text between `module ffd_org_tree` and its `);`, with its parameters and ports."""
     text = (pathlib.Path(rtl) / "evaluator" / "ffd_org_tree.v").read_text(encoding="utf-8")
-    match = re.search(r"^module ffd_org_tree #\(\n  parameter SERIAL [^\n]*\n(.*?)\n\) \(\n(.*?)\n\);$", text, re.M | re.S)
+    match = re.search(
+        r"^module ffd_org_tree #\(\n  parameter SERIAL [^\n]*\n(.*?)\n\) \(\n(.*?)\n\);$",
+        text, re.M | re.S)
     parameters, ports = match.group(1), match.group(2)
     names = re.findall(r"^  parameter (\w+)", parameters, re.M)
     wires = re.findall(r"(\w+),?$", ports, re.M)
