@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim words test test-all lint clean install
+.PHONY: help sim organizations words test test-all lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -35,6 +35,8 @@ SIM_ARGUMENTS = $(foreach o,$(SIM_OPTIONS),$(if $(call given,$(call variable_of,
 help:
 	@echo 'make sim       deform a mesh on the simulated RTL, compare every bit with the golden model'
 	@echo '               MODEL= DEFORM= LATTICE= ORG= FORMAT= SCHEDULE= STREAM= SEED= TRACE=1'
+	@echo 'make organizations  every organization: clocks against the formulas, operators, errors, seams'
+	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'

@@ -1,12 +1,24 @@
 # The table of configurations, rtl/configurations.csv, as CMake needs it:
 #   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f
-#   HWFFD_CONFIGURATION_IDENTIFIERS       the rows of this build's tier
-#   HWFFD_STREAM_IDENTIFIERS              those that are verilated with their streams
+#   HWFFD_CONFIGURATION_IDENTIFIERS       all rows
+#   HWFFD_TIER_IDENTIFIERS                those of this build's tier
+#   HWFFD_STREAM_IDENTIFIERS              those of them that are verilated with their streams
+#   HWFFD_SELECTED_IDENTIFIERS            those that hwffd-organizations compares
 #   HWFFD_CONFIGURATION_PARAMETERS_<id>   a row's parameters, NAME=value
 # and, in HWFFD_GENERATED_DIR, the C++ that follows from it: the table, the models, the cores.
 
 set(HWFFD_TIER test CACHE STRING "configurations to verilate: sim, test or all")
 set_property(CACHE HWFFD_TIER PROPERTY STRINGS sim test all)
+set(HWFFD_ORG "" CACHE STRING "organization that hwffd-organizations compares; empty: all")
+set(HWFFD_N "" CACHE STRING "units of the organizations that it compares; empty: any")
+set(HWFFD_FORMAT "" CACHE STRING "format of the organizations that it compares; empty: all")
+set(HWFFD_SELECTION "")
+foreach(column ORG N FORMAT)
+  string(TOLOWER ${column} option)
+  if(HWFFD_${column})
+    list(APPEND HWFFD_SELECTION --${option} ${HWFFD_${column}})
+  endif()
+endforeach()
 set(HWFFD_GENERATED_DIR ${CMAKE_BINARY_DIR}/generated)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
@@ -28,7 +40,8 @@ hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
 hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
 hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})
 hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/evaluator_core_factory.cpp --tier ${HWFFD_TIER})
-hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER})
+hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/selected_core_factory.cpp ${HWFFD_SELECTION})
+hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER} ${HWFFD_SELECTION})
 include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 
 file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/]")

@@ -19,12 +19,15 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 target_compile_options(verilated_runtime PRIVATE -w -O2)
 
+set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/tb/rtl/ffd_bench.vlt)
 option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 
 # hwffd_verilate(<target> [NETLIST] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
 # where HWFFD_TRACE is on, which its users see as a definition of that name.
+#
+# Warnings are errors; what else Verilator says is in verilator.log, and shown where it fails.
 #
 # NETLIST says that the sources are gates: not linted, since yosys writes what it likes; modules kept
 # apart, since inlining a multiplier of gates a dozen times doubles the code; and compiled for a short
@@ -41,7 +44,12 @@ function(hwffd_verilate target)
     list(APPEND flags -Wno-lint -Wno-fatal -fno-inline --output-split 20000)
     set(optimize OPT_FAST=-O0 OPT_SLOW=-O0)
   else()
-    list(APPEND flags -Wall)
+    list(APPEND flags -Wall ${HWFFD_BENCH_CONTROL})
+  endif()
+  # From 16 float units on, Verilator's optimization of gates makes a build four times as long and
+  # the simulation no faster.
+  if(ARG_PARAMETERS MATCHES "N=(16|32|64);FORMAT=0;")
+    list(APPEND flags -fno-gate)
   endif()
   foreach(parameter IN LISTS ARG_PARAMETERS)
     list(APPEND flags -G${parameter})
@@ -53,10 +61,12 @@ function(hwffd_verilate target)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${dir}/${class}__ALL.a ${dir}/${class}.h
-    COMMAND ${VERILATOR} ${flags} ${ARG_SOURCES}
+    COMMAND sh -c "\"$@\" 2>verilator.log || { cat verilator.log >&2; exit 1; }" -
+            ${VERILATOR} ${flags} ${ARG_SOURCES}
     COMMAND ${CMAKE_COMMAND} -E env MAKEFLAGS= make --silent -C ${dir} -f ${class}.mk
             ${optimize} ${class}__ALL.a > ${dir}/make.log
-    DEPENDS ${ARG_SOURCES} ${headers}
+    WORKING_DIRECTORY ${dir}
+    DEPENDS ${ARG_SOURCES} ${headers} ${HWFFD_BENCH_CONTROL}
     COMMENT "Verilating ${target}"
     VERBATIM)
   add_custom_target(${target}_verilate DEPENDS ${dir}/${class}__ALL.a)

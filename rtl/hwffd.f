@@ -11,6 +11,7 @@ evaluator/ffd_org_select.v
 evaluator/ffd_org_cg.v
 evaluator/ffd_org_tree.v
 evaluator/ffd_eval_sequencer.v
+evaluator/ffd_eval_generator.v
 evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v

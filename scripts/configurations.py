@@ -159,14 +159,31 @@ def of_tier(configurations, tier):
     return [configuration for configuration in configurations if configuration.tier in built]
 
 
-def cmake_text(configurations):
+def select(configurations, org="", n="", fmt=""):
+    """Those of an organization, N and format, each perhaps empty: any. Raises TableError."""
+    for column, wanted in (("org", org), ("n", n), ("format", fmt)):
+        if not wanted:
+            continue
+        known = list(dict.fromkeys(str(getattr(c, column)) for c in configurations))
+        configurations = [c for c in configurations if str(getattr(c, column)) == wanted]
+        if not configurations:
+            raise TableError(f"{column.upper()}={wanted}: unknown here: one of {', '.join(known)}")
+    return configurations
+
+
+def cmake_text(configurations, tier, selected):
+    """All rows; the lists name those of a tier and those selected."""
+    tiered = of_tier(configurations, tier)
+    lists = {
+        "CONFIGURATION": configurations,
+        "TIER": tiered,
+        "STREAM": [c for c in tiered if c.stream],
+        "SELECTED": selected,
+    }
     lines = [f"# {GENERATED}"]
-    names = " ".join(c.name for c in configurations)
-    identifiers = " ".join(c.identifier for c in configurations)
-    lines.append(f"set(HWFFD_CONFIGURATION_NAMES {names})")
-    lines.append(f"set(HWFFD_CONFIGURATION_IDENTIFIERS {identifiers})")
-    streams = " ".join(c.identifier for c in configurations if c.stream)
-    lines.append(f"set(HWFFD_STREAM_IDENTIFIERS {streams})")
+    for name, rows in lists.items():
+        identifiers = " ".join(c.identifier for c in rows)
+        lines.append(f"set(HWFFD_{name}_IDENTIFIERS {identifiers})")
     for c in configurations:
         lines.append(f"set(HWFFD_CONFIGURATION_NAME_{c.identifier} {c.name})")
         lines.append(
@@ -284,6 +301,16 @@ def factory_text(configurations, core, suffix=""):
         core=core, Core=core.capitalize(), **_CORES[core])
 
 
+def add_selection(parser):
+    """The options that `selected` reads."""
+    for column in ("org", "n", "format"):
+        parser.add_argument(f"--{column}", default="", help="these rows only")
+
+
+def selected(configurations, options):
+    return select(configurations, options.org, options.n, options.format)
+
+
 def write_if_changed(path, text):
     """Leaves the file alone, time stamp and all, when it has this text already."""
     path = pathlib.Path(path)
@@ -314,19 +341,22 @@ def main(arguments=None):
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, cmake, factory, evaluators):
         command.add_argument("--tier", choices=TIERS, default="all")
+    for command in (listing, cmake, evaluators):
+        add_selection(command)
     options = parser.parse_args(arguments)
 
     try:
         rows = read(options.table)
         if options.command == "list":
-            for configuration in of_tier(rows, options.tier):
+            for configuration in of_tier(selected(rows, options), options.tier):
                 print(configuration.name)
         elif options.command == "parameters":
             prefix = "-G" if options.verilator else ""
             assignments = find(rows, options.name).assignments()
             print(" ".join(prefix + word for word in assignments))
         elif options.command == "cmake":
-            write_if_changed(options.out, cmake_text(of_tier(rows, options.tier)))
+            text = cmake_text(rows, options.tier, selected(rows, options))
+            write_if_changed(options.out, text)
         elif options.command == "cpp":
             write_if_changed(options.out, table_text(rows))
         elif options.command == "models":
@@ -334,7 +364,8 @@ def main(arguments=None):
         elif options.command == "select":
             write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
         elif options.command == "evaluators":
-            text = factory_text(of_tier(rows, options.tier), "evaluator", "_evaluator")
+            built = of_tier(selected(rows, options), options.tier)
+            text = factory_text(built, "evaluator", "_evaluator")
             write_if_changed(options.out, text)
         else:
             named = [find(rows, name) for name in options.rows or ()]

@@ -6,8 +6,12 @@
 #include <set>
 
 #include "report.hpp"
+#include "svg.hpp"
 
 namespace hwffd::words {
+
+using svg::line, svg::picture, svg::polyline, svg::text, svg::turned_text;
+
 namespace {
 
 constexpr double kWidth = 880;
@@ -28,37 +32,26 @@ double y_of(double error) {
   return kTop + (kTopDecade - std::log10(error)) / (kTopDecade - kBottomDecade) * (kBottom - kTop);
 }
 
-std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1,
-                     x2, y2, style);
-}
-
-std::string text(double x, double y, const std::string& words, const std::string& style = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style, words);
-}
-
 std::string axes() {
   const std::string grid = "stroke=\"#dddddd\"";
-  std::string svg;
+  std::string drawing;
   for (int decade = kBottomDecade; decade <= kTopDecade; ++decade) {
     const double y = y_of(std::pow(10, decade));
-    svg += line(kLeft, y, kRight, y, grid);
-    svg += text(kLeft - 8, y + 4, fmt::format("1e{}", decade), "text-anchor=\"end\"");
+    drawing += line(kLeft, y, kRight, y, grid);
+    drawing += text(kLeft - 8, y + 4, fmt::format("1e{}", decade), "text-anchor=\"end\"");
   }
   for (int width = kFirstWidth; width <= kLastWidth; width += 2) {
-    svg += line(x_of(width), kTop, x_of(width), kBottom, grid);
-    svg += text(x_of(width), kBottom + 18, std::to_string(width), "text-anchor=\"middle\"");
+    drawing += line(x_of(width), kTop, x_of(width), kBottom, grid);
+    drawing += text(x_of(width), kBottom + 18, std::to_string(width), "text-anchor=\"middle\"");
   }
-  svg += line(kLeft, kTop, kLeft, kBottom, "stroke=\"black\"");
-  svg += line(kLeft, kBottom, kRight, kBottom, "stroke=\"black\"");
-  svg += text((kLeft + kRight) / 2, kBottom + 42, "word length, bits (fixed point)",
-              "text-anchor=\"middle\"");
-  const double middle = (kTop + kBottom) / 2;
-  svg += text(24, middle, "error of a component, points in [-1, 1)",
-              fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 24 {:.1f})\"", middle));
-  svg += text(kLeft, kTop - 20, "Error against double precision, uniform cubic B-spline",
-              "font-size=\"15\"");
-  return svg;
+  drawing += line(kLeft, kTop, kLeft, kBottom, "stroke=\"black\"");
+  drawing += line(kLeft, kBottom, kRight, kBottom, "stroke=\"black\"");
+  drawing += text((kLeft + kRight) / 2, kBottom + 42, "word length, bits (fixed point)",
+                  "text-anchor=\"middle\"");
+  drawing += turned_text(24, (kTop + kBottom) / 2, "error of a component, points in [-1, 1)");
+  drawing += text(kLeft, kTop - 20, "Error against double precision, uniform cubic B-spline",
+                  "font-size=\"15\"");
+  return drawing;
 }
 
 /// A curve over the word lengths of one form, called by its name at its end.
@@ -71,9 +64,7 @@ std::string curve(const std::vector<Result>& results, const std::string& form,
     end = y_of(r.*error);
     points += fmt::format("{:.1f},{:.1f} ", x_of(r.word_length), end);
   }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke-width=\"2\" {}/>\n", points,
-                     style) +
-         text(kRight + 8, end + 4, name);
+  return polyline(points, "stroke-width=\"2\" " + style) + text(kRight + 8, end + 4, name);
 }
 
 std::string level(double error, const std::string& name, const std::string& colour, double rise) {
@@ -87,31 +78,26 @@ std::string level(double error, const std::string& name, const std::string& colo
 
 std::string plot(const std::vector<Result>& results) {
   static const std::vector<std::string> kColours = {"#0060a8", "#c04000", "#2a8000", "#7a30a0"};
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-      "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      kWidth, kHeight);
-  svg += axes();
-  svg += level(kHalfPixel, fmt::format("half a pixel of {}", kPictureWidth), "#666666", 4);
+  std::string drawing = axes();
+  drawing += level(kHalfPixel, fmt::format("half a pixel of {}", kPictureWidth), "#666666", 4);
   std::set<std::string> forms;
   for (const Result& r : results) forms.insert(r.form);
   for (const Result& r : results) {
     if (r.format == "fp32-sequential") {
-      svg += level(r.max_error, r.form + ", binary32, max", "#222222", 0);
+      drawing += level(r.max_error, r.form + ", binary32, max", "#222222", 0);
     } else if (r.format == "fp32-tree") {
-      svg += level(r.max_error, r.form + ", binary32 tree, max", "#222222", 8);
+      drawing += level(r.max_error, r.form + ", binary32 tree, max", "#222222", 8);
     }
   }
   std::size_t next = 0;
   for (const std::string& form : forms) {
     const std::string stroke = fmt::format("stroke=\"{}\"", kColours[next++ % kColours.size()]);
-    svg += curve(results, form, &Result::bound, form + ", bound", stroke + " opacity=\"0.45\"");
-    svg += curve(results, form, &Result::max_error, form + ", max", stroke);
-    svg += curve(results, form, &Result::rms_error, form + ", rms",
-                 stroke + " stroke-dasharray=\"2 3\"");
+    drawing += curve(results, form, &Result::bound, form + ", bound", stroke + " opacity=\"0.45\"");
+    drawing += curve(results, form, &Result::max_error, form + ", max", stroke);
+    drawing += curve(results, form, &Result::rms_error, form + ", rms",
+                     stroke + " stroke-dasharray=\"2 3\"");
   }
-  return svg + "</svg>\n";
+  return picture(kWidth, kHeight, drawing);
 }
 
 }  // namespace hwffd::words

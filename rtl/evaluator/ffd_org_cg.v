@@ -57,6 +57,7 @@ module ffd_org_cg #(
   localparam TREE_LATENCY = `FFD_TREE_LATENCY(1, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam ACCUMULATE   = `FFD_ACCUMULATE_LATENCY(1, ADD_LATENCY, FMA_LATENCY);
   localparam GENERATOR    = 1;
+  localparam AHEAD        = 2;  // the queue and the sequencer
   localparam PAPER        = SCHEDULE == `FFD_SCHEDULE_PAPER;
   localparam POLYNOMIALS  = 12 / SIZE;
   localparam FILL         = PAPER ? POLY_LATENCY : `FFD_POLY_INTERVAL(EVALUATOR);
@@ -137,34 +138,59 @@ module ffd_org_cg #(
     .payload_o     ({fill_coordinates, fill_cell, fill_source, fill_bank, fill_set})
   );
 
-  // The weights of one step, where they belong: {axis, function} of each evaluator.
+  // The weights of one step, where they belong: {axis, function} of each evaluator. A vertex is
+  // announced two clocks ahead of its last weights, so that its first combination is read in the
+  // very clock in which they come.
+  wire                     ahead_valid;
+  wire                     ahead_last;
+  wire [SET_W-1:0]         ahead_set;
+  wire [11:0]              ahead_cell;
+  wire [SOURCE_W-1:0]      ahead_source;
   wire                     weight_valid;
-  wire                     weight_last;
   wire [SET_W-1:0]         weight_set;
-  wire [11:0]              weight_cell;
-  wire [SOURCE_W-1:0]      weight_source;
   wire [SIZE*WEIGHT_W-1:0] weights;
   wire [SIZE*4-1:0]        weight_places;
 
   ffd_num_delay #(
     .WIDTH  (2),
-    .LATENCY(POLY_LATENCY),
+    .LATENCY(POLY_LATENCY - AHEAD),
     .RESET  (1)
-  ) u_weight_valid (
+  ) u_ahead_valid (
     .clk(clk),
     .rst(rst),
     .d_i({fill_valid, fill_valid && fill_last}),
-    .q_o({weight_valid, weight_last})
+    .q_o({ahead_valid, ahead_last})
   );
 
   ffd_num_delay #(
     .WIDTH  (SET_W + 12 + SOURCE_W),
-    .LATENCY(POLY_LATENCY)
-  ) u_weight (
+    .LATENCY(POLY_LATENCY - AHEAD)
+  ) u_ahead (
     .clk(clk),
     .rst(rst),
     .d_i({fill_set, fill_cell, fill_source}),
-    .q_o({weight_set, weight_cell, weight_source})
+    .q_o({ahead_set, ahead_cell, ahead_source})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(AHEAD),
+    .RESET  (1)
+  ) u_weight_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i(ahead_valid),
+    .q_o(weight_valid)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (SET_W),
+    .LATENCY(AHEAD)
+  ) u_weight_set (
+    .clk(clk),
+    .rst(rst),
+    .d_i(ahead_set),
+    .q_o(weight_set)
   );
 
   genvar e;
@@ -235,9 +261,9 @@ module ffd_org_cg #(
   ) u_filled (
     .clk         (clk),
     .rst         (rst),
-    .s_word_valid(weight_last),
+    .s_word_valid(ahead_last),
     .s_word_ready(filled_room),
-    .s_word_data ({weight_set, weight_cell, weight_source}),
+    .s_word_data ({ahead_set, ahead_cell, ahead_source}),
     .m_word_valid(filled_valid),
     .m_word_ready(filled_ready),
     .m_word_data ({filled_set, filled_cell, filled_source})
@@ -274,52 +300,23 @@ module ffd_org_cg #(
 
   assign set_done = step_valid && step_last;
 
-  // The generator's banks, one an axis: at most one evaluator fills an axis at a time.
   wire [3*WEIGHT_W-1:0] combination;
 
-  genvar a;
-  generate
-    for (a = 0; a < 3; a = a + 1) begin : gen_bank
-      localparam [1:0] AXIS = a;
-      wire [SIZE-1:0]          here;
-      wire [1:0]               blending = step[4-2*a +: 2] - step_cell[4*a +: 2];
-      wire [SIZE*WEIGHT_W-1:0] masked_weights;
-      wire [SIZE*2-1:0]        masked_functions;
-      reg  [WEIGHT_W-1:0]      weight;
-      reg  [1:0]               function_index;
-      integer                  i;
-
-      for (e = 0; e < SIZE; e = e + 1) begin : gen_masked
-        assign here[e] = weight_valid && weight_places[4*e+2 +: 2] == AXIS;
-        assign masked_weights[e*WEIGHT_W +: WEIGHT_W] =
-            weights[e*WEIGHT_W +: WEIGHT_W] & {WEIGHT_W{here[e]}};
-        assign masked_functions[e*2 +: 2] = weight_places[4*e +: 2] & {2{here[e]}};
-      end
-
-      always @* begin
-        weight         = {WEIGHT_W{1'b0}};
-        function_index = 2'd0;
-        for (i = 0; i < SIZE; i = i + 1) begin
-          weight         = weight | masked_weights[i*WEIGHT_W +: WEIGHT_W];
-          function_index = function_index | masked_functions[i*2 +: 2];
-        end
-      end
-
-      ffd_mem_sdp #(
-        .WIDTH       (WEIGHT_W),
-        .DEPTH       (SETS * 4),
-        .READ_LATENCY(GENERATOR),
-        .ADDRESS_W   (SET_W + 2)
-      ) u_bank (
-        .clk            (clk),
-        .write_i        (|here),
-        .write_address_i({weight_set, function_index}),
-        .write_data_i   (weight),
-        .read_address_i ({step_set, blending}),
-        .read_data_o    (combination[a*WEIGHT_W +: WEIGHT_W])
-      );
-    end
-  endgenerate
+  ffd_eval_generator #(
+    .WEIGHT_W(WEIGHT_W),
+    .SIZE    (SIZE),
+    .SETS    (SETS)
+  ) u_generator (
+    .clk            (clk),
+    .weight_valid_i (weight_valid),
+    .weight_set_i   (weight_set),
+    .weight_places_i(weight_places),
+    .weights_i      (weights),
+    .step_set_i     (step_set),
+    .step_cell_i    (step_cell),
+    .step_i         (step),
+    .combination_o  (combination)
+  );
 
   wire                combined_valid;
   wire                combined_first;

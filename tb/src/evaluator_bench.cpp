@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <stdexcept>
 
 namespace hwffd::tb {
@@ -9,14 +10,13 @@ namespace {
 
 constexpr std::uint64_t kStallLimit = 20'000;  // clocks without a result
 
-EvaluatorCore::Vertex pins_of(const model::VertexWords& vertex, std::size_t index,
-                              std::size_t supports) {
+EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) {
   EvaluatorCore::Vertex pins;
   pins.words = vertex.local;
   for (int axis = 0; axis < 3; ++axis) {
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }
-  pins.support = static_cast<std::uint8_t>(index % supports);
+  pins.support = vertex.support;
   pins.tag = static_cast<std::uint16_t>(index);
   return pins;
 }
@@ -39,21 +39,28 @@ EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model
   }
 }
 
-void EvaluatorBench::write_supports(const std::vector<model::VertexWords>& vertices,
-                                    std::size_t supports) {
-  if (supports == 0 || supports > 256) {
+void EvaluatorBench::run(const EvaluatorStimulus& stimulus, Throttle source, Throttle sink,
+                         ScheduleRecorder* recorder) {
+  write_supports(stimulus.supports);
+  const auto start = std::chrono::steady_clock::now();
+  simulate(stimulus.vertices, source, sink, recorder);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  compare(stimulus);
+}
+
+void EvaluatorBench::write_supports(const std::vector<SupportWords>& supports) {
+  if (supports.empty() || supports.size() > 256) {
     throw std::invalid_argument("an evaluator bench has 1 to 256 supports");
   }
-  for (std::size_t s = 0; s < supports && s < vertices.size(); ++s) {
+  for (std::size_t s = 0; s < supports.size(); ++s) {
     for (int p = 0; p < 64; ++p) {
-      core_.write(static_cast<std::uint8_t>(s), p, &vertices[s].points[3 * p]);
+      core_.write(static_cast<std::uint8_t>(s), p, &supports[s][3 * p]);
     }
   }
 }
 
-void EvaluatorBench::run(const std::vector<model::VertexWords>& vertices, std::size_t supports,
-                         Throttle source, Throttle sink) {
-  write_supports(vertices, supports);
+void EvaluatorBench::simulate(const std::vector<EvaluatorVertex>& vertices, Throttle& source,
+                              Throttle& sink, ScheduleRecorder* recorder) {
   std::size_t sent = 0;
   std::size_t received = 0;
   std::uint64_t last_result = clock_;
@@ -61,18 +68,18 @@ void EvaluatorBench::run(const std::vector<model::VertexWords>& vertices, std::s
   while (received < vertices.size()) {
     offered = sent < vertices.size() && (offered || source.willing());
     const bool ready = sink.willing();
-    core_.drive_vertex(offered,
-                       offered ? pins_of(vertices[sent], sent, supports) : EvaluatorCore::Vertex{});
+    core_.drive_vertex(offered, offered ? pins_of(vertices[sent], sent) : EvaluatorCore::Vertex{});
     core_.drive_result_ready(ready);
     core_.settle();
+    if (recorder != nullptr) recorder->sample(clock_);
     if (offered && core_.vertex_ready()) {
       starts_.push_back(clock_);
       ++sent;
       offered = false;
     }
     if (ready && core_.result_valid()) {
-      results_.push_back(clock_);
-      compare(core_.result(), vertices[received], static_cast<std::uint16_t>(received));
+      result_clocks_.push_back(clock_);
+      results_.push_back(core_.result());
       ++received;
       last_result = clock_;
     }
@@ -84,20 +91,25 @@ void EvaluatorBench::run(const std::vector<model::VertexWords>& vertices, std::s
   core_.drive_vertex(false, {});
 }
 
-void EvaluatorBench::compare(const EvaluatorCore::Result& got, const model::VertexWords& vertex,
-                             std::uint16_t tag) {
-  const model::ResultWords expected = model_.evaluate(0, vertex);
-  words_.push_back(got);
-  ++checked_;
-  if (got.words == expected.words && got.saturated == expected.saturated &&
-      got.nan == expected.nan && got.tag == tag) {
-    return;
+void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
+  const std::size_t first = results_.size() - stimulus.vertices.size();
+  for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
+    const EvaluatorVertex& vertex = stimulus.vertices[v];
+    const EvaluatorCore::Result& got = results_[first + v];
+    const model::ResultWords expected =
+        model_.evaluate(0, {vertex.local, vertex.cell, stimulus.supports[vertex.support]});
+    const auto tag = static_cast<std::uint16_t>(v);
+    ++checked_;
+    if (got.words == expected.words && got.saturated == expected.saturated &&
+        got.nan == expected.nan && got.tag == tag) {
+      continue;
+    }
+    if (++mismatches_ > 1) continue;
+    first_mismatch_ = fmt::format(
+        "vertex {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}", v,
+        got.words[0], got.words[1], got.words[2], got.tag, expected.words[0], expected.words[1],
+        expected.words[2], tag);
   }
-  if (++mismatches_ > 1) return;
-  first_mismatch_ = fmt::format(
-      "vertex {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}",
-      checked_ - 1, got.words[0], got.words[1], got.words[2], got.tag, expected.words[0],
-      expected.words[1], expected.words[2], tag);
 }
 
 double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first) {

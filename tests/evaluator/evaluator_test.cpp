@@ -19,8 +19,6 @@ inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.n
 namespace test {
 namespace {
 
-constexpr std::size_t kSupports = 240;
-
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
   std::vector<Configuration> built;
@@ -29,26 +27,6 @@ std::vector<Configuration> built_rows(const std::string& schedule = "") {
     if (tb::has_evaluator_core(row)) built.push_back(row);
   }
   return built;
-}
-
-/// Uniform coordinates, now and then 0 or 1; supports repeat after kSupports vertices.
-std::vector<model::VertexWords> random_vertices(const WordCodec& codec, std::size_t count,
-                                                std::uint64_t seed) {
-  tb::Random random(seed);
-  std::vector<model::VertexWords> vertices(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    model::VertexWords& vertex = vertices[v];
-    for (std::uint32_t& word : vertex.local) {
-      word = codec.coordinate(random.chance(0.1) ? random.pick({0.0, 1.0}) : random.unit());
-    }
-    for (int& cell : vertex.cell) cell = static_cast<int>(random.below(16));
-    if (v >= kSupports) {
-      vertex.points = vertices[v - kSupports].points;
-    } else {
-      for (std::uint32_t& word : vertex.points) word = codec.point(2 * random.unit() - 1);
-    }
-  }
-  return vertices;
 }
 
 class Evaluator : public ::testing::TestWithParam<Configuration> {
@@ -73,33 +51,31 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 class PaperSchedule : public Evaluator {};
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
-  const auto vertices = random_vertices(codec_, 200, tb::seed_from_environment(1));
-  bench_.run(vertices, kSupports, tb::make_throttle("bernoulli", 1),
-             tb::make_throttle("bursts", 2));
-  bench_.run(vertices, kSupports, tb::make_throttle("long_stall", 3),
-             tb::make_throttle("sparse", 4));
-  expect_no_mismatch(2 * vertices.size());
+  const auto stimulus = tb::random_stimulus(codec_, 200, tb::seed_from_environment(1));
+  bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
+  bench_.run(stimulus, tb::make_throttle("long_stall", 3), tb::make_throttle("sparse", 4));
+  expect_no_mismatch(2 * stimulus.vertices.size());
 }
 
 // A barrel of contexts spreads its starts within its round, so the interval is counted over a
 // multiple of every number of contexts in the table.
 TEST_P(Evaluator, IntervalEqualsTheFormula) {
   const std::size_t intervals = 120;
-  const auto vertices = random_vertices(codec_, 41 + intervals, 7);
-  bench_.run(vertices, kSupports);
-  expect_no_mismatch(vertices.size());
+  const auto stimulus = tb::random_stimulus(codec_, 41 + intervals, 7);
+  bench_.run(stimulus);
+  expect_no_mismatch(stimulus.vertices.size());
   EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40), expected_interval(GetParam()));
 }
 
 // At the paper's schedule no vertex starts before the one before it has ended: the result of one
 // comes no later than its successor starts, but for the registers that carry it (at most 8).
 TEST_P(PaperSchedule, DoesNotOverlap) {
-  const auto vertices = random_vertices(codec_, 20, 9);
-  bench_.run(vertices, kSupports);
-  expect_no_mismatch(vertices.size());
+  const auto stimulus = tb::random_stimulus(codec_, 20, 9);
+  bench_.run(stimulus);
+  expect_no_mismatch(stimulus.vertices.size());
   const auto& starts = bench_.start_clocks();
   const auto& results = bench_.result_clocks();
-  for (std::size_t v = 0; v + 1 < vertices.size(); ++v) {
+  for (std::size_t v = 0; v + 1 < stimulus.vertices.size(); ++v) {
     EXPECT_GE(results[v], starts[v + 1]) << "vertex " << v;
     EXPECT_LE(results[v], starts[v + 1] + 8) << "vertex " << v;
   }

@@ -128,10 +128,17 @@ class Accepted(Folder):
         out = self.folder / "out.cmake"
         self.run_script("cmake", str(out), "--tier", "test", text=self.ROWS)
         text = out.read_text()
-        self.assertIn("set(HWFFD_CONFIGURATION_NAMES small good-row)\n", text)
-        self.assertIn("set(HWFFD_CONFIGURATION_IDENTIFIERS small good_row)\n", text)
+        self.assertIn("set(HWFFD_CONFIGURATION_IDENTIFIERS small good_row large)\n", text)
+        self.assertIn("set(HWFFD_TIER_IDENTIFIERS small good_row)\n", text)
+        self.assertIn("set(HWFFD_SELECTED_IDENTIFIERS small good_row large)\n", text)
         self.assertIn("set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=0 N=4 FORMAT=18 ", text)
-        self.assertNotIn("large", text)
+
+    def test_selection(self):
+        wanted = self.run_script("list", "--n", "4", "--format", "fx18", text=self.ROWS)
+        self.assertEqual(wanted.stdout, "good-row\n")
+        refused = self.run_script("list", "--n", "3")
+        self.assertEqual(refused.returncode, 1)
+        self.assertRegex(refused.stderr, r"^configurations.py: N=3: unknown here: one of [0-9, ]+\n$")
 
     def test_cpp_has_all_rows_and_the_factory_those_of_its_tier(self):
         table, factory = self.folder / "table.cpp", self.folder / "factory.cpp"

@@ -7,6 +7,8 @@
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/stream/packets.hpp"
 #include "hwffd/tb/evaluator_core.hpp"
+#include "hwffd/tb/evaluator_stimulus.hpp"
+#include "hwffd/tb/schedule_recorder.hpp"
 #include "hwffd/tb/throttle.hpp"
 
 namespace hwffd::tb {
@@ -19,35 +21,37 @@ class EvaluatorBench {
   /// must outlive the bench.
   EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const AxisWords& blending);
 
-  /// Runs vertices whose supports are `supports[index of vertex % supports]`; at most 256 of them.
+  /// Writes the supports and runs the vertices; `recorder`, if there is one, looks on.
   /// Throws std::runtime_error when nothing comes for 20,000 clocks.
-  void run(const std::vector<model::VertexWords>& vertices, std::size_t supports,
-           Throttle source = Throttle::always(), Throttle sink = Throttle::always());
+  void run(const EvaluatorStimulus& stimulus, Throttle source = Throttle::always(),
+           Throttle sink = Throttle::always(), ScheduleRecorder* recorder = nullptr);
 
   std::uint64_t checked() const { return checked_; }
   std::uint64_t mismatches() const { return mismatches_; }
   const std::string& first_mismatch() const { return first_mismatch_; }
+  /// Of the runs so far, in order.
   const std::vector<std::uint64_t>& start_clocks() const { return starts_; }
-  const std::vector<std::uint64_t>& result_clocks() const { return results_; }
-  /// What came out, in order.
-  const std::vector<EvaluatorCore::Result>& results() const { return words_; }
-  /// Clocks of the runs so far.
-  std::uint64_t clocks() const { return clock_; }
+  const std::vector<std::uint64_t>& result_clocks() const { return result_clocks_; }
+  const std::vector<EvaluatorCore::Result>& results() const { return results_; }
+  /// Time in the simulated core, supports and comparison left out.
+  double simulation_seconds() const { return seconds_; }
 
  private:
-  void write_supports(const std::vector<model::VertexWords>& vertices, std::size_t supports);
-  void compare(const EvaluatorCore::Result& got, const model::VertexWords& vertex,
-               std::uint16_t tag);
+  void write_supports(const std::vector<SupportWords>& supports);
+  void simulate(const std::vector<EvaluatorVertex>& vertices, Throttle& source, Throttle& sink,
+                ScheduleRecorder* recorder);
+  void compare(const EvaluatorStimulus& stimulus);
 
   EvaluatorCore& core_;
   model::EvaluatorModel& model_;
   std::uint64_t clock_ = 0;
   std::uint64_t checked_ = 0;
   std::uint64_t mismatches_ = 0;
+  double seconds_ = 0;
   std::string first_mismatch_;
   std::vector<std::uint64_t> starts_;
-  std::vector<std::uint64_t> results_;
-  std::vector<EvaluatorCore::Result> words_;
+  std::vector<std::uint64_t> result_clocks_;
+  std::vector<EvaluatorCore::Result> results_;
 };
 
 /// Clocks between events `first` and the last one, divided by their distance.

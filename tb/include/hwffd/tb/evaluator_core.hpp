@@ -2,8 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace hwffd::tb {
+
+/// A signal inside a core, of at most 8 bits, as tb/rtl/ffd_bench.vlt makes it visible.
+struct Probe {
+  std::string instance;  ///< hierarchical name
+  std::string signal;
+  const std::uint8_t* value;  ///< valid as long as the core
+};
 
 /// The pins of a Verilated `ffd_bench_evaluator`: an evaluator, whatever its configuration, that
 /// reads its control points from a memory of 256 supports.
@@ -42,6 +51,9 @@ class EvaluatorCore {
   virtual bool vertex_ready() const = 0;
   virtual bool result_valid() const = 0;
   virtual Result result() const = 0;
+
+  /// By instance, then by signal.
+  virtual std::vector<Probe> probes() const = 0;
 };
 
 }  // namespace hwffd::tb

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <verilated.h>
+#include <verilated_syms.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "hwffd/tb/evaluator_core.hpp"
 
@@ -80,6 +83,18 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     result.nan = (dut_->m_result_flags & 2) != 0;
     result.tag = dut_->m_result_tag;
     return result;
+  }
+
+  std::vector<Probe> probes() const override {
+    std::vector<Probe> probes;
+    for (const auto& [name, scope] : *context_->scopeNameMap()) {
+      if (scope->varsp() == nullptr) continue;
+      for (const auto& [signal, variable] : *scope->varsp()) {
+        if (variable.vltype() != VLVT_UINT8) continue;
+        probes.push_back({name, signal, static_cast<const std::uint8_t*>(variable.datap())});
+      }
+    }
+    return probes;
   }
 
  private:

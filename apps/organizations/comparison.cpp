@@ -1,0 +1,114 @@
+#include "comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "hwffd/error.hpp"
+#include "hwffd/model/schedule.hpp"
+
+namespace hwffd::organizations {
+namespace {
+
+bool is_same(const Configuration& a, const Configuration& b) {
+  return std::string(a.org) == b.org && a.n == b.n && std::string(a.format) == b.format &&
+         (a.fma_latency > 0) == (b.fma_latency > 0);
+}
+
+/// Rough: what a vertex costs the simulator.
+double cost(const Configuration& row) {
+  const double units = row.n + 3;
+  return units * expected_interval(row) * (std::string(row.format) == "fp32" ? 5 : 1);
+}
+
+/// Calls `work` with 0 to count - 1 on as many threads as there are cores. Throws what the first
+/// call threw.
+void on_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr thrown;
+  std::mutex mutex;
+  const auto loop = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!thrown) thrown = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> threads(std::max(1U, std::thread::hardware_concurrency()));
+  for (std::thread& thread : threads) thread = std::thread(loop);
+  for (std::thread& thread : threads) thread.join();
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace
+
+Comparison::Comparison(std::vector<Row> rows) : rows_(std::move(rows)) {}
+
+const Row* Comparison::partner(const Row& row, const std::string& schedule) const {
+  for (const Row& other : rows_) {
+    if (other.configuration->schedule == schedule &&
+        is_same(*row.configuration, *other.configuration)) {
+      return &other;
+    }
+  }
+  return nullptr;
+}
+
+double Comparison::formula(const Row& row) const { return hwffd::paper_clocks(*row.configuration); }
+
+std::optional<VertexClocks> Comparison::paper_clocks(const Row& row) const {
+  const Row* paper = partner(row, "paper");
+  if (paper == nullptr) return std::nullopt;
+  return paper->measured.vertex;
+}
+
+std::optional<bool> Comparison::equal(const Row& row) const {
+  const Row* paper = partner(row, "paper");
+  if (paper == nullptr) return std::nullopt;
+  const double clocks = static_cast<double>(paper->measured.vertex.clocks);
+  return clocks == formula(row) && paper->measured.interval == clocks;
+}
+
+std::optional<double> Comparison::overlapped_interval(const Row& row) const {
+  const bool own = std::string(row.configuration->schedule) == "overlapped";
+  const Row* overlapped = own ? &row : partner(row, "overlapped");
+  if (overlapped == nullptr) return std::nullopt;
+  return overlapped->measured.interval;
+}
+
+Comparison compare(const std::vector<const Configuration*>& rows,
+                   const std::map<std::string, OperatorCount>& operators, const Effort& effort,
+                   const Progress& progress) {
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost(*rows[a]) > cost(*rows[b]); });
+  std::vector<std::optional<Row>> measured(rows.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  on_threads(rows.size(), [&](std::size_t i) {
+    const Configuration& row = *rows[order[i]];
+    const auto count = operators.find(row.name);
+    if (count == operators.end()) {
+      throw Error(
+          fmt::format("{}: its operators are not counted: run scripts/operators.py", row.name));
+    }
+    measured[order[i]] = Row{&row, measure(row, effort), count->second};
+    const std::lock_guard<std::mutex> lock(mutex);
+    progress(++done, rows.size(), row.name);
+  });
+  std::vector<Row> all;
+  for (std::optional<Row>& row : measured) all.push_back(std::move(*row));
+  return Comparison(std::move(all));
+}
+
+}  // namespace hwffd::organizations

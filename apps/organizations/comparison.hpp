@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+#include "operators.hpp"
+
+namespace hwffd::organizations {
+
+/// One row of the table of configurations, measured.
+struct Row {
+  const Configuration* configuration;
+  Measurement measured;
+  OperatorCount count;
+};
+
+/// The rows of this build, measured, and which of them are one organization at two schedules.
+class Comparison {
+ public:
+  explicit Comparison(std::vector<Row> rows);
+
+  const std::vector<Row>& rows() const { return rows_; }
+  /// The row of the same organization, N, format and fusing at a schedule; the first, if there are
+  /// several; null if there is none.
+  const Row* partner(const Row& row, const std::string& schedule) const;
+
+  /// The formula's clocks at the paper's schedule.
+  double formula(const Row& row) const;
+  /// Those counted, of the partner at the paper's schedule; nothing if there is none.
+  std::optional<VertexClocks> paper_clocks(const Row& row) const;
+  /// Whether both are equal, and vertices follow each other at that distance.
+  std::optional<bool> equal(const Row& row) const;
+  /// Clocks between vertices: of an overlapped row its own, else its partner's.
+  std::optional<double> overlapped_interval(const Row& row) const;
+
+ private:
+  std::vector<Row> rows_;
+};
+
+using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& row)>;
+
+/// Measures rows, several at a time; those with most units first.
+Comparison compare(const std::vector<const Configuration*>& rows,
+                   const std::map<std::string, OperatorCount>& operators, const Effort& effort,
+                   const Progress& progress);
+
+}  // namespace hwffd::organizations

@@ -1,0 +1,100 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "hwffd/oracle/oracle.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/evaluator_bench.hpp"
+#include "hwffd/tb/evaluator_core_factory.hpp"
+
+namespace hwffd::organizations {
+namespace {
+
+constexpr std::size_t kRecorded = 8;  // vertices whose schedule is kept
+constexpr std::size_t kWarmUp = 40;   // results before the interval is counted
+
+double largest_error(const tb::EvaluatorStimulus& stimulus,
+                     const std::vector<tb::EvaluatorCore::Result>& results,
+                     const WordCodec& codec) {
+  const Oracle oracle;
+  double largest = 0;
+  for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
+    const tb::EvaluatorVertex& vertex = stimulus.vertices[v];
+    Support support;
+    for (int i = 0; i < 192; ++i) {
+      support.data()[i] = codec.decode_point(stimulus.supports[vertex.support][i]);
+    }
+    std::array<double, 3> local{};
+    for (int a = 0; a < 3; ++a) local[a] = codec.decode_coordinate(vertex.local[a]);
+    const Point exact = oracle.evaluate(support, local[0], local[1], local[2]);
+    for (int c = 0; c < 3; ++c) {
+      largest = std::max(largest, std::abs(codec.decode_point(results[v].words[c]) - exact[c]));
+    }
+  }
+  return largest;
+}
+
+/// Components that differ from those of their group's first vertex. The results of the seams are
+/// the last ones.
+std::size_t seam_differences(const tb::SeamStimulus& seams,
+                             const std::vector<tb::EvaluatorCore::Result>& results) {
+  const std::size_t offset = results.size() - seams.vertices.size();
+  std::size_t differ = 0;
+  std::size_t first = 0;
+  for (std::size_t v = 0; v < seams.vertices.size(); ++v) {
+    if (seams.group[v] != seams.group[first]) first = v;
+    for (int c = 0; c < 3; ++c) {
+      differ += results[offset + v].words[c] != results[offset + first].words[c] ? 1 : 0;
+    }
+  }
+  return differ;
+}
+
+}  // namespace
+
+VertexClocks vertex_clocks(const tb::ScheduleRecorder& schedule, std::size_t index) {
+  const std::size_t vertices = schedule.results().size();
+  const auto& polynomials = schedule.polynomials().starts;
+  const std::size_t starts = polynomials.size() / vertices;
+  const std::size_t sums = schedule.sums().size() / vertices;
+  const std::uint64_t start = polynomials.at(starts * index);
+  const std::uint64_t next = polynomials.at(starts * (index + 1));
+  const std::uint64_t tree = schedule.sums().at(sums * (index + 1) - 1);
+  const std::uint64_t result = schedule.results().at(index);
+  const std::uint64_t end = next >= result ? result : tree;
+  return {end - start, result - end};
+}
+
+Measurement measure(const Configuration& row, const Effort& effort) {
+  const WordCodec codec(row.format);
+  const std::unique_ptr<tb::EvaluatorCore> core = tb::make_evaluator_core(row, effort.seed);
+  const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
+  tb::EvaluatorBench bench(*core, *model, encode(watertight_bspline(codec), codec));
+  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
+
+  bench.run(tb::random_stimulus(codec, kRecorded, effort.seed), tb::Throttle::always(),
+            tb::Throttle::always(), &measured.schedule);
+  if (std::string(row.schedule) == "paper") {
+    measured.vertex = vertex_clocks(measured.schedule, kRecorded / 2);
+  }
+
+  const auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1);
+  bench.run(random);
+  measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
+  measured.max_error =
+      largest_error(random, {bench.results().begin() + kRecorded, bench.results().end()}, codec);
+
+  const auto seams = tb::seam_stimulus(codec, effort.seam_values, effort.seed + 2);
+  bench.run(seams);
+  measured.seam_values = 3 * seams.vertices.size();
+  measured.seam_differences = seam_differences(seams, bench.results());
+
+  measured.checked = bench.checked();
+  measured.mismatches = bench.mismatches();
+  measured.first_mismatch = bench.first_mismatch();
+  measured.vertices_per_s = static_cast<double>(bench.checked()) / bench.simulation_seconds();
+  return measured;
+}
+
+}  // namespace hwffd::organizations

@@ -1,0 +1,135 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace hwffd::organizations {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Operators& operators) {
+  return {{"mul", operators.mul}, {"add", operators.add}, {"fma", operators.fma}};
+}
+
+template <class T>
+Json json_or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json json_of(const Comparison& comparison, const Row& row) {
+  const Configuration& c = *row.configuration;
+  const std::optional<VertexClocks> paper = comparison.paper_clocks(row);
+  return {{"name", c.name},
+          {"org", c.org},
+          {"n", c.n},
+          {"format", c.format},
+          {"schedule", c.schedule},
+          {"evaluator", c.evaluator},
+          {"fmac", c.fma_latency > 0},
+          {"formula", comparison.formula(row)},
+          {"clocks_paper", paper ? Json(paper->clocks) : Json()},
+          {"equal", json_or_null(comparison.equal(row))},
+          {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
+          {"interval_overlapped", json_or_null(comparison.overlapped_interval(row))},
+          {"mismatches", row.measured.mismatches},
+          {"checked", row.measured.checked},
+          {"max_error", row.measured.max_error},
+          {"seam_values", row.measured.seam_values},
+          {"seam_differences", row.measured.seam_differences},
+          {"operators", json_of(row.count.built)},
+          {"operators_drawn", json_of(row.count.drawn)},
+          {"evaluators", row.count.evaluators},
+          {"simulation_vertices_per_s", row.measured.vertices_per_s}};
+}
+
+std::string text_of(const Operators& operators) {
+  return fmt::format("{}/{}/{}", operators.mul, operators.add, operators.fma);
+}
+
+/// Rows of the overlapped schedule, and those of the paper's that have no partner there.
+std::vector<const Row*> lines(const Comparison& comparison) {
+  std::vector<const Row*> lines;
+  for (const Row& row : comparison.rows()) {
+    const bool own = std::string(row.configuration->schedule) == "overlapped";
+    if (own || comparison.partner(row, "overlapped") == nullptr) lines.push_back(&row);
+  }
+  return lines;
+}
+
+std::string variant(const Configuration& row) {
+  return std::string(row.evaluator) + (row.fma_latency > 0 ? " fmac" : "");
+}
+
+/// Of both rows of a line.
+template <class T>
+T sum(const Row& row, const Row* paper, T Measurement::*figure) {
+  return row.measured.*figure + (paper == nullptr ? T() : paper->measured.*figure);
+}
+
+std::string line(const Comparison& comparison, const Row& row) {
+  const Configuration& c = *row.configuration;
+  const Row* paper = comparison.partner(row, "paper");
+  const std::optional<VertexClocks> clocks = comparison.paper_clocks(row);
+  const std::optional<double> interval = comparison.overlapped_interval(row);
+  if (paper == &row) paper = nullptr;
+  return fmt::format(
+      "{:<8} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9.2e} "
+      "{:>5} {:>4} {:>8.0f}\n",
+      c.org, c.n, c.format, variant(c), comparison.formula(row),
+      clocks ? std::to_string(clocks->clocks) : "-",
+      comparison.equal(row).value_or(false) ? "yes"
+      : clocks                              ? "NO"
+                                            : "-",
+      clocks ? std::to_string(clocks->final_accumulation) : "-",
+      paper != nullptr ? text_of(paper->count.built) : "-",
+      paper != nullptr ? text_of(paper->count.drawn) : "-",
+      interval ? fmt::format("{:.2f}", *interval) : "-", text_of(row.count.built),
+      text_of(row.count.drawn), row.measured.max_error, sum(row, paper, &Measurement::mismatches),
+      sum(row, paper, &Measurement::seam_differences), row.measured.vertices_per_s);
+}
+
+}  // namespace
+
+std::string table(const Comparison& comparison) {
+  std::string text = fmt::format(
+      "{:<33} {:<51} {:<8}\n"
+      "{:<8} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9} "
+      "{:>5} {:>4} {:>8}\n",
+      "", "the paper's schedule", "overlapped", "org", "n", "format", "evaluator", "formula",
+      "clocks", "equal", "final", "operators", "as drawn", "interval", "operators", "as drawn",
+      "max error", "wrong", "seam", "vertex/s");
+  for (const Row* row : lines(comparison)) text += line(comparison, *row);
+  return text;
+}
+
+std::string json_report(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const Row& row : comparison.rows()) rows.push_back(json_of(comparison, row));
+  return Json{{"rows", std::move(rows)}}.dump(2) + "\n";
+}
+
+std::string faults(const Comparison& comparison) {
+  std::string text;
+  for (const Row& row : comparison.rows()) {
+    const char* name = row.configuration->name;
+    if (row.measured.mismatches > 0) {
+      text += fmt::format("{}: {} results differ from the model; {}\n", name,
+                          row.measured.mismatches, row.measured.first_mismatch);
+    }
+    if (row.measured.seam_differences > 0) {
+      text += fmt::format("{}: {} of {} values differ between cells\n", name,
+                          row.measured.seam_differences, row.measured.seam_values);
+    }
+    const bool paper = std::string(row.configuration->schedule) == "paper";
+    if (paper && !comparison.equal(row).value_or(false)) {
+      text +=
+          fmt::format("{}: {} clocks a vertex and {} between vertices, the formula says {}\n", name,
+                      row.measured.vertex.clocks, row.measured.interval, comparison.formula(row));
+    }
+  }
+  return text;
+}
+
+}  // namespace hwffd::organizations

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hwffd/stream/word_codec.hpp"
+
+namespace hwffd::tb {
+
+/// The 64 control points of a support as stream words, three a point, in local order, n fastest.
+using SupportWords = std::array<std::uint32_t, 192>;
+
+/// A vertex as an evaluator takes it at its read port.
+struct EvaluatorVertex {
+  std::array<std::uint32_t, 3> local{};  ///< s, t, u as stream words
+  std::array<int, 3> cell{};
+  std::uint8_t support = 0;  ///< which of the supports it reads
+};
+
+/// Supports (at most 256) and vertices that read them.
+struct EvaluatorStimulus {
+  std::vector<SupportWords> supports;
+  std::vector<EvaluatorVertex> vertices;
+};
+
+/// Supports with points uniform in [-1, 1), vertices in any cell with uniform coordinates, one in
+/// ten of them 0 or 1.
+EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, std::uint64_t seed);
+
+/// Vertices on faces, edges and corners that the cells of one random lattice share.
+struct SeamStimulus : EvaluatorStimulus {
+  std::vector<std::size_t> group;  ///< of each vertex; those of a group are one point
+};
+
+/// At least `values` components of shared vertices in a lattice of 6 x 6 x 6 cells: coordinate 1 in
+/// the lower cell of a shared axis, 0 in the upper one.
+SeamStimulus seam_stimulus(const WordCodec& codec, std::size_t values, std::uint64_t seed);
+
+}  // namespace hwffd::tb

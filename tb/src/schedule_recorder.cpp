@@ -1,0 +1,54 @@
+#include "hwffd/tb/schedule_recorder.hpp"
+
+#include <stdexcept>
+
+namespace hwffd::tb {
+
+ScheduleRecorder::ScheduleRecorder(const EvaluatorCore& core) {
+  for (const Probe& probe : core.probes()) {
+    if (probe.signal == "step_valid_o") {
+      sequencers_.push_back({probe.instance, {}});
+      sequencer_values_.push_back(probe.value);
+    } else if (probe.signal == "step_valid_i") {
+      step_ = probe.value;
+    } else if (probe.signal == "step_source_i") {
+      source_ = probe.value;
+    } else if (probe.signal == "sum_valid") {
+      sum_ = probe.value;
+    } else if (probe.signal == "result_valid_o") {
+      result_ = probe.value;
+    }
+  }
+  if (sequencers_.empty() || sequencers_.size() > 2 || step_ == nullptr || source_ == nullptr ||
+      sum_ == nullptr || result_ == nullptr) {
+    throw std::invalid_argument("an evaluator without the probes of tb/rtl/ffd_bench.vlt");
+  }
+}
+
+void ScheduleRecorder::sample(std::uint64_t clock) {
+  for (std::size_t i = 0; i < sequencers_.size(); ++i) {
+    if (*sequencer_values_[i] != 0) sequencers_[i].starts.push_back(clock);
+  }
+  if (*step_ != 0) {
+    steps_.push_back(clock);
+    sources_.push_back(*source_);
+  }
+  if (*sum_ != 0) sums_.push_back(clock);
+  if (*result_ != 0) results_.push_back(clock);
+}
+
+bool ScheduleRecorder::first_leads() const {
+  if (sequencers_.size() == 1) return true;
+  return sequencers_[0].starts.at(0) < sequencers_[1].starts.at(0);
+}
+
+const ScheduleRecorder::Sequencer& ScheduleRecorder::polynomials() const {
+  return sequencers_[first_leads() ? 0 : 1];
+}
+
+const ScheduleRecorder::Sequencer* ScheduleRecorder::combinations() const {
+  if (sequencers_.size() == 1) return nullptr;
+  return &sequencers_[first_leads() ? 1 : 0];
+}
+
+}  // namespace hwffd::tb

@@ -1,0 +1,125 @@
+// The comparison of organizations: clocks of a vertex counted in the RTL against the formulas, what
+// the report says, and that it says what is wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+#include "comparison.hpp"
+#include "hwffd/model/schedule.hpp"
+#include "hwffd/tb/evaluator_core_factory.hpp"
+#include "report.hpp"
+#include "timeline.hpp"
+
+namespace hwffd {
+
+inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
+
+namespace organizations {
+namespace {
+
+const Effort kLittle{161, 900, 1};
+
+std::vector<Configuration> built_rows() {
+  std::vector<Configuration> built;
+  for (const Configuration& row : configurations()) {
+    if (tb::has_evaluator_core(row)) built.push_back(row);
+  }
+  return built;
+}
+
+std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class EachRow : public ::testing::TestWithParam<Configuration> {};
+
+// The clocks between the probes are those of the row's latencies, or lanes_of throws; they add up
+// to the formula, and at the paper's schedule vertices follow each other at that distance.
+TEST_P(EachRow, ClocksBetweenTheProbes) {
+  const Configuration& row = GetParam();
+  const Measurement measured = measure(row, kLittle);
+  EXPECT_EQ(measured.mismatches, 0U) << measured.first_mismatch;
+  EXPECT_EQ(measured.checked, 8 + kLittle.vertices + measured.seam_values / 3);
+  EXPECT_GE(measured.seam_values, kLittle.seam_values);
+  EXPECT_EQ(measured.seam_differences, 0U);
+  EXPECT_EQ(measured.interval, expected_interval(row));
+  EXPECT_GT(measured.max_error, 0);
+  const std::vector<Lane> lanes = lanes_of({&row, measured, {}});
+  for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % 8, 0U) << lane.name;
+  if (std::string(row.schedule) != "paper") return;
+  EXPECT_EQ(static_cast<double>(measured.vertex.clocks), paper_clocks(row));
+  const bool hidden = std::string(row.org) == "tree" && !(row.n == 1 && row.fma_latency > 0);
+  EXPECT_EQ(measured.vertex.final_accumulation, hidden ? 1U : 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(, EachRow, ::testing::ValuesIn(built_rows()), name_of);
+
+/// tree8 of fx18 at both schedules.
+Comparison small_comparison() {
+  std::vector<const Configuration*> rows = {&find_configuration("tree8-fx18-paper"),
+                                            &find_configuration("tree8-fx18-overlapped")};
+  const OperatorCount count{{41, 31, 0}, {64, 48, 0}, 7};
+  return compare(rows, {{rows[0]->name, count}, {rows[1]->name, count}}, kLittle,
+                 [](std::size_t, std::size_t, const std::string&) {});
+}
+
+TEST(Comparison, JsonHasEveryField) {
+  const auto json = nlohmann::json::parse(json_report(small_comparison()));
+  ASSERT_EQ(json.at("rows").size(), 2U);
+  for (const auto& row : json.at("rows")) {
+    EXPECT_EQ(row.at("org"), "tree");
+    EXPECT_EQ(row.at("n"), 8);
+    EXPECT_EQ(row.at("formula"), 96);
+    EXPECT_EQ(row.at("clocks_paper"), 96);
+    EXPECT_EQ(row.at("equal"), true);
+    EXPECT_EQ(row.at("final_accumulation"), 1);
+    EXPECT_EQ(row.at("interval_overlapped"), 8);
+    EXPECT_EQ(row.at("fmac"), false);
+    EXPECT_EQ(row.at("operators"), (nlohmann::json{{"mul", 41}, {"add", 31}, {"fma", 0}}));
+    for (const char* field : {"format", "schedule", "evaluator", "mismatches", "checked",
+                              "max_error", "seam_differences", "simulation_vertices_per_s"}) {
+      EXPECT_TRUE(row.contains(field)) << field;
+    }
+  }
+}
+
+TEST(Comparison, WithoutPartnerFieldsAreNull) {
+  std::vector<Row> rows = small_comparison().rows();
+  const auto overlapped =
+      nlohmann::json::parse(json_report(Comparison({rows[1]}))).at("rows").at(0);
+  EXPECT_TRUE(overlapped.at("clocks_paper").is_null());
+  EXPECT_TRUE(overlapped.at("equal").is_null());
+  const auto paper = nlohmann::json::parse(json_report(Comparison({rows[0]}))).at("rows").at(0);
+  EXPECT_TRUE(paper.at("interval_overlapped").is_null());
+  EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
+}
+
+TEST(Comparison, FaultsAreSaid) {
+  const std::vector<Row> good = small_comparison().rows();
+  EXPECT_EQ(faults(Comparison(good)), "");
+  const auto spoiled = [&](auto change) {
+    std::vector<Row> rows = good;
+    change(rows[0].measured);
+    return faults(Comparison(rows));
+  };
+  EXPECT_NE(spoiled([](Measurement& m) { m.mismatches = 1; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.seam_differences = 1; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.vertex.clocks = 97; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.interval = 97; }), "");
+}
+
+TEST(Comparison, OperatorsMustBeCounted) {
+  EXPECT_THROW(compare({&find_configuration("tree8-fx18-paper")}, {}, kLittle,
+                       [](std::size_t, std::size_t, const std::string&) {}),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace organizations
+}  // namespace hwffd
