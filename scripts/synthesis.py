@@ -65,7 +65,8 @@ class Subject:
 
 def subjects(rows):
     """The runs that are worth their time, in the table's order: of every overlapped row the
-    organization on each target that could hold it, and on ECP5 the whole core of rows with streams.
+    organization on each target, on iCE40 the smallest only; on ECP5 the whole core as well where the
+    row has streams.
     """
     found = []
     for row in rows:
