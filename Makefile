@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations words test test-all lint clean install
+.PHONY: help sim organizations words synth test test-all lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -15,22 +15,27 @@ CMAKE_CONFIGURE = cmake -S . -B $(BUILD) -G Ninja --log-level=NOTICE
 CMAKE_BUILD     = cmake --build $(BUILD) -j $(JOBS)
 CTEST           = ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
 
-# Variables of `make sim`, handed to hwffd-sim as --model X and so on. Only those given on make's
-# command line count, not those that happen to be in the environment. They travel as they are, in
-# HWFFD_SIM_*, so that neither make nor the shell reads anything into a blank, a quote or a dollar.
-SIM_OPTIONS := model:MODEL deform:DEFORM lattice:LATTICE org:ORG format:FORMAT \
-               schedule:SCHEDULE stream:STREAM seed:SEED
+# Variables of `make sim` and `make synth`, handed on as --model X and so on. Only those given on
+# make's command line count, not those that happen to be in the environment. They travel as they
+# are, in HWFFD_GIVEN_*, so that neither make nor the shell reads anything into a blank, a quote or
+# a dollar.
+SIM_OPTIONS   := model:MODEL deform:DEFORM lattice:LATTICE org:ORG format:FORMAT \
+                 schedule:SCHEDULE stream:STREAM seed:SEED
+SYNTH_OPTIONS := target:TARGET org:ORG n:N format:FORMAT set:SET
 option_of   = $(firstword $(subst :, ,$1))
 variable_of = $(lastword $(subst :, ,$1))
 given       = $(and $(findstring command line,$(origin $1)),$(value $1))
+ORGANIZATIONS_OPTIONS := org:ORG n:N format:FORMAT
+OPTIONS     := $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
 
-$(foreach o,$(SIM_OPTIONS),$(eval export HWFFD_SIM_$(call variable_of,$o) := \
+$(foreach o,$(OPTIONS),$(eval export HWFFD_GIVEN_$(call variable_of,$o) := \
   $$(value $(call variable_of,$o))))
-unexport $(foreach o,$(SIM_OPTIONS),$(call variable_of,$o))
+unexport $(foreach o,$(OPTIONS),$(call variable_of,$o))
 
-SIM_ARGUMENTS = $(foreach o,$(SIM_OPTIONS),$(if $(call given,$(call variable_of,$o)), \
-  --$(call option_of,$o) "$$HWFFD_SIM_$(call variable_of,$o)")) \
-  $(if $(tracing),--trace)
+arguments = $(foreach o,$1,$(if $(call given,$(call variable_of,$o)), \
+  --$(call option_of,$o) "$$HWFFD_GIVEN_$(call variable_of,$o)"))
+SIM_ARGUMENTS   = $(call arguments,$(SIM_OPTIONS)) $(if $(tracing),--trace)
+SYNTH_ARGUMENTS = $(call arguments,$(SYNTH_OPTIONS))
 
 help:
 	@echo 'make sim       deform a mesh on the simulated RTL, compare every bit with the golden model'
@@ -38,6 +43,8 @@ help:
 	@echo 'make organizations  every organization: clocks against the formulas, operators, errors, seams'
 	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
+	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
+	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
 	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
@@ -55,10 +62,20 @@ sim: install
 	@$(CMAKE_BUILD) --target hwffd-sim
 	@$(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
 
+# Only the rows selected are verilated. The names are checked before they reach CMake.
+organizations: install
+	@scripts/configurations.py list $(call arguments,$(ORGANIZATIONS_OPTIONS)) >/dev/null
+	@$(CMAKE_CONFIGURE) $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)")
+	@$(CMAKE_BUILD) --target hwffd-organizations
+	@$(BUILD)/apps/hwffd-organizations
+
 words: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-words
 	@$(BUILD)/apps/hwffd-words
+
+synth: install
+	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
 test: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test

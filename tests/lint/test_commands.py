@@ -100,6 +100,18 @@ class Make(Checkout):
         self.assertTrue(lines[-2].endswith(" --target hwffd-words"), lines)
         self.assertEqual(lines[-1], "words<>")
 
+    def test_synth(self):
+        self.script("scripts/synth", """for word; do printf '<%s>' "$word"; done""")
+
+        def synth(*words, **variables):
+            return self.run_here("make", "synth", "JOBS=3", *words, **variables).stdout
+
+        self.assertEqual(synth(ORG="x", TARGET="y", SET="ci"), "<-j><3>")
+        given = [f"{name}=a {name}" for name in ("TARGET", "ORG", "N", "FORMAT", "SET")]
+        self.assertEqual(synth(*given, "MODEL=x"), "<-j><3>" + "".join(
+            f"<--{word.split('=')[0].lower()}><{word.split('=')[1]}>" for word in given))
+        self.assertEqual(synth("ORG=$HOME;'"), "<-j><3><--org><$HOME;'>")
+
     def test_help_is_the_default(self):
         self.assertIn("make test-all", self.run_here("make").stdout)
 
