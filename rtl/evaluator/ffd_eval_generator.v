@@ -2,7 +2,7 @@
 //
 // Takes the weights of SIZE evaluators, each with its place {axis, function}, into the banks of a
 // set, and gives the three weights of a combination: step {l, m, n} of the global index modulo 4,
-// function (bank - cell) mod 4 of each axis. SETS sets, so that one is read while others are filled.
+// function (bank - cell) mod 4 of each axis. Of SETS sets one is read while others are filled.
 //
 // Pipeline:   1 clock, II 1. A weight can be read in the clock in which it comes.
 // Parameters: WEIGHT_W >= 1, SIZE 1 to 3, SETS >= 2. At most one evaluator fills an axis at a time.
