@@ -85,6 +85,23 @@ std::string grid() {
   return drawing;
 }
 
+/// Whether a mark before this one lies so close that labels on the same side would meet.
+bool crowded(const Series& series, const Mark& mark) {
+  return std::any_of(&series.marks.front(), &mark, [&](const Mark& other) {
+    return std::abs(x_of(other.operators) - x_of(mark.operators)) < 25 &&
+           std::abs(y_of(other.clocks) - y_of(mark.clocks)) < 12;
+  });
+}
+
+std::string label(const Series& series, const Mark& mark) {
+  if (series.label_y == 0) return "";
+  const bool aside = crowded(series, mark);
+  return svg::text(x_of(mark.operators) + (aside ? 9 : 0),
+                   y_of(mark.clocks) + (aside ? 4 : series.label_y), mark.name,
+                   fmt::format("font-size=\"10\" text-anchor=\"{}\" fill=\"{}\"",
+                               aside ? "start" : "middle", series.colour));
+}
+
 std::string draw(const Series& series) {
   std::string drawing;
   const std::string fill = series.hollow ? "white" : series.colour;
@@ -94,10 +111,7 @@ std::string draw(const Series& series) {
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", fill, series.colour),
         fmt::format("{}, {}: {} operators, {} clocks", mark.name, series.name, mark.operators,
                     mark.clocks));
-    if (series.label_y == 0) continue;
-    drawing += svg::text(
-        x_of(mark.operators), y_of(mark.clocks) + series.label_y, mark.name,
-        fmt::format("font-size=\"10\" text-anchor=\"middle\" fill=\"{}\"", series.colour));
+    drawing += label(series, mark);
   }
   return drawing;
 }
