@@ -88,7 +88,7 @@ std::string grid() {
 /// Whether a mark before this one lies so close that labels on the same side would meet.
 bool crowded(const Series& series, const Mark& mark) {
   return std::any_of(&series.marks.front(), &mark, [&](const Mark& other) {
-    return std::abs(x_of(other.operators) - x_of(mark.operators)) < 25 &&
+    return std::abs(x_of(other.operators) - x_of(mark.operators)) < 12 &&
            std::abs(y_of(other.clocks) - y_of(mark.clocks)) < 12;
   });
 }

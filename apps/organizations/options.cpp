@@ -10,9 +10,10 @@ namespace hwffd::organizations {
 Options parse_options(int argc, char** argv) {
   Options options;
   CLI::App app{"Compares organizations at their read port: clocks, operators, errors, seams."};
-  app.add_option("--vertices", options.effort.vertices, "random vertices of every row (4001)");
+  app.add_option("--vertices", options.effort.vertices,
+                 "random vertices of every row (4001); slow rows: 1241 at most");
   app.add_option("--seam-values", options.effort.seam_values,
-                 "components of shared vertices of every row (60000)");
+                 "components of shared vertices of every row (60000); slow rows: a tenth");
   app.add_option("--seed", options.effort.seed, "seed of vertices and registers (1)");
   app.add_option("--operators", options.operators, "what scripts/operators.py wrote");
   app.add_option("--output", options.output, "folder for reports (build)");
