@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations words synth test test-all lint clean install
+.PHONY: help sim organizations streams words synth test test-all lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -42,6 +42,7 @@ help:
 	@echo '               MODEL= DEFORM= LATTICE= ORG= FORMAT= SCHEDULE= STREAM= SEED= TRACE=1'
 	@echo 'make organizations  every organization: clocks against the formulas, operators, errors, seams'
 	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
+	@echo 'make streams   words moved by arrangements of the control points: table, plot, JSON'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
@@ -68,6 +69,11 @@ organizations: install
 	@$(CMAKE_CONFIGURE) $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)")
 	@$(CMAKE_BUILD) --target hwffd-organizations
 	@$(BUILD)/apps/hwffd-organizations
+
+streams: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-streams
+	@$(BUILD)/apps/hwffd-streams
 
 words: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

@@ -1,10 +1,16 @@
 // Every source of the core, one a line, relative to this folder. Order does not matter.
 top/hwffd_stream.v
+stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_encoder.v
 stream/ffd_stream_fifo.v
+stream/ffd_stream_lattice.v
+stream/ffd_stream_readers.v
 stream/ffd_stream_skid.v
+stream/ffd_stream_vertex.v
+cache/ffd_cache_points.v
 cache/ffd_cache_interleaved.v
+cache/ffd_cache_resident.v
 cache/ffd_mem_sdp.v
 evaluator/ffd_eval_stream.v
 evaluator/ffd_org_select.v
@@ -27,6 +33,7 @@ number/ffd_num_term.v
 number/ffd_num_mac.v
 number/ffd_num_add.v
 number/ffd_num_step.v
+number/ffd_num_range.v
 number/ffd_num_scale.v
 number/ffd_num_out.v
 number/ffd_num_bspline.v

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "hwffd/error.hpp"
 #include "hwffd/model/schedule.hpp"
+#include "on_threads.hpp"
 
 namespace hwffd::organizations {
 namespace {
@@ -24,29 +21,6 @@ bool is_same(const Configuration& a, const Configuration& b) {
 double cost(const Configuration& row) {
   const double units = row.n + 3;
   return units * expected_interval(row) * (std::string(row.format) == "fp32" ? 5 : 1);
-}
-
-/// Calls `work` with 0 to count - 1 on as many threads as there are cores. Throws what the first
-/// call threw.
-void on_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr thrown;
-  std::mutex mutex;
-  const auto loop = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!thrown) thrown = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> threads(std::max(1U, std::thread::hardware_concurrency()));
-  for (std::thread& thread : threads) thread = std::thread(loop);
-  for (std::thread& thread : threads) thread.join();
-  if (thrown) std::rethrow_exception(thrown);
 }
 
 /// What of the effort a row gets: the rows of the paper's schedule and the iterative ones have the
@@ -104,19 +78,18 @@ Comparison compare(const std::vector<const Configuration*>& rows,
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(*rows[a]) > cost(*rows[b]); });
   std::vector<std::optional<Row>> measured(rows.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  on_threads(rows.size(), [&](std::size_t i) {
-    const Configuration& row = *rows[order[i]];
-    const auto count = operators.find(row.name);
-    if (count == operators.end()) {
-      throw Error(
-          fmt::format("{}: its operators are not counted: run scripts/operators.py", row.name));
-    }
-    measured[order[i]] = Row{&row, measure(row, share_of(effort, row)), count->second};
-    const std::lock_guard<std::mutex> lock(mutex);
-    progress(++done, rows.size(), row.name);
-  });
+  on_threads(
+      rows.size(),
+      [&](std::size_t i) {
+        const Configuration& row = *rows[order[i]];
+        const auto count = operators.find(row.name);
+        if (count == operators.end()) {
+          throw Error(
+              fmt::format("{}: its operators are not counted: run scripts/operators.py", row.name));
+        }
+        measured[order[i]] = Row{&row, measure(row, share_of(effort, row)), count->second};
+      },
+      [&](std::size_t done) { progress(done, rows.size()); });
   std::vector<Row> all;
   for (std::optional<Row>& row : measured) all.push_back(std::move(*row));
   return Comparison(std::move(all));

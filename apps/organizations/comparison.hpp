@@ -41,7 +41,7 @@ class Comparison {
   std::vector<Row> rows_;
 };
 
-using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& row)>;
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Measures rows, several at a time; those with most units first.
 Comparison compare(const std::vector<const Configuration*>& rows,

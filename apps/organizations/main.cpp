@@ -23,9 +23,9 @@ namespace {
 using namespace hwffd;
 using namespace hwffd::organizations;
 
-void show_progress(std::size_t done, std::size_t all, const std::string& row) {
+void show_progress(std::size_t done, std::size_t all) {
   if (isatty(fileno(stderr)) == 0) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] {}", done, all, row);
+  fmt::print(stderr, "\r\033[K[{}/{}] rows measured", done, all);
   if (done == all) fmt::print(stderr, "\r\033[K");
 }
 

@@ -1,4 +1,4 @@
-// hwffd-sim: mesh -> embed -> deform the lattice -> interleaved stream -> RTL -> every bit compared
+// hwffd-sim: mesh -> embed -> deform the lattice -> command stream -> RTL -> every bit compared
 // with the golden model, errors against the oracle, deformed mesh and report written.
 
 #include <fmt/format.h>

@@ -96,7 +96,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--org", text.org, "organization (default: all of the table's tier sim)");
   app.add_option("--format", text.format, "fp32 | fx18 | fx32 (default: all)");
   app.add_option("--schedule", text.schedule, "paper | overlapped (default: both)");
-  app.add_option("--stream", options.stream, "interleaved");
+  app.add_option("--stream", options.stream, "interleaved | resident (interleaved)");
   app.add_option("--seed", text.seed, "seed of the bench (1)");
   app.add_flag("--trace", options.trace, "write waveforms (FST); needs a build with HWFFD_TRACE");
   app.add_option("--output", options.output, "folder for meshes and reports (build)");
@@ -107,8 +107,10 @@ Options parse_options(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see --help");
   }
-  if (options.stream != "interleaved") {
-    throw UsageError(fmt::format("STREAM={}: unknown; known here: interleaved", options.stream));
+  const std::vector<std::string> streams{"interleaved", "resident"};
+  if (std::find(streams.begin(), streams.end(), options.stream) == streams.end()) {
+    throw UsageError(fmt::format("STREAM={}: unknown; known here: {}", options.stream,
+                                 joined({streams.begin(), streams.end()})));
   }
   if (options.trace && !tb::stream_cores_can_trace()) {
     throw UsageError(

@@ -7,31 +7,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "arrangement.hpp"
 #include "hwffd/model/stream_model.hpp"
-#include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/interleave.hpp"
 #include "hwffd/tb/stream_bench.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
 
 namespace hwffd::sim {
 namespace {
-
-constexpr std::size_t kPacket = 1024;  // vertices
-
-std::vector<Beat> commands(const Scene& scene, const Deformed& deformed, const WordCodec& codec,
-                           const Normalization& normalization) {
-  std::vector<Beat> beats = coefficients_packet(watertight_bspline(codec), codec);
-  const std::vector<InterleavedVertex> stream =
-      interleave(deformed.lattice, scene.vertices, codec, normalization);
-  for (std::size_t first = 0; first < stream.size(); first += kPacket) {
-    const std::size_t last = std::min(first + kPacket, stream.size());
-    const std::vector<Beat> packet =
-        interleaved_packet({stream.begin() + static_cast<std::ptrdiff_t>(first),
-                            stream.begin() + static_cast<std::ptrdiff_t>(last)});
-    beats.insert(beats.end(), packet.begin(), packet.end());
-  }
-  return beats;
-}
 
 Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
                     const Normalization& normalization) {
@@ -56,15 +39,16 @@ RunResult run(const Options& options, const Configuration& row, const Scene& sce
               const Deformed& deformed, const std::string& waveform) {
   const WordCodec codec(row.format);
   const Normalization normalization = Normalization::of(deformed.lattice, codec);
-  const std::vector<Beat> beats = commands(scene, deformed, codec, normalization);
+  const std::vector<Beat> beats = streams::packets(streams::find_arrangement(options.stream),
+                                                   deformed.lattice, scene.vertices, row.format);
 
   const auto core = tb::make_stream_core(row, options.seed, waveform);
   tb::StreamBenchOptions bench_options;
   bench_options.test.name = fmt::format("sim {} {}", row.name, deformed.name);
   bench_options.test.seed = options.seed;
   bench_options.test.replay =
-      fmt::format("make sim ORG={} FORMAT={} SCHEDULE={} DEFORM={} SEED={}", row.org, row.format,
-                  row.schedule, deformed.name, options.seed);
+      fmt::format("make sim ORG={} FORMAT={} SCHEDULE={} STREAM={} DEFORM={} SEED={}", row.org,
+                  row.format, row.schedule, options.stream, deformed.name, options.seed);
   tb::StreamBench bench(*core, bench_options);
   bench.on_progress([&](double done) { show_progress(bench_options.test.name, done); });
   bench.reset(4);

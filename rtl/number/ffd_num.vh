@@ -37,4 +37,7 @@
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.
 `define FFD_BLANK_WORD(FORMAT) ((FORMAT) == 0 ? 32'h7FC0_0000 : 32'h0000_0000)
 
+// The stream word of the coordinate 1.
+`define FFD_ONE_WORD(FORMAT) ((FORMAT) == 0 ? 32'h3F80_0000 : 32'h8000_0000)
+
 `endif

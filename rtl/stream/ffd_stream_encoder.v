@@ -1,7 +1,7 @@
 // ffd_stream_encoder: a result becomes a beat {status, tag, z, y, x}
 //
-// Status bits (docs/interface.md section 4): 0 saturated, 2 NaN, 4 truncated, 5 unloaded; the rest
-// is 0. A truncated or unloaded vertex gives blank coordinates (canonical NaN, or 0 in fixed
+// Status bits (docs/interface.md section 4): 0 saturated, 1 clamped, 2 NaN, 3 outside, 4 truncated,
+// 5 unloaded; the rest is 0. A blank vertex gives blank coordinates (canonical NaN, or 0 in fixed
 // point), never what the datapath made of half a vertex.
 //
 // Pipeline:   combinational, between the result queue and the output's skid buffer.
@@ -16,17 +16,15 @@ module ffd_stream_encoder #(
 ) (
   input  wire [95:0]  words_i,
   input  wire [1:0]   flags_i,
-  input  wire [17:0]  user_i,
+  input  wire [22:0]  user_i,
   output wire [127:0] beat_o
 );
-  wire [15:0] tag       = user_i[15:0];
-  wire        truncated = user_i[16];
-  wire        unloaded  = user_i[17];
-  wire        blank     = truncated || unloaded;
-  wire        saturated = flags_i[0] && !blank;
-  wire        nan       = flags_i[1] && !blank;
+  wire       blank = user_i[22];
+  wire       nan   = flags_i[1] && !blank;
+  wire       full  = flags_i[0] && !blank;
+  wire [5:0] found = {3'd0, nan, 1'b0, full};
 
-  assign beat_o = {10'd0, unloaded, truncated, 1'b0, nan, 1'b0, saturated, tag,
+  assign beat_o = {10'd0, user_i[21:16] | found, user_i[15:0],
                    blank ? {3{`FFD_BLANK_WORD(FORMAT)}} : words_i};
 endmodule
 

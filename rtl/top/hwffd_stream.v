@@ -1,19 +1,24 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
-// Packets in (coefficients; vertices with their control points), one result beat a vertex out, in
-// order: docs/interface.md. Every ready, valid and data bit at the edge leaves a register.
+// Packets in (coefficients, lattices, vertices, vertices with their control points), one result
+// beat a vertex out, in order: docs/interface.md. Every ready, valid and data bit of the streams
+// leaves a register.
 //
 // Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface.md,
 //             section 3).
 // Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
 // Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
-// Parameters: a row of configurations.csv; IN_FLIGHT a power of two >= 2, the most vertices inside.
+//             event_o has a pulse for each kind (ffd_stream.vh), for registers; idle_o is 1 when no
+//             packet is under way and no vertex inside.
+// Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
+//             lattice; IN_FLIGHT a power of two >= 2, the most vertices inside.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
+`include "ffd_stream.vh"
 
 module hwffd_stream #(
   parameter ORG             = 0,
@@ -25,7 +30,8 @@ module hwffd_stream #(
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
-  parameter IN_FLIGHT       = 16
+  parameter AXIS            = 16,
+  parameter IN_FLIGHT       = 128
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -36,7 +42,11 @@ module hwffd_stream #(
   output wire         m_axis_tvalid,
   input  wire         m_axis_tready,
   output wire [127:0] m_axis_tdata,
-  output wire         m_axis_tlast
+  output wire         m_axis_tlast,
+  output wire [9:0]   event_o,
+  output wire [31:0]  event_packet_o,
+  output wire [31:0]  event_beat_o,
+  output wire         idle_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
@@ -46,7 +56,7 @@ module hwffd_stream #(
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
   localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
-  localparam USER_W       = 20;
+  localparam SOURCE_W     = SLOT_W + 1;
 
   wire clk = aclk;
   wire rst = !aresetn;
@@ -69,39 +79,46 @@ module hwffd_stream #(
     .m_beat_data ({in_last, in_data})
   );
 
-  wire                                      load;
-  wire [1:0]                                load_axis;
-  wire [2:0]                                load_address;
-  wire [`FFD_ENTRY_W(WEIGHT_W)-1:0]         load_entry;
-  wire                                      write;
-  wire [SLOT_W-1:0]                         write_slot;
-  wire [11:0]                               write_cell;
-  wire [3:0]                                write_group;
-  wire [1:0]                                write_phase;
-  wire [127:0]                              write_words;
-  wire                                      vertex_valid;
-  wire                                      vertex_ready;
-  wire [3*WEIGHT_W-1:0]                     vertex_coordinates;
-  wire [11:0]                               vertex_cell;
-  wire [SLOT_W-1:0]                         vertex_slot;
-  wire                                      vertex_bank;
-  wire [18:0]                               vertex_user;
-  wire                                      read;
-  wire                                      read_last;
-  wire [SLOT_W-1:0]                         read_slot;
-  wire [11:0]                               read_cell;
-  wire [5:0]                                read_index;
-  wire [N*3*POINT_W-1:0]                    points;
-  wire                                      result_valid;
-  wire                                      result_ready;
-  wire [95:0]                               result_words;
-  wire [1:0]                                result_flags;
-  wire [USER_W-1:0]                         result_user;
-  wire [127:0]                              result_beat;
+  wire                              load;
+  wire [1:0]                        load_axis;
+  wire [2:0]                        load_address;
+  wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
+  wire                              lattice_write;
+  wire                              lattice_buffer;
+  wire [11:0]                       lattice_at;
+  wire [95:0]                       lattice_words;
+  wire                              slot_write;
+  wire [SLOT_W-1:0]                 slot;
+  wire [11:0]                       slot_cell;
+  wire [3:0]                        slot_group;
+  wire [1:0]                        slot_phase;
+  wire [127:0]                      slot_words;
+  wire                              vertex_valid;
+  wire                              vertex_ready;
+  wire [3*WEIGHT_W-1:0]             vertex_coordinates;
+  wire [11:0]                       vertex_cell;
+  wire [SOURCE_W-1:0]               vertex_source;
+  wire                              vertex_bank;
+  wire [`FFD_USER_W-1:0]            vertex_user;
+  wire                              read;
+  wire                              read_last;
+  wire [SOURCE_W-1:0]               read_source;
+  wire [11:0]                       read_cell;
+  wire [5:0]                        read_index;
+  wire [N*3*POINT_W-1:0]            points;
+  wire                              result_valid;
+  wire                              result_ready;
+  wire [95:0]                       result_words;
+  wire [1:0]                        result_flags;
+  wire [`FFD_USER_W-1:0]            result_user;
+  wire [127:0]                      result_beat;
+  wire                              decoder_idle;
+  wire                              retire = result_valid && result_ready;
 
   ffd_stream_decoder #(
     .FORMAT   (FORMAT),
     .SLOTS    (SLOTS),
+    .AXIS     (AXIS),
     .IN_FLIGHT(IN_FLIGHT)
   ) u_decoder (
     .clk                 (clk),
@@ -114,39 +131,53 @@ module hwffd_stream #(
     .load_axis_o         (load_axis),
     .load_address_o      (load_address),
     .load_entry_o        (load_entry),
-    .write_o             (write),
-    .write_slot_o        (write_slot),
-    .write_cell_o        (write_cell),
-    .write_group_o       (write_group),
-    .write_phase_o       (write_phase),
-    .write_words_o       (write_words),
+    .lattice_write_o     (lattice_write),
+    .lattice_buffer_o    (lattice_buffer),
+    .lattice_at_o        (lattice_at),
+    .lattice_words_o     (lattice_words),
+    .slot_write_o        (slot_write),
+    .slot_o              (slot),
+    .slot_cell_o         (slot_cell),
+    .slot_group_o        (slot_group),
+    .slot_phase_o        (slot_phase),
+    .slot_words_o        (slot_words),
     .m_vertex_valid      (vertex_valid),
     .m_vertex_ready      (vertex_ready),
     .m_vertex_coordinates(vertex_coordinates),
     .m_vertex_cell       (vertex_cell),
-    .m_vertex_slot       (vertex_slot),
+    .m_vertex_source     (vertex_source),
     .m_vertex_bank       (vertex_bank),
     .m_vertex_user       (vertex_user),
-    .slot_free_i         (read_last),
-    .retire_i            (result_valid && result_ready),
-    .retire_bank_i       (result_user[USER_W-1])
+    .slot_free_i         (read_last && !read_source[SLOT_W]),
+    .retire_i            (retire),
+    .retire_user_i       (result_user[`FFD_USER_W-1 -: 3]),
+    .event_o             (event_o[`FFD_EVENTS-1:0]),
+    .event_packet_o      (event_packet_o),
+    .event_beat_o        (event_beat_o),
+    .idle_o              (decoder_idle)
   );
 
-  ffd_cache_interleaved #(
+  ffd_cache_points #(
     .FORMAT(FORMAT),
     .N     (N),
-    .SLOTS (SLOTS)
-  ) u_points (
-    .clk          (clk),
-    .write_i      (write),
-    .write_slot_i (write_slot),
-    .write_cell_i (write_cell),
-    .write_group_i(write_group),
-    .write_phase_i(write_phase),
-    .write_words_i(write_words),
-    .read_slot_i  (read_slot),
-    .read_index_i (read_index),
-    .points_o     (points)
+    .SLOTS (SLOTS),
+    .AXIS  (AXIS)
+  ) u_cache (
+    .clk             (clk),
+    .lattice_write_i (lattice_write),
+    .lattice_buffer_i(lattice_buffer),
+    .lattice_at_i    (lattice_at),
+    .lattice_words_i (lattice_words),
+    .slot_write_i    (slot_write),
+    .slot_i          (slot),
+    .slot_cell_i     (slot_cell),
+    .slot_group_i    (slot_group),
+    .slot_phase_i    (slot_phase),
+    .slot_words_i    (slot_words),
+    .read_source_i   (read_source),
+    .read_cell_i     (read_cell),
+    .read_index_i    (read_index),
+    .points_o        (points)
   );
 
   ffd_eval_stream #(
@@ -160,8 +191,8 @@ module hwffd_stream #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SLOT_W),
-    .USER_W         (USER_W),
+    .SOURCE_W       (SOURCE_W),
+    .USER_W         (`FFD_USER_W),
     .IN_FLIGHT      (IN_FLIGHT)
   ) u_evaluator (
     .clk                 (clk),
@@ -174,12 +205,12 @@ module hwffd_stream #(
     .s_vertex_ready      (vertex_ready),
     .s_vertex_coordinates(vertex_coordinates),
     .s_vertex_cell       (vertex_cell),
-    .s_vertex_source     (vertex_slot),
+    .s_vertex_source     (vertex_source),
     .s_vertex_bank       (vertex_bank),
-    .s_vertex_user       ({vertex_bank, vertex_user}),
+    .s_vertex_user       (vertex_user),
     .read_o              (read),
     .read_last_o         (read_last),
-    .read_source_o       (read_slot),
+    .read_source_o       (read_source),
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points),
@@ -195,7 +226,7 @@ module hwffd_stream #(
   ) u_encoder (
     .words_i(result_words),
     .flags_i(result_flags),
-    .user_i (result_user[17:0]),
+    .user_i (result_user[22:0]),
     .beat_o (result_beat)
   );
 
@@ -206,13 +237,16 @@ module hwffd_stream #(
     .rst         (rst),
     .s_beat_valid(result_valid),
     .s_beat_ready(result_ready),
-    .s_beat_data ({result_user[18], result_beat}),
+    .s_beat_data ({result_user[23], result_beat}),
     .m_beat_valid(m_axis_tvalid),
     .m_beat_ready(m_axis_tready),
     .m_beat_data ({m_axis_tlast, m_axis_tdata})
   );
 
-  wire unused_ok = &{1'b0, read, read_cell};
+  assign event_o[`FFD_EVENT_SATURATED] = retire && result_flags[0] && !result_user[22];
+  assign idle_o = decoder_idle && !in_valid && !m_axis_tvalid;
+
+  wire unused_ok = &{1'b0, read};
 endmodule
 
 `default_nettype wire

@@ -44,6 +44,7 @@ void StreamBench::reset(std::uint64_t cycles) {
   for (std::uint64_t i = 0; i < cycles; ++i) step(SinkMode::kThrottled);
   pins_.in_reset = false;
   core_.drive_reset(false);
+  events_ = {};
   was_reset_ = true;
   first_cycle_ = true;
   hung_ = false;
@@ -78,6 +79,7 @@ bool StreamBench::step(SinkMode mode) {
   checker_.observe(pins_, cycle_);
   bool moved = false;
   if (!pins_.in_reset) {
+    count_events();
     moved = driver_.accept(pins_.input_ready, cycle_);
     if (monitor_.observe(pins_.output_valid, pins_.output_ready, pins_.output, cycle_)) {
       moved = true;
@@ -90,6 +92,13 @@ bool StreamBench::step(SinkMode mode) {
   core_.clock();
   ++cycle_;
   return moved;
+}
+
+void StreamBench::count_events() {
+  const std::uint32_t pulses = core_.events();
+  for (int event = 0; event < kStreamEvents && pulses != 0; ++event) {
+    events_[event] += pulses >> event & 1;
+  }
 }
 
 void StreamBench::probe(bool valid, bool ready) {

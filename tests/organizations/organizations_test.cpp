@@ -66,7 +66,7 @@ Comparison small_comparison() {
                                             &find_configuration("tree8-fx18-overlapped")};
   const OperatorCount count{{41, 31, 0}, {64, 48, 0}, 7};
   return compare(rows, {{rows[0]->name, count}, {rows[1]->name, count}}, kLittle,
-                 [](std::size_t, std::size_t, const std::string&) {});
+                 [](std::size_t, std::size_t) {});
 }
 
 TEST(Comparison, JsonHasEveryField) {
@@ -116,7 +116,7 @@ TEST(Comparison, FaultsAreSaid) {
 
 TEST(Comparison, OperatorsMustBeCounted) {
   EXPECT_THROW(compare({&find_configuration("tree8-fx18-paper")}, {}, kLittle,
-                       [](std::size_t, std::size_t, const std::string&) {}),
+                       [](std::size_t, std::size_t) {}),
                std::runtime_error);
 }
 

@@ -39,7 +39,7 @@ REFUSED = {
     ("--lattice", "4x4x4x4"): (USAGE, "LATTICE=4x4x4x4", "as 4x4x4"),
     ("--org", "foo"): (USAGE, "ORG=foo", "basic"),
     ("--schedule", "foo"): (USAGE, "SCHEDULE=foo", "overlapped, paper"),
-    ("--stream", "foo"): (USAGE, "STREAM=foo", "interleaved"),
+    ("--stream", "foo"): (USAGE, "STREAM=foo", "interleaved, resident"),
     ("--seed", "abc"): (USAGE, "SEED=abc", "0 to 2^64 - 1"),
     ("--seed", "-1"): (USAGE, "SEED=-1", "0 to 2^64 - 1"),
     ("--seed", "18446744073709551616"): (USAGE, "SEED=1844", "0 to 2^64 - 1"),
@@ -177,6 +177,16 @@ class Sim(unittest.TestCase):
         seen = [self.report(self.sim(*GOOD, "--deform", "bend:45", "--seed", seed))
                 for seed in ("1", "2")]
         self.assertEqual(*seen)
+
+    def test_streams_give_the_same_bits(self):
+        runs = {}
+        for stream in ("interleaved", "resident"):
+            options = ("--lattice", "5x7x6", "--stream", stream)
+            (twist, random) = self.report(self.sim(*GOOD, *options, output=stream), stream)["runs"]
+            self.assertEqual(twist.pop("stream"), stream)
+            mesh = (self.folder / stream / "sim" / "block-twist-90.obj").read_text()
+            runs[stream] = (twist, random["max_error"], random["rms_error"], mesh)
+        self.assertEqual(*runs.values())
 
     def test_several_cells(self):
         report = self.report(self.sim(*GOOD, "--lattice", "6x5x4", "--deform", "none"))

@@ -96,6 +96,90 @@ std::vector<InterleavedVertex> make_stimulus(const std::string& name, const Word
   return vertices;
 }
 
+LatticeWords random_lattice(const WordCodec& codec, tb::Random& random, int most) {
+  LatticeWords lattice;
+  for (int& points : lattice.dims) points = static_cast<int>(random.between(4, most));
+  lattice.points.resize(lattice.dims[0] * lattice.dims[1] * lattice.dims[2]);
+  for (auto& point : lattice.points) {
+    for (std::uint32_t& word : point) word = codec.point(2 * random.unit() - 1);
+  }
+  return lattice;
+}
+
+std::vector<VertexBeat> random_vertices(const WordCodec& codec, tb::Random& random,
+                                        const std::array<int, 3>& dims, std::size_t count,
+                                        bool stray) {
+  std::vector<VertexBeat> vertices(count);
+  for (VertexBeat& vertex : vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      vertex.cell[axis] = static_cast<int>(random.below(dims[axis] - 3));
+      vertex.local[axis] =
+          codec.coordinate(random.chance(0.1) ? random.pick({0.0, 1.0}) : random.unit());
+      if (!stray) continue;
+      if (random.chance(0.1)) vertex.cell[axis] = static_cast<int>(random.below(16));
+      if (random.chance(0.1)) vertex.local[axis] = corner_coordinate(codec, random);
+      if (random.chance(0.05)) vertex.local[axis] = extreme_word(codec, random);
+    }
+    vertex.tag = static_cast<std::uint16_t>(random.word());
+  }
+  return vertices;
+}
+
+std::vector<Beat> spoiled(std::vector<Beat> packet, tb::Random& random) {
+  switch (random.below(5)) {
+    case 0:
+      packet.resize(1 + random.below(packet.size()));
+      break;
+    case 1:
+      packet.back().last = false;
+      for (std::uint64_t extra = 1 + random.below(60); extra > 0; --extra) {
+        packet.push_back({{random.word(), random.word(), random.word(), random.word()}, false});
+      }
+      break;
+    case 2:
+      packet[0].words[0] =
+          (packet[0].words[0] & ~0xFFU) | static_cast<std::uint8_t>(random.below(256));
+      break;
+    case 3:
+      packet[0].words[2] = random.word() & 0x1F1F1F1F;
+      break;
+    default:
+      packet[0].words[1] = static_cast<std::uint32_t>(random.below(3));
+  }
+  packet.back().last = true;
+  return packet;
+}
+
+std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int packets) {
+  std::vector<Beat> beats;
+  std::array<int, 3> dims = {4, 4, 4};
+  for (int p = 0; p < packets; ++p) {
+    std::vector<Beat> packet;
+    const auto mode = static_cast<OutsideMode>(random.below(4));
+    switch (random.below(4)) {
+      case 0:
+        packet = coefficients_packet(random_coefficients(codec, random));
+        break;
+      case 1: {
+        const LatticeWords lattice = random_lattice(codec, random, 6);
+        dims = lattice.dims;
+        packet = lattice_packet(lattice);
+        break;
+      }
+      case 2:
+        packet =
+            vertices_packet(random_vertices(codec, random, dims, random.between(1, 9), true), mode);
+        break;
+      default:
+        packet =
+            interleaved_packet({extreme_vertex(codec, random), corner_vertex(codec, random)}, mode);
+    }
+    if (random.chance(0.25)) packet = spoiled(std::move(packet), random);
+    beats.insert(beats.end(), packet.begin(), packet.end());
+  }
+  return beats;
+}
+
 std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random& random) {
   std::array<AxisWords, 3> axes;
   for (AxisWords& axis : axes) {

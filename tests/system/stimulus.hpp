@@ -24,6 +24,21 @@ std::vector<InterleavedVertex> make_stimulus(const std::string& name, const Word
 /// A vertex with uniform coordinates and points in [-1, 1) and a random cell.
 InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random);
 
+/// A lattice of 4 to `most` points an axis, uniform in [-1, 1).
+LatticeWords random_lattice(const WordCodec& codec, tb::Random& random, int most);
+
+/// Vertices of a lattice: coordinates uniform, now and then 0 or 1; with `stray`, now and then a
+/// cell or a coordinate outside, or a coordinate that is no number.
+std::vector<VertexBeat> random_vertices(const WordCodec& codec, tb::Random& random,
+                                        const std::array<int, 3>& dims, std::size_t count,
+                                        bool stray = false);
+
+/// Packets of every kind in any order, some of them bad; lattices are small.
+std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int packets);
+
+/// A packet with something wrong: cut short, too long, of unknown opcode, or with a spoiled header.
+std::vector<Beat> spoiled(std::vector<Beat> packet, tb::Random& random);
+
 /// Coefficients, degrees and shifts at random: every bit of the coefficient file is used.
 std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random& random);
 

@@ -55,47 +55,32 @@ TEST_P(Stream, CoefficientsChangeBetweenVertices) {
   }
 }
 
-/// A packet with something wrong: cut short, too long, of unknown opcode, or of no vertices.
-std::vector<Beat> bad_packet(const WordCodec& codec, tb::Random& random) {
-  std::vector<Beat> beats =
-      random.chance(0.3)
-          ? coefficients_packet(random_coefficients(codec, random))
-          : interleaved_packet({random_vertex(codec, random), random_vertex(codec, random)});
-  switch (random.below(4)) {
-    case 0:
-      beats.resize(1 + random.below(beats.size()));
-      break;
-    case 1:
-      beats.back().last = false;
-      for (std::uint64_t extra = 1 + random.below(60); extra > 0; --extra) {
-        beats.push_back({{random.word(), random.word(), random.word(), random.word()}, false});
-      }
-      break;
-    case 2:
-      beats[0].words[0] =
-          (beats[0].words[0] & ~0xFFU) | static_cast<std::uint8_t>(random.below(256));
-      break;
-    default:
-      beats[0].words[1] = 0;
-  }
-  beats.back().last = true;
-  return beats;
-}
-
-TEST_P(Stream, BadPacketsNeverHangNorSpoilTheNext) {
-  int packets = 0;
+// Whatever comes, the model knows what follows: results, and events by kind.
+TEST_P(Stream, AnyPacketsInAnyOrder) {
+  std::uint64_t events = 0;
   for (const std::uint64_t seed : seeds()) {
     SystemRun run(GetParam(), seed, "bursts", "bernoulli");
     tb::Random random(seed);
-    for (int bad = 0; bad < 12; ++bad, ++packets) {
-      run.send(bad_packet(run.codec(), random));
-      if (random.chance(0.5)) run.send_bspline();
-    }
+    run.send(random_packets(run.codec(), random, 40));
     run.send_bspline();
     run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, seed)));
     ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.bench().events(), run.events());
+    for (const std::uint64_t count : run.events()) events += count;
   }
-  std::printf("%d bad packets\n", packets);
+  std::printf("%llu packets, %llu events\n", static_cast<unsigned long long>(40 * seeds().size()),
+              static_cast<unsigned long long>(events));
+}
+
+TEST_P(Stream, IdleWhenNothingIsInside) {
+  SystemRun run(GetParam(), 1);
+  EXPECT_TRUE(run.core().idle());
+  run.send_bspline();
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, 1)));
+  run.bench().run_for(100);
+  EXPECT_FALSE(run.core().idle());
+  ASSERT_TRUE(run.run());
+  EXPECT_TRUE(run.core().idle());
 }
 
 TEST_P(Stream, VertexBeforeCoefficientsIsBlankAndSaysSo) {

@@ -54,6 +54,9 @@ class SystemRun {
   const Configuration& row() const { return row_; }
   const WordCodec& codec() const { return codec_; }
   tb::StreamBench& bench() { return *bench_; }
+  const tb::StreamCore& core() const { return *core_; }
+  /// What the model says of the events so far.
+  std::array<std::uint64_t, tb::kStreamEvents> events() const { return model_.events().counts(); }
 
  private:
   Configuration row_;

@@ -1,8 +1,7 @@
 #include "hwffd/model/stream_model.hpp"
 
+#include <algorithm>
 #include <utility>
-
-#include "hwffd/stream/packets.hpp"
 
 namespace hwffd::model {
 
@@ -13,7 +12,9 @@ void StreamModel::reset() {
   state_ = State::kHeader;
   bank_ = 0;
   loaded_ = false;
+  lattice_.clear();
   results_.clear();
+  events_ = {};
 }
 
 std::vector<Beat> StreamModel::run(const std::vector<Beat>& beats) {
@@ -24,6 +25,7 @@ std::vector<Beat> StreamModel::run(const std::vector<Beat>& beats) {
 std::vector<Beat> StreamModel::take_results() { return std::exchange(results_, {}); }
 
 void StreamModel::accept(const Beat& beat) {
+  const bool payload = state_ != State::kHeader && state_ != State::kDone && state_ != State::kDrop;
   switch (state_) {
     case State::kHeader:
       header(beat);
@@ -31,34 +33,66 @@ void StreamModel::accept(const Beat& beat) {
     case State::kCoefficients:
       coefficients(beat);
       break;
+    case State::kLattice:
+      lattice_point(beat);
+      break;
     case State::kVertex:
-      vertex_ = {};
-      for (int axis = 0; axis < 3; ++axis) {
-        vertex_.local[axis] = beat.words[axis];
-        vertex_.cell[axis] = static_cast<int>(beat.words[3] >> (16 + 4 * axis)) & 15;
-      }
-      tag_ = static_cast<std::uint16_t>(beat.words[3]);
-      beat_ = 0;
-      state_ = State::kPoints;
-      if (beat.last) finish_vertex(true, true);
+      vertex(beat);
       break;
     case State::kPoints:
       points(beat);
       break;
+    case State::kDone:
+      ++events_.too_long;
+      state_ = State::kDrop;
+      break;
     case State::kDrop:
       break;
   }
-  if (beat.last) state_ = State::kHeader;
+  if (!beat.last) return;
+  if (payload && state_ != State::kDone) ++events_.too_short;
+  state_ = State::kHeader;
 }
 
 void StreamModel::header(const Beat& beat) {
   header_ = beat;
   beat_ = 0;
   vertices_left_ = beat.words[1];
-  const auto opcode = static_cast<Opcode>(beat.words[0] & 0xFF);
-  state_ = opcode == Opcode::kCoefficients                         ? State::kCoefficients
-           : opcode == Opcode::kInterleaved && vertices_left_ != 0 ? State::kVertex
-                                                                   : State::kDrop;
+  state_ = State::kDrop;
+  bool starts = false;
+  switch (static_cast<Opcode>(beat.words[0] & 0xFF)) {
+    case Opcode::kCoefficients:
+      state_ = State::kCoefficients;
+      starts = true;
+      break;
+    case Opcode::kLattice:
+      if (!start_lattice()) {
+        ++events_.dimensions;
+        return;
+      }
+      state_ = State::kLattice;
+      starts = true;
+      break;
+    case Opcode::kVertices:
+    case Opcode::kInterleaved:
+      resident_ = static_cast<Opcode>(beat.words[0] & 0xFF) == Opcode::kVertices;
+      starts = vertices_left_ != 0;
+      if (starts) state_ = State::kVertex;
+      break;
+    default:
+      ++events_.opcode;
+      return;
+  }
+  if (!starts || beat.last) ++events_.too_short;
+}
+
+bool StreamModel::start_lattice() {
+  for (int axis = 0; axis < 3; ++axis) {
+    new_dims_[axis] = static_cast<int>(header_.words[2] >> (8 * axis)) & 0xFF;
+    if (new_dims_[axis] < 4 || new_dims_[axis] > kAxisPoints) return false;
+  }
+  new_lattice_.clear();
+  return true;
 }
 
 void StreamModel::coefficients(const Beat& beat) {
@@ -69,7 +103,62 @@ void StreamModel::coefficients(const Beat& beat) {
   if (++beat_ == kCoefficientBeats) {
     bank_ = 1 - bank_;
     loaded_ = true;
-    state_ = State::kDrop;
+    state_ = State::kDone;
+  }
+}
+
+void StreamModel::lattice_point(const Beat& beat) {
+  new_lattice_.push_back({beat.words[0], beat.words[1], beat.words[2]});
+  const int all = new_dims_[0] * new_dims_[1] * new_dims_[2];
+  if (static_cast<int>(new_lattice_.size()) < all) return;
+  dims_ = new_dims_;
+  lattice_ = std::exchange(new_lattice_, {});
+  state_ = State::kDone;
+}
+
+void StreamModel::vertex(const Beat& beat) {
+  vertex_ = {};
+  for (int axis = 0; axis < 3; ++axis) {
+    vertex_.local[axis] = beat.words[axis];
+    vertex_.cell[axis] = static_cast<int>(beat.words[3] >> (16 + 4 * axis)) & 15;
+  }
+  tag_ = static_cast<std::uint16_t>(beat.words[3]);
+  beat_ = 0;
+  check_vertex();
+  if (!resident_) {
+    state_ = State::kPoints;
+    if (beat.last) finish_vertex(true, true);
+    return;
+  }
+  if (!lattice_.empty()) gather_support();
+  const bool complete = vertices_left_ == 1;
+  finish_vertex(false, complete || beat.last);
+  state_ = complete ? State::kDone : State::kVertex;
+}
+
+void StreamModel::check_vertex() {
+  const bool clamp = static_cast<OutsideMode>(header_.words[2] & 3) == OutsideMode::kClamp;
+  nan_ = outside_ = cell_outside_ = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const CoordinateRange range = evaluator_->range(vertex_.local[axis]);
+    nan_ |= range.nan;
+    outside_ |= range.outside;
+    if (clamp) vertex_.local[axis] = range.clamped;
+    if (!resident_ || lattice_.empty() || vertex_.cell[axis] <= dims_[axis] - 4) continue;
+    cell_outside_ = true;
+    vertex_.cell[axis] = dims_[axis] - 4;
+    if (clamp) vertex_.local[axis] = evaluator_->one_word();
+  }
+}
+
+void StreamModel::gather_support() {
+  for (int p = 0; p < 64; ++p) {
+    const std::array<int, 3> offset = {p / 16, p / 4 % 4, p % 4};
+    int at = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      at = at * dims_[axis] + vertex_.cell[axis] + offset[axis];
+    }
+    for (int c = 0; c < 3; ++c) vertex_.points[3 * p + c] = lattice_[at][c];
   }
 }
 
@@ -78,23 +167,37 @@ void StreamModel::points(const Beat& beat) {
   ++beat_;
   const bool complete = beat_ == kPointBeats;
   if (!complete && !beat.last) return;
-  const bool last = beat.last || vertices_left_ == 1;
-  finish_vertex(!complete, last);
-  state_ = last ? State::kDrop : State::kVertex;
+  const bool last_vertex = vertices_left_ == 1;
+  finish_vertex(!complete, last_vertex || beat.last);
+  if (complete) state_ = last_vertex ? State::kDone : State::kVertex;
 }
 
 void StreamModel::finish_vertex(bool truncated, bool last) {
   --vertices_left_;
+  const bool no_lattice = resident_ && lattice_.empty();
+  const bool unloaded = !loaded_ || no_lattice;
+  const bool out = outside_ || cell_outside_;
+  const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
+  const bool clamp = mode == OutsideMode::kClamp;
+  const bool refused = out && !clamp && mode != OutsideMode::kPass;
+  events_.coefficients += loaded_ ? 0 : 1;
+  events_.lattice += no_lattice ? 1 : 0;
+  events_.nan += nan_ ? 1 : 0;
+  events_.coordinate += outside_ ? 1 : 0;
+  events_.cell += cell_outside_ ? 1 : 0;
+
   Beat result;
   result.last = last;
-  if (truncated || !loaded_) {
+  result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (nan_ ? kStatusNan : 0) |
+                    (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
+                    (unloaded ? kStatusUnloaded : 0);
+  if (truncated || unloaded || nan_ || refused) {
     for (int c = 0; c < 3; ++c) result.words[c] = evaluator_->blank_word();
-    result.words[3] = tag_ | (truncated ? kStatusTruncated : 0) | (loaded_ ? 0 : kStatusUnloaded);
   } else {
     const ResultWords words = evaluator_->evaluate(bank_, vertex_);
     for (int c = 0; c < 3; ++c) result.words[c] = words.words[c];
-    result.words[3] =
-        tag_ | (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0);
+    result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0);
+    events_.saturated += words.saturated ? 1 : 0;
   }
   results_.push_back(result);
 }

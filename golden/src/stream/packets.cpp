@@ -1,6 +1,23 @@
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd {
+namespace {
+
+Beat vertices_header(Opcode opcode, std::size_t count, OutsideMode mode) {
+  return {{static_cast<std::uint32_t>(opcode), static_cast<std::uint32_t>(count),
+           static_cast<std::uint32_t>(mode), 0},
+          false};
+}
+
+Beat beat_of(const VertexBeat& vertex) {
+  std::uint32_t word = vertex.tag;
+  for (int axis = 0; axis < 3; ++axis) {
+    word |= static_cast<std::uint32_t>(vertex.cell[axis] & 15) << (16 + 4 * axis);
+  }
+  return {{vertex.local[0], vertex.local[1], vertex.local[2], word}, false};
+}
+
+}  // namespace
 
 std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes) {
   std::vector<Beat> beats(1);
@@ -14,17 +31,35 @@ std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes) {
   return beats;
 }
 
-std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices) {
+std::vector<Beat> lattice_packet(const LatticeWords& lattice) {
   std::vector<Beat> beats(1);
+  beats.reserve(1 + lattice.points.size());
+  beats[0].words = {static_cast<std::uint32_t>(Opcode::kLattice),
+                    static_cast<std::uint32_t>(lattice.points.size()), 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    beats[0].words[2] |= static_cast<std::uint32_t>(lattice.dims[axis]) << (8 * axis);
+  }
+  for (const auto& point : lattice.points) {
+    beats.push_back({{point[0], point[1], point[2], 0}, false});
+  }
+  beats.back().last = true;
+  return beats;
+}
+
+std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices, OutsideMode mode) {
+  std::vector<Beat> beats = {vertices_header(Opcode::kVertices, vertices.size(), mode)};
+  beats.reserve(1 + vertices.size());
+  for (const VertexBeat& vertex : vertices) beats.push_back(beat_of(vertex));
+  beats.back().last = true;
+  return beats;
+}
+
+std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
+                                     OutsideMode mode) {
+  std::vector<Beat> beats = {vertices_header(Opcode::kInterleaved, vertices.size(), mode)};
   beats.reserve(1 + kVertexBeats * vertices.size());
-  beats[0].words = {static_cast<std::uint32_t>(Opcode::kInterleaved),
-                    static_cast<std::uint32_t>(vertices.size()), 0, 0};
   for (const InterleavedVertex& vertex : vertices) {
-    std::uint32_t word = vertex.tag;
-    for (int axis = 0; axis < 3; ++axis) {
-      word |= static_cast<std::uint32_t>(vertex.cell[axis] & 15) << (16 + 4 * axis);
-    }
-    beats.push_back({{vertex.local[0], vertex.local[1], vertex.local[2], word}, false});
+    beats.push_back(beat_of(vertex));
     for (int row = 0; row < kPointBeats; ++row) {
       const std::uint32_t* words = &vertex.points[4 * row];
       beats.push_back({{words[0], words[1], words[2], words[3]}, false});

@@ -38,6 +38,10 @@ class EvaluatorModel {
   virtual ResultWords evaluate(int bank, const VertexWords& vertex) const = 0;
   /// The word of a coordinate that could not be computed.
   virtual std::uint32_t blank_word() const = 0;
+  /// The word of the coordinate 1.
+  virtual std::uint32_t one_word() const = 0;
+  /// Whether a coordinate's word is a number in [0, 1].
+  virtual CoordinateRange range(std::uint32_t word) const = 0;
 };
 
 /// Number format `F` and organization `Organization<F>` behind the interface of words.
@@ -71,6 +75,8 @@ class EvaluatorModelOf final : public EvaluatorModel {
   }
 
   std::uint32_t blank_word() const override { return F::kBlankWord; }
+  std::uint32_t one_word() const override { return F::kOneWord; }
+  CoordinateRange range(std::uint32_t word) const override { return F::range(word); }
 
  private:
   Organization<F> organization_;

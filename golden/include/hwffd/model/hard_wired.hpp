@@ -27,6 +27,8 @@ class HardWiredBspline final : public EvaluatorModel {
   }
 
   std::uint32_t blank_word() const override { return general_->blank_word(); }
+  std::uint32_t one_word() const override { return general_->one_word(); }
+  CoordinateRange range(std::uint32_t word) const override { return general_->range(word); }
 
  private:
   std::unique_ptr<EvaluatorModel> general_;

@@ -1,12 +1,34 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/packets.hpp"
 
 namespace hwffd::model {
+
+/// How often each event of the input occurred (FFD_EVENT_* in rtl/stream/ffd_stream.vh).
+struct StreamEvents {
+  std::uint64_t opcode = 0;        ///< unknown
+  std::uint64_t too_short = 0;     ///< packets
+  std::uint64_t too_long = 0;      ///< packets
+  std::uint64_t coefficients = 0;  ///< vertices that came before any
+  std::uint64_t lattice = 0;       ///< resident vertices that came before any
+  std::uint64_t dimensions = 0;    ///< bad ones
+  std::uint64_t cell = 0;          ///< vertices whose cell is outside the lattice
+  std::uint64_t nan = 0;           ///< vertices with a coordinate that is no number
+  std::uint64_t coordinate = 0;    ///< vertices with a coordinate outside [0, 1]
+  std::uint64_t saturated = 0;     ///< results
+
+  /// In the order of their numbers.
+  std::array<std::uint64_t, 10> counts() const {
+    return {opcode,     too_short, too_long, coefficients, lattice,
+            dimensions, cell,      nan,      coordinate,   saturated};
+  }
+};
 
 /// The bit-true model of `hwffd_stream`: command beats in, result beats out, bad packets included.
 /// docs/interface.md section 2. It knows order and bits, not clocks.
@@ -20,27 +42,47 @@ class StreamModel {
   std::vector<Beat> run(const std::vector<Beat>& beats);
   /// The results so far that were not yet taken.
   std::vector<Beat> take_results();
-  /// As aresetn: forgets the packet under way, which bank is in use and that it was loaded.
+  /// As aresetn: forgets the packet under way, what is loaded, and the events.
   void reset();
 
+  const StreamEvents& events() const { return events_; }
+
  private:
-  enum class State { kHeader, kCoefficients, kVertex, kPoints, kDrop };
+  enum class State { kHeader, kCoefficients, kLattice, kVertex, kPoints, kDone, kDrop };
+  using LatticePoint = std::array<std::uint32_t, 3>;
 
   void header(const Beat& beat);
+  bool start_lattice();
   void coefficients(const Beat& beat);
+  void lattice_point(const Beat& beat);
+  void vertex(const Beat& beat);
   void points(const Beat& beat);
+  void check_vertex();
+  void gather_support();
   void finish_vertex(bool truncated, bool last);
 
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::vector<Beat> results_;
+  StreamEvents events_;
   State state_ = State::kHeader;
+  Beat header_;
+  int beat_ = 0;
+
   int bank_ = 0;
   bool loaded_ = false;
-  Beat header_;
+
+  std::array<int, 3> new_dims_{};
+  std::vector<LatticePoint> new_lattice_;
+  std::array<int, 3> dims_{};
+  std::vector<LatticePoint> lattice_;  // empty: none came yet
+
+  bool resident_ = false;
   std::uint32_t vertices_left_ = 0;
-  int beat_ = 0;
   VertexWords vertex_;
   std::uint16_t tag_ = 0;
+  bool nan_ = false;
+  bool outside_ = false;  // a coordinate
+  bool cell_outside_ = false;
 };
 
 }  // namespace hwffd::model

@@ -19,6 +19,15 @@ struct Binary32 {
   using Sum = float;
 
   static constexpr std::uint32_t kBlankWord = 0x7FC00000;
+  static constexpr std::uint32_t kOneWord = 0x3F800000;
+
+  static CoordinateRange range(std::uint32_t word) {
+    const float value = float_of_bits(word);
+    if (!std::isfinite(value)) return {true, false, word};
+    if (value > 1.0F) return {false, true, kOneWord};
+    if (value < 0.0F) return {false, true, 0};
+    return {false, false, word};
+  }
 
   static Weight coordinate(std::uint32_t word) { return float_of_bits(word); }
   static Weight coefficient(std::uint32_t word) { return float_of_bits(word); }

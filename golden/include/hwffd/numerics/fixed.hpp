@@ -35,6 +35,12 @@ struct Fixed {
   static constexpr int kPointFraction = W - 1;
   static constexpr int kSumFraction = 2 * W - 3;
   static constexpr std::uint32_t kBlankWord = 0;
+  static constexpr std::uint32_t kOneWord = 0x80000000;
+
+  static CoordinateRange range(std::uint32_t word) {
+    const bool above = word > kOneWord;
+    return {false, above, above ? kOneWord : word};
+  }
 
   static Weight coordinate(std::uint32_t word) {
     constexpr std::uint32_t kOne = 0x80000000U;

@@ -11,4 +11,11 @@ struct OutWord {
   bool nan = false;
 };
 
+/// What a coordinate's stream word is worth (ffd_num_range).
+struct CoordinateRange {
+  bool nan = false;           ///< no finite number
+  bool outside = false;       ///< a number, not in [0, 1]
+  std::uint32_t clamped = 0;  ///< the nearest word in [0, 1]; of what is no number, anything
+};
+
 }  // namespace hwffd

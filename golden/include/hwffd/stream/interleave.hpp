@@ -29,6 +29,13 @@ class Normalization {
 /// reported, the same for every format.
 double lattice_scale(const Lattice& lattice);
 
+/// The control points of a lattice as stream words.
+LatticeWords lattice_words(const Lattice& lattice, const WordCodec& codec,
+                           const Normalization& normalization);
+
+/// Each vertex as stream words; the tag is the index modulo 65536.
+std::vector<VertexBeat> vertex_beats(const std::vector<Embedded>& vertices, const WordCodec& codec);
+
 /// Each vertex with the 64 control points of its cell, as stream words (paper, fig. 3). The tag is
 /// the index modulo 65536.
 std::vector<InterleavedVertex> interleave(const Lattice& lattice,

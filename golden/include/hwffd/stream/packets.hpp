@@ -9,15 +9,30 @@
 namespace hwffd {
 
 /// Packet opcodes, in the low byte of a header's word 0. docs/interface.md section 2.
-enum class Opcode : std::uint8_t { kCoefficients = 1, kInterleaved = 4 };
+enum class Opcode : std::uint8_t {
+  kCoefficients = 1,
+  kLattice = 2,
+  kVertices = 3,
+  kInterleaved = 4
+};
+
+/// What becomes of a vertex outside the lattice, in a header of vertices. All modes flag it.
+enum class OutsideMode : std::uint8_t {
+  kClamp = 0,  ///< onto the nearest face
+  kPass = 1,   ///< evaluated as it is
+  kBlank = 2   ///< no result
+};
 
 constexpr int kCoefficientBeats = 12;  ///< three axes, four blending functions
 constexpr int kPointBeats = 48;        ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
+constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
 
 // Status bits of a result, in its word 3.
 constexpr std::uint32_t kStatusSaturated = 1U << 16;
+constexpr std::uint32_t kStatusClamped = 1U << 17;
 constexpr std::uint32_t kStatusNan = 1U << 18;
+constexpr std::uint32_t kStatusOutside = 1U << 19;
 constexpr std::uint32_t kStatusTruncated = 1U << 20;
 constexpr std::uint32_t kStatusUnloaded = 1U << 21;
 
@@ -28,18 +43,36 @@ struct AxisWords {
   int shift = 0;   ///< 0 to 3; coefficients are stored times 2^-shift (fixed point)
 };
 
+/// A vertex as stream words.
+struct VertexBeat {
+  std::array<std::uint32_t, 3> local{};  ///< s, t, u
+  std::array<int, 3> cell{};             ///< i, j, k, 0 to 15 each
+  std::uint16_t tag = 0;                 ///< comes back with the result
+};
+
 /// A vertex with its control points as stream words.
-struct InterleavedVertex {
-  std::array<std::uint32_t, 3> local{};     ///< s, t, u
-  std::array<int, 3> cell{};                ///< i, j, k, 0 to 15 each
-  std::uint16_t tag = 0;                    ///< comes back with the result
+struct InterleavedVertex : VertexBeat {
   std::array<std::uint32_t, 192> points{};  ///< 64 x 3, local order (l, m, n), n fastest
+};
+
+/// A lattice as stream words: points[(i * dims[1] + j) * dims[2] + k].
+struct LatticeWords {
+  std::array<int, 3> dims{};  ///< points an axis, 4 to kAxisPoints
+  std::vector<std::array<std::uint32_t, 3>> points;
 };
 
 /// The packet that loads a bank of coefficients: 13 beats. Axes s, t, u.
 std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes);
 
+/// The packet that makes a lattice resident: a beat a point after the header.
+std::vector<Beat> lattice_packet(const LatticeWords& lattice);
+
+/// The packet of vertices of the resident lattice: 1 + n beats, in the order given.
+std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices,
+                                  OutsideMode mode = OutsideMode::kClamp);
+
 /// The packet of interleaved vertices: 1 + 49 n beats, in the order given.
-std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices);
+std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
+                                     OutsideMode mode = OutsideMode::kClamp);
 
 }  // namespace hwffd

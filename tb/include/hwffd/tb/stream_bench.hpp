@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -78,6 +79,8 @@ class StreamBench {
   const std::vector<std::uint64_t>& accept_clocks() const { return driver_.clocks(); }
   /// The results since the last reset.
   const std::vector<Beat>& results() const { return monitor_.beats(); }
+  /// Pulses of each event since the last reset.
+  const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
   /// Clocks between results `first` and `last`, divided by their distance. Throws
   /// std::out_of_range when they are not two recorded results in order.
   double clocks_per_result(std::size_t first, std::size_t last) const;
@@ -109,6 +112,7 @@ class StreamBench {
 
   bool step(SinkMode mode);
   void probe(bool valid, bool ready);
+  void count_events();
   void compare_with_probe();
   bool full() const;
   void fail(const std::string& what);
@@ -126,6 +130,7 @@ class StreamBench {
   std::function<void(double)> progress_;
   StreamPins pins_;
   StreamPins probed_;
+  std::array<std::uint64_t, kStreamEvents> events_{};
   std::uint64_t cycle_ = 0;
   bool was_reset_ = false;
   bool first_cycle_ = false;

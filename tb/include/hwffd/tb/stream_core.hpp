@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
+
 #include "hwffd/stream/beat.hpp"
 
 namespace hwffd::tb {
+
+constexpr int kStreamEvents = 10;  ///< kinds (FFD_EVENT_* in rtl/stream/ffd_stream.vh)
 
 /// The pins of a Verilated `hwffd_stream`, whatever its configuration.
 ///
@@ -26,6 +30,10 @@ class StreamCore {
   virtual bool input_ready() const = 0;   ///< s_axis_tready
   virtual bool output_valid() const = 0;  ///< m_axis_tvalid
   virtual Beat output() const = 0;        ///< m_axis_tdata and _tlast
+  /// event_o: bit n is a pulse of event n. A core without events has none.
+  virtual std::uint32_t events() const { return 0; }
+  /// idle_o.
+  virtual bool idle() const { return true; }
 };
 
 }  // namespace hwffd::tb

@@ -66,6 +66,8 @@ class VerilatedStreamCore final : public StreamCore {
     beat.last = dut_->m_axis_tlast != 0;
     return beat;
   }
+  std::uint32_t events() const override { return dut_->event_o; }
+  bool idle() const override { return dut_->idle_o != 0; }
 
  private:
   std::unique_ptr<VerilatedContext> context_;

@@ -1,0 +1,65 @@
+// hwffd-streams: how many words an arrangement of the control points moves, predicted from the
+// order of the vertices and counted at the simulated core's input (paper, 3.3.2).
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <exception>
+#include <filesystem>
+
+#include "hwffd/atomic_file.hpp"
+#include "hwffd/error.hpp"
+#include "options.hpp"
+#include "report.hpp"
+
+namespace {
+
+using namespace hwffd;
+using namespace hwffd::streams;
+
+void show_progress(std::size_t done, std::size_t all) {
+  if (isatty(fileno(stderr)) == 0) return;
+  fmt::print(stderr, "\r\033[K[{}/{}] rows", done, all);
+  if (done == all) fmt::print(stderr, "\r\033[K");
+}
+
+/// The models found; a built-in mesh if there are none.
+std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models) {
+  std::vector<NamedMesh> meshes;
+  for (const std::string& model : models) {
+    try {
+      meshes.push_back({model, Mesh::load(find_model(model))});
+    } catch (const Error& error) {
+      fmt::print(stderr, "hwffd-streams: left out: {}\n", error.what());
+    }
+  }
+  if (meshes.empty()) meshes.push_back({"built-in", Mesh::procedural()});
+  return meshes;
+}
+
+int run(const Options& options) {
+  const std::vector<Row> rows = study(meshes_of(options.models), options.lattices,
+                                      find_configuration("basic-fx18-overlapped"), show_progress);
+  fmt::print("words moved to the core, a vertex\n\n{}", table(rows));
+  const std::filesystem::path folder = options.output / "reports";
+  std::filesystem::create_directories(folder);
+  write_files({{folder / "streams.svg", plot(rows)}, {folder / "streams.json", json_report(rows)}});
+  fmt::print("\nwrote {0}/streams.json and {0}/streams.svg\n", folder.string());
+  const std::string wrong = faults(rows);
+  fmt::print(stderr, "{}", wrong);
+  return wrong.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_options(argc, argv));
+  } catch (const Error& error) {
+    fmt::print(stderr, "hwffd-streams: {}\n", error.what());
+    return error.exit_status();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hwffd-streams: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,34 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/lattice.hpp"
+
+namespace hwffd::streams {
+
+Options parse_options(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Counts the words that arrangements of the control points move."};
+  app.add_option("--models", options.models, "meshes (cat.3ds horse.3ds bunny.obj)");
+  app.add_option("--lattices", options.lattices, "control points an axis (4 6 8 12 16)");
+  app.add_option("--output", options.output, "folder for reports (build)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    std::exit(app.exit(help));
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see --help");
+  }
+  const bool good = std::all_of(options.lattices.begin(), options.lattices.end(), [](int points) {
+    return points >= Lattice::kMinPoints && points <= Lattice::kMaxPoints;
+  });
+  if (!good || options.lattices.empty()) throw UsageError("--lattices: expected 4 to 16 each");
+  std::sort(options.lattices.begin(), options.lattices.end());
+  return options;
+}
+
+}  // namespace hwffd::streams

@@ -1,0 +1,24 @@
+// What the parts of the stream share: status, events.
+// SPDX-License-Identifier: Apache-2.0
+`ifndef FFD_STREAM_VH
+`define FFD_STREAM_VH
+
+// A vertex's way around the evaluator: {resident, buffer, bank, last, blank, status, tag}.
+`define FFD_USER_W 27
+
+// Events of the input, one pulse each; docs/interface.md section 5.
+`define FFD_EVENT_OPCODE       0
+`define FFD_EVENT_SHORT        1
+`define FFD_EVENT_LONG         2
+`define FFD_EVENT_COEFFICIENTS 3
+`define FFD_EVENT_LATTICE      4
+`define FFD_EVENT_DIMENSIONS   5
+`define FFD_EVENT_CELL         6
+`define FFD_EVENT_NAN          7
+`define FFD_EVENT_COORDINATE   8
+`define FFD_EVENTS             9
+
+// One more, of the result.
+`define FFD_EVENT_SATURATED    9
+
+`endif
