@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words synth test test-all lint clean install
+.PHONY: help sim organizations streams words synth test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -48,6 +48,7 @@ help:
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
+	@echo 'make soak      mixed good and bad traffic through hwffd_axi, SEEDS= of them (100; minutes)'
 	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
 	@echo 'make clean     remove build/ and build-trace/'
 	@echo
@@ -92,6 +93,11 @@ test-all: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'
+
+soak: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target axi_test
+	@HWFFD_SOAK="$(or $(call given,SEEDS),100)" $(BUILD)/tests/bus/axi/axi_test --gtest_brief=1 --gtest_filter='*Soak*'
 
 lint: install
 	@scripts/lint -j $(JOBS)

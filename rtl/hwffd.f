@@ -1,5 +1,18 @@
 // Every source of the core, one a line, relative to this folder. Order does not matter.
+top/hwffd_axi.v
 top/hwffd_stream.v
+bus/ffd_axil_registers.v
+bus/ffd_axil_slave.v
+bus/ffd_axil_errors.v
+bus/ffd_axil_counter.v
+bus/ffd_bus_run.v
+bus/ffd_bus_events.v
+bus/ffd_dma_address.v
+bus/ffd_dma_engine.v
+bus/ffd_dma_fifo.v
+bus/ffd_dma_read.v
+bus/ffd_dma_ring.v
+bus/ffd_dma_write.v
 stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_encoder.v

@@ -274,15 +274,21 @@ bool has_{core}_core(const Configuration& configuration) {{
 
 }}  // namespace hwffd::tb
 """
+_TRACED = {
+    "more_includes": "",
+    "types": ", const std::string&",
+    "parameters": ", const std::string& trace",
+    "arguments": ", trace",
+    "prepare": "  if (!trace.empty()) core->trace(trace);\n",
+    "more": "",
+}
 _CORES = {
     "stream": {
+        **_TRACED,
         "more_includes": '#include "hwffd/tb/waveform.hpp"\n',
-        "types": ", const std::string&",
-        "parameters": ", const std::string& trace",
-        "arguments": ", trace",
-        "prepare": "  if (!trace.empty()) core->trace(trace);\n",
         "more": "bool stream_cores_can_trace() { return Waveform::kAvailable; }\n\n",
     },
+    "axi": _TRACED,
     "evaluator": {
         "more_includes": "", "types": "", "parameters": "", "arguments": "", "prepare": "",
         "more": "",
@@ -291,7 +297,7 @@ _CORES = {
 
 
 def factory_text(configurations, core, suffix=""):
-    """Cores ("stream" or "evaluator") of these rows; a row's class is V<identifier><suffix>."""
+    """Cores ("stream", "axi" or "evaluator") of these rows; a row's class is V<identifier><suffix>."""
     classes = {c.name: f"V{c.identifier}{suffix}" for c in configurations}
     return _FACTORY.format(
         generated=GENERATED,
@@ -338,6 +344,8 @@ def main(arguments=None):
     for command in (cmake, cpp, factory, models, select, evaluators):
         command.add_argument("out")
     factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
+    factory.add_argument("--core", choices=("stream", "axi"), default="stream",
+                         help="hwffd_stream or hwffd_axi (stream)")
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, cmake, factory, evaluators):
         command.add_argument("--tier", choices=TIERS, default="all")
@@ -370,7 +378,7 @@ def main(arguments=None):
         else:
             named = [find(rows, name) for name in options.rows or ()]
             built = named or [c for c in of_tier(rows, options.tier) if c.stream]
-            write_if_changed(options.out, factory_text(built, "stream", options.suffix))
+            write_if_changed(options.out, factory_text(built, options.core, options.suffix))
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)
         return 1

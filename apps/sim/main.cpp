@@ -48,6 +48,7 @@ int simulate(const Options& options) {
       const std::string waveform = options.trace ? output.waveform(text, row.name).string() : "";
       results.push_back(run(options, row, scene, deform(scene, text), waveform));
       fmt::print("{}\n", table_line(results.back(), options.stream));
+      if (results.back().bus) fmt::print("{}\n", bus_line(*results.back().bus));
       if (options.trace) fmt::print("  first {} clocks in {}\n", tb::kTracedClocks, waveform);
       std::fflush(stdout);
       if (!results.back().ok()) {

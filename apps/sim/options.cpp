@@ -7,10 +7,12 @@
 #include <charconv>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <system_error>
 
 #include "hwffd/error.hpp"
+#include "hwffd/tb/axi_core_factory.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
 
 namespace hwffd::sim {
@@ -58,6 +60,21 @@ std::vector<Configuration> rows_of(const Text& text) {
   return rows;
 }
 
+/// Those that this build has with their buses.
+std::vector<Configuration> dma_rows_of(const std::vector<Configuration>& rows) {
+  std::vector<Configuration> kept;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), tb::has_axi_core);
+  if (!kept.empty()) return kept;
+  std::set<std::string> built;
+  for (const Configuration& row : configurations()) {
+    if (tb::has_axi_core(row)) built.insert(row.name);
+  }
+  throw UsageError(
+      fmt::format("STREAM={}: not built for what ORG, FORMAT and SCHEDULE name; "
+                  "built for: {}",
+                  kDmaStream, joined(built)));
+}
+
 Index3 dims_of(const std::string& text) {
   Index3 dims{};
   int end = 0;
@@ -96,7 +113,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--org", text.org, "organization (default: all of the table's tier sim)");
   app.add_option("--format", text.format, "fp32 | fx18 | fx32 (default: all)");
   app.add_option("--schedule", text.schedule, "paper | overlapped (default: both)");
-  app.add_option("--stream", options.stream, "interleaved | resident (interleaved)");
+  app.add_option("--stream", options.stream, "interleaved | resident | dma (interleaved)");
   app.add_option("--seed", text.seed, "seed of the bench (1)");
   app.add_flag("--trace", options.trace, "write waveforms (FST); needs a build with HWFFD_TRACE");
   app.add_option("--output", options.output, "folder for meshes and reports (build)");
@@ -107,7 +124,7 @@ Options parse_options(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see --help");
   }
-  const std::vector<std::string> streams{"interleaved", "resident"};
+  const std::vector<std::string> streams{"interleaved", "resident", kDmaStream};
   if (std::find(streams.begin(), streams.end(), options.stream) == streams.end()) {
     throw UsageError(fmt::format("STREAM={}: unknown; known here: {}", options.stream,
                                  joined({streams.begin(), streams.end()})));
@@ -120,6 +137,7 @@ Options parse_options(int argc, char** argv) {
   options.seed = seed_of(text.seed);
   options.lattice = dims_of(text.lattice);
   options.rows = rows_of(text);
+  if (options.stream == kDmaStream) options.rows = dma_rows_of(options.rows);
   options.deformations = {text.deform};
   if (text.deform.empty()) {
     options.deformations = {"twist:90", fmt::format("random:{}", options.seed)};

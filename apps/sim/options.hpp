@@ -10,6 +10,9 @@
 
 namespace hwffd::sim {
 
+/// The stream that goes through the memory of `hwffd_axi`, in the arrangement "resident".
+inline constexpr const char* kDmaStream = "dma";
+
 /// What `hwffd-sim` was asked to do, checked.
 struct Options {
   std::string model;                       ///< mesh file or bare name; empty: the default cat

@@ -18,6 +18,13 @@ std::string table_line(const RunResult& r, const std::string& stream) {
                      r.mismatches, r.clocks_per_vertex, r.max_error, r.rms_error);
 }
 
+std::string bus_line(const tb::BusUtilisation& bus) {
+  return fmt::format(
+      "  bus: {:.1f} % used: {} beats read ({:.1f} %), {} written ({:.1f} %) in {} clocks",
+      100 * bus.both(), bus.read_beats, 100 * bus.read(), bus.write_beats, 100 * bus.write(),
+      bus.clocks());
+}
+
 std::string json_report(const Scene& scene, const Options& options,
                         const std::vector<RunResult>& results) {
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
@@ -32,6 +39,7 @@ std::string json_report(const Scene& scene, const Options& options,
                     {"clocks_per_vertex", r.clocks_per_vertex},
                     {"max_error", r.max_error},
                     {"rms_error", r.rms_error}});
+    if (r.bus) runs.back()["bus_utilisation"] = r.bus->both();
   }
   const nlohmann::ordered_json report = {{"model", scene.mesh.name()},
                                          {"vertices", scene.mesh.vertex_count()},

@@ -10,6 +10,8 @@ namespace hwffd::sim {
 /// One line of the table; `header` is the line above.
 std::string table_header();
 std::string table_line(const RunResult& result, const std::string& stream);
+/// The line below it where there was a bus.
+std::string bus_line(const tb::BusUtilisation& bus);
 
 /// build/reports/sim.json: model, vertices, and one entry a run.
 std::string json_report(const Scene& scene, const Options& options,

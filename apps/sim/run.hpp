@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "hwffd/tb/axi_system.hpp"
 #include "options.hpp"
 #include "scene.hpp"
 
@@ -19,12 +21,14 @@ struct RunResult {
   double max_error = 0;          ///< against the oracle, in units of the lattice's scale
   double rms_error = 0;          ///< per component, same unit
   std::string failure;           ///< the bench's report where something failed
-  Points positions;              ///< n x 3, what came out of the hardware, world coordinates
+  std::optional<tb::BusUtilisation> bus;  ///< STREAM=dma only
+  Points positions;  ///< n x 3, what came out of the hardware, world coordinates
 
   bool ok() const { return failure.empty(); }
 };
 
-/// Streams all vertices through the Verilated core and compares every beat with the model.
+/// Sends all vertices through the Verilated core, by its streams or from memory to memory, and
+/// compares every result with the model.
 /// @param waveform  FST file to write; empty: none
 RunResult run(const Options& options, const Configuration& row, const Scene& scene,
               const Deformed& deformed, const std::string& waveform);

@@ -9,6 +9,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -39,7 +40,9 @@ REFUSED = {
     ("--lattice", "4x4x4x4"): (USAGE, "LATTICE=4x4x4x4", "as 4x4x4"),
     ("--org", "foo"): (USAGE, "ORG=foo", "basic"),
     ("--schedule", "foo"): (USAGE, "SCHEDULE=foo", "overlapped, paper"),
-    ("--stream", "foo"): (USAGE, "STREAM=foo", "interleaved, resident"),
+    ("--stream", "foo"): (USAGE, "STREAM=foo", "dma, interleaved, resident"),
+    ("--stream", "dma", "--schedule", "paper"):
+        (USAGE, "STREAM=dma", "basic-fp32-overlapped, basic-fx18-overlapped"),
     ("--seed", "abc"): (USAGE, "SEED=abc", "0 to 2^64 - 1"),
     ("--seed", "-1"): (USAGE, "SEED=-1", "0 to 2^64 - 1"),
     ("--seed", "18446744073709551616"): (USAGE, "SEED=1844", "0 to 2^64 - 1"),
@@ -180,13 +183,33 @@ class Sim(unittest.TestCase):
 
     def test_streams_give_the_same_bits(self):
         runs = {}
-        for stream in ("interleaved", "resident"):
+        for stream in ("interleaved", "resident", "dma"):
             options = ("--lattice", "5x7x6", "--stream", stream)
             (twist, random) = self.report(self.sim(*GOOD, *options, output=stream), stream)["runs"]
             self.assertEqual(twist.pop("stream"), stream)
+            # A result of the last burst does not wait for others.
+            self.assertAlmostEqual(twist.pop("clocks_per_vertex"), 64, delta=0.5)
+            if stream == "dma":
+                self.assertTrue(0 < twist.pop("bus_utilisation") < 1)
             mesh = (self.folder / stream / "sim" / "block-twist-90.obj").read_text()
             runs[stream] = (twist, random["max_error"], random["rms_error"], mesh)
-        self.assertEqual(*runs.values())
+        self.assertEqual(runs["interleaved"], runs["resident"])
+        self.assertEqual(runs["interleaved"], runs["dma"])
+
+    def test_the_bus_of_a_run_through_memory(self):
+        done = self.sim(*GOOD, "--stream", "dma", "--deform", "none")
+        (run,) = self.report(done)["runs"]
+        self.assertEqual(list(run), ROW_FIELDS + ["bus_utilisation"])
+        self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
+        # A packet of coefficients, one of 64 points, one of the vertices: header and descriptor each.
+        read, written = BLOCK_VERTICES + 12 + 64 + 3 * 2, BLOCK_VERTICES
+        line = next(line for line in done.stdout.splitlines() if line.startswith("  bus:"))
+        found = re.search(r"([\d.]+) % used: (\d+) beats read \(([\d.]+) %\), (\d+) written "
+                          r"\(([\d.]+) %\) in (\d+) clocks", line)
+        both, beats_read, _, beats_written, _, clocks = map(float, found.groups())
+        self.assertEqual((beats_read, beats_written), (read, written))
+        self.assertAlmostEqual(run["bus_utilisation"], (read + written) / 2 / clocks)
+        self.assertAlmostEqual(both, 100 * run["bus_utilisation"], delta=0.051)
 
     def test_several_cells(self):
         report = self.report(self.sim(*GOOD, "--lattice", "6x5x4", "--deform", "none"))

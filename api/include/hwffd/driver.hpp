@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+#include "hwffd/register_port.hpp"
+
+namespace hwffd {
+
+/// What went wrong between driver and core, in one line.
+class DriverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The bus answered an access with an error response. For implementations of RegisterPort.
+class RegisterError : public DriverError {
+ public:
+  using DriverError::DriverError;
+};
+
+/// What was built: VERSION, CONFIG and LIMITS.
+struct CoreIdentity {
+  unsigned version_major, version_minor, version_patch;
+  unsigned org;          ///< number in rtl/configurations.csv
+  unsigned n;            ///< units of a step
+  unsigned format;       ///< 0 fp32, W fxW
+  unsigned schedule;     ///< 0 overlapped, 1 paper
+  unsigned evaluator;    ///< 0 pipelined, 1 iterative, 2 bspline
+  unsigned in_flight;    ///< most vertices inside
+  unsigned points_axis;  ///< of the resident lattice; 0: none
+};
+
+/// Addresses from base to limit, both included. Both 0, as after reset: too small for any transfer.
+struct AddressWindow {
+  std::uint64_t base = 0;
+  std::uint64_t limit = 0;
+};
+
+/// 2^log2_size descriptors of 16 bytes from base on, a multiple of the ring's size; one stays
+/// unused.
+struct DescriptorRing {
+  std::uint64_t base = 0;
+  unsigned log2_size = 0;
+};
+
+struct ResultArea {
+  std::uint64_t base = 0;
+  std::uint32_t bytes = 0;
+};
+
+struct CoreCounters {
+  std::uint64_t vertices = 0;
+  std::uint64_t stalls = 0;
+  std::uint64_t busy = 0;
+};
+
+/// The first error since the record was last cleared.
+struct FirstError {
+  unsigned code = 0;  ///< bit of ERROR_STATUS
+  std::uint32_t packet = 0;
+  std::uint32_t beat = 0;
+  std::uint64_t address = 0;  ///< of the first error of the DMA since then; 0: there was none
+};
+
+struct CoreErrors {
+  std::uint32_t status = 0;  ///< a bit a code
+  std::uint32_t count = 0;   ///< since it was last cleared
+  std::optional<FirstError> first;
+};
+
+/// The programming sequence of docs/registers.md section 4, step by step:
+///
+///     Driver driver(port);
+///     driver.probe();
+///     driver.set_windows(read, write);
+///     driver.lock_windows();
+///     driver.set_ring(ring);
+///     driver.set_results(area);  // from here on once a run
+///     driver.push(packets);
+///     driver.start();
+///     if (!driver.wait_done(polls)) ...
+///     const CoreErrors errors = driver.take_errors();
+///
+/// After an error that the DMA raised: soft_reset, then from set_ring on. All functions throw what
+/// the port throws; those that say so throw DriverError.
+class Driver {
+ public:
+  /// The port must outlive the driver.
+  explicit Driver(RegisterPort& port) : port_(port) {}
+
+  /// Step 1. Throws DriverError where ID is another, or VERSION.major is.
+  CoreIdentity probe();
+
+  /// Step 2. Throws DriverError where the windows are locked, or a base is above its limit.
+  void set_windows(const AddressWindow& read, const AddressWindow& write);
+  /// For good, until aresetn. Nothing starts before.
+  void lock_windows();
+  bool windows_locked();
+
+  /// Step 3: an empty ring. Throws DriverError for more than 2^15 descriptors, a base that is no
+  /// multiple of the ring's size, or while another is in use (soft_reset ends that).
+  void set_ring(const DescriptorRing& ring);
+
+  /// Step 4. The next start takes it. Throws DriverError where base or bytes is no multiple of 16,
+  /// or bytes is 0.
+  void set_results(const ResultArea& area);
+
+  /// Step 5: that many more descriptors are in the ring; they must be in memory by now. Throws
+  /// DriverError where it has no room for them.
+  void push(unsigned descriptors);
+  /// Place of the next descriptor: the index of its entry in the ring.
+  unsigned next_entry();
+  /// Descriptors in the ring that are not done.
+  unsigned pending();
+
+  /// Steps 4 and 6: clears what is left of the last start, interrupts too, then starts. Throws
+  /// DriverError where the start is refused.
+  void start();
+  /// Step 7: reads STATUS until it is done, `polls` times at most. False: it is not.
+  bool wait_done(std::uint64_t polls);
+  /// Results in memory since the last start.
+  std::uint32_t result_count();
+  /// A bus error stopped the DMA: only soft_reset helps.
+  bool stopped();
+
+  /// Step 8: the errors so far, which are cleared; ERROR_COUNT is not.
+  CoreErrors take_errors();
+
+  /// Step 9; the ring is empty then, and has to be set again. False: still not idle after reading
+  /// STATUS `polls` times.
+  bool soft_reset(std::uint64_t polls);
+
+  /// Clocks and vertices since they were last cleared. Each is one number, but not of one clock.
+  CoreCounters counters();
+  /// Sets the counters and ERROR_COUNT to 0.
+  void clear_counters();
+
+  /// @param bits  HWFFD_IRQ_ENABLE_*_MASK; what is not among them is disabled
+  void enable_interrupts(std::uint32_t bits);
+  /// What is set in IRQ_STATE, which is cleared.
+  std::uint32_t take_interrupts();
+  /// Raises interrupts by hand. @param bits  HWFFD_IRQ_TEST_*_MASK
+  void test_interrupts(std::uint32_t bits);
+
+ private:
+  std::uint32_t status();
+  std::uint64_t read64(std::uint32_t low);
+  void write64(std::uint32_t low, std::uint64_t value);
+
+  RegisterPort& port_;
+  unsigned ring_size_ = 1;  // a power of two; 1 has no room
+};
+
+}  // namespace hwffd

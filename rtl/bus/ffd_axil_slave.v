@@ -1,0 +1,133 @@
+// ffd_axil_slave: AXI4-Lite on one side, a write port and a read port of one clock on the other
+//
+// A write is handed on in the clock in which write_o is high, with the bits that its strobes allow;
+// a read in the clock of read_o. The port answers in the same clock (write_error_i; read_data_i,
+// read_error_i), and the response is on the bus from the next clock on: what a write does and its
+// response appear at the same edge. Address and data of a write come in any order. Writes and reads
+// do not wait for each other; in the same clock a read sees what was there before the write.
+//
+// Responses:  OKAY, or SLVERR where the port says error; the data of such a read is 0.
+// Pipeline:   2 clocks from the later of address and data to the response, II 1. One response a
+//             request, in order. Ready is 0 in reset and in the first clock after it.
+// Freezes:    a channel whose response is not taken; up to two requests wait in each channel.
+// Cuts:       every output to the bus leaves a register. write_o and read_o do not: they follow
+//             s_axil_bready and s_axil_rready.
+// Not checked: the two low bits of an address (every access is a word; strobes name the bytes).
+// Parameters: ADDRESS_W 3 to 64, the bits of a byte address.
+// Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_axil_slave #(
+  parameter ADDRESS_W = 12
+) (
+  input  wire                 clk,
+  input  wire                 rst,
+  input  wire                 s_axil_awvalid,
+  output wire                 s_axil_awready,
+  input  wire [ADDRESS_W-1:0] s_axil_awaddr,
+  input  wire                 s_axil_wvalid,
+  output wire                 s_axil_wready,
+  input  wire [31:0]          s_axil_wdata,
+  input  wire [3:0]           s_axil_wstrb,
+  output reg                  s_axil_bvalid,
+  input  wire                 s_axil_bready,
+  output wire [1:0]           s_axil_bresp,
+  input  wire                 s_axil_arvalid,
+  output wire                 s_axil_arready,
+  input  wire [ADDRESS_W-1:0] s_axil_araddr,
+  output reg                  s_axil_rvalid,
+  input  wire                 s_axil_rready,
+  output reg  [31:0]          s_axil_rdata,
+  output wire [1:0]           s_axil_rresp,
+  output wire                 write_o,
+  output wire [ADDRESS_W-3:0] write_word_o,
+  output wire [31:0]          write_data_o,
+  output wire [31:0]          write_mask_o,
+  input  wire                 write_error_i,
+  output wire                 read_o,
+  output wire [ADDRESS_W-3:0] read_word_o,
+  input  wire [31:0]          read_data_i,
+  input  wire                 read_error_i
+);
+  generate
+    if (ADDRESS_W < 3 || ADDRESS_W > 64) begin : gen_bad_address
+      ERROR_ffd_axil_slave_address_w_must_be_3_to_64 u_error ();
+    end
+  endgenerate
+
+  wire       aw_valid;
+  wire       w_valid;
+  wire       ar_valid;
+  wire [3:0] strobe;
+  reg        write_error_q;
+  reg        read_error_q;
+
+  assign write_o = aw_valid && w_valid && (!s_axil_bvalid || s_axil_bready);
+  assign read_o  = ar_valid && (!s_axil_rvalid || s_axil_rready);
+
+  ffd_stream_skid #(
+    .WIDTH(ADDRESS_W - 2)
+  ) u_aw (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(s_axil_awvalid),
+    .s_beat_ready(s_axil_awready),
+    .s_beat_data (s_axil_awaddr[ADDRESS_W-1:2]),
+    .m_beat_valid(aw_valid),
+    .m_beat_ready(write_o),
+    .m_beat_data (write_word_o)
+  );
+
+  ffd_stream_skid #(
+    .WIDTH(36)
+  ) u_w (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(s_axil_wvalid),
+    .s_beat_ready(s_axil_wready),
+    .s_beat_data ({s_axil_wstrb, s_axil_wdata}),
+    .m_beat_valid(w_valid),
+    .m_beat_ready(write_o),
+    .m_beat_data ({strobe, write_data_o})
+  );
+
+  ffd_stream_skid #(
+    .WIDTH(ADDRESS_W - 2)
+  ) u_ar (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(s_axil_arvalid),
+    .s_beat_ready(s_axil_arready),
+    .s_beat_data (s_axil_araddr[ADDRESS_W-1:2]),
+    .m_beat_valid(ar_valid),
+    .m_beat_ready(read_o),
+    .m_beat_data (read_word_o)
+  );
+
+  assign write_mask_o = {{8{strobe[3]}}, {8{strobe[2]}}, {8{strobe[1]}}, {8{strobe[0]}}};
+  assign s_axil_bresp = {write_error_q, 1'b0};
+  assign s_axil_rresp = {read_error_q, 1'b0};
+
+  always @(posedge clk) begin
+    if (rst) begin
+      s_axil_bvalid <= 1'b0;
+      s_axil_rvalid <= 1'b0;
+    end else begin
+      s_axil_bvalid <= write_o || (s_axil_bvalid && !s_axil_bready);
+      s_axil_rvalid <= read_o || (s_axil_rvalid && !s_axil_rready);
+    end
+  end
+
+  always @(posedge clk) begin
+    if (write_o) write_error_q <= write_error_i;
+    if (read_o) begin
+      read_error_q <= read_error_i;
+      s_axil_rdata <= read_error_i ? 32'd0 : read_data_i;
+    end
+  end
+
+  wire unused_ok = &{1'b0, s_axil_awaddr[1:0], s_axil_araddr[1:0]};
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,284 @@
+// ffd_dma_engine: command packets from memory to a stream, results from a stream to memory
+//
+// Reads along a ring of descriptors (ffd_dma_ring, ffd_dma_read) and writes one area
+// (ffd_dma_write), both at once, as one AXI4 master without IDs: INCR bursts of whole, aligned
+// 16-byte beats.
+// docs/interface.md has the descriptor, the ring, the area and the codes of errors.
+//
+// A bus error on either half raises no further address on both: the half that failed stops, the
+// other is held, with nothing lost, until the half that failed is started again. halted_o: the half
+// that failed has ended, no read is open, and such a start is waited for.
+// soft_reset_i, a pulse: addresses already on the bus get their data and answers, data read is
+// dropped, results not in a burst too; then all is as after rst, windows apart, which are inputs.
+// clearing_o is 1 meanwhile: packets end without `last` and results are not taken, so whoever uses
+// both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
+// idle_o: nothing outstanding or queued, nothing left in the ring.
+//
+// Pipeline:   see the halves; read and write at one beat a clock each.
+// Parameters: as in the halves; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2.
+// Model:      tests/bus/dma.  Test: tests/bus/dma.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_dma_engine #(
+  parameter MAX_BURST         = 256,
+  parameter READ_DEPTH        = 512,
+  parameter WRITE_DEPTH       = 512,
+  parameter READ_OUTSTANDING  = 8,
+  parameter WRITE_OUTSTANDING = 8,
+  parameter DESCRIPTORS       = 4,
+  parameter FLUSH_CLOCKS      = 16
+) (
+  input  wire         clk,
+  input  wire         rst,
+  input  wire         soft_reset_i,
+  output wire         clearing_o,
+  output wire         idle_o,
+  output wire         halted_o,
+
+  input  wire [63:0]  read_first_i,
+  input  wire [63:0]  read_last_i,
+  input  wire         ring_start_i,
+  input  wire [63:0]  ring_base_i,
+  input  wire [3:0]   ring_entries_log2_i,
+  input  wire [15:0]  ring_head_i,
+  output wire [15:0]  ring_tail_o,
+  output wire         ring_running_o,
+  output wire         read_error_o,
+  output wire [2:0]   read_error_code_o,
+  output wire [63:0]  read_error_address_o,
+
+  input  wire [63:0]  write_first_i,
+  input  wire [63:0]  write_last_i,
+  input  wire         result_start_i,
+  input  wire [63:0]  result_base_i,
+  input  wire [31:0]  result_size_i,
+  output wire         result_running_o,
+  output wire         result_busy_o,
+  output wire [31:0]  result_count_o,
+  output wire         result_overflow_o,
+  output wire         write_error_o,
+  output wire [2:0]   write_error_code_o,
+  output wire [63:0]  write_error_address_o,
+
+  output wire         m_packet_valid,
+  input  wire         m_packet_ready,
+  output wire [127:0] m_packet_data,
+  output wire         m_packet_last,
+
+  input  wire         s_result_valid,
+  output wire         s_result_ready,
+  input  wire [127:0] s_result_data,
+  input  wire         s_result_last,
+
+  output wire         m_axi_arvalid,
+  input  wire         m_axi_arready,
+  output wire [63:0]  m_axi_araddr,
+  output wire [7:0]   m_axi_arlen,
+  output wire [2:0]   m_axi_arsize,
+  output wire [1:0]   m_axi_arburst,
+  input  wire         m_axi_rvalid,
+  output wire         m_axi_rready,
+  input  wire [127:0] m_axi_rdata,
+  input  wire [1:0]   m_axi_rresp,
+  input  wire         m_axi_rlast,
+
+  output wire         m_axi_awvalid,
+  input  wire         m_axi_awready,
+  output wire [63:0]  m_axi_awaddr,
+  output wire [7:0]   m_axi_awlen,
+  output wire [2:0]   m_axi_awsize,
+  output wire [1:0]   m_axi_awburst,
+  output wire         m_axi_wvalid,
+  input  wire         m_axi_wready,
+  output wire [127:0] m_axi_wdata,
+  output wire [15:0]  m_axi_wstrb,
+  output wire         m_axi_wlast,
+  input  wire         m_axi_bvalid,
+  output wire         m_axi_bready,
+  input  wire [1:0]   m_axi_bresp
+);
+  assign m_axi_arsize  = 3'd4;     // 16 bytes
+  assign m_axi_arburst = 2'b01;    // INCR
+  assign m_axi_awsize  = 3'd4;
+  assign m_axi_awburst = 2'b01;
+  assign m_axi_wstrb   = 16'hFFFF;
+
+  // ---- soft reset, and holding one half while the other is in error
+  reg  soft_q;
+  reg  hold_read_q;
+  reg  hold_write_q;
+  wire read_quiet;
+  wire read_open;
+  wire read_empty;
+  wire read_fault;
+  wire write_busy;
+  wire write_empty;
+  wire write_fault;
+  wire write_started;
+  wire ring_empty;
+  wire ring_started;
+  wire cleared  = soft_q && read_quiet && !write_busy;
+  wire half_rst = rst || cleared;
+
+  always @(posedge clk) begin
+    if (half_rst) begin
+      soft_q       <= soft_reset_i && !rst;
+      hold_read_q  <= 1'b0;
+      hold_write_q <= 1'b0;
+    end else begin
+      soft_q       <= soft_q || soft_reset_i;
+      hold_read_q  <= write_fault || (hold_read_q && !write_started);
+      hold_write_q <= read_fault || (hold_write_q && !ring_started);
+    end
+  end
+
+  assign clearing_o    = soft_q;
+  assign result_busy_o = write_busy;
+  assign halted_o      = !read_open && ((hold_write_q && !ring_running_o)
+                                        || (hold_read_q && !result_running_o));
+  assign idle_o = !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
+
+  // ---- the ring
+  wire         request_valid;
+  wire         request_ready;
+  wire [63:0]  request_address;
+  wire [31:0]  request_length;
+  wire         request_fetch;
+  wire         refused;
+  wire [2:0]   refused_code;
+  wire         fetched;
+  wire [127:0] fetched_data;
+  wire         finished;
+  wire         ring_error;
+  wire [2:0]   ring_error_code;
+  wire [63:0]  ring_error_address;
+  wire         bus_error;
+  wire [2:0]   bus_error_code;
+  wire [63:0]  bus_error_address;
+
+  assign read_error_o         = ring_error || bus_error;
+  assign read_error_code_o    = bus_error ? bus_error_code : ring_error_code;
+  assign read_error_address_o = bus_error ? bus_error_address : ring_error_address;
+
+  ffd_dma_ring #(
+    .DESCRIPTORS(DESCRIPTORS)
+  ) u_ring (
+    .clk              (clk),
+    .rst              (rst || soft_q),
+    .start_i          (ring_start_i),
+    .window_first_i   (read_first_i),
+    .window_last_i    (read_last_i),
+    .base_i           (ring_base_i),
+    .entries_log2_i   (ring_entries_log2_i),
+    .head_i           (ring_head_i),
+    .tail_o           (ring_tail_o),
+    .running_o        (ring_running_o),
+    .empty_o          (ring_empty),
+    .m_request_valid  (request_valid),
+    .m_request_ready  (request_ready),
+    .m_request_address(request_address),
+    .m_request_length (request_length),
+    .m_request_fetch  (request_fetch),
+    .refused_i        (refused),
+    .refused_code_i   (refused_code),
+    .fetched_i        (fetched),
+    .fetched_data_i   (fetched_data),
+    .finished_i       (finished),
+    .stop_i           (read_fault),
+    .quiet_i          (read_quiet),
+    .started_o        (ring_started),
+    .error_o          (ring_error),
+    .error_code_o     (ring_error_code),
+    .error_address_o  (ring_error_address)
+  );
+
+  // ---- the halves
+  ffd_dma_read #(
+    .MAX_BURST  (MAX_BURST),
+    .FIFO_DEPTH (READ_DEPTH),
+    .OUTSTANDING(READ_OUTSTANDING)
+  ) u_read (
+    .clk              (clk),
+    .rst              (half_rst),
+    .start_i          (ring_started),
+    .soft_i           (soft_q),
+    .hold_i           (hold_read_q || write_fault),
+    .window_first_i   (read_first_i),
+    .window_last_i    (read_last_i),
+    .s_request_valid  (request_valid),
+    .s_request_ready  (request_ready),
+    .s_request_address(request_address),
+    .s_request_length (request_length),
+    .s_request_fetch  (request_fetch),
+    .refused_o        (refused),
+    .refused_code_o   (refused_code),
+    .m_axi_arvalid    (m_axi_arvalid),
+    .m_axi_arready    (m_axi_arready),
+    .m_axi_araddr     (m_axi_araddr),
+    .m_axi_arlen      (m_axi_arlen),
+    .m_axi_rvalid     (m_axi_rvalid),
+    .m_axi_rready     (m_axi_rready),
+    .m_axi_rdata      (m_axi_rdata),
+    .m_axi_rresp      (m_axi_rresp),
+    .m_axi_rlast      (m_axi_rlast),
+    .m_packet_valid   (m_packet_valid),
+    .m_packet_ready   (m_packet_ready),
+    .m_packet_data    (m_packet_data),
+    .m_packet_last    (m_packet_last),
+    .fetched_o        (fetched),
+    .fetched_data_o   (fetched_data),
+    .finished_o       (finished),
+    .fault_o          (read_fault),
+    .error_o          (bus_error),
+    .error_code_o     (bus_error_code),
+    .error_address_o  (bus_error_address),
+    .quiet_o          (read_quiet),
+    .open_o           (read_open),
+    .empty_o          (read_empty)
+  );
+
+  ffd_dma_write #(
+    .MAX_BURST   (MAX_BURST),
+    .FIFO_DEPTH  (WRITE_DEPTH),
+    .OUTSTANDING (WRITE_OUTSTANDING),
+    .FLUSH_CLOCKS(FLUSH_CLOCKS)
+  ) u_write (
+    .clk            (clk),
+    .rst            (half_rst),
+    .start_i        (result_start_i),
+    .soft_i         (soft_q),
+    .hold_i         (hold_write_q || read_fault),
+    .window_first_i (write_first_i),
+    .window_last_i  (write_last_i),
+    .base_i         (result_base_i),
+    .size_i         (result_size_i),
+    .s_result_valid (s_result_valid),
+    .s_result_ready (s_result_ready),
+    .s_result_data  (s_result_data),
+    .s_result_last  (s_result_last),
+    .m_axi_awvalid  (m_axi_awvalid),
+    .m_axi_awready  (m_axi_awready),
+    .m_axi_awaddr   (m_axi_awaddr),
+    .m_axi_awlen    (m_axi_awlen),
+    .m_axi_wvalid   (m_axi_wvalid),
+    .m_axi_wready   (m_axi_wready),
+    .m_axi_wdata    (m_axi_wdata),
+    .m_axi_wlast    (m_axi_wlast),
+    .m_axi_bvalid   (m_axi_bvalid),
+    .m_axi_bready   (m_axi_bready),
+    .m_axi_bresp    (m_axi_bresp),
+    .started_o      (write_started),
+    .running_o      (result_running_o),
+    .busy_o         (write_busy),
+    .empty_o        (write_empty),
+    .count_o        (result_count_o),
+    .overflow_o     (result_overflow_o),
+    .fault_o        (write_fault),
+    .error_o        (write_error_o),
+    .error_code_o   (write_error_code_o),
+    .error_address_o(write_error_address_o)
+  );
+endmodule
+
+`default_nettype wire

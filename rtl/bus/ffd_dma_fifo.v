@@ -1,0 +1,70 @@
+// ffd_dma_fifo: first in, first out in block memory; DEPTH words
+//
+// For depths at which ffd_stream_fifo's combinational read would be large. The memory is read at
+// the head's next value, so its output register is the output, and holds while the head does.
+//
+// Pipeline:   2 clocks from in to out, II 1.  Freezes: s_ready is 0 when full. valid and ready
+//             come from registers; m_word_ready reaches the memory's address, no output.
+// Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
+// Model:      none (transport only).  Test: tests/bus/dma.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_dma_fifo #(
+  parameter WIDTH     = 128,
+  parameter DEPTH     = 512,
+  parameter ADDRESS_W = $clog2(DEPTH)
+) (
+  input  wire             clk,
+  input  wire             rst,
+  input  wire             s_word_valid,
+  output wire             s_word_ready,
+  input  wire [WIDTH-1:0] s_word_data,
+  output reg              m_word_valid,
+  input  wire             m_word_ready,
+  output wire [WIDTH-1:0] m_word_data
+);
+  generate
+    if (DEPTH < 2 || (1 << ADDRESS_W) != DEPTH) begin : gen_bad_depth
+      ERROR_ffd_dma_fifo_depth_must_be_a_power_of_two u_error ();
+    end
+  endgenerate
+
+  // One more bit than the address: equal pointers are empty, pointers DEPTH apart full.
+  reg  [ADDRESS_W:0] write_q;
+  reg  [ADDRESS_W:0] read_q;
+  wire [ADDRESS_W:0] used   = write_q - read_q;
+  wire               push   = s_word_valid && s_word_ready;
+  wire               pop    = m_word_valid && m_word_ready;
+  wire [ADDRESS_W:0] read_d = read_q + {{ADDRESS_W {1'b0}}, pop};
+
+  assign s_word_ready = !used[ADDRESS_W];
+
+  // A word is seen the clock after it was written: the memory gives the old one before.
+  always @(posedge clk) begin
+    if (rst) begin
+      write_q      <= {(ADDRESS_W + 1) {1'b0}};
+      read_q       <= {(ADDRESS_W + 1) {1'b0}};
+      m_word_valid <= 1'b0;
+    end else begin
+      if (push) write_q <= write_q + 1'b1;
+      read_q       <= read_d;
+      m_word_valid <= read_d != write_q;
+    end
+  end
+
+  ffd_mem_sdp #(
+    .WIDTH       (WIDTH),
+    .DEPTH       (DEPTH),
+    .READ_LATENCY(1)
+  ) u_memory (
+    .clk            (clk),
+    .write_i        (push),
+    .write_address_i(write_q[ADDRESS_W-1:0]),
+    .write_data_i   (s_word_data),
+    .read_address_i (read_d[ADDRESS_W-1:0]),
+    .read_data_o    (m_word_data)
+  );
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,246 @@
+// ffd_dma_read: the read half of an AXI4 master: requests become bursts, their data a stream
+//
+// A request is {address, length, fetch}. With fetch its one beat, a descriptor, goes to fetched_o;
+// without, its beats go to the stream, `last` on the last one, and finished_o says that all came.
+// Addresses are checked and cut by ffd_dma_address. An address goes out only when the FIFO has room
+// for the whole burst, so m_axi_rready is 1 from the first clock after reset on. One ID: answers
+// come in order; a queue of OUTSTANDING bursts says what each is.
+//
+// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From that clock on no
+// address is raised (one that waits for arready must stay), the request is forgotten and all data
+// to come is dropped. The packet ends with the last good beat before, marked `last`; had it none,
+// it leaves no trace. So each beat is held until the next one is seen to be good. start_i, given
+// when quiet_o is 1, ends this state.
+// soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
+// hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
+//
+// Pipeline:   2 clocks request to burst; data 3 clocks from bus to stream, II 1. No path from an
+//             input to an output of the bus: AR, rready and the stream come from registers.
+// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
+//             MAX_BURST as in ffd_dma_address.
+// Not checked: rlast is trusted; data without a burst is ignored.
+// Model:      none (transport only).  Test: tests/bus/dma.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_dma_read #(
+  parameter MAX_BURST   = 256,
+  parameter FIFO_DEPTH  = 512,
+  parameter OUTSTANDING = 8
+) (
+  input  wire         clk,
+  input  wire         rst,
+  input  wire         start_i,
+  input  wire         soft_i,
+  input  wire         hold_i,
+  input  wire [63:0]  window_first_i,
+  input  wire [63:0]  window_last_i,
+  input  wire         s_request_valid,
+  output wire         s_request_ready,
+  input  wire [63:0]  s_request_address,
+  input  wire [31:0]  s_request_length,
+  input  wire         s_request_fetch,
+  output wire         refused_o,
+  output wire [2:0]   refused_code_o,
+  output reg          m_axi_arvalid,
+  input  wire         m_axi_arready,
+  output reg  [63:0]  m_axi_araddr,
+  output reg  [7:0]   m_axi_arlen,
+  input  wire         m_axi_rvalid,
+  output reg          m_axi_rready,
+  input  wire [127:0] m_axi_rdata,
+  input  wire [1:0]   m_axi_rresp,
+  input  wire         m_axi_rlast,
+  output wire         m_packet_valid,
+  input  wire         m_packet_ready,
+  output wire [127:0] m_packet_data,
+  output wire         m_packet_last,
+  output reg          fetched_o,
+  output reg  [127:0] fetched_data_o,
+  output reg          finished_o,
+  output wire         fault_o,
+  output reg          error_o,
+  output reg  [2:0]   error_code_o,
+  output reg  [63:0]  error_address_o,
+  output wire         quiet_o,
+  output wire         open_o,
+  output wire         empty_o
+);
+  generate
+    if (FIFO_DEPTH < 2 * MAX_BURST) begin : gen_bad_depth
+      ERROR_ffd_dma_read_fifo_depth_must_hold_two_bursts u_error ();
+    end
+    if (OUTSTANDING < 2) begin : gen_bad_outstanding
+      ERROR_ffd_dma_read_outstanding_must_be_at_least_2 u_error ();
+    end
+  endgenerate
+
+  localparam COUNT_W = FIFO_DEPTH < 256 ? 9 : $clog2(FIFO_DEPTH) + 1;  // and a burst's length
+  localparam [2:0] SLAVE_ERROR = 3'd6;
+  localparam [2:0] DECODE_ERROR = 3'd7;
+
+  // ---- requests to bursts
+  reg         stop_q;
+  wire        discard = stop_q || soft_i;
+  wire        burst_valid;
+  wire        burst_ready;
+  wire [63:0] burst_address;
+  wire [7:0]  burst_len;
+  wire        burst_last;
+  wire [7:0]  unused_offer;
+  wire        address_ready;
+  reg         fetch_q;
+
+  assign s_request_ready = address_ready && !discard;
+
+  ffd_dma_address #(
+    .ADDRESS_W(64),
+    .LENGTH_W (32),
+    .MAX_BURST(MAX_BURST)
+  ) u_address (
+    .clk              (clk),
+    .rst              (rst || discard),
+    .window_first_i   (window_first_i),
+    .window_last_i    (window_last_i),
+    .s_request_valid  (s_request_valid),
+    .s_request_ready  (address_ready),
+    .s_request_address(s_request_address),
+    .s_request_length (s_request_length),
+    .refused_o        (refused_o),
+    .refused_code_o   (refused_code_o),
+    .m_burst_valid    (burst_valid),
+    .m_burst_ready    (burst_ready),
+    .m_burst_address  (burst_address),
+    .m_burst_len      (burst_len),
+    .m_burst_last     (burst_last),
+    .offer_o          (unused_offer),
+    .limit_i          (8'hFF)
+  );
+
+  always @(posedge clk) begin
+    if (s_request_valid && s_request_ready) fetch_q <= s_request_fetch;
+  end
+
+  // ---- outstanding bursts: {last of its request, fetch, address in beats}
+  wire        queue_ready;
+  wire        queue_valid;
+  wire        owner_last;
+  wire        owner_fetch;
+  wire [59:0] owner_beat;
+  wire        beat  = m_axi_rvalid && m_axi_rready && queue_valid;
+  wire        done  = beat && m_axi_rlast;
+
+  ffd_stream_fifo #(
+    .WIDTH(62),
+    .DEPTH(OUTSTANDING)
+  ) u_outstanding (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(burst_valid && burst_ready),
+    .s_word_ready(queue_ready),
+    .s_word_data ({burst_last, fetch_q, burst_address[63:4]}),
+    .m_word_valid(queue_valid),
+    .m_word_ready(done),
+    .m_word_data ({owner_last, owner_fetch, owner_beat})
+  );
+
+  assign open_o  = queue_valid;
+  assign quiet_o = !queue_valid && address_ready && !refused_o;
+
+  // ---- answers
+  wire bad     = beat && m_axi_rresp != 2'b00 && !discard;
+  wire good    = beat && m_axi_rresp == 2'b00 && !discard;
+  wire arrives = good && !owner_fetch;
+  wire dropped = beat && !good && !owner_fetch;
+
+  assign fault_o = bad;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      m_axi_rready <= 1'b0;
+      stop_q       <= 1'b0;
+      error_o      <= 1'b0;
+      fetched_o    <= 1'b0;
+      finished_o   <= 1'b0;
+    end else begin
+      m_axi_rready <= 1'b1;
+      stop_q       <= bad || (stop_q && !start_i);
+      error_o      <= bad;
+      fetched_o    <= good && owner_fetch;
+      finished_o   <= arrives && owner_last && m_axi_rlast;
+    end
+  end
+
+  always @(posedge clk) begin
+    fetched_data_o  <= m_axi_rdata;
+    error_code_o    <= m_axi_rresp == 2'b11 ? DECODE_ERROR : SLAVE_ERROR;
+    error_address_o <= {owner_beat, 4'd0};
+  end
+
+  // ---- the beat that is held: only the next one tells whether it is the packet's last
+  reg          held_q;
+  reg          held_last_q;
+  reg  [127:0] held_data_q;
+  wire         release_held = held_q && (held_last_q || arrives || bad);
+  wire         fifo_ready;
+
+  always @(posedge clk) begin
+    if (rst || soft_i) held_q <= 1'b0;
+    else held_q <= arrives || (held_q && !release_held);
+  end
+
+  always @(posedge clk) begin
+    if (arrives) begin
+      held_data_q <= m_axi_rdata;
+      held_last_q <= owner_last && m_axi_rlast;
+    end
+  end
+
+  ffd_dma_fifo #(
+    .WIDTH(129),
+    .DEPTH(FIFO_DEPTH)
+  ) u_fifo (
+    .clk         (clk),
+    .rst         (rst || soft_i),
+    .s_word_valid(release_held),
+    .s_word_ready(fifo_ready),
+    .s_word_data ({held_last_q || bad, held_data_q}),
+    .m_word_valid(m_packet_valid),
+    .m_word_ready(m_packet_ready),
+    .m_word_data ({m_packet_last, m_packet_data})
+  );
+
+  // ---- room: what is neither in the FIFO nor promised to a burst
+  reg  [COUNT_W-1:0] room_q;
+  wire [COUNT_W-1:0] wanted = {{(COUNT_W - 8) {1'b0}}, burst_len} + 1'b1;
+  wire               taken  = burst_valid && burst_ready && !fetch_q;
+  wire               left   = m_packet_valid && m_packet_ready;
+
+  always @(posedge clk) begin
+    if (rst) room_q <= FIFO_DEPTH[COUNT_W-1:0];
+    else room_q <= room_q - (taken ? wanted : {COUNT_W {1'b0}})
+                 + {{(COUNT_W - 1) {1'b0}}, left} + {{(COUNT_W - 1) {1'b0}}, dropped};
+  end
+
+  assign empty_o = !held_q && room_q == FIFO_DEPTH[COUNT_W-1:0];
+
+  // ---- the address channel
+  assign burst_ready = (!m_axi_arvalid || m_axi_arready) && queue_ready && !hold_i && !discard
+                    && !bad && (fetch_q || room_q >= wanted);
+
+  always @(posedge clk) begin
+    if (rst) m_axi_arvalid <= 1'b0;
+    else if (!m_axi_arvalid || m_axi_arready) m_axi_arvalid <= burst_valid && burst_ready;
+  end
+
+  always @(posedge clk) begin
+    if (burst_valid && burst_ready) begin
+      m_axi_araddr <= burst_address;
+      m_axi_arlen  <= burst_len;
+    end
+  end
+
+  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready};
+endmodule
+
+`default_nettype wire

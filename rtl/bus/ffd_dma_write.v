@@ -1,0 +1,321 @@
+// ffd_dma_write: the write half of an AXI4 master: a stream of beats into one area of memory
+//
+// start_i takes the area {base_i, size_i bytes}; ffd_dma_address checks it against the window and
+// cuts it. Beats go to consecutive addresses. A burst goes out when the FIFO holds all of its data:
+// a full one while beats keep coming; a short one after a beat with `last`, or when none has come
+// for FLUSH_CLOCKS. So nothing stays behind, and write data never waits for the stream. Beats past
+// the area are dropped and set overflow_o (until start_i). count_o: beats acknowledged since start.
+//
+// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From that clock on no
+// address is raised, started bursts get their data, then running_o falls. What was in no burst
+// waits in the FIFO for the next start_i; count_o stays at the beats before the failed burst. An
+// area that is refused: error_o with code (1 to 4) and its base.
+// start_i is ignored while busy_o is 1 (bursts out, or stopping).
+// soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
+// hold_i (level): no new address, nothing lost.
+//
+// Pipeline:   a beat takes 4 clocks at least from stream to bus; II 1. No path from an input to an
+//             output of the bus: AW, W, bready come from registers.
+// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
+//             FLUSH_CLOCKS 1 to 255, MAX_BURST as in ffd_dma_address.
+// Model:      none (transport only).  Test: tests/bus/dma.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_dma_write #(
+  parameter MAX_BURST    = 256,
+  parameter FIFO_DEPTH   = 512,
+  parameter OUTSTANDING  = 8,
+  parameter FLUSH_CLOCKS = 16
+) (
+  input  wire         clk,
+  input  wire         rst,
+  input  wire         start_i,
+  input  wire         soft_i,
+  input  wire         hold_i,
+  input  wire [63:0]  window_first_i,
+  input  wire [63:0]  window_last_i,
+  input  wire [63:0]  base_i,
+  input  wire [31:0]  size_i,
+  input  wire         s_result_valid,
+  output wire         s_result_ready,
+  input  wire [127:0] s_result_data,
+  input  wire         s_result_last,
+  output reg          m_axi_awvalid,
+  input  wire         m_axi_awready,
+  output reg  [63:0]  m_axi_awaddr,
+  output reg  [7:0]   m_axi_awlen,
+  output wire         m_axi_wvalid,
+  input  wire         m_axi_wready,
+  output wire [127:0] m_axi_wdata,
+  output wire         m_axi_wlast,
+  input  wire         m_axi_bvalid,
+  output reg          m_axi_bready,
+  input  wire [1:0]   m_axi_bresp,
+  output wire         started_o,
+  output reg          running_o,
+  output wire         busy_o,
+  output wire         empty_o,
+  output reg  [31:0]  count_o,
+  output reg          overflow_o,
+  output wire         fault_o,
+  output reg          error_o,
+  output reg  [2:0]   error_code_o,
+  output reg  [63:0]  error_address_o
+);
+  generate
+    if (FIFO_DEPTH < 2 * MAX_BURST) begin : gen_bad_depth
+      ERROR_ffd_dma_write_fifo_depth_must_hold_two_bursts u_error ();
+    end
+    if (OUTSTANDING < 2) begin : gen_bad_outstanding
+      ERROR_ffd_dma_write_outstanding_must_be_at_least_2 u_error ();
+    end
+    if (FLUSH_CLOCKS < 1 || FLUSH_CLOCKS > 255) begin : gen_bad_flush
+      ERROR_ffd_dma_write_flush_clocks_must_be_1_to_255 u_error ();
+    end
+  endgenerate
+
+  localparam COUNT_W = FIFO_DEPTH < 256 ? 9 : $clog2(FIFO_DEPTH) + 1;  // and a burst's length
+  localparam [2:0] SLAVE_ERROR = 3'd6;
+  localparam [2:0] DECODE_ERROR = 3'd7;
+
+  // ---- the area
+  reg         stop_q;
+  reg         asking_q;    // an area waits to be checked
+  reg         full_q;      // its last address is out
+  reg  [63:0] base_q;
+  reg  [31:0] size_q;
+  wire        accept = start_i && !busy_o && !soft_i;
+  wire        request_ready;
+  wire        refused;
+  wire [2:0]  refused_code;
+  wire        burst_valid;
+  wire        burst_ready;
+  wire [63:0] burst_address;
+  wire [7:0]  burst_len;
+  wire        burst_last;
+  wire [7:0]  offer;
+  wire [7:0]  limit;
+  wire        step = burst_valid && burst_ready;
+  wire        bad;
+  wire        bursts_out;
+
+  assign started_o = accept;
+  assign busy_o    = asking_q || bursts_out || stop_q;
+
+  ffd_dma_address #(
+    .ADDRESS_W(64),
+    .LENGTH_W (32),
+    .MAX_BURST(MAX_BURST)
+  ) u_address (
+    .clk              (clk),
+    .rst              (rst || accept || soft_i || stop_q),
+    .window_first_i   (window_first_i),
+    .window_last_i    (window_last_i),
+    .s_request_valid  (asking_q),
+    .s_request_ready  (request_ready),
+    .s_request_address(base_q),
+    .s_request_length (size_q),
+    .refused_o        (refused),
+    .refused_code_o   (refused_code),
+    .m_burst_valid    (burst_valid),
+    .m_burst_ready    (burst_ready),
+    .m_burst_address  (burst_address),
+    .m_burst_len      (burst_len),
+    .m_burst_last     (burst_last),
+    .offer_o          (offer),
+    .limit_i          (limit)
+  );
+
+  always @(posedge clk) begin
+    if (rst) begin
+      asking_q  <= 1'b0;
+      running_o <= 1'b0;
+      stop_q    <= 1'b0;
+      full_q    <= 1'b0;
+    end else begin
+      asking_q  <= accept || (asking_q && !request_ready && !soft_i);
+      running_o <= accept || (running_o && !refused && !(stop_q && !bursts_out));
+      stop_q    <= bad || (stop_q && bursts_out);
+      full_q    <= !accept && !bad && (full_q || (step && burst_last));
+    end
+  end
+
+  always @(posedge clk) begin
+    if (accept) begin
+      base_q <= base_i;
+      size_q <= size_i;
+    end
+  end
+
+  // ---- beats in, and those of them that no burst has taken yet
+  wire         fifo_ready;
+  wire         fifo_valid;
+  wire         fifo_pop;
+  wire [127:0] fifo_data;
+  wire         drop;
+  wire         push = s_result_valid && s_result_ready;
+
+  assign s_result_ready = fifo_ready && !soft_i;
+
+  ffd_dma_fifo #(
+    .WIDTH(128),
+    .DEPTH(FIFO_DEPTH)
+  ) u_fifo (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(s_result_valid && !soft_i),
+    .s_word_ready(fifo_ready),
+    .s_word_data (s_result_data),
+    .m_word_valid(fifo_valid),
+    .m_word_ready(fifo_pop),
+    .m_word_data (fifo_data)
+  );
+
+  localparam [COUNT_W-1:0] NONE = {COUNT_W {1'b0}};
+  localparam [COUNT_W-1:0] ONE = {{(COUNT_W - 1) {1'b0}}, 1'b1};
+  reg  [COUNT_W-1:0] pending_q;
+  reg                flush_q;
+  reg  [7:0]         quiet_q;     // clocks without a beat
+  wire [COUNT_W-1:0] burst_beats = {{(COUNT_W - 8) {1'b0}}, burst_len} + ONE;
+  wire [COUNT_W-1:0] less_one    = pending_q - ONE;
+  wire               whole       = less_one >= {{(COUNT_W - 8) {1'b0}}, offer};
+  wire               late        = quiet_q == FLUSH_CLOCKS[7:0] && pending_q != NONE;
+
+  assign limit = |less_one[COUNT_W-1:8] ? 8'hFF : less_one[7:0];
+
+  always @(posedge clk) begin
+    if (rst) begin
+      pending_q <= NONE;
+      flush_q   <= 1'b0;
+    end else begin
+      pending_q <= pending_q + (push ? ONE : NONE) - (step ? burst_beats : drop ? ONE : NONE);
+      flush_q   <= (push && s_result_last)
+                || ((flush_q || late) && !(step && burst_beats == pending_q));
+    end
+  end
+
+  always @(posedge clk) begin
+    if (push || pending_q == NONE) quiet_q <= 8'd0;
+    else if (!late) quiet_q <= quiet_q + 8'd1;
+  end
+
+  // ---- bursts: address channel, lengths for the data channel, outstanding ones
+  wire        aw_free = !m_axi_awvalid || m_axi_awready;
+  wire        lengths_ready;
+  wire        length_valid;
+  wire        length_pop;
+  wire [7:0]  length;
+  wire        outstanding_ready;
+  wire        out_valid;
+  wire [7:0]  out_len;
+  wire [59:0] out_beat;
+  wire        answer = m_axi_bvalid && m_axi_bready && out_valid;
+
+  assign bursts_out  = out_valid;
+  assign burst_ready = aw_free && lengths_ready && outstanding_ready && pending_q != NONE
+                    && (whole || flush_q) && !hold_i && !soft_i && !stop_q && !bad;
+
+  always @(posedge clk) begin
+    if (rst) m_axi_awvalid <= 1'b0;
+    else if (aw_free) m_axi_awvalid <= step;
+  end
+
+  always @(posedge clk) begin
+    if (step) begin
+      m_axi_awaddr <= burst_address;
+      m_axi_awlen  <= burst_len;
+    end
+  end
+
+  ffd_stream_fifo #(
+    .WIDTH(8),
+    .DEPTH(OUTSTANDING)
+  ) u_lengths (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(step),
+    .s_word_ready(lengths_ready),
+    .s_word_data (burst_len),
+    .m_word_valid(length_valid),
+    .m_word_ready(length_pop),
+    .m_word_data (length)
+  );
+
+  ffd_stream_fifo #(
+    .WIDTH(68),
+    .DEPTH(OUTSTANDING)
+  ) u_outstanding (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(step),
+    .s_word_ready(outstanding_ready),
+    .s_word_data ({burst_len, burst_address[63:4]}),
+    .m_word_valid(out_valid),
+    .m_word_ready(answer),
+    .m_word_data ({out_len, out_beat})
+  );
+
+  // ---- the data channel
+  reg        active_q;
+  reg  [7:0] left_q;       // beats of the burst after this one
+  wire       skid_ready;
+  wire       move  = active_q && fifo_valid && skid_ready;
+  wire       ended = move && left_q == 8'd0;
+
+  assign length_pop = !active_q || ended;
+  assign drop       = full_q && !active_q && !length_valid && fifo_valid && !soft_i;
+  assign fifo_pop   = (active_q && skid_ready) || drop;
+  assign empty_o    = pending_q == NONE;
+
+  always @(posedge clk) begin
+    if (rst) active_q <= 1'b0;
+    else if (length_pop) active_q <= length_valid;
+  end
+
+  always @(posedge clk) begin
+    if (length_pop) left_q <= length;
+    else if (move) left_q <= left_q - 8'd1;
+  end
+
+  ffd_stream_skid #(
+    .WIDTH(129)
+  ) u_data (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(active_q && fifo_valid),
+    .s_beat_ready(skid_ready),
+    .s_beat_data ({left_q == 8'd0, fifo_data}),
+    .m_beat_valid(m_axi_wvalid),
+    .m_beat_ready(m_axi_wready),
+    .m_beat_data ({m_axi_wlast, m_axi_wdata})
+  );
+
+  // ---- answers
+  assign bad     = answer && m_axi_bresp != 2'b00 && !stop_q && !soft_i;
+  assign fault_o = bad;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      m_axi_bready <= 1'b0;
+      error_o      <= 1'b0;
+      overflow_o   <= 1'b0;
+      count_o      <= 32'd0;
+    end else begin
+      m_axi_bready <= 1'b1;
+      error_o      <= bad || refused;
+      overflow_o   <= drop || (overflow_o && !accept);
+      if (accept) count_o <= 32'd0;
+      else if (answer && !bad && !stop_q && !soft_i) count_o <= count_o + {24'd0, out_len} + 32'd1;
+    end
+  end
+
+  always @(posedge clk) begin
+    error_code_o    <= refused ? refused_code : m_axi_bresp == 2'b11 ? DECODE_ERROR : SLAVE_ERROR;
+    error_address_o <= refused ? base_q : {out_beat, 4'd0};
+  end
+
+  wire unused_ok = &{1'b0, burst_address[3:0]};
+endmodule
+
+`default_nettype wire

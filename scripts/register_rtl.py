@@ -1,0 +1,402 @@
+"""ffd_axil_registers.v, made from the table of registers (registers.py).
+
+How a field becomes Verilog is in _Rtl: ports, declarations, what a write does, what a read gives,
+each by access. The parts around the fields (bus, error record, interrupt) are text as it stands.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import re
+import textwrap
+
+GENERATED = "Made from rtl/bus/registers.csv by scripts/registers.py; changes here are lost."
+
+# Fields by whose names the error record, the counters' clear and the interrupt are wired.
+_LOG = {"ERROR_COUNT.value": "count", "ERROR_FIRST.code": "code", "ERROR_PACKET.value": "packet",
+        "ERROR_BEAT.value": "beat", "ERROR_ADDRESS_LO.value": "address[31:0]",
+        "ERROR_ADDRESS_HI.value": "address[63:32]"}
+_NEEDED = [*_LOG, "ERROR_FIRST.valid", "CONTROL.clear_counters"]
+
+
+def missing_fields(registers):
+    fields = {field.path: field for register in registers for field in register.fields}
+    missing = [path for path in _NEEDED if path not in fields]
+    missing += [f"{path} in the error record" for path, field in fields.items()
+                if field.access == "log" and path not in _LOG]
+    names = {register.name: [field.name for field in register.fields] for register in registers}
+    if not [r for r in registers if r.name == "ERROR_STATUS" and r.fields[0].access == "event"]:
+        missing.append("ERROR_STATUS of events")
+    if "IRQ_STATE" not in names or names.get("IRQ_ENABLE") != names["IRQ_STATE"]:
+        missing.append("IRQ_ENABLE with the fields of IRQ_STATE")
+    return missing
+
+
+def _bits(high, low):
+    return f"[{high}]" if high == low else f"[{high}:{low}]"
+
+
+def _range(width):
+    return "" if width == 1 else f"[{width - 1}:0]"
+
+
+def _word(register):
+    return f"10'h{register.offset // 4:03x}"
+
+
+def signal_name(field):
+    """Name in the RTL, and which bits of it: value fields of X_LO and X_HI are the halves of x."""
+    register = field.register.lower()
+    if field.name != "value":
+        return f"{register}_{field.name}", ""
+    half = re.fullmatch(r"(.*)_(lo|hi)", register)
+    if half:
+        return half.group(1), "[31:0]" if half.group(2) == "lo" else "[63:32]"
+    return register, ""
+
+
+class _Rtl:
+    """The lines of ffd_axil_registers, collected field by field."""
+
+    def __init__(self, registers):
+        self.registers = registers
+        self.fields = {f.path: f for register in registers for f in register.fields}
+        self.ports, self.blocks, self.counters = [], [], []
+        # Declarations, each before its use.
+        self.hits, self.states, self.refusals, self.sets, self.more_sets = [], [], [], [], []
+        self.resets, self.lines = [], []  # of the register at hand
+        for register in registers:
+            self.register(register)
+
+    @property
+    def wires(self):
+        return self.hits + self.states + self.refusals + self.sets + self.more_sets
+
+    def value(self, field):
+        """What a read of the field gives, as an expression of its width."""
+        name, bits = signal_name(field)
+        if field.access == "const":
+            return f"{field.width}'h{field.reset:x}"
+        if field.access == "w1":
+            return "1'b0"
+        if field.access == "log":
+            return f"log_{_LOG[field.path]}"
+        if field.access == "event":
+            return f"{field.register.lower()}_q[{field.low}]"
+        suffix = {"ro": "_i", "rw": "_o", "w1s": "_o", "w1c": "_q", "counter": ""}[field.access]
+        return f"{name}{suffix}{bits}"
+
+    def port(self, direction, width, name):
+        text = f"  {direction:<11} {_range(width):<6} {name}"
+        if text not in self.ports:
+            self.ports.append(text)
+
+    def written(self, field):
+        return f"write_{field.register.lower()} && ones[{field.low}]"
+
+    def setters(self, field):
+        """Expressions that set a w1c field."""
+        name = signal_name(field)[0]
+        found = []
+        for target in field.linked("with"):
+            if target in self.fields:
+                found.append(f"{signal_name(self.fields[target])[0]}_set")
+            else:
+                found.append("error_any")
+        for other in self.fields.values():
+            if field.path in other.linked("refused"):
+                found.append(f"{signal_name(other)[0]}_refused")
+            if field.path in other.linked("sets"):
+                found.append(f"({self.written(other)})")
+        return found or [f"{name}_set_i"]
+
+    def register(self, register):
+        name = register.name.lower()
+        if register.writable:
+            lock = self.lock(register)
+            self.hits.append(f"  wire write_{name} = write"
+                             f" && write_word == {_word(register)}{' && !' + lock if lock else ''};")
+        self.resets, self.lines = [], []
+        if register.fields[0].access == "event":
+            self.events(register)
+        else:
+            for field in register.fields:
+                if field.access not in ("const", "log"):  # no storage, no port
+                    getattr(self, field.access)(field)
+        if self.resets:
+            self.block(register)
+
+    def block(self, register):
+        lines = [f"  // 0x{register.offset:03X} {register.name}", "  always @(posedge clk) begin",
+                 "    if (rst) begin", *[f"      {line};" for line in self.resets],
+                 "    end else begin"]
+        stored = [field for field in register.fields if field.access == "rw"]
+        if stored:
+            lines += [f"      if (write_{register.name.lower()}) begin",
+                      *[f"        {self.merge(field)};" for field in stored], "      end"]
+        lines += [*[f"      {line};" for line in self.lines], "    end", "  end"]
+        self.blocks.append("\n".join(lines))
+
+    def lock(self, register):
+        return self.value(self.fields[register.lock]) if register.lock else None
+
+    def ro(self, field):
+        name, bits = signal_name(field)
+        self.port("input  wire", 64 if bits else field.width, f"{name}_i")
+
+    def rw(self, field):
+        name, bits = signal_name(field)
+        self.port("output reg", 64 if bits else field.width, f"{name}_o")
+        self.resets.append(f"{name}_o{bits} <= {field.width}'h{field.reset:x}")
+
+    def merge(self, field):
+        name, bits = signal_name(field)
+        part = _bits(field.low + field.width - 1, field.low) if field.width < 32 else ""
+        return f"{name}_o{bits} <= ({name}_o{bits} & ~write_mask{part}) | ones{part}"
+
+    def w1s(self, field):
+        name = signal_name(field)[0]
+        self.port("output reg", 1, f"{name}_o")
+        self.resets.append(f"{name}_o <= 1'b{field.reset}")
+        self.lines.append(f"if ({self.written(field)}) {name}_o <= 1'b1")
+
+    def w1(self, field):
+        if field.linked("sets"):
+            return
+        name = signal_name(field)[0]
+        self.port("output reg", 1, f"{name}_o")
+        self.resets.append(f"{name}_o <= 1'b0")
+        blocks = [self.value(self.fields[path]) for path in field.linked("unless")]
+        blocks += [f"!{self.value(self.fields[path])}" for path in field.linked("needs")]
+        if not blocks:
+            self.lines.append(f"{name}_o <= {self.written(field)}")
+            return
+        self.refusals += [
+            f"  wire {name}_asked = {self.written(field)};",
+            textwrap.fill(f"  wire {name}_blocked = {' || '.join(blocks)} || {name}_o;", 100,
+                          subsequent_indent=" " * 4),
+            f"  wire {name}_refused = {name}_asked && {name}_blocked;"]
+        self.lines.append(f"{name}_o <= {name}_asked && !{name}_blocked")
+
+    def w1c(self, field):
+        name = signal_name(field)[0]
+        setters = self.setters(field)
+        if setters == [f"{name}_set_i"]:
+            self.port("input  wire", 1, f"{name}_set_i")
+        self.states.append(f"  reg {name}_q;")
+        found = self.more_sets if field.linked("with") else self.sets
+        found += [f"  wire {name}_set = {' || '.join(setters)};",
+                  f"  wire {name}_held = {name}_q && !({self.written(field)});"]
+        self.resets.append(f"{name}_q <= 1'b{field.reset}")
+        self.lines.append(f"{name}_q <= {name}_set || {name}_held")
+
+    def counter(self, field):
+        name, bits = signal_name(field)
+        if bits != "[31:0]":
+            return
+        self.port("input  wire", 1, f"{name}_event_i")
+        register = next(r for r in self.registers if r.name == field.register)
+        self.states.append(f"  wire [63:0] {name};")
+        self.counters.append(f"""\
+  ffd_axil_counter u_{name} (
+    .clk    (clk),
+    .rst    (rst),
+    .event_i({name}_event_i),
+    .clear_i(control_clear_counters_o),
+    .latch_i(read && read_word == {_word(register)}),
+    .low_o  ({name}[31:0]),
+    .high_o ({name}[63:32])
+  );""")
+
+    def events(self, register):
+        name, width = register.name.lower(), len(register.fields)
+        for port, bits in (("event", width), ("packet", 32), ("beat", 32), ("address_valid", 1),
+                           ("address", 64)):
+            self.port("input  wire", bits, f"error_{port}_i")
+        self.states.append(f"  reg {_range(width)} {name}_q;")
+        self.sets += [
+            "  wire error_any = |error_event_i;",
+            f"  wire {_range(width)} {name}_held = {name}_q"
+            f" & ~(ones{_bits(width - 1, 0)} & {{{width} {{write_{name}}}}});"]
+        self.resets.append(f"{name}_q <= {width}'h0")
+        self.lines.append(f"{name}_q <= error_event_i | {name}_held")
+
+    def read_value(self, register):
+        parts, at = [], 32
+        for field in sorted(register.fields, key=lambda field: -field.low):
+            high = field.low + field.width
+            if high < at:
+                parts.append(f"{at - high}'h0")
+            parts.append(self.value(field))
+            at = field.low
+        if at:
+            parts.append(f"{at}'h0")
+        if register.fields[0].access == "event":
+            width = len(register.fields)
+            parts = [f"{32 - width}'h0"] * (width < 32) + [f"{register.name.lower()}_q"]
+        return parts[0] if len(parts) == 1 else "{" + ", ".join(parts) + "}"
+
+    def read_cases(self):
+        lines = []
+        for register in self.registers:
+            line = f"      {_word(register)}: read_data = {self.read_value(register)};"
+            lines.append(textwrap.fill(line, 100, subsequent_indent=" " * 8, tabsize=1))
+        return "\n".join(lines)
+
+    def write_cases(self):
+        """One arm for all registers that share a lock, or have none."""
+        arms = {}
+        for register in self.registers:
+            if register.writable:
+                arms.setdefault(self.lock(register) or "1'b0", []).append(_word(register))
+        return "\n".join(
+            textwrap.fill(f"{', '.join(words)}: write_error = {error};", 100,
+                          initial_indent=" " * 6, subsequent_indent=" " * 6)
+            for error, words in arms.items())
+
+    def interrupts(self):
+        names = [f.name for r in self.registers if r.name == "IRQ_STATE" for f in r.fields]
+        return " ||\n        ".join(f"(irq_state_{n}_q && irq_enable_{n}_o)" for n in names)
+
+
+_BUS = """\
+  input  wire        clk,
+  input  wire        rst,
+  input  wire        s_axil_awvalid,
+  output wire        s_axil_awready,
+  input  wire [11:0] s_axil_awaddr,
+  input  wire        s_axil_wvalid,
+  output wire        s_axil_wready,
+  input  wire [31:0] s_axil_wdata,
+  input  wire [3:0]  s_axil_wstrb,
+  output wire        s_axil_bvalid,
+  input  wire        s_axil_bready,
+  output wire [1:0]  s_axil_bresp,
+  input  wire        s_axil_arvalid,
+  output wire        s_axil_arready,
+  input  wire [11:0] s_axil_araddr,
+  output wire        s_axil_rvalid,
+  input  wire        s_axil_rready,
+  output wire [31:0] s_axil_rdata,
+  output wire [1:0]  s_axil_rresp,
+"""
+_HEADER = """\
+// ffd_axil_registers: the registers of rtl/bus/registers.csv, from AXI4-Lite to the hardware
+//
+// {generated}
+//
+// Registers, bus, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
+// a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
+// is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
+// error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
+//
+// Pipeline:   a write acts at the edge at which its response appears; irq_o follows a clock later.
+// Cuts:       every output leaves a register.
+// Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
+//             that pulse is refused here).
+// Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
+// SPDX-License-Identifier: Apache-2.0
+"""
+_SLAVE = """\
+  wire        write;
+  wire [9:0]  write_word;
+  wire [31:0] write_data;
+  wire [31:0] write_mask;
+  reg         write_error;
+  wire        read;
+  wire [9:0]  read_word;
+  reg  [31:0] read_data;
+  reg         read_error;
+
+  ffd_axil_slave #(
+    .ADDRESS_W(12)
+  ) u_slave (
+{connections}
+  );
+
+  // The bits that a write sets: partial strobes leave the other bytes alone.
+  wire [31:0] ones = write_data & write_mask;
+"""
+_ERRORS = """\
+  ffd_axil_errors #(
+    .CODES({codes})
+  ) u_errors (
+    .clk            (clk),
+    .rst            (rst),
+    .event_i        (error_event_i),
+    .packet_i       (error_packet_i),
+    .beat_i         (error_beat_i),
+    .address_valid_i(error_address_valid_i),
+    .address_i      (error_address_i),
+    .held_i         (error_first_valid_held),
+    .clear_i        (control_clear_counters_o),
+    .count_o        (log_count),
+    .code_o         (log_code),
+    .packet_o       (log_packet),
+    .beat_o         (log_beat),
+    .address_o      (log_address)
+  );
+"""
+
+
+def _slave_connections():
+    bus = re.findall(r"(\w+),$", _BUS, re.M)
+    local = {"write_o": "write", "write_word_o": "write_word", "write_data_o": "write_data",
+             "write_mask_o": "write_mask", "write_error_i": "write_error", "read_o": "read",
+             "read_word_o": "read_word", "read_data_i": "read_data", "read_error_i": "read_error"}
+    pairs = {**{name: name for name in bus}, **local}
+    return ",\n".join(f"    .{port:<14}({wire})" for port, wire in pairs.items())
+
+
+def rtl_text(registers):
+    rtl = _Rtl(registers)
+    codes = next(len(r.fields) for r in registers if r.name == "ERROR_STATUS")
+    log = "\n".join(f"  wire {_range(width):<6} log_{name};" for name, width in (
+        ("count", 32), ("code", 5), ("packet", 32), ("beat", 32), ("address", 64)))
+    ports = ",\n".join(rtl.ports + ["  output reg         irq_o"])
+    blocks = "\n\n".join(rtl.blocks)
+    counters = "\n\n".join(rtl.counters)
+    return f"""{_HEADER.format(generated=GENERATED)}`default_nettype none
+
+module ffd_axil_registers (
+{_BUS}{ports}
+);
+{_SLAVE.format(connections=_slave_connections())}
+{chr(10).join(rtl.wires)}
+
+{log}
+
+{_ERRORS.format(codes=codes)}
+{counters}
+
+{blocks}
+
+  always @(posedge clk) begin
+    if (rst) begin
+      irq_o <= 1'b0;
+    end else begin
+      irq_o <=
+        {rtl.interrupts()};
+    end
+  end
+
+  always @* begin
+    case (write_word)
+{rtl.write_cases()}
+      default: write_error = 1'b1;
+    endcase
+  end
+
+  always @* begin
+    read_error = 1'b0;
+    case (read_word)
+{rtl.read_cases()}
+      default: begin
+        read_data  = 32'd0;
+        read_error = 1'b1;
+      end
+    endcase
+  end
+endmodule
+
+`default_nettype wire
+"""

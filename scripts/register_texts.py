@@ -1,0 +1,53 @@
+"""C header and document that follow from the table of registers (registers.py).
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from register_rtl import GENERATED
+
+
+def header_text(registers):
+    lines = [f"/* {GENERATED}", " * Registers, and how to use them: docs/registers.md.",
+             " * SPDX-License-Identifier: Apache-2.0 */", "#ifndef HWFFD_REGISTERS_H",
+             "#define HWFFD_REGISTERS_H", ""]
+    for register in registers:
+        prefix = f"HWFFD_{register.name}"
+        lines.append(f"#define {prefix}_OFFSET 0x{register.offset:03X}u")
+        for field in register.fields:
+            name = prefix if field.name == "value" else f"{prefix}_{field.name.upper()}"
+            lines.append(f"#define {name}_SHIFT {field.low}")
+            lines.append(f"#define {name}_MASK 0x{field.mask:08X}u")
+            if field.access in ("const", "rw"):
+                lines.append(f"#define {name}_RESET 0x{field.reset:X}u")
+        lines.append("")
+    return "\n".join(lines + ["#endif"]) + "\n"
+
+
+def _bits(field):
+    high = field.low + field.width - 1
+    return f"{high}" if high == field.low else f"{high}:{field.low}"
+
+
+def _markdown_link(field):
+    words = {"locked": "locked by", "unless": "refused while", "needs": "needs",
+             "refused": "refused: sets",
+             "with": "set with", "sets": "sets"}
+    return "; ".join(f"{words[kind]} `{target}`" for kind, target in field.links
+                     if kind != "sets")
+
+
+def docs_text(registers, preamble):
+    lines = [preamble.rstrip("\n"), "", "| offset | register | fields |", "|---|---|---|"]
+    for register in registers:
+        names = ", ".join(f"`{field.name}`" for field in register.fields)
+        lines.append(f"| 0x{register.offset:03X} | `{register.name}` | {names} |")
+    for register in registers:
+        lines += ["", f"### 0x{register.offset:03X} {register.name}", "",
+                  "| bits | field | access | reset | meaning |", "|---|---|---|---|---|"]
+        for field in register.fields:
+            reset = "-" if field.access in ("ro", "w1") else f"0x{field.reset:X}"
+            link = _markdown_link(field)
+            bits = _bits(field)
+            meaning = field.description + (f" ({link})" if link else "")
+            lines.append(f"| {bits} | `{field.name}` | {field.access} | {reset} | {meaning} |")
+    return "\n".join(lines) + "\n"

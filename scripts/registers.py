@@ -1,0 +1,261 @@
+#!/usr/bin/env python3
+"""The table of registers, rtl/bus/registers.csv, and what is made from it.
+
+One row is one field. This module reads the table and refuses what is wrong with it;
+register_rtl.py and register_texts.py make RTL, a C header and docs/registers.md from it.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import csv
+import pathlib
+import re
+import sys
+from dataclasses import dataclass
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import register_rtl  # noqa: E402
+import register_texts  # noqa: E402
+from configurations import write_if_changed  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = "rtl/bus/registers.csv"
+PREAMBLE = "rtl/bus/registers_preamble.md"
+COLUMNS = ("offset", "register", "field", "bits", "access", "reset", "link", "description")
+
+# access -> the links that it may have
+ACCESSES = {
+    "const": (), "ro": (), "log": (), "counter": (),
+    "rw": ("locked",), "w1s": (), "w1": ("unless", "needs", "refused", "sets"),
+    "w1c": ("with",), "event": (),
+}
+WRITABLE = ("rw", "w1s", "w1", "w1c", "event")
+RESETLESS = ("ro", "w1")
+
+
+class TableError(Exception):
+    """A fault of the table, in one line."""
+
+
+@dataclass(frozen=True)
+class Field:
+    register: str
+    name: str
+    low: int
+    width: int
+    access: str
+    reset: int
+    links: tuple  # of (kind, target)
+    description: str
+
+    def linked(self, kind):
+        return [target for found, target in self.links if found == kind]
+
+    @property
+    def path(self):
+        return f"{self.register}.{self.name}"
+
+    @property
+    def mask(self):
+        return ((1 << self.width) - 1) << self.low
+
+
+@dataclass(frozen=True)
+class Register:
+    name: str
+    offset: int
+    fields: tuple
+
+    @property
+    def writable(self):
+        return any(field.access in WRITABLE for field in self.fields)
+
+    @property
+    def lock(self):
+        """The field that locks it, or None."""
+        return next((lock for field in self.fields for lock in field.linked("locked")), None)
+
+
+def _read_bits(text, where):
+    match = re.fullmatch(r"([0-9]{1,2})(?::([0-9]{1,2}))?", text)
+    high, low = (int(match.group(1)), int(match.group(2) or match.group(1))) if match else (0, 1)
+    if not 0 <= low <= high <= 31:
+        raise TableError(f"{where}: bits '{text}': HIGH:LOW or one number, 31 to 0")
+    return low, high - low + 1
+
+
+def _read_links(text, access, where):
+    links = []
+    for word in text.split():
+        kind, _, target = word.partition(":")
+        if kind not in ACCESSES[access] or not target:
+            raise TableError(f"{where}: link '{word}' is not one of a field of access {access}")
+        links.append((kind, target))
+    return tuple(links)
+
+
+def _read_reset(text, access, width, where):
+    if access in RESETLESS:
+        if text:
+            raise TableError(f"{where}: a field of access {access} has no reset value")
+        return 0
+    if not re.fullmatch(r"0x[0-9A-Fa-f]{1,8}|[0-9]{1,10}", text) or int(text, 0) >> width:
+        raise TableError(f"{where}: reset '{text}' is not a number of {width} bits")
+    return int(text, 0)
+
+
+def _read_row(row, where):
+    """(offset, Field)"""
+    if len(row) != len(COLUMNS):
+        raise TableError(f"{where}: {len(row)} columns, {len(COLUMNS)} wanted")
+    cells = dict(zip(COLUMNS, row))
+    if not re.fullmatch(r"0x[0-9A-F]{3}", cells["offset"]) or int(cells["offset"], 16) % 4:
+        raise TableError(f"{where}: offset '{cells['offset']}': 0x and three digits, a multiple"
+                         " of 4")
+    for column, form in (("register", r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*"),
+                         ("field", r"[a-z][a-z0-9]*(_[a-z0-9]+)*")):
+        if not re.fullmatch(form, cells[column]):
+            raise TableError(f"{where}: bad {column} '{cells[column]}'")
+    access = cells["access"]
+    if access not in ACCESSES:
+        raise TableError(f"{where}: unknown access '{access}': one of {', '.join(ACCESSES)}")
+    if not cells["description"]:
+        raise TableError(f"{where}: no description")
+    low, width = _read_bits(cells["bits"], where)
+    if access in ("w1", "w1c", "w1s", "event") and width != 1:
+        raise TableError(f"{where}: a field of access {access} has one bit")
+    return int(cells["offset"], 16), Field(
+        cells["register"], cells["field"], low, width, access,
+        _read_reset(cells["reset"], access, width, where),
+        _read_links(cells["link"], access, where), cells["description"])
+
+
+def _check_register(register):
+    """What the fields of one register must have in common."""
+    taken = 0
+    for field in register.fields:
+        if taken & field.mask:
+            raise TableError(f"{field.path}: its bits are those of another field")
+        taken |= field.mask
+    if len({tuple(field.linked("locked")) for field in register.fields}) > 1:
+        raise TableError(f"{register.name}: one lock for all of its fields, or none")
+    events = [field.low for field in register.fields if field.access == "event"]
+    if events and events != list(range(len(register.fields))):
+        raise TableError(f"{register.name}: events take the bits from 0 on, and nothing else does")
+
+
+# link -> accesses of what it names
+TARGETS = {"locked": ("w1s",), "unless": ("ro",), "needs": ("w1s",), "refused": ("w1c",),
+           "sets": ("w1c",), "with": ("w1c", "event")}
+
+
+def _check_links(registers):
+    fields = {field.path: field for register in registers for field in register.fields}
+    events = {r.name: r.fields[0] for r in registers if r.fields[0].access == "event"}
+    for field in fields.values():
+        for kind, target in field.links:
+            found = fields.get(target) or (events.get(target) if kind == "with" else None)
+            if found is None or found.access not in TARGETS[kind]:
+                raise TableError(f"{field.path}: {kind}:{target} does not name a field of access"
+                                 f" {' or '.join(TARGETS[kind])}")
+        if (field.linked("unless") or field.linked("needs")) and not field.linked("refused"):
+            raise TableError(f"{field.path}: unless and needs want refused")
+
+
+def parse(text, path):
+    """The registers in order of their offsets. Raises TableError."""
+    rows = csv.reader(text.splitlines())
+    if tuple(next(rows, [])) != COLUMNS:
+        raise TableError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
+    found = []  # (offset, name, fields)
+    for row in rows:
+        if not row:
+            continue
+        where = f"{path}:{rows.line_num}"
+        offset, field = _read_row(row, where)
+        if found and found[-1][:2] == (offset, field.register):
+            if field.name in [other.name for other in found[-1][2]]:
+                raise TableError(f"{where}: {field.path} is there twice")
+            found[-1][2].append(field)
+            continue
+        if found and offset <= found[-1][0]:
+            raise TableError(f"{where}: offset of {field.register} is not above the one before")
+        if field.register in [name for _, name, _ in found]:
+            raise TableError(f"{where}: {field.register} has another offset above")
+        found.append((offset, field.register, [field]))
+    registers = [Register(name, offset, tuple(fields)) for offset, name, fields in found]
+    if not registers:
+        raise TableError(f"{path}: no registers")
+    for register in registers:
+        _check_register(register)
+    _check_links(registers)
+    missing = register_rtl.missing_fields(registers)
+    if missing:
+        raise TableError(f"{path}: no {missing[0]}, which the RTL is built around")
+    return registers
+
+
+def read(path):
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise TableError(f"{path}: cannot be read: {error}") from error
+    return parse(text, path)
+
+
+def outputs(root=ROOT, table=None):
+    """path below root -> the text that it must have"""
+    root = pathlib.Path(root)
+    registers = read(table or root / TABLE)
+    preamble = (root / PREAMBLE).read_text(encoding="utf-8")
+    return {
+        "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
+        "api/include/hwffd/registers.h": register_texts.header_text(registers),
+        "docs/registers.md": register_texts.docs_text(registers, preamble),
+    }
+
+
+def stale(root=ROOT):
+    """A line for each generated file that is not what the table makes of it."""
+    root = pathlib.Path(root)
+    if not (root / TABLE).is_file():
+        return []
+    return [
+        f"{name}: not what the table says: run scripts/registers.py write"
+        for name, text in outputs(root).items()
+        if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text
+    ]
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Reads the table of registers.")
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to work on")
+    parser.add_argument("--table", help="default: rtl/bus/registers.csv of the checkout")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    commands.add_parser("list", help="print offset, register, fields")
+    commands.add_parser("write", help="write RTL, C header and document, where they differ")
+    commands.add_parser("check", help="fail where one of them is not what the table says")
+    options = parser.parse_args(arguments)
+
+    try:
+        if options.command == "list":
+            for register in read(options.table or options.root / TABLE):
+                words = " ".join(f"{field.name}({field.access})" for field in register.fields)
+                print(f"0x{register.offset:03X} {register.name} {words}")
+        elif options.command == "write":
+            for name, text in outputs(options.root, options.table).items():
+                write_if_changed(options.root / name, text)
+        else:
+            for line in stale(options.root):
+                print(f"registers.py: {line}", file=sys.stderr)
+            return 1 if stale(options.root) else 0
+    except (TableError, OSError) as error:
+        print(f"registers.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "hwffd/tb/axi_pins.hpp"
+
+namespace hwffd::tb {
+
+/// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this master promises
+/// beyond it (marked "promise").
+enum class AxiRule : std::size_t {
+  kStable,       ///< valid fell or payload changed before ready, on any channel
+  kReset,        ///< valid in reset, or in the first cycle after it; promise: ready in reset
+  kShape,        ///< size not 16 bytes, burst not INCR, strobes not all ones (promise)
+  kAligned,      ///< address not a multiple of 16 (promise)
+  kBoundary,     ///< burst crosses 4 KB, or the end of the address space
+  kLength,       ///< burst longer than the limit set
+  kWriteLast,    ///< WLAST not exactly on the last beat of its burst
+  kReadLast,     ///< RLAST not exactly on the last beat of its burst
+  kUnasked,      ///< read data or write response without a request that is due
+  kUnanswered,   ///< at the end: a request without all of its answers, or data without address
+  kOutstanding,  ///< more bursts outstanding than the limit set
+  kWindow,       ///< a byte outside the window (promise)
+  kStall,        ///< write data paused inside a burst (promise)
+  kReadyFell,    ///< RREADY or BREADY fell outside reset (promise: room is kept)
+  kAfterError,   ///< an address was raised after an error response (promise)
+  kCount
+};
+
+const char* axi_rule_name(AxiRule rule);
+
+/// Watches one bus, both sides.
+class AxiChecker {
+ public:
+  static constexpr std::size_t kMaxReports = 20;
+
+  struct Limits {
+    std::uint64_t burst = 256;
+    std::uint64_t reads = 64;
+    std::uint64_t writes = 64;
+    std::uint64_t read_first = 0, read_last = ~std::uint64_t{0};
+    std::uint64_t write_first = 0, write_last = ~std::uint64_t{0};
+  };
+  void set_limits(const Limits& limits) { limits_ = limits; }
+
+  /// One cycle. In reset nothing but kReset is looked at; outstanding bursts are forgotten.
+  void observe(const AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  /// After the last cycle: everything has been answered.
+  void finish(std::uint64_t cycle);
+  /// Addresses may be raised again after an error response.
+  void restarted() { error_seen_ = false; }
+  /// From now on both readies may fall (soft reset).
+  void allow_ready_to_fall(bool allowed) { ready_may_fall_ = allowed; }
+
+  std::uint64_t violations() const;
+  std::uint64_t violations(AxiRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
+  const std::vector<std::string>& reports() const { return reports_; }
+  std::uint64_t most_reads() const { return most_reads_; }
+  std::uint64_t most_writes() const { return most_writes_; }
+
+ private:
+  void report(AxiRule rule, std::uint64_t cycle, const std::string& what);
+  void check_reset(const AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  void check_stable(const AxiPins& pins, std::uint64_t cycle);
+  void check_address(const AxiAddressChannel& channel, bool read, std::uint64_t cycle);
+  void check_errors(const AxiPins& pins, std::uint64_t cycle);
+  void observe_reads(const AxiPins& pins, std::uint64_t cycle);
+  void observe_writes(const AxiPins& pins, std::uint64_t cycle);
+  void pair_writes(std::uint64_t cycle);
+
+  Limits limits_;
+  bool was_in_reset_ = false;
+  bool before_known_ = false;
+  AxiPins before_;
+  bool ready_may_fall_ = false;
+  bool error_seen_ = false;
+  std::deque<std::uint64_t> reads_;   // beats still to come, a burst each
+  std::deque<std::uint64_t> writes_;  // lengths of addresses without their data
+  std::deque<std::uint64_t> data_;    // lengths of data without their address
+  std::uint64_t data_beats_ = 0;      // of the burst under way
+  std::uint64_t unanswered_ = 0;      // writes with address and data
+  std::uint64_t most_reads_ = 0, most_writes_ = 0;
+  std::array<std::uint64_t, static_cast<std::size_t>(AxiRule::kCount)> counts_{};
+  std::vector<std::string> reports_;
+};
+
+}  // namespace hwffd::tb

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "hwffd/tb/axi_pins.hpp"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/throttle.hpp"
+
+namespace hwffd::tb {
+
+/// An AXI4 slave with 2^64 bytes, 128 bits wide, without IDs: in order, several bursts outstanding.
+///
+/// Every byte that nobody wrote is a guard byte, a hash of its address, so a byte written where it
+/// should not be shows anywhere (`changed_outside`). Data of a burst is written with its last beat.
+///
+/// A cycle is: `drive`, settle, sample the master's pins, `observe`, clock.
+class AxiMemory {
+ public:
+  /// Clocks from an accepted address (or last write beat) to the first answer, both included.
+  struct Latency {
+    std::uint64_t least = 1;
+    std::uint64_t most = 1;
+  };
+  struct Throttles {
+    Throttle ar = Throttle::always();
+    Throttle r = Throttle::always();
+    Throttle aw = Throttle::always();
+    Throttle w = Throttle::always();
+    Throttle b = Throttle::always();
+  };
+  /// An address that was accepted.
+  struct Burst {
+    std::uint64_t address;
+    std::uint64_t beats;
+    std::uint64_t cycle;
+  };
+  /// First and last byte.
+  using Range = std::pair<std::uint64_t, std::uint64_t>;
+
+  explicit AxiMemory(std::uint64_t seed) : random_(derive_seed(seed, 77)), seed_(seed) {}
+
+  void set_latency(Latency latency) { latency_ = latency; }
+  void set_throttles(const Throttles& throttles) { throttles_ = throttles; }
+  /// Addresses are not accepted while that many bursts of their kind are unanswered.
+  void set_outstanding(std::size_t most) { outstanding_ = most; }
+
+  /// Beat `beat` of the read burst accepted as number `burst` from now (0 the next) fails.
+  void fail_read(std::uint64_t burst, std::uint64_t beat, AxiResponse response);
+  /// The write burst accepted as number `burst` from now fails; its data is not written.
+  void fail_write(std::uint64_t burst, AxiResponse response);
+  /// Beat `beat` of every read burst at that address fails.
+  void fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response);
+  void fail_nothing();
+  /// As aresetn of the whole bus: what is open is forgotten, write data without its last beat too.
+  void forget_open();
+
+  std::uint8_t byte(std::uint64_t address) const;
+  void set_byte(std::uint64_t address, std::uint8_t value);
+  AxiData beat(std::uint64_t address) const;
+  void set_beat(std::uint64_t address, const AxiData& data);
+  /// The guard byte of that address.
+  std::uint8_t guard(std::uint64_t address) const;
+  /// How many bytes differ from their guard bytes outside all ranges.
+  std::uint64_t changed_outside(const std::vector<Range>& ranges) const;
+
+  /// Drives ready of AR, AW, W and all of R and B.
+  void drive(AxiPins& pins, std::uint64_t cycle);
+  /// The pins just before the rising edge.
+  void observe(const AxiPins& pins, std::uint64_t cycle);
+
+  const std::vector<Burst>& reads() const { return reads_; }
+  const std::vector<Burst>& writes() const { return writes_; }
+  std::uint64_t read_beats() const { return read_beats_; }
+  std::uint64_t write_beats() const { return write_beats_; }
+  /// Bursts accepted and not yet answered wholly, and write data without an address.
+  bool quiet() const;
+
+ private:
+  static constexpr std::uint64_t kPage = 4096;
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+  struct Open {
+    std::uint64_t address;
+    std::uint64_t beats;
+    std::uint64_t due;  ///< cycle of the first answer
+    std::uint64_t failing_beat;
+    std::uint8_t response;
+    std::uint64_t done = 0;
+  };
+  struct Failure {
+    bool by_address;
+    std::uint64_t burst;  ///< its number, or its address
+    std::uint64_t beat;
+    AxiResponse response;
+  };
+
+  std::uint64_t due(std::uint64_t cycle) {
+    return cycle + random_.between(latency_.least, latency_.most);
+  }
+  Open open(const AxiAddressChannel& channel, std::uint64_t cycle, std::vector<Burst>& log,
+            std::vector<Failure>& failures);
+  void commit(std::uint64_t cycle);
+
+  Random random_;
+  std::uint64_t seed_;
+  Latency latency_;
+  Throttles throttles_;
+  std::size_t outstanding_ = 64;
+  std::vector<Failure> failing_reads_, failing_writes_;
+  std::unordered_map<std::uint64_t, std::array<std::uint8_t, kPage>> pages_;
+
+  std::deque<Open> read_queue_;
+  std::deque<Open> write_queue_;   // waiting for data
+  std::deque<Open> answer_queue_;  // waiting for their response
+  std::deque<std::pair<AxiData, bool>> data_queue_;
+  AxiReadChannel r_;
+  AxiResponseChannel b_;
+  std::vector<Burst> reads_, writes_;
+  std::uint64_t read_beats_ = 0, write_beats_ = 0;
+};
+
+}  // namespace hwffd::tb

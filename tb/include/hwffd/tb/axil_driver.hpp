@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hwffd/tb/axil_pins.hpp"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/throttle.hpp"
+
+namespace hwffd::tb {
+
+struct AxiLiteWrite {
+  std::uint32_t address = 0;
+  std::uint32_t data = 0;
+  std::uint8_t strobe = 0xF;
+};
+
+struct AxiLiteResponse {
+  std::uint8_t code = kOkay;
+  std::uint32_t data = 0;   ///< 0 for a write
+  std::uint64_t cycle = 0;  ///< in which it was taken
+};
+
+/// When each channel is willing: to offer a request, or to take a response. Independent of each
+/// other, they make the order of a write's address and data random.
+struct AxiLiteThrottles {
+  Throttle aw = Throttle::always();
+  Throttle w = Throttle::always();
+  Throttle b = Throttle::always();
+  Throttle ar = Throttle::always();
+  Throttle r = Throttle::always();
+
+  /// All five of that name (`throttle_names`), with seeds of their own; "mixed" draws a name for
+  /// each.
+  static AxiLiteThrottles make(const std::string& name, std::uint64_t seed);
+};
+
+/// The master of an AXI4-Lite bus: a queue of writes and one of reads, each worked off in order,
+/// both at once. An offered request stays, with its valid, until it is accepted; what lies on idle
+/// channels is random.
+///
+/// Knows no pins: each cycle call `drive`, put what it gives on them, then `accept` with what was
+/// sampled.
+class AxiLiteDriver {
+ public:
+  explicit AxiLiteDriver(std::uint64_t seed, AxiLiteThrottles throttles = {})
+      : random_(seed), throttles_(throttles) {}
+
+  /// Appends to the queues.
+  void write(const AxiLiteWrite& request) { writes_.push_back(request); }
+  void read(std::uint32_t address) { reads_.push_back(address); }
+  void throttle(const AxiLiteThrottles& throttles) { throttles_ = throttles; }
+  /// Drops queues, offers and responses, as a reset does.
+  void clear();
+
+  /// Decides the pins of this cycle.
+  const AxiLiteMasterPins& drive();
+  /// Ends the cycle.
+  void accept(const AxiLiteSlavePins& slave, std::uint64_t cycle);
+
+  /// Everything was sent and answered.
+  bool idle() const;
+  const std::vector<AxiLiteWrite>& writes() const { return writes_; }
+  const std::vector<std::uint32_t>& reads() const { return reads_; }
+  /// Responses, in the order of the requests. A response too many is there as well.
+  const std::vector<AxiLiteResponse>& write_responses() const { return written_; }
+  const std::vector<AxiLiteResponse>& read_responses() const { return read_; }
+
+ private:
+  Random random_;
+  AxiLiteThrottles throttles_;
+  std::vector<AxiLiteWrite> writes_;
+  std::vector<std::uint32_t> reads_;
+  std::vector<AxiLiteResponse> written_;
+  std::vector<AxiLiteResponse> read_;
+  std::size_t next_aw_ = 0;
+  std::size_t next_w_ = 0;
+  std::size_t next_ar_ = 0;
+  AxiLiteMasterPins pins_;
+};
+
+}  // namespace hwffd::tb

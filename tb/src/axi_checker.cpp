@@ -1,0 +1,182 @@
+#include "hwffd/tb/axi_checker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace hwffd::tb {
+namespace {
+
+bool same(const AxiAddressChannel& a, const AxiAddressChannel& b) {
+  return a.address == b.address && a.len == b.len && a.size == b.size && a.burst == b.burst;
+}
+bool same(const AxiReadChannel& a, const AxiReadChannel& b) {
+  return a.data == b.data && a.response == b.response && a.last == b.last;
+}
+bool same(const AxiWriteChannel& a, const AxiWriteChannel& b) {
+  return a.data == b.data && a.strobe == b.strobe && a.last == b.last;
+}
+bool same(const AxiResponseChannel& a, const AxiResponseChannel& b) {
+  return a.response == b.response;
+}
+
+/// Whether a channel broke its promise to hold what waited.
+template <class Channel>
+bool moved(const Channel& before, const Channel& now) {
+  return before.valid && !before.ready && !(now.valid && same(before, now));
+}
+
+/// Whether an address is new in this cycle.
+bool raised(const AxiAddressChannel& before, const AxiAddressChannel& now) {
+  return now.valid && (!before.valid || before.ready);
+}
+
+}  // namespace
+
+const char* axi_rule_name(AxiRule rule) {
+  static constexpr const char* kNames[] = {"stable",   "reset",      "shape",       "aligned",
+                                           "boundary", "length",     "write last",  "read last",
+                                           "unasked",  "unanswered", "outstanding", "window",
+                                           "stall",    "ready fell", "after error"};
+  return kNames[static_cast<std::size_t>(rule)];
+}
+
+std::uint64_t AxiChecker::violations() const {
+  return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+}
+
+void AxiChecker::report(AxiRule rule, std::uint64_t cycle, const std::string& what) {
+  ++counts_[static_cast<std::size_t>(rule)];
+  if (reports_.size() < kMaxReports) {
+    reports_.push_back(fmt::format("cycle {}: {}: {}", cycle, axi_rule_name(rule), what));
+  }
+}
+
+void AxiChecker::check_reset(const AxiPins& pins, std::uint64_t cycle, bool in_reset) {
+  if (pins.ar.valid || pins.aw.valid || pins.w.valid) {
+    report(AxiRule::kReset, cycle, "ARVALID, AWVALID or WVALID");
+  }
+  if (in_reset && was_in_reset_ && (pins.r.ready || pins.b.ready)) {
+    report(AxiRule::kReset, cycle, "RREADY or BREADY");
+  }
+}
+
+void AxiChecker::check_stable(const AxiPins& pins, std::uint64_t cycle) {
+  if (moved(before_.ar, pins.ar)) report(AxiRule::kStable, cycle, "AR");
+  if (moved(before_.aw, pins.aw)) report(AxiRule::kStable, cycle, "AW");
+  if (moved(before_.w, pins.w)) report(AxiRule::kStable, cycle, "W");
+  if (moved(before_.r, pins.r)) report(AxiRule::kStable, cycle, "R");
+  if (moved(before_.b, pins.b)) report(AxiRule::kStable, cycle, "B");
+  const bool fell = (before_.r.ready && !pins.r.ready) || (before_.b.ready && !pins.b.ready);
+  if (fell && !ready_may_fall_) report(AxiRule::kReadyFell, cycle, "RREADY or BREADY");
+}
+
+void AxiChecker::check_address(const AxiAddressChannel& channel, bool read, std::uint64_t cycle) {
+  const std::uint64_t bytes = (channel.len + std::uint64_t{1}) * kAxiBeatBytes;
+  const std::uint64_t last = channel.address + (bytes - 1);
+  const std::string what =
+      fmt::format("{} {:#x}, {} beats", read ? "read" : "write", channel.address, channel.len + 1);
+  if (channel.size != 4 || channel.burst != 1) report(AxiRule::kShape, cycle, what);
+  if (channel.address % kAxiBeatBytes != 0) report(AxiRule::kAligned, cycle, what);
+  if (channel.address / 4096 != last / 4096) report(AxiRule::kBoundary, cycle, what);
+  if (channel.len >= limits_.burst) report(AxiRule::kLength, cycle, what);
+  const std::uint64_t first_legal = read ? limits_.read_first : limits_.write_first;
+  const std::uint64_t last_legal = read ? limits_.read_last : limits_.write_last;
+  if (channel.address < first_legal || last > last_legal || last < channel.address) {
+    report(AxiRule::kWindow, cycle, what);
+  }
+}
+
+void AxiChecker::check_errors(const AxiPins& pins, std::uint64_t cycle) {
+  if (error_seen_) {
+    if (raised(before_.ar, pins.ar)) report(AxiRule::kAfterError, cycle, "AR");
+    if (raised(before_.aw, pins.aw)) report(AxiRule::kAfterError, cycle, "AW");
+  }
+  error_seen_ = error_seen_ || (pins.r.valid && pins.r.ready && pins.r.response != kAxiOkay) ||
+                (pins.b.valid && pins.b.ready && pins.b.response != kAxiOkay);
+}
+
+void AxiChecker::observe_reads(const AxiPins& pins, std::uint64_t cycle) {
+  if (pins.r.valid && reads_.empty()) {
+    report(AxiRule::kUnasked, cycle, "read data");
+  } else if (pins.r.valid && pins.r.ready) {
+    const bool last = --reads_.front() == 0;
+    if (last != pins.r.last) report(AxiRule::kReadLast, cycle, last ? "missing" : "early");
+    if (last) reads_.pop_front();
+  }
+  if (pins.ar.valid && pins.ar.ready) {
+    check_address(pins.ar, true, cycle);
+    reads_.push_back(pins.ar.len + std::uint64_t{1});
+  }
+  most_reads_ = std::max<std::uint64_t>(most_reads_, reads_.size());
+  if (reads_.size() > limits_.reads) report(AxiRule::kOutstanding, cycle, "reads");
+}
+
+void AxiChecker::pair_writes(std::uint64_t cycle) {
+  while (!writes_.empty() && !data_.empty()) {
+    if (writes_.front() != data_.front()) {
+      report(AxiRule::kWriteLast, cycle,
+             fmt::format("{} beats, {} wanted", data_.front(), writes_.front()));
+    }
+    writes_.pop_front();
+    data_.pop_front();
+    ++unanswered_;
+  }
+}
+
+void AxiChecker::observe_writes(const AxiPins& pins, std::uint64_t cycle) {
+  if (pins.b.valid && unanswered_ == 0) {
+    report(AxiRule::kUnasked, cycle, "write response");
+  } else if (pins.b.valid && pins.b.ready) {
+    --unanswered_;
+  }
+  if (!pins.w.valid && data_beats_ != 0) report(AxiRule::kStall, cycle, "write data");
+  if (pins.aw.valid && pins.aw.ready) {
+    check_address(pins.aw, false, cycle);
+    writes_.push_back(pins.aw.len + std::uint64_t{1});
+  }
+  if (pins.w.valid && pins.w.ready) {
+    if (pins.w.strobe != 0xffff) report(AxiRule::kShape, cycle, "strobes");
+    ++data_beats_;
+    if (pins.w.last) {
+      data_.push_back(data_beats_);
+      data_beats_ = 0;
+    }
+  }
+  pair_writes(cycle);
+  const std::uint64_t open = writes_.size() + unanswered_;
+  most_writes_ = std::max(most_writes_, open);
+  if (open > limits_.writes) report(AxiRule::kOutstanding, cycle, "writes");
+}
+
+void AxiChecker::observe(const AxiPins& pins, std::uint64_t cycle, bool in_reset) {
+  if (in_reset || was_in_reset_) {
+    // The first edge in reset clears; what the pins show before it is no fault.
+    if (was_in_reset_) check_reset(pins, cycle, in_reset);
+    reads_.clear();
+    writes_.clear();
+    data_.clear();
+    data_beats_ = unanswered_ = 0;
+    before_known_ = error_seen_ = false;
+    was_in_reset_ = in_reset;
+    return;
+  }
+  if (before_known_) {
+    check_stable(pins, cycle);
+    check_errors(pins, cycle);
+  }
+  observe_reads(pins, cycle);
+  observe_writes(pins, cycle);
+  before_ = pins;
+  before_known_ = true;
+}
+
+void AxiChecker::finish(std::uint64_t cycle) {
+  const std::size_t open = reads_.size() + writes_.size() + data_.size() + unanswered_;
+  if (open != 0 || data_beats_ != 0) {
+    report(AxiRule::kUnanswered, cycle, fmt::format("{} bursts", open));
+  }
+}
+
+}  // namespace hwffd::tb

@@ -1,0 +1,168 @@
+#include "hwffd/tb/axi_memory.hpp"
+
+#include <algorithm>
+
+namespace hwffd::tb {
+
+void AxiMemory::fail_read(std::uint64_t burst, std::uint64_t beat, AxiResponse response) {
+  failing_reads_.push_back({false, reads_.size() + burst, beat, response});
+}
+
+void AxiMemory::fail_write(std::uint64_t burst, AxiResponse response) {
+  failing_writes_.push_back({false, writes_.size() + burst, 0, response});
+}
+
+void AxiMemory::fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response) {
+  failing_reads_.push_back({true, address, beat, response});
+}
+
+void AxiMemory::fail_nothing() {
+  failing_reads_.clear();
+  failing_writes_.clear();
+}
+
+void AxiMemory::forget_open() {
+  read_queue_.clear();
+  write_queue_.clear();
+  answer_queue_.clear();
+  data_queue_.clear();
+  r_ = {};
+  b_ = {};
+}
+
+std::uint8_t AxiMemory::guard(std::uint64_t address) const {
+  return static_cast<std::uint8_t>(derive_seed(seed_, address) >> 24);
+}
+
+std::uint8_t AxiMemory::byte(std::uint64_t address) const {
+  const auto page = pages_.find(address / kPage);
+  return page == pages_.end() ? guard(address) : page->second[address % kPage];
+}
+
+void AxiMemory::set_byte(std::uint64_t address, std::uint8_t value) {
+  const auto [page, fresh] = pages_.try_emplace(address / kPage);
+  if (fresh) {
+    const std::uint64_t first = address / kPage * kPage;
+    for (std::uint64_t i = 0; i < kPage; ++i) page->second[i] = guard(first + i);
+  }
+  page->second[address % kPage] = value;
+}
+
+AxiData AxiMemory::beat(std::uint64_t address) const {
+  AxiData data{};
+  for (unsigned i = 0; i < kAxiBeatBytes; ++i) {
+    data[i / 4] |= std::uint32_t{byte(address + i)} << (8 * (i % 4));
+  }
+  return data;
+}
+
+void AxiMemory::set_beat(std::uint64_t address, const AxiData& data) {
+  for (unsigned i = 0; i < kAxiBeatBytes; ++i) {
+    set_byte(address + i, static_cast<std::uint8_t>(data[i / 4] >> (8 * (i % 4))));
+  }
+}
+
+std::uint64_t AxiMemory::changed_outside(const std::vector<Range>& ranges) const {
+  std::uint64_t changed = 0;
+  for (const auto& [number, bytes] : pages_) {
+    for (std::uint64_t i = 0; i < kPage; ++i) {
+      const std::uint64_t address = number * kPage + i;
+      if (bytes[i] == guard(address)) continue;
+      changed += std::none_of(ranges.begin(), ranges.end(), [&](const Range& range) {
+        return range.first <= address && address <= range.second;
+      });
+    }
+  }
+  return changed;
+}
+
+bool AxiMemory::quiet() const {
+  return read_queue_.empty() && write_queue_.empty() && answer_queue_.empty() &&
+         data_queue_.empty();
+}
+
+void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
+  pins.ar.ready = throttles_.ar.willing() && read_queue_.size() < outstanding_;
+  pins.aw.ready =
+      throttles_.aw.willing() && write_queue_.size() + answer_queue_.size() < outstanding_;
+  pins.w.ready = throttles_.w.willing();
+
+  const bool read_willing = throttles_.r.willing();
+  if (!r_.valid && read_willing && !read_queue_.empty() && read_queue_.front().due <= cycle) {
+    const Open& open = read_queue_.front();
+    r_.valid = true;
+    r_.data = beat(open.address + open.done * kAxiBeatBytes);
+    r_.last = open.done + 1 == open.beats;
+    r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{kAxiOkay};
+  }
+  if (!r_.valid) {  // idle data is garbage
+    for (std::uint32_t& word : r_.data) word = random_.word();
+    r_.last = random_.chance(0.5);
+    r_.response = static_cast<std::uint8_t>(random_.below(4));
+  }
+  const bool answer_willing = throttles_.b.willing();
+  if (!b_.valid && answer_willing && !answer_queue_.empty() && answer_queue_.front().due <= cycle) {
+    b_.valid = true;
+    b_.response = answer_queue_.front().response;
+  }
+  if (!b_.valid) b_.response = static_cast<std::uint8_t>(random_.below(4));
+
+  const bool rready = pins.r.ready, bready = pins.b.ready;
+  pins.r = r_;
+  pins.b = b_;
+  pins.r.ready = rready;
+  pins.b.ready = bready;
+}
+
+AxiMemory::Open AxiMemory::open(const AxiAddressChannel& channel, std::uint64_t cycle,
+                                std::vector<Burst>& log, std::vector<Failure>& failures) {
+  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, kAxiOkay};
+  for (const Failure& failure : failures) {
+    if (failure.burst == (failure.by_address ? open.address : log.size())) {
+      open.failing_beat = failure.beat;
+      open.response = failure.response;
+    }
+  }
+  log.push_back({open.address, open.beats, cycle});
+  return open;
+}
+
+void AxiMemory::commit(std::uint64_t cycle) {
+  while (!write_queue_.empty() && data_queue_.size() >= write_queue_.front().beats) {
+    Open open = write_queue_.front();
+    write_queue_.pop_front();
+    for (std::uint64_t i = 0; i < open.beats; ++i) {
+      if (open.response == kAxiOkay) {
+        set_beat(open.address + i * kAxiBeatBytes, data_queue_.front().first);
+      }
+      data_queue_.pop_front();
+    }
+    open.due = due(cycle);
+    answer_queue_.push_back(open);
+  }
+}
+
+void AxiMemory::observe(const AxiPins& pins, std::uint64_t cycle) {
+  if (pins.r.valid && pins.r.ready) {
+    ++read_beats_;
+    r_.valid = false;
+    if (++read_queue_.front().done == read_queue_.front().beats) read_queue_.pop_front();
+  }
+  if (pins.b.valid && pins.b.ready) {
+    b_.valid = false;
+    answer_queue_.pop_front();
+  }
+  if (pins.ar.valid && pins.ar.ready) {
+    read_queue_.push_back(open(pins.ar, cycle, reads_, failing_reads_));
+  }
+  if (pins.aw.valid && pins.aw.ready) {
+    write_queue_.push_back(open(pins.aw, cycle, writes_, failing_writes_));
+  }
+  if (pins.w.valid && pins.w.ready) {
+    ++write_beats_;
+    data_queue_.push_back({pins.w.data, pins.w.last});
+  }
+  commit(cycle);
+}
+
+}  // namespace hwffd::tb

@@ -1,0 +1,164 @@
+#include "axi_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/beat_text.hpp"
+
+namespace hwffd::test {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+namespace {
+constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+constexpr std::uint64_t kGuardBytes = 3 * kBeat;  // between two areas
+}  // namespace
+
+std::vector<Configuration> axi_configurations() {
+  std::vector<Configuration> built;
+  for (const Configuration& row : configurations()) {
+    if (tb::has_axi_core(row)) built.push_back(row);
+  }
+  return built;
+}
+
+std::string axi_test_name(const Configuration& row) {
+  std::string name = row.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+AxiRun::AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles)
+    : row_(row),
+      codec_(row.format),
+      random_(tb::derive_seed(seed, 11)),
+      core_(tb::make_axi_core(row, seed)),
+      system_(std::make_unique<tb::AxiSystem>(*core_, seed)),
+      driver_(*system_),
+      ring_(system_->memory, driver_, kRing, kBuffers),
+      model_(row) {
+  system_->memory.set_latency({1, 1 + random_.below(40)});
+  system_->set_throttles(throttles);
+  set_up();
+}
+
+void AxiRun::set_up() {
+  driver_.probe();
+  driver_.set_windows(kReadWindow, kWriteWindow);
+  driver_.lock_windows();
+  driver_.enable_interrupts(HWFFD_IRQ_ENABLE_DONE_MASK | HWFFD_IRQ_ENABLE_ERROR_MASK |
+                            HWFFD_IRQ_ENABLE_REFUSED_MASK);
+  system_->allow(kReadWindow, kWriteWindow);
+  ring_.open();
+}
+
+void AxiRun::hard_reset() {
+  system_->allow({}, {});
+  system_->reset();
+  model_.reset();
+  expected_.clear();
+  set_up();
+}
+
+void AxiRun::send(const std::vector<Beat>& packets) {
+  if (driver_.pending() == 0) ring_.set_next_buffer(kBuffers.base);
+  ring_.put(packets);
+  const std::vector<Beat> results = model_.run(packets);
+  expected_.insert(expected_.end(), results.begin(), results.end());
+}
+
+void AxiRun::send_bspline() { send(coefficients_packet(watertight_bspline(codec_), codec_)); }
+
+void AxiRun::start(std::optional<std::uint64_t> results) {
+  area_results_ = std::max<std::uint64_t>(1, results.value_or(expected_.size()));
+  const std::uint64_t bytes = area_results_ * kBeat;
+  if (next_area_ + bytes > kWriteWindow.limit) next_area_ = kWriteWindow.base;
+  area_ = next_area_;
+  next_area_ += bytes + kGuardBytes;
+  areas_.push_back({area_, area_ + bytes - 1});
+  driver_.set_results({area_, static_cast<std::uint32_t>(bytes)});
+  driver_.start();
+}
+
+AssertionResult AxiRun::wait() {
+  if (driver_.wait_done(kPolls)) return AssertionSuccess();
+  return AssertionFailure() << "no end; " << driver_.result_count() << " of " << expected_.size()
+                            << " results, " << driver_.pending() << " packets pending";
+}
+
+std::uint64_t AxiRun::results_in_memory() const {
+  for (std::size_t i = 0; i < expected_.size(); ++i) {
+    if (system_->memory.beat(area_ + i * kBeat) != expected_[i].words) return i;
+  }
+  return expected_.size();
+}
+
+std::uint32_t AxiRun::result_word(std::uint64_t index, unsigned word) const {
+  return system_->memory.beat(area_ + index * kBeat)[word];
+}
+
+AssertionResult AxiRun::finish() {
+  const AssertionResult ended = wait();
+  if (!ended) return ended;
+  const std::uint64_t count = driver_.result_count();
+  if (count != expected_.size()) {
+    return AssertionFailure() << count << " results, not " << expected_.size();
+  }
+  const std::uint64_t right = results_in_memory();
+  if (right != expected_.size()) {
+    return AssertionFailure() << fmt::format(
+               "result {} of {}, at {:#x}\n  expected {}\n  got      {}", right, expected_.size(),
+               area_ + right * kBeat, tb::beat_text({expected_[right].words, false}),
+               tb::beat_text({system_->memory.beat(area_ + right * kBeat), false}));
+  }
+  checked_ += expected_.size();
+  expected_.clear();
+  return AssertionSuccess();
+}
+
+AssertionResult AxiRun::go() {
+  start();
+  return finish();
+}
+
+AssertionResult AxiRun::soft_reset() {
+  if (!driver_.soft_reset(kPolls)) return AssertionFailure() << "the soft reset has no end";
+  model_.reset();
+  expected_.clear();
+  ring_.open();
+  return AssertionSuccess();
+}
+
+void AxiRun::forget_expected() { expected_.clear(); }
+
+AssertionResult AxiRun::good_run() {
+  send_bspline();
+  const LatticeWords lattice = random_lattice(codec_, random_, 6);
+  send(lattice_packet(lattice));
+  send(vertices_packet(random_vertices(codec_, random_, lattice.dims, 5)));
+  send(interleaved_packet(make_stimulus("random", codec_, 2, random_.bits())));
+  const AssertionResult ran = go();
+  if (!ran) return AssertionFailure() << "good run: " << ran.message();
+  const CoreErrors errors = driver_.take_errors();
+  if (errors.status == 0) return AssertionSuccess();
+  return AssertionFailure() << "good run: errors " << std::hex << errors.status;
+}
+
+AssertionResult AxiRun::clean() {
+  system_->run(300);  // nothing comes after
+  std::string faults = system_->faults();
+  std::vector<tb::AxiMemory::Range> ranges = areas_;
+  ranges.push_back(ring_.ring_range());
+  ranges.push_back({kBuffers.base, kBuffers.limit});
+  const std::uint64_t changed = system_->memory.changed_outside(ranges);
+  if (changed != 0) faults += fmt::format("{} guard bytes changed\n", changed);
+  if (checked_ == 0) faults += "nothing was checked\n";
+  if (faults.empty()) return AssertionSuccess();
+  return AssertionFailure() << faults;
+}
+
+}  // namespace hwffd::test

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "hwffd/driver.hpp"
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/registers.h"
+#include "hwffd/stream/word_codec.hpp"
+#include "hwffd/tb/axi_core_factory.hpp"
+#include "hwffd/tb/axi_system.hpp"
+#include "hwffd/tb/packet_ring.hpp"
+#include "stimulus.hpp"
+
+namespace hwffd {
+
+/// How GoogleTest names a configuration in a failure.
+inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
+
+}  // namespace hwffd
+
+namespace hwffd::test {
+
+/// Codes of errors: bits of ERROR_STATUS. Those below 10 are events of the stream.
+enum ErrorCode : unsigned {
+  kUnknownOpcode,
+  kPacketShort,
+  kPacketLong,
+  kNoCoefficients,
+  kNoLattice,
+  kLatticeSize,
+  kCellOutside,
+  kCoordinateNan,
+  kCoordinateOutside,
+  kSaturated,
+  kDmaZero,
+  kDmaMisaligned,
+  kDmaWrap,
+  kDmaWindow,
+  kDmaDescriptor,
+  kDmaReadResponse,
+  kDmaWriteResponse,
+  kResultOverflow
+};
+
+/// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
+/// above 4 GB, no buffer begins at a border of 4 KB.
+inline constexpr DescriptorRing kRing{0x100200, 5};
+inline constexpr AddressWindow kBuffers{0x200F70, 0x23FFFF};
+inline constexpr AddressWindow kReadWindow{kRing.base, kBuffers.limit};
+inline constexpr AddressWindow kWriteWindow{0x100001230, 0x10002FFFF};
+inline constexpr std::uint64_t kPolls = 200'000;
+
+/// A whole system of one configuration, the driver that works it and the model of what it does.
+class AxiRun {
+ public:
+  /// Out of reset, windows set and locked, the ring open, all interrupts enabled.
+  AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles = "always");
+
+  /// Puts packets into memory and ring, and what the model makes of them to the expectations.
+  void send(const std::vector<Beat>& packets);
+  void send_bspline();
+  /// An area of that many results, or as many as are expected, behind the last one; then a start.
+  void start(std::optional<std::uint64_t> results = {});
+  /// Waits for the end; compares the count and every word in memory, and, where the area has more
+  /// room, that nothing lies behind.
+  ::testing::AssertionResult finish();
+  /// start and finish.
+  ::testing::AssertionResult go();
+  /// Waits for the end only.
+  ::testing::AssertionResult wait();
+  /// Soft reset of core and model; the ring is open again.
+  ::testing::AssertionResult soft_reset();
+  /// aresetn of everything; then as constructed.
+  void hard_reset();
+  /// Coefficients, a lattice and a few vertices: exact, no error.
+  ::testing::AssertionResult good_run();
+  /// Beats that were sent and are not expected to be seen any more, and their results.
+  void forget_expected();
+  /// No rule of a bus broken, nothing open, no byte changed but those of results, ring and buffers.
+  ::testing::AssertionResult clean();
+
+  const WordCodec& codec() const { return codec_; }
+  tb::AxiSystem& system() { return *system_; }
+  Driver& driver() { return driver_; }
+  tb::PacketRing& ring() { return ring_; }
+  tb::Random& random() { return random_; }
+  model::StreamModel& model() { return model_; }
+  const std::vector<Beat>& expected() const { return expected_; }
+  std::uint64_t area() const { return area_; }
+  /// How many of the expected results lie in memory, counted up to the first that does not.
+  std::uint64_t results_in_memory() const;
+  /// A word of result `index` of the last area.
+  std::uint32_t result_word(std::uint64_t index, unsigned word) const;
+  /// Results compared so far.
+  std::uint64_t checked() const { return checked_; }
+
+ private:
+  void set_up();
+
+  Configuration row_;
+  WordCodec codec_;
+  tb::Random random_;
+  std::unique_ptr<tb::AxiCore> core_;
+  std::unique_ptr<tb::AxiSystem> system_;
+  Driver driver_;
+  tb::PacketRing ring_;
+  model::StreamModel model_;
+  std::vector<Beat> expected_;
+  std::uint64_t next_area_ = kWriteWindow.base;
+  std::uint64_t area_ = 0;
+  std::uint64_t area_results_ = 0;
+  std::vector<tb::AxiMemory::Range> areas_;
+  std::uint64_t checked_ = 0;
+};
+
+/// The rows of the table whose hwffd_axi this build has.
+std::vector<Configuration> axi_configurations();
+
+/// basic-fx18-overlapped -> basic_fx18_overlapped, as a test may be called.
+std::string axi_test_name(const Configuration& row);
+
+/// For tests over configurations.
+class PerAxiConfiguration : public ::testing::TestWithParam<Configuration> {};
+
+}  // namespace hwffd::test
+
+#define HWFFD_FOR_EACH_AXI_CONFIGURATION(suite)                          \
+  INSTANTIATE_TEST_SUITE_P(                                              \
+      , suite, ::testing::ValuesIn(::hwffd::test::axi_configurations()), \
+      [](const auto& info) { return ::hwffd::test::axi_test_name(info.param); })

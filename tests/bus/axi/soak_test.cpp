@@ -1,0 +1,185 @@
+// Good and bad traffic mixed, round after round on one system, under waiting that changes with
+// every round: every result of what went well is exact, every error is survived. The environment
+// variable HWFFD_SOAK is the number of seeds; `make soak` sets it to 100.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "axi_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+std::uint64_t seeds() {
+  const char* text = std::getenv("HWFFD_SOAK");
+  if (text == nullptr) return 2;
+  char* end = nullptr;
+  const std::uint64_t count = std::strtoull(text, &end, 10);
+  if (count == 0 || *end != '\0')
+    throw std::invalid_argument("HWFFD_SOAK: a number of seeds from 1 up is wanted");
+  return count;
+}
+
+/// One system under one seed's traffic.
+class Traffic {
+ public:
+  static constexpr int kRounds = 40;
+
+  Traffic(const Configuration& row, std::uint64_t seed) : run_(row, seed, "mixed") {}
+
+  void round() {
+    tb::AxiSystem& system = run_.system();
+    system.set_throttles(run_.random().chance(0.5) ? "mixed" : "always");
+    system.memory.set_latency({1, 1 + run_.random().below(60)});
+    using Kind = void (Traffic::*)();
+    static const std::map<std::string, Kind> kinds = {
+        {"any packets", &Traffic::any_packets},   {"bus error", &Traffic::bus_error},
+        {"descriptor", &Traffic::bad_descriptor}, {"small area", &Traffic::small_area},
+        {"soft reset", &Traffic::soft_reset},     {"registers", &Traffic::bad_accesses}};
+    const auto& [name, kind] = run_.random().pick(kinds);
+    SCOPED_TRACE(name);
+    (this->*kind)();
+    system.memory.fail_nothing();
+  }
+  void finish() {
+    EXPECT_TRUE(run_.soft_reset());
+    run_.driver().take_errors();
+    EXPECT_TRUE(run_.good_run());
+    EXPECT_TRUE(run_.clean());
+  }
+  std::uint64_t checked() const { return run_.checked(); }
+  std::uint64_t cycles() { return run_.system().cycle(); }
+
+ private:
+  void send_any() {
+    const auto packets = static_cast<int>(run_.random().between(1, 24));
+    run_.send(random_packets(run_.codec(), run_.random(), packets));
+  }
+  void recover() {
+    run_.system().memory.fail_nothing();
+    ASSERT_TRUE(run_.soft_reset());
+    run_.driver().take_errors();
+    EXPECT_TRUE(run_.good_run());
+  }
+
+  void any_packets() {
+    run_.driver().take_errors();
+    run_.driver().clear_counters();
+    const auto before = run_.model().events().counts();
+    send_any();
+    ASSERT_TRUE(run_.go());
+    const auto after = run_.model().events().counts();
+    const auto total = [](const auto& counts) {
+      return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    };
+    EXPECT_EQ(run_.driver().take_errors().count, total(after) - total(before));
+  }
+  void bus_error() {
+    const auto answer = [&] { return run_.random().pick({tb::kAxiSlverr, tb::kAxiDecerr}); };
+    send_any();
+    if (run_.random().chance(0.7)) {
+      run_.system().memory.fail_read(run_.random().below(20), run_.random().below(4), answer());
+    }
+    if (run_.random().chance(0.5)) {
+      run_.system().memory.fail_write(run_.random().below(6), answer());
+    }
+    run_.start();
+    if (run_.random().chance(0.3)) run_.system().run(run_.random().below(500));
+    ASSERT_TRUE(run_.wait());
+    if (!run_.driver().stopped()) {
+      EXPECT_TRUE(run_.finish());
+      return;
+    }
+    // What is there is right, but for the vertex in which a packet was cut.
+    EXPECT_GE(run_.results_in_memory() + 1, run_.driver().result_count());
+    EXPECT_TRUE(run_.system().memory.quiet());
+    recover();
+  }
+  void bad_descriptor() {
+    struct Bad {
+      std::uint64_t address;
+      std::uint32_t bytes, flags;
+    };
+    send_any();
+    const Bad bad = run_.random().pick({Bad{kBuffers.base, 0, 0}, Bad{kBuffers.base + 4, 32, 0},
+                                        Bad{kBuffers.base, 40, 0}, Bad{~std::uint64_t{15}, 32, 0},
+                                        Bad{kReadWindow.limit - 15, 32, 0},
+                                        Bad{kWriteWindow.base, 32, 0}, Bad{kBuffers.base, 32, 8}});
+    run_.ring().put_descriptor(bad.address, bad.bytes, bad.flags);
+    EXPECT_TRUE(run_.go()) << "the packets before it";
+    EXPECT_EQ(run_.driver().pending(), 1U);
+    EXPECT_NE(run_.driver().take_errors().status >> kDmaZero, 0U);
+    recover();
+  }
+  void small_area() {
+    send_any();
+    const std::uint64_t results = run_.expected().size();
+    if (results < 2) {
+      EXPECT_TRUE(run_.go());
+      return;
+    }
+    const std::uint64_t room = 1 + run_.random().below(results - 1);
+    run_.start(room);
+    ASSERT_TRUE(run_.wait());
+    EXPECT_EQ(run_.driver().result_count(), room);
+    EXPECT_EQ(run_.results_in_memory(), room);
+    EXPECT_NE(run_.driver().take_errors().status & 1U << kResultOverflow, 0U);
+    run_.forget_expected();
+  }
+  void soft_reset() {
+    send_any();
+    run_.start();
+    run_.system().run(run_.random().below(run_.random().pick({50, 500, 5000})));
+    recover();
+  }
+  void bad_accesses() {
+    tb::AxiSystem& system = run_.system();
+    send_any();
+    run_.start();
+    for (int access = 0; access < 10; ++access) {
+      EXPECT_EQ(system.try_write(0x200 + 4 * run_.random().below(64), run_.random().word()),
+                tb::kSlvErr);
+      EXPECT_THROW(system.read32(0x800), RegisterError);
+      EXPECT_EQ(system.try_write(HWFFD_WRITE_WINDOW_BASE_LO_OFFSET, 0), tb::kSlvErr);
+    }
+    EXPECT_TRUE(run_.finish());
+  }
+
+  AxiRun run_;
+};
+
+class AxiSoak : public PerAxiConfiguration {};
+
+TEST_P(AxiSoak, GoodAndBadTraffic) {
+  const std::uint64_t first = tb::seed_from_environment(1), count = seeds();
+  std::uint64_t checked = 0, cycles = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    SCOPED_TRACE("SEED=" + std::to_string(seed) + " HWFFD_SOAK=1");
+    Traffic traffic(GetParam(), seed);
+    for (int round = 0; round < Traffic::kRounds && !HasFailure(); ++round) traffic.round();
+    if (!HasFailure()) traffic.finish();
+    checked += traffic.checked();
+    cycles += traffic.cycles();
+    if (HasFailure()) break;
+    if (isatty(fileno(stderr)) != 0) {
+      std::fprintf(stderr, "\r%s: seed %llu of %llu", GetParam().name,
+                   static_cast<unsigned long long>(seed - first + 1),
+                   static_cast<unsigned long long>(count));
+    }
+  }
+  if (isatty(fileno(stderr)) != 0) std::fprintf(stderr, "\r%60s\r", "");
+  std::printf("%s: %llu seeds, %llu results, %llu clocks\n", GetParam().name,
+              static_cast<unsigned long long>(count), static_cast<unsigned long long>(checked),
+              static_cast<unsigned long long>(cycles));
+}
+
+HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiSoak);
+
+}  // namespace
+}  // namespace hwffd::test

@@ -1,0 +1,179 @@
+// The whole core behind its buses, worked by the driver class: results in memory are those of the
+// model bit for bit, whatever comes and however the buses wait; counters, interrupts, identity.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <numeric>
+
+#include "axi_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+class Axi : public PerAxiConfiguration {};
+
+TEST_P(Axi, SaysWhatItIs) {
+  AxiRun run(GetParam(), 1);
+  const CoreIdentity identity = run.driver().probe();
+  const bool is_float = std::string(GetParam().format) == "fp32";
+  EXPECT_EQ(identity.n, static_cast<unsigned>(GetParam().n));
+  EXPECT_EQ(identity.format, is_float ? 0U : std::stoul(std::string(GetParam().format).substr(2)));
+  EXPECT_EQ(identity.schedule, 0U);
+  EXPECT_EQ(identity.evaluator, 0U);
+  EXPECT_EQ(identity.points_axis, static_cast<unsigned>(kAxisPoints));
+  EXPECT_EQ(identity.in_flight, 128U);
+}
+
+/// Packets of every kind, good and bad, in several runs that go on from each other.
+TEST_P(Axi, AnyPacketsGiveTheModelsBits) {
+  std::uint64_t results = 0, events = 0;
+  const std::vector<std::string> throttles = {"always", "mixed",  "bernoulli",
+                                              "mixed",  "bursts", "sparse"};
+  for (std::uint64_t seed = 1; seed <= throttles.size(); ++seed) {
+    AxiRun run(GetParam(), seed, throttles[seed - 1]);
+    run.send_bspline();
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      run.send(random_packets(run.codec(), run.random(), 20));
+      ASSERT_TRUE(run.go()) << "seed " << seed << ", run " << repeat;
+    }
+    const auto counts = run.model().events().counts();
+    const CoreErrors errors = run.driver().take_errors();
+    std::uint32_t status = 0;
+    for (std::size_t code = 0; code < counts.size(); ++code) status |= (counts[code] != 0) << code;
+    const auto total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    EXPECT_EQ(errors.status, status) << "seed " << seed;
+    EXPECT_EQ(errors.count, total) << "seed " << seed;
+    EXPECT_EQ(run.driver().counters().vertices, run.checked()) << "seed " << seed;
+    EXPECT_TRUE(run.clean()) << "seed " << seed;
+    results += run.checked();
+    events += total;
+  }
+  std::printf("%llu results, %llu events\n", static_cast<unsigned long long>(results),
+              static_cast<unsigned long long>(events));
+}
+
+/// Descriptors that come while the core is busy are taken in the same run, or in the next.
+TEST_P(Axi, PacketsAreAddedWhileItRuns) {
+  AxiRun run(GetParam(), 3, "mixed");
+  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 6);
+  run.send_bspline();
+  run.send(lattice_packet(lattice));
+  run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 100)));
+  run.start(1000);
+  for (int packet = 0; packet < 5; ++packet) {
+    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 20)));
+  }
+  ASSERT_TRUE(run.finish());
+  EXPECT_EQ(run.driver().pending(), 0U);
+  EXPECT_EQ(run.checked(), 200U);
+  EXPECT_TRUE(run.clean());
+}
+
+/// More packets than the ring has entries: it goes around.
+TEST_P(Axi, TheRingGoesAround) {
+  AxiRun run(GetParam(), 4, "gaps");
+  run.send_bspline();
+  for (int repeat = 0; repeat < 4; ++repeat) {
+    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 5);
+    run.send(lattice_packet(lattice));
+    for (int packet = 0; packet < 20; ++packet) {
+      run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 2)));
+    }
+    ASSERT_TRUE(run.go()) << repeat;
+  }
+  EXPECT_EQ(run.checked(), 160U);
+  EXPECT_TRUE(run.clean());
+}
+
+TEST_P(Axi, CountersCount) {
+  AxiRun run(GetParam(), 5);
+  ASSERT_TRUE(run.good_run());
+  CoreCounters counters = run.driver().counters();
+  EXPECT_EQ(counters.vertices, run.checked());
+  EXPECT_GT(counters.busy, run.checked());
+  EXPECT_LT(counters.busy, run.system().cycle());
+  EXPECT_EQ(counters.stalls, 0U);
+
+  run.driver().clear_counters();
+  counters = run.driver().counters();
+  EXPECT_EQ(counters.vertices + counters.stalls + counters.busy, 0U);
+  const std::uint64_t before = run.checked();
+  ASSERT_TRUE(run.good_run());
+  EXPECT_EQ(run.driver().counters().vertices, run.checked() - before);
+  EXPECT_TRUE(run.clean());
+}
+
+/// A result that cannot leave because the memory takes no data waits, and is counted as a stall.
+TEST_P(Axi, StallsAreCounted) {
+  AxiRun run(GetParam(), 6);
+  tb::AxiMemory::Throttles closed;
+  closed.w = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
+  run.system().memory.set_throttles(closed);
+  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
+  run.send_bspline();
+  run.send(lattice_packet(lattice));
+  run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 800)));
+  run.start();
+  run.system().run(80'000);
+  EXPECT_GT(run.driver().counters().stalls, 1000U);
+  run.system().memory.set_throttles({});
+  ASSERT_TRUE(run.finish());
+  EXPECT_TRUE(run.clean());
+}
+
+TEST_P(Axi, Interrupts) {
+  AxiRun run(GetParam(), 7, "bernoulli");
+  Driver& driver = run.driver();
+  EXPECT_FALSE(run.system().interrupt());
+  run.send_bspline();
+  run.start();
+  for (int i = 0; i < 20'000 && !run.system().interrupt(); ++i) run.system().run(1);
+  EXPECT_TRUE(run.system().interrupt()) << "done";
+  EXPECT_TRUE(run.wait());
+  EXPECT_EQ(driver.take_interrupts(), HWFFD_IRQ_STATE_DONE_MASK);
+  EXPECT_FALSE(run.system().interrupt());
+
+  driver.enable_interrupts(HWFFD_IRQ_ENABLE_ERROR_MASK);
+  run.send({{{0x77, 0, 0, 0}, true}});  // of an unknown opcode
+  ASSERT_TRUE(run.go());
+  EXPECT_TRUE(run.system().interrupt()) << "error";
+  EXPECT_EQ(driver.take_interrupts(), HWFFD_IRQ_STATE_DONE_MASK | HWFFD_IRQ_STATE_ERROR_MASK);
+  EXPECT_FALSE(run.system().interrupt());
+  driver.take_errors();
+
+  driver.enable_interrupts(0);
+  ASSERT_TRUE(run.good_run());
+  EXPECT_FALSE(run.system().interrupt()) << "not enabled";
+  EXPECT_EQ(driver.take_interrupts(), HWFFD_IRQ_STATE_DONE_MASK);
+  EXPECT_TRUE(run.clean());
+}
+
+/// One vertex a clock keeps both directions of the bus busy: at least 95 % of each.
+TEST_P(Axi, TheBusIsUsedWhereTheEvaluatorKeepsUp) {
+  if (GetParam().n != 64) GTEST_SKIP() << "its evaluator is slower than the bus";
+  AxiRun run(GetParam(), 8);
+  run.system().memory.set_latency({30, 30});
+  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
+  run.send_bspline();
+  run.send(lattice_packet(lattice));
+  for (int packet = 0; packet < 8; ++packet) {
+    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 1000)));
+  }
+  run.start();
+  run.system().run(1000);
+  const tb::BusUtilisation before = run.system().utilisation();
+  run.system().run(6000);
+  const tb::BusUtilisation after = run.system().utilisation();
+  const double read = static_cast<double>(after.read_beats - before.read_beats) / 6000;
+  const double write = static_cast<double>(after.write_beats - before.write_beats) / 6000;
+  std::printf("R %.2f %%, W %.2f %%\n", 100 * read, 100 * write);
+  EXPECT_GE(read, 0.95);
+  EXPECT_GE(write, 0.95);
+  ASSERT_TRUE(run.finish());
+  EXPECT_TRUE(run.clean());
+}
+
+HWFFD_FOR_EACH_AXI_CONFIGURATION(Axi);
+
+}  // namespace
+}  // namespace hwffd::test

@@ -1,0 +1,213 @@
+#include "register_bench.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace hwffd::test {
+
+using tb::AxiLiteMasterPins;
+using tb::AxiLiteSlavePins;
+
+namespace {
+constexpr std::size_t kMaxFailures = 20;
+}
+
+RegisterBench::RegisterBench(std::uint64_t seed, const std::string& throttles)
+    : sim_(seed, 2'000'000),
+      driver_(tb::derive_seed(seed, 1),
+              tb::AxiLiteThrottles::make(throttles, tb::derive_seed(seed, 2))) {
+  for (const auto& [name, port] : hardware_inputs()) inputs_[name] = 0;
+  for (const auto& [name, port] : hardware_outputs()) high_[name] = 0;
+  reset();
+}
+
+RegisterBench::~RegisterBench() {
+  checker_.finish(clock());
+  for (const std::string& report : checker_.reports()) ADD_FAILURE() << report;
+  for (const std::string& failure : failures_) ADD_FAILURE() << failure;
+  EXPECT_GT(compared_, 0u);
+}
+
+void RegisterBench::fail(const std::string& what) {
+  if (failures_.size() < kMaxFailures) {
+    failures_.push_back(fmt::format("clock {}: {}", clock(), what));
+  }
+}
+
+void RegisterBench::reset(unsigned clocks) {
+  // A request that acted in the last clock before is still followed in the first clock of reset.
+  dropped_writes_ = driver_.writes();
+  dropped_reads_ = driver_.reads();
+  driver_.clear();
+  in_reset_ = true;
+  steps(clocks);
+  in_reset_ = false;
+  acted_writes_ = acted_reads_ = 0;
+}
+
+void RegisterBench::drive(const AxiLiteMasterPins& pins) {
+  auto& dut = sim_.dut();
+  dut.rst = in_reset_ ? 1 : 0;
+  dut.s_axil_awvalid = pins.awvalid;
+  dut.s_axil_awaddr = pins.awaddr & 0xFFF;
+  dut.s_axil_wvalid = pins.wvalid;
+  dut.s_axil_wdata = pins.wdata;
+  dut.s_axil_wstrb = pins.wstrb;
+  dut.s_axil_bready = pins.bready;
+  dut.s_axil_arvalid = pins.arvalid;
+  dut.s_axil_araddr = pins.araddr & 0xFFF;
+  dut.s_axil_rready = pins.rready;
+  for (const auto& [name, port] : hardware_inputs()) port.drive(dut, inputs_.at(name));
+  dut.eval();
+}
+
+AxiLiteSlavePins RegisterBench::sample() {
+  const auto& dut = sim_.dut();
+  AxiLiteSlavePins pins;
+  pins.awready = dut.s_axil_awready != 0;
+  pins.wready = dut.s_axil_wready != 0;
+  pins.bvalid = dut.s_axil_bvalid != 0;
+  pins.bresp = dut.s_axil_bresp;
+  pins.arready = dut.s_axil_arready != 0;
+  pins.rvalid = dut.s_axil_rvalid != 0;
+  pins.rdata = dut.s_axil_rdata;
+  pins.rresp = dut.s_axil_rresp;
+  return pins;
+}
+
+void RegisterBench::follow(const AxiLiteSlavePins& slave) {
+  if (was_in_reset_) {
+    model_.reset();
+    return;
+  }
+  const auto& writes = in_reset_ ? dropped_writes_ : driver_.writes();
+  const auto& reads = in_reset_ ? dropped_reads_ : driver_.reads();
+  std::optional<tb::AxiLiteWrite> write;
+  std::optional<std::uint32_t> read;
+  if (slave.bvalid && (!was_slave_.bvalid || was_master_.bready)) {
+    if (acted_writes_ == writes.size()) return fail("a write response too many");
+    write = writes[acted_writes_++];
+    write_clock_ = clock() - 1;
+  }
+  if (slave.rvalid && (!was_slave_.rvalid || was_master_.rready)) {
+    if (acted_reads_ == reads.size()) return fail("a read response too many");
+    read = reads[acted_reads_++];
+  }
+  const auto answers = model_.clock(was_inputs_, write, read);
+  if (write && slave.bresp != answers.write.code) {
+    fail(fmt::format("write {} of {:03x}: response {}, expected {}", acted_writes_ - 1,
+                     write->address, slave.bresp, answers.write.code));
+  }
+  if (read && (slave.rresp != answers.read.code || slave.rdata != answers.read.data)) {
+    fail(fmt::format("read {} of {:03x}: response {} {:08x}, expected {} {:08x}", acted_reads_ - 1,
+                     *read, slave.rresp, slave.rdata, answers.read.code, answers.read.data));
+  }
+  compared_ += (write ? 1 : 0) + (read ? 1 : 0);
+}
+
+void RegisterBench::compare_outputs() {
+  const PortValues expected = model_.outputs();
+  for (const auto& [name, port] : hardware_outputs()) {
+    const std::uint64_t value = port(sim_.dut());
+    high_[name] += value != 0 ? 1 : 0;
+    const auto found = expected.find(name);
+    if (found == expected.end() || found->second != value) {
+      fail(fmt::format("{} is {:x}, expected {:x}", name, value,
+                       found == expected.end() ? 0 : found->second));
+    }
+  }
+}
+
+void RegisterBench::step() {
+  if (each_clock_) each_clock_();
+  const AxiLiteMasterPins master = driver_.drive();
+  drive(master);
+  const AxiLiteSlavePins slave = sample();
+  checker_.observe({in_reset_, master, slave}, clock());
+  if (known_) {
+    follow(slave);
+    compare_outputs();
+  }
+  if (!in_reset_) driver_.accept(slave, clock());
+  known_ = known_ || in_reset_;
+  was_in_reset_ = in_reset_;
+  was_inputs_ = inputs_;
+  was_slave_ = slave;
+  was_master_ = master;
+  sim_.tick();
+}
+
+void RegisterBench::steps(unsigned clocks) {
+  for (unsigned i = 0; i < clocks; ++i) step();
+}
+
+void RegisterBench::run(std::uint64_t limit) {
+  for (std::uint64_t i = 0; i < limit && failures_.size() < kMaxFailures; ++i) {
+    if (driver_.idle()) return;
+    step();
+  }
+  fail(fmt::format("watchdog: {} of {} writes and {} of {} reads answered",
+                   driver_.write_responses().size(), driver_.writes().size(),
+                   driver_.read_responses().size(), driver_.reads().size()));
+}
+
+std::uint8_t RegisterBench::write(std::uint32_t address, std::uint32_t data, std::uint8_t strobe) {
+  driver_.write({address, data, strobe});
+  run();
+  return driver_.write_responses().empty() ? tb::kDecErr : driver_.write_responses().back().code;
+}
+
+RegisterModel::Answer RegisterBench::read(std::uint32_t address) {
+  driver_.read(address);
+  run();
+  if (driver_.read_responses().empty()) return {tb::kDecErr, 0};
+  return {driver_.read_responses().back().code, driver_.read_responses().back().data};
+}
+
+std::uint32_t RegisterBench::get(const std::string& reg) {
+  for (const RegisterField& field : register_table()) {
+    if (field.reg != reg) continue;
+    const auto answer = read(field.offset);
+    EXPECT_EQ(answer.code, tb::kOkay) << reg;
+    return answer.data;
+  }
+  throw std::out_of_range("no register " + reg);
+}
+
+void RegisterBench::set(const std::string& reg, std::uint32_t data) {
+  for (const RegisterField& field : register_table()) {
+    if (field.reg != reg) continue;
+    EXPECT_EQ(write(field.offset, data), tb::kOkay) << reg;
+    return;
+  }
+  throw std::out_of_range("no register " + reg);
+}
+
+std::vector<std::uint32_t> RegisterBench::snapshot() {
+  std::vector<std::uint32_t> words;
+  std::uint32_t last = ~0u;
+  for (const RegisterField& field : register_table()) {
+    if (field.offset == last || field.access == "counter" || field.access == "log") continue;
+    last = field.offset;
+    words.push_back(read(last).data);
+  }
+  return words;
+}
+
+std::uint64_t RegisterBench::output(const std::string& port) {
+  return hardware_outputs().at(port)(sim_.dut());
+}
+
+std::uint32_t BenchPort::read32(std::uint32_t offset) {
+  const auto answer = bench_.read(offset);
+  if (answer.code != tb::kOkay) throw RegisterError(fmt::format("read of {:03x} refused", offset));
+  return answer.data;
+}
+
+void BenchPort::write32(std::uint32_t offset, std::uint32_t value) {
+  if (bench_.write(offset, value) != tb::kOkay) {
+    throw RegisterError(fmt::format("write of {:03x} refused", offset));
+  }
+}
+
+}  // namespace hwffd::test

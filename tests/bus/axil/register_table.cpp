@@ -1,0 +1,96 @@
+#include "register_table.hpp"
+
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hwffd::test {
+namespace {
+
+/// The cells of a line; a quoted one may contain commas.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void name_port(RegisterField& field) {
+  field.port = field.reg;
+  if (field.name != "value") {
+    field.port += "_" + field.name;
+  } else if (ends_with(field.reg, "_LO") || ends_with(field.reg, "_HI")) {
+    field.port_low = ends_with(field.reg, "_HI") ? 32 : 0;
+    field.port.resize(field.port.size() - 3);
+  }
+  for (char& c : field.port) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+}  // namespace
+
+const std::vector<std::string>& RegisterField::linked(const std::string& kind) const {
+  static const std::vector<std::string> none;
+  const auto found = links.find(kind);
+  return found == links.end() ? none : found->second;
+}
+
+std::vector<RegisterField> read_register_table(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::vector<RegisterField> fields;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    const auto cells = cells_of(line);
+    if (cells.size() != 8) throw std::runtime_error(path + ": not 8 cells: " + line);
+    RegisterField field;
+    field.offset = static_cast<std::uint32_t>(std::stoul(cells[0], nullptr, 16));
+    field.reg = cells[1];
+    field.name = cells[2];
+    const std::size_t colon = cells[3].find(':');
+    const unsigned high = static_cast<unsigned>(std::stoul(cells[3]));
+    field.low = colon == std::string::npos
+                    ? high
+                    : static_cast<unsigned>(std::stoul(cells[3].substr(colon + 1)));
+    field.width = high - field.low + 1;
+    field.access = cells[4];
+    field.reset =
+        cells[5].empty() ? 0 : static_cast<std::uint32_t>(std::stoul(cells[5], nullptr, 0));
+    field.path = field.reg + "." + field.name;
+    std::istringstream links(cells[6]);
+    for (std::string word; links >> word;) {
+      const std::size_t at = word.find(':');
+      field.links[word.substr(0, at)].push_back(word.substr(at + 1));
+    }
+    name_port(field);
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+const std::vector<RegisterField>& register_table() {
+  static const auto table = read_register_table(HWFFD_REGISTER_TABLE);
+  return table;
+}
+
+const RegisterField& register_field(const std::string& path) {
+  for (const RegisterField& field : register_table()) {
+    if (field.path == path) return field;
+  }
+  throw std::out_of_range("no field " + path);
+}
+
+}  // namespace hwffd::test

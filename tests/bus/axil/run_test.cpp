@@ -1,0 +1,390 @@
+// What stands between the registers, the DMA and the core: runs, and the bits of errors.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+
+#include "Vbus_events.h"
+#include "Vbus_run.h"
+#include "hwffd/registers.h"
+#include "hwffd/tb/sim.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr unsigned kDmaReset = 20;  // clocks in which the stand-in clears
+constexpr unsigned kHalt = 40;      // and until it has halted after a bus error
+
+/// ffd_bus_run with a few lines in the place of DMA and core: a ring that works off a descriptor in
+/// `work` clocks, results that stay on the bus for `drain` clocks after.
+class RunBench {
+ public:
+  explicit RunBench(std::uint64_t seed = 1) : sim_(seed, 1'000'000) {
+    auto& dut = sim_.dut();
+    dut.rst = 1;
+    dut.start_i = dut.soft_reset_i = dut.read_error_i = dut.write_error_i = 0;
+    dut.ring_running_i = dut.result_busy_i = dut.dma_clearing_i = dut.dma_halted_i = 0;
+    dut.dma_idle_i = dut.core_idle_i = 1;
+    dut.ring_base_i = 0x4000;
+    dut.ring_log2_size_i = 4;
+    dut.ring_head_i = 0;
+    for (unsigned i = 0; i < 3; ++i) sim_.tick();
+    EXPECT_EQ(dut.core_rst_o, 1);
+    dut.rst = 0;
+    step();
+  }
+
+  void step() {
+    auto& dut = sim_.dut();
+    const bool ring_start = dut.ring_start_o != 0;
+    const bool result_start = dut.result_start_o != 0;
+    const bool soft_reset = dut.soft_reset_i != 0;
+    ring_starts += ring_start ? 1 : 0;
+    result_starts += result_start ? 1 : 0;
+    sim_.tick();
+    done += dut.done_o;
+    dut.start_i = dut.soft_reset_i = dut.read_error_i = dut.write_error_i = 0;
+    if (soft_reset) {
+      left_ = drain_left_ = halts_ = 0;
+      dut.dma_halted_i = 0;
+      tail = 0;
+      dut.ring_running_i = 0;
+      clearing_ = kDmaReset;
+    } else if (clearing_ > 0) {
+      --clearing_;
+    } else {
+      if (result_start && refuse != 0) fail_at_ = 3;
+      if (fail_at_ > 0 && --fail_at_ == 0) error(false, refuse);
+      if (halts_ > 0 && --halts_ == 0) dut.dma_halted_i = 1;
+      if (ring_start) dut.ring_running_i = 1;
+      work_off();
+    }
+    dut.dma_clearing_i = clearing_ > 0 ? 1 : 0;
+    dut.result_busy_i = drain_left_ > 0 ? 1 : 0;
+    dut.dma_idle_i = clearing_ == 0 && left_ == 0 && drain_left_ == 0 && !ring_has_work() ? 1 : 0;
+    dut.core_idle_i = core_stuck ? 0 : 1;
+    dut.eval();
+  }
+  void steps(unsigned clocks) {
+    for (unsigned i = 0; i < clocks; ++i) step();
+  }
+  void start() {
+    sim_.dut().start_i = 1;
+    sim_.dut().eval();
+    step();
+  }
+  void soft_reset() {
+    sim_.dut().soft_reset_i = 1;
+    sim_.dut().eval();
+    step();
+  }
+  bool until(const std::function<bool()>& end, unsigned limit = 10'000) {
+    for (unsigned i = 0; i < limit; ++i) {
+      if (end()) return true;
+      step();
+    }
+    return false;
+  }
+  void error(bool read, unsigned code) {
+    auto& dut = sim_.dut();
+    (read ? dut.read_error_i : dut.write_error_i) = 1;
+    (read ? dut.read_error_code_i : dut.write_error_code_i) = static_cast<CData>(code);
+    if (code >= 6) halts_ = kHalt;
+    dut.eval();
+  }
+  Vbus_run& dut() { return sim_.dut(); }
+
+  unsigned work = 10, drain = 15;
+  unsigned refuse = 0;  ///< code with which the result area is refused
+  bool core_stuck = false;
+  unsigned done = 0, ring_starts = 0, result_starts = 0;
+  unsigned tail = 0;
+
+ private:
+  bool ring_has_work() { return dut().ring_running_i != 0 && tail != dut().ring_head_o; }
+  void work_off() {
+    if (left_ == 0 && ring_has_work()) {
+      left_ = work;
+    } else if (left_ > 0 && --left_ == 0) {
+      tail = (tail + 1) & 15;
+      drain_left_ = drain;
+    } else if (drain_left_ > 0) {
+      --drain_left_;
+    }
+  }
+
+  tb::Sim<Vbus_run> sim_;
+  unsigned left_ = 0, drain_left_ = 0, clearing_ = 0, fail_at_ = 0, halts_ = 0;
+};
+
+TEST(Run, EndsWhenAllIsDone) {
+  for (unsigned descriptors : {0u, 1u, 5u}) {
+    RunBench bench;
+    EXPECT_EQ(bench.dut().busy_o, 0);
+    EXPECT_EQ(bench.dut().core_rst_o, 0);
+    bench.dut().ring_head_i = static_cast<SData>(descriptors);
+    bench.start();
+    EXPECT_EQ(bench.dut().busy_o, 1);  // in the clock after the pulse
+    ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+    EXPECT_EQ(bench.done, 1u);
+    EXPECT_EQ(bench.tail, descriptors);
+    EXPECT_EQ(bench.ring_starts, 1u);
+    EXPECT_EQ(bench.result_starts, 1u);
+    EXPECT_EQ(bench.dut().idle_o, 1);
+    bench.steps(50);
+    EXPECT_EQ(bench.done, 1u);
+  }
+}
+
+TEST(Run, WaitsForTheCore) {
+  RunBench bench;
+  bench.core_stuck = true;
+  bench.dut().ring_head_i = 2;
+  bench.start();
+  bench.steps(500);
+  EXPECT_EQ(bench.dut().busy_o, 1);
+  EXPECT_EQ(bench.dut().idle_o, 0);
+  bench.core_stuck = false;
+  EXPECT_TRUE(bench.until([&] { return bench.done == 1; }, 12));
+}
+
+TEST(Run, TheRingSeesNoHeadBetweenRuns) {
+  RunBench bench;
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  bench.dut().ring_head_i = 3;
+  bench.steps(100);
+  EXPECT_EQ(bench.tail, 0u);
+  EXPECT_EQ(bench.dut().ring_head_o, 0);
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  EXPECT_EQ(bench.tail, 3u);
+}
+
+TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
+  unsigned taken = 0;
+  constexpr unsigned kClocks = 90;
+  for (unsigned at = 0; at < kClocks; ++at) {
+    RunBench bench;
+    bench.dut().ring_head_i = 1;
+    bench.start();
+    bench.steps(at);
+    bench.dut().ring_head_i = 2;
+    ASSERT_TRUE(bench.until([&] { return bench.done == 1 && bench.dut().busy_o == 0; }));
+    const unsigned tail = bench.tail;
+    bench.steps(100);
+    EXPECT_EQ(bench.done, 1u);
+    EXPECT_EQ(bench.tail, tail);  // nothing goes on outside a run
+    EXPECT_EQ(bench.dut().ring_head_o, tail);
+    taken += bench.tail == 2 ? 1 : 0;
+    bench.start();
+    ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+    EXPECT_EQ(bench.tail, 2u);
+  }
+  EXPECT_GT(taken, 10u);
+  EXPECT_LT(taken, kClocks - 10);
+}
+
+TEST(Run, ARingInUseKeepsItsPlace) {
+  RunBench bench;
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  bench.dut().ring_base_i = 0x9000;
+  bench.dut().ring_log2_size_i = 2;
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  EXPECT_EQ(bench.dut().ring_base_o, 0x4000u);
+  EXPECT_EQ(bench.dut().ring_entries_log2_o, 4);
+  bench.soft_reset();
+  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  bench.start();
+  EXPECT_EQ(bench.dut().ring_base_o, 0x9000u);
+  EXPECT_EQ(bench.dut().ring_entries_log2_o, 2);
+}
+
+TEST(Run, ARefusedAreaStartsNoRing) {
+  RunBench bench;
+  bench.refuse = 4;
+  bench.dut().ring_head_i = 2;
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  EXPECT_EQ(bench.done, 1u);
+  EXPECT_EQ(bench.ring_starts, 0u);
+  EXPECT_EQ(bench.dut().stopped_o, 0);  // a refusal is not a bus error
+  bench.refuse = 0;
+  bench.start();
+  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  EXPECT_EQ(bench.tail, 2u);
+}
+
+TEST(Run, ABusErrorEndsItAndASoftResetTheStop) {
+  for (const bool read : {true, false}) {
+    for (const unsigned code : {6u, 7u}) {
+      RunBench bench;
+      bench.core_stuck = true;  // results are held back: never idle
+      bench.dut().ring_head_i = 1;
+      bench.start();
+      bench.steps(22);
+      bench.error(read, code);
+      ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+      EXPECT_EQ(bench.dut().result_busy_i, 0);  // open bursts were waited for
+      EXPECT_EQ(bench.dut().dma_halted_i, 1);
+      EXPECT_EQ(bench.done, 1u);
+      EXPECT_EQ(bench.dut().stopped_o, 1);
+      bench.core_stuck = false;
+      bench.soft_reset();
+      EXPECT_EQ(bench.dut().stopped_o, 0);
+      ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+      EXPECT_EQ(bench.done, 1u);
+    }
+  }
+}
+
+TEST(Run, ARefusalInItIsNoStop) {
+  RunBench bench;
+  bench.dut().ring_head_i = 3;
+  bench.start();
+  bench.steps(30);
+  bench.error(true, 5);
+  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  EXPECT_EQ(bench.dut().stopped_o, 0);
+}
+
+TEST(Run, ASoftResetAtAnyClockEndsIt) {
+  for (unsigned at = 0; at < 100; ++at) {
+    RunBench bench(at + 1);
+    bench.dut().ring_head_i = 2;
+    if (at > 0) bench.start();
+    bench.steps(at);
+    const unsigned before = bench.done;
+    if (at % 2 == 0) bench.dut().start_i = 1;  // it wins over a start of the same clock
+    bench.dut().soft_reset_i = 1;
+    bench.dut().eval();
+    EXPECT_EQ(bench.dut().busy_o, 1);
+    EXPECT_EQ(bench.dut().idle_o, 0);
+    bench.step();
+    EXPECT_EQ(bench.dut().core_rst_o, 1);
+    const unsigned starts = bench.ring_starts;
+    ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }, kDmaReset + 2));
+    bench.steps(50);
+    EXPECT_EQ(bench.done, before);
+    EXPECT_EQ(bench.ring_starts, starts);
+    EXPECT_EQ(bench.dut().core_rst_o, 0);
+    bench.start();
+    ASSERT_TRUE(bench.until([&] { return bench.done == before + 1; }));
+    EXPECT_EQ(bench.tail, 2u);
+  }
+}
+
+// ---- errors
+
+struct Raised {
+  std::uint32_t events, packet, beat;
+  bool located;
+  std::uint64_t address;
+};
+
+class EventBench {
+ public:
+  EventBench() : sim_(1) {
+    auto& dut = sim_.dut();
+    dut.rst = 1;
+    dut.core_packet_i = 11;
+    dut.core_beat_i = 22;
+    dut.read_error_address_i = 0x1'0000'0000;
+    dut.write_error_address_i = 0x2'0000'0000;
+    dut.result_overflow_i = 0;
+    sim_.tick();
+    dut.rst = 0;
+  }
+  /// Code 0: none.
+  Raised raise(unsigned core, unsigned read, unsigned write, bool overflow = false) {
+    auto& dut = sim_.dut();
+    dut.core_event_i = static_cast<SData>(core);
+    dut.read_error_i = read != 0;
+    dut.read_error_code_i = static_cast<CData>(read);
+    dut.write_error_i = write != 0;
+    dut.write_error_code_i = static_cast<CData>(write);
+    dut.result_overflow_i = overflow;
+    dut.eval();
+    const Raised raised{dut.error_event_o, dut.error_packet_o, dut.error_beat_o,
+                        dut.error_address_valid_o != 0, dut.error_address_o};
+    sim_.tick();
+    return raised;
+  }
+
+ private:
+  tb::Sim<Vbus_events> sim_;
+};
+
+/// What a code of the DMA is called in the registers.
+std::uint32_t named(unsigned code, bool read) {
+  switch (code) {
+    case 1:
+      return HWFFD_ERROR_STATUS_DMA_ZERO_MASK;
+    case 2:
+      return HWFFD_ERROR_STATUS_DMA_MISALIGNED_MASK;
+    case 3:
+      return HWFFD_ERROR_STATUS_DMA_WRAP_MASK;
+    case 4:
+      return HWFFD_ERROR_STATUS_DMA_WINDOW_MASK;
+    case 5:
+      return HWFFD_ERROR_STATUS_DMA_DESCRIPTOR_MASK;
+    case 6:
+    case 7:
+      return read ? HWFFD_ERROR_STATUS_DMA_READ_RESPONSE_MASK
+                  : HWFFD_ERROR_STATUS_DMA_WRITE_RESPONSE_MASK;
+    default:
+      return 0;
+  }
+}
+
+TEST(Events, TheCoresKeepTheirPlaces) {
+  EventBench bench;
+  for (unsigned bit = 0; bit < 10; ++bit) {
+    const Raised raised = bench.raise(1u << bit, 0, 0);
+    EXPECT_EQ(raised.events, 1u << bit);
+    EXPECT_EQ(raised.packet, 11u);
+    EXPECT_EQ(raised.beat, 22u);
+    EXPECT_FALSE(raised.located);
+  }
+  EXPECT_EQ(HWFFD_ERROR_STATUS_LATTICE_SIZE_SHIFT, 5);
+  EXPECT_EQ(HWFFD_ERROR_STATUS_SATURATED_SHIFT, 9);
+  EXPECT_EQ(bench.raise(0, 0, 0).events, 0u);
+}
+
+TEST(Events, TheDmasHaveTheirNamesAndTheAddressOfTheLowest) {
+  EventBench bench;
+  for (unsigned read = 0; read < 8; ++read) {
+    for (unsigned write = 0; write < 8; ++write) {
+      const Raised raised = bench.raise(0, read, write);
+      const std::uint32_t of_read = named(read, true);
+      const std::uint32_t of_write = named(write, false);
+      EXPECT_EQ(raised.events, of_read | of_write);
+      EXPECT_EQ(raised.packet, 0u);
+      EXPECT_EQ(raised.beat, 0u);
+      const bool any = read != 0 || write != 0;
+      const bool by_read = read != 0 && (write == 0 || of_read <= of_write);
+      EXPECT_EQ(raised.located, any);
+      if (any) {
+        EXPECT_EQ(raised.address, by_read ? 0x1'0000'0000 : 0x2'0000'0000) << read << " " << write;
+      }
+      const Raised with_core = bench.raise(0x200, read, write);
+      EXPECT_EQ(with_core.events, of_read | of_write | 0x200);
+      EXPECT_EQ(with_core.packet, 11u);
+      EXPECT_EQ(with_core.located, any);
+    }
+  }
+}
+
+TEST(Events, AFullAreaIsOneEvent) {
+  EventBench bench;
+  for (unsigned round = 0; round < 2; ++round) {
+    EXPECT_EQ(bench.raise(0, 0, 0, true).events, HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK);
+    for (unsigned i = 0; i < 5; ++i) EXPECT_EQ(bench.raise(0, 0, 0, true).events, 0u);
+    EXPECT_EQ(bench.raise(0, 0, 0, false).events, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::test

@@ -1,0 +1,189 @@
+// The bus: random traffic of reads and writes at once, reset in its midst, order, rate and latency.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "register_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr unsigned kTransactions = 20'000;  // of a run
+
+std::uint32_t random_address(tb::Random& random) {
+  const auto& table = register_table();
+  const std::uint32_t any = random.word() & 0xFFF;
+  const std::uint32_t mapped = table[random.below(table.size())].offset | (any & 3);
+  return random.pick({mapped, mapped, mapped, mapped, mapped, mapped, mapped ^ 0x10, any});
+}
+
+tb::AxiLiteWrite random_write(tb::Random& random) {
+  tb::AxiLiteWrite write;
+  write.address = random_address(random);
+  // The lock is for good until reset: not too often.
+  if ((write.address & ~3u) == register_field("WINDOW_LOCK.windows").offset &&
+      !random.chance(0.2)) {
+    write.address = register_field("WINDOW_LOCK.windows").offset - 4;
+  }
+  const std::uint32_t word = random.word();
+  write.data = random.pick({word, word, word & random.word(), 1u << (word & 31), ~0u, 0u, 1u});
+  write.strobe = random.chance(0.6) ? 0xF : static_cast<std::uint8_t>(random.below(16));
+  return write;
+}
+
+/// What the hardware does meanwhile, at random: levels that stay a while, pulses of a clock.
+void disturb(PortValues& inputs, tb::Random& random) {
+  for (auto& [name, value] : inputs) {
+    const unsigned width = hardware_inputs().at(name).width;
+    const std::uint64_t mask = width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
+    const bool pulse = name.find("_set_i") != std::string::npos ||
+                       name.find("_event_i") != std::string::npos ||
+                       name == "error_address_valid_i";
+    if (pulse) {
+      value = random.chance(0.1) ? random.bits() & random.bits() & mask : 0;
+    } else if (random.chance(0.1)) {
+      value = random.bits() & mask;
+    }
+  }
+}
+
+class EveryThrottle : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Traffic, EveryThrottle,
+                         testing::Values("always", "gaps", "sparse", "bernoulli", "bursts",
+                                         "mixed"),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
+  const std::uint64_t seed = tb::seed_from_environment(1);
+  tb::Random random(tb::derive_seed(seed, 77));
+  RegisterBench bench(seed, GetParam());
+  bench.each_clock([&] { disturb(bench.inputs(), random); });
+  std::uint64_t answered = 0;
+  std::uint64_t errors = 0;
+  while (answered < kTransactions && bench.failures().empty()) {
+    if (GetParam() == "mixed") {
+      bench.driver().throttle(tb::AxiLiteThrottles::make("mixed", random.bits()));
+    }
+    for (unsigned i = 0; i < 250; ++i) {
+      bench.driver().write(random_write(random));
+      bench.driver().read(random_address(random));
+    }
+    bench.run();
+    answered += 500;
+    for (const auto& answer : bench.driver().write_responses()) errors += answer.code != 0 ? 1 : 0;
+    if (random.chance(0.5)) {  // reset in mid-traffic, what is under way is lost
+      for (unsigned i = 0; i < 50; ++i) {
+        bench.driver().write(random_write(random));
+        bench.driver().read(random_address(random));
+      }
+      bench.steps(static_cast<unsigned>(random.below(60)));
+    }
+    bench.reset(static_cast<unsigned>(random.between(1, 3)));
+  }
+  EXPECT_GE(bench.compared(), kTransactions);
+  EXPECT_GT(errors, answered / 20);
+  EXPECT_LT(errors, answered * 9 / 20);
+  std::printf("%llu responses compared in %llu clocks\n",
+              static_cast<unsigned long long>(bench.compared()),
+              static_cast<unsigned long long>(bench.clock()));
+}
+
+TEST(Reset, ARequestInTheFirstClockIsHeldNotLost) {
+  for (unsigned clocks = 1; clocks < 4; ++clocks) {
+    RegisterBench bench(2);
+    bench.reset(clocks);
+    bench.driver().write({0x068, 0xCAFE, 0xF});
+    bench.driver().read(0);
+    bench.step();  // offered, refused: the checker sees ready
+    EXPECT_TRUE(bench.driver().write_responses().empty());
+    bench.run(10);
+    EXPECT_EQ(bench.get("RESULT_SIZE"), 0xCAFEu);
+    EXPECT_EQ(bench.driver().read_responses().at(0).data, 0x48464644u);
+  }
+}
+
+TEST(Reset, ForgetsWhatIsUnderWay) {
+  for (unsigned clocks = 1; clocks < 12; ++clocks) {
+    for (const bool only_address : {false, true}) {
+      RegisterBench bench(3);
+      tb::AxiLiteThrottles throttles;
+      if (only_address) throttles.w = tb::Throttle::runs({1, 1}, {1000, 1000}, 1);
+      if (only_address) throttles.w.willing();
+      throttles.b = throttles.r = tb::Throttle::runs({1, 1}, {1000, 1000}, 1);
+      throttles.b.willing();
+      throttles.r.willing();
+      bench.driver().throttle(throttles);
+      for (unsigned i = 0; i < 6; ++i) {
+        bench.driver().write({0x068, 0x1111, 0xF});
+        bench.driver().read(0x068);
+      }
+      bench.steps(clocks);
+      bench.driver().throttle({});
+      bench.reset();
+      bench.steps(10);
+      EXPECT_EQ(bench.get("RESULT_SIZE"), 0u);  // nor is a response left over: the bench would say
+      bench.set("RESULT_SIZE", 5);
+      EXPECT_EQ(bench.get("RESULT_SIZE"), 5u);
+    }
+  }
+}
+
+TEST(Rate, IsARequestAClockInBothDirections) {
+  RegisterBench bench(4);
+  bench.steps(3);
+  constexpr unsigned kRequests = 1000;
+  for (unsigned i = 0; i < kRequests; ++i) {
+    bench.driver().write({0x060, i, 0xF});
+    bench.driver().read(0x060);
+  }
+  const std::uint64_t first = bench.clock();
+  bench.run();
+  const auto& writes = bench.driver().write_responses();
+  const auto& reads = bench.driver().read_responses();
+  EXPECT_EQ(writes.front().cycle - first, 2u);  // latency
+  EXPECT_EQ(reads.front().cycle - first, 2u);
+  EXPECT_EQ(writes.back().cycle - writes.front().cycle, kRequests - 1);
+  EXPECT_EQ(reads.back().cycle - reads.front().cycle, kRequests - 1);
+  // Read and write of one clock: the read sees what was before.
+  for (unsigned i = 1; i < kRequests; ++i) EXPECT_EQ(reads[i].data, i - 1);
+}
+
+TEST(Order, AddressAndDataComeInAnyOrder) {
+  for (const bool address_first : {true, false}) {
+    RegisterBench bench(5);
+    tb::AxiLiteThrottles throttles;
+    tb::Throttle late = tb::Throttle::runs({1, 1}, {20, 20}, 1);
+    late.willing();
+    (address_first ? throttles.w : throttles.aw) = late;
+    bench.driver().throttle(throttles);
+    bench.steps(1);
+    for (std::uint32_t i = 0; i < 5; ++i) bench.driver().write({0x060, i + 1, 0xF});
+    bench.steps(15);
+    EXPECT_TRUE(bench.driver().write_responses().empty());
+    bench.run();
+    EXPECT_EQ(bench.get("RESULT_BASE_LO"), 5u);
+  }
+}
+
+TEST(Order, AStalledDirectionDoesNotHoldTheOther) {
+  for (const bool writes_stall : {true, false}) {
+    RegisterBench bench(6);
+    tb::AxiLiteThrottles throttles;
+    tb::Throttle never = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
+    never.willing();
+    (writes_stall ? throttles.b : throttles.r) = never;
+    bench.driver().throttle(throttles);
+    for (std::uint32_t i = 0; i < 50; ++i) {
+      bench.driver().write({0x060, i, 0xF});
+      bench.driver().read(0x060);
+    }
+    bench.steps(100);
+    EXPECT_EQ(bench.driver().write_responses().size(), writes_stall ? 0u : 50u);
+    EXPECT_EQ(bench.driver().read_responses().size(), writes_stall ? 50u : 0u);
+    bench.driver().throttle({});
+    bench.run();
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::test

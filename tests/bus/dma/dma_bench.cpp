@@ -1,0 +1,192 @@
+#include "dma_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hwffd/tb/beat_text.hpp"
+
+namespace hwffd::test {
+
+using tb::derive_seed;
+
+DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
+    : memory(seed),
+      size_(size),
+      random_(derive_seed(seed, 1)),
+      core_(make_dma_core(size.name, derive_seed(seed, 2))) {
+  set_windows({0, ~std::uint64_t{0}}, {0, ~std::uint64_t{0}});
+  reset();
+}
+
+void DmaBench::set_bus_throttle(const std::string& name) {
+  const auto make = [&](int i) { return tb::make_throttle(name, random_.bits() + i); };
+  memory.set_throttles({make(0), make(1), make(2), make(3), make(4)});
+}
+
+void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write) {
+  controls.read_first = read.first;
+  controls.read_last = read.second;
+  controls.write_first = write.first;
+  controls.write_last = write.second;
+  checker.set_limits({size_.max_burst, size_.outstanding, size_.outstanding, read.first,
+                      read.second, write.first, write.second});
+}
+
+void DmaBench::reset(unsigned cycles) {
+  controls.rst = true;
+  run(cycles);
+  controls.rst = false;
+  run(2);
+}
+
+void DmaBench::step() {
+  memory.drive(bus_, cycle_);
+  packet_pins_.ready = packet_throttle.willing();
+  if (!result_pins_.valid) result_pins_.valid = result_throttle.willing() && !results_.empty();
+  if (results_.empty()) result_pins_.valid = false;
+  if (result_pins_.valid) {
+    result_pins_.beat = results_.front();
+  } else {  // idle data is garbage
+    for (std::uint32_t& word : result_pins_.beat.words) word = random_.word();
+    result_pins_.beat.last = random_.chance(0.5);
+  }
+  core_->exchange(controls, status, bus_, packet_pins_, result_pins_);
+  observe();
+  core_->clock();
+  ++cycle_;
+  controls.soft_reset = controls.ring_start = controls.result_start = false;
+}
+
+void DmaBench::observe() {
+  if (controls.ring_start || controls.result_start) checker.restarted();
+  checker.allow_ready_to_fall(status.clearing || was_clearing_);  // the halves are reset at its end
+  was_clearing_ = status.clearing;
+  checker.observe(bus_, cycle_, controls.rst);
+  if (!controls.rst) memory.observe(bus_, cycle_);
+
+  const bool cleared = controls.rst || status.clearing;
+  if (packet_waits_ && !cleared) {
+    stream_faults_ += !packet_pins_.valid || packet_pins_.beat != packet_held_;
+  }
+  packet_waits_ = packet_pins_.valid && !packet_pins_.ready && !cleared;
+  packet_held_ = packet_pins_.beat;
+  if (packet_pins_.valid && packet_pins_.ready && !controls.rst) {
+    packets_.push_back(packet_pins_.beat);
+  }
+  if (result_pins_.valid && result_pins_.ready && !controls.rst) {
+    accepted_.push_back(results_.front());
+    results_.pop_front();
+    result_pins_.valid = false;
+  }
+  if (controls.rst) return;
+  if (status.read_error.valid) read_errors_.push_back(status.read_error);
+  if (status.write_error.valid) write_errors_.push_back(status.write_error);
+}
+
+void DmaBench::run(std::uint64_t cycles) {
+  for (std::uint64_t i = 0; i < cycles; ++i) step();
+}
+
+bool DmaBench::run_until_idle(std::uint64_t limit) {
+  run(6);  // what was just started is seen
+  return run_until([&] { return status.idle; }, limit);
+}
+
+void DmaBench::place_ring(std::uint64_t base, unsigned entries_log2) {
+  controls.ring_base = base;
+  controls.ring_entries_log2 = entries_log2;
+  software_head_ = 0;
+}
+
+void DmaBench::put_descriptor(const Descriptor& descriptor) {
+  memory.set_beat(
+      descriptor_address(software_head_),
+      {static_cast<std::uint32_t>(descriptor.address),
+       static_cast<std::uint32_t>(descriptor.address >> 32), descriptor.length, descriptor.flags});
+  software_head_ =
+      static_cast<std::uint16_t>((software_head_ + 1u) & ((1u << controls.ring_entries_log2) - 1));
+}
+
+void DmaBench::put_packet(std::uint64_t address, std::uint64_t beats) {
+  for (std::uint64_t i = 0; i < beats; ++i) {
+    memory.set_beat(address + i * kBeat,
+                    {random_.word(), random_.word(), random_.word(), random_.word()});
+  }
+  put_descriptor({address, static_cast<std::uint32_t>(beats * kBeat), 0});
+  expect_packet(address, beats);
+}
+
+void DmaBench::expect_packet(std::uint64_t address, std::uint64_t beats) {
+  for (std::uint64_t i = 0; i < beats; ++i) {
+    expected_.push_back({memory.beat(address + i * kBeat), i + 1 == beats});
+  }
+}
+
+std::string DmaBench::packet_difference() const {
+  if (expected_.empty()) return packets_.empty() ? "nothing expected" : "nothing was to come";
+  for (std::size_t i = 0; i < std::min(packets_.size(), expected_.size()); ++i) {
+    if (packets_[i] != expected_[i]) {
+      return fmt::format("beat {}: {}, not {}", i, tb::beat_text(packets_[i]),
+                         tb::beat_text(expected_[i]));
+    }
+  }
+  if (packets_.size() == expected_.size()) return "";
+  return fmt::format("{} beats, not {}", packets_.size(), expected_.size());
+}
+
+void DmaBench::start_ring() {
+  ring_doorbell();
+  controls.ring_start = true;
+  step();
+}
+
+void DmaBench::forget_packets() {
+  packets_.clear();
+  expected_.clear();
+}
+
+void DmaBench::start_results(std::uint64_t base, std::uint32_t bytes) {
+  controls.result_base = base;
+  controls.result_size = bytes;
+  controls.result_start = true;
+  step();
+}
+
+void DmaBench::offer_results(std::uint64_t count, std::uint64_t packet) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    results_.push_back({{random_.word(), random_.word(), random_.word(), random_.word()},
+                        packet != 0 && (i + 1) % packet == 0});
+  }
+}
+
+void DmaBench::forget_results() {
+  results_.clear();
+  accepted_.clear();
+}
+
+std::uint64_t DmaBench::results_in_memory(std::uint64_t base, std::uint64_t first,
+                                          std::uint64_t count) const {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (first + i >= accepted_.size()) return i;
+    if (memory.beat(base + i * kBeat) != accepted_[first + i].words) return i;
+  }
+  return count;
+}
+
+std::string DmaBench::faults() {
+  checker.finish(cycle_);
+  std::string text;
+  if (stream_faults_ != 0) text += fmt::format("{} stream faults\n", stream_faults_);
+  for (const std::string& report : checker.reports()) text += report + "\n";
+  if (text.empty() && checker.violations() != 0) text = "violations";
+  return text;
+}
+
+void set_all_throttles(DmaBench& bench, const std::string& bus, const std::string& stream) {
+  bench.set_bus_throttle(bus);
+  bench.packet_throttle = tb::make_throttle(stream, bench.random().bits());
+  bench.result_throttle = tb::make_throttle(stream, bench.random().bits());
+}
+
+}  // namespace hwffd::test

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dma_core.hpp"
+#include "hwffd/tb/axi_checker.hpp"
+#include "hwffd/tb/axi_memory.hpp"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/throttle.hpp"
+
+namespace hwffd::test {
+
+constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+
+/// Codes of errors (docs/interface.md).
+enum DmaCode : unsigned {
+  kZeroLength = 1,
+  kMisaligned = 2,
+  kWraps = 3,
+  kOutside = 4,
+  kFlags = 5,
+  kSlaveError = 6,
+  kDecodeError = 7
+};
+
+struct Descriptor {
+  std::uint64_t address = 0;
+  std::uint32_t length = 0;
+  std::uint32_t flags = 0;
+};
+
+/// An engine, a memory on its bus, a sink for packets and a source of results.
+///
+/// Both ends check what they see: packets against what the descriptors named, in order; memory
+/// against the results offered.
+class DmaBench {
+ public:
+  DmaBench(const DmaSize& size, std::uint64_t seed);
+
+  DmaControls controls;
+  DmaStatus status;
+  tb::AxiMemory memory;
+  tb::AxiChecker checker;
+  tb::Throttle packet_throttle = tb::Throttle::always();
+  tb::Throttle result_throttle = tb::Throttle::always();
+
+  const DmaSize& size() const { return size_; }
+  std::uint64_t cycle() const { return cycle_; }
+  tb::Random& random() { return random_; }
+
+  /// One throttle for each of the five channels, by name.
+  void set_bus_throttle(const std::string& name);
+  /// The window that the controls set, for the checker too.
+  void set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write);
+
+  void reset(unsigned cycles = 3);
+  void step();
+  void run(std::uint64_t cycles);
+  /// Runs until idle_o; false after `limit` cycles.
+  bool run_until_idle(std::uint64_t limit = 200000);
+  template <class Condition>
+  bool run_until(Condition condition, std::uint64_t limit = 200000) {
+    for (std::uint64_t i = 0; i < limit; ++i) {
+      if (condition()) return true;
+      step();
+    }
+    return condition();
+  }
+
+  // ---- ring and packets
+  void place_ring(std::uint64_t base, unsigned entries_log2);
+  /// Writes the descriptor at the software's end of the ring (the head moves with `ring_doorbell`).
+  void put_descriptor(const Descriptor& descriptor);
+  std::uint64_t descriptor_address(unsigned index) const {
+    return controls.ring_base + index * kBeat;
+  }
+  /// Fills memory with random beats there, appends a descriptor for them, expects the packet.
+  void put_packet(std::uint64_t address, std::uint64_t beats);
+  void expect_packet(std::uint64_t address, std::uint64_t beats);
+  void ring_doorbell() { controls.ring_head = software_head_; }
+  void start_ring();
+  std::uint16_t software_head() const { return software_head_; }
+  void set_software_head(std::uint16_t head) { software_head_ = head; }
+  /// Packet beats that have come, and that should.
+  const std::vector<Beat>& packets() const { return packets_; }
+  const std::vector<Beat>& expected() const { return expected_; }
+  /// Empty if what came is what was expected and not nothing, else the first difference.
+  std::string packet_difference() const;
+  void forget_packets();
+
+  // ---- results
+  void start_results(std::uint64_t base, std::uint32_t bytes);
+  /// Queues results; the last of every `packet` beats is marked, or none where it is 0.
+  void offer_results(std::uint64_t count, std::uint64_t packet = 0);
+  std::uint64_t results_waiting() const { return results_.size(); }
+  const std::vector<Beat>& accepted_results() const { return accepted_; }
+  void forget_results();
+  /// How many of `count` beats from `first` on lie in memory at `base`, counted up to the first
+  /// wrong.
+  std::uint64_t results_in_memory(std::uint64_t base, std::uint64_t first,
+                                  std::uint64_t count) const;
+
+  // ---- errors
+  const std::vector<DmaError>& read_errors() const { return read_errors_; }
+  const std::vector<DmaError>& write_errors() const { return write_errors_; }
+  void forget_read_errors() { read_errors_.clear(); }
+  void forget_write_errors() { write_errors_.clear(); }
+
+  /// Empty if no rule was broken on the bus and on the packet stream, else the reports.
+  std::string faults();
+
+ private:
+  void observe();
+
+  DmaSize size_;
+  tb::Random random_;
+  std::unique_ptr<DmaCore> core_;
+  std::uint64_t cycle_ = 0;
+  tb::AxiPins bus_;
+  DmaStream packet_pins_, result_pins_;
+  bool was_clearing_ = false;
+  bool packet_waits_ = false;
+  Beat packet_held_;
+  std::uint64_t stream_faults_ = 0;
+  std::uint16_t software_head_ = 0;
+  std::vector<Beat> packets_, expected_, accepted_;
+  std::deque<Beat> results_;
+  std::vector<DmaError> read_errors_, write_errors_;
+};
+
+/// The same with memory latency and throttles for all ends by name.
+void set_all_throttles(DmaBench& bench, const std::string& bus, const std::string& stream);
+
+}  // namespace hwffd::test

@@ -1,0 +1,127 @@
+#include "dma_core.hpp"
+
+#include <stdexcept>
+
+#include "Vdma_large.h"
+#include "Vdma_medium.h"
+#include "Vdma_pair.h"
+#include "Vdma_small.h"
+#include "hwffd/tb/sim.hpp"
+
+namespace hwffd::test {
+namespace {
+
+template <class Wide>
+void put(Wide& port, const std::array<std::uint32_t, 4>& words) {
+  for (int i = 0; i < 4; ++i) port[i] = words[i];
+}
+template <class Wide>
+std::array<std::uint32_t, 4> get(const Wide& port) {
+  return {port[0], port[1], port[2], port[3]};
+}
+
+template <class VDut>
+class VerilatedDmaCore : public DmaCore {
+ public:
+  explicit VerilatedDmaCore(std::uint64_t seed) : sim_(seed) {}
+
+  void exchange(const DmaControls& controls, DmaStatus& status, tb::AxiPins& bus,
+                DmaStream& packets, DmaStream& results) override {
+    drive(controls, bus);
+    VDut& dut = sim_.dut();
+    dut.m_packet_ready = packets.ready;
+    dut.s_result_valid = results.valid;
+    dut.s_result_last = results.beat.last;
+    put(dut.s_result_data, results.beat.words);
+    dut.eval();
+    packets.valid = dut.m_packet_valid;
+    packets.beat = {get(dut.m_packet_data), dut.m_packet_last != 0};
+    results.ready = dut.s_result_ready;
+    sample(status);
+    sample(bus);
+  }
+  void clock() override { sim_.tick(); }
+
+ private:
+  void drive(const DmaControls& controls, const tb::AxiPins& bus) {
+    VDut& dut = sim_.dut();
+    dut.rst = controls.rst;
+    dut.soft_reset_i = controls.soft_reset;
+    dut.read_first_i = controls.read_first;
+    dut.read_last_i = controls.read_last;
+    dut.ring_start_i = controls.ring_start;
+    dut.ring_base_i = controls.ring_base;
+    dut.ring_entries_log2_i = controls.ring_entries_log2;
+    dut.ring_head_i = controls.ring_head;
+    dut.write_first_i = controls.write_first;
+    dut.write_last_i = controls.write_last;
+    dut.result_start_i = controls.result_start;
+    dut.result_base_i = controls.result_base;
+    dut.result_size_i = controls.result_size;
+    dut.m_axi_arready = bus.ar.ready;
+    dut.m_axi_rvalid = bus.r.valid;
+    put(dut.m_axi_rdata, bus.r.data);
+    dut.m_axi_rresp = bus.r.response;
+    dut.m_axi_rlast = bus.r.last;
+    dut.m_axi_awready = bus.aw.ready;
+    dut.m_axi_wready = bus.w.ready;
+    dut.m_axi_bvalid = bus.b.valid;
+    dut.m_axi_bresp = bus.b.response;
+  }
+
+  void sample(DmaStatus& status) {
+    const VDut& dut = sim_.dut();
+    status.clearing = dut.clearing_o;
+    status.idle = dut.idle_o;
+    status.halted = dut.halted_o;
+    status.ring_tail = dut.ring_tail_o;
+    status.ring_running = dut.ring_running_o;
+    status.result_running = dut.result_running_o;
+    status.result_busy = dut.result_busy_o;
+    status.result_overflow = dut.result_overflow_o;
+    status.result_count = dut.result_count_o;
+    status.read_error = {dut.read_error_o != 0, dut.read_error_code_o, dut.read_error_address_o};
+    status.write_error = {dut.write_error_o != 0, dut.write_error_code_o,
+                          dut.write_error_address_o};
+  }
+
+  void sample(tb::AxiPins& bus) {
+    const VDut& dut = sim_.dut();
+    bus.ar.valid = dut.m_axi_arvalid;
+    bus.ar.address = dut.m_axi_araddr;
+    bus.ar.len = dut.m_axi_arlen;
+    bus.ar.size = dut.m_axi_arsize;
+    bus.ar.burst = dut.m_axi_arburst;
+    bus.r.ready = dut.m_axi_rready;
+    bus.aw.valid = dut.m_axi_awvalid;
+    bus.aw.address = dut.m_axi_awaddr;
+    bus.aw.len = dut.m_axi_awlen;
+    bus.aw.size = dut.m_axi_awsize;
+    bus.aw.burst = dut.m_axi_awburst;
+    bus.w.valid = dut.m_axi_wvalid;
+    bus.w.data = get(dut.m_axi_wdata);
+    bus.w.strobe = dut.m_axi_wstrb;
+    bus.w.last = dut.m_axi_wlast;
+    bus.b.ready = dut.m_axi_bready;
+  }
+
+  tb::Sim<VDut> sim_;
+};
+
+}  // namespace
+
+const std::vector<DmaSize>& dma_sizes() {
+  static const std::vector<DmaSize> sizes = {
+      {"large", 256, 512, 8}, {"medium", 16, 64, 4}, {"small", 4, 8, 2}};
+  return sizes;
+}
+
+std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed) {
+  if (name == "large") return std::make_unique<VerilatedDmaCore<Vdma_large>>(seed);
+  if (name == "medium") return std::make_unique<VerilatedDmaCore<Vdma_medium>>(seed);
+  if (name == "pair") return std::make_unique<VerilatedDmaCore<Vdma_pair>>(seed);
+  if (name == "small") return std::make_unique<VerilatedDmaCore<Vdma_small>>(seed);
+  throw std::invalid_argument("make_dma_core: no size \"" + name + "\"");
+}
+
+}  // namespace hwffd::test

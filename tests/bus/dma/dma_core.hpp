@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "hwffd/stream/beat.hpp"
+#include "hwffd/tb/axi_pins.hpp"
+
+namespace hwffd::test {
+
+/// Inputs of `ffd_dma_engine` that come from registers.
+struct DmaControls {
+  bool rst = false;
+  bool soft_reset = false;
+  std::uint64_t read_first = 0, read_last = ~std::uint64_t{0};
+  bool ring_start = false;
+  std::uint64_t ring_base = 0;
+  unsigned ring_entries_log2 = 4;
+  std::uint16_t ring_head = 0;
+  std::uint64_t write_first = 0, write_last = ~std::uint64_t{0};
+  bool result_start = false;
+  std::uint64_t result_base = 0;
+  std::uint32_t result_size = 0;
+};
+
+struct DmaError {
+  bool valid = false;
+  unsigned code = 0;
+  std::uint64_t address = 0;
+};
+
+/// Outputs of `ffd_dma_engine` that go to registers.
+struct DmaStatus {
+  bool clearing = false, idle = false, halted = false;
+  std::uint16_t ring_tail = 0;
+  bool ring_running = false, result_running = false, result_busy = false, result_overflow = false;
+  std::uint32_t result_count = 0;
+  DmaError read_error, write_error;
+};
+
+/// Valid, ready and beat of one stream.
+struct DmaStream {
+  bool valid = false;
+  bool ready = false;
+  Beat beat;
+};
+
+/// The pins of a Verilated engine, whatever its size.
+class DmaCore {
+ public:
+  virtual ~DmaCore() = default;
+  /// Drives the controls, the bus's slave side, the results and ready of the packets; settles;
+  /// reads the rest into the same structures.
+  virtual void exchange(const DmaControls& controls, DmaStatus& status, tb::AxiPins& bus,
+                        DmaStream& packets, DmaStream& results) = 0;
+  virtual void clock() = 0;
+};
+
+/// Parameters that a build has (tests/bus/dma/CMakeLists.txt).
+struct DmaSize {
+  std::string name;
+  std::uint64_t max_burst, depth, outstanding;
+};
+inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
+const std::vector<DmaSize>& dma_sizes();
+std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed);
+
+}  // namespace hwffd::test

@@ -1,0 +1,195 @@
+// An error response stops the engine: no address after it, what is open ends, a start goes on.
+#include <gtest/gtest.h>
+
+#include "dma_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint64_t kRing = 0x7000;
+constexpr std::uint64_t kPackets = 0x100000;
+constexpr std::uint64_t kArea = 0x900000;
+
+class BusError : public testing::TestWithParam<DmaSize> {};
+INSTANTIATE_TEST_SUITE_P(Dma, BusError, testing::ValuesIn(dma_sizes()),
+                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+
+/// Where the read burst that holds packet beat `beat` (of a packet at kPackets + 0x1000) starts.
+std::uint64_t burst_of(const DmaBench& bench, std::uint64_t beat) {
+  const std::uint64_t address = kPackets + 0x1000 + beat * kBeat;
+  for (const auto& read : bench.memory.reads()) {
+    if (read.address <= address && address < read.address + read.beats * kBeat) {
+      return read.address;
+    }
+  }
+  return 0;
+}
+
+/// Three packets; the read that brings beat `failing` of the second one, of `second` beats, fails.
+void fail_beat(const DmaSize& size, std::uint64_t second, std::uint64_t failing,
+               tb::AxiResponse response, const std::string& throttle) {
+  constexpr std::uint64_t kFirst = 5, kThird = 9;
+  SCOPED_TRACE(testing::Message() << "beat " << failing << " " << throttle);
+  DmaBench bench(size, failing + response);
+  set_all_throttles(bench, throttle, throttle);
+  bench.memory.set_latency({1, 10});
+  bench.place_ring(kRing, 3);
+  bench.put_packet(kPackets, kFirst);
+  bench.put_packet(kPackets + 0x1000, second);
+  bench.put_packet(kPackets + 0x2000, kThird);
+  // Bursts end at multiples of max_burst, and 0x1000 is such a border.
+  const std::uint64_t length = std::min<std::uint64_t>(bench.size().max_burst, second);
+  const std::uint64_t target = kPackets + 0x1000 + failing / length * length * kBeat;
+  bench.memory.fail_read_at(target, failing % length, response);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }));
+  ASSERT_TRUE(bench.run_until([&] { return !bench.status.ring_running; }));
+  ASSERT_TRUE(bench.run_until_idle());
+  bench.run(30);
+  ASSERT_EQ(bench.read_errors().size(), 1u);
+  EXPECT_EQ(bench.read_errors()[0].code, response == tb::kAxiDecerr ? kDecodeError : kSlaveError);
+  EXPECT_EQ(bench.read_errors()[0].address, burst_of(bench, failing));
+  EXPECT_EQ(bench.status.ring_tail, 1);
+  // The first packet, and of the second what came before the error, ended by `last`.
+  std::vector<Beat> wanted(bench.expected().begin(), bench.expected().begin() + kFirst + failing);
+  wanted.back().last = true;
+  EXPECT_EQ(bench.packets().size(), wanted.size());
+  EXPECT_TRUE(bench.packets() == wanted);
+  EXPECT_TRUE(bench.memory.quiet());
+
+  // Again from the second packet on.
+  bench.memory.fail_nothing();
+  bench.forget_packets();
+  bench.expect_packet(kPackets + 0x1000, second);
+  bench.expect_packet(kPackets + 0x2000, kThird);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until_idle());
+  EXPECT_EQ(bench.packet_difference(), "");
+  EXPECT_EQ(bench.status.ring_tail, 3);
+  EXPECT_EQ(bench.read_errors().size(), 1u);
+  EXPECT_EQ(bench.faults(), "");
+}
+
+TEST_P(BusError, ReadErrorOnEveryBeat) {
+  for (std::uint64_t beat = 0; beat < 38; ++beat) {
+    fail_beat(GetParam(), 38, beat, tb::kAxiSlverr, "always");
+    fail_beat(GetParam(), 38, beat, tb::kAxiDecerr, "bernoulli");
+    fail_beat(GetParam(), 38, beat, tb::kAxiExOkay, "bursts");
+  }
+}
+
+TEST_P(BusError, ReadErrorOnEveryBeatOfTheLongestBurst) {
+  const std::uint64_t longest = GetParam().max_burst;
+  for (std::uint64_t beat = 0; beat < longest; ++beat) {
+    fail_beat(GetParam(), longest, beat, tb::kAxiSlverr, "bernoulli");
+  }
+}
+
+TEST_P(BusError, DescriptorFetchFails) {
+  for (unsigned index = 0; index < 5; ++index) {
+    DmaBench bench(GetParam(), index);
+    bench.memory.set_latency({1, 10});
+    bench.place_ring(kRing, 3);
+    for (int i = 0; i < 5; ++i) bench.put_packet(kPackets + 0x1000u * i, 7);
+    bench.memory.fail_read_at(bench.descriptor_address(index), 0, tb::kAxiDecerr);
+    bench.start_ring();
+    ASSERT_TRUE(bench.run_until([&] { return bench.read_errors().size() == 1; }, 3000));
+    ASSERT_TRUE(bench.run_until_idle());
+    EXPECT_FALSE(bench.status.ring_running);
+    EXPECT_EQ(bench.read_errors()[0].code, kDecodeError);
+    EXPECT_EQ(bench.read_errors()[0].address, bench.descriptor_address(index));
+    EXPECT_LE(bench.status.ring_tail, index);
+    EXPECT_EQ(bench.packets().size(), 7u * bench.status.ring_tail);
+    bench.memory.fail_nothing();
+    bench.start_ring();
+    ASSERT_TRUE(bench.run_until_idle());
+    EXPECT_EQ(bench.packet_difference(), "");
+    EXPECT_EQ(bench.status.ring_tail, 5);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
+TEST_P(BusError, WriteErrorOnEveryBurst) {
+  for (std::uint64_t failing = 0; failing < 8; ++failing) {
+    for (const std::string throttle : {"always", "bernoulli"}) {
+      DmaBench bench(GetParam(), failing);
+      const std::uint64_t burst = bench.size().max_burst, results = 8 * burst;
+      set_all_throttles(bench, throttle, throttle);
+      bench.memory.set_latency({1, 30});
+      bench.memory.fail_write(failing, failing % 2 ? tb::kAxiDecerr : tb::kAxiSlverr);
+      bench.start_results(kArea, 1 << 20);
+      bench.offer_results(results, burst);
+      ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }));
+      ASSERT_TRUE(bench.run_until([&] { return !bench.status.result_running; }));
+      bench.run(40);
+      ASSERT_EQ(bench.write_errors().size(), 1u);
+      EXPECT_EQ(bench.write_errors()[0].code, failing % 2 ? kDecodeError : kSlaveError);
+      const auto& failed = bench.memory.writes()[failing];
+      EXPECT_EQ(bench.write_errors()[0].address, failed.address);
+      // What was counted lies before the failed burst, and is in memory.
+      const std::uint64_t counted = bench.status.result_count;
+      EXPECT_EQ(kArea + counted * kBeat, failed.address);
+      EXPECT_EQ(bench.results_in_memory(kArea, 0, counted), counted);
+      EXPECT_TRUE(bench.memory.quiet());
+      EXPECT_EQ(bench.faults(), "");
+
+      // What no burst had taken goes to the next area.
+      std::uint64_t taken = 0;
+      for (const auto& write : bench.memory.writes()) taken += write.beats;
+      bench.start_results(kArea + (1 << 20), 1 << 20);
+      bench.step();
+      const std::uint64_t rest = results - taken;
+      ASSERT_TRUE(bench.run_until([&] { return bench.status.result_count == rest; }));
+      EXPECT_EQ(bench.results_in_memory(kArea + (1 << 20), taken, rest), rest);
+      EXPECT_EQ(bench.faults(), "");
+    }
+  }
+}
+
+TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
+  DmaBench bench(GetParam(), 3);
+  bench.place_ring(kRing, 3);
+  bench.put_packet(kPackets, 30);
+  bench.memory.fail_read_at(kPackets, 2, tb::kAxiSlverr);
+  bench.start_results(kArea, 1 << 16);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }));
+  bench.offer_results(bench.size().depth / 2, 1);
+  bench.run(300);
+  EXPECT_TRUE(bench.memory.writes().empty());
+  EXPECT_TRUE(bench.status.halted);
+  bench.memory.fail_nothing();
+  bench.forget_packets();
+  bench.expect_packet(kPackets, 30);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.result_count == bench.size().depth / 2; }));
+  ASSERT_TRUE(bench.run_until_idle());
+  EXPECT_EQ(bench.packet_difference(), "");
+  EXPECT_EQ(bench.faults(), "");
+}
+
+TEST_P(BusError, AWriteErrorHoldsTheReaderUntilResultsAreStarted) {
+  DmaBench bench(GetParam(), 4);
+  bench.memory.set_latency({3, 3});
+  bench.place_ring(kRing, 3);
+  bench.put_packet(kPackets, 1000);
+  bench.memory.fail_write(0, tb::kAxiSlverr);
+  bench.start_results(kArea, 1 << 16);
+  bench.offer_results(1, 1);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }));
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.halted; }));
+  EXPECT_TRUE(bench.memory.quiet()) << "halted with bursts open";
+  bench.run(1200);
+  EXPECT_LT(bench.packets().size(), 1000u);
+  EXPECT_TRUE(bench.status.halted);
+  bench.start_results(kArea, 1 << 16);
+  ASSERT_TRUE(bench.run_until_idle());
+  EXPECT_FALSE(bench.status.halted);
+  EXPECT_EQ(bench.packet_difference(), "");
+  EXPECT_TRUE(bench.read_errors().empty());
+  EXPECT_EQ(bench.faults(), "");
+}
+
+}  // namespace
+}  // namespace hwffd::test
