@@ -90,6 +90,7 @@ test: install
 	@$(CTEST) -L '^test$$'
 
 test-all: install
+	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

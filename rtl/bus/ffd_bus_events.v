@@ -32,8 +32,8 @@ module ffd_bus_events (
   localparam [2:0] SLAVE_ERROR = 3'd6;
 
   // Bit c: an error of code c.
-  wire [7:0] read_codes  = {7'd0, read_error_i} << read_error_code_i;
-  wire [7:0] write_codes = {7'd0, write_error_i} << write_error_code_i;
+  wire [7:0] read_codes  = read_error_i ? 8'd1 << read_error_code_i : 8'd0;
+  wire [7:0] write_codes = write_error_i ? 8'd1 << write_error_code_i : 8'd0;
   wire [4:0] refusals    = read_codes[5:1] | write_codes[5:1];
   wire       core        = |core_event_i;
   wire       write_first = write_error_i && (!read_error_i
