@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words synth test test-all soak lint clean install
+.PHONY: help sim organizations streams words synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -46,6 +46,7 @@ help:
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
+	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
 	@echo 'make soak      mixed good and bad traffic through hwffd_axi, SEEDS= of them (100; minutes)'
@@ -83,6 +84,9 @@ words: install
 
 synth: install
 	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
+
+formal: install
+	@scripts/formal -j $(JOBS)
 
 test: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test

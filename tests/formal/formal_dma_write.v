@@ -1,0 +1,149 @@
+// formal_dma_write: ffd_dma_write at its bus, with any area, any window, any results, and any memory
+// that answers what was written
+//
+// The memory answers a burst after its address and its last beat, at any time, with any response.
+// The window is any pair of addresses, held from reset on. A soft reset lasts until rst, as the
+// engine has it.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module formal_dma_write #(
+  parameter MAX_BURST   = 2,
+  parameter FIFO_DEPTH  = 4,
+  parameter OUTSTANDING = 2
+) (
+  input wire         clk,
+  input wire         rst,
+  input wire         start,
+  input wire         soft,
+  input wire         hold,
+  input wire [63:0]  window_first,
+  input wire [63:0]  window_last,
+  input wire [63:0]  base,
+  input wire [31:0]  size,
+  input wire         s_valid,
+  input wire [127:0] s_data,
+  input wire         s_last,
+  input wire         awready,
+  input wire         wready,
+  input wire         want_answer,
+  input wire [1:0]   bresp
+);
+  wire         s_ready;
+  wire         awvalid;
+  wire [63:0]  awaddr;
+  wire [7:0]   awlen;
+  wire         wvalid;
+  wire [127:0] wdata;
+  wire         wlast;
+  wire         bvalid;
+  wire         bready;
+  wire         fault;
+  wire         busy;
+
+  ffd_dma_write #(
+    .MAX_BURST   (MAX_BURST),
+    .FIFO_DEPTH  (FIFO_DEPTH),
+    .OUTSTANDING (OUTSTANDING),
+    .FLUSH_CLOCKS(2)
+  ) u_dut (
+    .clk           (clk),
+    .rst           (rst),
+    .start_i       (start),
+    .soft_i        (soft),
+    .hold_i        (hold),
+    .window_first_i(window_first),
+    .window_last_i (window_last),
+    .base_i        (base),
+    .size_i        (size),
+    .s_result_valid(s_valid),
+    .s_result_ready(s_ready),
+    .s_result_data (s_data),
+    .s_result_last (s_last),
+    .m_axi_awvalid (awvalid),
+    .m_axi_awready (awready),
+    .m_axi_awaddr  (awaddr),
+    .m_axi_awlen   (awlen),
+    .m_axi_wvalid  (wvalid),
+    .m_axi_wready  (wready),
+    .m_axi_wdata   (wdata),
+    .m_axi_wlast   (wlast),
+    .m_axi_bvalid  (bvalid),
+    .m_axi_bready  (bready),
+    .m_axi_bresp   (bresp),
+    .busy_o        (busy),
+    .fault_o       (fault)
+  );
+
+  reg         first_q = 1'b1;
+  reg         soft_q = 1'b0;
+  reg [63:0]  window_first_q;
+  reg [63:0]  window_last_q;
+  reg         wait_q;
+  reg [63:0]  wait_address_q;
+  reg [7:0]   wait_len_q;
+  reg         wait_data_q;
+  reg [128:0] data_q;
+  reg [3:0]   open_q;        // addresses taken and not answered
+  reg [3:0]   written_q;     // bursts whose last beat was taken and that are not answered
+  reg         failed_q;
+  wire        asked  = awvalid && awready;
+  wire        ended  = wvalid && wready && wlast;
+  wire        answer = bvalid && bready;
+  assign bvalid = want_answer && open_q != 0 && written_q != 0;
+  always @(posedge clk) begin
+    first_q        <= 1'b0;
+    soft_q         <= soft && !rst;
+    window_first_q <= window_first;
+    window_last_q  <= window_last;
+    wait_q         <= awvalid && !awready && !rst;
+    wait_address_q <= awaddr;
+    wait_len_q     <= awlen;
+    wait_data_q    <= wvalid && !wready && !rst;
+    data_q         <= {wlast, wdata};
+    failed_q       <= !rst && (fault || (failed_q && busy));
+    if (rst) begin
+      open_q    <= 0;
+      written_q <= 0;
+    end else begin
+      open_q    <= open_q + asked - answer;
+      written_q <= written_q + ended - answer;
+    end
+  end
+  always @* begin
+    if (first_q) assume (rst);
+    else assume (window_first == window_first_q && window_last == window_last_q);
+    if (soft_q) assume (soft || rst);
+  end
+
+  (* hierconn *) wire [59:0] \u_dut.u_address.next_q ;
+  (* hierconn *) wire [59:0] \u_dut.u_address.last_q ;
+  (* hierconn *) wire [27:0] \u_dut.u_address.beats_q ;
+  (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
+  (* hierconn *) wire        \u_dut.u_address.wraps_q ;
+  (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
+  wire [60:0] next  = {1'b0, \u_dut.u_address.next_q };
+  wire [60:0] last  = {1'b0, \u_dut.u_address.last_q };
+  wire        sum   = {\u_dut.u_address.wraps_q , \u_dut.u_address.last_q }
+                      == next + \u_dut.u_address.beats_q - 61'd1;
+  wire        fits  = {next, 4'h0} >= {1'b0, window_first} && next <= last
+                   && {last, 4'hf} <= {1'b0, window_last};
+  wire [64:0] end_of  = {1'b0, awaddr} + {53'd0, awlen, 4'd15};
+  wire        aw_fits = awaddr >= window_first && end_of <= {1'b0, window_last};
+  wire        aw_page = {1'b0, awaddr[11:0]} + {1'b0, awlen, 4'd15} < 13'd4096;
+
+  always @* if (!first_q && !rst) begin
+    window: assert ((!awvalid || (aw_fits && aw_page && awlen < MAX_BURST && awaddr[3:0] == 0))
+                    && (\u_dut.u_address.state_q != 2'd2 || \u_dut.u_address.misaligned_q
+                        || \u_dut.u_address.beats_q == 0 || sum)
+                    && (\u_dut.u_address.state_q != 2'd3 || fits));
+    stable: assert (!wait_q || (awvalid && awaddr == wait_address_q && awlen == wait_len_q));
+    data_stable: assert (!wait_data_q || (wvalid && {wlast, wdata} == data_q));
+    outstanding: assert (open_q + awvalid <= OUTSTANDING);
+    answered: assert (!bvalid || bready);
+    silent: assert (!failed_q || !awvalid || wait_q);
+    busy_means: assert (busy || (open_q == 0 && !awvalid));
+  end
+endmodule
+
+`default_nettype wire
