@@ -89,6 +89,7 @@ class Make(Checkout):
                 done.stderr, rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z")
 
     def test_tests_end_with_ctest(self):
+        self.script("scripts/python_env", ":")
         for target, label in (("test", "^test$"), ("test-all", "^(test|all)$")):
             lines = self.run_here("make", target).stdout.splitlines()
             self.assertTrue(lines[-1].startswith("ctest "), lines)

@@ -123,10 +123,11 @@ class Paths(unittest.TestCase):
         status, output = self.sample("  assign q_o = ;")
         self.assertEqual((status, output.count("\n")), (2, 1), output)
 
-    def test_the_registers_have_none(self):
-        status, output = look(ROOT, "ffd_axil_registers")
-        self.assertEqual(status, 0, output)
-        self.assertRegex(output, r"\b4\d\d output bits, 0 reached")
+    def test_registers_and_tops_have_none(self):
+        for module in ("ffd_axil_registers", "hwffd_stream", "hwffd_axi"):
+            status, output = look(ROOT, module)
+            self.assertEqual(status, 0, output)
+            self.assertRegex(output, r"\b[234]\d\d output bits, 0 reached")
 
     def test_the_port_of_the_slave_is_found(self):
         """write_o and read_o follow ready, as its header says: they are inside the registers."""

@@ -101,7 +101,7 @@ TEST_P(Resident, TheLargestLattice) {
 // While the first lattice is in use, the next one comes in: its packet ends before the last result
 // of the first.
 TEST_P(Resident, LoadsALatticeWhileTheOldOneIsRead) {
-  if (expected_interval(GetParam()) < 8) GTEST_SKIP() << "done before a lattice has come";
+  if (expected_interval(GetParam()) < 64) GTEST_SKIP() << "done before a lattice has come";
   SystemRun run(GetParam(), 1);
   tb::Random random(1);
   LatticeWords lattice = random_lattice(run.codec(), random, 4);

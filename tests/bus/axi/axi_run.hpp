@@ -68,8 +68,8 @@ class AxiRun {
   void send_bspline();
   /// An area of that many results, or as many as are expected, behind the last one; then a start.
   void start(std::optional<std::uint64_t> results = {});
-  /// Waits for the end; compares the count and every word in memory, and, where the area has more
-  /// room, that nothing lies behind.
+  /// Waits for the end; compares the count and every word in memory. What lies behind them is guard
+  /// bytes for `clean`, even in the area.
   ::testing::AssertionResult finish();
   /// start and finish.
   ::testing::AssertionResult go();
@@ -77,9 +77,9 @@ class AxiRun {
   ::testing::AssertionResult wait();
   /// Soft reset of core and model; the ring is open again.
   ::testing::AssertionResult soft_reset();
-  /// aresetn of everything; then as constructed.
-  void hard_reset();
-  /// Coefficients, a lattice and a few vertices: exact, no error.
+  /// aresetn of everything for that many clocks; then as constructed.
+  void hard_reset(unsigned clocks);
+  /// Coefficients, a lattice and a few vertices: exact, no error but what the model has.
   ::testing::AssertionResult good_run();
   /// Beats that were sent and are not expected to be seen any more, and their results.
   void forget_expected();

@@ -23,7 +23,7 @@ class AxiReset : public PerAxiConfiguration {
   /// The moments, in clocks after the start: dense at first, then over the whole run.
   static std::vector<std::uint64_t> moments() {
     std::vector<std::uint64_t> clocks;
-    for (std::uint64_t clock = 0; clock < 4000; clock += 1 + clock / 12) clocks.push_back(clock);
+    for (std::uint64_t clock = 0; clock < 7000; clock += 1 + clock / 12) clocks.push_back(clock);
     return clocks;
   }
 };
@@ -87,8 +87,10 @@ TEST_P(AxiReset, HardResetAtAnyMoment) {
     prepare(run);
     run.start();
     run.system().run(clock);
-    run.hard_reset();
+    run.hard_reset(2);
     EXPECT_FALSE(run.system().interrupt());
+    EXPECT_EQ(run.driver().take_errors().status, 0U) << clock;
+    EXPECT_EQ(run.driver().counters().vertices, 0U) << clock;
     ASSERT_TRUE(run.good_run()) << clock;
     EXPECT_TRUE(run.clean()) << clock;
   }

@@ -118,6 +118,7 @@ TEST_P(Axi, StallsAreCounted) {
   EXPECT_GT(run.driver().counters().stalls, 1000U);
   run.system().memory.set_throttles({});
   ASSERT_TRUE(run.finish());
+  EXPECT_EQ(run.driver().counters().vertices, run.checked()) << "once each, however long they wait";
   EXPECT_TRUE(run.clean());
 }
 
@@ -146,6 +147,39 @@ TEST_P(Axi, Interrupts) {
   EXPECT_FALSE(run.system().interrupt()) << "not enabled";
   EXPECT_EQ(driver.take_interrupts(), HWFFD_IRQ_STATE_DONE_MASK);
   EXPECT_TRUE(run.clean());
+}
+
+/// What these tests compare, they see: a flipped bit of a result, a result that is
+/// missing, a guard byte, an address outside its window.
+TEST_P(Axi, PlantedFaultsAreFound) {
+  AxiRun run(GetParam(), 9);
+  tb::AxiMemory& memory = run.system().memory;
+  const auto flip = [&](std::uint64_t address) {
+    memory.set_byte(address, memory.byte(address) ^ 1);
+  };
+  run.send_bspline();
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, 1)));
+  run.start();
+  ASSERT_TRUE(run.wait());
+  const std::uint64_t last_byte = run.area() + 3 * tb::kAxiBeatBytes - 1;
+  flip(last_byte);
+  EXPECT_FALSE(run.finish()) << "a flipped bit";
+  flip(last_byte);
+  EXPECT_TRUE(run.finish());
+  run.system().run(300);
+  flip(last_byte + 1);
+  EXPECT_FALSE(run.clean()) << "a guard byte";
+  flip(last_byte + 1);
+  EXPECT_TRUE(run.clean());
+
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, 1)));
+  run.start(2);
+  EXPECT_FALSE(run.finish()) << "a result is missing";
+  run.forget_expected();
+  run.system().allow(kReadWindow, {kWriteWindow.base, run.area() + tb::kAxiBeatBytes});
+  run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, 1)));
+  ASSERT_TRUE(run.go());
+  EXPECT_FALSE(run.clean()) << "an address outside the window";
 }
 
 /// One vertex a clock keeps both directions of the bus busy: at least 95 % of each.
