@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words synth formal test test-all soak lint clean install
+.PHONY: help sim organizations streams words embed synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -44,6 +44,7 @@ help:
 	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
 	@echo 'make streams   words moved by arrangements of the control points: table, plot, JSON'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
+	@echo 'make embed     meshes in box, cylinder, sphere and custom lattices: table, JSON'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
@@ -81,6 +82,11 @@ words: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-words
 	@$(BUILD)/apps/hwffd-words
+
+embed: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-embed
+	@$(BUILD)/apps/hwffd-embed
 
 synth: install
 	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)

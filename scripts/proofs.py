@@ -29,6 +29,7 @@ COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file"
            "mutant", "statement")
 PDR, INDUCTION = "pdr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
+SEARCH = 12           # clocks from reset in which induction must find a planted bug
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
@@ -147,6 +148,9 @@ class Proofs:
         def assertion(name):
             return f"t:$assert n:{name} n:*.{name} %u %i"
 
+        words = []  # a harness may name words of small memories, which then must be registers
+        if any("memory_q[" in path.read_text() for path in harness):
+            words = ["memory_collect", "memory_map r:SIZE<=8"]
         wanted, assumed = assertion(one.name), []
         for lemma in lemmas:
             assumed += [f"select -assert-count 1 {assertion(lemma)}",
@@ -156,6 +160,7 @@ class Proofs:
             f"read_verilog -formal {folders}" + " ".join(map(str, harness)),
             f"hierarchy -check -top {one.harness}{values}",
             "proc",
+            *words,
             "flatten",
             "check -assert",
             f"select -assert-count 1 {wanted}",
@@ -244,8 +249,9 @@ class Proofs:
             if status != 0:
                 raise ProofError(f"{what}: {self._complaint(log, status)}")
             out.flush()
+            clocks = SEARCH if what == "control" else BASE
             steps = (f"pdr -T {self.limit}" if one.method == PDR else
-                     f"bmc3 -F {BASE} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
+                     f"bmc3 -F {clocks} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
             self._call([self.abc, "-c", f"read_aiger {circuit}; fold; strash; {steps}"], out)
         text = log.read_text(errors="replace")
         broken = re.search(r"was asserted in frame (\d+)", text)

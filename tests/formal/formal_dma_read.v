@@ -5,16 +5,15 @@
 // response. The window is any pair of addresses, held from reset on. A soft reset lasts until rst, as
 // the engine has it.
 //
-// Not in the table, because pdr decides neither in 40 s: `room` (no run breaks it in 11 clocks) and
-// `live` (17 clocks).
+// `room` and `live` are inductive: each says besides how the module's registers and a list of open
+// bursts that is kept here belong together.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module formal_dma_read #(
   parameter MAX_BURST   = 2,
   parameter FIFO_DEPTH  = 4,
-  parameter OUTSTANDING = 2,
-  parameter CLOCKS      = 8
+  parameter OUTSTANDING = 2
 ) (
   input wire         clk,
   input wire         rst,
@@ -31,7 +30,8 @@ module formal_dma_read #(
   input wire         want_answer,
   input wire [127:0] rdata,
   input wire [1:0]   rresp,
-  input wire         m_ready
+  input wire         m_ready,
+  input wire         follow
 );
   wire        s_ready;
   wire        refused;
@@ -43,6 +43,8 @@ module formal_dma_read #(
   wire        rlast;
   wire        m_valid;
   wire        m_last;
+  wire        fetched;
+  wire        finished;
   wire        fault;
   wire        quiet;
   wire        empty;
@@ -77,6 +79,8 @@ module formal_dma_read #(
     .m_packet_valid   (m_valid),
     .m_packet_ready   (m_ready),
     .m_packet_last    (m_last),
+    .fetched_o        (fetched),
+    .finished_o       (finished),
     .fault_o          (fault),
     .quiet_o          (quiet),
     .empty_o          (empty)
@@ -102,6 +106,7 @@ module formal_dma_read #(
     if (first_q) assume (rst);
     else assume (window_first == window_first_q && window_last == window_last_q);
     if (soft_q) assume (soft || rst);
+    assume (!s_fetch || s_length == 16);
   end
 
   // ---- the memory: bursts taken and not yet answered, the oldest first
@@ -128,18 +133,8 @@ module formal_dma_read #(
     end
   end
 
-  reg        failed_q;
-
-  // ---- liveness: a packet's beats and a request, with the bus and the stream willing
-  reg  [4:0] stuck_q;
-  wire       willing = arready && (want_answer || count_q == 0) && m_ready && !hold && !soft
-                    && !fault && !failed_q && !refused;
-  always @(posedge clk) begin
-    if (rst || !willing || arvalid || answer || m_valid || s_ready) stuck_q <= 0;
-    else stuck_q <= stuck_q + (stuck_q != 31);
-  end
-
   // ---- no address after an error, except one that waits already
+  reg        failed_q;
   reg        raised_q;
   always @(posedge clk) begin
     failed_q <= !rst && (fault || (failed_q && !start));
@@ -153,8 +148,6 @@ module formal_dma_read #(
   (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
   (* hierconn *) wire        \u_dut.u_address.wraps_q ;
   (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
-  (* hierconn *) wire        \u_dut.release_held ;
-  (* hierconn *) wire        \u_dut.fifo_ready ;
   wire [60:0] next  = {1'b0, \u_dut.u_address.next_q };
   wire [60:0] last  = {1'b0, \u_dut.u_address.last_q };
   wire        sum   = {\u_dut.u_address.wraps_q , \u_dut.u_address.last_q }
@@ -165,6 +158,142 @@ module formal_dma_read #(
   wire        ar_fits = araddr >= window_first && end_of <= {1'b0, window_last};
   wire        ar_page = {1'b0, araddr[11:0]} + {1'b0, arlen, 4'd15} < 13'd4096;
 
+
+  // ---- open bursts, the oldest first: those of the memory, then the one on the address channel
+  localparam PLACE_W = $clog2(OUTSTANDING);
+  localparam LEVEL_W = $clog2(FIFO_DEPTH);
+  localparam ROOM_W  = FIFO_DEPTH < 256 ? 9 : LEVEL_W + 1;
+  (* hierconn *) wire               \u_dut.burst_valid ;
+  (* hierconn *) wire               \u_dut.burst_ready ;
+  (* hierconn *) wire [7:0]         \u_dut.burst_len ;
+  (* hierconn *) wire               \u_dut.burst_last ;
+  (* hierconn *) wire               \u_dut.fetch_q ;
+  (* hierconn *) wire               \u_dut.stop_q ;
+  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.memory_q[0] ;
+  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.memory_q[1] ;
+  (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.write_q ;
+  (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.read_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.write_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.read_q ;
+  (* hierconn *) wire [ROOM_W-1:0]  \u_dut.room_q ;
+  (* hierconn *) wire               \u_dut.held_q ;
+  (* hierconn *) wire               \u_dut.release_held ;
+  (* hierconn *) wire               \u_dut.fifo_ready ;
+  reg  [MOST-1:0]  fetch_q;
+  reg  [MOST-1:0]  last_q;
+  wire             step   = \u_dut.burst_valid && \u_dut.burst_ready ;
+  wire [2:0]       total  = count_q + arvalid;
+  wire [2:0]       behind = total - done;
+  wire [PLACE_W:0] open   = \u_dut.u_outstanding.write_q - \u_dut.u_outstanding.read_q ;
+  wire [LEVEL_W:0] level  = \u_dut.u_fifo.write_q - \u_dut.u_fifo.read_q ;
+  always @(posedge clk) begin
+    fetch_q <= done ? fetch_q >> 1 : fetch_q;
+    last_q  <= done ? last_q >> 1 : last_q;
+    if (step && behind < MOST) begin
+      fetch_q[behind[1:0]] <= \u_dut.fetch_q ;
+      last_q[behind[1:0]]  <= \u_dut.burst_last ;
+    end
+  end
+
+  // ---- one request, chosen freely, is followed until it is answered
+  wire        stalled = (arvalid && !arready) || (count_q != 0 && !want_answer)
+                     || (m_valid && !m_ready) || hold;
+  reg         follow_q;
+  reg         inside_q;     // in the address generator
+  reg         due_q;        // its last beat was taken in the clock before
+  reg         is_fetch_q;
+  reg  [1:0]  place_q;      // of its last burst
+  reg  [27:0] left_q;       // beats that are in no burst yet
+  reg  [33:0] budget_q;     // clocks that are left
+  wire        accept = s_valid && s_ready && follow && !follow_q;
+  always @(posedge clk) begin
+    due_q <= 1'b0;
+    if (rst || soft || fault) follow_q <= 1'b0;
+    else if (accept) follow_q <= 1'b1;
+    else if (refused && inside_q) follow_q <= 1'b0;
+    else if (due_q && (is_fetch_q ? fetched : finished)) follow_q <= 1'b0;
+    if (accept) begin
+      inside_q   <= 1'b1;
+      is_fetch_q <= s_fetch;
+      left_q     <= s_length[31:4];
+    end else if (inside_q && step) begin
+      inside_q <= !\u_dut.burst_last ;
+      left_q   <= left_q - \u_dut.burst_len - 1'b1;
+      place_q  <= behind[1:0];
+    end else if (!inside_q && done) begin
+      due_q    <= follow_q && !due_q && place_q == 0;
+      place_q  <= place_q - 1'b1;
+    end
+    if (accept) budget_q <= {s_length[31:4], 2'd0} + 2 + busy;
+    else if (!stalled) budget_q <= budget_q - 1'b1;
+  end
+
+  // ---- what the registers say: beats that are promised, that come, that come up to the followed
+  integer    i;
+  reg        whole;
+  reg [11:0] promised;
+  reg [11:0] coming;
+  reg [11:0] before;
+  reg [7:0]  len;
+  reg [1:0]  kept;
+  always @* begin
+    kept     = 0;
+    len      = 0;
+    whole    = open == total && count_q <= OUTSTANDING && total <= OUTSTANDING
+            && (count_q == 0 ? beat_q == 0 : beat_q <= lens_q[7:0]);
+    promised = 0;
+    coming   = 0;
+    before   = 0;
+    for (i = 0; i < MOST; i = i + 1) begin
+      len = i == count_q ? arlen : lens_q[8*i +: 8];
+      if (i < total) begin
+        kept     = i[0] ^ \u_dut.u_outstanding.read_q [0]
+                 ? \u_dut.u_outstanding.u_memory.memory_q[1] [61:60]
+                 : \u_dut.u_outstanding.u_memory.memory_q[0] [61:60];
+        whole    = whole && len < MAX_BURST && kept == {last_q[i], fetch_q[i]};
+        coming   = coming + len + 1'b1;
+        promised = promised + (fetch_q[i] ? 0 : len + 1'b1);
+        before   = before + (i <= place_q ? len + 1'b1 : 0);
+      end
+    end
+    coming   = coming - beat_q;
+    before   = before - beat_q;
+    promised = promised - (fetch_q[0] ? 0 : beat_q);
+  end
+  wire [11:0] given  = \u_dut.room_q + level + \u_dut.held_q + promised;
+  wire [11:0] busy   = 2 * coming + arvalid + level + \u_dut.held_q ;
+  wire        credit = whole && level <= FIFO_DEPTH && (m_valid ? level != 0 : level < 2)
+                    && given <= FIFO_DEPTH && (soft_q || given == FIFO_DEPTH)
+                    && (rready || (total == 0 && \u_dut.u_address.state_q == 0));
+
+  // The followed one in the generator, on its way, or answered in this clock; and the clocks it
+  // may still take, which every clock without a stall makes fewer.
+  reg        known;
+  reg [33:0] rank;
+  always @* begin
+    rank = 0;
+    if (inside_q) begin
+      known = \u_dut.fetch_q == is_fetch_q && !due_q;
+      case (\u_dut.u_address.state_q )
+        2'd0: known = known && refused;
+        2'd1: known = known && !refused && \u_dut.u_address.beats_q == left_q;
+        2'd2: known = known && !refused && \u_dut.u_address.beats_q == left_q
+                   && (\u_dut.u_address.misaligned_q || left_q == 0 || sum);
+        default: known = known && !refused && left_q != 0 && last == next + left_q - 61'd1;
+      endcase
+      if (\u_dut.u_address.state_q != 0)
+        rank = {left_q, 2'd0} + 2'd3 - \u_dut.u_address.state_q + busy;
+    end else if (due_q) begin
+      known = is_fetch_q ? fetched : finished;
+      rank  = 1;
+    end else begin
+      known = place_q < total && last_q[place_q] && fetch_q[place_q] == is_fetch_q;
+      rank  = before + (arvalid && place_q == count_q) + 1'b1;
+    end
+    known = known && !\u_dut.stop_q && !soft_q;
+  end
+  localparam MOST_BUSY = FIFO_DEPTH + 2 * OUTSTANDING * MAX_BURST + 1;
+
   always @* if (!first_q && !rst) begin
     window: assert ((!arvalid || (ar_fits && ar_page && arlen < MAX_BURST && araddr[3:0] == 0))
                     && (\u_dut.u_address.state_q != 2'd2 || \u_dut.u_address.misaligned_q
@@ -172,11 +301,11 @@ module formal_dma_read #(
                     && (\u_dut.u_address.state_q != 2'd3 || fits));
     stable: assert (!wait_q || (arvalid && araddr == wait_address_q && arlen == wait_len_q));
     outstanding: assert (count_q + arvalid <= OUTSTANDING);
-    room: assert (!\u_dut.release_held || \u_dut.fifo_ready );
+    room: assert (credit && (!\u_dut.release_held || \u_dut.fifo_ready ));
     answered: assert (!rvalid || rready);
     silent: assert (!failed_q || !arvalid || raised_q);
     quiet_means: assert (!quiet || (count_q == 0 && !arvalid));
-    live: assert (stuck_q < CLOCKS);
+    live: assert (credit && busy <= MOST_BUSY && (!follow_q || (known && rank <= budget_q)));
   end
 endmodule
 

@@ -4,6 +4,9 @@
 // The memory answers a burst after its address and its last beat, at any time, with any response.
 // The window is any pair of addresses, held from reset on. A soft reset lasts until rst, as the
 // engine has it.
+//
+// `beats` is inductive: it says besides where in the module the lengths and the beats of the bursts
+// are whose addresses were seen on the bus.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -132,6 +135,81 @@ module formal_dma_write #(
   wire        aw_fits = awaddr >= window_first && end_of <= {1'b0, window_last};
   wire        aw_page = {1'b0, awaddr[11:0]} + {1'b0, awlen, 4'd15} < 13'd4096;
 
+
+  // ---- bursts whose data has not left, the oldest first, each from the clock its address is raised
+  localparam MOST    = 4;
+  localparam PLACE_W = $clog2(OUTSTANDING);
+  (* hierconn *) wire             \u_dut.active_q ;
+  (* hierconn *) wire [7:0]       \u_dut.left_q ;
+  (* hierconn *) wire [PLACE_W:0] \u_dut.u_outstanding.write_q ;
+  (* hierconn *) wire [PLACE_W:0] \u_dut.u_outstanding.read_q ;
+  (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.write_q ;
+  (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.read_q ;
+  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.memory_q[0] ;
+  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.memory_q[1] ;
+  (* hierconn *) wire             \u_dut.u_data.s_beat_ready ;
+  (* hierconn *) wire             \u_dut.u_data.waiting_q ;
+  (* hierconn *) wire [128:0]     \u_dut.u_data.waiting_data_q ;
+  reg  [2:0]          count_q;
+  reg  [8*MOST-1:0]   lens_q;
+  reg  [7:0]          beat_q;
+  wire                raise   = awvalid && !wait_q;
+  wire [2:0]          total   = count_q + raise;
+  wire [PLACE_W:0]    open    = \u_dut.u_outstanding.write_q - \u_dut.u_outstanding.read_q ;
+  wire [PLACE_W:0]    lengths = \u_dut.u_lengths.write_q - \u_dut.u_lengths.read_q ;
+  wire [8*MOST+7:0]   lens;       // and that of the address that is raised in this clock
+  genvar g;
+  generate
+    for (g = 0; g <= MOST; g = g + 1) begin : gen_lens
+      if (g == MOST) assign lens[8*g +: 8] = awlen;
+      else assign lens[8*g +: 8] = raise && count_q == g ? awlen : lens_q[8*g +: 8];
+    end
+  endgenerate
+  always @(posedge clk) begin
+    if (rst) begin
+      count_q <= 0;
+      beat_q  <= 0;
+    end else begin
+      count_q <= total - ended;
+      if (wvalid && wready) beat_q <= wlast ? 0 : beat_q + 1'b1;
+    end
+    lens_q <= ended ? lens[8*MOST-1:0] >> 8 : lens[8*MOST-1:0];
+  end
+
+  // Through the module from the bus back: the skid's two beats, the burst under way, the lengths.
+  integer   i;
+  reg       ordered;
+  reg [2:0] at;
+  reg [7:0] beat;
+  always @* begin
+    at      = 0;
+    beat    = beat_q;
+    ordered = count_q <= OUTSTANDING && open_q <= OUTSTANDING && written_q <= OUTSTANDING
+           && open <= OUTSTANDING && open == open_q + awvalid && open == total + written_q
+           && (!wait_q || awvalid)
+           && !(\u_dut.u_data.waiting_q && (\u_dut.u_data.s_beat_ready || !wvalid));
+    if (wvalid) begin
+      ordered = ordered && count_q != 0 && wlast == (beat == lens[7:0]);
+      at      = wlast;
+      beat    = wlast ? 0 : beat + 1'b1;
+    end
+    if (\u_dut.u_data.waiting_q ) begin
+      ordered = ordered && at < count_q
+             && \u_dut.u_data.waiting_data_q [128] == (beat == lens[8*at +: 8]);
+      at      = at + \u_dut.u_data.waiting_data_q [128];
+      beat    = \u_dut.u_data.waiting_data_q [128] ? 0 : beat + 1'b1;
+    end
+    if (\u_dut.active_q ) begin
+      ordered = ordered && at < count_q && \u_dut.left_q == lens[8*at +: 8] - beat;
+      at      = at + 1'b1;
+    end else ordered = ordered && beat == 0;
+    ordered = ordered && at <= count_q && lengths == total - at;
+    for (i = 0; i < 2; i = i + 1)
+      if (i < lengths)
+        ordered = ordered && lens[8*(at+i) +: 8] == (i[0] ^ \u_dut.u_lengths.read_q [0]
+                  ? \u_dut.u_lengths.u_memory.memory_q[1] : \u_dut.u_lengths.u_memory.memory_q[0] );
+  end
+
   always @* if (!first_q && !rst) begin
     window: assert ((!awvalid || (aw_fits && aw_page && awlen < MAX_BURST && awaddr[3:0] == 0))
                     && (\u_dut.u_address.state_q != 2'd2 || \u_dut.u_address.misaligned_q
@@ -139,6 +217,7 @@ module formal_dma_write #(
                     && (\u_dut.u_address.state_q != 2'd3 || fits));
     stable: assert (!wait_q || (awvalid && awaddr == wait_address_q && awlen == wait_len_q));
     data_stable: assert (!wait_data_q || (wvalid && {wlast, wdata} == data_q));
+    beats: assert (ordered && (!wvalid || (count_q != 0 && wlast == (beat_q == lens[7:0]))));
     outstanding: assert (open_q + awvalid <= OUTSTANDING);
     answered: assert (!bvalid || bready);
     silent: assert (!failed_q || !awvalid || wait_q);

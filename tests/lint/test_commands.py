@@ -95,11 +95,12 @@ class Make(Checkout):
             self.assertTrue(lines[-1].startswith("ctest "), lines)
             self.assertTrue(lines[-1].endswith(f" -L {label}"), lines)
 
-    def test_words_builds_one_program_and_runs_it(self):
-        self.script("build/apps/hwffd-words", 'echo "words<$*>"')
-        lines = self.run_here("make", "words").stdout.splitlines()
-        self.assertTrue(lines[-2].endswith(" --target hwffd-words"), lines)
-        self.assertEqual(lines[-1], "words<>")
+    def test_words_and_embed_build_one_program_and_run_it(self):
+        for name in ("words", "embed"):
+            self.script(f"build/apps/hwffd-{name}", f'echo "{name}<$*>"')
+            lines = self.run_here("make", name).stdout.splitlines()
+            self.assertTrue(lines[-2].endswith(f" --target hwffd-{name}"), lines)
+            self.assertEqual(lines[-1], f"{name}<>")
 
     def test_synth(self):
         self.script("scripts/synth", """for word; do printf '<%s>' "$word"; done""")

@@ -1,11 +1,10 @@
 #include "hwffd/lattice/box.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "generate.hpp"
 #include "hwffd/error.hpp"
 
 namespace hwffd {
@@ -24,10 +23,7 @@ double snap(double x) {
 
 Box::Box(const Point& origin, const Eigen::Matrix3d& edges)
     : origin_(origin), edges_(edges), inverse_(edges.inverse()) {
-  const double scale = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
-  const bool spans = std::abs(edges.determinant()) > 1e-9 * scale;
-  if (spans && origin.allFinite() && edges.allFinite() && inverse_.allFinite()) return;
-  throw Error("box lattice: its three edges span no volume; give finite edges in three directions");
+  check_frame("box", origin, edges);
 }
 
 Box Box::around(const Points& points) {
@@ -48,20 +44,30 @@ Box Box::around(const Points& points) {
   return Box(origin, size.asDiagonal());
 }
 
+std::optional<Box> Box::of(const Lattice& lattice) {
+  const Index3 cells = lattice.cells();
+  const Point origin = lattice.point(1, 1, 1);
+  Eigen::Matrix3d edges;
+  edges << lattice.point(cells[0] + 1, 1, 1) - origin, lattice.point(1, cells[1] + 1, 1) - origin,
+      lattice.point(1, 1, cells[2] + 1) - origin;
+  try {
+    Box box(origin, edges);
+    const Points difference = box.lattice(lattice.dims()).points() - lattice.points();
+    const double size = edges.colwise().norm().minCoeff();
+    if (difference.rowwise().norm().maxCoeff() <= kFaceTolerance * size) return box;
+  } catch (const Error&) {
+    // Edges without volume: not a box.
+  }
+  return std::nullopt;
+}
+
 Lattice Box::lattice(const Index3& dims) const {
   Lattice::check_dims(dims);
-  Points points(static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2], 3);
-  Eigen::Index row = 0;
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) {
-        const Eigen::Vector3d at((i - 1.0) / (dims[0] - 3), (j - 1.0) / (dims[1] - 3),
-                                 (k - 1.0) / (dims[2] - 3));
-        points.row(row++) = origin_ + edges_ * at;
-      }
-    }
-  }
-  return Lattice(dims, std::move(points));
+  return generate_lattice(dims, [&](int i, int j, int k) {
+    const Eigen::Vector3d at((i - 1.0) / (dims[0] - 3), (j - 1.0) / (dims[1] - 3),
+                             (k - 1.0) / (dims[2] - 3));
+    return Point(origin_ + edges_ * at);
+  });
 }
 
 Embedded Box::embed(const Index3& dims, const Point& point) const {

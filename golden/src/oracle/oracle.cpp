@@ -93,4 +93,30 @@ Eigen::Vector3d Oracle::evaluate(const Support& support, double s, double t, dou
   return q;
 }
 
+Oracle::Jet Oracle::jet(const Support& support, const Eigen::Vector3d& local) const {
+  std::array<Eigen::Vector4d, 3> b;
+  std::array<Eigen::Vector4d, 3> slope;
+  for (int a = 0; a < 3; ++a) {
+    const double x = local[a];
+    b[a] = blending(static_cast<Axis>(a), x);
+    slope[a] = coefficients_[a] * Eigen::Vector4d(0.0, 1.0, 2 * x, 3 * x * x);
+  }
+  // Columns: the value, and the derivatives along s, t, u.
+  Eigen::Matrix<double, 3, 4> sum = Eigen::Matrix<double, 3, 4>::Zero();
+  for (int l = 0; l < 4; ++l) {
+    Eigen::Matrix3d layer = Eigen::Matrix3d::Zero();  // the value, and along t, u
+    for (int m = 0; m < 4; ++m) {
+      const auto row = support.middleRows<4>((l * 4 + m) * 4).transpose();
+      const Eigen::Vector3d at = row * b[kU];
+      layer.col(0) += b[kT][m] * at;
+      layer.col(1) += slope[kT][m] * at;
+      layer.col(2) += b[kT][m] * (row * slope[kU]);
+    }
+    sum.col(0) += b[kS][l] * layer.col(0);
+    sum.col(1) += slope[kS][l] * layer.col(0);
+    sum.rightCols<2>() += b[kS][l] * layer.rightCols<2>();
+  }
+  return {sum.col(0), sum.rightCols<3>()};
+}
+
 }  // namespace hwffd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hwffd/lattice/lattice.hpp"
@@ -20,6 +21,9 @@ class Box {
   /// without extent gets the largest extent of the others, or 1, so that flat models embed too.
   /// @throws Error if there is no point or one is not finite
   static Box around(const Points& points);
+
+  /// The box whose lattice() this is, to within 1e-12 of its size; nothing for another shape.
+  static std::optional<Box> of(const Lattice& lattice);
 
   const Point& origin() const { return origin_; }
   const Eigen::Matrix3d& edges() const { return edges_; }

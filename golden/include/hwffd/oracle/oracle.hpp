@@ -48,6 +48,16 @@ class Oracle {
   /// @param support 64 x 3, row (l*4 + m)*4 + n (Lattice::support)
   Eigen::Vector3d evaluate(const Support& support, double s, double t, double u) const;
 
+  /// A point and its derivatives.
+  struct Jet {
+    Eigen::Vector3d value;     ///< q(s, t, u)
+    Eigen::Matrix3d jacobian;  ///< column a: dq/ds, dq/dt, dq/du
+  };
+
+  /// q(s, t, u) and its derivatives, contracted axis by axis; value is evaluate() but for rounding.
+  /// @param local s, t, u
+  Jet jet(const Support& support, const Eigen::Vector3d& local) const;
+
  private:
   std::array<Coefficients, 3> coefficients_;
 };

@@ -1,0 +1,41 @@
+#include "study.hpp"
+
+#include "hwffd/mesh/mesh.hpp"
+#include "samples.hpp"
+
+namespace hwffd::embed {
+namespace {
+
+Row measure(const std::string& mesh, const std::string& kind, const Embedder& embedder,
+            const Points& points) {
+  return {mesh,
+          kind,
+          embedder.lattice().dims(),
+          summarize(embedder.embed(points)),
+          embedder.size(),
+          check_folds(embedder.lattice())};
+}
+
+}  // namespace
+
+std::vector<Row> by_construction(std::size_t points, std::uint64_t seed) {
+  std::vector<Row> rows;
+  for (const std::string& kind : lattice_kinds()) {
+    const Embedder embedder(lattice_around(kind, corners()));
+    const std::vector<Embedded> places = known_places(embedder.lattice(), points, seed);
+    rows.push_back(measure("by construction", kind, embedder, points_at(embedder, places)));
+  }
+  return rows;
+}
+
+std::vector<Row> of_mesh(const std::string& model) {
+  const Mesh mesh = Mesh::load(find_model(model));
+  std::vector<Row> rows;
+  for (const std::string& kind : lattice_kinds()) {
+    const Embedder embedder(lattice_around(kind, mesh.positions()));
+    rows.push_back(measure(mesh.name(), kind, embedder, mesh.positions()));
+  }
+  return rows;
+}
+
+}  // namespace hwffd::embed

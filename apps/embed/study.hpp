@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/fold.hpp"
+
+namespace hwffd::embed {
+
+/// One mesh, or points inside by construction, embedded in one lattice.
+struct Row {
+  std::string mesh;  ///< its file, or "by construction"
+  std::string lattice;
+  Index3 dims;
+  EmbeddingSummary summary;
+  double size = 0.0;  ///< of the lattice (Embedder::size)
+  FoldCheck folds;
+
+  /// The worst residual of the points inside, in parts of the lattice's size.
+  double max_residual_relative() const { return summary.worst_residual / size; }
+};
+
+/// Points of known places in a lattice of every kind, embedded again.
+std::vector<Row> by_construction(std::size_t points, std::uint64_t seed);
+
+/// The vertices of a mesh in a lattice of every kind around it.
+/// @param model a file, or a name that find_model() knows
+/// @throws Error where there is no such mesh
+std::vector<Row> of_mesh(const std::string& model);
+
+}  // namespace hwffd::embed

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hwffd/lattice/lattice.hpp"
+
+namespace hwffd {
+
+/// Where a lattice is joined to itself: found in its points, so that any lattice file may have it.
+///
+/// - An axis is *closed* if its last three layers of points repeat its first three: its last cell
+///   then meets its first with C2 continuity.
+/// - A face of the outer cells is *collapsed* along an axis in it if moving along that axis
+///   does not move the point: the axis of a cylinder along u, the centre of a sphere along t and u.
+///
+/// Control points that move one by one tear these joints; restore() closes them again.
+class Closure {
+ public:
+  /// A face of the outer cells, collapsed along one of its axes.
+  struct Collapsed {
+    int axis = 0;   ///< the face is where the coordinate along this axis ends,
+    int end = 0;    ///< at its beginning (0) or end (1)
+    int along = 0;  ///< and does not depend on the coordinate along this one
+  };
+
+  /// Joints of a lattice, to within 1e-12 of its size.
+  explicit Closure(const Lattice& lattice);
+
+  /// Whether the axis is closed.
+  bool closed(int axis) const { return closed_[static_cast<std::size_t>(axis)]; }
+  const std::vector<Collapsed>& collapsed() const { return collapsed_; }
+
+  /// A moved lattice with its joints closed again. The first three layers of a closed axis go to
+  /// the last three. On a collapsed face the layer of points beyond the face moves so that the face
+  /// lies at its mean along the collapsed axis; the other layers stay. Without joints the
+  /// lattice comes back bit for bit.
+  /// @param moved  of the same dimensions
+  /// @throws Error if the dimensions differ
+  Lattice restore(const Lattice& moved) const;
+
+ private:
+  Index3 dims_;
+  std::array<bool, 3> closed_{};
+  std::vector<Collapsed> collapsed_;
+};
+
+}  // namespace hwffd

@@ -1,0 +1,147 @@
+#include "hwffd/lattice/embedder.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "cell_search.hpp"
+#include "newton.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr double kDone = 1e-14;       // residual at which Newton stops, of the size
+constexpr double kTolerance = 1e-12;  // residual that counts as inside, of the size
+constexpr std::size_t kNearCells = 4;
+
+double distance_to_box(const Point& point, const Point& low, const Point& high) {
+  return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
+}
+
+}  // namespace
+
+Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of(lattice_)) {
+  const Points& points = lattice_.points();
+  centre_ = (points.colwise().minCoeff() + points.colwise().maxCoeff()) / 2;
+  const Index3 count = lattice_.cells();
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = -low;
+  for (int i = 0; i < count[0]; ++i) {
+    for (int j = 0; j < count[1]; ++j) {
+      for (int k = 0; k < count[2]; ++k) {
+        Support support = lattice_.support({i, j, k});
+        support.rowwise() -= centre_.transpose();
+        BezierVolume hull = BezierVolume::of_cell(support);
+        const Point least = hull.coefficients().colwise().minCoeff();
+        const Point most = hull.coefficients().colwise().maxCoeff();
+        const Point middle = oracle_.evaluate(support, 0.5, 0.5, 0.5);
+        low = low.cwiseMin(least);
+        high = high.cwiseMax(most);
+        cells_.push_back({{i, j, k}, support, std::move(hull), least, most, middle});
+      }
+    }
+  }
+  size_ = (high - low).maxCoeff();
+  // Far from the origin, points of the cells and points to embed are rounded themselves.
+  const double farthest = points.cwiseAbs().maxCoeff();
+  tolerance_ = kTolerance * size_ + 2 * std::numeric_limits<double>::epsilon() * farthest;
+}
+
+Point Embedder::point(const Embedded& at) const {
+  Support support = lattice_.support(at.cell);
+  support.rowwise() -= centre_.transpose();
+  return centre_ + oracle_.evaluate(support, at.local[0], at.local[1], at.local[2]);
+}
+
+std::vector<const Embedder::Cell*> Embedder::candidates(const Point& point) const {
+  std::vector<const Cell*> result;
+  for (const Cell& cell : cells_) {
+    if (distance_to_box(point, cell.low, cell.high) <= tolerance_) result.push_back(&cell);
+  }
+  std::sort(result.begin(), result.end(), [&](const Cell* a, const Cell* b) {
+    return (point - a->middle).squaredNorm() < (point - b->middle).squaredNorm();
+  });
+  return result;
+}
+
+Embedding Embedder::outside(const Point& point) const {
+  std::vector<const Cell*> near;
+  for (const Cell& cell : cells_) near.push_back(&cell);
+  const std::size_t tried = std::min(kNearCells, near.size());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(tried), near.end(),
+                    [&](const Cell* a, const Cell* b) {
+                      return distance_to_box(point, a->low, a->high) <
+                             distance_to_box(point, b->low, b->high);
+                    });
+  Embedding result;
+  result.residual = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < tried; ++c) {
+    const Attempt attempt = nearest(oracle_, near[c]->support, point);
+    if (attempt.residual >= result.residual) continue;
+    result.at = {near[c]->index, attempt.local, false};
+    result.residual = attempt.residual;
+  }
+  return result;
+}
+
+Embedding Embedder::embed_by_newton(const Point& point) const {
+  const double done = kDone * size_;
+  const std::vector<const Cell*> cells = candidates(point);
+  int iterations = 0;
+  const auto inside = [&](const Cell& cell, const Attempt& found) {
+    return Embedding{
+        {cell.index, found.local, true}, EmbeddingStatus::kInside, found.residual, iterations};
+  };
+  for (const Cell* cell : cells) {
+    const Attempt attempt =
+        newton(oracle_, cell->support, point, Eigen::Vector3d::Constant(0.5), done);
+    iterations += attempt.iterations;
+    if (attempt.residual <= tolerance_) return inside(*cell, attempt);
+  }
+  bool excluded = true;
+  for (const Cell* cell : cells) {
+    const CellSearch search =
+        search_cell(oracle_, cell->support, cell->hull, point, done, tolerance_);
+    iterations += search.iterations;
+    if (search.outcome == CellSearch::Outcome::kFound) return inside(*cell, search.attempt);
+    excluded = excluded && search.outcome == CellSearch::Outcome::kExcluded;
+  }
+  Embedding result = outside(point);
+  result.iterations = iterations;
+  result.status = excluded ? EmbeddingStatus::kOutside : EmbeddingStatus::kNotConverged;
+  return result;
+}
+
+Embedding Embedder::embed(const Point& point) const {
+  if (!box_) return embed_by_newton(point - centre_);
+  Embedding result;
+  result.at = box_->embed(lattice_.dims(), point);
+  result.status = result.at.inside ? EmbeddingStatus::kInside : EmbeddingStatus::kOutside;
+  result.residual = (this->point(result.at) - point).norm();
+  return result;
+}
+
+std::vector<Embedding> Embedder::embed(const Points& points) const {
+  std::vector<Embedding> result;
+  result.reserve(static_cast<std::size_t>(points.rows()));
+  for (Eigen::Index i = 0; i < points.rows(); ++i) result.push_back(embed(Point(points.row(i))));
+  return result;
+}
+
+EmbeddingSummary summarize(const std::vector<Embedding>& embeddings) {
+  EmbeddingSummary summary;
+  summary.points = embeddings.size();
+  double iterations = 0.0;
+  for (const Embedding& e : embeddings) {
+    if (e.status == EmbeddingStatus::kOutside) ++summary.outside;
+    if (e.status == EmbeddingStatus::kNotConverged) ++summary.not_converged;
+    if (e.status != EmbeddingStatus::kInside) continue;
+    ++summary.inside;
+    iterations += e.iterations;
+    summary.worst_residual = std::max(summary.worst_residual, e.residual);
+  }
+  if (summary.inside > 0)
+    summary.mean_iterations = iterations / static_cast<double>(summary.inside);
+  return summary;
+}
+
+}  // namespace hwffd

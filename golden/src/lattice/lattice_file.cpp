@@ -1,0 +1,168 @@
+#include "hwffd/lattice/lattice_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "hwffd/atomic_file.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/box.hpp"
+#include "hwffd/lattice/cylinder.hpp"
+#include "hwffd/lattice/sphere.hpp"
+
+namespace hwffd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+constexpr const char* kOrder = "point (i, j, k) is number (i*n_t + j)*n_u + k";
+
+/// An entry that must be there.
+const Json& entry(const Json& object, const char* name, const char* cure) {
+  const auto found = object.find(name);
+  if (found != object.end()) return *found;
+  throw Error(fmt::format("lattice file: no '{}'; give {}", name, cure));
+}
+
+/// Refuses entries that would be ignored: a misspelt name is an error, not a default.
+void check_names(const Json& object, std::initializer_list<const char*> known) {
+  for (const auto& item : object.items()) {
+    const bool found = std::any_of(known.begin(), known.end(),
+                                   [&](const char* name) { return item.key() == name; });
+    if (found) continue;
+    // As JSON writes it: a name may have line breaks.
+    const std::string name = Json(item.key().substr(0, 40))
+                                 .dump(-1, ' ', true, nlohmann::detail::error_handler_t::replace);
+    throw Error(
+        fmt::format("lattice file: unknown {}; known here are {}", name, fmt::join(known, ", ")));
+  }
+}
+
+Index3 read_dims(const Json& object) {
+  const char* const cure = "three integers from 4 to 16, points along s, t and u";
+  const Json& value = entry(object, "dims", cure);
+  Index3 dims{};
+  bool good = value.is_array() && value.size() == 3;
+  for (std::size_t a = 0; good && a < 3; ++a) {
+    good = value[a].is_number_integer() && value[a] >= -99 && value[a] <= 99;
+    if (good) dims[a] = value[a].get<int>();
+  }
+  if (!good) throw Error(fmt::format("lattice file: 'dims' is not {}", cure));
+  Lattice::check_dims(dims);
+  return dims;
+}
+
+/// Three numbers; JSON has no infinities, but too many digits make one: Lattice refuses those.
+Point read_point(const Json& value, const std::string& name) {
+  const bool good = value.is_array() && value.size() == 3 && value[0].is_number() &&
+                    value[1].is_number() && value[2].is_number();
+  if (good) return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+  throw Error(fmt::format("lattice file: {} is not a point; give [x, y, z]", name));
+}
+
+Points read_points(const Json& value) {
+  if (!value.is_array()) {
+    throw Error("lattice file: 'points' is not a list; give [[x, y, z], ...]");
+  }
+  Points points(static_cast<Eigen::Index>(value.size()), 3);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    points.row(static_cast<Eigen::Index>(i)) = read_point(value[i], fmt::format("point {}", i));
+  }
+  return points;
+}
+
+double read_inner(const Json& object) {
+  const auto found = object.find("inner");
+  if (found == object.end()) return 0.0;
+  if (found->is_number()) return found->get<double>();
+  throw Error("lattice file: 'inner' is not a number; give 0 (solid) or more, and less than 1");
+}
+
+Lattice read_shape(const Json& object, const Index3& dims) {
+  const Json& shape = object["shape"];
+  const bool box = shape == "box";
+  if (!box && shape != "cylinder" && shape != "sphere") {
+    throw Error("lattice file: unknown 'shape'; give box, cylinder or sphere, or 'points' instead");
+  }
+  const Point origin = read_point(entry(object, "origin", "[x, y, z]"), "'origin'");
+  const Json& columns = entry(object, "edges", "three vectors, along s, t and u of the shape");
+  if (!columns.is_array() || columns.size() != 3) {
+    throw Error("lattice file: 'edges' is not a list of three; give [[x, y, z], ...]");
+  }
+  Eigen::Matrix3d edges;
+  for (int a = 0; a < 3; ++a) {
+    edges.col(a) = read_point(columns[static_cast<std::size_t>(a)], fmt::format("edge {}", a));
+  }
+  const double inner = read_inner(object);
+  if (box && object.contains("inner")) {
+    throw Error("lattice file: a box has no 'inner'; leave it out");
+  }
+  if (box) return Box(origin, edges).lattice(dims);
+  if (shape == "cylinder") return Cylinder(origin, edges, inner).lattice(dims);
+  return Sphere(origin, edges, inner).lattice(dims);
+}
+
+}  // namespace
+
+Lattice parse_lattice(const std::string& text) {
+  const Json object = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!object.is_object()) {
+    throw Error("lattice file: not a JSON object; docs/lattice.md shows the format");
+  }
+  if (entry(object, "hwffd_lattice", "the version of the format, 1") != kVersion) {
+    throw Error("lattice file: 'hwffd_lattice' is not 1, the version that this program reads");
+  }
+  const bool shaped = object.contains("shape");
+  if (shaped) {
+    check_names(object, {"hwffd_lattice", "dims", "shape", "origin", "edges", "inner"});
+    return read_shape(object, read_dims(object));
+  }
+  check_names(object, {"hwffd_lattice", "order", "dims", "points"});
+  if (object.contains("order") && object["order"] != kOrder) {
+    throw Error(
+        fmt::format("lattice file: another 'order' of the points; sort them so that {}", kOrder));
+  }
+  const Index3 dims = read_dims(object);
+  return Lattice(dims, read_points(entry(object, "points", "[[x, y, z], ...], or a 'shape'")));
+}
+
+Lattice read_lattice(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(path, ignored);
+  std::ifstream in(path, std::ios::binary);
+  if (folder || !in) {
+    throw Error(
+        fmt::format("{}: cannot read; check that the file exists and is readable", path.string()));
+  }
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  try {
+    return parse_lattice(text);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+std::string lattice_text(const Lattice& lattice) {
+  const Index3& dims = lattice.dims();
+  std::string text = fmt::format(
+      "{{\n\"hwffd_lattice\": {},\n\"order\": \"{}\",\n\"dims\": [{}, {}, {}],\n\"points\": [",
+      kVersion, kOrder, dims[0], dims[1], dims[2]);
+  const Points& points = lattice.points();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    text += fmt::format("{}\n[{}, {}, {}]", i == 0 ? "" : ",", points(i, 0), points(i, 1),
+                        points(i, 2));
+  }
+  return text + "\n]\n}\n";
+}
+
+void write_lattice(const std::filesystem::path& path, const Lattice& lattice) {
+  write_files({{path, lattice_text(lattice)}});
+}
+
+}  // namespace hwffd

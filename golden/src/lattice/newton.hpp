@@ -1,0 +1,24 @@
+#pragma once
+
+#include "hwffd/oracle/oracle.hpp"
+
+namespace hwffd {
+
+/// Where a search in one cell ended.
+struct Attempt {
+  Eigen::Vector3d local{0.5, 0.5, 0.5};  ///< s, t, u, in [0, 1]
+  double residual = 0.0;                 ///< distance from the point, in object space
+  int iterations = 0;                    ///< systems solved
+};
+
+/// Newton-Raphson on eq. (2) from a start: finds local coordinates of point in a cell. Damped: a
+/// step is halved until the residual falls, and kept within half a cell of the cell; it ends where
+/// no step helps. What it finds beyond the cell is moved to the nearest face.
+/// @param tolerance residual at which it is done
+Attempt newton(const Oracle& oracle, const Support& support, const Point& point,
+               const Eigen::Vector3d& start, double tolerance);
+
+/// A point of the cell near a point that may be outside (Levenberg-Marquardt within the cell).
+Attempt nearest(const Oracle& oracle, const Support& support, const Point& point);
+
+}  // namespace hwffd

@@ -1,0 +1,224 @@
+#include "hwffd/lattice/embedder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "embed/report.hpp"
+#include "embed/samples.hpp"
+#include "embed/study.hpp"
+#include "hwffd/lattice/cylinder.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/fold.hpp"
+#include "hwffd/lattice/sphere.hpp"
+#include "hwffd/mesh/mesh.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr double kBound = 1e-9;  // of the lattice's size
+constexpr std::size_t kPoints = 10000;
+
+const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
+
+Embedder around_corners(const std::string& kind) {
+  return Embedder(embed::lattice_around(kind, embed::corners()));
+}
+
+/// Embeds points of known places: all must be inside and come back.
+EmbeddingSummary expect_back(const Embedder& embedder, std::size_t count, std::uint64_t seed) {
+  const auto places = embed::known_places(embedder.lattice(), count, seed);
+  const Points points = embed::points_at(embedder, places);
+  const std::vector<Embedding> found = embedder.embed(points);
+  EXPECT_EQ(found.size(), count);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point wanted = points.row(static_cast<Eigen::Index>(i));
+    const Embedding& e = found[i];
+    EXPECT_EQ(e.status, EmbeddingStatus::kInside) << i << ": " << wanted.transpose();
+    EXPECT_TRUE(e.at.inside);
+    EXPECT_TRUE((e.at.local.array() >= 0).all() && (e.at.local.array() <= 1).all());
+    worst = std::max(worst, (embedder.point(e.at) - wanted).norm());
+  }
+  EXPECT_LE(worst, kBound * embedder.size());
+  const EmbeddingSummary summary = summarize(found);
+  EXPECT_EQ(summary.inside, count);
+  EXPECT_EQ(summary.outside, 0u);
+  EXPECT_EQ(summary.not_converged, 0u);
+  EXPECT_LE(summary.worst_residual, kBound * embedder.size());
+  return summary;
+}
+
+class EmbedderKind : public testing::TestWithParam<std::string> {};
+
+TEST_P(EmbedderKind, KnownPlacesComeBack) {
+  EXPECT_LT(expect_back(around_corners(GetParam()), kPoints, 1).mean_iterations, 6.0);
+  EXPECT_EQ(around_corners(GetParam()).affine(), GetParam() == "box");
+}
+
+TEST_P(EmbedderKind, MeshesAreEmbedded) {
+  int meshes = 0;
+  for (const char* const name : {"cat.3ds", "horse.3ds", "bunny.obj"}) {
+    std::filesystem::path path;
+    try {
+      path = find_model(name);
+    } catch (const Error&) {
+      continue;
+    }
+    const Points points = Mesh::load(path).positions();
+    const Embedder embedder(embed::lattice_around(GetParam(), points));
+    const EmbeddingSummary summary = summarize(embedder.embed(points));
+    EXPECT_EQ(summary.not_converged, 0u) << name;
+    EXPECT_EQ(summary.inside + summary.outside, static_cast<std::size_t>(points.rows())) << name;
+    if (GetParam() != "custom") {
+      EXPECT_EQ(summary.outside, 0u) << name;
+    }
+    EXPECT_GT(summary.inside, summary.points / 2) << name;
+    EXPECT_LE(summary.worst_residual, kBound * embedder.size()) << name;
+    ++meshes;
+  }
+  if (meshes == 0) GTEST_SKIP() << "no cat.3ds, horse.3ds or bunny.obj; package glmark2-data";
+}
+
+INSTANTIATE_TEST_SUITE_P(, EmbedderKind, testing::ValuesIn(embed::lattice_kinds()),
+                         [](const auto& info) { return info.param; });
+
+/// Coarse, stretched and far away: three cells around, one along each other axis it allows.
+TEST(Embedder, ExtremeLatticesComeBack) {
+  Eigen::Matrix3d flat;
+  flat << 100, 0, 0.3, 0, 0.1, 0, 0, 0, 1;
+  const Point far(1e6, -1e6, 1e6);
+  expect_back(Embedder(Cylinder(Point::Zero(), kUnit).lattice({4, 4, 6})), 2000, 2);
+  expect_back(Embedder(Sphere(Point::Zero(), kUnit).lattice({4, 5, 6})), 2000, 3);
+  expect_back(Embedder(Sphere(Point::Zero(), flat).lattice({4, 6, 8})), 2000, 4);
+  expect_back(Embedder(Cylinder(far, kUnit, 0.9).lattice({5, 4, 16})), 2000, 5);
+  expect_back(Embedder(Sphere(far, kUnit, 0.1).lattice({16, 16, 16})), 2000, 6);
+}
+
+/// A strongly bent cell in which Newton-Raphson from 0.5 alone does not find all points.
+Lattice crooked_cell() {
+  const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
+  return Deformation::parse("bend:300").apply(Deformation::parse("twist:80").apply(box));
+}
+
+/// Iterations that plain Newton-Raphson from 0.5 takes; 0 if it leaves the cell or does not end.
+int plain_newton(const Lattice& lattice, const Point& point) {
+  const Oracle oracle;
+  const Support support = lattice.support({0, 0, 0});
+  Eigen::Vector3d local = Eigen::Vector3d::Constant(0.5);
+  for (int n = 1; n <= 50; ++n) {
+    const Oracle::Jet jet = oracle.jet(support, local);
+    local -= jet.jacobian.inverse() * (jet.value - point);
+    if (!local.allFinite()) return 0;
+    const bool inside = (local.array() > -1e-9).all() && (local.array() < 1 + 1e-9).all();
+    const Eigen::Vector3d value = oracle.evaluate(support, local[0], local[1], local[2]);
+    if ((value - point).norm() < 1e-12) return inside ? n : 0;
+  }
+  return 0;
+}
+
+TEST(Embedder, FindsWhatPlainNewtonMisses) {
+  const Lattice lattice = crooked_cell();
+  const Embedder embedder(lattice);
+  expect_back(embedder, 3000, 7);
+  const Points points = embed::points_at(embedder, embed::known_places(lattice, 3000, 7));
+  int missed = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (plain_newton(lattice, Point(points.row(i))) == 0) ++missed;
+  }
+  EXPECT_GT(missed, 0) << "the cell is too tame to try the safeguard";
+}
+
+TEST(Embedder, OutsideIsProvedAndNear) {
+  const Embedder ball(Sphere(Point(1, 2, 3), kUnit).lattice({4, 9, 16}));
+  int checked = 0;
+  for (int n = 0; n < 400; ++n) {
+    const double angle = 0.7 * n;
+    const double height = 2.0 * n / 400 - 1;
+    const Point way(std::sqrt(1 - height * height) * std::cos(angle), height,
+                    std::sqrt(1 - height * height) * std::sin(angle));
+    for (const double distance : {1.01, 1.5, 100.0}) {
+      const Embedding e = ball.embed(Point(Point(1, 2, 3) + distance * way));
+      EXPECT_EQ(e.status, EmbeddingStatus::kOutside);
+      EXPECT_FALSE(e.at.inside);
+      EXPECT_NEAR(e.residual, distance - 1, 0.005 + 1e-3 * distance);
+      ++checked;
+    }
+    EXPECT_EQ(ball.embed(Point(Point(1, 2, 3) + 0.9999 * way)).status, EmbeddingStatus::kInside);
+  }
+  EXPECT_EQ(checked, 1200);
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(ball.embed(Point(inf, 0, 0)).status, EmbeddingStatus::kOutside);
+  EXPECT_EQ(ball.embed(Point(std::nan(""), 0, 0)).status, EmbeddingStatus::kOutside);
+}
+
+/// A hair outside the outer face, closer than anything but the tolerance tells apart.
+TEST(Embedder, DecidesClosePointsAtFaces) {
+  const Embedder tube(Cylinder(Point::Zero(), kUnit, 0.5).lattice({5, 5, 10}));
+  const Embedded edge{{1, 1, 3}, {1.0, 1.0, 0.37}, true};
+  const Point on = tube.point(edge);
+  for (const double above : {1e-3, 1e-6, 1e-9, 1e-11}) {
+    EXPECT_EQ(tube.embed(Point(on + Point(0, above, 0))).status, EmbeddingStatus::kOutside)
+        << above;
+  }
+  EXPECT_EQ(tube.embed(on).status, EmbeddingStatus::kInside);
+  EXPECT_EQ(tube.embed(Point(on * (1 + 1e-14))).status, EmbeddingStatus::kInside);
+}
+
+TEST(Embedder, BoxesAreAffineInAnyOrientation) {
+  Eigen::Matrix3d edges;
+  edges << 1, 2, 0, -2, 1, 0, 0, 0.5, 3;
+  const Box box(Point(5, 6, 7), edges);
+  const Index3 dims{4, 9, 6};
+  const Embedder embedder(box.lattice(dims));
+  ASSERT_TRUE(embedder.affine());
+  const Embedding closing = embedder.embed(Point(box.origin() + edges * Point(1, 1, 1)));
+  EXPECT_EQ(closing.status, EmbeddingStatus::kInside);
+  EXPECT_EQ(closing.at.cell, (Index3{0, 5, 2}));
+  EXPECT_EQ(closing.at.local, Eigen::Vector3d(1, 1, 1));
+  EXPECT_EQ(closing.iterations, 0);
+  const Point beyond = box.origin() + edges * Point(0.5, 1.25, 0.5);
+  const Embedding outside = embedder.embed(beyond);
+  EXPECT_EQ(outside.status, EmbeddingStatus::kOutside);
+  EXPECT_LT((embedder.point(outside.at) - beyond).norm(), 1e-13);
+  Points points = box.lattice(dims).points();
+  points(17, 0) += 1e-9;
+  EXPECT_FALSE(Embedder(Lattice(dims, points)).affine());
+}
+
+TEST(Embedder, Summary) {
+  std::vector<Embedding> all(4);
+  all[0] = {{}, EmbeddingStatus::kInside, 0.25, 4};
+  all[1] = {{}, EmbeddingStatus::kInside, 0.5, 7};
+  all[2] = {{}, EmbeddingStatus::kOutside, 9.0, 100};
+  all[3] = {{}, EmbeddingStatus::kNotConverged, 8.0, 200};
+  const EmbeddingSummary summary = summarize(all);
+  EXPECT_EQ(summary.points, 4u);
+  EXPECT_EQ(summary.inside, 2u);
+  EXPECT_EQ(summary.outside, 1u);
+  EXPECT_EQ(summary.not_converged, 1u);
+  EXPECT_EQ(summary.worst_residual, 0.5);
+  EXPECT_EQ(summary.mean_iterations, 5.5);
+  EXPECT_EQ(summarize({}).mean_iterations, 0.0);
+}
+
+TEST(EmbedReport, RowsAndFields) {
+  const std::vector<embed::Row> rows = embed::by_construction(50, 3);
+  ASSERT_EQ(rows.size(), 4u);
+  const std::string json = embed::json_report(rows);
+  for (const char* const field :
+       {"\"mesh\": \"by construction\"", "\"lattice\": \"sphere\"", "\"points\": 50",
+        "\"inside\": 50", "\"not_converged\": 0",
+        "\"max_residual_relative\": ", "\"newton_mean_iterations\": ", "\"folds\": \"proved"}) {
+    expect_part(json, field);
+  }
+  const std::string table = embed::table(rows);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
+  expect_part(table, "5x8x11      50      50");
+}
+
+}  // namespace
+}  // namespace hwffd
