@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "report.hpp"
 
 namespace {
@@ -46,13 +46,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(parse_options(argc, argv));
-  } catch (const Error& error) {
-    fmt::print(stderr, "hwffd-embed: {}\n", error.what());
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hwffd-embed: {}\n", error.what());
-    return 1;
-  }
+  return hwffd::run_program("hwffd-embed", [&] { return run(parse_options(argc, argv)); });
 }

@@ -1,9 +1,7 @@
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cstdlib>
-
 #include "hwffd/error.hpp"
+#include "program.hpp"
 
 namespace hwffd::embed {
 
@@ -15,13 +13,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--points", options.points, "points by construction in each lattice (10000)");
   app.add_option("--seed", options.seed, "seed of these points (1)");
   app.add_option("--output", options.output, "folder for reports (build)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
+  parse_command_line(app, argc, argv);
   if (options.points < 1 || options.points > 10000000) {
     throw UsageError("--points: expected 1 to 10000000");
   }

@@ -3,18 +3,16 @@
 // interval, operators, error, seams.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <exception>
 #include <filesystem>
 #include <set>
 
 #include "chart.hpp"
 #include "comparison.hpp"
 #include "hwffd/atomic_file.hpp"
-#include "hwffd/error.hpp"
 #include "hwffd/tb/evaluator_core_factory.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "report.hpp"
 #include "timeline.hpp"
 
@@ -22,12 +20,6 @@ namespace {
 
 using namespace hwffd;
 using namespace hwffd::organizations;
-
-void show_progress(std::size_t done, std::size_t all) {
-  if (isatty(fileno(stderr)) == 0) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] rows measured", done, all);
-  if (done == all) fmt::print(stderr, "\r\033[K");
-}
 
 std::vector<const Configuration*> built_rows() {
   std::vector<const Configuration*> rows;
@@ -57,7 +49,7 @@ void add_timelines(std::vector<FileContent>& files, const std::filesystem::path&
 
 int run(const Options& options) {
   const Comparison comparison =
-      compare(built_rows(), read_operators(options.operators), options.effort, show_progress);
+      compare(built_rows(), read_operators(options.operators), options.effort, show_rows_done);
   fmt::print("{}", table(comparison));
   const std::filesystem::path folder = options.output / "reports";
   std::filesystem::create_directories(folder);
@@ -75,13 +67,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(parse_options(argc, argv));
-  } catch (const Error& error) {
-    fmt::print(stderr, "hwffd-organizations: {}\n", error.what());
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hwffd-organizations: {}\n", error.what());
-    return 1;
-  }
+  return hwffd::run_program("hwffd-organizations", [&] { return run(parse_options(argc, argv)); });
 }

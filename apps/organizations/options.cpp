@@ -1,9 +1,7 @@
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cstdlib>
-
 #include "hwffd/error.hpp"
+#include "program.hpp"
 
 namespace hwffd::organizations {
 
@@ -17,13 +15,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--seed", options.effort.seed, "seed of vertices and registers (1)");
   app.add_option("--operators", options.operators, "what scripts/operators.py wrote");
   app.add_option("--output", options.output, "folder for reports (build)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
+  parse_command_line(app, argc, argv);
   const std::size_t vertices = options.effort.vertices;
   if (vertices < 161 || vertices > 1000000 || (vertices - 41) % 120 != 0) {
     throw UsageError("--vertices: expected 41 and a multiple of 120, 161 to 1000000");

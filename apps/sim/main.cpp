@@ -3,16 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "hwffd/atomic_file.hpp"
-#include "hwffd/error.hpp"
 #include "hwffd/tb/waveform.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "report.hpp"
 #include "run.hpp"
 #include "scene.hpp"
@@ -70,13 +69,5 @@ int simulate(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return simulate(parse_options(argc, argv));
-  } catch (const Error& error) {
-    fmt::print(stderr, "hwffd-sim: {}\n", error.what());
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hwffd-sim: {}\n", error.what());
-    return 1;
-  }
+  return hwffd::run_program("hwffd-sim", [&] { return simulate(parse_options(argc, argv)); });
 }

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <set>
@@ -14,6 +12,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/tb/axi_core_factory.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
+#include "program.hpp"
 
 namespace hwffd::sim {
 namespace {
@@ -117,13 +116,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--seed", text.seed, "seed of the bench (1)");
   app.add_flag("--trace", options.trace, "write waveforms (FST); needs a build with HWFFD_TRACE");
   app.add_option("--output", options.output, "folder for meshes and reports (build)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
+  parse_command_line(app, argc, argv);
   const std::vector<std::string> streams{"interleaved", "resident", kDmaStream};
   if (std::find(streams.begin(), streams.end(), options.stream) == streams.end()) {
     throw UsageError(fmt::format("STREAM={}: unknown; known here: {}", options.stream,

@@ -2,26 +2,19 @@
 // order of the vertices and counted at the simulated core's input (paper, 3.3.2).
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <exception>
 #include <filesystem>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "report.hpp"
 
 namespace {
 
 using namespace hwffd;
 using namespace hwffd::streams;
-
-void show_progress(std::size_t done, std::size_t all) {
-  if (isatty(fileno(stderr)) == 0) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] rows", done, all);
-  if (done == all) fmt::print(stderr, "\r\033[K");
-}
 
 /// The models found; a built-in mesh if there are none.
 std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models) {
@@ -39,7 +32,7 @@ std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models) {
 
 int run(const Options& options) {
   const std::vector<Row> rows = study(meshes_of(options.models), options.lattices,
-                                      find_configuration("basic-fx18-overlapped"), show_progress);
+                                      find_configuration("basic-fx18-overlapped"), show_rows_done);
   fmt::print("words moved to the core, a vertex\n\n{}", table(rows));
   const std::filesystem::path folder = options.output / "reports";
   std::filesystem::create_directories(folder);
@@ -53,13 +46,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(parse_options(argc, argv));
-  } catch (const Error& error) {
-    fmt::print(stderr, "hwffd-streams: {}\n", error.what());
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hwffd-streams: {}\n", error.what());
-    return 1;
-  }
+  return hwffd::run_program("hwffd-streams", [&] { return run(parse_options(argc, argv)); });
 }

@@ -1,12 +1,11 @@
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/lattice.hpp"
+#include "program.hpp"
 
 namespace hwffd::streams {
 
@@ -16,13 +15,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--models", options.models, "meshes (cat.3ds horse.3ds bunny.obj)");
   app.add_option("--lattices", options.lattices, "control points an axis (4 6 8 12 16)");
   app.add_option("--output", options.output, "folder for reports (build)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
+  parse_command_line(app, argc, argv);
   const bool good = std::all_of(options.lattices.begin(), options.lattices.end(), [](int points) {
     return points >= Lattice::kMinPoints && points <= Lattice::kMaxPoints;
   });

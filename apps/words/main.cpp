@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <exception>
 #include <filesystem>
 
 #include "hwffd/atomic_file.hpp"
-#include "hwffd/error.hpp"
 #include "options.hpp"
 #include "plot.hpp"
+#include "program.hpp"
 #include "report.hpp"
 
 namespace {
@@ -39,13 +38,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(parse_options(argc, argv));
-  } catch (const Error& error) {
-    fmt::print(stderr, "hwffd-words: {}\n", error.what());
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hwffd-words: {}\n", error.what());
-    return 1;
-  }
+  return hwffd::run_program("hwffd-words", [&] { return run(parse_options(argc, argv)); });
 }

@@ -1,10 +1,9 @@
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <string>
 
 #include "hwffd/error.hpp"
+#include "program.hpp"
 
 namespace hwffd::words {
 
@@ -14,13 +13,7 @@ Options parse_options(int argc, char** argv) {
   app.add_option("--vertices", options.vertices, "vertices of every row (1000000)");
   app.add_option("--seed", options.seed, "seed of the vertices (1)");
   app.add_option("--output", options.output, "folder for reports (build)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    std::exit(app.exit(help));
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
+  parse_command_line(app, argc, argv);
   if (options.vertices < 2 || options.vertices > 1000000000) {
     throw UsageError("--vertices: expected 2 to 1000000000");
   }

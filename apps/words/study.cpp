@@ -1,14 +1,14 @@
 #include "study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
+
+#include "on_threads.hpp"
 
 namespace hwffd::words {
 namespace {
 
-constexpr int kThreads = 2;
+constexpr int kParts = 2;              // of the vertices, measured side by side
 constexpr std::int64_t kBlock = 1024;  // vertices drawn at a time
 
 struct Tally {
@@ -27,33 +27,24 @@ void measure_block(const Rows& rows, const std::vector<Sample>& block,
   }
 }
 
-/// Every block whose number leaves the thread's own on division: which thread it is decides what it
-/// does, so that the sums are always the same.
+/// Every block whose number leaves the part's own on division, so that the sums are always the
+/// same, whichever thread does it.
 std::vector<Tally> measure_part(const Rows& rows, std::int64_t vertices, std::uint64_t seed,
-                                int thread, const Progress& progress) {
+                                int part, const Progress& progress) {
   const Samples samples;
   std::vector<Tally> tallies(rows.size());
-  for (std::int64_t first = thread * kBlock; first < vertices; first += kThreads * kBlock) {
+  for (std::int64_t first = part * kBlock; first < vertices; first += kParts * kBlock) {
     const std::int64_t count = std::min(kBlock, vertices - first);
     const std::uint64_t block_seed = seed + 0x9E3779B97F4A7C15U * (first / kBlock + 1);
     measure_block(rows, samples.draw(block_seed, static_cast<int>(count)), tallies);
-    if (thread == 0) progress(static_cast<double>(first) / static_cast<double>(vertices));
+    if (part == 0) progress(static_cast<double>(first) / static_cast<double>(vertices));
   }
   return tallies;
 }
 
-void on_threads(const std::function<void(int)>& work) {
-  std::vector<std::thread> threads;
-  for (int t = 0; t < kThreads; ++t) threads.emplace_back(work, t);
-  for (std::thread& thread : threads) thread.join();
-}
-
 std::vector<double> bounds_of(const Rows& rows) {
   std::vector<double> bounds(rows.size());
-  std::atomic<std::size_t> next{0};
-  on_threads([&](int) {
-    for (std::size_t r = next++; r < rows.size(); r = next++) bounds[r] = rows[r]->bound();
-  });
+  on_threads(rows.size(), [&](std::size_t r) { bounds[r] = rows[r]->bound(); });
   return bounds;
 }
 
@@ -61,8 +52,10 @@ std::vector<double> bounds_of(const Rows& rows) {
 
 std::vector<Result> study(const Rows& rows, std::int64_t vertices, std::uint64_t seed,
                           const Progress& progress) {
-  std::vector<std::vector<Tally>> parts(kThreads);
-  on_threads([&](int t) { parts[t] = measure_part(rows, vertices, seed, t, progress); });
+  std::vector<std::vector<Tally>> parts(kParts);
+  on_threads(kParts, [&](std::size_t p) {
+    parts[p] = measure_part(rows, vertices, seed, static_cast<int>(p), progress);
+  });
   const std::vector<double> bounds = bounds_of(rows);
   progress(1);
   std::vector<Result> results;

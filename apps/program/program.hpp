@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace hwffd {
+
+/// Reads the command line into the options of `app`. `--help` prints and ends the program with 0.
+/// @throws UsageError for what CLI11 refuses
+void parse_command_line(CLI::App& app, int argc, char** argv);
+
+/// What main() returns: the body's exit status, or after an exception that of the Error, else 1,
+/// with one line on standard error that begins with the program's name.
+int run_program(const std::string& name, const std::function<int()>& body);
+
+/// "[done/all] rows" on one line of standard error, where that is a terminal; gone when all are
+/// done.
+void show_rows_done(std::size_t done, std::size_t all);
+
+}  // namespace hwffd
