@@ -17,12 +17,11 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
-import threading
 import time
 from dataclasses import dataclass
 
 import rtl
+from processes import Processes
 from synthesis import write
 
 COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file", "original",
@@ -102,14 +101,14 @@ def read(path):
 class Proofs:
     """Runs properties of one checkout; verdicts lie in build/formal/, one file each."""
 
-    def __init__(self, root, sources=None, limit=300, yosys="yosys", abc="yosys-abc"):
+    def __init__(self, root, limit=300, yosys="yosys", abc="yosys-abc"):
         self.root, self.limit = pathlib.Path(root), limit
         self.yosys, self.abc = yosys, abc
         self.folder = self.root / "build" / "formal"
         self.harnesses = self.root / "tests" / "formal"
-        self.sources = rtl.Sources(sources or self.root)
+        self.sources = rtl.Sources(self.root)
         self.version = rtl.run([yosys, "-V"])[1].strip()
-        self._running, self._lock, self._stopped = set(), threading.Lock(), False
+        self.processes = Processes(self.root)
 
     def files(self, one):
         """(the modules under proof by name, the harness and what it shares). Raises ProofError."""
@@ -245,14 +244,14 @@ class Proofs:
         circuit = work / f"{what}.aig"
         steps = "; ".join(self.script(one, lemmas, needed, harness, circuit))
         with open(log, "w", encoding="utf-8") as out:
-            status = self._call([self.yosys, "-Q", "-T", "-p", steps], out)
+            status = self.processes.call([self.yosys, "-Q", "-T", "-p", steps], out)
             if status != 0:
                 raise ProofError(f"{what}: {self._complaint(log, status)}")
             out.flush()
             clocks = SEARCH if what == "control" else BASE
             steps = (f"pdr -T {self.limit}" if one.method == PDR else
                      f"bmc3 -F {clocks} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
-            self._call([self.abc, "-c", f"read_aiger {circuit}; fold; strash; {steps}"], out)
+            self.processes.call([self.abc, "-c", f"read_aiger {circuit}; fold; strash; {steps}"], out)
         text = log.read_text(errors="replace")
         broken = re.search(r"was asserted in frame (\d+)", text)
         if broken:
@@ -261,26 +260,6 @@ class Proofs:
                   f"No output asserted in {BASE} frames" in text
                   and "Networks are equivalent" in text)
         return (PROVED if proved else UNDECIDED), None
-
-    def _call(self, command, out):
-        with self._lock:
-            if self._stopped:
-                raise ProofError("not run: interrupted")
-            process = subprocess.Popen(command, cwd=self.root, stdin=subprocess.DEVNULL,
-                                       stdout=out, stderr=subprocess.STDOUT)
-            self._running.add(process)
-        try:
-            return process.wait()
-        finally:
-            with self._lock:
-                self._running.discard(process)
-
-    def stop(self):
-        """Ends what is running and lets nothing more begin."""
-        with self._lock:
-            self._stopped = True
-            for process in self._running:
-                process.terminate()
 
     @staticmethod
     def _complaint(log, status):

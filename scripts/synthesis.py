@@ -8,14 +8,13 @@ import json
 import os
 import pathlib
 import re
-import subprocess
-import threading
 import time
 from dataclasses import dataclass
 
 import configurations
 import mapped
 import rtl
+from processes import Processes
 
 ORGANIZATION, CORE = "ffd_org_select", "hwffd_stream"
 TARGETS = mapped.TARGETS
@@ -97,8 +96,8 @@ class Synthesis:
         self.folder = self.root / "build" / "synth"
         self.sources = rtl.Sources(self.root)
         self.version = rtl.run([yosys, "-V"])[1].strip()
-        self._texts, self._running, self._lock = {}, set(), threading.Lock()
-        self._stopped = False
+        self.processes = Processes(self.root)
+        self._texts = {}
 
     def script(self, subject):
         """The steps of yosys, with files named from the root. They end before the netlist."""
@@ -177,25 +176,7 @@ class Synthesis:
 
     def _call(self, steps, log):
         with open(log, "w", encoding="utf-8") as out:
-            with self._lock:
-                if self._stopped:
-                    raise SynthesisError("not run: interrupted")
-                process = subprocess.Popen(
-                    [self.yosys, "-Q", "-T", "-p", "; ".join(steps)], cwd=self.root,
-                    stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
-                self._running.add(process)
-            try:
-                return process.wait()
-            finally:
-                with self._lock:
-                    self._running.discard(process)
-
-    def stop(self):
-        """Ends what is running and lets nothing more begin."""
-        with self._lock:
-            self._stopped = True
-            for process in self._running:
-                process.terminate()
+            return self.processes.call([self.yosys, "-Q", "-T", "-p", "; ".join(steps)], out)
 
     def _complaint(self, subject, status):
         text = self._file(subject, "log").read_text(errors="replace")
