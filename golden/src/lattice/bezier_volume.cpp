@@ -70,6 +70,19 @@ BezierVolume BezierVolume::derivative(int axis) const {
   return result;
 }
 
+BezierVolume BezierVolume::face(int axis, int end) const {
+  const auto a = static_cast<std::size_t>(axis);
+  Index3 degree = degree_;
+  degree[a] = 0;
+  BezierVolume result(degree, Coefficients(count(degree), coefficients_.cols()));
+  for (Eigen::Index row = 0; row < result.coefficients_.rows(); ++row) {
+    Index3 at = result.place(row);
+    at[a] = end * degree_[a];
+    result.coefficients_.row(row) = coefficients_.row(index(at));
+  }
+  return result;
+}
+
 std::array<BezierVolume, 2> BezierVolume::halves(int axis) const {
   const auto a = static_cast<std::size_t>(axis);
   const int n = degree_[a];

@@ -1,8 +1,6 @@
 #include "hwffd/lattice/closure.hpp"
 
-#include <fmt/format.h>
-
-#include "hwffd/error.hpp"
+#include "same_dims.hpp"
 
 namespace hwffd {
 namespace {
@@ -107,11 +105,7 @@ Closure::Closure(const Lattice& lattice) : dims_(lattice.dims()) {
 }
 
 Lattice Closure::restore(const Lattice& moved) const {
-  if (moved.dims() != dims_) {
-    throw Error(fmt::format("lattice to close has {} x {} x {} points; give {} x {} x {}",
-                            moved.dims()[0], moved.dims()[1], moved.dims()[2], dims_[0], dims_[1],
-                            dims_[2]));
-  }
+  check_same_dims("lattice to close", moved.dims(), dims_);
   Points points = moved.points();
   const Layers layers(dims_);
   for (int axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bounds.hpp"
 #include "cell_search.hpp"
 #include "newton.hpp"
 
@@ -12,10 +13,6 @@ namespace {
 constexpr double kDone = 1e-14;       // residual at which Newton stops, of the size
 constexpr double kTolerance = 1e-12;  // residual that counts as inside, of the size
 constexpr std::size_t kNearCells = 4;
-
-double distance_to_box(const Point& point, const Point& low, const Point& high) {
-  return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
-}
 
 }  // namespace
 
@@ -75,7 +72,8 @@ Embedding Embedder::outside(const Point& point) const {
   Embedding result;
   result.residual = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < tried; ++c) {
-    const Attempt attempt = nearest(oracle_, near[c]->support, point);
+    const Attempt attempt =
+        nearest(oracle_, near[c]->support, point, Eigen::Vector3d::Constant(0.5));
     if (attempt.residual >= result.residual) continue;
     result.at = {near[c]->index, attempt.local, false};
     result.residual = attempt.residual;

@@ -1,6 +1,7 @@
 #include "newton.hpp"
 
 #include <Eigen/Dense>
+#include <array>
 
 namespace hwffd {
 namespace {
@@ -8,6 +9,9 @@ namespace {
 constexpr int kSteps = 40;
 constexpr int kHalvings = 6;
 constexpr double kMargin = 0.5;  // how far beyond the cell steps may go, in cells
+constexpr double kFirstDamping = 1e-3;
+constexpr double kLastDamping = 1e9;
+constexpr double kLeastStep = 1e-8;  // in cells
 
 Eigen::Vector3d kept(const Eigen::Vector3d& local, double margin) {
   return local.cwiseMax(-margin).cwiseMin(1.0 + margin);
@@ -25,6 +29,55 @@ struct State {
   Eigen::Vector3d difference;
   double residual;
 };
+
+/// What the second derivatives of eq. (1) add to those of half the squared distance.
+Eigen::Matrix3d curvature(const Support& support, const State& at) {
+  const Eigen::Matrix4d uniform = Oracle::uniform_bspline();
+  std::array<Eigen::Matrix<double, 4, 3>, 3> b;  // of an axis: the functions and two derivatives
+  for (int a = 0; a < 3; ++a) {
+    const double x = at.local[a];
+    Eigen::Matrix<double, 4, 3> powers;
+    powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
+    b[static_cast<std::size_t>(a)] = uniform * powers;
+  }
+  const Eigen::Matrix<double, 64, 1> along = support * at.difference;
+  const auto derivative = [&](const Index3& order) {
+    double sum = 0.0;
+    for (int l = 0; l < 4; ++l) {
+      for (int m = 0; m < 4; ++m) {
+        const double row = along.segment<4>((l * 4 + m) * 4).dot(b[2].col(order[2]));
+        sum += b[0](l, order[0]) * b[1](m, order[1]) * row;
+      }
+    }
+    return sum;
+  };
+  const double st = derivative({1, 1, 0});
+  const double su = derivative({1, 0, 1});
+  const double tu = derivative({0, 1, 1});
+  Eigen::Matrix3d result;
+  result << derivative({2, 0, 0}), st, su, st, derivative({0, 2, 0}), tu, su, tu,
+      derivative({0, 0, 2});
+  return result;
+}
+
+/// A damped step towards the nearest point; coordinates that push against a face stay on it.
+Eigen::Vector3d step_within(const State& now, const Eigen::Matrix3d& curvature, double damping) {
+  const Eigen::Vector3d slope = now.jet.jacobian.transpose() * now.difference;
+  const Eigen::Matrix3d square = now.jet.jacobian.transpose() * now.jet.jacobian;
+  Eigen::Matrix3d normal = square + curvature;
+  normal.diagonal().array() += damping * (square.trace() + 1e-300);
+  Eigen::Vector3d right = -slope;
+  for (int a = 0; a < 3; ++a) {
+    const bool held =
+        (now.local[a] <= 0.0 && slope[a] > 0.0) || (now.local[a] >= 1.0 && slope[a] < 0.0);
+    if (!held) continue;
+    normal.row(a).setZero();
+    normal.col(a).setZero();
+    normal(a, a) = 1.0;
+    right[a] = 0.0;
+  }
+  return normal.ldlt().solve(right);
+}
 
 }  // namespace
 
@@ -53,34 +106,22 @@ Attempt newton(const Oracle& oracle, const Support& support, const Point& point,
   return {inside, residual, iterations};
 }
 
-Attempt nearest(const Oracle& oracle, const Support& support, const Point& point) {
-  const auto at = [&](const Eigen::Vector3d& local) {
-    return State(oracle, support, point, local);
-  };
-  State now = at(Eigen::Vector3d::Constant(0.5));
-  double damping = 1e-3;
+Attempt nearest(const Oracle& oracle, const Support& support, const Point& point,
+                const Eigen::Vector3d& start) {
+  State now(oracle, support, point, start);
+  double damping = kFirstDamping;
   int iterations = 0;
-  for (; iterations < kSteps && damping < 1e9; ++iterations) {
-    const Eigen::Vector3d slope = now.jet.jacobian.transpose() * now.difference;
-    Eigen::Matrix3d normal = now.jet.jacobian.transpose() * now.jet.jacobian;
-    normal.diagonal().array() += damping * (normal.trace() + 1e-300);
-    // Coordinates that push against a face stay on it.
-    Eigen::Vector3d right = -slope;
-    for (int a = 0; a < 3; ++a) {
-      const bool held =
-          (now.local[a] <= 0.0 && slope[a] > 0.0) || (now.local[a] >= 1.0 && slope[a] < 0.0);
-      if (!held) continue;
-      normal.row(a).setZero();
-      normal.col(a).setZero();
-      normal(a, a) = 1.0;
-      right[a] = 0.0;
-    }
-    const State next = at(kept(now.local + normal.ldlt().solve(right), 0.0));
+  while (iterations < kSteps && damping < kLastDamping) {
+    ++iterations;
+    const Eigen::Vector3d step = step_within(now, curvature(support, now), damping);
+    const Eigen::Vector3d target = kept(now.local + step, 0.0);
+    const double length = (target - now.local).cwiseAbs().maxCoeff();
+    const State next(oracle, support, point, target);
     const bool better = next.residual < now.residual;
-    const bool done = better && now.residual - next.residual < 1e-9 * now.residual;
     if (better) now = next;
-    damping *= better ? 0.2 : 8.0;
-    if (done) break;
+    // Shorter steps change the distance by less than its rounding.
+    if (length < kLeastStep) break;
+    damping *= better ? 0.1 : 8.0;
   }
   return {now.local, now.residual, iterations};
 }

@@ -18,7 +18,10 @@ struct Attempt {
 Attempt newton(const Oracle& oracle, const Support& support, const Point& point,
                const Eigen::Vector3d& start, double tolerance);
 
-/// A point of the cell near a point that may be outside (Levenberg-Marquardt within the cell).
-Attempt nearest(const Oracle& oracle, const Support& support, const Point& point);
+/// The point of the cell nearest to one outside it, or one where no step brings it nearer: Newton's
+/// method on half the squared distance, damped, within the cell.
+/// @param start in the cell
+Attempt nearest(const Oracle& oracle, const Support& support, const Point& point,
+                const Eigen::Vector3d& start);
 
 }  // namespace hwffd

@@ -35,6 +35,9 @@ class BezierVolume {
   /// The derivative along an axis; degree there at least 1.
   BezierVolume derivative(int axis) const;
 
+  /// The face where the coordinate along an axis is 0 (end 0) or 1 (end 1): degree 0 along it.
+  BezierVolume face(int axis, int end) const;
+
   /// The halves [0, 1/2] and [1/2, 1] along an axis, each over the unit cube again.
   std::array<BezierVolume, 2> halves(int axis) const;
 

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/outside.hpp"
+
+namespace hwffd {
+
+/// A set of points attached to a lattice at rest: the places to evaluate when the lattice is
+/// deformed (eq. (1), by the oracle, a model or the hardware), and how the points follow them.
+///
+/// A point inside is its place (Embedder). A point outside that follows (Outside) has the nearest
+/// place of the lattice (NearestPlace) and moves by that place's displacement times its weight. All
+/// others stay and have no place.
+class Attachment {
+ public:
+  /// @param points n x 3
+  /// @throws Error that names the row of a point that is not finite, or that can neither be
+  ///   embedded nor proved to be outside
+  Attachment(const Lattice& rest, const Points& points, const Outside& outside);
+
+  /// The places to evaluate, in the order of their points; local coordinates in [0, 1].
+  const std::vector<Embedded>& places() const { return places_; }
+
+  /// All points, n x 3, when the lattice is deformed: a point inside is its row of `evaluated`, one
+  /// that stays is what it was, both bit for bit.
+  /// @param evaluated positions of places() in the deformed lattice, places().size() x 3
+  /// @throws Error for another number of rows
+  Points follow(const Points& evaluated) const;
+
+  /// For every point the derivative of the map from the space at rest to the deformed one:
+  /// J_deformed J_rest^-1 for a point inside, the identity for one that stays. All NaN, unknown,
+  /// for points outside that follow, and inside where J_rest is singular to within 1e-9 (axes,
+  /// poles, centres).
+  /// @throws Error if the deformed lattice has other dimensions than the one at rest
+  std::vector<Eigen::Matrix3d> gradients(const Lattice& deformed) const;
+
+  const EmbeddingSummary& summary() const { return summary_; }
+  /// Of every point, as Embedder gives them.
+  const std::vector<Embedding>& embeddings() const { return embeddings_; }
+
+  /// Edges, each counted once, between a point that stays because it is outside and one inside:
+  /// the mesh may tear there. Only Outside::Kind::kKeep tears; with the others displacements are
+  /// continuous across the faces of the lattice.
+  /// @param triangles rows of points; unchecked
+  std::size_t torn_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) const;
+
+ private:
+  /// The point that goes with a place.
+  struct Follower {
+    Eigen::Index row = 0;
+    double weight = 1.0;
+    Point anchor = Point::Zero();  ///< the place at rest; only of points outside
+  };
+
+  Lattice rest_;
+  Points points_;
+  Outside outside_;
+  std::vector<Embedding> embeddings_;
+  EmbeddingSummary summary_;
+  std::vector<Embedded> places_;
+  std::vector<Follower> followers_;  ///< of each place
+};
+
+}  // namespace hwffd
