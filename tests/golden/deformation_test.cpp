@@ -44,11 +44,23 @@ TEST(Deformation, ParsesDefaultsAndArguments) {
   EXPECT_EQ(Deformation::parse("random").kind(), Kind::kRandom);
   EXPECT_EQ(Deformation::parse("random").seed(), 1u);
   EXPECT_EQ(Deformation::parse("random:18446744073709551615").seed(), UINT64_MAX);
+  EXPECT_EQ(Deformation::parse("taper").kind(), Kind::kTaper);
+  EXPECT_EQ(Deformation::parse("taper").amount(), 0.5);
+  EXPECT_EQ(Deformation::parse("scale").arguments().vector, Point(1.5, 1.5, 1.5));
+  EXPECT_EQ(Deformation::parse("scale:2").arguments().vector, Point(2, 2, 2));
+  EXPECT_EQ(Deformation::parse("scale:2,-3,0.5").arguments().vector, Point(2, -3, 0.5));
+  const Deformation move = Deformation::parse("move:1,2,13:-1,0.5,1e2");
+  EXPECT_EQ(move.kind(), Kind::kMove);
+  EXPECT_EQ(move.arguments().place, (Index3{1, 2, 13}));
+  EXPECT_EQ(move.arguments().vector, Point(-1, 0.5, 100));
+  EXPECT_EQ(Deformation::parse("to:a:b.json").kind(), Kind::kTo);
+  EXPECT_EQ(Deformation::parse("to:a:b.json").arguments().file, "a:b.json");
 }
 
 TEST(Deformation, UnknownNamesListWhatIsAccepted) {
   const std::string accepted =
-      "accepted are none, twist:DEGREES, shear:AMOUNT, bend:DEGREES and random:SEED";
+      "accepted are none, twist:DEGREES, shear:AMOUNT, bend:DEGREES, taper:FACTOR, scale:F, "
+      "scale:FX,FY,FZ, random:SEED, move:I,J,K:DX,DY,DZ and to:FILE";
   int refused = 0;
   for (const std::string text : {"", "wobble", "twister:3", "Twist", " twist", ":90"}) {
     EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse(text); }),
@@ -74,7 +86,23 @@ TEST(Deformation, ArgumentsMustBeNumbers) {
                 "'" + argument + "' is not an integer from 0 to 2^64 - 1; accepted");
     ++refused;
   }
-  EXPECT_EQ(refused, 13);
+  for (const std::string argument : {"", "1,2", "1,2,3,4", "1,,3", "x", "1,2,inf"}) {
+    expect_part(message_of<UsageError>([&] { Deformation::parse("scale:" + argument); }),
+                "'" + argument + "' is not one finite number or three; accepted");
+    ++refused;
+  }
+  for (const std::string argument : {"", "0,0,0", "0,0:1,1,1", "0,0,-1:1,1,1", "0,0,0:1,1",
+                                     "0,0,0.5:1,1,1", "0,0,0:1,1,nan", "0,0,0:1,1,1:2"}) {
+    expect_part(message_of<UsageError>([&] { Deformation::parse("move:" + argument); }),
+                "'" + argument + "' is not a point and three finite numbers; accepted");
+    ++refused;
+  }
+  for (const std::string text : {"move", "to", "to:"}) {
+    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }),
+                start_of(text) + ": '' is not ");
+    ++refused;
+  }
+  EXPECT_EQ(refused, 30);
 }
 
 TEST(Deformation, UsageErrorsEndWithStatusTwo) {
@@ -91,11 +119,12 @@ TEST(Deformation, UsageErrorsEndWithStatusTwo) {
 TEST(Deformation, NothingMoves) {
   const Lattice lattice = cube();
   int checked = 0;
-  for (const std::string text : {"none", "twist:0", "shear:0", "bend:0"}) {
+  for (const std::string text :
+       {"none", "twist:0", "shear:0", "bend:0", "taper:1", "scale:1", "move:1,2,3:0,0,0"}) {
     EXPECT_LT((deform(text, lattice).points() - lattice.points()).norm(), kTiny) << text;
     ++checked;
   }
-  EXPECT_EQ(checked, 4);
+  EXPECT_EQ(checked, 7);
 }
 
 /// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the

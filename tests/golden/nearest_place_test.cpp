@@ -89,6 +89,28 @@ TEST(NearestPlace, NoSampledPlaceIsNearer) {
   EXPECT_EQ(checked, 840);
 }
 
+/// Few cells, so curved that Newton's method from the middle of each face misses some places: the
+/// search of their parts finds them.
+TEST(NearestPlace, MiddlesOfFacesAreNotEnough) {
+  const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
+  int checked = 0;
+  for (const Lattice& lattice : {Sphere(Point::Zero(), kUnit, 0.5).lattice({4, 5, 6}),
+                                 Deformation::parse("twist:80").apply(box)}) {
+    const Embedder embedder(lattice);
+    const NearestPlace nearest(lattice);
+    const Points samples = sampled(embedder, 9);
+    for (const double reach : {0.7, 2.5}) {
+      const Points points = points_outside(embedder, 1000, reach, 3);
+      for (Eigen::Index i = 0; i < points.rows(); ++i, ++checked) {
+        const Point point = points.row(i);
+        const double least = (samples.rowwise() - point.transpose()).rowwise().norm().minCoeff();
+        EXPECT_LE(nearest.find(point).distance, least + 1e-7 * embedder.size()) << i;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 4000);
+}
+
 /// Where the nearest place is known.
 TEST(NearestPlace, KnownPlaces) {
   const NearestPlace box(Box(Point(0, 0, 0), kUnit).lattice({6, 5, 4}));

@@ -29,6 +29,8 @@ class Closure {
 
   /// Whether the axis is closed.
   bool closed(int axis) const { return closed_[static_cast<std::size_t>(axis)]; }
+  /// Whether there is any joint.
+  bool joined() const { return closed_ != std::array<bool, 3>{} || !collapsed_.empty(); }
   const std::vector<Collapsed>& collapsed() const { return collapsed_; }
 
   /// A moved lattice with its joints closed again. The first three layers of a closed axis go to

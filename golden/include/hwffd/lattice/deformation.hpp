@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
@@ -18,34 +20,61 @@ namespace hwffd {
 ///   the lattice's height (paper, section 6)
 /// - `bend:DEGREES`: the vertical centre line becomes an arc of that angle towards +x; the bottom
 ///   layer stays
+/// - `taper:FACTOR`: horizontal distances from the vertical centre line grow by a factor that
+///   is linear in the height: 1 at the bottom, FACTOR at the top
+/// - `scale:F` or `scale:FX,FY,FZ`: distances from the lattice's centre grow by F, or by a factor
+///   for each of x, y, z
 /// - `random:SEED`: every point moves by up to 0.3 spacings along each axis, independently
+/// - `move:I,J,K:DX,DY,DZ`: point (I, J, K) moves by DX, DY, DZ in object units
+/// - `to:FILE`: the points become those of a lattice file of the same dimensions, as they are there
 ///
 /// Twist and shear move the 8 corners; all other points follow by trilinear interpolation of the
 /// corners' displacements, which in a box lattice is the paper's interpolation of positions.
-/// Without an argument: twist 90, shear 0.5, bend 90, random 1.
+///
+/// In a lattice that is joined to itself (Closure) the corners are those of the bounding box of its
+/// control points, s along x, t along y, u along z, and points follow by where they are in it, so
+/// that points in one place stay together. Its joints are closed again afterwards; a point that
+/// move names takes its repetitions along. to is not touched up.
+///
+/// Without an argument: twist 90, shear 0.5, bend 90, taper 0.5, scale 1.5, random 1.
 class Deformation {
  public:
-  enum class Kind { kNone, kTwist, kShear, kBend, kRandom };
+  enum class Kind { kNone, kTwist, kShear, kBend, kTaper, kScale, kRandom, kMove, kTo };
 
-  /// @throws UsageError for an unknown name, an argument that is not a finite number (for random:
-  ///   an integer from 0 to 2^64 - 1), or an argument to none
+  /// What the text after the name gave.
+  struct Arguments {
+    double amount = 0.0;  ///< degrees (twist, bend), fraction of the height (shear), factor (taper)
+    std::uint64_t seed = 0;           ///< random
+    Eigen::Vector3d vector{0, 0, 0};  ///< factors (scale) or displacement (move) along x, y, z
+    Index3 place{0, 0, 0};            ///< the point that moves
+    std::string file;                 ///< to
+  };
+
+  /// @throws UsageError for an unknown name, an argument that is missing or not of the form above
+  ///   (finite numbers; for random an integer from 0 to 2^64 - 1), or an argument to none
   static Deformation parse(std::string_view text);
 
   Kind kind() const { return kind_; }
-  /// Degrees (twist, bend) or fraction of the height (shear).
-  double amount() const { return amount_; }
-  std::uint64_t seed() const { return seed_; }
+  double amount() const { return arguments_.amount; }
+  std::uint64_t seed() const { return arguments_.seed; }
+  const Arguments& arguments() const { return arguments_; }
 
   /// The lattice with its points moved; same dimensions.
+  /// @throws Error if the lattice has no point that move names, if to's file cannot be read or has
+  ///   other dimensions, or if a point would not be finite
   Lattice apply(const Lattice& lattice) const;
 
  private:
-  Deformation(Kind kind, double amount, std::uint64_t seed)
-      : kind_(kind), amount_(amount), seed_(seed) {}
+  Deformation(Kind kind, Arguments arguments) : kind_(kind), arguments_(std::move(arguments)) {}
+
+  Points moved(const Lattice& lattice, const Closure& closure) const;
 
   Kind kind_;
-  double amount_;
-  std::uint64_t seed_;
+  Arguments arguments_;
 };
+
+/// One deformation after the other, in this order.
+/// @throws Error as Deformation::apply
+Lattice deform_lattice(const Lattice& lattice, const std::vector<Deformation>& deformations);
 
 }  // namespace hwffd

@@ -1,0 +1,216 @@
+// Deformations of every kind on lattices of every shape.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "hwffd/lattice/box.hpp"
+#include "hwffd/lattice/closure.hpp"
+#include "hwffd/lattice/cylinder.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/fold.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/lattice/sphere.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr double kTiny = 1e-13;
+const Eigen::Matrix3d kEdges = Eigen::Vector3d(1, 2, 1.5).asDiagonal();
+
+Lattice deform(const std::string& text, const Lattice& lattice) {
+  return Deformation::parse(text).apply(lattice);
+}
+
+struct Shape {
+  const char* name;
+  Lattice lattice;
+};
+
+std::vector<Shape> shapes() {
+  return {{"box", Box(Point(1, 2, 3), kEdges).lattice({5, 6, 7})},
+          {"cylinder", Cylinder(Point(1, 2, 3), kEdges).lattice({5, 6, 11})},
+          {"tube", Cylinder(Point(1, 2, 3), kEdges, 0.4).lattice({4, 6, 9})},
+          {"sphere", Sphere(Point(1, 2, 3), kEdges).lattice({5, 8, 11})},
+          {"shell", Sphere(Point(1, 2, 3), kEdges, 0.4).lattice({4, 7, 10})}};
+}
+
+/// One of each kind but none, so mild that nothing should fold.
+const std::vector<std::string>& mild() {
+  static const std::vector<std::string> texts{"twist:30",
+                                              "shear:0.1",
+                                              "bend:30",
+                                              "taper:0.7",
+                                              "scale:1.3",
+                                              "scale:1.2,0.8,1.1",
+                                              "move:2,3,2:0.02,0.03,-0.01"};
+  return texts;
+}
+
+/// Whether closed axes of `rest` repeat their layers bit for bit.
+bool layers_repeat(const Lattice& rest, const Lattice& moved) {
+  const Closure closure(rest);
+  const Index3& d = moved.dims();
+  for (int row = 0; row < d[0] * d[1] * d[2]; ++row) {
+    const Index3 at{row / (d[1] * d[2]), row / d[2] % d[1], row % d[2]};
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!closure.closed(static_cast<int>(a)) || at[a] < d[a] - 3) continue;
+      Index3 first = at;
+      first[a] -= d[a] - 3;
+      const Point x = moved.point(at[0], at[1], at[2]);
+      const Point y = moved.point(first[0], first[1], first[2]);
+      if (std::memcmp(x.data(), y.data(), 3 * sizeof(double)) != 0) return false;
+    }
+  }
+  return true;
+}
+
+/// Joints that Closure still finds, to within 1e-12 of the size, of those that were there.
+void expect_joints(const Lattice& rest, const Lattice& moved, const std::string& what) {
+  const Closure before(rest);
+  const Closure after(moved);
+  EXPECT_TRUE(layers_repeat(rest, moved)) << what;
+  EXPECT_EQ(after.collapsed().size(), before.collapsed().size()) << what;
+  for (int a = 0; a < 3; ++a) EXPECT_EQ(after.closed(a), before.closed(a)) << what;
+}
+
+TEST(DeformationKinds, JointsStayAndMildOnesDoNotFold) {
+  int proved = 0;
+  for (const Shape& shape : shapes()) {
+    for (const std::string& text : mild()) {
+      const std::string what = shape.name + (" " + text);
+      const Lattice moved = deform(text, shape.lattice);
+      EXPECT_NE(moved.points(), shape.lattice.points()) << what;
+      expect_joints(shape.lattice, moved, what);
+      const FoldCheck folds = check_folds(moved);
+      EXPECT_EQ(folds.verdict, FoldCheck::Verdict::kProved) << what << ": " << folds.text();
+      if (folds.verdict == FoldCheck::Verdict::kProved) ++proved;
+    }
+  }
+  EXPECT_EQ(proved, 35);
+}
+
+TEST(DeformationKinds, JointsStayUnderStrongOnes) {
+  int checked = 0;
+  for (const Shape& shape : shapes()) {
+    for (const std::string text : {"random:3", "twist:170", "bend:300", "taper:0", "scale:-2,3,0.1",
+                                   "move:0,0,0:1,2,3", "move:1,1,8:1,2,3"}) {
+      if (shape.name == std::string("box") && text == "move:1,1,8:1,2,3") continue;
+      expect_joints(shape.lattice, deform(text, shape.lattice), shape.name + (" " + text));
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 34);
+}
+
+TEST(DeformationKinds, NeutralOnesMoveNothing) {
+  int checked = 0;
+  for (const Shape& shape : shapes()) {
+    for (const std::string text : {"twist:0", "shear:0", "bend:0", "taper:1", "scale:1",
+                                   "scale:1,1,1", "move:0,0,0:0,0,0"}) {
+      const Points difference = deform(text, shape.lattice).points() - shape.lattice.points();
+      EXPECT_LT(difference.norm(), kTiny) << shape.name << " " << text;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 35);
+}
+
+/// In a lattice with joints twist and shear are functions of position: with v the height within the
+/// bounding box, points turn by v (R - 1) and rise by the same bilinear function everywhere.
+TEST(DeformationKinds, FunctionsOfPositionWhereJoined) {
+  const Eigen::RowVector3d lever(1, 0, 1);
+  int checked = 0;
+  for (const Shape& shape : shapes()) {
+    // At poles the layer beyond the face moves a second time, to keep it collapsed.
+    if (shape.name != std::string("cylinder") && shape.name != std::string("tube")) continue;
+    const Points& rest = shape.lattice.points();
+    const Eigen::RowVector3d low = rest.colwise().minCoeff();
+    const Eigen::RowVector3d extent = rest.colwise().maxCoeff() - low;
+    const Eigen::RowVector3d centre = low + extent / 2;
+    const Points twisted = deform("twist:90", shape.lattice).points();
+    const Points sheared = deform("shear:0.5", shape.lattice).points();
+    for (Eigen::Index i = 0; i < rest.rows(); ++i, ++checked) {
+      const Eigen::RowVector3d place = (rest.row(i) - low).cwiseQuotient(extent);
+      const Eigen::RowVector3d arm = (rest.row(i) - centre).cwiseProduct(lever);
+      const Eigen::RowVector3d turned(arm[2], 0, -arm[0]);
+      EXPECT_LT((twisted.row(i) - rest.row(i) - place[1] * (turned - arm)).norm(), kTiny);
+      const double lift = 0.5 * extent[1] * (2 * place[0] - 1) * (1 - place[1]);
+      EXPECT_LT((sheared.row(i) - rest.row(i) - lift * Eigen::RowVector3d(0, 1, 0)).norm(), kTiny);
+    }
+  }
+  EXPECT_EQ(checked, 5 * 6 * 11 + 4 * 6 * 9);
+}
+
+/// 4 x 4 x 4 points from (0, 0, 0) to (3, 3, 3).
+Lattice cube() { return Box(Point(1, 1, 1), Eigen::Matrix3d::Identity()).lattice({4, 4, 4}); }
+
+TEST(DeformationKinds, KnownTaperScaleAndMove) {
+  const Lattice tapered = deform("taper:0.5", cube());
+  const Lattice scaled = deform("scale:2,1,-1", cube());
+  const Lattice moved = deform("move:1,2,3:0.5,-1,4", cube());
+  int checked = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      for (int k = 0; k < 4; ++k, ++checked) {
+        const double f = 1 - 0.5 * j / 3;
+        const Point taper(1.5 + f * (i - 1.5), j, 1.5 + f * (k - 1.5));
+        EXPECT_LT((tapered.point(i, j, k) - taper).norm(), kTiny);
+        EXPECT_LT((scaled.point(i, j, k) - Point(2 * i - 1.5, j, 3 - k)).norm(), kTiny);
+        const bool named = i == 1 && j == 2 && k == 3;
+        const Point displacement = named ? Point(0.5, -1, 4) : Point(0, 0, 0);
+        EXPECT_LT((moved.point(i, j, k) - Point(i, j, k) - displacement).norm(), kTiny);
+      }
+    }
+  }
+  EXPECT_EQ(checked, 64);
+}
+
+/// Naming a repeated point or the point that it repeats is the same.
+TEST(DeformationKinds, RepeatedPointsMoveTogether) {
+  const Lattice tube = Cylinder(Point(1, 2, 3), kEdges, 0.4).lattice({4, 6, 9});
+  const Lattice moved = deform("move:3,2,1:0.1,0,0", tube);
+  EXPECT_EQ(deform("move:3,2,7:0.1,0,0", tube).points(), moved.points());
+  EXPECT_EQ(moved.point(3, 2, 7), moved.point(3, 2, 1));
+  EXPECT_NEAR(moved.point(3, 2, 7).x() - tube.point(3, 2, 7).x(), 0.1, kTiny);
+  EXPECT_EQ(((moved.points() - tube.points()).rowwise().norm().array() > 0).count(), 2);
+}
+
+TEST(DeformationKinds, ToTakesTheFileAsItIs) {
+  const TempFolder folder;
+  for (const Shape& shape : shapes()) {
+    const Lattice target = deform("bend:40", shape.lattice);
+    write_lattice(folder / "target.json", target);
+    const Lattice moved = deform("to:" + (folder / "target.json").string(), shape.lattice);
+    EXPECT_EQ(moved.points(), target.points());
+    expect_joints(shape.lattice, moved, shape.name);
+  }
+}
+
+TEST(DeformationKinds, RefusesWhatDoesNotFit) {
+  const TempFolder folder;
+  write_lattice(folder / "cube.json", cube());
+  const std::string file = (folder / "cube.json").string();
+  EXPECT_EQ(message_of<Error>([&] { deform("to:" + file, shapes()[0].lattice); }),
+            "deformation to:" + file + ": that lattice has 4 x 4 x 4 points; give 5 x 6 x 7");
+  expect_part(message_of<Error>([&] { deform("to:" + (folder / "none.json").string(), cube()); }),
+              "none.json");
+  EXPECT_EQ(message_of<Error>([&] { deform("move:0,4,0:1,0,0", cube()); }),
+            "deformation move: no point 0,4,0 in a lattice of 4 x 4 x 4 points; count from 0");
+  expect_part(message_of<Error>([&] { deform("scale:1e308", deform("scale:9", cube())); }),
+              "is not finite");
+}
+
+TEST(DeformationKinds, OneAfterTheOther) {
+  const Lattice start = shapes()[1].lattice;
+  const std::vector<Deformation> list{Deformation::parse("twist:40"), Deformation::parse("bend:30"),
+                                      Deformation::parse("scale:1,2,1")};
+  const Lattice expected = deform("scale:1,2,1", deform("bend:30", deform("twist:40", start)));
+  EXPECT_EQ(deform_lattice(start, list).points(), expected.points());
+  EXPECT_EQ(deform_lattice(start, {}).points(), start.points());
+  EXPECT_NE(deform_lattice(start, {list[1], list[0], list[2]}).points(), expected.points());
+}
+
+}  // namespace
+}  // namespace hwffd
