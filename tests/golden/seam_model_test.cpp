@@ -1,0 +1,94 @@
+// Positions on faces, edges and corners that cells share: the model of every row of the table gives
+// the same bits from each cell, whether or not that row is built (docs/numerics.md section 5).
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <random>
+
+#include "hwffd/model/evaluator.hpp"
+#include "hwffd/stream/blending.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr int kPlaces = 200;
+constexpr int kSize = 5;  // points an axis: 2 x 2 x 2 cells
+
+double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+/// A place that 2, 4 or 8 cells share, as each of them sees it.
+std::vector<model::VertexWords> shared_place(const WordCodec& codec, std::mt19937_64& random) {
+  std::array<std::array<std::uint32_t, 3>, kSize * kSize * kSize> points{};
+  for (auto& point : points) {
+    for (std::uint32_t& word : point) word = codec.point(2 * unit(random) - 1);
+  }
+  std::array<int, 3> first_cell{};
+  for (int& cell : first_cell) cell = static_cast<int>(random() % 15);
+  std::array<double, 3> inside{};
+  for (double& x : inside) x = unit(random);
+  const auto shared = static_cast<unsigned>(1 + random() % 7);  // axes, as bits
+  std::vector<model::VertexWords> views;
+  for (unsigned sides = 0; sides < 8; ++sides) {
+    if ((sides & ~shared) != 0) continue;
+    model::VertexWords view;
+    std::array<int, 3> side{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      side[a] = static_cast<int>(sides >> a) & 1;
+      const double face = side[a] == 0 ? 1.0 : 0.0;
+      view.local[a] = codec.coordinate((shared >> a & 1) != 0 ? face : inside[a]);
+      view.cell[a] = first_cell[a] + side[a];
+    }
+    for (int p = 0; p < 64; ++p) {
+      const int at = ((p / 16 + side[0]) * kSize + p / 4 % 4 + side[1]) * kSize + p % 4 + side[2];
+      for (std::size_t c = 0; c < 3; ++c) {
+        view.points[3 * static_cast<std::size_t>(p) + c] = points[static_cast<std::size_t>(at)][c];
+      }
+    }
+    views.push_back(view);
+  }
+  return views;
+}
+
+struct Seams {
+  int compared = 0;
+  int differ = 0;
+};
+
+Seams seams_of(const Configuration& row, const Blending& blending) {
+  const WordCodec codec(row.format);
+  const auto model = model::make_evaluator_model(row);
+  const AxisWords axis = encode(blending, codec);
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < 4; ++l) model->load(0, a, l, axis.degree, axis.shift, axis.word[l]);
+  }
+  std::mt19937_64 random(3);
+  Seams seams;
+  for (int n = 0; n < kPlaces; ++n) {
+    const std::vector<model::VertexWords> views = shared_place(codec, random);
+    const model::ResultWords first = model->evaluate(0, views[0]);
+    for (std::size_t v = 1; v < views.size(); ++v, ++seams.compared) {
+      if (model->evaluate(0, views[v]).words != first.words) ++seams.differ;
+    }
+  }
+  return seams;
+}
+
+TEST(SeamModel, EveryRowIsWatertight) {
+  int rows = 0;
+  for (const Configuration& row : configurations()) {
+    const Seams seams = seams_of(row, watertight_bspline(WordCodec(row.format)));
+    EXPECT_GE(seams.compared, kPlaces) << row.name;
+    EXPECT_EQ(seams.differ, 0) << row.name;
+    ++rows;
+  }
+  EXPECT_GE(rows, 66) << "eleven organizations, three formats, two schedules";
+  std::printf("%d rows, %d places each\n", rows, kPlaces);
+}
+
+TEST(SeamModel, PlainCoefficientsCrack) {
+  const Seams seams = seams_of(find_configuration("basic-fp32-overlapped"), plain_bspline());
+  EXPECT_GT(seams.differ, seams.compared / 10);
+}
+
+}  // namespace
+}  // namespace hwffd
