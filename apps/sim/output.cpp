@@ -49,7 +49,7 @@ fs::path Output::waveform(const std::string& deformation, const std::string& con
 
 std::string Output::stem(const std::string& deformation) const {
   std::string name = mesh_ + "-" + deformation;
-  std::replace(name.begin(), name.end(), ':', '-');
+  for (const char c : {':', '/'}) std::replace(name.begin(), name.end(), c, '-');
   return name;
 }
 
