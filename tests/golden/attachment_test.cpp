@@ -185,10 +185,9 @@ TEST_P(AttachmentKind, GradientsAgainstCentralDifferences) {
       continue;
     }
     Eigen::Matrix3d difference;
-    for (int a = 0; a < 3; ++a) {
-      difference.col(a) = (shifted[static_cast<std::size_t>(2 * a)].row(i) -
-                           shifted[static_cast<std::size_t>(2 * a + 1)].row(i)) /
-                          (2 * step);
+    for (std::size_t a = 0; a < 3; ++a) {
+      difference.col(static_cast<Eigen::Index>(a)) =
+          (shifted[2 * a].row(i) - shifted[2 * a + 1].row(i)) / (2 * step);
     }
     EXPECT_LT((gradient - difference).norm(), 1e-5) << i;
     ++compared;

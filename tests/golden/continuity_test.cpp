@@ -16,7 +16,7 @@ namespace {
 
 using Place = std::array<Fraction, 3>;
 
-constexpr int kSize = 5;  // points an axis: 2 x 2 x 2 cells
+constexpr std::size_t kSize = 5;  // points an axis: 2 x 2 x 2 cells
 constexpr int kLattices = 8;
 
 /// Control points, one component, small integers.
@@ -49,12 +49,12 @@ Fraction derivative(const Values& values, const Index3& cell, const Place& local
   for (int p = 0; p < 64; ++p) {
     const Index3 at{p / 16, p / 4 % 4, p % 4};
     Fraction weight = 1;
-    int row = 0;
+    std::size_t row = 0;
     for (std::size_t a = 0; a < 3; ++a) {
       weight = weight * blending(at[a], local[a], order[a]);
       row = row * kSize + cell[a] + at[a];
     }
-    sum = sum + weight * values[static_cast<std::size_t>(row)];
+    sum = sum + weight * values[row];
   }
   return sum;
 }

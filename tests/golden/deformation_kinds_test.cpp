@@ -1,9 +1,6 @@
 // Deformations of every kind on lattices of every shape.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
-
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
@@ -11,6 +8,7 @@
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/sphere.hpp"
+#include "same_bits.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -60,7 +58,7 @@ bool layers_repeat(const Lattice& rest, const Lattice& moved) {
       first[a] -= d[a] - 3;
       const Point x = moved.point(at[0], at[1], at[2]);
       const Point y = moved.point(first[0], first[1], first[2]);
-      if (std::memcmp(x.data(), y.data(), 3 * sizeof(double)) != 0) return false;
+      if (!same_bits(x, y)) return false;
     }
   }
   return true;

@@ -2,12 +2,11 @@
 // hierarchically to perform both local and global space deformations").
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "embed/samples.hpp"
 #include "hwffd/lattice/attachment.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "same_bits.hpp"
 
 namespace hwffd {
 namespace {
@@ -38,13 +37,10 @@ Points after(const Stage& stage, const Points& points) {
 Points grid() {
   Points points(9 * 13 * 9, 3);
   for (int n = 0; n < points.rows(); ++n) {
-    points.row(n) << -1.6 + 0.4 * (n / 117), 0.5 + 0.4 * (n / 9 % 13), -1.6 + 0.4 * (n % 9);
+    const Eigen::RowVector3i step(n / 117, n / 9 % 13, n % 9);
+    points.row(n) = Eigen::RowVector3d(-1.6, 0.5, -1.6) + 0.4 * step.cast<double>();
   }
   return points;
-}
-
-bool same_bits(const Point& a, const Point& b) {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 
 /// One point at a time, without Attachment: where the stage takes it.

@@ -2,22 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
 
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "same_bits.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
-
-bool same_bits(const Lattice& a, const Lattice& b) {
-  return a.points().rows() == b.points().rows() &&
-         std::memcmp(a.points().data(), b.points().data(),
-                     sizeof(double) * static_cast<std::size_t>(a.points().size())) == 0;
-}
 
 Lattice can() {
   return Cylinder(Point(0.1, 0.2, 0.3), Eigen::Matrix3d::Identity()).lattice({4, 5, 8});
@@ -28,9 +22,9 @@ TEST(Keyframe, EndsAreExact) {
   points(7, 1) = -0.0;
   const Lattice a(can().dims(), points);
   const Lattice b = Deformation::parse("bend:70").apply(a);
-  EXPECT_TRUE(same_bits(between(a, b, 0.0), a));
-  EXPECT_TRUE(same_bits(between(a, b, 1.0), b));
-  EXPECT_FALSE(same_bits(between(a, b, 1e-3), a));
+  EXPECT_TRUE(same_bits(between(a, b, 0.0).points(), a.points()));
+  EXPECT_TRUE(same_bits(between(a, b, 1.0).points(), b.points()));
+  EXPECT_FALSE(same_bits(between(a, b, 1e-3).points(), a.points()));
 }
 
 TEST(Keyframe, IsLinear) {

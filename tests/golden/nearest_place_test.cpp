@@ -39,9 +39,9 @@ Points sampled(const Embedder& embedder, int n) {
   std::vector<Embedded> places;
   for (int c = 0; c < cells[0] * cells[1] * cells[2]; ++c) {
     for (int p = 0; p < n * n * n; ++p) {
-      const Eigen::Vector3d local(p / (n * n), p / n % n, p % n);
+      const Eigen::Vector3i step(p / (n * n), p / n % n, p % n);
       places.push_back({{c / (cells[1] * cells[2]), c / cells[2] % cells[1], c % cells[2]},
-                        local / (n - 1),
+                        step.cast<double>() / (n - 1),
                         true});
     }
   }

@@ -12,7 +12,7 @@ namespace hwffd {
 namespace {
 
 constexpr int kPlaces = 200;
-constexpr int kSize = 5;  // points an axis: 2 x 2 x 2 cells
+constexpr std::size_t kSize = 5;  // points an axis: 2 x 2 x 2 cells
 
 double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
@@ -31,18 +31,17 @@ std::vector<model::VertexWords> shared_place(const WordCodec& codec, std::mt1993
   for (unsigned sides = 0; sides < 8; ++sides) {
     if ((sides & ~shared) != 0) continue;
     model::VertexWords view;
-    std::array<int, 3> side{};
+    std::array<std::size_t, 3> side{};
     for (std::size_t a = 0; a < 3; ++a) {
-      side[a] = static_cast<int>(sides >> a) & 1;
+      side[a] = sides >> a & 1;
       const double face = side[a] == 0 ? 1.0 : 0.0;
       view.local[a] = codec.coordinate((shared >> a & 1) != 0 ? face : inside[a]);
-      view.cell[a] = first_cell[a] + side[a];
+      view.cell[a] = first_cell[a] + static_cast<int>(side[a]);
     }
-    for (int p = 0; p < 64; ++p) {
-      const int at = ((p / 16 + side[0]) * kSize + p / 4 % 4 + side[1]) * kSize + p % 4 + side[2];
-      for (std::size_t c = 0; c < 3; ++c) {
-        view.points[3 * static_cast<std::size_t>(p) + c] = points[static_cast<std::size_t>(at)][c];
-      }
+    for (std::size_t p = 0; p < 64; ++p) {
+      const std::size_t at =
+          ((p / 16 + side[0]) * kSize + p / 4 % 4 + side[1]) * kSize + p % 4 + side[2];
+      for (std::size_t c = 0; c < 3; ++c) view.points[3 * p + c] = points[at][c];
     }
     views.push_back(view);
   }

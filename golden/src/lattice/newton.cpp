@@ -45,7 +45,7 @@ Eigen::Matrix3d curvature(const Support& support, const State& at) {
     double sum = 0.0;
     for (int l = 0; l < 4; ++l) {
       for (int m = 0; m < 4; ++m) {
-        const double row = along.segment<4>((l * 4 + m) * 4).dot(b[2].col(order[2]));
+        const double row = along.segment<4>(16 * l + 4 * m).dot(b[2].col(order[2]));
         sum += b[0](l, order[0]) * b[1](m, order[1]) * row;
       }
     }
