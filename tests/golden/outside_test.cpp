@@ -50,7 +50,8 @@ TEST(Outside, RefusesTheRest) {
   for (const std::string width : {"", "0", "-1", "nan", "inf", "1e999", "x", "1 ", "0x1"}) {
     const std::string message = message_of<UsageError>([&] { Outside::parse("fade:" + width); });
     expect_part(message, "outside 'fade:" + width + "': ");
-    expect_part(message, "'" + width + "' is not a finite number above 0" + accepted);
+    const std::string what = "' is not a finite number above 0";
+    expect_part(message, std::string("'").append(width).append(what).append(accepted));
     ++refused;
   }
   EXPECT_EQ(refused, 15);
