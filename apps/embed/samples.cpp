@@ -4,11 +4,10 @@
 #include <random>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/box.hpp"
-#include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
-#include "hwffd/lattice/sphere.hpp"
 
 namespace hwffd::embed {
 namespace {
@@ -32,10 +31,10 @@ const std::vector<std::string>& lattice_kinds() {
   return kinds;
 }
 
-Lattice lattice_around(const std::string& kind, const Points& points) {
-  if (kind == "box") return Box::around(points).lattice({7, 6, 5});
-  if (kind == "cylinder") return Cylinder::around(points).lattice({5, 6, 11});
-  if (kind == "sphere") return Sphere::around(points).lattice({5, 8, 11});
+Lattice sample_lattice(const std::string& kind, const Points& points) {
+  if (kind == "box") return lattice_around(kind, points, {7, 6, 5});
+  if (kind == "cylinder") return lattice_around(kind, points, {5, 6, 11});
+  if (kind == "sphere") return lattice_around(kind, points, {5, 8, 11});
   if (kind == "custom") return custom_around(points);
   throw Error("unknown kind of lattice '" + kind + "'; one of box, cylinder, sphere, custom");
 }

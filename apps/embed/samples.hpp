@@ -15,7 +15,7 @@ const std::vector<std::string>& lattice_kinds();
 /// them; custom, a box 1.6 times as large as the bounding box, twisted by 60 degrees and jittered,
 /// by way of the text of a lattice file.
 /// @throws Error for another kind, or points without a bounding box
-Lattice lattice_around(const std::string& kind, const Points& points);
+Lattice sample_lattice(const std::string& kind, const Points& points);
 
 /// The eight corners of a box of three different edges, away from the origin.
 Points corners();

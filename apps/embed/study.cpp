@@ -21,7 +21,7 @@ Row measure(const std::string& mesh, const std::string& kind, const Embedder& em
 std::vector<Row> by_construction(std::size_t points, std::uint64_t seed) {
   std::vector<Row> rows;
   for (const std::string& kind : lattice_kinds()) {
-    const Embedder embedder(lattice_around(kind, corners()));
+    const Embedder embedder(sample_lattice(kind, corners()));
     const std::vector<Embedded> places = known_places(embedder.lattice(), points, seed);
     rows.push_back(measure("by construction", kind, embedder, points_at(embedder, places)));
   }
@@ -32,7 +32,7 @@ std::vector<Row> of_mesh(const std::string& model) {
   const Mesh mesh = Mesh::load(find_model(model));
   std::vector<Row> rows;
   for (const std::string& kind : lattice_kinds()) {
-    const Embedder embedder(lattice_around(kind, mesh.positions()));
+    const Embedder embedder(sample_lattice(kind, mesh.positions()));
     rows.push_back(measure(mesh.name(), kind, embedder, mesh.positions()));
   }
   return rows;

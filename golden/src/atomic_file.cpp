@@ -50,9 +50,9 @@ bool write_all(int descriptor, const std::string& bytes) {
   return true;
 }
 
-void write_temporary(const fs::path& temporary, const FileContent& file) {
-  const int descriptor =
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+/// Opens and writes, with these flags.
+void write_to(const fs::path& path, int flags, const FileContent& file) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (descriptor < 0) fail(file.path, errno);
   const int write_error = write_all(descriptor, file.bytes) ? 0 : errno;
   const int close_error = ::close(descriptor) == 0 ? 0 : errno;
@@ -60,20 +60,39 @@ void write_temporary(const fs::path& temporary, const FileContent& file) {
   if (close_error != 0) fail(file.path, close_error);
 }
 
+/// A device or pipe has no contents to keep, and a file in its place would be none of its kind.
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_other(path, ignored);
+}
+
+/// Where a link leads, so that it stays a link; else the path itself.
+fs::path followed(const fs::path& path) {
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target;
+}
+
 }  // namespace
 
 void write_files(const std::vector<FileContent>& files) {
   Temporaries temporaries;
+  std::vector<fs::path> targets;
   for (const FileContent& file : files) {
     std::error_code ignored;
     if (fs::is_directory(file.path, ignored)) fail(file.path, EISDIR);
-    const std::string name = fmt::format(".{}.{}.tmp", file.path.filename().string(), ::getpid());
-    write_temporary(temporaries.add(file.path.parent_path() / name), file);
+    if (is_device(file.path)) continue;
+    const fs::path& target = targets.emplace_back(followed(file.path));
+    const std::string name = fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
+    write_to(temporaries.add(target.parent_path() / name), O_CREAT | O_TRUNC | O_NOFOLLOW, file);
   }
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  for (const FileContent& file : files) {
+    if (is_device(file.path)) write_to(file.path, 0, file);
+  }
+  for (std::size_t i = 0; i < targets.size(); ++i) {
     std::error_code error;
-    fs::rename(temporaries[i], files[i].path, error);
-    if (error) fail(files[i].path, error.value());
+    fs::rename(temporaries[i], targets[i], error);
+    if (error) fail(targets[i], error.value());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include "temp_folder.hpp"
+#include "unprivileged.hpp"
 
 namespace hwffd {
 namespace {
@@ -78,6 +79,58 @@ TEST(AtomicFile, MissingFolderAndFolderAsTarget) {
               }),
               (folder / "two").string() + ": cannot write: Is a directory");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"two"}));
+}
+
+/// A device takes bytes and stays one. It is reached over a link, which a rename would replace.
+TEST(AtomicFile, DeviceIsWrittenNotReplaced) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  std::filesystem::create_symlink("/dev/null", folder / "null");
+  write_files({{folder / "one", "new one"}, {folder / "null", "gone"}});
+  EXPECT_EQ(read_text(folder / "one"), "new one");
+  EXPECT_TRUE(std::filesystem::is_character_file(folder / "null"));
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"null", "one"}));
+}
+
+/// /dev/full has no room, whatever its permissions: the file beside it is not touched.
+TEST(AtomicFile, FullDeviceChangesNothing) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  std::filesystem::create_symlink("/dev/full", folder / "full");
+  EXPECT_EQ(message_of<Error>([&] {
+              write_files({{folder / "one", "new one"}, {folder / "full", "lost"}});
+            }),
+            (folder / "full").string() +
+                ": cannot write: No space left on device; check that the folder exists, is "
+                "writable and has room");
+  EXPECT_EQ(read_text(folder / "one"), "old one");
+  EXPECT_TRUE(std::filesystem::is_character_file(folder / "full"));
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"full", "one"}));
+}
+
+TEST(AtomicFile, LinkStaysALink) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  std::filesystem::create_symlink("one", folder / "link");
+  write_files({{folder / "link", "new one"}});
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_text(folder / "one"), "new one");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"link", "one"}));
+}
+
+TEST(AtomicFile, ReadOnlyFolder) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  folder.open_to_all();
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
+  const Unprivileged nobody;
+  if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
+  expect_part(message_of<Error>([&] {
+                write_files({{folder / "one", "new one"}});
+              }),
+              (folder / "one").string() + ": cannot write: Permission denied; check that");
+  EXPECT_EQ(read_text(folder / "one"), "old one");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
 }
 
 }  // namespace

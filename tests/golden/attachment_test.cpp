@@ -134,7 +134,7 @@ class AttachmentKind : public testing::TestWithParam<std::string> {};
 
 /// The displacement is continuous across the faces with clamp and fade; with keep it jumps.
 TEST_P(AttachmentKind, DisplacementIsContinuousAcrossFaces) {
-  const Lattice rest = embed::lattice_around(GetParam(), embed::corners());
+  const Lattice rest = embed::sample_lattice(GetParam(), embed::corners());
   const Lattice deformed = Deformation::parse("bend:50").apply(rest);
   const double size = Embedder(rest).size();
   const AcrossFaces pairs(rest, 1e-7 * size);
@@ -157,7 +157,7 @@ TEST_P(AttachmentKind, DisplacementIsContinuousAcrossFaces) {
 }
 
 TEST_P(AttachmentKind, GradientsAgainstCentralDifferences) {
-  const Lattice rest = embed::lattice_around(GetParam(), embed::corners());
+  const Lattice rest = embed::sample_lattice(GetParam(), embed::corners());
   const Lattice deformed = Deformation::parse("bend:50").apply(rest);
   const Embedder embedder(rest);
   const double step = 1e-5 * embedder.size();

@@ -25,7 +25,7 @@ constexpr std::size_t kPoints = 10000;
 const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
 
 Embedder around_corners(const std::string& kind) {
-  return Embedder(embed::lattice_around(kind, embed::corners()));
+  return Embedder(embed::sample_lattice(kind, embed::corners()));
 }
 
 /// Embeds points of known places: all must be inside and come back.
@@ -69,7 +69,7 @@ TEST_P(EmbedderKind, MeshesAreEmbedded) {
       continue;
     }
     const Points points = Mesh::load(path).positions();
-    const Embedder embedder(embed::lattice_around(GetParam(), points));
+    const Embedder embedder(embed::sample_lattice(GetParam(), points));
     const EmbeddingSummary summary = summarize(embedder.embed(points));
     EXPECT_EQ(summary.not_converged, 0u) << name;
     EXPECT_EQ(summary.inside + summary.outside, static_cast<std::size_t>(points.rows())) << name;

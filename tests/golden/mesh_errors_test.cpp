@@ -2,8 +2,13 @@
 
 #include <limits>
 
+#include "hwffd/lattice/box.hpp"
+#include "hwffd/lattice/cylinder.hpp"
+#include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/sphere.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "temp_folder.hpp"
+#include "unprivileged.hpp"
 
 namespace hwffd {
 namespace {
@@ -71,14 +76,112 @@ TEST(MeshErrors, CoordinatesThatAreNotFinite) {
   EXPECT_EQ(refused, 4);
 }
 
+/// A ply file of one triangle, with these lines in place of its own.
+std::string ply_text(const std::string& vertices, const std::string& list,
+                     const std::string& data) {
+  return "ply\nformat ascii 1.0\n" + vertices +
+         "property float x\nproperty float y\nproperty float z\nelement face 1\n" + list +
+         "end_header\n" + data;
+}
+
+const char* const kVertices = "element vertex 3\n";
+const char* const kList = "property list uchar int vertex_indices\n";
+
 TEST(MeshErrors, FaceWithoutItsVertex) {
   const TempFolder folder;
-  const std::string text =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-      "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n";
-  const std::string error = load_error(folder.write("a.ply", text));
-  expect_part(error, "a.ply");
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(Mesh::load(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 2\n")))
+                .vertex_count(),
+            3u);
+  expect_part(load_error(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 7\n"))),
+              "a.ply: face 0 refers to vertex 7 of 3; repair the mesh");
+}
+
+/// Headers and data that do not belong together: some of them crash Assimp's reader.
+TEST(MeshErrors, BrokenPly) {
+  const TempFolder folder;
+  const std::string data = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  struct Bad {
+    std::string text;
+    const char* reason;
+  };
+  const std::string binary =
+      "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list int float a\n"
+      "end_header\n";
+  const std::vector<Bad> all{
+      {ply_text(kVertices, kList, "0 0 0\n1 0 0\n"), "the file ends before its data"},
+      {ply_text("element vertex 4000000000\n", kList, data), "the file ends before its data"},
+      {ply_text(kVertices, kList, "0 0 0\n1 0 0\n0 1 0\n9999 0 1 2\n"), "the file ends in a list"},
+      {ply_text(kVertices, kList, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
+       "'-3' is not a number of rows or corners"},
+      {ply_text("element vertex three\n", kList, data),
+       "'three' is not a number of rows or corners"},
+      {ply_text("", kList, data), "a property before the first element"},
+      {ply_text(kVertices, "", data), "element 'face' has no properties"},
+      {ply_text(kVertices, "property list float int a\n", data), "a list counted in 'float'"},
+      {ply_text(kVertices, "property list uchar word a\n", data),
+       "unknown type 'word' in the header"},
+      {"ply\nformat ascii 1.0\nelement vertex 3\n", "no end_header"},
+      {"ply\nformat rot13 1.0\nend_header\n", "unknown format 'rot13'"},
+      {binary + std::string("\2\0\0\0aaaabbb", 11), "the file ends before its data"},
+      {binary + std::string("\2\0\0\x7f"
+                            "aaaabbbb",
+                            12),
+       "the file ends in a list"}};
+  for (const Bad& bad : all) {
+    expect_part(load_error(folder.write("a.ply", bad.text)),
+                ": not a mesh that can be read (" + std::string(bad.reason) + "); " + kAccepted);
+  }
+  EXPECT_EQ(all.size(), 13u);
+}
+
+TEST(MeshErrors, UnreadableFile) {
+  const TempFolder folder;
+  const auto path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::filesystem::permissions(path, std::filesystem::perms(0));
+  folder.open_to_all();
+  // A file that opens, but whose first byte cannot be read.
+  const std::string cure = ": cannot read; check that the file exists and is readable";
+  EXPECT_EQ(load_error("/proc/self/mem"), "/proc/self/mem" + cure);
+  const Unprivileged nobody;
+  if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
+  EXPECT_EQ(load_error(path), path.string() + cure);
+}
+
+TEST(MeshErrors, UnwritablePlaces) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::procedural();
+  std::filesystem::create_symlink("/dev/full", folder / "full.ply");
+  expect_part(message_of<Error>([&] { mesh.save(folder / "full.ply"); }),
+              "full.ply: cannot write: No space left on device; check that the folder");
+  folder.open_to_all();
+  const Unprivileged nobody;
+  if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
+  for (const std::string name : {"a.ply", "a.gltf"}) {
+    expect_part(message_of<Error>([&] { mesh.save(folder / name); }),
+                ": cannot write: Permission denied; check that the folder");
+  }
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"full.ply"}));
+}
+
+/// A mesh in one plane, on one line, in one place: each shape of lattice around it holds all of it.
+TEST(MeshErrors, FlatMeshInEveryLattice) {
+  const TempFolder folder;
+  int checked = 0;
+  for (const std::string text :
+       {"v 0 0 3\nv 1 0 3\nv 1 2 3\nv 0 2 3\nf 1 2 3 4\n", "v 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\n",
+        "v 5 6 7\nv 5 6 7\nv 5 6 7\nf 1 2 3\n"}) {
+    const Points points = Mesh::load(folder.write("flat.obj", text)).positions();
+    for (const Lattice& lattice :
+         {Box::around(points).lattice({4, 4, 4}), Cylinder::around(points).lattice({4, 4, 6}),
+          Sphere::around(points).lattice({4, 5, 6})}) {
+      for (const Embedding& e : Embedder(lattice).embed(points)) {
+        EXPECT_EQ(e.status, EmbeddingStatus::kInside) << text;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 3 * (4 + 3 + 1));
 }
 
 TEST(MeshErrors, NewPositions) {

@@ -56,13 +56,13 @@ struct Case {
 std::vector<Case> cases() {
   Eigen::Matrix3d slanted;
   slanted << 1, 0.6, 0, 0, 1, 0.3, 0.2, 0, 2;
-  return {{"box", embed::lattice_around("box", embed::corners())},
+  return {{"box", embed::sample_lattice("box", embed::corners())},
           {"slanted", Box(Point(1, 2, 3), slanted).lattice({4, 5, 6})},
-          {"cylinder", embed::lattice_around("cylinder", embed::corners())},
+          {"cylinder", embed::sample_lattice("cylinder", embed::corners())},
           {"tube", Cylinder(Point::Zero(), slanted, 0.6).lattice({4, 4, 9})},
-          {"sphere", embed::lattice_around("sphere", embed::corners())},
+          {"sphere", embed::sample_lattice("sphere", embed::corners())},
           {"shell", Sphere(Point::Ones(), kUnit, 0.5).lattice({4, 6, 8})},
-          {"custom", embed::lattice_around("custom", embed::corners())}};
+          {"custom", embed::sample_lattice("custom", embed::corners())}};
 }
 
 /// The place is one of the lattice, and no sampled one is nearer.
@@ -138,7 +138,7 @@ TEST(NearestPlace, KnownPlaces) {
 TEST(NearestPlace, NeighboursHaveNeighbouringPlaces) {
   int checked = 0;
   for (const char* const kind : {"box", "cylinder", "sphere"}) {
-    const Embedder embedder(embed::lattice_around(kind, embed::corners()));
+    const Embedder embedder(embed::sample_lattice(kind, embed::corners()));
     const NearestPlace nearest(embedder.lattice());
     const double step = 1e-6 * embedder.size();
     const Points points = points_outside(embedder, 400, 0.8, 7);
@@ -161,7 +161,7 @@ TEST(NearestPlace, SearchIsBounded) {
   EXPECT_NEAR(inside.distance, 0.5, 1e-3);
   EXPECT_LT(inside.parts, 2500);
   double parts = 0.0;
-  const Embedder embedder(embed::lattice_around("sphere", embed::corners()));
+  const Embedder embedder(embed::sample_lattice("sphere", embed::corners()));
   const NearestPlace sphere(embedder.lattice());
   const Points points = points_outside(embedder, 200, 0.7, 6);
   for (Eigen::Index i = 0; i < points.rows(); ++i) parts += sphere.find(Point(points.row(i))).parts;

@@ -32,6 +32,9 @@ class TempFolder {
     return path_ / name;
   }
 
+  /// Lets every user enter the folder and read its files, but, unless they own it, write none.
+  void open_to_all() const { std::filesystem::permissions(path_, std::filesystem::perms(0755)); }
+
   /// Names of all files in the folder.
   std::set<std::string> files() const {
     std::set<std::string> names;

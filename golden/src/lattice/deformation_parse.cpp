@@ -3,6 +3,7 @@
 #include <array>
 
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "read_number.hpp"
 
@@ -82,17 +83,18 @@ Deformation Deformation::parse(std::string_view text) {
   const std::string_view name = text.substr(0, colon);
   if (name == "none") {
     if (!has_argument) return Deformation(Kind::kNone, {});
-    throw UsageError(fmt::format("deformation '{}': none takes no argument; {}", text, kAccepted));
+    throw UsageError(
+        fmt::format("deformation '{}': none takes no argument; {}", excerpt(text), kAccepted));
   }
   for (const Entry& entry : kEntries) {
     if (entry.name != name) continue;
     const std::string_view argument = has_argument ? text.substr(colon + 1) : entry.otherwise;
     Arguments arguments;
     if (entry.read(argument, arguments)) return Deformation(entry.kind, std::move(arguments));
-    throw UsageError(fmt::format("deformation '{}': '{}' is not {}; {}", text, argument,
-                                 entry.expected, kAccepted));
+    throw UsageError(fmt::format("deformation '{}': '{}' is not {}; {}", excerpt(text),
+                                 excerpt(argument), entry.expected, kAccepted));
   }
-  throw UsageError(fmt::format("deformation '{}' is unknown; {}", text, kAccepted));
+  throw UsageError(fmt::format("deformation '{}' is unknown; {}", excerpt(text), kAccepted));
 }
 
 }  // namespace hwffd

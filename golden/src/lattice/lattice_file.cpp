@@ -4,21 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/sphere.hpp"
+#include "read_file.hpp"
 
 namespace hwffd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+// Not ordered_json, which copies values while it grows, by a call for each level of nesting.
+using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr const char* kOrder = "point (i, j, k) is number (i*n_t + j)*n_u + k";
@@ -36,11 +37,8 @@ void check_names(const Json& object, std::initializer_list<const char*> known) {
     const bool found = std::any_of(known.begin(), known.end(),
                                    [&](const char* name) { return item.key() == name; });
     if (found) continue;
-    // As JSON writes it: a name may have line breaks.
-    const std::string name = Json(item.key().substr(0, 40))
-                                 .dump(-1, ' ', true, nlohmann::detail::error_handler_t::replace);
-    throw Error(
-        fmt::format("lattice file: unknown {}; known here are {}", name, fmt::join(known, ", ")));
+    throw Error(fmt::format("lattice file: unknown '{}'; known here are {}", excerpt(item.key()),
+                            fmt::join(known, ", ")));
   }
 }
 
@@ -133,14 +131,7 @@ Lattice parse_lattice(const std::string& text) {
 }
 
 Lattice read_lattice(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(path, ignored);
-  std::ifstream in(path, std::ios::binary);
-  if (folder || !in) {
-    throw Error(
-        fmt::format("{}: cannot read; check that the file exists and is readable", path.string()));
-  }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_file(path);
   try {
     return parse_lattice(text);
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "read_number.hpp"
 
 namespace hwffd {
@@ -17,13 +18,13 @@ Outside Outside::parse(std::string_view text) {
   if (text == "keep") return Outside(Kind::kKeep, 0.0);
   if (text == "clamp") return Outside(Kind::kClamp, 0.0);
   if (text.substr(0, kFade.size()) != kFade) {
-    throw UsageError(fmt::format("outside '{}' is unknown; {}", text, kAccepted));
+    throw UsageError(fmt::format("outside '{}' is unknown; {}", excerpt(text), kAccepted));
   }
   const std::string_view argument = text.substr(kFade.size());
   double width = 0.0;
   if (read_number(argument, width) && width > 0.0) return Outside(Kind::kFade, width);
-  throw UsageError(fmt::format("outside '{}': '{}' is not a finite number above 0; {}", text,
-                               argument, kAccepted));
+  throw UsageError(fmt::format("outside '{}': '{}' is not a finite number above 0; {}",
+                               excerpt(text), excerpt(argument), kAccepted));
 }
 
 double Outside::weight(double distance) const {

@@ -25,4 +25,15 @@ fs::path find_model(const std::string& name, const std::vector<fs::path>& folder
                   name, tried));
 }
 
+Mesh load_model(const std::string& name) {
+  if (!name.empty()) return Mesh::load(find_model(name));
+  fs::path cat;
+  try {
+    cat = find_model("cat.3ds");
+  } catch (const Error&) {
+    return Mesh::procedural();
+  }
+  return Mesh::load(cat);
+}
+
 }  // namespace hwffd

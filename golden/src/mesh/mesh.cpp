@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <cstring>
+#include <limits>
 #include <unordered_map>
 
 #include "hwffd/error.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/scene.hpp"
 
 namespace hwffd {
 namespace {
@@ -34,18 +36,6 @@ PositionKey key_of(const aiVector3D& p) {
   return key;
 }
 
-Eigen::Vector3d to_eigen(const aiVector3D& p) { return {p.x, p.y, p.z}; }
-
-/// Calls f(part, index of its first vertex) for every part of the scene.
-template <typename F>
-void each_part(const aiScene& scene, F f) {
-  std::size_t first = 0;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    f(*scene.mMeshes[m], first);
-    first += scene.mMeshes[m]->mNumVertices;
-  }
-}
-
 }  // namespace
 
 void Mesh::SceneDeleter::operator()(aiScene* scene) const { delete scene; }
@@ -57,7 +47,7 @@ Mesh::~Mesh() = default;
 Mesh::Mesh(ScenePtr scene, std::string name) : scene_(std::move(scene)), name_(std::move(name)) {
   weld();
   find_triangles();
-  find_normal_classes();
+  normals_ = std::make_unique<SceneNormals>(*scene_, weld_);
 }
 
 void Mesh::weld() {
@@ -78,6 +68,7 @@ void Mesh::weld() {
 }
 
 void Mesh::find_triangles() {
+  triangles_.clear();
   each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
@@ -89,59 +80,20 @@ void Mesh::find_triangles() {
   });
 }
 
-void Mesh::find_normal_classes() {
-  constexpr double kSameNormal = 0.9999;  // cosine; readers repeat a normal with rounding errors
-  struct Class {
-    Eigen::Vector3d normal;
-    std::uint32_t index;
-  };
-  std::vector<std::vector<Class>> at_vertex(vertex_count());
-  normal_class_.assign(weld_.size(), 0);
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const Eigen::Vector3d normal = to_eigen(part.mNormals[v]).normalized();
-      std::vector<Class>& classes = at_vertex[weld_[first + v]];
-      std::size_t c = 0;
-      while (c < classes.size() && !(classes[c].normal.dot(normal) > kSameNormal)) ++c;
-      if (c == classes.size()) classes.push_back({normal, normal_classes_++});
-      normal_class_[first + v] = classes[c].index;
-    }
-  });
-}
-
-void Mesh::update_normals() {
-  std::vector<Eigen::Vector3d> sums(normal_classes_, Eigen::Vector3d::Zero());
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      Eigen::Vector3d area = Eigen::Vector3d::Zero();
-      for (unsigned c = 2; c < face.mNumIndices; ++c) {
-        const Eigen::Vector3d origin = to_eigen(part.mVertices[face.mIndices[0]]);
-        area += (to_eigen(part.mVertices[face.mIndices[c - 1]]) - origin)
-                    .cross(to_eigen(part.mVertices[face.mIndices[c]]) - origin);
-      }
-      for (unsigned c = 0; c < face.mNumIndices; ++c) {
-        sums[normal_class_[first + face.mIndices[c]]] += area;
-      }
-    }
-  });
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const Eigen::Vector3d n = sums[normal_class_[first + v]].stableNormalized();
-      if (n.isZero()) continue;  // no direction: the old normal stays
-      part.mNormals[v] = aiVector3D(static_cast<float>(n.x()), static_cast<float>(n.y()),
-                                    static_cast<float>(n.z()));
-    }
-  });
-}
-
 void Mesh::set_positions(const Points& positions) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Eigen::Matrix3d> unknown(vertex_count(), Eigen::Matrix3d::Constant(kUnknown));
+  set_positions(positions, unknown);
+}
+
+void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
   if (positions.rows() != positions_.rows()) {
     throw Error(fmt::format("{}: {} new positions for {} vertices; give one for each vertex", name_,
                             positions.rows(), positions_.rows()));
+  }
+  if (gradients.size() != vertex_count()) {
+    throw Error(fmt::format("{}: {} gradients for {} vertices; give one for each vertex", name_,
+                            gradients.size(), vertex_count()));
   }
   const Points rounded = positions.cast<float>().cast<double>();
   for (Eigen::Index i = 0; i < rounded.rows(); ++i) {
@@ -152,13 +104,21 @@ void Mesh::set_positions(const Points& positions) {
                     name_, i));
   }
   positions_ = rounded;
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
+  each_part(*scene_, [&](aiMesh& part, std::size_t first) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const Eigen::RowVector3f p = positions_.row(weld_[first + v]).cast<float>();
       part.mVertices[v] = aiVector3D(p.x(), p.y(), p.z());
     }
   });
-  update_normals();
+  orient_faces(is_mirror(gradients));
+  normals_->follow(*scene_, gradients, turned_ ? -1.0 : 1.0);
+}
+
+void Mesh::orient_faces(bool turned) {
+  if (turned == turned_) return;
+  turned_ = turned;
+  each_part(*scene_, [](aiMesh& part, std::size_t) { turn_faces(part); });
+  find_triangles();
 }
 
 Points Mesh::smooth_normals() const {

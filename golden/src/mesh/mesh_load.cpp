@@ -7,8 +7,12 @@
 #include <system_error>
 
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh/extension.hpp"
+#include "mesh/ply_check.hpp"
 #include "mesh/scene.hpp"
+#include "read_file.hpp"
 
 namespace hwffd {
 namespace {
@@ -18,10 +22,18 @@ namespace fs = std::filesystem;
 constexpr const char* kAccepted =
     "accepted are obj, ply, stl, 3ds, glb, gltf, dae and what else Assimp reads";
 
-std::string one_line(std::string text) {
+/// What Assimp says, which may quote a line of the file.
+std::string reason_of(const Assimp::Importer& importer) {
+  std::string text = importer.GetErrorString();
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.' || text.back() == '\n')) {
+    text.pop_back();
+  }
   std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
-  return text;
+  return excerpt(text, 200);
+}
+
+Error not_a_mesh(const std::string& file, const std::string& reason) {
+  return Error(fmt::format("{}: not a mesh that can be read ({}); {}", file, reason, kAccepted));
 }
 
 void check_part(const std::string& file, const aiMesh& mesh) {
@@ -55,13 +67,6 @@ void check_scene(const std::string& file, const aiScene& scene) {
   }
 }
 
-bool is_3ds(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".3ds";
-}
-
 }  // namespace
 
 Mesh Mesh::load(const fs::path& path) {
@@ -73,15 +78,15 @@ Mesh Mesh::load(const fs::path& path) {
   if (!fs::is_regular_file(path, ignored)) {
     throw Error(fmt::format("{}: not a file; give the path of a mesh: {}", file, kAccepted));
   }
+  const std::string bytes = read_file(path);
+  const std::string fault = extension_of(path) == ".ply" ? fault_of_ply(bytes) : "";
+  if (!fault.empty()) throw not_a_mesh(file, fault);
   Assimp::Importer importer;
-  if (importer.ReadFile(file, 0) == nullptr) {
-    throw Error(fmt::format("{}: not a mesh that can be read ({}); {}", file,
-                            one_line(importer.GetErrorString()), kAccepted));
-  }
+  if (importer.ReadFile(file, 0) == nullptr) throw not_a_mesh(file, reason_of(importer));
   ScenePtr scene(importer.GetOrphanedScene());
   check_scene(file, *scene);
   strip_scene(*scene);
-  if (is_3ds(path)) undo_3ds_turn(*scene);
+  if (extension_of(path) == ".3ds") undo_3ds_turn(*scene);
   join_corners(*scene);
   bake_transforms(*scene);
   check_scene(file, *scene);  // a transform may overflow, and parts that no node shows are gone

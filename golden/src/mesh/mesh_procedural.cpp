@@ -3,8 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh/normals.hpp"
 
 namespace hwffd {
 namespace {
@@ -72,9 +74,10 @@ Mesh Mesh::procedural() {
   scene->mRootNode = new aiNode("procedural");
   scene->mRootNode->mNumMeshes = 1;
   scene->mRootNode->mMeshes = new unsigned[1]{0};
-  Mesh mesh(std::move(scene), "procedural");
-  mesh.update_normals();
-  return mesh;
+  std::vector<std::uint32_t> nothing_to_weld(kVertices);
+  std::iota(nothing_to_weld.begin(), nothing_to_weld.end(), 0);
+  SceneNormals(*scene, nothing_to_weld).follow_faces(*scene);
+  return Mesh(std::move(scene), "procedural");
 }
 
 }  // namespace hwffd

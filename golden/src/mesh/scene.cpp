@@ -66,11 +66,7 @@ void transform(aiMesh& mesh, const aiMatrix4x4& matrix) {
     mesh.mVertices[v] = matrix * mesh.mVertices[v];
     if (mesh.HasNormals()) mesh.mNormals[v] = (normal_matrix * mesh.mNormals[v]).NormalizeSafe();
   }
-  if (matrix.Determinant() >= 0) return;
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    aiFace& face = mesh.mFaces[f];
-    std::reverse(face.mIndices, face.mIndices + face.mNumIndices);
-  }
+  if (matrix.Determinant() < 0) turn_faces(mesh);
 }
 
 /// Walks the nodes and collects one part for each place where a part is shown.
@@ -119,7 +115,21 @@ class Baker {
   std::vector<aiMatrix4x4> matrices_;
 };
 
+void name_parts_below(aiScene& scene, const aiNode& node) {
+  for (unsigned i = 0; i < node.mNumMeshes && node.mName.length > 0; ++i) {
+    scene.mMeshes[node.mMeshes[i]]->mName = node.mName;
+  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) name_parts_below(scene, *node.mChildren[c]);
+}
+
 }  // namespace
+
+void turn_faces(aiMesh& mesh) {
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    aiFace& face = mesh.mFaces[f];
+    if (face.mNumIndices > 2) std::reverse(face.mIndices + 1, face.mIndices + face.mNumIndices);
+  }
+}
 
 void strip_scene(aiScene& scene) {
   drop(scene.mAnimations, scene.mNumAnimations);
@@ -145,6 +155,21 @@ void bake_transforms(aiScene& scene) { Baker{scene}; }
 void undo_3ds_turn(aiScene& scene) {
   const aiMatrix4x4 back(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
   scene.mRootNode->mTransformation = back * scene.mRootNode->mTransformation;
+}
+
+void name_parts_after_nodes(aiScene& scene) {
+  const aiNode& root = *scene.mRootNode;
+  for (unsigned c = 0; c < root.mNumChildren; ++c) name_parts_below(scene, *root.mChildren[c]);
+}
+
+void drop_points_and_lines(aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    aiMesh& mesh = *scene.mMeshes[m];
+    aiFace* const end = std::remove_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                       [](const aiFace& face) { return face.mNumIndices < 3; });
+    mesh.mNumFaces = static_cast<unsigned>(end - mesh.mFaces);
+    mesh.mPrimitiveTypes &= ~static_cast<unsigned>(aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  }
 }
 
 }  // namespace hwffd

@@ -2,9 +2,25 @@
 
 #include <assimp/scene.h>
 
-#include <filesystem>
+#include <Eigen/Core>
+#include <cstddef>
 
 namespace hwffd {
+
+inline Eigen::Vector3d to_eigen(const aiVector3D& p) { return {p.x, p.y, p.z}; }
+
+/// Calls f(part, number of its first vertex) for every part of the scene.
+template <typename F>
+void each_part(const aiScene& scene, F f) {
+  std::size_t first = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    f(*scene.mMeshes[m], first);
+    first += scene.mMeshes[m]->mNumVertices;
+  }
+}
+
+/// Turns all faces round. First corners stay first, so fans are cut along the same diagonals.
+void turn_faces(aiMesh& mesh);
 
 /// Drops what does not follow a deformation: animations, bones, morph targets, cameras, lights,
 /// tangents.
@@ -21,5 +37,12 @@ void bake_transforms(aiScene& scene);
 /// Takes back the turn (x, y, z) -> (x, z, -y) that Assimp's reader puts on the root of 3ds files:
 /// coordinates are then those in the file.
 void undo_3ds_turn(aiScene& scene);
+
+/// Calls each part as the node that shows it, if that has a name and is not the root: the name of a
+/// group or object, where readers call parts after materials or give them numbers.
+void name_parts_after_nodes(aiScene& scene);
+
+/// Drops faces of one or two corners.
+void drop_points_and_lines(aiScene& scene);
 
 }  // namespace hwffd

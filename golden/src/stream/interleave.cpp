@@ -5,27 +5,47 @@
 namespace hwffd {
 namespace {
 
-Point centre_of(const Lattice& lattice) {
-  const Point low = lattice.points().colwise().minCoeff();
-  const Point high = lattice.points().colwise().maxCoeff();
+Point centre_of(const Points& points) {
+  const Point low = points.colwise().minCoeff();
+  const Point high = points.colwise().maxCoeff();
   return (low + high) / 2;
 }
 
-}  // namespace
-
-double lattice_scale(const Lattice& lattice) {
-  const Points offset = lattice.points().rowwise() - centre_of(lattice).transpose();
+double scale_of(const Points& points) {
+  const Points offset = points.rowwise() - centre_of(points).transpose();
   const double largest = offset.cwiseAbs().maxCoeff();
   int exponent = 0;
   std::frexp(largest, &exponent);  // largest < 2^exponent
   return largest > 0 ? std::ldexp(1.0, exponent) : 1.0;
 }
 
+void encode_local(VertexBeat& beat, const Eigen::Vector3d& local, std::size_t index,
+                  const WordCodec& codec) {
+  beat.tag = static_cast<std::uint16_t>(index);
+  for (int axis = 0; axis < 3; ++axis) beat.local[axis] = codec.coordinate(local[axis]);
+}
+
+void encode_support(InterleavedVertex& vertex, const Support& support, const WordCodec& codec,
+                    const Normalization& normalization) {
+  for (int p = 0; p < 64; ++p) {
+    const Point point = normalization.to_stream(support.row(p));
+    for (int c = 0; c < 3; ++c) vertex.points[3 * p + c] = codec.point(point[c]);
+  }
+}
+
+}  // namespace
+
+double lattice_scale(const Lattice& lattice) { return scale_of(lattice.points()); }
+
 Normalization Normalization::of(const Lattice& lattice, const WordCodec& codec) {
+  return of(lattice.points(), codec);
+}
+
+Normalization Normalization::of(const Points& points, const WordCodec& codec) {
   Normalization normalization;
   if (codec.is_float()) return normalization;
-  normalization.centre_ = centre_of(lattice);
-  normalization.scale_ = lattice_scale(lattice);
+  normalization.centre_ = centre_of(points);
+  normalization.scale_ = scale_of(points);
   return normalization;
 }
 
@@ -47,8 +67,7 @@ std::vector<VertexBeat> vertex_beats(const std::vector<Embedded>& vertices,
   for (const Embedded& vertex : vertices) {
     VertexBeat& beat = beats.emplace_back();
     beat.cell = vertex.cell;
-    beat.tag = static_cast<std::uint16_t>(beats.size() - 1);
-    for (int axis = 0; axis < 3; ++axis) beat.local[axis] = codec.coordinate(vertex.local[axis]);
+    encode_local(beat, vertex.local, beats.size() - 1, codec);
   }
   return beats;
 }
@@ -63,11 +82,20 @@ std::vector<InterleavedVertex> interleave(const Lattice& lattice,
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     InterleavedVertex& out = stream.emplace_back();
     static_cast<VertexBeat&>(out) = beats[v];
-    const Support support = lattice.support(vertices[v].cell);
-    for (int p = 0; p < 64; ++p) {
-      const Point point = normalization.to_stream(support.row(p));
-      for (int c = 0; c < 3; ++c) out.points[3 * p + c] = codec.point(point[c]);
-    }
+    encode_support(out, lattice.support(vertices[v].cell), codec, normalization);
+  }
+  return stream;
+}
+
+std::vector<InterleavedVertex> interleave(const std::vector<SupportedVertex>& vertices,
+                                          const WordCodec& codec,
+                                          const Normalization& normalization) {
+  std::vector<InterleavedVertex> stream;
+  stream.reserve(vertices.size());
+  for (const SupportedVertex& vertex : vertices) {
+    InterleavedVertex& out = stream.emplace_back();
+    encode_local(out, vertex.local, stream.size() - 1, codec);
+    encode_support(out, vertex.support, codec, normalization);
   }
   return stream;
 }

@@ -13,6 +13,8 @@ struct aiScene;
 
 namespace hwffd {
 
+class SceneNormals;
+
 /// A polygon mesh whose vertices can be moved. It keeps the whole scene of the file (faces, texture
 /// coordinates, colours, materials, groups) and shows each distinct position once: vertices that
 /// a file repeats along smoothing groups or texture seams are welded by exact equality, over all
@@ -27,14 +29,29 @@ class Mesh {
   /// Vertex indices of one triangle, counterclockwise seen from outside.
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// Reads a mesh file in any format that Assimp knows.
-  /// @throws Error: file missing, not a mesh, no vertices, a coordinate that is not finite, or a
-  ///   face that refers to a vertex that is not there.
+  /// Reads a mesh file in any format that Assimp knows. Of a 3ds file without keyframes the names
+  /// of objects are lost.
+  /// @throws Error: file missing or unreadable, not a mesh, no vertices, a coordinate that is not
+  ///   finite, or a face that refers to a vertex that is not there.
   static Mesh load(const std::filesystem::path& path);
 
   /// A closed model of 3,072 vertices (a tube along a trefoil knot, about 6 units wide) that needs
   /// no file.
   static Mesh procedural();
+
+  /// What build() makes a mesh of: triangles of one material.
+  struct Part {
+    std::string name;             ///< of part and material
+    std::array<float, 3> colour;  ///< diffuse: red, green, blue, 0 to 1
+    Points positions;             ///< n x 3
+    std::vector<Triangle> triangles;
+  };
+
+  /// A mesh made in memory. Normals are smooth over each part (area-weighted means over the faces
+  /// at a vertex): where an edge is to be hard, parts repeat its points.
+  /// @throws Error if there is no part, or one without triangles, with a coordinate that is not a
+  ///   finite binary32 number or a triangle that refers to a point that is not there
+  static Mesh build(std::string name, const std::vector<Part>& parts);
 
   Mesh(Mesh&& other) noexcept;
   Mesh& operator=(Mesh&& other) noexcept;
@@ -53,13 +70,27 @@ class Mesh {
   /// Welded positions, vertex_count() x 3. Every value is a binary32 number.
   const Points& positions() const { return positions_; }
 
-  /// Moves the vertices, with all their duplicates, and computes anew the normals that the mesh
-  /// has: area-weighted means over the faces that shared a normal, so hard edges stay hard.
-  /// Values are rounded to binary32. Tangents were dropped on reading.
+  /// Moves the vertices, with all their duplicates. Values are rounded to binary32. The normals
+  /// that the mesh has become area-weighted means over the faces that shared a normal, so hard
+  /// edges stay hard; faces are as they were read. Tangents were dropped on reading.
   /// @param positions vertex_count() x 3
   /// @throws Error if the number of rows differs or a value is not a finite binary32 number; the
   ///   mesh is then unchanged.
   void set_positions(const Points& positions);
+
+  /// The same, but a normal n that was read becomes the direction of cofactor(G) n, where G is the
+  /// derivative of the deformation there: smoothing groups and normals made by hand are kept, and
+  /// the result does not depend on the faces. Where G is unknown (not finite, or singular) the
+  /// normal comes from the faces as above.
+  ///
+  /// cofactor(G) = det(G) G^-T also maps the area vectors of faces, so normals and faces agree. In
+  /// a fold (det G < 0 in places) both turn inwards. If det G < 0 at every vertex where G is known,
+  /// the deformation is a mirror: faces are turned round and normals take the other sign, so that
+  /// triangles stay counterclockwise seen from outside.
+  /// @param gradients vertex_count() matrices; column a of each is the derivative of the new
+  ///   position along axis a of the position that was read
+  /// @throws Error also if the number of gradients differs
+  void set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients);
 
   /// Triangles in welded indices. Polygons are fans from their first corner; points and lines
   /// are left out; a triangle that welding made degenerate stays.
@@ -70,12 +101,25 @@ class Mesh {
   Points smooth_normals() const;
 
   /// Writes the mesh; the extension chooses the format (obj, ply, stl, glb, gltf, dae). Files that
-  /// belong to it (mtl, bin) go beside it. Written whole or not at all, see write_files().
-  /// @throws Error for an unknown extension (lists the known ones) or a failed write.
+  /// belong to it (mtl, bin) go beside it; texture files are named as they were, not copied.
+  /// Written whole or not at all, see write_files(). Positions and faces always stay; lost are
+  ///
+  /// - obj: the names of objects (groups stay); textures inside the file
+  /// - ply: parts become one; their names, materials and all but one texture's name; binary without
+  ///   colours, else text and colours of 8 bits; with a face of over 255 corners all are cut into
+  ///   triangles
+  /// - stl: all but triangles and their flat normals
+  /// - glb, gltf: polygons are cut into triangles; objects of an obj file are empty nodes
+  /// - dae: part names get a suffix, blanks in names become letters; materials may change order
+  /// @throws Error for an unknown extension (lists the known ones), a mesh without faces as stl, or
+  ///   a failed write.
   void save(const std::filesystem::path& path) const;
 
   /// The scene as it stands now, for a renderer that wants materials or texture coordinates.
   const aiScene& scene() const { return *scene_; }
+
+  /// The welded vertex of every vertex of scene(), parts in order: vertex_count_read() of them.
+  const std::vector<std::uint32_t>& welded() const { return weld_; }
 
  private:
   struct SceneDeleter {
@@ -86,16 +130,15 @@ class Mesh {
   Mesh(ScenePtr scene, std::string name);
   void weld();
   void find_triangles();
-  void find_normal_classes();
-  void update_normals();
+  void orient_faces(bool turned);
 
   ScenePtr scene_;
   std::string name_;
   Points positions_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> weld_;          ///< scene vertex (parts in order) -> welded vertex
-  std::vector<std::uint32_t> normal_class_;  ///< scene vertex -> vertices with the same normal
-  std::uint32_t normal_classes_ = 0;
+  std::vector<std::uint32_t> weld_;  ///< scene vertex (parts in order) -> welded vertex
+  std::unique_ptr<SceneNormals> normals_;
+  bool turned_ = false;  ///< whether faces are turned round from how they were read
 };
 
 /// Resolves the name of a model. A name with a folder, or of a file that is here, is taken as it
@@ -106,5 +149,9 @@ std::filesystem::path find_model(const std::string& name,
                                  const std::vector<std::filesystem::path>& folders = {
                                      "/usr/share/glmark2/models",
                                      "/usr/local/share/glmark2/models"});
+
+/// Mesh::load of find_model(name); without a name glmark2's cat, or Mesh::procedural() where that
+/// is not installed.
+Mesh load_model(const std::string& name);
 
 }  // namespace hwffd

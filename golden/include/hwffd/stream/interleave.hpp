@@ -16,6 +16,8 @@ class Normalization {
  public:
   /// For control points of a lattice in the format of the codec.
   static Normalization of(const Lattice& lattice, const WordCodec& codec);
+  /// For any control points, n x 3.
+  static Normalization of(const Points& points, const WordCodec& codec);
 
   Point to_stream(const Point& world) const { return (world - centre_) / scale_; }
   Point to_world(const Point& stream) const { return stream * scale_ + centre_; }
@@ -35,6 +37,17 @@ LatticeWords lattice_words(const Lattice& lattice, const WordCodec& codec,
 
 /// Each vertex as stream words; the tag is the index modulo 65536.
 std::vector<VertexBeat> vertex_beats(const std::vector<Embedded>& vertices, const WordCodec& codec);
+
+/// A vertex that brings its own control points (paper, fig. 3).
+struct SupportedVertex {
+  Eigen::Vector3d local{0, 0, 0};  ///< s, t, u
+  Support support;
+};
+
+/// Each as stream words; the tag is the index modulo 65536.
+std::vector<InterleavedVertex> interleave(const std::vector<SupportedVertex>& vertices,
+                                          const WordCodec& codec,
+                                          const Normalization& normalization);
 
 /// Each vertex with the 64 control points of its cell, as stream words (paper, fig. 3). The tag is
 /// the index modulo 65536.

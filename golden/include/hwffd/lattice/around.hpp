@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hwffd/lattice/lattice.hpp"
+
+namespace hwffd {
+
+/// Names of the shapes that lattice_around() knows: box, cylinder, sphere.
+const std::vector<std::string>& shape_names();
+
+/// Points an axis that suit a shape: a box of one cell; six cells around a cylinder or sphere.
+/// @throws UsageError for an unknown shape, which lists those that are known
+Index3 usual_dims(const std::string& shape);
+
+/// The upright lattice of a shape whose cells hold all points (Box, Cylinder, Sphere::around).
+/// @param points  n x 3, n > 0
+/// @throws UsageError for an unknown shape, Error for dims or points that the shape refuses
+Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims);
+
+}  // namespace hwffd

@@ -1,0 +1,21 @@
+#include "hwffd/excerpt.hpp"
+
+#include <fmt/format.h>
+
+namespace hwffd {
+
+std::string excerpt(std::string_view text, std::size_t limit) {
+  constexpr std::string_view kCut = "...";
+  std::string result;
+  std::size_t fits = 0;  // length of the part that leaves room for kCut
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool printable = byte >= 0x20 && byte < 0x7f;
+    result += printable ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+    if (result.size() > limit) return result.substr(0, fits).append(kCut);
+    if (result.size() + kCut.size() <= limit) fits = result.size();
+  }
+  return result;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace hwffd {
+
+/// Looks at a ply file before Assimp does, whose reader trusts the header: with a file cut short,
+/// or numbers that are too large, it reads beyond its buffer or does not end.
+/// @param bytes the whole file
+/// @return what is wrong, in a few words; empty if header and data belong together
+std::string fault_of_ply(const std::string& bytes);
+
+}  // namespace hwffd
