@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words embed synth formal test test-all soak lint clean install
+.PHONY: help sim organizations streams words embed hwffd glapi mass-spring synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -26,7 +26,7 @@ option_of   = $(firstword $(subst :, ,$1))
 variable_of = $(lastword $(subst :, ,$1))
 given       = $(and $(findstring command line,$(origin $1)),$(value $1))
 ORGANIZATIONS_OPTIONS := org:ORG n:N format:FORMAT
-OPTIONS     := $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
+OPTIONS     := prefix:PREFIX $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
 
 $(foreach o,$(OPTIONS),$(eval export HWFFD_GIVEN_$(call variable_of,$o) := \
   $$(value $(call variable_of,$o))))
@@ -45,6 +45,9 @@ help:
 	@echo 'make streams   words moved by arrangements of the control points: table, plot, JSON'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make embed     meshes in box, cylinder, sphere and custom lattices: table, JSON'
+	@echo 'make hwffd     the command hwffd, the library and its Python module; PREFIX= installs them'
+	@echo 'make mass-spring  a mesh in a lattice of masses and springs, as meshes and a picture'
+	@echo 'make glapi     every OpenGL call, and its errors beside those of Mesa: table, JSON'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
@@ -88,6 +91,23 @@ embed: install
 	@$(CMAKE_BUILD) --target hwffd-embed
 	@$(BUILD)/apps/hwffd-embed
 
+hwffd: install
+	@scripts/python_env
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd hwffd_gl_shared hwffd-command hwffd_python
+	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$HWFFD_GIVEN_PREFIX", \
+	  echo 'built build/apps/hwffd; to install it: make hwffd PREFIX=/usr/local')
+
+mass-spring: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-example-mass-spring
+	@$(BUILD)/examples/hwffd-example-mass-spring
+
+glapi: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-glapi
+	@$(BUILD)/apps/glapi/hwffd-glapi
+
 synth: install
 	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
@@ -95,12 +115,13 @@ formal: install
 	@scripts/formal -j $(JOBS)
 
 test: install
+	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^test$$'
 
 test-all: install
-	@scripts/python_env
+	@scripts/python_env all
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

@@ -37,7 +37,7 @@ function(hwffd_verilate target)
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
-    --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir}
+    -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir}
     -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator -I${HWFFD_RTL_DIR}/stream)
   set(optimize OPT_FAST=-O2 OPT_SLOW=-O1)
   if(ARG_NETLIST)

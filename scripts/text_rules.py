@@ -10,8 +10,8 @@ from rtl import read_file_list, strip_comments
 
 WIDTH = 100
 OPERATORS = tuple("+-*/%&|^~<>=!?:")
-CPP_FOLDERS = ("golden", "tb", "tests", "apps", "api", "bench")
-CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".cc")
+CPP_FOLDERS = ("golden", "tb", "tests", "apps", "api", "examples")
+CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".c")
 TEXT_FOLDERS = CPP_FOLDERS + ("rtl", "scripts", "cmake", "synth", "docs", ".ci")
 TEXT_SUFFIXES = CPP_SUFFIXES + (
     ".v", ".vh", ".vlt", ".f", ".py", ".sh", ".cmake", ".csv", ".md", ".txt", ".json", ".ys",

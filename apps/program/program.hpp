@@ -7,7 +7,8 @@
 
 namespace hwffd {
 
-/// Reads the command line into the options of `app`. `--help` prints and ends the program with 0.
+/// Reads the command line into the options of `app`. `--help` and `--version` print and
+/// end the program with 0.
 /// @throws UsageError for what CLI11 refuses
 void parse_command_line(CLI::App& app, int argc, char** argv);
 
@@ -18,5 +19,8 @@ int run_program(const std::string& name, const std::function<int()>& body);
 /// "[done/all] rows" on one line of standard error, where that is a terminal; gone when all are
 /// done.
 void show_rows_done(std::size_t done, std::size_t all);
+
+/// "name  42 %" on one line of standard error, where that is a terminal; gone when all is done.
+void show_progress(const std::string& name, double done);
 
 }  // namespace hwffd

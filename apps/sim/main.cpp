@@ -1,5 +1,5 @@
 // hwffd-sim: mesh -> embed -> deform the lattice -> command stream -> RTL -> every bit compared
-// with the golden model, errors against the oracle, deformed mesh and report written.
+// with the golden model, errors against the oracle, deformed mesh, picture and report written.
 
 #include <fmt/format.h>
 
@@ -11,6 +11,8 @@
 #include "hwffd/tb/waveform.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "picture/before_after.hpp"
+#include "picture/png.hpp"
 #include "program.hpp"
 #include "report.hpp"
 #include "run.hpp"
@@ -35,6 +37,29 @@ void print_scene(const Options& options, const Scene& scene) {
   fmt::print("errors are against eq. (1) in double, in units of 2^k > half the lattice's size\n\n");
 }
 
+/// The mesh and the picture are those of the first run, from the positions out of the hardware.
+void write_results(const Options& options, const Output& output, Scene& scene,
+                   const std::vector<RunResult>& results) {
+  const RunResult& shown = results.front();
+  const Lattice deformed = Deformation::parse(shown.deform).apply(scene.lattice);
+  picture::BeforeAfter halves(scene.lattice, deformed);
+  halves.draw(scene.mesh, scene.lattice);
+  scene.mesh.set_positions(shown.positions);
+  halves.draw(scene.mesh, deformed);
+
+  const std::filesystem::path mesh = output.mesh(shown.deform);
+  scene.mesh.save(mesh);
+  std::vector<FileContent> files{{output.report(), json_report(scene, options, results)}};
+  if (halves.missing().empty()) {
+    files.push_back({output.picture(shown.deform), picture::png_bytes(halves.image())});
+  }
+  write_files(files);
+  fmt::print("\nwrote {}", mesh.string());
+  for (const FileContent& file : files) fmt::print(", {}", file.path.string());
+  fmt::print("\n");
+  if (!halves.missing().empty()) fmt::print("no picture: {}\n", halves.missing());
+}
+
 int simulate(const Options& options) {
   Scene scene = make_scene(options.model, options.lattice);
   const Output output(options, scene);
@@ -57,12 +82,7 @@ int simulate(const Options& options) {
     }
   }
   if (!ok) return 1;
-
-  const std::filesystem::path mesh = output.mesh(results.front().deform);
-  scene.mesh.set_positions(results.front().positions);
-  scene.mesh.save(mesh);
-  write_files({{output.report(), json_report(scene, options, results)}});
-  fmt::print("\nwrote {} and {}\n", output.report().string(), mesh.string());
+  write_results(options, output, scene, results);
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "dims.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/tb/axi_core_factory.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
@@ -74,21 +75,6 @@ std::vector<Configuration> dma_rows_of(const std::vector<Configuration>& rows) {
                   kDmaStream, joined(built)));
 }
 
-Index3 dims_of(const std::string& text) {
-  Index3 dims{};
-  int end = 0;
-  const int read = std::sscanf(text.c_str(), "%2dx%2dx%2d%n", &dims[0], &dims[1], &dims[2], &end);
-  if (read != 3 || static_cast<std::size_t>(end) != text.size()) {
-    throw UsageError(fmt::format("LATTICE={}: expected points an axis, as 4x4x4 or 8x5x6", text));
-  }
-  for (const int n : dims) {
-    if (n < Lattice::kMinPoints || n > Lattice::kMaxPoints) {
-      throw UsageError(fmt::format("LATTICE={}: 4 to 16 points an axis", text));
-    }
-  }
-  return dims;
-}
-
 std::uint64_t seed_of(const std::string& text) {
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();
@@ -128,7 +114,7 @@ Options parse_options(int argc, char** argv) {
         "-DHWFFD_TRACE=ON");
   }
   options.seed = seed_of(text.seed);
-  options.lattice = dims_of(text.lattice);
+  options.lattice = parse_dims(text.lattice, "LATTICE=" + text.lattice);
   options.rows = rows_of(text);
   if (options.stream == kDmaStream) options.rows = dma_rows_of(options.rows);
   options.deformations = {text.deform};

@@ -43,6 +43,10 @@ fs::path Output::mesh(const std::string& deformation) const {
   return folder_ / "sim" / (stem(deformation) + ".obj");
 }
 
+fs::path Output::picture(const std::string& deformation) const {
+  return folder_ / "sim" / (stem(deformation) + ".png");
+}
+
 fs::path Output::waveform(const std::string& deformation, const std::string& configuration) const {
   return folder_ / "sim" / fmt::format("{}-{}.fst", stem(deformation), configuration);
 }

@@ -18,6 +18,8 @@ class Output {
   std::filesystem::path report() const;
   /// sim/<mesh>-<deformation>.obj
   std::filesystem::path mesh(const std::string& deformation) const;
+  /// sim/<mesh>-<deformation>.png
+  std::filesystem::path picture(const std::string& deformation) const;
   /// sim/<mesh>-<deformation>-<configuration>.fst
   std::filesystem::path waveform(const std::string& deformation,
                                  const std::string& configuration) const;

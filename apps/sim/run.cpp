@@ -1,11 +1,9 @@
 #include "run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "arrangement.hpp"
@@ -14,6 +12,7 @@
 #include "hwffd/stream/interleave.hpp"
 #include "hwffd/tb/stream_bench.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
+#include "program.hpp"
 
 namespace hwffd::sim {
 namespace {
@@ -27,12 +26,6 @@ Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
     positions.row(static_cast<Eigen::Index>(v)) = normalization.to_world(point);
   }
   return positions;
-}
-
-void show_progress(const std::string& name, double done) {
-  if (isatty(fileno(stderr)) == 0) return;
-  fmt::print(stderr, "\r{:<32} {:3.0f} %", name, 100 * done);
-  if (done >= 1) fmt::print(stderr, "\r{:40}\r", "");
 }
 
 /// By the core's streams. Fills the result and returns what came.

@@ -1,25 +1,14 @@
 #include "scene.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
-#include "hwffd/error.hpp"
-#include "hwffd/oracle/oracle.hpp"
+#include "hwffd/device/device.hpp"
 
 namespace hwffd::sim {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
-
-Mesh load_model(const std::string& name) {
-  if (!name.empty()) return Mesh::load(find_model(name));
-  try {
-    return Mesh::load(find_model("cat.3ds"));
-  } catch (const Error&) {
-    return Mesh::procedural();
-  }
-}
 
 }  // namespace
 
@@ -32,13 +21,7 @@ Scene make_scene(const std::string& model, const Index3& dims) {
 
 Deformed deform(const Scene& scene, const std::string& deformation) {
   Deformed deformed{deformation, Deformation::parse(deformation).apply(scene.lattice), {}};
-  deformed.exact.resize(static_cast<Eigen::Index>(scene.vertices.size()), 3);
-  const Oracle oracle;
-  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-    const Embedded& vertex = scene.vertices[v];
-    deformed.exact.row(static_cast<Eigen::Index>(v)) = oracle.evaluate(
-        deformed.lattice.support(vertex.cell), vertex.local[0], vertex.local[1], vertex.local[2]);
-  }
+  deformed.exact = make_device({"reference", "", ""})->evaluate(deformed.lattice, scene.vertices);
   return deformed;
 }
 

@@ -29,8 +29,8 @@ std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t index) {
   return z ^ (z >> 31);
 }
 
-std::uint64_t seed_from_environment(std::uint64_t fallback) {
-  const char* text = std::getenv("SEED");
+std::uint64_t seed_from_environment(std::uint64_t fallback, const char* variable) {
+  const char* text = std::getenv(variable);
   if (text == nullptr || *text == '\0') return fallback;
   const bool hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
   char* end = nullptr;
@@ -38,7 +38,8 @@ std::uint64_t seed_from_environment(std::uint64_t fallback) {
   const unsigned long long value = std::strtoull(text, &end, hexadecimal ? 16 : 10);
   const bool starts_with_digit = *text >= '0' && *text <= '9';
   if (!starts_with_digit || *end != '\0' || errno == ERANGE) {
-    throw std::invalid_argument("SEED: \"" + std::string(text) + "\" is not a 64-bit number");
+    throw std::invalid_argument(std::string(variable) + ": \"" + text +
+                                "\" is not a 64-bit number");
   }
   return value;
 }

@@ -124,6 +124,7 @@ TEST_F(SeedFromEnvironment, ReadsNumbers) {
   EXPECT_EQ(with("010"), 10u);
   EXPECT_EQ(with("0xff"), 255u);
   EXPECT_EQ(with("18446744073709551615"), ~std::uint64_t{0});
+  EXPECT_EQ(seed_from_environment(5, "HWFFD_NO_SUCH_SEED"), 5u);
 }
 
 TEST_F(SeedFromEnvironment, RefusesAnythingElse) {

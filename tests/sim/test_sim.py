@@ -1,5 +1,5 @@
 """hwffd-sim: bad input ends with one line that names the thing and what is accepted, and writes
-nothing; a good run writes its report and its mesh.
+nothing; a good run writes its report, its mesh and a picture.
 
 Called with the path of hwffd-sim.
 
@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -107,10 +108,11 @@ class Sim(unittest.TestCase):
         return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
                 for path in folder.rglob("*")}
 
-    def sim(self, *options, output="out"):
+    def sim(self, *options, output="out", **environment):
         return subprocess.run(
             [SIM, *options, "--output", output], cwd=self.folder, stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False,
+            env={**os.environ, **environment})
 
     def refuse(self, done, status, words):
         self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
@@ -169,12 +171,30 @@ class Sim(unittest.TestCase):
         self.assertEqual(sum(line.startswith("v ") for line in mesh.splitlines()), BLOCK_VERTICES)
         self.assertEqual(sum(line.startswith("f ") for line in mesh.splitlines()), 6 * 16)
 
+    def test_picture(self):
+        done = self.sim(*GOOD, "--deform", "shear")
+        self.report(done)
+        png = (self.folder / "out" / "sim" / "block-shear.png").read_bytes()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", png[16:24]), (2 * 700, 600))
+        self.assertGreater(len(png), 50000, "nothing is drawn")
+        self.assertTrue(done.stdout.endswith(
+            "wrote out/sim/block-shear.obj, out/reports/sim.json, out/sim/block-shear.png\n"))
+
+    def test_without_opengl_only_the_picture_is_missing(self):
+        done = self.sim(*GOOD, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+        self.report(done)
+        self.assertRegex(done.stdout, r"\nno picture: no OpenGL [^\n]*libgl1-mesa-dri\n\Z")
+        written = self.files(self.folder / "out" / "sim")
+        self.assertIn("block-twist-90.obj", written)
+        self.assertNotIn("block-twist-90.png", written)
+
     def test_two_runs_give_the_same_files(self):
         for output in ("one", "two"):
             self.report(self.sim(*GOOD, "--seed", "7", output=output), output)
         one, two = (self.files(self.folder / output) for output in ("one", "two"))
         self.assertEqual(one, two)
-        self.assertGreaterEqual(sum(content is not None for content in one.values()), 2)
+        self.assertGreaterEqual(sum(content is not None for content in one.values()), 3)
 
     def test_the_seed_of_the_bench_does_not_change_the_results(self):
         seen = [self.report(self.sim(*GOOD, "--deform", "bend:45", "--seed", seed))

@@ -46,8 +46,8 @@ class Random {
 /// The seed of the `index`-th generator of a test: unrelated streams from one seed (splitmix64).
 std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t index);
 
-/// The value of the environment variable SEED (decimal, or hexadecimal after 0x), or `fallback`
-/// when it is unset or empty. Throws std::invalid_argument when it is not a 64-bit number.
-std::uint64_t seed_from_environment(std::uint64_t fallback);
+/// The value of an environment variable (decimal, or hexadecimal after 0x), or `fallback` when it
+/// is unset or empty. Throws std::invalid_argument when it is not a 64-bit number.
+std::uint64_t seed_from_environment(std::uint64_t fallback, const char* variable = "SEED");
 
 }  // namespace hwffd::tb

@@ -28,7 +28,10 @@ class Sim {
     dut_->clk = 0;
     dut_->eval();
   }
-  ~Sim() { dut_->final(); }
+  ~Sim() {
+    Verilated::threadContextp(context_.get());  // final() uses the last one made
+    dut_->final();
+  }
   Sim(const Sim&) = delete;
   Sim& operator=(const Sim&) = delete;
 

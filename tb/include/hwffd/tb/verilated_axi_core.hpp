@@ -24,7 +24,10 @@ class VerilatedAxiCore final : public AxiCore {
     dut_->aresetn = 0;
     dut_->eval();
   }
-  ~VerilatedAxiCore() override { dut_->final(); }
+  ~VerilatedAxiCore() override {
+    Verilated::threadContextp(context_.get());  // final() uses the last one made
+    dut_->final();
+  }
   VerilatedAxiCore(const VerilatedAxiCore&) = delete;
   VerilatedAxiCore& operator=(const VerilatedAxiCore&) = delete;
 

@@ -27,7 +27,10 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     dut_->s_vertex_valid = 0;
     dut_->m_result_ready = 0;
   }
-  ~VerilatedEvaluatorCore() override { dut_->final(); }
+  ~VerilatedEvaluatorCore() override {
+    Verilated::threadContextp(context_.get());  // final() uses the last one made
+    dut_->final();
+  }
   VerilatedEvaluatorCore(const VerilatedEvaluatorCore&) = delete;
   VerilatedEvaluatorCore& operator=(const VerilatedEvaluatorCore&) = delete;
 

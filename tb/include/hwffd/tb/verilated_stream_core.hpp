@@ -31,7 +31,10 @@ class VerilatedStreamCore final : public StreamCore {
     dut_->m_axis_tready = 0;
     dut_->eval();
   }
-  ~VerilatedStreamCore() override { dut_->final(); }
+  ~VerilatedStreamCore() override {
+    Verilated::threadContextp(context_.get());  // final() uses the last one made
+    dut_->final();
+  }
   VerilatedStreamCore(const VerilatedStreamCore&) = delete;
   VerilatedStreamCore& operator=(const VerilatedStreamCore&) = delete;
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hwffd/device/device.hpp"
+#include "hwffd/lattice/attachment.hpp"
+#include "hwffd/lattice/outside.hpp"
+
+namespace hwffd {
+
+/// Points carried through lattices, one stage after the other (paper, section 2: hierarchical
+/// deformation). Each stage embeds the points as the stage before left them in its lattice at rest
+/// and evaluates them in its deformed lattice on a device.
+class Deformer {
+ public:
+  /// What all stages made of the points.
+  struct Result {
+    Points positions;                         ///< n x 3
+    std::vector<Eigen::Matrix3d> gradients;   ///< of the whole map at each point; NaN: unknown
+    std::vector<EmbeddingSummary> summaries;  ///< one a stage
+    std::size_t torn_edges = 0;               ///< Attachment::torn_edges, over all stages
+  };
+
+  /// @param points     n x 3
+  /// @param triangles  indices of points, for torn_edges; may be empty
+  /// @param rest       the lattices of the stages, at rest
+  /// @throws Error if there is no stage, or what Attachment throws
+  Deformer(Points points, std::vector<std::array<std::uint32_t, 3>> triangles,
+           std::vector<Lattice> rest, Outside outside);
+
+  /// @param deformed  the lattices of the stages, deformed, of the same dimensions
+  /// @throws Error for another number of lattices or other dimensions, and what Attachment and
+  ///   Device throw
+  Result deform(const std::vector<Lattice>& deformed, Device& device) const;
+
+ private:
+  Points points_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<Lattice> rest_;
+  Outside outside_;
+  Attachment first_;  ///< of the first stage, whose points never change
+};
+
+}  // namespace hwffd

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hwffd/lattice/lattice.hpp"
+#include "hwffd/oracle/oracle.hpp"
+#include "hwffd/stream/interleave.hpp"
+
+namespace hwffd {
+
+/// Called with the fraction done, the last time with 1.
+using Progress = std::function<void(double)>;
+
+/// What evaluates eq. (1): the simulated hardware, its bit-true model, or double precision. All
+/// speak world coordinates; what a number format wants is the device's own business.
+class Device {
+ public:
+  /// Blending coefficients of s, t and u (Oracle::Coefficients).
+  using Blending = std::array<Oracle::Coefficients, 3>;
+
+  /// What a device has done since it was made.
+  struct Counts {
+    std::uint64_t vertices = 0;
+    std::uint64_t saturated = 0;  ///< results beyond what fixed point holds
+    std::uint64_t clocks = 0;     ///< of the simulated hardware; 0 elsewhere
+  };
+
+  virtual ~Device() = default;
+
+  /// The kind of device, and its row of the table of configurations: "rtl basic-fx18-overlapped".
+  virtual std::string name() const = 0;
+
+  /// Positions of vertices in a lattice, n x 3, in their order.
+  /// @param vertices  local coordinates in [0, 1]; hardware clamps others
+  /// @param blending  the uniform B-spline is loaded in its watertight form (numerics.md section 5)
+  /// @throws Error for a cell that the lattice does not have, a coordinate that is not finite, or
+  ///   hardware that does not answer
+  Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                  const Blending& blending);
+  /// The same with the uniform B-spline along all axes.
+  Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices);
+
+  /// Positions of vertices that bring their control points, n x 3, in their order (paper, fig. 3).
+  /// @throws Error for a number that is not finite, or hardware that does not answer
+  Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
+
+  void on_progress(Progress progress) { progress_ = std::move(progress); }
+  const Counts& counts() const { return counts_; }
+
+ protected:
+  virtual Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                     const Blending& blending) = 0;
+  virtual Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) = 0;
+
+  void show(double done) const {
+    if (progress_) progress_(done);
+  }
+  Counts counts_;
+
+ private:
+  Progress progress_;
+};
+
+/// Which device is wanted, in words.
+struct DeviceChoice {
+  std::string device = "model";  ///< "model", "rtl" or "reference"
+  std::string org = "basic";     ///< of model and rtl: basic, cg1, tree4, parallel, ...
+  std::string format = "fp32";   ///< of model and rtl
+};
+
+/// The names that DeviceChoice::device takes.
+const std::vector<std::string>& device_kinds();
+
+/// The rows of the table, overlapped, that a kind of device has in this build: all for a model,
+/// the verilated ones with streams for the RTL, none for the reference.
+std::vector<std::string> device_rows(const std::string& kind);
+
+/// @throws UsageError for an unknown device, and for an organization and a format that it does not
+///   have; it lists what there is
+std::unique_ptr<Device> make_device(const DeviceChoice& choice);
+
+}  // namespace hwffd

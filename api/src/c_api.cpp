@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hwffd/device/deformable_lattice.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/hwffd.h"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+
+using namespace hwffd;
+
+struct hwffd_lattice : DeformableLattice {
+  using DeformableLattice::DeformableLattice;
+};
+
+namespace {
+
+thread_local std::string last_error;
+
+/// Runs a body; an exception becomes a status and hwffd_error().
+template <typename Body>
+int guarded(Body body) {
+  try {
+    body();
+    return HWFFD_OK;
+  } catch (const Error& error) {
+    last_error = error.what();
+    return error.exit_status();
+  } catch (const std::exception& error) {
+    last_error = error.what();
+    return HWFFD_ERROR;
+  }
+}
+
+template <typename Make>
+hwffd_lattice* made(Make make) {
+  std::unique_ptr<hwffd_lattice> lattice;
+  guarded([&] { lattice = std::make_unique<hwffd_lattice>(make()); });
+  return lattice.release();
+}
+
+template <typename T>
+void need(const T* pointer, const char* name, std::size_t count = 1) {
+  if (pointer == nullptr && count > 0) throw UsageError(std::string(name) + " is NULL; give it");
+}
+
+Points copied(const double* points, std::size_t n) {
+  return Eigen::Map<const Points>(points, static_cast<Eigen::Index>(n), 3);
+}
+
+void copy_out(const Points& points, double* out) {
+  std::copy(points.data(), points.data() + points.size(), out);
+}
+
+Lattice checked_lattice(const int dims[3], const double* points) {
+  need(dims, "dims");
+  need(points, "points");
+  const Index3 counts{dims[0], dims[1], dims[2]};
+  Lattice::check_dims(counts);
+  return Lattice(counts, copied(points, static_cast<std::size_t>(dims[0]) * dims[1] * dims[2]));
+}
+
+int status_of(EmbeddingStatus status) {
+  switch (status) {
+    case EmbeddingStatus::kInside:
+      return HWFFD_INSIDE;
+    case EmbeddingStatus::kOutside:
+      return HWFFD_OUTSIDE;
+    case EmbeddingStatus::kNotConverged:
+      break;
+  }
+  return HWFFD_NOT_CONVERGED;
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* hwffd_version(void) { return HWFFD_VERSION; }
+
+const char* hwffd_error(void) { return last_error.c_str(); }
+
+hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points) {
+  return made([&] { return checked_lattice(dims, points); });
+}
+
+hwffd_lattice* hwffd_lattice_read(const char* path) {
+  return made([&] {
+    need(path, "path");
+    return read_lattice(path);
+  });
+}
+
+hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const double* points,
+                                    size_t n) {
+  return made([&] {
+    need(shape, "shape");
+    need(points, "points", n);
+    const Index3 counts = dims == nullptr ? usual_dims(shape) : Index3{dims[0], dims[1], dims[2]};
+    return lattice_around(shape, copied(points, n), counts);
+  });
+}
+
+void hwffd_lattice_free(hwffd_lattice* lattice) { delete lattice; }
+
+void hwffd_lattice_dims(const hwffd_lattice* lattice, int dims[3]) {
+  const Index3& counts = lattice->rest().dims();
+  std::copy(counts.begin(), counts.end(), dims);
+}
+
+void hwffd_lattice_points(const hwffd_lattice* lattice, double* points) {
+  copy_out(lattice->deformed().points(), points);
+}
+
+int hwffd_lattice_move(hwffd_lattice* lattice, const double* points) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(points, "points");
+    lattice->move(copied(points, static_cast<std::size_t>(lattice->rest().points().rows())));
+  });
+}
+
+int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(deformation, "deformation");
+    lattice->deform(deformation);
+  });
+}
+
+int hwffd_lattice_device(hwffd_lattice* lattice, const char* device, const char* organization,
+                         const char* format) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(device, "device");
+    DeviceChoice choice;
+    choice.device = device;
+    if (organization != nullptr) choice.org = organization;
+    if (format != nullptr) choice.format = format;
+    lattice->set_device(choice);
+  });
+}
+
+int hwffd_lattice_outside(hwffd_lattice* lattice, const char* outside) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(outside, "outside");
+    lattice->set_outside(outside);
+  });
+}
+
+int hwffd_embed(const hwffd_lattice* lattice, const double* points, size_t n,
+                hwffd_embedding* out) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(points, "points", n);
+    need(out, "out", n);
+    const std::vector<Embedding> embeddings = lattice->embed(copied(points, n));
+    for (size_t i = 0; i < n; ++i) {
+      const Embedding& e = embeddings[i];
+      out[i] = {{e.at.cell[0], e.at.cell[1], e.at.cell[2]},
+                status_of(e.status),
+                {e.at.local[0], e.at.local[1], e.at.local[2]},
+                e.residual};
+    }
+  });
+}
+
+int hwffd_evaluate(hwffd_lattice* lattice, const hwffd_embedding* embeddings, size_t n,
+                   double* out) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(embeddings, "embeddings", n);
+    need(out, "out", n);
+    std::vector<Embedded> places(n);
+    for (size_t i = 0; i < n; ++i) {
+      const hwffd_embedding& e = embeddings[i];
+      places[i].cell = {e.cell[0], e.cell[1], e.cell[2]};
+      places[i].local = Eigen::Map<const Eigen::Vector3d>(e.local);
+    }
+    copy_out(lattice->evaluate(std::move(places)), out);
+  });
+}
+
+int hwffd_deform(hwffd_lattice* lattice, const double* points, size_t n, double* out) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(points, "points", n);
+    need(out, "out", n);
+    copy_out(lattice->carry(copied(points, n)), out);
+  });
+}
+
+}  // extern "C"

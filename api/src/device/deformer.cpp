@@ -1,0 +1,61 @@
+#include "hwffd/device/deformer.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "hwffd/error.hpp"
+
+namespace hwffd {
+namespace {
+
+const Lattice& first_of(const std::vector<Lattice>& lattices) {
+  if (lattices.empty()) throw Error("no lattice to deform with; give at least one");
+  return lattices.front();
+}
+
+void check_dims(const Lattice& rest, const Lattice& deformed) {
+  const Index3& a = rest.dims();
+  const Index3& b = deformed.dims();
+  if (a == b) return;
+  throw Error(
+      fmt::format("deformed lattice has {} x {} x {} points, the lattice at rest {} x {} x "
+                  "{}; give both the same",
+                  b[0], b[1], b[2], a[0], a[1], a[2]));
+}
+
+}  // namespace
+
+Deformer::Deformer(Points points, std::vector<std::array<std::uint32_t, 3>> triangles,
+                   std::vector<Lattice> rest, Outside outside)
+    : points_(std::move(points)),
+      triangles_(std::move(triangles)),
+      rest_(std::move(rest)),
+      outside_(outside),
+      first_(first_of(rest_), points_, outside_) {}
+
+Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& device) const {
+  if (deformed.size() != rest_.size()) {
+    throw Error(fmt::format("{} deformed lattices for {} stages; give one a stage", deformed.size(),
+                            rest_.size()));
+  }
+  Result result;
+  result.positions = points_;
+  result.gradients.assign(static_cast<std::size_t>(points_.rows()), Eigen::Matrix3d::Identity());
+  for (std::size_t stage = 0; stage < rest_.size(); ++stage) {
+    check_dims(rest_[stage], deformed[stage]);
+    std::optional<Attachment> later;
+    if (stage > 0) later.emplace(rest_[stage], result.positions, outside_);
+    const Attachment& attachment = later ? *later : first_;
+    result.positions = attachment.follow(device.evaluate(deformed[stage], attachment.places()));
+    const std::vector<Eigen::Matrix3d> gradients = attachment.gradients(deformed[stage]);
+    for (std::size_t i = 0; i < gradients.size(); ++i) {
+      result.gradients[i] = gradients[i] * result.gradients[i];
+    }
+    result.summaries.push_back(attachment.summary());
+    result.torn_edges += attachment.torn_edges(triangles_);
+  }
+  return result;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,93 @@
+#include "hwffd/device/device.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "device/reference_device.hpp"
+#include "device/stream_device.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
+#include "hwffd/tb/stream_core_factory.hpp"
+
+namespace hwffd {
+namespace {
+
+bool is_there(const std::string& kind, const Configuration& row) {
+  if (std::strcmp(row.schedule, "overlapped") != 0) return false;
+  return kind == "model" || (kind == "rtl" && tb::has_stream_core(row));
+}
+
+}  // namespace
+
+Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) {
+  const Index3 cells = lattice.cells();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const Index3& cell = vertices[v].cell;
+    if (!vertices[v].local.allFinite()) {
+      throw Error(fmt::format("vertex {}: a local coordinate is not finite; embed it first", v));
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell[axis] >= 0 && cell[axis] < cells[axis]) continue;
+      throw Error(
+          fmt::format("vertex {}: cell ({}, {}, {}) of a lattice of {} x {} x {} cells; "
+                      "embed it in this lattice",
+                      v, cell[0], cell[1], cell[2], cells[0], cells[1], cells[2]));
+    }
+  }
+  counts_.vertices += vertices.size();
+  if (vertices.empty()) return Points(0, 3);
+  return run(lattice, vertices, blending);
+}
+
+Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices) {
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  return evaluate(lattice, vertices, {bspline, bspline, bspline});
+}
+
+Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (vertices[v].local.allFinite() && vertices[v].support.allFinite()) continue;
+    throw Error(
+        fmt::format("vertex {}: a coordinate or control point is not finite; leave it out", v));
+  }
+  counts_.vertices += vertices.size();
+  if (vertices.empty()) return Points(0, 3);
+  return run(vertices, blending);
+}
+
+const std::vector<std::string>& device_kinds() {
+  static const std::vector<std::string> kinds{"model", "rtl", "reference"};
+  return kinds;
+}
+
+std::vector<std::string> device_rows(const std::string& kind) {
+  std::vector<std::string> names;
+  for (const Configuration& row : configurations()) {
+    if (is_there(kind, row)) names.emplace_back(row.name);
+  }
+  return names;
+}
+
+std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
+  const std::vector<std::string>& kinds = device_kinds();
+  if (std::find(kinds.begin(), kinds.end(), choice.device) == kinds.end()) {
+    throw UsageError(fmt::format("device '{}' is unknown; one of {}", excerpt(choice.device),
+                                 fmt::join(kinds, ", ")));
+  }
+  if (choice.device == "reference") return std::make_unique<ReferenceDevice>();
+  const std::string name = fmt::format("{}-{}-overlapped", choice.org, choice.format);
+  for (const Configuration& row : configurations()) {
+    if (row.name != name || !is_there(choice.device, row)) continue;
+    return std::make_unique<StreamDevice>(
+        choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row));
+  }
+  throw UsageError(fmt::format("device {}: no organization '{}' in format '{}' here; there are {}",
+                               choice.device, excerpt(choice.org), excerpt(choice.format),
+                               fmt::join(device_rows(choice.device), ", ")));
+}
+
+}  // namespace hwffd

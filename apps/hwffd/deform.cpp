@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "geometry.hpp"
+#include "hwffd/device/deformer.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/fold.hpp"
+#include "hwffd/lattice/keyframe.hpp"
+#include "program.hpp"
+#include "report.hpp"
+#include "stages.hpp"
+
+namespace hwffd::command {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  hwffd deform horse.3ds --lattice sphere --deform twist:90 -o out.ply
+  hwffd deform cat.3ds --dims 6x6x6 --deform bend:60 --deform taper:0.5 -o cat.obj
+  hwffd deform cat.3ds --deform twist:90 --device rtl --org parallel --format fx18 -o cat.glb
+  hwffd deform chair.obj --lattice box --region 0,0,0,1,2,1 --deform twist:40 --outside fade:0.2
+        --lattice box --deform bend:30 -o chair.obj        (local first, then global)
+  hwffd deform cat.3ds --deform twist:90 --keyframes 24 -o frame.ply   (frame-0000.ply ...)
+  echo "0.5 0.5 0.5" | hwffd deform - --lattice lattice.json --deform to:moved.json)";
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string outside = "keep";
+  std::string report;
+  DeviceChoice device;
+  int keyframes = 0;
+};
+
+/// frame.ply -> frame-0007.ply
+std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
+  return path.parent_path() /
+         fmt::format("{}-{:04}{}", path.stem().string(), frame, path.extension().string());
+}
+
+void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", text); }
+
+void warn_of(const std::vector<Stage>& stages, const Deformer::Result& result,
+             const Device& device) {
+  for (const Stage& stage : stages) {
+    const FoldCheck check = check_folds(stage.deformed);
+    if (check.verdict == FoldCheck::Verdict::kFolded) {
+      warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself",
+                       stage.name, check.text()));
+    }
+  }
+  if (result.torn_edges > 0) {
+    warn(
+        fmt::format("{} edges join a vertex outside the lattice, which stays, and one that moves: "
+                    "the mesh tears there; see --outside clamp or fade",
+                    result.torn_edges));
+  }
+  if (device.counts().saturated > 0) {
+    warn(fmt::format("{} results saturated in fixed point: {}", device.counts().saturated,
+                     "the deformed lattice is too large for its scale"));
+  }
+}
+
+int run(const Options& options, const StageOptions& stage_options) {
+  Geometry geometry = Geometry::read(options.input);
+  const std::string output = options.output.empty() && !geometry.is_mesh() ? "-" : options.output;
+  if (output.empty()) throw UsageError("--output: name the mesh to write, such as -o out.ply");
+  if (options.keyframes > 0 && output == "-") {
+    throw UsageError("--keyframes: frames are files; name them by --output");
+  }
+  const Outside outside = Outside::parse(options.outside);
+  const std::unique_ptr<Device> device = make_device(options.device);
+  const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
+  std::vector<Lattice> rest;
+  for (const Stage& stage : stages) rest.push_back(stage.rest);
+  const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
+
+  const int frames = options.keyframes;
+  std::vector<std::string> written;
+  Deformer::Result result;
+  for (int frame = 0; frame <= frames; ++frame) {
+    const std::string title = frames > 0 ? fmt::format("frame {}/{}", frame, frames) : "deform";
+    device->on_progress([&](double done) { show_progress(title, done); });
+    const double fraction = frames > 0 ? static_cast<double>(frame) / frames : 1.0;
+    std::vector<Lattice> deformed;
+    for (const Stage& stage : stages) {
+      deformed.push_back(between(stage.rest, stage.deformed, fraction));
+    }
+    result = deformer.deform(deformed, *device);
+    geometry.move(result.positions, result.gradients);
+    written.push_back(frames > 0 ? frame_path(output, frame).string() : output);
+    geometry.write(written.back());
+  }
+  warn_of(stages, result, *device);
+  const DeformReport report{geometry, *device, stages, result, written};
+  if (!options.report.empty()) write_report(options.report, json_of(report));
+  if (output != "-" && options.report != "-") fmt::print("{}", text_of(report));
+  return 0;
+}
+
+}  // namespace
+
+Action add_deform(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  const auto stages = std::make_shared<StageOptions>(app);
+  app.add_option("input", options->input,
+                 "mesh file, name in glmark2's models, points as text (.xyz), - for points from "
+                 "standard input")
+      ->required();
+  app.add_option("-o,--output", options->output,
+                 "mesh to write (obj, ply, stl, glb, gltf, dae), or points; points go to standard "
+                 "output if left out");
+  app.add_option("--outside", options->outside,
+                 "vertices outside a lattice: keep (default), clamp, fade:WIDTH");
+  app.add_option("--device", options->device.device, "model (default), rtl, reference");
+  app.add_option("--org", options->device.org, "organization: basic (default), cg3, parallel, ...");
+  app.add_option("--format", options->device.format, "number format: fp32 (default), fx18, fx32");
+  app.add_option("--keyframes", options->keyframes,
+                 "write frames 0 (at rest) to N (deformed), numbered")
+      ->type_name("N")
+      ->check(CLI::Range(1, 9999));
+  app.add_option("--json", options->report, "report to write; - for standard output");
+  app.footer(kExamples);
+  return [=] { return run(*options, *stages); };
+}
+
+}  // namespace hwffd::command

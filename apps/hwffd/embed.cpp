@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "geometry.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/embedder.hpp"
+#include "report.hpp"
+#include "stages.hpp"
+
+namespace hwffd::command {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  hwffd embed horse.3ds --lattice sphere
+  hwffd embed horse.3ds --lattice cage.json -o horse.txt
+One line a vertex is written: cell i j k, local s t u, the residual (distance of the point found from
+the vertex), and inside, outside or not-converged. Vertices are welded: equal positions count once.)";
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string report;
+};
+
+const char* word(EmbeddingStatus status) {
+  switch (status) {
+    case EmbeddingStatus::kInside:
+      return "inside";
+    case EmbeddingStatus::kOutside:
+      return "outside";
+    case EmbeddingStatus::kNotConverged:
+      break;
+  }
+  return "not-converged";
+}
+
+std::string lines(const std::vector<Embedding>& embeddings) {
+  std::string text = "# i j k s t u residual status\n";
+  for (const Embedding& e : embeddings) {
+    text += fmt::format("{} {} {} {} {} {} {:.3g} {}\n", e.at.cell[0], e.at.cell[1], e.at.cell[2],
+                        e.at.local[0], e.at.local[1], e.at.local[2], e.residual, word(e.status));
+  }
+  return text;
+}
+
+int run(const Options& options, const StageOptions& stage_options) {
+  const std::vector<StageText> texts = stage_options.texts();
+  if (texts.size() != 1) throw UsageError("--lattice: embed takes one lattice");
+  if (!texts.front().deformations.empty()) {
+    throw UsageError("--deform: vertices are embedded at rest; use hwffd deform to move them");
+  }
+  const Geometry geometry = Geometry::read(options.input);
+  const std::vector<Stage> stages = make_stages(texts, geometry.positions());
+  const Embedder embedder(stages.front().rest);
+  const std::vector<Embedding> embeddings = embedder.embed(geometry.positions());
+  const EmbeddingSummary summary = summarize(embeddings);
+  if (!options.output.empty()) write_files({{options.output, lines(embeddings)}});
+  if (!options.report.empty()) {
+    Json report{{"input", geometry.name()},
+                {"lattice", stages.front().name},
+                {"dims", stages.front().rest.dims()},
+                {"size", embedder.size()}};
+    report.update(json_of(summary));
+    write_report(options.report, report);
+  }
+  if (options.report != "-") {
+    fmt::print("{} {}: {}\n", stages.front().name, dims_text(stages.front().rest.dims()),
+               text_of(summary));
+  }
+  if (summary.not_converged > 0) {
+    throw Error(
+        fmt::format("{}: {} vertices could neither be embedded nor proved outside; use a "
+                    "lattice with less distorted cells",
+                    geometry.name(), summary.not_converged));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Action add_embed(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  const auto stages = std::make_shared<StageOptions>(app);
+  app.add_option("input", options->input, "mesh, points as text (.xyz), - for standard input")
+      ->required();
+  app.add_option("-o,--output", options->output, "text file for the places, one a line");
+  app.add_option("--json", options->report, "report to write; - for standard output");
+  app.footer(kExamples);
+  return [=] { return run(*options, *stages); };
+}
+
+}  // namespace hwffd::command

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "geometry.hpp"
+#include "hwffd/device/device.hpp"
+#include "hwffd/lattice/closure.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+#include "report.hpp"
+
+namespace hwffd::command {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  hwffd info               (devices, organizations and formats of this build)
+  hwffd info horse.3ds
+  hwffd info rest.json)";
+
+struct Options {
+  std::string file;
+  std::string report;
+};
+
+Json extent(const Points& points) {
+  const Point low = points.colwise().minCoeff();
+  const Point high = points.colwise().maxCoeff();
+  return {{"low", {low[0], low[1], low[2]}}, {"high", {high[0], high[1], high[2]}}};
+}
+
+Json build_info() {
+  Json devices = Json::object();
+  for (const std::string& kind : device_kinds()) devices[kind] = device_rows(kind);
+  return {{"version", HWFFD_VERSION}, {"devices", std::move(devices)}};
+}
+
+Json lattice_info(const std::string& file) {
+  const Lattice lattice = read_lattice(file);
+  const Closure closure(lattice);
+  Json closed = Json::array();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (closure.closed(axis)) closed.push_back(std::string(1, "stu"[axis]));
+  }
+  Json info{{"lattice", file},
+            {"dims", lattice.dims()},
+            {"cells", lattice.cells()},
+            {"closed_axes", std::move(closed)},
+            {"collapsed_faces", closure.collapsed().size()}};
+  info.update(extent(lattice.points()));
+  return info;
+}
+
+Json geometry_info(const std::string& name) {
+  const Geometry geometry = Geometry::read(name);
+  Json info{{geometry.is_mesh() ? "mesh" : "points", geometry.name()},
+            {"vertices", geometry.positions().rows()}};
+  if (geometry.is_mesh()) {
+    info["vertices_before_welding"] = geometry.mesh().vertex_count_read();
+    info["triangles"] = geometry.mesh().triangles().size();
+  }
+  info.update(extent(geometry.positions()));
+  return info;
+}
+
+/// "name  value" a line, names as in the JSON.
+std::string text_of(const Json& info) {
+  std::string text;
+  for (const auto& [name, value] : info.items()) {
+    if (value.is_object()) {
+      for (const auto& [device, rows] : value.items()) {
+        text += fmt::format("{:<24} {}\n", name + "." + device, rows.size() == 0 ? "-" : "");
+        for (const Json& row : rows) text += fmt::format("  {}\n", row.get<std::string>());
+      }
+    } else {
+      text += fmt::format("{:<24} {}\n", name,
+                          value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+  return text;
+}
+
+int run(const Options& options) {
+  const bool lattice = std::filesystem::path(options.file).extension() == ".json";
+  const Json info = options.file.empty() ? build_info()
+                    : lattice            ? lattice_info(options.file)
+                                         : geometry_info(options.file);
+  if (!options.report.empty()) write_report(options.report, info);
+  if (options.report != "-") fmt::print("{}", text_of(info));
+  return 0;
+}
+
+}  // namespace
+
+Action add_info(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "mesh, lattice file (.json), or points (.xyz, -)");
+  app.add_option("--json", options->report, "report to write; - for standard output");
+  app.footer(kExamples);
+  return [=] { return run(*options); };
+}
+
+}  // namespace hwffd::command

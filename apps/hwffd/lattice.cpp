@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "geometry.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+#include "report.hpp"
+#include "stages.hpp"
+
+namespace hwffd::command {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  hwffd lattice --lattice cylinder --around horse.3ds -o rest.json
+  hwffd lattice --lattice rest.json --deform twist:90 --deform taper:0.5 -o moved.json
+  hwffd lattice --lattice box --region 0,0,0,1,2,1 --dims 4x6x4 -o box.json
+The file is described in docs/lattice.md section 3: n_s*n_t*n_u points, u running fastest.)";
+
+struct Options {
+  std::string around;
+  std::string output = "-";
+};
+
+int run(const Options& options, const StageOptions& stage_options) {
+  const std::vector<StageText> texts = stage_options.texts();
+  if (texts.size() != 1) throw UsageError("--lattice: a file holds one lattice; give one");
+  Points points(0, 3);
+  if (!options.around.empty()) points = Geometry::read(options.around).positions();
+  if (points.rows() == 0 && texts.front().region.empty()) {
+    points = (Points(2, 3) << -1, -1, -1, 1, 1, 1).finished();
+  }
+  const Lattice rest = rest_lattice(texts.front(), points);
+  const Lattice deformed = deformed_lattice(texts.front(), rest);
+  if (options.output == "-") {
+    fmt::print("{}", lattice_text(deformed));
+  } else {
+    write_lattice(options.output, deformed);
+    fmt::print("wrote {}: {} points\n", options.output, dims_text(deformed.dims()));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Action add_lattice(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  const auto stages = std::make_shared<StageOptions>(app);
+  app.add_option("--around", options->around,
+                 "mesh or points that the shape holds (default: a cube from -1 to 1)");
+  app.add_option("-o,--output", options->output, "lattice file to write (standard output)");
+  app.footer(kExamples);
+  return [=] { return run(*options, *stages); };
+}
+
+}  // namespace hwffd::command

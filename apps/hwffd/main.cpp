@@ -1,0 +1,40 @@
+// hwffd: free-form deformation of meshes and points, on the simulated hardware, its bit-true model
+// or in double precision.
+
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "program.hpp"
+
+namespace {
+
+using namespace hwffd;
+
+int run(int argc, char** argv) {
+  CLI::App app{"Free-form deformation of meshes, on hardware, its bit-true model or in double."};
+  app.set_version_flag("--version", HWFFD_VERSION);
+  app.require_subcommand(1);
+  app.footer("hwffd COMMAND --help shows the options of a command, with examples.");
+  std::vector<std::pair<CLI::App*, command::Action>> commands;
+  const auto add = [&](const char* name, const char* help, command::Action (*options)(CLI::App&)) {
+    CLI::App* command = app.add_subcommand(name, help);
+    commands.emplace_back(command, options(*command));
+  };
+  add("deform", "move a mesh, or points, by deformed lattices", command::add_deform);
+  add("embed", "where vertices lie in a lattice, and how exactly", command::add_embed);
+  add("lattice", "write a lattice file", command::add_lattice);
+  add("check", "whether a lattice folds, and its volume", command::add_check);
+  add("info", "what a file holds; without a file, what this build has", command::add_info);
+  parse_command_line(app, argc, argv);
+  for (const auto& [command, action] : commands) {
+    if (command->parsed()) return action();
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return hwffd::run_program("hwffd", [&] { return run(argc, argv); });
+}

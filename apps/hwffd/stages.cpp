@@ -1,0 +1,148 @@
+#include "stages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "dims.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/fold.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+
+namespace hwffd::command {
+namespace {
+
+constexpr double kNoVolume = 1e-12;  // of the cube around the points
+
+bool is_shape(const std::string& name) {
+  const std::vector<std::string>& names = shape_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void set_once(std::string& entry, const char* option, const std::string& value,
+              const StageText& stage) {
+  if (!is_shape(stage.lattice)) {
+    throw UsageError(fmt::format("{} {}: lattice file '{}' says this itself; leave it out", option,
+                                 excerpt(value), excerpt(stage.lattice)));
+  }
+  if (!entry.empty()) {
+    throw UsageError(fmt::format("{} {}: given twice; begin the next stage by --lattice", option,
+                                 excerpt(value)));
+  }
+  entry = value;
+}
+
+/// The two corners of a region, 2 x 3.
+Points parse_region(const std::string& text) {
+  std::array<double, 6> values{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    const bool last = i + 1 == values.size();
+    const bool good = error == std::errc() && std::isfinite(values[i]) &&
+                      (last ? next == end : next != end && *next == ',');
+    if (!good) {
+      throw UsageError(
+          fmt::format("--region {}: expected two corners, X0,Y0,Z0,X1,Y1,Z1", excerpt(text)));
+    }
+    at = last ? next : next + 1;
+  }
+  return Eigen::Map<const Points>(values.data(), 2, 3);
+}
+
+/// What embedding needs of a lattice at rest.
+void check_rest(const std::string& name, const Lattice& rest) {
+  const FoldCheck check = check_folds(rest);
+  const Point extent = rest.points().colwise().maxCoeff() - rest.points().colwise().minCoeff();
+  if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
+    throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));
+  }
+  if (check.verdict == FoldCheck::Verdict::kFolded) {
+    throw Error(fmt::format("lattice '{}': {}; embedding needs a lattice without folds at rest",
+                            name, check.text()));
+  }
+}
+
+}  // namespace
+
+StageOptions::StageOptions(CLI::App& app) : app_(app) {
+  // The texts are taken from the parse order; what CLI11 binds them to does not matter.
+  const auto add = [&](const char* name, const char* type, const char* help) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            name, [](const std::vector<std::string>&) {}, help)
+        ->type_name(type)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  lattice_ = add("--lattice", "SHAPE|FILE",
+                 "box (default), cylinder, sphere, or a lattice file; begins a stage");
+  dims_ =
+      add("--dims", "IxJxK", "control points an axis (box 4x4x4, cylinder 4x4x9, sphere 4x6x9)");
+  region_ = add("--region", "X0,Y0,Z0,X1,Y1,Z1", "what a shape holds (default: all vertices)");
+  deform_ = add("--deform", "KIND:ARGUMENT",
+                "none, twist:90, shear:0.5, bend:90, taper:0.5, scale:2 or scale:X,Y,Z, "
+                "move:I,J,K:DX,DY,DZ, random:SEED, to:FILE; again for more, in order");
+}
+
+std::vector<StageText> StageOptions::texts() const {
+  std::vector<StageText> stages;
+  std::map<const CLI::Option*, std::size_t> taken;
+  for (const CLI::Option* option : app_.parse_order()) {
+    if (option != lattice_ && option != dims_ && option != region_ && option != deform_) continue;
+    const std::string& value = option->results().at(taken[option]++);
+    if (option == lattice_) {
+      stages.emplace_back();
+      stages.back().lattice = value;
+      continue;
+    }
+    if (stages.empty()) stages.emplace_back();
+    StageText& stage = stages.back();
+    if (option == deform_) {
+      stage.deformations.push_back(value);
+    } else if (option == dims_) {
+      set_once(stage.dims, "--dims", value, stage);
+    } else {
+      set_once(stage.region, "--region", value, stage);
+    }
+  }
+  if (stages.empty()) stages.emplace_back();
+  return stages;
+}
+
+Lattice rest_lattice(const StageText& text, const Points& points) {
+  if (!is_shape(text.lattice)) return read_lattice(text.lattice);
+  const Index3 dims = text.dims.empty() ? usual_dims(text.lattice)
+                                        : parse_dims(text.dims, "--dims " + excerpt(text.dims));
+  return lattice_around(text.lattice, text.region.empty() ? points : parse_region(text.region),
+                        dims);
+}
+
+Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
+  std::vector<Deformation> deformations;
+  for (const std::string& word : text.deformations) {
+    deformations.push_back(Deformation::parse(word));
+  }
+  return deform_lattice(rest, deformations);
+}
+
+std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points) {
+  std::vector<Stage> stages;
+  for (const StageText& text : texts) {
+    Lattice rest = rest_lattice(text, points);
+    check_rest(text.lattice, rest);
+    Lattice deformed = deformed_lattice(text, rest);
+    stages.push_back({text.lattice, std::move(rest), std::move(deformed)});
+  }
+  return stages;
+}
+
+}  // namespace hwffd::command

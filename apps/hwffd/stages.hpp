@@ -1,0 +1,57 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hwffd/lattice/lattice.hpp"
+
+namespace hwffd::command {
+
+/// What the user said of one stage.
+struct StageText {
+  std::string lattice = "box";  ///< a shape, or a lattice file
+  std::string dims;             ///< "4x4x4"; empty: what suits the shape
+  std::string region;           ///< "X0,Y0,Z0,X1,Y1,Z1" that a shape holds; empty: all points
+  std::vector<std::string> deformations;  ///< texts that Deformation::parse takes, in order
+};
+
+/// A lattice of the hierarchy, before and after.
+struct Stage {
+  std::string name;  ///< of its shape or file
+  Lattice rest;
+  Lattice deformed;
+};
+
+/// The options --lattice, --dims, --region and --deform of a command. Every --lattice begins a
+/// stage; the others belong to the stage before them.
+class StageOptions {
+ public:
+  explicit StageOptions(CLI::App& app);
+
+  /// The stages in the order of the command line; without --lattice one box.
+  /// @throws UsageError for --dims or --region twice in a stage, or beside a lattice file
+  std::vector<StageText> texts() const;
+
+ private:
+  CLI::App& app_;
+  CLI::Option* lattice_;
+  CLI::Option* dims_;
+  CLI::Option* region_;
+  CLI::Option* deform_;
+};
+
+/// The lattice at rest.
+/// @param points  what a shape holds if the text gives no region
+/// @throws UsageError, Error for a text, file or lattice that is no good
+Lattice rest_lattice(const StageText& text, const Points& points);
+
+/// The lattice with the deformations of the text, in order.
+Lattice deformed_lattice(const StageText& text, const Lattice& rest);
+
+/// All stages of a command, checked.
+/// @throws Error for a lattice at rest that folds
+std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points);
+
+}  // namespace hwffd::command

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "hwffd/points.hpp"
+
+namespace hwffd {
+
+/// Reads control points an axis, "4x4x4" or "8x5x6".
+/// @param what  what the user wrote, for the message: "LATTICE=4x4", "--dims 4x4"
+/// @throws UsageError for anything else, and for counts outside 4 to 16
+Index3 parse_dims(const std::string& text, const std::string& what);
+
+}  // namespace hwffd

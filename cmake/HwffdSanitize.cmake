@@ -1,0 +1,47 @@
+# Second copies of libraries under AddressSanitizer and UndefinedBehaviorSanitizer, and with assertions
+# (Eigen's check every index), for the tests of robustness; any finding ends the program.
+
+set(HWFFD_SANITIZE_OPTIONS
+  -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1 -UNDEBUG)
+
+# hwffd_sanitize(<library>...)
+#
+# Makes of each static library the library <library>_sanitized, of the same sources. Among the libraries
+# that it links, those that have such a copy are replaced by it: list a library after those it links.
+function(hwffd_sanitize)
+  foreach(library IN LISTS ARGN)
+    get_target_property(folder ${library} SOURCE_DIR)
+    get_target_property(sources ${library} SOURCES)
+    list(TRANSFORM sources PREPEND ${folder}/ REGEX "^[^/]")
+    add_library(${library}_sanitized STATIC EXCLUDE_FROM_ALL ${sources})
+    foreach(kind INCLUDE_DIRECTORIES INTERFACE_INCLUDE_DIRECTORIES)
+      get_target_property(folders ${library} ${kind})
+      set_property(TARGET ${library}_sanitized PROPERTY ${kind} ${folders})
+    endforeach()
+    hwffd_sanitized_links(links ${library} LINK_LIBRARIES)
+    hwffd_sanitized_links(public_links ${library} INTERFACE_LINK_LIBRARIES)
+    set_property(TARGET ${library}_sanitized PROPERTY LINK_LIBRARIES ${links})
+    set_property(TARGET ${library}_sanitized PROPERTY INTERFACE_LINK_LIBRARIES ${public_links})
+    target_compile_options(${library}_sanitized PUBLIC ${HWFFD_SANITIZE_OPTIONS})
+    get_target_property(headers ${library} PRECOMPILE_HEADERS)
+    if(headers)
+      target_precompile_headers(${library}_sanitized PRIVATE ${headers})
+    endif()
+    target_link_options(${library}_sanitized PUBLIC ${HWFFD_SANITIZE_OPTIONS})
+  endforeach()
+endfunction()
+
+# The libraries in a property of a library, the copies in place of those that have one.
+function(hwffd_sanitized_links result library property)
+  get_target_property(links ${library} ${property})
+  set(replaced "")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^[$]<LINK_ONLY:(.*)>$" "\\1" name "${link}")
+    if(TARGET ${name}_sanitized)
+      list(APPEND replaced ${name}_sanitized)
+    elseif(link)
+      list(APPEND replaced ${link})
+    endif()
+  endforeach()
+  set(${result} ${replaced} PARENT_SCOPE)
+endfunction()

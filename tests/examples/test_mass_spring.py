@@ -1,0 +1,81 @@
+"""hwffd-example-mass-spring: the meshes and the picture it writes, and what it prints.
+
+Called with the path of the program.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+
+FRAMES = 9
+PYRAMID = """v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 2 0
+f 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n"""
+
+
+def vertices(text):
+    return [tuple(map(float, line.split()[1:4]))
+            for line in text.splitlines() if line.startswith("v ")]
+
+
+class MassSpring(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "pyramid.obj").write_text(PYRAMID)
+
+    def run_program(self, *options):
+        return subprocess.run([PROGRAM, *options], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, check=False)
+
+    def film(self, output):
+        done = self.run_program("--model", "pyramid.obj", "--frames", str(FRAMES), "--output",
+                                output)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout, {path.name: path.read_bytes()
+                             for path in (self.folder / output).iterdir()}
+
+    def test_meshes_picture_and_energies(self):
+        printed, files = self.film("out")
+        names = [f"frame-{n:04}.obj" for n in range(1, FRAMES + 1)]
+        meshes = [name for name in sorted(files) if name.endswith(".obj")]
+        self.assertEqual(meshes, names)
+        self.assertIn("strip.png", files)
+        width, height = struct.unpack(">II", files["strip.png"][16:24])
+        self.assertEqual((width, height), (4 * 400, 2 * 260))
+
+        rest = vertices(PYRAMID)
+        shapes = [vertices(files[name].decode()) for name in names]
+        rounded = sorted(tuple(round(x, 5) for x in vertex) for vertex in shapes[0])
+        self.assertEqual(rounded, sorted(rest))
+        self.assertEqual(len({tuple(shape) for shape in shapes}), FRAMES)
+
+        rows = re.findall(r"^ +(\d+)  (pulled|free) +[\d.]+ +[\d.]+ +([\d.]+)   proved$", printed,
+                          re.MULTILINE)
+        self.assertEqual([int(number) for number, _, _ in rows], list(range(1, FRAMES + 1)))
+        free = [float(energy) for _, state, energy in rows if state == "free"]
+        self.assertEqual(len(free), FRAMES - 3)
+        self.assertEqual(free, sorted(free, reverse=True))
+
+    def test_two_runs_give_the_same_files(self):
+        self.assertEqual(self.film("one")[1], self.film("two")[1])
+
+    def test_bad_input(self):
+        for options, word in ((("--frames", "3"), "4 to 9999"), (("--what",), "--help"),
+                              (("--model", "nowhere.obj"), "nowhere.obj")):
+            done = self.run_program(*options)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertRegex(done.stderr, r"\Ahwffd-example-mass-spring: [^\n]+\n\Z")
+            self.assertIn(word, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,148 @@
+// The C API: what it computes, and that no call of it ends the program.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hwffd/hwffd.h"
+
+namespace {
+
+struct Free {
+  void operator()(hwffd_lattice* lattice) const { hwffd_lattice_free(lattice); }
+};
+using Lattice = std::unique_ptr<hwffd_lattice, Free>;
+
+const double kCorners[6] = {-1, -1, -1, 1, 1, 1};
+const double kPoints[9] = {0.25, 0.5, 0.125, -0.5, 0, 0.75, 0, -0.9, 0};
+
+Lattice ball() { return Lattice(hwffd_lattice_around("sphere", nullptr, kCorners, 2)); }
+
+bool says(const char* word) { return std::strstr(hwffd_error(), word) != nullptr; }
+
+TEST(CApi, RestIsTheIdentity) {
+  for (const char* shape : {"box", "cylinder", "sphere"}) {
+    const Lattice lattice(hwffd_lattice_around(shape, nullptr, kCorners, 2));
+    ASSERT_TRUE(lattice) << hwffd_error();
+    double out[9];
+    ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, out), HWFFD_OK) << hwffd_error();
+    for (int i = 0; i < 9; ++i) EXPECT_NEAR(out[i], kPoints[i], 1e-6) << shape;
+  }
+}
+
+TEST(CApi, EmbeddingAndEvaluationMakeADeformation) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "twist:90"), HWFFD_OK);
+  hwffd_embedding where[3];
+  ASSERT_EQ(hwffd_embed(lattice.get(), kPoints, 3, where), HWFFD_OK);
+  for (const hwffd_embedding& e : where) {
+    EXPECT_EQ(e.status, HWFFD_INSIDE);
+    EXPECT_LT(e.residual, 1e-12);
+  }
+  double one[9], two[9];
+  ASSERT_EQ(hwffd_evaluate(lattice.get(), where, 3, one), HWFFD_OK);
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, two), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(one, two, sizeof(one)), 0);
+  double moved = 0;
+  for (int i = 0; i < 9; ++i) moved = std::max(moved, std::abs(one[i] - kPoints[i]));
+  EXPECT_GT(moved, 0.1);
+  // In place.
+  std::vector<double> same(kPoints, kPoints + 9);
+  ASSERT_EQ(hwffd_deform(lattice.get(), same.data(), 3, same.data()), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(same.data(), two, sizeof(two)), 0);
+}
+
+TEST(CApi, ControlPointsMove) {
+  const int dims[3] = {4, 5, 6};
+  std::vector<double> points;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      for (int k = 0; k < 6; ++k) points.insert(points.end(), {i - 1.0, j - 1.0, k - 1.0});
+    }
+  }
+  const Lattice lattice(hwffd_lattice_new(dims, points.data()));
+  ASSERT_TRUE(lattice) << hwffd_error();
+  int got[3];
+  hwffd_lattice_dims(lattice.get(), got);
+  EXPECT_TRUE(std::equal(got, got + 3, dims));
+  for (std::size_t i = 0; i < points.size(); i += 3) points[i] += 10;
+  ASSERT_EQ(hwffd_lattice_move(lattice.get(), points.data()), HWFFD_OK);
+  std::vector<double> copy(points.size());
+  hwffd_lattice_points(lattice.get(), copy.data());
+  EXPECT_EQ(copy, points);
+  const double point[3] = {0.5, 0.5, 0.5};
+  double out[3];
+  ASSERT_EQ(hwffd_deform(lattice.get(), point, 1, out), HWFFD_OK);
+  EXPECT_NEAR(out[0], 10.5, 1e-5);
+  EXPECT_NEAR(out[1], 0.5, 1e-5);
+}
+
+TEST(CApi, DevicesAgree) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "bend:45"), HWFFD_OK);
+  double model[9], rtl[9], reference[9];
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, model), HWFFD_OK);
+  ASSERT_EQ(hwffd_lattice_device(lattice.get(), "rtl", nullptr, nullptr), HWFFD_OK)
+      << hwffd_error();
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, rtl), HWFFD_OK);
+  ASSERT_EQ(hwffd_lattice_device(lattice.get(), "reference", nullptr, nullptr), HWFFD_OK);
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, reference), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(model, rtl, sizeof(rtl)), 0);
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(model[i], reference[i], 1e-6);
+}
+
+TEST(CApi, PointsOutside) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "scale:2"), HWFFD_OK);
+  const double far[3] = {10, 0, 0};
+  double out[3];
+  ASSERT_EQ(hwffd_deform(lattice.get(), far, 1, out), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(out, far, sizeof(far)), 0);
+  ASSERT_EQ(hwffd_lattice_outside(lattice.get(), "clamp"), HWFFD_OK);
+  ASSERT_EQ(hwffd_deform(lattice.get(), far, 1, out), HWFFD_OK);
+  EXPECT_GT(out[0], 10.5);
+  hwffd_embedding where;
+  ASSERT_EQ(hwffd_embed(lattice.get(), far, 1, &where), HWFFD_OK);
+  EXPECT_EQ(where.status, HWFFD_OUTSIDE);
+}
+
+TEST(CApi, FailuresSayWhy) {
+  const int bad_dims[3] = {4, 3, 4};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(hwffd_lattice_new(nullptr, kPoints), nullptr);
+  EXPECT_TRUE(says("dims"));
+  EXPECT_EQ(hwffd_lattice_new(bad_dims, kPoints), nullptr);
+  EXPECT_TRUE(says("3"));
+  EXPECT_EQ(hwffd_lattice_read("no-such-file.json"), nullptr);
+  EXPECT_TRUE(says("no-such-file.json"));
+  EXPECT_EQ(hwffd_lattice_around("cube", nullptr, kCorners, 2), nullptr);
+  EXPECT_TRUE(says("sphere"));
+  EXPECT_EQ(hwffd_lattice_around("box", nullptr, kCorners, 0), nullptr);
+  hwffd_lattice_free(nullptr);
+
+  const Lattice lattice = ball();
+  double out[3] = {7, 7, 7};
+  const double point[3] = {0, nan, 0};
+  EXPECT_EQ(hwffd_deform(lattice.get(), point, 1, out), HWFFD_ERROR);
+  EXPECT_EQ(out[0], 7);
+  EXPECT_EQ(hwffd_deform(nullptr, point, 1, out), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_deform(lattice.get(), nullptr, 1, out), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_deform(lattice.get(), nullptr, 0, nullptr), HWFFD_OK);
+  EXPECT_EQ(hwffd_lattice_deform(lattice.get(), "twirl:3"), HWFFD_USAGE);
+  EXPECT_TRUE(says("twirl"));
+  EXPECT_EQ(hwffd_lattice_device(lattice.get(), "fpga", nullptr, nullptr), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_lattice_outside(lattice.get(), "fade:-1"), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_lattice_move(lattice.get(), nullptr), HWFFD_USAGE);
+  hwffd_embedding where = {{0, 99, 0}, HWFFD_INSIDE, {0, 0, 0}, 0};
+  EXPECT_EQ(hwffd_evaluate(lattice.get(), &where, 1, out), HWFFD_ERROR);
+  where = {{0, 0, 0}, HWFFD_INSIDE, {0, nan, 0}, 0};
+  EXPECT_EQ(hwffd_evaluate(lattice.get(), &where, 1, out), HWFFD_ERROR);
+  EXPECT_STREQ(hwffd_version(), HWFFD_VERSION);
+}
+
+}  // namespace

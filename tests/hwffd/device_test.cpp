@@ -1,0 +1,134 @@
+// The devices against the oracle and against each other.
+
+#include "hwffd/device/device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "embed/samples.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+
+namespace hwffd {
+namespace {
+
+struct Scene {
+  Lattice lattice =
+      Deformation::parse("random:3").apply(lattice_around("box", embed::corners(), {6, 5, 7}));
+  std::vector<Embedded> vertices = embed::known_places(lattice, 500, 1);
+};
+
+double largest(const Points& difference) { return difference.cwiseAbs().maxCoeff(); }
+
+TEST(Device, ReferenceIsTheOracle) {
+  const Scene scene;
+  const std::unique_ptr<Device> device = make_device({"reference", "", ""});
+  const Points got = device->evaluate(scene.lattice, scene.vertices);
+  const Oracle oracle;
+  ASSERT_EQ(got.rows(), 500);
+  for (Eigen::Index i = 0; i < got.rows(); ++i) {
+    const Embedded& v = scene.vertices[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d exact =
+        oracle.evaluate(scene.lattice.support(v.cell), v.local[0], v.local[1], v.local[2]);
+    EXPECT_EQ(Eigen::Vector3d(got.row(i)), exact) << "vertex " << i;
+  }
+  EXPECT_EQ(device->counts().vertices, 500u);
+  EXPECT_EQ(device->counts().clocks, 0u);
+}
+
+TEST(Device, ModelsOfEveryRowAreCloseToTheOracle) {
+  const Scene scene;
+  const Points exact = make_device({"reference", "", ""})->evaluate(scene.lattice, scene.vertices);
+  std::size_t compared = 0;
+  for (const std::string& name : device_rows("model")) {
+    const std::string org = name.substr(0, name.find('-'));
+    const std::string format =
+        name.substr(org.size() + 1, name.find('-', org.size() + 1) - org.size() - 1);
+    if (name != org + "-" + format + "-overlapped") continue;  // variants of a row
+    const double step =
+        format == "fp32" ? 4e-6 : 16 * std::ldexp(1.0, 2 - std::stoi(format.substr(2)));
+    const Points got = make_device({"model", org, format})->evaluate(scene.lattice, scene.vertices);
+    EXPECT_LT(largest(got - exact), 4 * step) << name;
+    EXPECT_GT(largest(got - exact), 0) << name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 20u);
+}
+
+TEST(Device, RtlGivesTheBitsOfItsModel) {
+  const Scene scene;
+  const std::vector<std::string> rows = device_rows("rtl");
+  for (const std::string format : {"fp32", "fx18", "fx32"}) {
+    ASSERT_NE(std::find(rows.begin(), rows.end(), "basic-" + format + "-overlapped"), rows.end());
+    const std::unique_ptr<Device> rtl = make_device({"rtl", "basic", format});
+    const std::unique_ptr<Device> model = make_device({"model", "basic", format});
+    for (int run = 0; run < 2; ++run) {  // the second finds the core as the first left it
+      EXPECT_EQ(rtl->evaluate(scene.lattice, scene.vertices),
+                model->evaluate(scene.lattice, scene.vertices))
+          << format << " run " << run;
+    }
+    EXPECT_EQ(rtl->counts().vertices, 1000u);
+    EXPECT_GT(rtl->counts().clocks, 64 * 1000u);
+    EXPECT_LT(rtl->counts().clocks, 70 * 1000u);
+  }
+}
+
+TEST(Device, BlendingFunctionsOfTheCallersOwn) {
+  const Scene scene;
+  const Oracle::Coefficients bernstein = Oracle::bernstein();
+  const Oracle::Coefficients linear = Oracle::linear();
+  const Device::Blending blending{bernstein, linear, Oracle::uniform_bspline()};
+  const Points exact =
+      make_device({"reference", "", ""})->evaluate(scene.lattice, scene.vertices, blending);
+  const Points got = make_device({})->evaluate(scene.lattice, scene.vertices, blending);
+  EXPECT_LT(largest(got - exact), 4e-6);
+  EXPECT_GT(largest(got - make_device({})->evaluate(scene.lattice, scene.vertices)), 1e-2);
+}
+
+TEST(Device, ProgressEndsAtOne) {
+  const Scene scene;
+  for (const char* kind : {"model", "rtl"}) {
+    const std::unique_ptr<Device> device = make_device({kind, "basic", "fx18"});
+    std::vector<double> seen;
+    device->on_progress([&](double done) { seen.push_back(done); });
+    device->evaluate(scene.lattice, scene.vertices);
+    ASSERT_GT(seen.size(), 10u) << kind;
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << kind;
+    EXPECT_EQ(seen.back(), 1.0) << kind;
+  }
+}
+
+TEST(Device, NoVerticesNoResults) {
+  const Scene scene;
+  EXPECT_EQ(make_device({})->evaluate(scene.lattice, {}).rows(), 0);
+}
+
+TEST(Device, RefusesWhatItCannotIndex) {
+  const Scene scene;
+  const std::unique_ptr<Device> device = make_device({});
+  for (const Index3 cell : {Index3{3, 0, 0}, Index3{0, -1, 0}, Index3{0, 0, 4}}) {
+    EXPECT_THROW(device->evaluate(scene.lattice, {{cell, {0, 0, 0}, true}}), Error);
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(device->evaluate(scene.lattice, {{{0, 0, 0}, {0, nan, 0}, true}}), Error);
+}
+
+TEST(Device, UnknownNamesAreListed) {
+  const auto message = [](const DeviceChoice& choice) -> std::string {
+    try {
+      make_device(choice);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({"fpga", "basic", "fp32"}).find("model, rtl, reference"), std::string::npos);
+  EXPECT_NE(message({"model", "cg9", "fp32"}).find("cg3-fp32-overlapped"), std::string::npos);
+  EXPECT_NE(message({"rtl", "basic", "fx99"}).find("basic-fx18-overlapped"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hwffd

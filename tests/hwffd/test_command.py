@@ -1,0 +1,271 @@
+#!/usr/bin/env python3
+"""The command hwffd: what it writes, what it refuses, and how.
+
+    test_command.py HWFFD
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HWFFD = pathlib.Path(sys.argv.pop(1)).resolve()
+USAGE, FAILURE = 2, 1
+
+# A tetrahedron and two loose triangles, with texture coordinates, groups and a material.
+MESH = """mtllib solid.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+v 3 0 0
+v 0 3 0
+vt 0 0
+vt 1 0
+vt 0 1
+g lower
+usemtl red
+f 1/1 3/2 2/3
+f 1/1 2/2 4/3
+f 1/1 4/2 3/3
+f 2/1 3/2 4/3
+g upper
+f 2/1 5/2 4/3
+f 3/1 4/2 6/3
+"""
+FOLDED = {"hwffd_lattice": 1, "dims": [4, 4, 4],
+          "points": [[(-2 if i == 3 else i), j, k]
+                     for i in range(4) for j in range(4) for k in range(4)]}
+FLAT = {"hwffd_lattice": 1, "dims": [4, 4, 4],
+        "points": [[i, j, 0] for i in range(4) for j in range(4) for _ in range(4)]}
+
+# Command line -> exit status and words of the one line on standard error. Nothing is written.
+REFUSED = {
+    "": (USAGE, "subcommand"),
+    "melt solid.obj": (USAGE, "--help"),
+    "deform": (USAGE, "input"),
+    "deform solid.obj": (USAGE, "--output", "-o out.ply"),
+    "deform none.obj -o out.ply": (FAILURE, "none.obj"),
+    "deform folder -o out.ply": (FAILURE, "folder"),
+    "deform empty.obj -o out.ply": (FAILURE, "empty.obj"),
+    "deform words.obj -o out.ply": (FAILURE, "words.obj"),
+    "deform nan.obj -o out.ply": (FAILURE, "nan.obj"),
+    "deform bad.xyz -o out.xyz": (FAILURE, "bad.xyz", "line 2"),
+    "deform solid.obj -o out.txt": (FAILURE, "out.txt", "ply"),
+    "deform solid.obj -o out": (FAILURE, "out", "extension"),
+    "deform solid.obj -o none/out.ply": (FAILURE, "none"),
+    "deform solid.obj -o -": (USAGE, "standard output"),
+    "deform solid.obj -o out.ply --twist 90": (USAGE, "--twist", "--help"),
+    "deform solid.obj -o out.ply --deform twirl": (USAGE, "twirl", "twist:DEGREES"),
+    "deform solid.obj -o out.ply --deform twist:x": (USAGE, "twist:x"),
+    "deform solid.obj -o out.ply --deform move:9,0,0:1,1,1": (FAILURE, "9,0,0", "4 x 4 x 4"),
+    "deform solid.obj -o out.ply --deform to:none.json": (FAILURE, "none.json"),
+    "deform solid.obj -o out.ply --lattice pyramid": (FAILURE, "pyramid"),
+    "deform solid.obj -o out.ply --lattice broken.json": (FAILURE, "broken.json"),
+    "deform solid.obj -o out.ply --lattice folded.json": (FAILURE, "folded.json", "folded at"),
+    "deform solid.obj -o out.ply --lattice flat.json": (FAILURE, "flat.json", "volume"),
+    "deform solid.obj -o out.ply --dims 4x4": (USAGE, "--dims 4x4"),
+    "deform solid.obj -o out.ply --dims 4x4x17": (USAGE, "4 to 16"),
+    "deform solid.obj -o out.ply --lattice sphere --dims 4x4x4": (FAILURE, "4"),
+    "deform solid.obj -o out.ply --region 0,0,0": (USAGE, "--region"),
+    "deform solid.obj -o out.ply --outside away": (USAGE, "away", "fade"),
+    "deform solid.obj -o out.ply --device fpga": (USAGE, "fpga", "rtl"),
+    "deform solid.obj -o out.ply --org cg9": (USAGE, "cg9", "basic-fp32"),
+    "deform solid.obj -o out.ply --format fp64": (USAGE, "fp64"),
+    "deform solid.obj -o out.ply --keyframes 0": (USAGE, "--keyframes"),
+    "deform points.xyz --keyframes 3": (USAGE, "--keyframes", "--output"),
+    "embed solid.obj --deform twist": (USAGE, "--deform"),
+    "embed solid.obj --lattice box --lattice sphere": (USAGE, "--lattice"),
+    "lattice --lattice box --lattice box": (USAGE, "--lattice"),
+    "lattice -o none/lattice.json": (FAILURE, "none"),
+    "check": (USAGE, "lattices"),
+    "check none.json": (FAILURE, "none.json"),
+    "check solid.obj": (FAILURE, "solid.obj"),
+    "info none.obj": (FAILURE, "none.obj"),
+}
+
+
+def vertices(text):
+    return [tuple(map(float, line.split()[1:4]))
+            for line in text.splitlines() if line.startswith("v ")]
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        files = {"solid.obj": MESH, "solid.mtl": "newmtl red\nKd 1 0 0\n", "empty.obj": "",
+                 "words.obj": "only words in a row\n" * 9,
+                 "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
+                 "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
+                 "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4',
+                 "folded.json": json.dumps(FOLDED), "flat.json": json.dumps(FLAT)}
+        for name, text in files.items():
+            (self.folder / name).write_text(text)
+        (self.folder / "folder").mkdir()
+        self.given = self.files()
+
+    def files(self):
+        return {str(path.relative_to(self.folder)): path.read_bytes() if path.is_file() else None
+                for path in self.folder.rglob("*")}
+
+    def hwffd(self, *words, given=None):
+        return subprocess.run([HWFFD, *words], cwd=self.folder, input=given or "",
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              check=False)
+
+    def good(self, *words, given=None):
+        done = self.hwffd(*words, given=given)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+        return done.stdout
+
+    def test_bad_input(self):
+        for line, (status, *words) in REFUSED.items():
+            with self.subTest(line):
+                done = self.hwffd(*line.split())
+                written = set(self.files()) - set(self.given)
+                for name in written:
+                    (self.folder / name).unlink()
+                self.assertEqual((done.stdout, written), ("", set()))
+                self.assertRegex(done.stderr, r"\Ahwffd: [^\n]+\n\Z")
+                self.assertEqual(done.returncode, status)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+        print(f"hwffd: {len(REFUSED)} bad command lines refused")
+
+    def test_help_has_examples(self):
+        self.assertIn("deform", self.good("--help"))
+        for command in ("deform", "embed", "lattice", "check", "info"):
+            text = self.good(command, "--help")
+            self.assertIn("Examples:", text)
+            self.assertIn(f"hwffd {command}", text)
+        self.assertRegex(self.good("--version"), r"\A\d+\.\d+\.\d+\n\Z")
+
+    def test_devices_write_the_same_file(self):
+        options = ("--lattice", "sphere", "--deform", "twist:90")
+        for device in ("model", "rtl", "reference"):
+            out = self.good("deform", "solid.obj", *options, "--device", device,
+                            "-o", f"{device}.obj")
+            self.assertIn(f"wrote {device}.obj", out)
+        read = {d: (self.folder / f"{d}.obj").read_text().replace(d, "")
+                for d in ("model", "rtl", "reference")}
+        self.assertEqual(read["model"], read["rtl"])
+        self.assertEqual(len(vertices(read["model"])), len(vertices(read["reference"])))
+        for model, reference, rest in zip(*map(vertices, (read["model"], read["reference"], MESH))):
+            for a, b in zip(model, reference):
+                self.assertAlmostEqual(a, b, places=5)
+        self.assertNotEqual(sorted(vertices(read["model"])), sorted(vertices(MESH)))
+
+    def test_formats_and_what_they_keep(self):
+        for extension in ("obj", "ply", "stl", "glb", "gltf"):
+            self.good("deform", "solid.obj", "--deform", "none", "-o", f"out.{extension}")
+            info = json.loads(self.good("info", f"out.{extension}", "--json", "-"))
+            self.assertEqual((info["vertices"], info["triangles"]), (6, 6), extension)
+        text = (self.folder / "out.obj").read_text()
+        for word in ("red", "vt 1 0", "lower", "upper"):
+            self.assertIn(word, text + (self.folder / "out.mtl").read_text())
+
+    def test_report(self):
+        self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.ply", "--json", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(report["vertices"], 6)
+        self.assertEqual(report["device"], "model basic-fp32-overlapped")
+        self.assertEqual(report["written"], ["out.ply"])
+        (stage,) = report["stages"]
+        self.assertEqual((stage["lattice"], stage["dims"]), ("box", [4, 4, 4]))
+        self.assertEqual(stage["embedding"]["inside"], 6)
+        self.assertEqual(stage["deformed"]["verdict"], "proved")
+        self.assertAlmostEqual(stage["rest"]["volume"], 9, places=9)
+
+    def test_stream_of_points(self):
+        out = self.good("deform", "-", "--region", "0,0,0,1,1,1", "--deform", "scale:2",
+                        given="# a comment\n0 0 0\n 0.5, 0.5, 0.5\n1 0 1\n")
+        moved = [tuple(map(float, line.split())) for line in out.splitlines()]
+        for got, wanted in zip(moved, [(-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), (1.5, -0.5, 1.5)]):
+            for a, b in zip(got, wanted):
+                self.assertAlmostEqual(a, b, places=6)
+        self.assertEqual(len(moved), 3)
+        self.good("deform", "points.xyz", "--deform", "none", "-o", "out.xyz")
+        self.assertEqual(len((self.folder / "out.xyz").read_text().splitlines()), 3)
+
+    def test_keyframes(self):
+        self.good("deform", "solid.obj", "--deform", "shear:1", "--keyframes", "4", "-o", "f.obj")
+        frames = [vertices((self.folder / f"f-{n:04}.obj").read_text()) for n in range(5)]
+        self.assertFalse((self.folder / "f.obj").exists())
+        for first, middle, last in zip(frames[0], frames[2], frames[4]):
+            for a, b, c in zip(first, middle, last):
+                self.assertAlmostEqual(b, (a + c) / 2, places=5)
+        self.assertNotEqual(frames[0], frames[4])
+
+    def rounded(self, name):
+        return [tuple(round(x, 5) for x in v) for v in vertices((self.folder / name).read_text())]
+
+    def test_outside(self):
+        options = ("deform", "solid.obj", "--region", "0,0,0,1,1,1", "--deform", "scale:2")
+        done = self.hwffd(*options, "-o", "keep.obj")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"\Ahwffd: warning: \d edges join[^\n]+tears[^\n]+\n\Z")
+        self.assertIn("4 inside, 2 outside", done.stdout)
+        self.assertIn((3, 0, 0), vertices((self.folder / "keep.obj").read_text()))
+        self.good(*options, "--outside", "clamp", "-o", "clamp.obj")
+        self.assertIn((3.5, -0.5, -0.5), self.rounded("clamp.obj"))
+        self.good(*options, "--outside", "fade:4", "-o", "fade.obj")
+        self.assertIn((3.25, -0.25, -0.25), self.rounded("fade.obj"))
+
+    def test_lattices(self):
+        self.assertIn("wrote rest.json", self.good("lattice", "--lattice", "cylinder", "--around",
+                                                   "solid.obj", "-o", "rest.json"))
+        self.good("lattice", "--lattice", "rest.json", "--deform", "taper:0.5", "-o", "moved.json")
+        out = self.good("check", "rest.json", "moved.json", "--json", "check.json")
+        self.assertEqual(out.count("proved but on collapsed faces"), 2)
+        volumes = [entry["volume"] for entry in
+                   json.loads((self.folder / "check.json").read_text())["lattices"]]
+        self.assertLess(volumes[1], volumes[0])
+        self.assertRegex(out, r"\(-\d+\.\d+ %\)")
+        info = json.loads(self.good("info", "rest.json", "--json", "-"))
+        self.assertEqual((info["dims"], info["closed_axes"]), ([4, 4, 9], ["u"]))
+        self.good("deform", "solid.obj", "--lattice", "rest.json", "--deform", "to:moved.json",
+                  "-o", "a.obj")
+        self.good("deform", "solid.obj", "--lattice", "cylinder", "--deform", "taper:0.5",
+                  "-o", "b.obj")
+        self.assertEqual(*(vertices((self.folder / f"{n}.obj").read_text()) for n in "ab"))
+        folded = self.hwffd("check", "folded.json")
+        self.assertEqual((folded.returncode, folded.stderr), (1, ""))
+        self.assertIn("folded at", folded.stdout)
+
+    def test_embed(self):
+        out = self.good("embed", "solid.obj", "--lattice", "sphere", "-o", "places.txt",
+                        "--json", "embed.json")
+        self.assertIn("6 inside, 0 outside, 0 not converged", out)
+        report = json.loads((self.folder / "embed.json").read_text())
+        self.assertLess(report["worst_residual"] / report["size"], 1e-12)
+        lines = (self.folder / "places.txt").read_text().splitlines()
+        self.assertEqual(len(lines), 1 + 6)
+        for line in lines[1:]:
+            self.assertTrue(re.fullmatch(r"(\d+ ){3}(\S+ ){4}inside", line), line)
+
+    def test_hierarchy(self):
+        self.good("deform", "solid.obj", "--deform", "scale:2", "--lattice", "box", "--deform",
+                  "none", "--region=-3,-3,-3,6,6,6", "-o", "two.obj", "--json", "r.json")
+        self.good("deform", "solid.obj", "--deform", "scale:2", "-o", "one.obj")
+        for a, b in zip(*(vertices((self.folder / f"{n}.obj").read_text()) for n in ("one", "two"))):
+            for x, y in zip(a, b):
+                self.assertAlmostEqual(x, y, places=4)
+        self.assertEqual(len(json.loads((self.folder / "r.json").read_text())["stages"]), 2)
+
+    def test_info_of_the_build(self):
+        devices = json.loads(self.good("info", "--json", "-"))["devices"]
+        self.assertEqual(sorted(devices), ["model", "reference", "rtl"])
+        self.assertLessEqual(set(devices["rtl"]), set(devices["model"]))
+        self.assertIn("basic-fp32-overlapped", devices["rtl"])
+        self.assertIn("basic-fp32-overlapped", self.good("info"))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""What `cmake --install` puts into a folder of its own, used as a stranger would use it.
+
+    test_install.py CMAKE BUILD [PYTHON]
+
+PYTHON is the interpreter that the Python module was built for; without it there is none.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import filecmp
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CMAKE, BUILD, *PYTHON = sys.argv[1:]
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+
+PROJECT = """cmake_minimum_required(VERSION 3.18)
+project(stranger LANGUAGES C CXX)
+set(CMAKE_CXX_STANDARD 17)
+find_package(hwffd 0.1 REQUIRED)
+add_executable(deform_c deform.c)
+target_link_libraries(deform_c PRIVATE hwffd::hwffd)
+add_executable(deform_cpp deform.cpp)
+target_link_libraries(deform_cpp PRIVATE hwffd::hwffd)
+add_executable(glffd glffd.c)
+target_link_libraries(glffd PRIVATE hwffd::gl m)
+"""
+PROGRAM = """#include <hwffd/device/deformable_lattice.hpp>
+#include <hwffd/lattice/around.hpp>
+#include <cstdio>
+int main() {
+  const hwffd::Points points = (hwffd::Points(2, 3) << 0, 0, 0, 1, 1, 1).finished();
+  hwffd::DeformableLattice lattice(hwffd::lattice_around("box", points, {4, 4, 4}));
+  lattice.deform("scale:3");
+  std::printf("%g\\n", lattice.carry(points)(1, 0));
+}
+"""
+HORSE = pathlib.Path("/usr/share/glmark2/models/horse.3ds")
+BLOCK = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+
+
+def run(*words, cwd=None, env=None):
+    done = subprocess.run([str(word) for word in words], cwd=cwd, env=env, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, words))}: {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+class Install(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.prefix = cls.folder / "prefix"
+        run(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
+
+    def test_deform_on_rtl_and_model(self):
+        block = self.folder / "block.obj"
+        block.write_text(BLOCK)
+        for mesh in (block, HORSE):
+            if not mesh.is_file():
+                continue
+            for device in ("rtl", "model"):
+                (self.folder / device).mkdir(exist_ok=True)
+                run(self.prefix / "bin" / "hwffd", "deform", "--lattice", "sphere", "--deform",
+                    "twist:90", "--device", device, mesh, "-o", "out.ply", cwd=self.folder / device)
+            self.assertTrue(filecmp.cmp(self.folder / "rtl" / "out.ply",
+                                        self.folder / "model" / "out.ply", shallow=False))
+
+    def test_find_package(self):
+        source = self.folder / "stranger"
+        source.mkdir()
+        (source / "CMakeLists.txt").write_text(PROJECT)
+        (source / "deform.cpp").write_text(PROGRAM)
+        for example in ("deform.c", "glffd.c"):
+            (source / example).write_text((EXAMPLES / example).read_text())
+        run(CMAKE, "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run(CMAKE, "--build", source / "build")
+        self.assertEqual(run(source / "build" / "deform_cpp"), "2\n")
+        self.assertNotEqual(run(source / "build" / "glffd"), "")
+        lines = run(source / "build" / "deform_c").splitlines()
+        self.assertEqual(len(lines), 3)
+        self.same_as_python(lines)
+
+    def same_as_python(self, lines):
+        if not PYTHON:
+            return
+        (module,) = self.prefix.glob("lib*/**/python")
+        env = dict(os.environ, PYTHONPATH=str(module))
+        self.assertEqual(run(*PYTHON, EXAMPLES / "deform.py", env=env).splitlines(), lines)
+
+    def test_python_errors(self):
+        if not PYTHON:
+            return
+        (module,) = self.prefix.glob("lib*/**/python")
+        env = dict(os.environ, PYTHONPATH=str(module))
+        run(*PYTHON, pathlib.Path(__file__).with_name("python_module.py"), env=env)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,95 @@
+#include "targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "corpus.hpp"
+#include "geometry.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/lattice/outside.hpp"
+#include "program.hpp"
+#include "stages.hpp"
+
+namespace hwffd {
+namespace {
+
+void expect_valid(const Lattice& lattice) {
+  Eigen::Index points = 1;
+  for (const int n : lattice.dims()) {
+    expect(n >= Lattice::kMinPoints && n <= Lattice::kMaxPoints, "dims out of range");
+    points *= n;
+  }
+  expect(lattice.points().rows() == points, "another number of points than dims say");
+  expect(lattice.points().allFinite(), "a point that is not finite");
+}
+
+void read_lattice_text(const std::string& input) {
+  const Lattice lattice = parse_lattice(input);
+  expect_valid(lattice);
+  const Lattice again = parse_lattice(lattice_text(lattice));
+  expect(again.dims() == lattice.dims() && again.points() == lattice.points(),
+         "the lattice does not come back from its text");
+}
+
+void read_deformation(const std::string& input) {
+  static const Lattice box = parse_lattice(lattice_corpus().front());
+  const Deformation deformation = Deformation::parse(input);
+  expect(std::isfinite(deformation.amount()), "an amount that is not finite");
+  expect(deformation.arguments().vector.allFinite(), "a vector that is not finite");
+  if (deformation.kind() == Deformation::Kind::kTo) return;  // a file's name is quoted as it is
+  const Lattice moved = deformation.apply(box);
+  expect_valid(moved);
+  expect(moved.dims() == box.dims(), "other dims after a deformation");
+}
+
+void read_outside(const std::string& input) {
+  const Outside outside = Outside::parse(input);
+  expect(std::isfinite(outside.width()) && outside.width() >= 0, "a width that is not finite");
+  for (const double distance : {0.0, 0.3, 1e300}) {
+    const double weight = outside.weight(distance);
+    expect(weight >= 0 && weight <= 1, "a weight outside [0, 1]");
+  }
+}
+
+/// The stages of a command line, and their lattices at rest but for files.
+void read_stages(const std::string& input) {
+  CLI::App app;
+  app.set_help_flag();
+  const command::StageOptions options(app);
+  std::istringstream in(input);
+  std::vector<std::string> words{"hwffd"};
+  for (std::string word; in >> word;) words.push_back(word);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  parse_command_line(app, static_cast<int>(argv.size()), argv.data());
+  const Points corners = (Points(2, 3) << 0, 0, 0, 1, 1, 1).finished();
+  for (const command::StageText& stage : options.texts()) {
+    const std::vector<std::string>& shapes = shape_names();
+    if (std::find(shapes.begin(), shapes.end(), stage.lattice) == shapes.end()) continue;
+    const Lattice rest = command::rest_lattice(stage, corners);
+    expect_valid(rest);
+  }
+}
+
+void read_text_of_points(const std::string& input) {
+  std::istringstream in(input);
+  const Points points = command::read_points(in, "points");
+  expect(points.rows() > 0 && points.allFinite(), "points that are not finite");
+}
+
+}  // namespace
+
+const std::vector<Target>& targets() {
+  static const std::vector<Target> all{
+      {"lattice", 60000, lattice_corpus(), read_lattice_text},
+      {"deformation", 20000, deformation_corpus(), read_deformation},
+      {"outside", 5000, outside_corpus(), read_outside},
+      {"stages", 10000, stages_corpus(), read_stages},
+      {"points", 5000, points_corpus(), read_text_of_points}};
+  return all;
+}
+
+}  // namespace hwffd
