@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words embed hwffd glapi mass-spring synth formal test test-all soak lint clean install
+.PHONY: help sim organizations streams words embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -46,6 +46,7 @@ help:
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make embed     meshes in box, cylinder, sphere and custom lattices: table, JSON'
 	@echo 'make hwffd     the command hwffd, the library and its Python module; PREFIX= installs them'
+	@echo 'make plates    the ten plates of the paper as pictures, their vertices from the simulated RTL'
 	@echo 'make mass-spring  a mesh in a lattice of masses and springs, as meshes and a picture'
 	@echo 'make glapi     every OpenGL call, and its errors beside those of Mesa: table, JSON'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
@@ -97,6 +98,11 @@ hwffd: install
 	@$(CMAKE_BUILD) --target hwffd hwffd_gl_shared hwffd-command hwffd_python
 	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$HWFFD_GIVEN_PREFIX", \
 	  echo 'built build/apps/hwffd; to install it: make hwffd PREFIX=/usr/local')
+
+plates: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-plates
+	@$(BUILD)/apps/hwffd-plates
 
 mass-spring: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

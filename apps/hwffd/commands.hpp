@@ -10,6 +10,7 @@ using Action = std::function<int()>;
 
 // Each adds one subcommand with its options.
 Action add_deform(CLI::App& app);
+Action add_view(CLI::App& app);
 Action add_embed(CLI::App& app);
 Action add_lattice(CLI::App& app);
 Action add_check(CLI::App& app);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "device_options.hpp"
 #include "geometry.hpp"
 #include "hwffd/device/deformer.hpp"
 #include "hwffd/error.hpp"
@@ -113,9 +114,7 @@ Action add_deform(CLI::App& app) {
                  "output if left out");
   app.add_option("--outside", options->outside,
                  "vertices outside a lattice: keep (default), clamp, fade:WIDTH");
-  app.add_option("--device", options->device.device, "model (default), rtl, reference");
-  app.add_option("--org", options->device.org, "organization: basic (default), cg3, parallel, ...");
-  app.add_option("--format", options->device.format, "number format: fp32 (default), fx18, fx32");
+  add_device_options(app, options->device);
   app.add_option("--keyframes", options->keyframes,
                  "write frames 0 (at rest) to N (deformed), numbered")
       ->type_name("N")

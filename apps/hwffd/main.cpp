@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
     commands.emplace_back(command, options(*command));
   };
   add("deform", "move a mesh, or points, by deformed lattices", command::add_deform);
+  add("view", "drag the points of a lattice in a window, the mesh follows", command::add_view);
   add("embed", "where vertices lie in a lattice, and how exactly", command::add_embed);
   add("lattice", "write a lattice file", command::add_lattice);
   add("check", "whether a lattice folds, and its volume", command::add_check);

@@ -9,9 +9,7 @@
 
 namespace hwffd::picture {
 
-/// A studio without a screen: context, framebuffer, a light background and two lights that move
-/// with the camera, a strong one above to the left and a weak one to the right. Both sides of a
-/// surface are lit.
+/// A studio (draw_studio()) without a screen: context and framebuffer.
 class Renderer {
  public:
   /// @param width, height  of the pictures, in pixels
@@ -22,9 +20,8 @@ class Renderer {
   /// Width by height.
   double aspect() const;
 
-  /// A picture of what `draw` issues to the context, in object space: draw_mesh(), draw_lattice(),
-  /// or any calls of OpenGL. Colours are those of glColor, normals are normalized; state that
-  /// `draw` changes is put back.
+  /// A picture of what `draw` issues to the context, as draw_studio() shows it: draw_mesh(),
+  /// draw_lattice(), or any calls of OpenGL.
   /// @throws Error for an error of OpenGL, and what `draw` throws
   Image render(const Camera& camera, const std::function<void()>& draw) const;
 

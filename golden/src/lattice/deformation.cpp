@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "movements.hpp"
@@ -35,6 +37,13 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
 }
 
 }  // namespace
+
+Deformation Deformation::move(const Index3& place, const Eigen::Vector3d& by) {
+  Arguments arguments;
+  arguments.place = place;
+  arguments.vector = by;
+  return {Kind::kMove, std::move(arguments)};
+}
 
 Points Deformation::moved(const Lattice& lattice, const Closure& closure) const {
   const Frame frame(lattice, closure.joined());

@@ -54,6 +54,9 @@ class Deformation {
   ///   (finite numbers; for random an integer from 0 to 2^64 - 1), or an argument to none
   static Deformation parse(std::string_view text);
 
+  /// The deformation `move` of a control point, its numbers from 0, by a finite vector.
+  static Deformation move(const Index3& place, const Eigen::Vector3d& by);
+
   Kind kind() const { return kind_; }
   double amount() const { return arguments_.amount; }
   std::uint64_t seed() const { return arguments_.seed; }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "hwffd/device/device.hpp"
+
+namespace hwffd::command {
+
+/// Adds the options --device, --org and --format to a command.
+void add_device_options(CLI::App& app, DeviceChoice& choice);
+
+}  // namespace hwffd::command

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""The command hwffd-plates: ten pictures from the RTL, and a report.
+
+    test_plates.py HWFFD_PLATES
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PLATES = pathlib.Path(sys.argv.pop(1)).resolve()
+WIDTH = 160
+
+
+def run(folder, *words, **environment):
+    return subprocess.run([PLATES, *words], cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, **environment})
+
+
+class Plates(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_ten_plates_from_the_rtl(self):
+        done = run(self.folder, "--width", str(WIDTH))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("rtl basic-fp32-overlapped", done.stdout)
+        plates = json.loads((self.folder / "build/reports/plates.json").read_text())["plates"]
+        names = [f"plate{number:02}.png" for number in range(1, 11)]
+        self.assertEqual([plate["file"] for plate in plates], names)
+        pictures = {(self.folder / "build/plates" / name).read_bytes() for name in names}
+        self.assertEqual(len(pictures), 10)
+        for picture in pictures:
+            self.assertEqual(struct.unpack(">II", picture[16:24]), (WIDTH, WIDTH * 3 // 4))
+        for plate in plates:
+            self.assertEqual(sorted(plate), ["file", "mismatches", "vertices"])
+            self.assertEqual(plate["mismatches"], 0)
+            self.assertGreater(plate["vertices"], 1000)
+            self.assertRegex(done.stdout, rf"{plate['file']} .* {plate['vertices']} +0\n")
+        self.assertTrue((self.folder / "build/plates/plates.png").is_file())
+
+    def test_results_that_are_not_the_models_end_with_1(self):
+        done = run(self.folder, "--width", str(WIDTH), "--device", "reference")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\Ahwffd-plates: [0-9]+ results differ from the model.*\n\Z")
+        plates = json.loads((self.folder / "build/reports/plates.json").read_text())["plates"]
+        self.assertTrue(all(plate["mismatches"] > 100 for plate in plates))
+
+    def test_refusals_are_one_line(self):
+        for words, status, part in (("--width 161", 2, "--width"),
+                                    ("--device fpga", 2, "fpga"),
+                                    ("--width 160 --device model --output /dev/null", 1, "--output")):
+            done = run(self.folder, *words.split())
+            with self.subTest(words):
+                self.assertEqual(done.returncode, status)
+                self.assertEqual(len(done.stderr.splitlines()), 1)
+                self.assertIn(part, done.stderr)
+
+    def test_without_egl_one_line_names_the_packages(self):
+        done = run(self.folder, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\Ahwffd-plates: no OpenGL .*libegl1.*\n\Z")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
