@@ -28,6 +28,7 @@ cache/ffd_mem_sdp.v
 evaluator/ffd_eval_stream.v
 evaluator/ffd_org_select.v
 evaluator/ffd_org_cg.v
+evaluator/ffd_org_factored.v
 evaluator/ffd_org_tree.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_generator.v
@@ -40,6 +41,8 @@ evaluator/ffd_eval_weight_product.v
 evaluator/ffd_eval_tree.v
 evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_summation.v
+evaluator/ffd_eval_bank_weights.v
+evaluator/ffd_eval_contraction.v
 number/ffd_num_in.v
 number/ffd_num_mul.v
 number/ffd_num_term.v
@@ -48,6 +51,7 @@ number/ffd_num_add.v
 number/ffd_num_step.v
 number/ffd_num_range.v
 number/ffd_num_scale.v
+number/ffd_num_narrow.v
 number/ffd_num_out.v
 number/ffd_num_bspline.v
 number/ffd_num_delay.v

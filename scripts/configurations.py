@@ -97,8 +97,9 @@ def _read_row(row, where):
     fields = dict(zip(COLUMNS, row))
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
-    if not re.fullmatch(r"[a-z]+[0-9]*", fields["org"]):
-        raise TableError(f"{where}: bad org '{fields['org']}': letters, then perhaps a number")
+    if not organizations.WORD.fullmatch(fields["org"]):
+        raise TableError(f"{where}: bad org '{fields['org']}': letters, then perhaps a number, then "
+                         "perhaps / and a number")
     module = organizations.module_path(ROOT / "rtl", fields["org"])
     if not module.is_file():
         raise TableError(f"{where}: unknown org '{fields['org']}': there is no {module.name}")

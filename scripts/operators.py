@@ -33,7 +33,7 @@ UNITS = {
 STEP = "ffd_num_step"
 EVALUATOR = "ffd_eval_poly"
 PRODUCT = "ffd_num_mul"
-GENERATOR = "ffd_org_cg"
+TREE = "ffd_org_tree"
 
 
 def module_of(name):
@@ -79,9 +79,9 @@ class Design:
 def drawn(design, top, row, built):
     """Operators of the form as drawn."""
     instances = design.instances(top)
-    if instances[GENERATOR]:
+    if not instances[TREE]:
         return built
-    # All evaluators of an organization are alike.
+    # All evaluators of a tree are alike.
     one = design.operators(design.find(EVALUATOR)[0])
     total = collections.Counter(built)
     for kind, count in one.items():

@@ -1,17 +1,21 @@
 """Code that follows from the organizations named in the table of configurations: the selector in
 the RTL and the factory of bit-true models. An organization `name` is the module ffd_org_<name> and
 the class OrgName in hwffd/model/org_<name>.hpp; a number at the end of a name (cg3) is the module's
-parameter SIZE. Where two organizations are one module, the second is in SHARED. All modules have
-the ports and parameters of ffd_org_tree.
+parameter SIZE, one behind a stroke (factored/3) its parameter FOLD. Where two organizations are one
+module, the second is in SHARED. All modules have the ports and parameters of ffd_org_tree.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import pathlib
 import re
+import textwrap
 
 GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
 
+
+# The word of an organization: letters, perhaps a number, perhaps how often it is folded.
+WORD = re.compile(r"([a-z]+)([0-9]*)(?:/([0-9]+))?")
 
 # Organization -> the module that it is, with the parameters that make it so.
 SHARED = {
@@ -21,11 +25,14 @@ SHARED = {
 
 
 def split_name(org):
-    """cg3 -> ("cg", {"SIZE": 3}), basic -> ("tree", {"SERIAL": 1})"""
+    """cg3 -> ("cg", {"SIZE": 3}), factored/3 -> ("factored", {"FOLD": 3}),
+    basic -> ("tree", {"SERIAL": 1})
+    """
     if org in SHARED:
         return SHARED[org]
-    match = re.fullmatch(r"([a-z]+)([0-9]*)", org)
-    return match.group(1), {"SIZE": int(match.group(2))} if match.group(2) else {}
+    module, size, fold = WORD.fullmatch(org).groups()
+    given = {"SIZE": size, "FOLD": fold}
+    return module, {name: int(value) for name, value in given.items() if value}
 
 
 def module_path(rtl, org):
@@ -65,7 +72,7 @@ def select_text(configurations, rtl):
         for name, value in own.items():
             values = f"        .{name}({value}),\n" + values
         opening = "if" if number == 0 else "end else if"
-        arms.append(f"""    {opening} (ORG == {number}) begin : gen_{org}
+        arms.append(f"""    {opening} (ORG == {number}) begin : gen_{org.replace("/", "_by_")}
       ffd_org_{module} #(
 {values}
       ) u_org (
@@ -73,8 +80,11 @@ def select_text(configurations, rtl):
       );
 """)
     listing = ", ".join(f"{number} {org}" for number, org in enumerate(found))
-    return f"""// ffd_org_select: the organization numbered ORG ({listing})
+    numbers = textwrap.fill(f"ORG is {listing}.", 100, initial_indent="// ",
+                            subsequent_indent="// ")
+    return f"""// ffd_org_select: the organization numbered ORG
 //
+{numbers}
 // {GENERATED}
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).

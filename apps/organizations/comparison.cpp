@@ -48,7 +48,9 @@ const Row* Comparison::partner(const Row& row, const std::string& schedule) cons
   return nullptr;
 }
 
-double Comparison::formula(const Row& row) const { return hwffd::paper_clocks(*row.configuration); }
+std::optional<double> Comparison::formula(const Row& row) const {
+  return hwffd::paper_clocks(*row.configuration);
+}
 
 std::optional<VertexClocks> Comparison::paper_clocks(const Row& row) const {
   const Row* paper = partner(row, "paper");

@@ -28,8 +28,8 @@ class Comparison {
   /// several; null if there is none.
   const Row* partner(const Row& row, const std::string& schedule) const;
 
-  /// The formula's clocks at the paper's schedule.
-  double formula(const Row& row) const;
+  /// The formula's clocks at the paper's schedule; nothing if the paper lacks the organization.
+  std::optional<double> formula(const Row& row) const;
   /// Those counted, of the partner at the paper's schedule; nothing if there is none.
   std::optional<VertexClocks> paper_clocks(const Row& row) const;
   /// Whether both are equal, and vertices follow each other at that distance.

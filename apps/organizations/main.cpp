@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -37,8 +38,8 @@ void add_timelines(std::vector<FileContent>& files, const std::filesystem::path&
     for (const Row& row : comparison.rows()) {
       const Configuration& c = *row.configuration;
       if (*format != '\0' && std::string(c.format) != format) continue;
-      const std::string name =
-          std::string(c.org) == "tree" ? fmt::format("tree{}", c.n) : std::string(c.org);
+      std::string name = std::string(c.org) == "tree" ? fmt::format("tree{}", c.n) : c.org;
+      std::replace(name.begin(), name.end(), '/', '-');
       if (!drawn.insert(name).second) continue;
       files.push_back(
           {folder / fmt::format("timeline-{}.svg", name),

@@ -28,7 +28,7 @@ Json json_of(const Comparison& comparison, const Row& row) {
           {"schedule", c.schedule},
           {"evaluator", c.evaluator},
           {"fmac", c.fma_latency > 0},
-          {"formula", comparison.formula(row)},
+          {"formula", json_or_null(comparison.formula(row))},
           {"clocks_paper", paper ? Json(paper->clocks) : Json()},
           {"equal", json_or_null(comparison.equal(row))},
           {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
@@ -71,13 +71,14 @@ T sum(const Row& row, const Row* paper, T Measurement::*figure) {
 std::string line(const Comparison& comparison, const Row& row) {
   const Configuration& c = *row.configuration;
   const Row* paper = comparison.partner(row, "paper");
+  const std::optional<double> formula = comparison.formula(row);
   const std::optional<VertexClocks> clocks = comparison.paper_clocks(row);
   const std::optional<double> interval = comparison.overlapped_interval(row);
   if (paper == &row) paper = nullptr;
   return fmt::format(
-      "{:<8} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9.2e} "
-      "{:>5} {:>4} {:>8.0f}\n",
-      c.org, c.n, c.format, variant(c), comparison.formula(row),
+      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} "
+      "{:>9.2e} {:>5} {:>4} {:>8.0f}\n",
+      c.org, c.n, c.format, variant(c), formula ? fmt::format("{}", *formula) : "-",
       clocks ? std::to_string(clocks->clocks) : "-",
       comparison.equal(row).value_or(false) ? "yes"
       : clocks                              ? "NO"
@@ -94,8 +95,8 @@ std::string line(const Comparison& comparison, const Row& row) {
 
 std::string table(const Comparison& comparison) {
   std::string text = fmt::format(
-      "{:<33} {:<51} {:<8}\n"
-      "{:<8} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9} "
+      "{:<35} {:<51} {:<8}\n"
+      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9} "
       "{:>5} {:>4} {:>8}\n",
       "", "the paper's schedule", "overlapped", "org", "n", "format", "evaluator", "formula",
       "clocks", "equal", "final", "operators", "as drawn", "interval", "operators", "as drawn",
@@ -130,9 +131,9 @@ std::string faults(const Comparison& comparison) {
     }
     const bool paper = std::string(row.configuration->schedule) == "paper";
     if (paper && !comparison.equal(row).value_or(false)) {
-      text +=
-          fmt::format("{}: {} clocks a vertex and {} between vertices, the formula says {}\n", name,
-                      row.measured.vertex.clocks, row.measured.interval, comparison.formula(row));
+      text += fmt::format("{}: {} clocks a vertex and {} between vertices, the formula says {}\n",
+                          name, row.measured.vertex.clocks, row.measured.interval,
+                          comparison.formula(row).value());
     }
   }
   return text;

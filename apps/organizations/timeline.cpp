@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "hwffd/model/schedule.hpp"
 #include "svg.hpp"
 
 namespace hwffd::organizations {
@@ -46,6 +47,9 @@ class Pipeline {
     lanes.push_back(std::move(lane));
   }
 
+  /// When each operation has passed all units so far.
+  const std::vector<std::uint64_t>& arrivals() const { return entries_; }
+
   void expect(const std::vector<std::uint64_t>& arrivals, const char* row) const {
     if (entries_ != arrivals) {
       throw std::logic_error(fmt::format("{}: its probes do not fit its latencies", row));
@@ -78,6 +82,37 @@ void add_summation(std::vector<Lane>& lanes, const Row& row) {
   if (c.n < 64) {
     pipeline.pass(lanes, "3 accumulators", fused && c.n == 1 ? c.fma_latency : c.add_latency);
   }
+}
+
+/// Four terms along one axis, of `sums` sums at once.
+void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,
+                  const std::string& axis) {
+  const bool fused = c.fma_latency > 0;
+  pipeline.pass(lanes, units(sums * (fused ? 2 : 4), "product") + " along " + axis, c.mul_latency);
+  pipeline.pass(lanes, units(sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
+                fused ? c.fma_latency : c.add_latency);
+  pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
+}
+
+/// `factored`: polynomials, of which those of t and s may be later than shown, points,
+/// contractions.
+void add_contraction(std::vector<Lane>& lanes, const Row& row) {
+  constexpr int kReadLatency = 2;  // of ffd_bench_evaluator
+  const Configuration& c = *row.configuration;
+  const tb::ScheduleRecorder& schedule = row.measured.schedule;
+  const int components = 3 / folds(c);
+  Pipeline polynomials(schedule, schedule.polynomials().starts);
+  polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
+                   polynomial_latency(c));
+  Pipeline points(schedule, schedule.steps());
+  points.pass(lanes, "64 points read", kReadLatency);
+  points.expect(polynomials.arrivals(), c.name);
+  add_contract(lanes, points, c, 16 * components, "u");
+  points.pass(lanes, "narrowed", c.convert_latency);
+  add_contract(lanes, points, c, 4 * components, "t");
+  points.pass(lanes, "narrowed", c.convert_latency);
+  add_contract(lanes, points, c, components, "s");
+  points.expect(schedule.sums(), c.name);
 }
 
 struct Window {
@@ -150,6 +185,10 @@ std::string panel(const Row& row, const std::vector<Lane>& lanes, double top) {
 std::vector<Lane> lanes_of(const Row& row) {
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   std::vector<Lane> lanes;
+  if (contracts(*row.configuration)) {
+    add_contraction(lanes, row);
+    return lanes;
+  }
   Pipeline polynomials(schedule, schedule.polynomials().starts);
   polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
                    polynomial_latency(*row.configuration));

@@ -7,13 +7,13 @@
 namespace hwffd::sim {
 
 std::string table_header() {
-  return fmt::format("{:<8} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13} {:>10} {:>10}", "org",
+  return fmt::format("{:<10} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13} {:>10} {:>10}", "org",
                      "format", "schedule", "stream", "deform", "checked", "mismatches",
                      "clocks/vertex", "max error", "rms error");
 }
 
 std::string table_line(const RunResult& r, const std::string& stream) {
-  return fmt::format("{:<8} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13.2f} {:>10.2e} {:>10.2e}",
+  return fmt::format("{:<10} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13.2f} {:>10.2e} {:>10.2e}",
                      r.row.org, r.row.format, r.row.schedule, stream, r.deform, r.checked,
                      r.mismatches, r.clocks_per_vertex, r.max_error, r.rms_error);
 }

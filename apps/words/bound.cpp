@@ -51,6 +51,17 @@ double fixed_product_bound(int width, const AxisError& axis) {
   return worst + kDouble;
 }
 
+double fixed_factored_bound(int width, const AxisError& axis) {
+  double error = 0;
+  for (const AxisPiece& piece : axis) error = std::max(error, piece.error);
+  // What an axis's weights can make of an error: the sum of their magnitudes.
+  const double gain = 1 + error;
+  // Points and twice narrowed sums: at most a unit of Q1.(W-1) each, at the top where it saturates.
+  const double unit = std::ldexp(1, 1 - width);
+  const double rounding = unit * (gain * gain * gain + gain * gain + gain);
+  return three_axes(error, error, error) + rounding + 0x1p-31 + kDouble;
+}
+
 double binary32_product_bound(int n, bool fused) {
   double axis = 0;
   for (const AxisPiece& piece : binary32_axis_error(fused)) axis = std::max(axis, piece.error);

@@ -8,7 +8,11 @@ namespace hwffd::words {
 /// what is proved of one axis (docs/numerics.md section 7). The error of a component, absolute.
 double fixed_product_bound(int width, const AxisError& axis);
 
-/// The same in binary32 for sums of n = 1 (one after the other) or n = 64 terms (a tree).
+/// The same of `factored`, which contracts an axis at a time and narrows between.
+double fixed_factored_bound(int width, const AxisError& axis);
+
+/// That of the product form in binary32 for sums of n = 1 (one after the other) or n = 64 terms (a
+/// tree).
 double binary32_product_bound(int n, bool fused);
 
 }  // namespace hwffd::words

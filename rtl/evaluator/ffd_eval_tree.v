@@ -27,7 +27,7 @@ module ffd_eval_tree #(
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
-  localparam LEVELS   = $clog2(N);
+  localparam LEVELS   = $clog2(N + 1) - 1;  // rounded down, so that a bad N meets its guard only
   localparam FUSED    = FMA_LATENCY > 0;
 
   generate
@@ -41,11 +41,12 @@ module ffd_eval_tree #(
   genvar i;
   generate
     for (level = 0; level <= LEVELS; level = level + 1) begin : gen_rank
-      wire [(N>>level)*SUM_W-1:0] sums;
       for (i = 0; i < (N >> level); i = i + 1) begin : gen_sum
+        wire [SUM_W-1:0] sum;
         if (level == 0) begin : gen_term
           if (FUSED && i % 2 == 1) begin : gen_later
-            assign sums[i*SUM_W +: SUM_W] = {SUM_W{1'b0}};
+            assign sum = {SUM_W{1'b0}};
+            wire unused_ok = &{1'b0, sum};
           end else begin : gen_now
             ffd_num_term #(
               .FORMAT (FORMAT),
@@ -54,7 +55,7 @@ module ffd_eval_tree #(
               .clk     (clk),
               .weight_i(weights_i[i*WEIGHT_W +: WEIGHT_W]),
               .point_i (points_i[i*POINT_W +: POINT_W]),
-              .term_o  (sums[i*SUM_W +: SUM_W])
+              .term_o  (sum)
             );
           end
         end else if (FUSED && level == 1) begin : gen_fused
@@ -76,8 +77,8 @@ module ffd_eval_tree #(
             .clk     (clk),
             .weight_i(weight),
             .point_i (point),
-            .sum_i   (gen_rank[level-1].sums[2*i*SUM_W +: SUM_W]),
-            .sum_o   (sums[i*SUM_W +: SUM_W])
+            .sum_i   (gen_rank[level-1].gen_sum[2*i].sum),
+            .sum_o   (sum)
           );
         end else begin : gen_add
           ffd_num_add #(
@@ -85,19 +86,16 @@ module ffd_eval_tree #(
             .LATENCY(ADD_LATENCY)
           ) u_add (
             .clk  (clk),
-            .a_i  (gen_rank[level-1].sums[2*i*SUM_W +: SUM_W]),
-            .b_i  (gen_rank[level-1].sums[(2*i+1)*SUM_W +: SUM_W]),
-            .sum_o(sums[i*SUM_W +: SUM_W])
+            .a_i  (gen_rank[level-1].gen_sum[2*i].sum),
+            .b_i  (gen_rank[level-1].gen_sum[2*i+1].sum),
+            .sum_o(sum)
           );
         end
       end
     end
-    if (FUSED) begin : gen_unused
-      wire unused_ok = &{1'b0, gen_rank[0].sums};
-    end
   endgenerate
 
-  assign sum_o = gen_rank[LEVELS].sums;
+  assign sum_o = gen_rank[LEVELS].gen_sum[0].sum;
 endmodule
 
 `default_nettype wire

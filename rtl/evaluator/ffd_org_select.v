@@ -1,5 +1,6 @@
-// ffd_org_select: the organization numbered ORG (0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel)
+// ffd_org_select: the organization numbered ORG
 //
+// ORG is 0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel, 6 factored, 7 factored/3.
 // Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -220,6 +221,75 @@ module ffd_org_select #(
       );
     end else if (ORG == 5) begin : gen_parallel
       ffd_org_tree #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 6) begin : gen_factored
+      ffd_org_factored #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 7) begin : gen_factored_by_3
+      ffd_org_factored #(
+        .FOLD(3),
         .FORMAT         (FORMAT),
         .N              (N),
         .SCHEDULE       (SCHEDULE),

@@ -68,9 +68,14 @@ TEST_P(ModelAgainstOracle, ErrorIsWithinTheStatedBound) {
 INSTANTIATE_TEST_SUITE_P(, ModelAgainstOracle,
                          ::testing::Values(Bound{"basic-fp32-overlapped", 5e-7},
                                            Bound{"basic-fx18-overlapped", 1.3e-4},
-                                           Bound{"basic-fx32-overlapped", 8e-9}),
+                                           Bound{"basic-fx32-overlapped", 8e-9},
+                                           Bound{"factored-fp32-overlapped", 3e-7},
+                                           Bound{"factored-fx18-overlapped", 5e-5},
+                                           Bound{"factored-fx32-overlapped", 3.5e-9}),
                          [](const auto& info) {
-                           return std::string(info.param.configuration).substr(6, 4);
+                           std::string name = info.param.configuration;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
                          });
 
 class Determinism : public ::testing::TestWithParam<const char*> {};

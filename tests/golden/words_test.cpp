@@ -7,7 +7,7 @@
 
 #include "axis_error.hpp"
 #include "bound.hpp"
-#include "hwffd/model/organization.hpp"
+#include "hwffd/model/org_factored.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "plot.hpp"
 #include "report.hpp"
@@ -72,6 +72,47 @@ TEST(WordAxis, BlendingFunctionsAndSlopes) {
       EXPECT_NEAR(bspline_slope(x)[l], slope, 1e-8);
     }
   }
+}
+
+/// The largest error of `factored` in `fxW` over samples.
+template <int W>
+double factored_error(int vertices) {
+  const std::string format = "fx" + std::to_string(W);
+  const WordCodec codec(format);
+  const auto bank = bspline_bank<Fixed<W>>(format.c_str());
+  const Configuration configuration{};
+  const model::OrgFactored<Fixed<W>> factored(configuration);
+  double largest = 0;
+  for (const Sample& sample : Samples().draw(1, vertices)) {
+    model::LocalVertex<Fixed<W>> vertex;
+    model::Support<Fixed<W>> support;
+    for (int a = 0; a < 3; ++a) vertex.local[a] = Fixed<W>::coordinate(sample.fixed.local[a]);
+    for (int i = 0; i < 192; ++i) {
+      support[i / 3][i % 3] = Fixed<W>::point(sample.fixed.points[i]);
+    }
+    const auto sum = factored.evaluate(vertex, support, bank);
+    for (int c = 0; c < 3; ++c) {
+      const double result = codec.decode_point(Fixed<W>::out(sum[c]).word);
+      largest = std::max(largest, std::abs(result - sample.exact[c]));
+    }
+  }
+  return largest;
+}
+
+template <int W>
+void expect_factored_bound(const AxisError& axis, double factor) {
+  const double largest = factored_error<W>(50000);
+  const double bound = fixed_factored_bound(W, axis);
+  std::printf("fx%d: largest %.3g, bound %.3g\n", W, largest, bound);
+  EXPECT_LE(largest, bound);
+  EXPECT_LE(bound, factor * largest);
+}
+
+// At 32 bits the errors of an axis are propagated, which doubles the bound.
+TEST(WordBoundFactored, HoldsAndSaysSomething) {
+  expect_factored_bound<12>(exhaustive_axis_error<12>(), 8);
+  expect_factored_bound<18>(exhaustive_axis_error<18>(), 8);
+  expect_factored_bound<32>(propagated_axis_error(32), 12);
 }
 
 // Signs of the points that go with the signs of the weights' errors, all 64: no bound may be less.

@@ -31,7 +31,7 @@ BAD = {
 }
 FIELDS = {
     "name": ("Good", "good_row", "1-row", "good-", "", "two words", "a;b"),
-    "org": ("", "Basic", "nothing"),
+    "org": ("", "Basic", "nothing", "tree/", "tree/x", "/3"),
     "n": ("", "0", "65", "-1", "x", "1.0"),
     "format": ("", "fp64", "fx", "fx11", "fx33", "fx018", "18", "FX18"),
     "schedule": ("", "late"),

@@ -77,6 +77,15 @@ class Operators(unittest.TestCase):
         # As built, 12 evaluators, 16 + 64 weight products, 192 terms.
         self.assertEqual(row["operators"], {"mul": 12 + 16 + 64 + 192, "add": 12 + 189, "fma": 0})
 
+    def test_one_axis_at_a_time(self):
+        row = self.count("--org", "factored", "--format", "fx18")["factored-fx18-overlapped"]
+        # 12 evaluators of three steps; 64 + 16 + 4 products and 48 + 12 + 3 additions a component.
+        self.assertEqual(row["operators"], {"mul": 36 + 3 * 84, "add": 36 + 3 * 63, "fma": 0})
+        self.assertEqual((row["drawn"], row["evaluators"]), (row["operators"], 12))
+        folded = self.count("--org", "factored/3", "--format", "fx18")["factored3-fx18-overlapped"]
+        self.assertEqual(folded["operators"], {"mul": 12 + 84, "add": 12 + 63, "fma": 0})
+        self.assertEqual((folded["drawn"], folded["evaluators"]), (folded["operators"], 4))
+
     def test_unknown_rows_are_one_line(self):
         done = subprocess.run(
             [sys.executable, "-B", ROOT / "scripts" / "operators.py", "unused", "--org", "none"],

@@ -100,6 +100,22 @@ TEST(Comparison, WithoutPartnerFieldsAreNull) {
   EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
 }
 
+// An organization that the paper lacks has no formula, and that is no fault.
+TEST(Comparison, BeyondThePaperThereIsNoFormula) {
+  const Configuration& row = find_configuration("factored3-fx18-overlapped");
+  const OperatorCount count{{96, 75, 0}, {96, 75, 0}, 4};
+  const Comparison comparison =
+      compare({&row}, {{row.name, count}}, kLittle, [](std::size_t, std::size_t) {});
+  const auto json = nlohmann::json::parse(json_report(comparison)).at("rows").at(0);
+  EXPECT_EQ(json.at("org"), "factored/3");
+  EXPECT_EQ(json.at("interval_overlapped"), 3);
+  EXPECT_EQ(json.at("mismatches"), 0);
+  EXPECT_TRUE(json.at("formula").is_null());
+  EXPECT_TRUE(json.at("equal").is_null());
+  EXPECT_EQ(faults(comparison), "");
+  EXPECT_NE(table(comparison).find("factored/3"), std::string::npos);
+}
+
 TEST(Comparison, FaultsAreSaid) {
   const std::vector<Row> good = small_comparison().rows();
   EXPECT_EQ(faults(Comparison(good)), "");

@@ -120,5 +120,70 @@ TEST_P(Resident, LoadsALatticeWhileTheOldOneIsRead) {
 
 HWFFD_FOR_EACH_CONFIGURATION(Resident);
 
+/// Those of at most 3 clocks a vertex.
+std::vector<Configuration> fast_configurations() {
+  std::vector<Configuration> fast = built_configurations();
+  const auto is_slow = [](const Configuration& row) { return expected_interval(row) > 3; };
+  fast.erase(std::remove_if(fast.begin(), fast.end(), is_slow), fast.end());
+  return fast;
+}
+
+/// A lattice of 16 points an axis and vertices in random cells of it.
+class Sustained : public PerConfiguration {
+ protected:
+  /// Coefficients, lattice and packet; returns the beats before the first vertex.
+  std::size_t send(SystemRun& run, std::size_t vertices) {
+    tb::Random random(tb::seed_from_environment(1));
+    LatticeWords lattice;
+    lattice.dims = {16, 16, 16};
+    lattice.points.resize(4096);
+    for (auto& point : lattice.points) {
+      for (std::uint32_t& word : point) word = run.codec().point(2 * random.unit() - 1);
+    }
+    const std::vector<Beat> load = lattice_packet(lattice);
+    const std::vector<Beat> bspline =
+        coefficients_packet(watertight_bspline(run.codec()), run.codec());
+    run.send(bspline);
+    run.send(load);
+    run.send(vertices_packet(random_vertices(run.codec(), random, lattice.dims, vertices)));
+    return bspline.size() + load.size() + 1;
+  }
+};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Sustained);  // no row of the netlists is so fast
+
+// Over 100,000 vertices the rate is the organization's within 1 %, whatever cells they are in.
+TEST_P(Sustained, RateOverRandomCells) {
+  constexpr std::size_t kVertices = 100000;
+  SystemRun run(GetParam(), 1);
+  const std::size_t first = send(run, kVertices);
+  ASSERT_TRUE(run.run());
+  const std::vector<std::uint64_t>& results = run.bench().result_clocks();
+  ASSERT_EQ(results.size(), kVertices);
+  const std::uint64_t start = run.bench().accept_clocks().at(first);
+  const auto clocks = static_cast<double>(results.back() - start);
+  const auto latency = static_cast<double>(results.front() - start);
+  std::printf("%zu vertices, %.0f clocks, latency %.0f\n", kVertices, clocks, latency);
+  EXPECT_LE(latency, 200);
+  EXPECT_LE(clocks, 1.01 * expected_interval(GetParam()) * kVertices + latency);
+}
+
+// The scoreboard compares every bit and every tag in order; nothing may be missing or left over.
+TEST_P(Sustained, NothingIsLostUnderBackpressure) {
+  constexpr std::size_t kVertices = 10000;
+  std::uint64_t checked = 0;
+  for (const char* sink : {"bernoulli", "bursts", "long_stall"}) {
+    for (const char* source : {"always", "gaps", "bursts"}) {
+      SystemRun run(GetParam(), 1, source, sink);
+      send(run, kVertices);
+      ASSERT_TRUE(run.run()) << source << ", " << sink;
+      checked += run.bench().scoreboard().checked();
+    }
+  }
+  EXPECT_EQ(checked, 9 * kVertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Sustained, ::testing::ValuesIn(fast_configurations()),
+                         [](const auto& info) { return test_name(info.param); });
+
 }  // namespace
 }  // namespace hwffd::test

@@ -14,11 +14,20 @@ int generator_evaluators(const Configuration& row) {
   return org.rfind("cg", 0) == 0 ? std::atoi(org.c_str() + 2) : 0;
 }
 
-double steps(const Configuration& row) { return std::ceil(64.0 / row.n); }
+double steps(const Configuration& row) { return std::ceil(64.0 / row.n) * folds(row); }
 
 }  // namespace
 
-double paper_clocks(const Configuration& row) {
+bool contracts(const Configuration& row) { return std::string(row.org).rfind("factored", 0) == 0; }
+
+int folds(const Configuration& row) {
+  const std::string org = row.org;
+  const std::size_t stroke = org.find('/');
+  return stroke == std::string::npos ? 1 : std::atoi(org.c_str() + stroke + 1);
+}
+
+std::optional<double> paper_clocks(const Configuration& row) {
+  if (contracts(row)) return std::nullopt;
   const bool fused = row.fma_latency > 0;
   const double polynomial = fused ? 3 : 6;
   if (const int evaluators = generator_evaluators(row)) {
@@ -37,7 +46,8 @@ double overlapped_interval(const Configuration& row) {
 }
 
 double expected_interval(const Configuration& row) {
-  return std::string(row.schedule) == "paper" ? paper_clocks(row) : overlapped_interval(row);
+  return std::string(row.schedule) == "paper" ? paper_clocks(row).value()
+                                              : overlapped_interval(row);
 }
 
 }  // namespace hwffd

@@ -29,29 +29,48 @@ module ffd_fx_product #(
 
   wire signed [W-1:0]   a;
   wire signed [W-1:0]   b;
-  wire                  flag;
   wire signed [2*W-1:0] wide_a  = {{W{a[W-1]}}, a};
   wire signed [2*W-1:0] wide_b  = {{W{b[W-1]}}, b};
   wire signed [2*W-1:0] product = wide_a * wide_b;
 
   ffd_num_delay #(
-    .WIDTH  (2 * W + 1),
+    .WIDTH  (W),
     .LATENCY(BEFORE)
-  ) u_operands (
+  ) u_a (
     .clk(clk),
     .rst(1'b0),
-    .d_i({flag_i, b_i, a_i}),
-    .q_o({flag, b, a})
+    .d_i(a_i),
+    .q_o(a)
   );
 
   ffd_num_delay #(
-    .WIDTH  (2 * W + 1),
+    .WIDTH  (W),
+    .LATENCY(BEFORE)
+  ) u_b (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(b_i),
+    .q_o(b)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (2 * W),
     .LATENCY(LATENCY - BEFORE)
   ) u_product (
     .clk(clk),
     .rst(1'b0),
-    .d_i({flag, product}),
-    .q_o({flag_o, product_o})
+    .d_i(product),
+    .q_o(product_o)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(LATENCY)
+  ) u_flag (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(flag_i),
+    .q_o(flag_o)
   );
 endmodule
 

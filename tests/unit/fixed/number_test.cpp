@@ -70,8 +70,19 @@ struct Operands {
   int shift = 0;
 };
 
-enum Unit { kCoordinate, kCoefficient, kPoint, kMulUnit, kTerm, kStep, kScale, kAddUnit, kOut };
-constexpr int kUnits = 9;
+enum Unit {
+  kCoordinate,
+  kCoefficient,
+  kPoint,
+  kMulUnit,
+  kTerm,
+  kStep,
+  kScale,
+  kAddUnit,
+  kNarrow,
+  kOut
+};
+constexpr int kUnits = 10;
 using Results = std::array<Int128, kUnits>;
 
 template <int W>
@@ -91,6 +102,7 @@ Results exact_results(const Operands& o) {
           packed(nearest({o.c * one + product, 2 * kF}, kF, W), flag_ab || o.flag_c, W),
           packed(nearest({o.a * (1 << o.shift), kF}, kF, W), o.flag_a, W),
           packed(o.sum_a + o.sum_b, flag_ab, 2 * W + 6),
+          packed(nearest({o.sum_a, 2 * W - 3}, W - 1, W), o.flag_a, W),
           out};
 }
 
@@ -118,6 +130,7 @@ Results model_results(const Operands& o) {
           number(F::step(c, a, b)),
           number(F::scale(a, o.shift)),
           sum(F::add(sum_a, sum_b)),
+          number(F::narrow(sum_a)),
           packed(Int128{out.word}, out.saturated, 32)};
 }
 
@@ -158,19 +171,17 @@ class Units {
                                                     Widths<W>::kMul + Widths<W>::kAdd,
                                                     Widths<W>::kConvert,
                                                     Widths<W>::kAdd,
+                                                    Widths<W>::kConvert,
                                                     Widths<W>::kConvert};
 
   void compare() {
     auto& dut = sim_.dut();
-    const Results got{read(dut.coordinate_o),
-                      read(dut.coefficient_o),
-                      read(dut.point_o),
-                      read(dut.mul_o),
-                      read(dut.term_o),
-                      read(dut.step_o),
-                      read(dut.scale_o),
-                      read(dut.add_o),
-                      Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
+    const Results got{
+        read(dut.coordinate_o), read(dut.coefficient_o),
+        read(dut.point_o),      read(dut.mul_o),
+        read(dut.term_o),       read(dut.step_o),
+        read(dut.scale_o),      read(dut.add_o),
+        read(dut.narrow_o),     Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
     for (int unit = 0; unit < kUnits; ++unit) {
       if (expected_[unit].size() <= static_cast<std::size_t>(kLatency[unit])) continue;
       ASSERT_TRUE(got[unit] == expected_[unit].front())

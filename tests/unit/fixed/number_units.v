@@ -25,6 +25,7 @@ module number_units #(
   input  wire [`FFD_SUM_W(FORMAT)-1:0]     sum_a_i,
   input  wire [`FFD_SUM_W(FORMAT)-1:0]     sum_b_i,
   output wire [`FFD_SUM_W(FORMAT)-1:0]     add_o,
+  output wire [`FFD_POINT_W(FORMAT)-1:0]   narrow_o,
   output wire [31:0]                       out_o,
   output wire                              out_saturated_o,
   output wire                              out_nan_o
@@ -96,6 +97,14 @@ module number_units #(
     .a_i  (sum_a_i),
     .b_i  (sum_b_i),
     .sum_o(add_o)
+  );
+  ffd_num_narrow #(
+    .FORMAT (FORMAT),
+    .LATENCY(CONVERT_LATENCY)
+  ) u_narrow (
+    .clk    (clk),
+    .sum_i  (sum_a_i),
+    .point_o(narrow_o)
   );
   ffd_num_out #(
     .FORMAT (FORMAT),

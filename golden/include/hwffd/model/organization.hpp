@@ -24,30 +24,53 @@ using VectorSum = std::array<typename F::Sum, 3>;
 /// bank, and so add it at the same place (docs/numerics.md section 5).
 inline int local_of_bank(int bank, int cell) { return (bank - cell) & 3; }
 
-/// The factors of bank index 0 to 63 (l, m, n in two bits each, n fastest): the weight
-/// (B_l B_m) B_n and the control point. Mirrors ffd_eval_weight_product over the evaluators.
+/// The four weights of each axis, by bank. An organization evaluates a weight as often as it likes:
+/// the bits are the same, so the model does it once.
+template <class F>
+std::array<std::array<typename F::Weight, 4>, 3> weights_of(const LocalVertex<F>& vertex,
+                                                            const CoefficientBank<F>& bank) {
+  std::array<std::array<typename F::Weight, 4>, 3> weight;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int b = 0; b < 4; ++b) {
+      const int function = local_of_bank(b, vertex.cell[axis]);
+      weight[axis][b] = polynomial<F>(bank, axis, function, vertex.local[axis]);
+    }
+  }
+  return weight;
+}
+
+/// The control points by bank index 0 to 63 (l, m, n in two bits each, n fastest).
+template <class F>
+Support<F> by_bank(const Support<F>& support, const std::array<int, 3>& cell) {
+  Support<F> points;
+  for (int index = 0; index < 64; ++index) {
+    const int l = local_of_bank(index >> 4, cell[0]);
+    const int m = local_of_bank(index >> 2, cell[1]);
+    const int n = local_of_bank(index, cell[2]);
+    points[index] = support[16 * l + 4 * m + n];
+  }
+  return points;
+}
+
+/// A weight and the control point that it multiplies.
 template <class F>
 struct Factors {
   typename F::Weight weight{};
   std::array<typename F::Point, 3> point{};
 };
 
-/// All 64, in the order of the banks. An organization evaluates a weight as often as it likes: the
-/// bits are the same, so the model does it once.
+/// The weight (B_l B_m) B_n and the control point of each bank index. Mirrors
+/// ffd_eval_weight_product over the evaluators.
 template <class F>
 std::array<Factors<F>, 64> factors_of(const LocalVertex<F>& vertex, const Support<F>& support,
                                       const CoefficientBank<F>& bank) {
-  std::array<std::array<typename F::Weight, 4>, 3> weight;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int f = 0; f < 4; ++f) weight[axis][f] = polynomial<F>(bank, axis, f, vertex.local[axis]);
-  }
+  const auto weight = weights_of<F>(vertex, bank);
+  const Support<F> points = by_bank<F>(support, vertex.cell);
   std::array<Factors<F>, 64> factors;
   for (int index = 0; index < 64; ++index) {
-    const int l = local_of_bank(index >> 4, vertex.cell[0]);
-    const int m = local_of_bank(index >> 2, vertex.cell[1]);
-    const int n = local_of_bank(index, vertex.cell[2]);
-    factors[index].weight = F::mul(F::mul(weight[0][l], weight[1][m]), weight[2][n]);
-    factors[index].point = support[16 * l + 4 * m + n];
+    factors[index].weight =
+        F::mul(F::mul(weight[0][index >> 4], weight[1][index >> 2 & 3]), weight[2][index & 3]);
+    factors[index].point = points[index];
   }
   return factors;
 }

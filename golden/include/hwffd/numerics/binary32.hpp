@@ -40,6 +40,7 @@ struct Binary32 {
   static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
     return add(mul(coordinate, weight), coefficient);
   }
+  static Point narrow(Sum sum) { return sum; }
   static Weight scale(Weight weight, int /*shift*/) { return weight; }
   static OutWord out(Sum sum) { return {bits_of_float(sum), false, std::isnan(sum)}; }
 

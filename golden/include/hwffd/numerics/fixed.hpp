@@ -76,6 +76,10 @@ struct Fixed {
   static Weight scale(Weight weight, int shift) {
     return with_flag(round_to<Number>(Int128{weight.value} * (1 << shift), 0, W), weight.saturated);
   }
+  static Point narrow(Sum sum) {
+    return with_flag(round_to<Number>(Int128{sum.value}, kSumFraction - kPointFraction, W),
+                     sum.saturated);
+  }
   static OutWord out(Sum sum) {
     constexpr int kPad = std::max(31 - kSumFraction, 0);
     constexpr int kDrop = std::max(kSumFraction - 31, 0);

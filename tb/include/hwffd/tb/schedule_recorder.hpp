@@ -28,11 +28,12 @@ class ScheduleRecorder {
   const Sequencer& polynomials() const;
   /// The one behind it, of a combination generator; null if there is none.
   const Sequencer* combinations() const;
-  /// Weights of a step arrive at the multiplier.
+  /// Weights of a step arrive at the multiplier; where axes are contracted, its points are asked
+  /// for.
   const std::vector<std::uint64_t>& steps() const { return steps_; }
   /// The support that each step reads.
   const std::vector<std::uint8_t>& sources() const { return sources_; }
-  /// The sum of a step arrives at the accumulator.
+  /// The sum of a step arrives at the accumulator, or is complete.
   const std::vector<std::uint64_t>& sums() const { return sums_; }
   /// The sum of a vertex is complete.
   const std::vector<std::uint64_t>& results() const { return results_; }

@@ -1,0 +1,175 @@
+// ffd_eval_bank_weights: the 12 weights of a vertex by bank, each axis when it is contracted
+//
+// Bank b of an axis has the weight of the local function (b - cell) mod 4: a rotation of four
+// weights, made where the evaluators are addressed, so that no point is ever moved. u is contracted
+// first, t DISTANCE clocks later, s DISTANCE clocks after t, and each axis has its weights then.
+//
+// FOLD 1:     12 evaluators; t and s are evaluated that much later.
+// FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
+//             on beside the contraction, and each axis holds its own for the steps of the vertex.
+//
+// Pipeline:   step 0 | FFD_POLY_LATENCY: weights of u, for FOLD clocks; those of t and s later. A
+//             step a clock, those of a vertex one after the other; never frozen.
+// Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
+//             organization.
+// Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_eval_bank_weights #(
+  parameter FOLD            = 1,
+  parameter FORMAT          = 18,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1,
+  parameter DISTANCE        = 5
+) (
+  input  wire                                            clk,
+  input  wire                                            load_i,
+  input  wire [1:0]                                      load_axis_i,
+  input  wire [2:0]                                      load_address_i,
+  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+  input  wire                                            step_valid_i,
+  input  wire [1:0]                                      step_i,
+  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              coordinates_i,
+  input  wire [11:0]                                     cell_i,
+  input  wire                                            bank_i,
+  output wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]            weights_o
+);
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
+  localparam SETS         = 3 / FOLD;
+  localparam ADDRESS_W    = FOLD == 1 ? 3 : 5;
+
+  generate
+    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
+      ERROR_ffd_eval_bank_weights_fold_must_be_1_or_3 u_error ();
+    end
+    if (EVALUATOR == `FFD_EVALUATOR_ITERATIVE) begin : gen_bad_evaluator
+      ERROR_ffd_eval_bank_weights_evaluator_must_not_be_iterative u_error ();
+    end
+  endgenerate
+
+  wire [SETS*4*WEIGHT_W-1:0] evaluated;
+
+  genvar set;
+  genvar b;
+  generate
+    for (set = 0; set < SETS; set = set + 1) begin : gen_set
+      wire [WEIGHT_W-1:0] coordinate;
+      wire [1:0]          residue;  // of the cell, modulo 4
+      wire                bank;
+      wire                load;
+      wire [ADDRESS_W-1:0] load_address;
+
+      if (FOLD == 1) begin : gen_own_axis
+        ffd_num_delay #(
+          .WIDTH  (WEIGHT_W + 3),
+          .LATENCY((2 - set) * DISTANCE)
+        ) u_later (
+          .clk(clk),
+          .rst(1'b0),
+          .d_i({coordinates_i[set*WEIGHT_W +: WEIGHT_W], cell_i[4*set +: 2], bank_i}),
+          .q_o({coordinate, residue, bank})
+        );
+        assign load         = load_i && load_axis_i == set;
+        assign load_address = load_address_i;
+      end else begin : gen_all_axes
+        assign coordinate   = step_i == 2'd0 ? coordinates_i[2*WEIGHT_W +: WEIGHT_W] :
+                              step_i == 2'd1 ? coordinates_i[1*WEIGHT_W +: WEIGHT_W] :
+                                               coordinates_i[0*WEIGHT_W +: WEIGHT_W];
+        assign residue      = step_i == 2'd0 ? cell_i[9:8] : step_i == 2'd1 ? cell_i[5:4] :
+                                               cell_i[1:0];
+        assign bank         = bank_i;
+        assign load         = load_i;
+        assign load_address = {load_axis_i, load_address_i};
+      end
+
+      for (b = 0; b < 4; b = b + 1) begin : gen_bank
+        localparam [1:0] BANK = b;
+        wire [1:0]           blending = BANK - residue;
+        wire [ADDRESS_W-1:0] address;
+
+        if (FOLD == 1) begin : gen_own_file
+          assign address = {bank, blending};
+        end else begin : gen_three_files
+          assign address = {2'd2 - step_i, bank, blending};
+        end
+
+        ffd_eval_poly #(
+          .FORMAT         (FORMAT),
+          .EVALUATOR      (EVALUATOR),
+          .MUL_LATENCY    (MUL_LATENCY),
+          .ADD_LATENCY    (ADD_LATENCY),
+          .FMA_LATENCY    (FMA_LATENCY),
+          .CONVERT_LATENCY(CONVERT_LATENCY),
+          .ADDRESS_W      (ADDRESS_W)
+        ) u_poly (
+          .clk           (clk),
+          .load_i        (load),
+          .load_address_i(load_address),
+          .load_entry_i  (load_entry_i),
+          .start_i       (step_valid_i),
+          .coordinate_i  (coordinate),
+          .address_i     (address),
+          .weight_o      (evaluated[(4*set+b)*WEIGHT_W +: WEIGHT_W])
+        );
+      end
+    end
+  endgenerate
+
+  // Folded, the weights of an axis come a clock after those of the axis before and are wanted
+  // DISTANCE clocks after them.
+  genvar stage;
+  generate
+    if (FOLD == 1) begin : gen_ready
+      assign weights_o = evaluated;
+      wire unused_ok = &{1'b0, step_i, cell_i};
+    end else begin : gen_travel
+      for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
+        localparam [1:0] OWN_STEP = stage;
+        wire [1:0]            step;
+        wire [4*WEIGHT_W-1:0] weights;
+        wire                  own = step == OWN_STEP;
+        reg  [4*WEIGHT_W-1:0] held_q;
+
+        if (stage == 0) begin : gen_first
+          assign weights = evaluated;
+          ffd_num_delay #(
+            .WIDTH  (2),
+            .LATENCY(POLY_LATENCY)
+          ) u_step (
+            .clk(clk),
+            .rst(1'b0),
+            .d_i(step_i),
+            .q_o(step)
+          );
+        end else begin : gen_next
+          ffd_num_delay #(
+            .WIDTH  (2 + 4 * WEIGHT_W),
+            .LATENCY(DISTANCE - 1)
+          ) u_weights (
+            .clk(clk),
+            .rst(1'b0),
+            .d_i({gen_stage[stage-1].step, gen_stage[stage-1].weights}),
+            .q_o({step, weights})
+          );
+        end
+
+        always @(posedge clk) begin
+          if (own) held_q <= weights;
+        end
+        assign weights_o[4*(2-stage)*WEIGHT_W +: 4*WEIGHT_W] = own ? weights : held_q;
+      end
+      wire unused_ok = &{1'b0, cell_i};
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,165 @@
+// ffd_eval_contraction: from blending weights to the vertex, one axis at a time: 64 -> 16 -> 4 -> 1
+//
+//   q = sum_l B_l(s) (sum_m B_m(t) (sum_n B_n(u) P_lmn))
+//
+// 84 multiplications a component in place of 64 and the products of weights. u comes first: its
+// banks run fastest, so the points of one sum lie side by side and all additions are those of a
+// tree of 64, pair by pair. Between contractions a sum becomes a point again (ffd_num_narrow).
+//
+// A step takes the 64 points of a vertex and contracts 3 / FOLD of their components. Folded by
+// three, a vertex is three steps one after the other, x first; they read the same points.
+//
+// Formats, rounding: those of the number layer; docs/numerics.md section 4.
+// Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
+//             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
+// Freezes:    never.
+// Parameters: FOLD 1 or 3; the others as in every organization.
+// Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_eval_contraction #(
+  parameter FOLD            = 1,
+  parameter FORMAT          = 18,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1,
+  parameter READ_LATENCY    = 2,
+  parameter SOURCE_W        = 2
+) (
+  input  wire                                    clk,
+  input  wire                                    rst,
+  input  wire                                    step_valid_i,
+  input  wire                                    step_last_i,
+  input  wire [1:0]                              step_component_i,
+  input  wire [SOURCE_W-1:0]                     step_source_i,
+  input  wire [11:0]                             step_cell_i,
+  input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    weights_i,
+  output wire                                    read_o,
+  output wire                                    read_last_o,
+  output wire [SOURCE_W-1:0]                     read_source_o,
+  output wire [11:0]                             read_cell_o,
+  input  wire [64*3*`FFD_POINT_W(FORMAT)-1:0]    read_points_i,
+  output wire                                    result_valid_o,
+  output wire [3*`FFD_SUM_W(FORMAT)-1:0]         result_sum_o
+);
+  localparam WEIGHT_W   = `FFD_WEIGHT_W(FORMAT);
+  localparam POINT_W    = `FFD_POINT_W(FORMAT);
+  localparam SUM_W      = `FFD_SUM_W(FORMAT);
+  localparam COMPONENTS = 3 / FOLD;
+  localparam CONTRACT   = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
+                                                CONVERT_LATENCY);
+  localparam LATENCY    = READ_LATENCY + 2 * CONTRACT
+                        + `FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+
+  generate
+    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
+      ERROR_ffd_eval_contraction_fold_must_be_1_or_3 u_error ();
+    end
+  endgenerate
+
+  assign read_o        = step_valid_i;
+  assign read_last_o   = step_valid_i && step_last_i;
+  assign read_source_o = step_source_i;
+  assign read_cell_o   = step_cell_i;
+
+  wire sum_valid;
+  wire sum_last;
+
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(LATENCY),
+    .RESET  (1)
+  ) u_sum_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i({step_valid_i, step_valid_i && step_last_i}),
+    .q_o({sum_valid, sum_last})
+  );
+
+  wire [1:0] component;
+
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(READ_LATENCY)
+  ) u_component (
+    .clk(clk),
+    .rst(rst),
+    .d_i(step_component_i),
+    .q_o(component)
+  );
+
+  wire [COMPONENTS*SUM_W-1:0] sums;
+
+  genvar c;
+  genvar stage;
+  genvar g;
+  genvar b;
+  generate
+    for (c = 0; c < COMPONENTS; c = c + 1) begin : gen_component
+      for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
+        localparam AXIS = 2 - stage;
+        for (g = 0; g < (16 >> 2 * stage); g = g + 1) begin : gen_group
+          wire [4*POINT_W-1:0] points;
+          wire [SUM_W-1:0]     sum;
+
+          for (b = 0; b < 4; b = b + 1) begin : gen_bank
+            localparam FIRST = 3 * (4 * g + b);  // of the components of a point
+            wire [POINT_W-1:0] point;
+            if (stage > 0) begin : gen_narrow
+              ffd_num_narrow #(
+                .FORMAT (FORMAT),
+                .LATENCY(CONVERT_LATENCY)
+              ) u_narrow (
+                .clk    (clk),
+                .sum_i  (gen_stage[stage-1].gen_group[4*g+b].sum),
+                .point_o(point)
+              );
+            end else if (FOLD == 1) begin : gen_own
+              assign point = read_points_i[(FIRST+c)*POINT_W +: POINT_W];
+            end else begin : gen_in_turn
+              assign point = component == 2'd0 ? read_points_i[(FIRST+0)*POINT_W +: POINT_W] :
+                             component == 2'd1 ? read_points_i[(FIRST+1)*POINT_W +: POINT_W] :
+                                                 read_points_i[(FIRST+2)*POINT_W +: POINT_W];
+            end
+          end
+          assign points = {gen_bank[3].point, gen_bank[2].point, gen_bank[1].point,
+                           gen_bank[0].point};
+
+          ffd_eval_tree #(
+            .FORMAT     (FORMAT),
+            .N          (4),
+            .MUL_LATENCY(MUL_LATENCY),
+            .ADD_LATENCY(ADD_LATENCY),
+            .FMA_LATENCY(FMA_LATENCY)
+          ) u_tree (
+            .clk      (clk),
+            .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+            .points_i (points),
+            .sum_o    (sum)
+          );
+        end
+      end
+
+      assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum;
+    end
+  endgenerate
+
+  generate
+    if (FOLD == 1) begin : gen_whole
+      assign result_sum_o = sums;
+      wire unused_ok = &{1'b0, component, sum_last};
+    end else begin : gen_collect
+      reg [2*SUM_W-1:0] before_q;
+      always @(posedge clk) before_q <= {sums, before_q[SUM_W +: SUM_W]};
+      assign result_sum_o = {sums, before_q};
+    end
+  endgenerate
+
+  assign result_valid_o = sum_valid && sum_last;
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,64 @@
+// ffd_num_narrow: sum -> point, between two contractions
+//
+// Formats:    fp32: a wire. fxW: Q9.(2W-3) -> Q1.(W-1), the point's own format, so that the next
+//             multiplication is again one of W x W bits.
+// Rounding:   fxW: half up, saturated and flagged outside [-1, 1).
+// Error:      half a unit of a point.
+// Pipeline:   LATENCY registers, II 1, never frozen.
+// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
+// Model:      golden/include/hwffd/numerics (narrow).  Test: tests/unit/fixed.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+
+module ffd_num_narrow #(
+  parameter FORMAT  = 18,
+  parameter LATENCY = 0
+) (
+  input  wire                             clk,
+  input  wire [`FFD_SUM_W(FORMAT)-1:0]    sum_i,
+  output wire [`FFD_POINT_W(FORMAT)-1:0]  point_o
+);
+  localparam POINT_W = `FFD_POINT_W(FORMAT);
+
+  generate
+    if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
+      ERROR_ffd_num_narrow_format_is_unknown u_error ();
+    end
+  endgenerate
+
+  wire [POINT_W-1:0] point;
+
+  generate
+    if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
+      assign point = sum_i;
+    end else begin : gen_fixed
+      localparam VALUE_W = `FFD_SUM_W(FORMAT) - 1;
+      wire saturated;
+
+      ffd_fx_round #(
+        .IN_W (VALUE_W),
+        .DROP (FORMAT - 2),
+        .OUT_W(FORMAT)
+      ) u_round (
+        .value_i    (sum_i[VALUE_W-1:0]),
+        .addend_i   ({FORMAT{1'b0}}),
+        .value_o    (point[FORMAT-1:0]),
+        .saturated_o(saturated)
+      );
+      assign point[FORMAT] = sum_i[VALUE_W] | saturated;
+    end
+  endgenerate
+
+  ffd_num_delay #(
+    .WIDTH  (POINT_W),
+    .LATENCY(LATENCY)
+  ) u_point (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(point),
+    .q_o(point_o)
+  );
+endmodule
+
+`default_nettype wire
