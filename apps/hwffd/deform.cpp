@@ -42,23 +42,20 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
 
 void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", text); }
 
-void warn_of(const std::vector<Stage>& stages, const Deformer::Result& result,
-             const Device& device) {
-  for (const Stage& stage : stages) {
-    const FoldCheck check = check_folds(stage.deformed);
-    if (check.verdict == FoldCheck::Verdict::kFolded) {
-      warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself",
-                       stage.name, check.text()));
-    }
+void warn_of(const DeformReport& report) {
+  for (std::size_t i = 0; i < report.stages.size(); ++i) {
+    if (report.deformed_folds[i].verdict != FoldCheck::Verdict::kFolded) continue;
+    warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself",
+                     report.stages[i].name, report.deformed_folds[i].text()));
   }
-  if (result.torn_edges > 0) {
+  if (report.result.torn_edges > 0) {
     warn(
         fmt::format("{} edges join a vertex outside the lattice, which stays, and one that moves: "
                     "the mesh tears there; see --outside clamp or fade",
-                    result.torn_edges));
+                    report.result.torn_edges));
   }
-  if (device.counts().saturated > 0) {
-    warn(fmt::format("{} results saturated in fixed point: {}", device.counts().saturated,
+  if (report.device.counts().saturated > 0) {
+    warn(fmt::format("{} results saturated in fixed point: {}", report.device.counts().saturated,
                      "the deformed lattice is too large for its scale"));
   }
 }
@@ -93,8 +90,10 @@ int run(const Options& options, const StageOptions& stage_options) {
     written.push_back(frames > 0 ? frame_path(output, frame).string() : output);
     geometry.write(written.back());
   }
-  warn_of(stages, result, *device);
-  const DeformReport report{geometry, *device, stages, result, written};
+  std::vector<FoldCheck> deformed_folds;
+  for (const Stage& stage : stages) deformed_folds.push_back(check_folds(stage.deformed));
+  const DeformReport report{geometry, *device, stages, deformed_folds, result, written};
+  warn_of(report);
   if (!options.report.empty()) write_report(options.report, json_of(report));
   if (output != "-" && options.report != "-") fmt::print("{}", text_of(report));
   return 0;

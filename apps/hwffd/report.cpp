@@ -50,8 +50,8 @@ Json json_of(const DeformReport& report) {
     stages.push_back({{"lattice", stage.name},
                       {"dims", stage.rest.dims()},
                       {"embedding", json_of(report.result.summaries[i])},
-                      {"rest", json_of(check_folds(stage.rest))},
-                      {"deformed", json_of(check_folds(stage.deformed))}});
+                      {"rest", json_of(stage.rest_folds)},
+                      {"deformed", json_of(report.deformed_folds[i])}});
   }
   return {
       {"input", report.geometry.name()},         {"vertices", report.geometry.positions().rows()},

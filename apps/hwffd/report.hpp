@@ -22,6 +22,7 @@ struct DeformReport {
   const Geometry& geometry;
   const Device& device;
   const std::vector<Stage>& stages;
+  const std::vector<FoldCheck>& deformed_folds;  ///< one a stage
   const Deformer::Result& result;
   const std::vector<std::string>& written;
 };

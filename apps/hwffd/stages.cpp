@@ -58,8 +58,8 @@ Points parse_region(const std::string& text) {
   return Eigen::Map<const Points>(values.data(), 2, 3);
 }
 
-/// What embedding needs of a lattice at rest.
-void check_rest(const std::string& name, const Lattice& rest) {
+/// Checks what embedding needs of a lattice at rest.
+FoldCheck check_rest(const std::string& name, const Lattice& rest) {
   const FoldCheck check = check_folds(rest);
   const Point extent = rest.points().colwise().maxCoeff() - rest.points().colwise().minCoeff();
   if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
@@ -69,6 +69,7 @@ void check_rest(const std::string& name, const Lattice& rest) {
     throw Error(fmt::format("lattice '{}': {}; embedding needs a lattice without folds at rest",
                             name, check.text()));
   }
+  return check;
 }
 
 }  // namespace
@@ -138,9 +139,9 @@ std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points
   std::vector<Stage> stages;
   for (const StageText& text : texts) {
     Lattice rest = rest_lattice(text, points);
-    check_rest(text.lattice, rest);
+    const FoldCheck folds = check_rest(text.lattice, rest);
     Lattice deformed = deformed_lattice(text, rest);
-    stages.push_back({text.lattice, std::move(rest), std::move(deformed)});
+    stages.push_back({text.lattice, std::move(rest), std::move(deformed), folds});
   }
   return stages;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd::command {
@@ -22,6 +23,7 @@ struct Stage {
   std::string name;  ///< of its shape or file
   Lattice rest;
   Lattice deformed;
+  FoldCheck rest_folds;
 };
 
 /// The options --lattice, --dims, --region and --deform of a command. Every --lattice begins a

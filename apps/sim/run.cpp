@@ -17,17 +17,6 @@
 namespace hwffd::sim {
 namespace {
 
-Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
-                    const Normalization& normalization) {
-  Points positions(static_cast<Eigen::Index>(results.size()), 3);
-  for (std::size_t v = 0; v < results.size(); ++v) {
-    Point point;
-    for (int c = 0; c < 3; ++c) point[c] = codec.decode_point(results[v].words[c]);
-    positions.row(static_cast<Eigen::Index>(v)) = normalization.to_world(point);
-  }
-  return positions;
-}
-
 /// By the core's streams. Fills the result and returns what came.
 std::vector<Beat> run_streams(RunResult& result, const std::vector<Beat>& beats,
                               const tb::TestIdentity& test, const std::string& waveform) {

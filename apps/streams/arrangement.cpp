@@ -21,7 +21,7 @@ constexpr std::uint64_t kSupport = 64;  // points
 std::uint64_t beats_of_words(std::uint64_t words) { return (words + 3) / 4; }
 
 std::uint64_t beats_of_packets(std::uint64_t vertices) {
-  return kHeader * ((vertices + kPacket - 1) / kPacket);
+  return kHeader * ((vertices + kPacketVertices - 1) / kPacketVertices);
 }
 
 /// Points of a cell's support that another cell's support does not have.
@@ -61,26 +61,6 @@ std::uint64_t cell_beats(const std::vector<Index3>& cells, std::size_t kept) {
   return beats + beats_of_packets(run) + run;
 }
 
-void append(std::vector<Beat>& beats, const std::vector<Beat>& packet) {
-  beats.insert(beats.end(), packet.begin(), packet.end());
-}
-
-template <class Vertex, class MakePacket>
-void append_packets(std::vector<Beat>& beats, const std::vector<Vertex>& vertices,
-                    MakePacket make_packet) {
-  for (auto first = vertices.begin(); first != vertices.end();) {
-    const auto left = static_cast<std::size_t>(vertices.end() - first);
-    const auto last = first + static_cast<std::ptrdiff_t>(std::min(kPacket, left));
-    append(beats, make_packet({first, last}));
-    first = last;
-  }
-}
-
-void append_vertices(std::vector<Beat>& beats, const std::vector<VertexBeat>& vertices) {
-  append_packets(beats, vertices,
-                 [](const std::vector<VertexBeat>& part) { return vertices_packet(part); });
-}
-
 /// Each cell as a lattice of its own, whenever it is another than that of the vertex before.
 void append_cells(std::vector<Beat>& beats, const Lattice& lattice,
                   const std::vector<Embedded>& vertices, const WordCodec& codec,
@@ -94,7 +74,7 @@ void append_cells(std::vector<Beat>& beats, const Lattice& lattice,
     }
     Points points(lattice.support(cell));
     append(beats, lattice_packet(lattice_words({{4, 4, 4}, points}, codec, normalization)));
-    append_vertices(beats, vertex_beats(run, codec));
+    append(beats, vertices_packets(vertex_beats(run, codec)));
   }
 }
 
@@ -157,12 +137,10 @@ std::vector<Beat> packets(const Arrangement& arrangement, const Lattice& lattice
   const Normalization normalization = Normalization::of(lattice, codec);
   std::vector<Beat> beats = coefficients_packet(watertight_bspline(codec), codec);
   if (arrangement.kind == Kind::kInterleaved) {
-    append_packets(
-        beats, interleave(lattice, vertices, codec, normalization),
-        [](const std::vector<InterleavedVertex>& part) { return interleaved_packet(part); });
+    append(beats, interleaved_packets(interleave(lattice, vertices, codec, normalization)));
   } else if (arrangement.kind == Kind::kResident) {
     append(beats, lattice_packet(lattice_words(lattice, codec, normalization)));
-    append_vertices(beats, vertex_beats(vertices, codec));
+    append(beats, vertices_packets(vertex_beats(vertices, codec)));
   } else if (arrangement.is_built()) {
     append_cells(beats, lattice, vertices, codec, normalization);
   } else {

@@ -9,8 +9,6 @@
 
 namespace hwffd::streams {
 
-constexpr std::size_t kPacket = 1024;  ///< vertices a packet, at most
-
 /// How control points get to the evaluator (the question that section 3.3.2 of the paper leaves
 /// open).
 struct Arrangement {

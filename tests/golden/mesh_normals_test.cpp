@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh_volume.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -86,18 +87,6 @@ void expect_normals(Mesh mesh, const Eigen::Matrix3d& map,
   for (std::size_t i = 0; i < corners; ++i) {
     EXPECT_LT((after[i] - expected(before[i])).norm(), kRounding) << "corner " << i;
   }
-}
-
-/// Six times the volume that the triangles enclose: positive if they face outwards.
-double volume_of(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const Mesh::Triangle& t : mesh.triangles()) {
-    const Eigen::Vector3d a = mesh.positions().row(t[0]);
-    const Eigen::Vector3d b = mesh.positions().row(t[1]);
-    const Eigen::Vector3d c = mesh.positions().row(t[2]);
-    sum += a.dot(b.cross(c));
-  }
-  return sum;
 }
 
 TEST(MeshNormals, IdentityChangesNone) {
@@ -210,12 +199,12 @@ TEST(MeshNormals, UnknownGradientsFallBackOnFaces) {
 /// every face.
 TEST(MeshNormals, MirrorTurnsFacesRound) {
   Mesh mesh = load_text(sphere_text());
-  const double volume = volume_of(mesh);
+  const double volume = volume_times_six(mesh);
   const std::vector<Mesh::Triangle> read = mesh.triangles();
   ASSERT_GT(volume, 0.0);
   const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
   move(mesh, mirror);
-  EXPECT_NEAR(volume_of(mesh), volume, 1e-6);
+  EXPECT_NEAR(volume_times_six(mesh), volume, 1e-6);
   ASSERT_EQ(mesh.triangles().size(), read.size());
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const Eigen::Vector3d place = mesh.positions().row(static_cast<Eigen::Index>(i));
@@ -224,23 +213,23 @@ TEST(MeshNormals, MirrorTurnsFacesRound) {
   // As loaded: the same quads, cut along the same diagonals.
   const TempFolder folder;
   mesh.save(folder / "mirrored.obj");
-  EXPECT_NEAR(volume_of(Mesh::load(folder / "mirrored.obj")), volume, 1e-5);
+  EXPECT_NEAR(volume_times_six(Mesh::load(folder / "mirrored.obj")), volume, 1e-5);
   mesh.set_positions(mesh.positions() * mirror);
   EXPECT_EQ(mesh.triangles(), read);
-  EXPECT_NEAR(volume_of(mesh), volume, 1e-6);
+  EXPECT_NEAR(volume_times_six(mesh), volume, 1e-6);
 }
 
 /// One vertex that is not mirrored makes it a fold: faces stay, and normals agree with them.
 TEST(MeshNormals, FoldKeepsFaces) {
   Mesh mesh = load_text(sphere_text());
   const std::vector<Mesh::Triangle> read = mesh.triangles();
-  const double volume = volume_of(mesh);
+  const double volume = volume_times_six(mesh);
   const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
   std::vector<Eigen::Matrix3d> gradients(mesh.vertex_count(), mirror);
   gradients[0].setIdentity();
   mesh.set_positions(mesh.positions() * mirror, gradients);
   EXPECT_EQ(mesh.triangles(), read);
-  EXPECT_NEAR(volume_of(mesh), -volume, 1e-6);
+  EXPECT_NEAR(volume_times_six(mesh), -volume, 1e-6);
   const Points faces = mesh.smooth_normals();
   for (std::size_t i = 1; i < mesh.vertex_count(); ++i) {
     const Eigen::Vector3d face = faces.row(static_cast<Eigen::Index>(i));

@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "mesh_volume.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -25,18 +26,6 @@ const char* const kFold =
 /// Distance to the vertex nearest to p.
 double distance_to(const Mesh& mesh, const Eigen::RowVector3d& p) {
   return (mesh.positions().rowwise() - p).rowwise().norm().minCoeff();
-}
-
-/// Six times the enclosed volume.
-double volume_times_six(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const Mesh::Triangle& t : mesh.triangles()) {
-    const Eigen::Vector3d a = mesh.positions().row(t[0]);
-    const Eigen::Vector3d b = mesh.positions().row(t[1]);
-    const Eigen::Vector3d c = mesh.positions().row(t[2]);
-    sum += a.dot(b.cross(c));
-  }
-  return sum;
 }
 
 TEST(Mesh, WeldsEqualPositionsOverAllParts) {

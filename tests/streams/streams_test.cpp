@@ -129,7 +129,7 @@ TEST(Study, CountedEqualsPredicted) {
     counted += row.counted ? 1 : 0;
     if (row.arrangement != "resident") continue;
     const double lattice = row.points * row.points * row.points;
-    const double packets = 14 + std::ceil(static_cast<double>(row.vertices) / kPacket);
+    const double packets = 14 + std::ceil(static_cast<double>(row.vertices) / kPacketVertices);
     EXPECT_DOUBLE_EQ(row.words_per_vertex(), 4 + 4 * (lattice + packets) / row.vertices);
   }
   EXPECT_EQ(counted, 2 * 4U);

@@ -1,7 +1,5 @@
 #include "device/stream_device.hpp"
 
-#include <algorithm>
-
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/interleave.hpp"
@@ -10,8 +8,6 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kPacket = 1024;  // vertices; a tag has 16 bits
-
 Blending blending_words(const Oracle::Coefficients& axis, const WordCodec& codec) {
   if (axis == Oracle::uniform_bspline()) return watertight_bspline(codec);
   std::array<std::array<double, 4>, 4> rows{};
@@ -19,22 +15,6 @@ Blending blending_words(const Oracle::Coefficients& axis, const WordCodec& codec
     for (int power = 0; power < 4; ++power) rows[function][power] = axis(function, power);
   }
   return user_blending(rows);
-}
-
-void append(std::vector<Beat>& beats, const std::vector<Beat>& more) {
-  beats.insert(beats.end(), more.begin(), more.end());
-}
-
-/// Vertices in packets of kPacket, each made by `packet_of`.
-template <class Vertex, class PacketOf>
-void append_in_packets(std::vector<Beat>& beats, const std::vector<Vertex>& vertices,
-                       PacketOf packet_of) {
-  for (std::size_t first = 0; first < vertices.size(); first += kPacket) {
-    const std::size_t last = std::min(first + kPacket, vertices.size());
-    append(beats,
-           packet_of(std::vector<Vertex>(vertices.begin() + static_cast<std::ptrdiff_t>(first),
-                                         vertices.begin() + static_cast<std::ptrdiff_t>(last))));
-  }
 }
 
 class ModelStream final : public CommandStream {
@@ -74,8 +54,7 @@ Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& ve
   const WordCodec codec(format_);
   const Normalization normalization = Normalization::of(lattice, codec);
   std::vector<Beat> packets = lattice_packet(lattice_words(lattice, codec, normalization));
-  const std::vector<VertexBeat> beats = vertex_beats(vertices, codec);
-  append_in_packets(packets, beats, [](const auto& some) { return vertices_packet(some); });
+  append(packets, vertices_packets(vertex_beats(vertices, codec)));
   return results_of(packets, vertices.size(), blending, codec, normalization);
 }
 
@@ -87,9 +66,7 @@ Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
     points.middleRows<64>(64 * static_cast<Eigen::Index>(v)) = vertices[v].support;
   }
   const Normalization normalization = Normalization::of(points, codec);
-  std::vector<Beat> packets;
-  append_in_packets(packets, interleave(vertices, codec, normalization),
-                    [](const auto& some) { return interleaved_packet(some); });
+  const std::vector<Beat> packets = interleaved_packets(interleave(vertices, codec, normalization));
   return results_of(packets, vertices.size(), blending, codec, normalization);
 }
 
@@ -103,15 +80,11 @@ Points StreamDevice::results_of(const std::vector<Beat>& packets, std::size_t re
                           codec);
   append(commands, packets);
   const std::vector<Beat> beats = stream_->run(commands, results, [&](double done) { show(done); });
-  Points positions(static_cast<Eigen::Index>(beats.size()), 3);
-  for (std::size_t v = 0; v < beats.size(); ++v) {
-    Point point;
-    for (int c = 0; c < 3; ++c) point[c] = codec.decode_point(beats[v].words[c]);
-    positions.row(static_cast<Eigen::Index>(v)) = normalization.to_world(point);
-    if ((beats[v].words[3] & kStatusSaturated) != 0) ++counts_.saturated;
+  for (const Beat& beat : beats) {
+    if ((beat.words[3] & kStatusSaturated) != 0) ++counts_.saturated;
   }
   counts_.clocks = stream_->clocks();
-  return positions;
+  return positions_of(beats, codec, normalization);
 }
 
 }  // namespace hwffd

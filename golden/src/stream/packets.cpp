@@ -1,5 +1,7 @@
 #include "hwffd/stream/packets.hpp"
 
+#include <algorithm>
+
 namespace hwffd {
 namespace {
 
@@ -15,6 +17,18 @@ Beat beat_of(const VertexBeat& vertex) {
     word |= static_cast<std::uint32_t>(vertex.cell[axis] & 15) << (16 + 4 * axis);
   }
   return {{vertex.local[0], vertex.local[1], vertex.local[2], word}, false};
+}
+
+template <class Vertex, class PacketOf>
+std::vector<Beat> in_packets(const std::vector<Vertex>& vertices, PacketOf packet_of) {
+  std::vector<Beat> beats;
+  for (auto first = vertices.begin(); first != vertices.end();) {
+    const auto left = static_cast<std::size_t>(vertices.end() - first);
+    const auto last = first + static_cast<std::ptrdiff_t>(std::min(kPacketVertices, left));
+    append(beats, packet_of(std::vector<Vertex>(first, last)));
+    first = last;
+  }
+  return beats;
 }
 
 }  // namespace
@@ -67,6 +81,18 @@ std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& verti
   }
   beats.back().last = true;
   return beats;
+}
+
+std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices) {
+  return in_packets(vertices, [](const auto& some) { return vertices_packet(some); });
+}
+
+std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vertices) {
+  return in_packets(vertices, [](const auto& some) { return interleaved_packet(some); });
+}
+
+void append(std::vector<Beat>& beats, const std::vector<Beat>& more) {
+  beats.insert(beats.end(), more.begin(), more.end());
 }
 
 }  // namespace hwffd

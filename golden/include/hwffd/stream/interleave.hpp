@@ -56,4 +56,8 @@ std::vector<InterleavedVertex> interleave(const Lattice& lattice,
                                           const WordCodec& codec,
                                           const Normalization& normalization);
 
+/// Results as positions in world coordinates, n x 3.
+Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
+                    const Normalization& normalization);
+
 }  // namespace hwffd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,9 @@ constexpr int kCoefficientBeats = 12;  ///< three axes, four blending functions
 constexpr int kPointBeats = 48;        ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
 constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
+
+/// Vertices a packet where many go to the core; tags of 16 bits stay unique within one.
+constexpr std::size_t kPacketVertices = 1024;
 
 // Status bits of a result, in its word 3.
 constexpr std::uint32_t kStatusSaturated = 1U << 16;
@@ -74,5 +78,11 @@ std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices,
 /// The packet of interleaved vertices: 1 + 49 n beats, in the order given.
 std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
                                      OutsideMode mode = OutsideMode::kClamp);
+
+/// All vertices, in packets of at most kPacketVertices.
+std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices);
+std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vertices);
+
+void append(std::vector<Beat>& beats, const std::vector<Beat>& more);
 
 }  // namespace hwffd
