@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "hwffd/error.hpp"
 #include "program.hpp"
 

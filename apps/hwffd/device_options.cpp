@@ -1,5 +1,7 @@
 #include "device_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace hwffd::command {
 
 void add_device_options(CLI::App& app, DeviceChoice& choice) {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "hwffd/device/device.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace hwffd::command {
 

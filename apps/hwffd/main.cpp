@@ -1,6 +1,7 @@
 // hwffd: free-form deformation of meshes and points, on the simulated hardware, its bit-true model
 // or in double precision.
 
+#include <CLI/CLI.hpp>
 #include <utility>
 #include <vector>
 

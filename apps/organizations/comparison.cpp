@@ -8,6 +8,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "on_threads.hpp"
+#include "reference.hpp"
 
 namespace hwffd::organizations {
 namespace {
@@ -36,7 +37,8 @@ Effort share_of(const Effort& effort, const Configuration& row) {
 
 }  // namespace
 
-Comparison::Comparison(std::vector<Row> rows) : rows_(std::move(rows)) {}
+Comparison::Comparison(std::vector<Row> rows, double reference_vertices_per_s)
+    : rows_(std::move(rows)), reference_vertices_per_s_(reference_vertices_per_s) {}
 
 const Row* Comparison::partner(const Row& row, const std::string& schedule) const {
   for (const Row& other : rows_) {
@@ -79,6 +81,8 @@ Comparison compare(const std::vector<const Configuration*>& rows,
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(*rows[a]) > cost(*rows[b]); });
+  constexpr std::size_t kReferenceVertices = 500'000;
+  const double reference = reference_vertices_per_s(kReferenceVertices, effort.seed);
   std::vector<std::optional<Row>> measured(rows.size());
   on_threads(
       rows.size(),
@@ -94,7 +98,7 @@ Comparison compare(const std::vector<const Configuration*>& rows,
       [&](std::size_t done) { progress(done, rows.size()); });
   std::vector<Row> all;
   for (std::optional<Row>& row : measured) all.push_back(std::move(*row));
-  return Comparison(std::move(all));
+  return Comparison(std::move(all), reference);
 }
 
 }  // namespace hwffd::organizations

@@ -21,9 +21,11 @@ struct Row {
 /// The rows of this build, measured, and which of them are one organization at two schedules.
 class Comparison {
  public:
-  explicit Comparison(std::vector<Row> rows);
+  /// @param reference_vertices_per_s  of eq. (1) in software, in the same run
+  Comparison(std::vector<Row> rows, double reference_vertices_per_s);
 
   const std::vector<Row>& rows() const { return rows_; }
+  double reference_vertices_per_s() const { return reference_vertices_per_s_; }
   /// The row of the same organization, N, format and fusing at a schedule; the first, if there are
   /// several; null if there is none.
   const Row* partner(const Row& row, const std::string& schedule) const;
@@ -39,11 +41,12 @@ class Comparison {
 
  private:
   std::vector<Row> rows_;
+  double reference_vertices_per_s_;
 };
 
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Measures rows, several at a time; those with most units first.
+/// Times the reference, then measures rows, several at a time; those with most units first.
 Comparison compare(const std::vector<const Configuration*>& rows,
                    const std::map<std::string, OperatorCount>& operators, const Effort& effort,
                    const Progress& progress);

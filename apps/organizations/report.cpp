@@ -21,27 +21,29 @@ Json json_or_null(const std::optional<T>& value) {
 Json json_of(const Comparison& comparison, const Row& row) {
   const Configuration& c = *row.configuration;
   const std::optional<VertexClocks> paper = comparison.paper_clocks(row);
-  return {{"name", c.name},
-          {"org", c.org},
-          {"n", c.n},
-          {"format", c.format},
-          {"schedule", c.schedule},
-          {"evaluator", c.evaluator},
-          {"fmac", c.fma_latency > 0},
-          {"formula", json_or_null(comparison.formula(row))},
-          {"clocks_paper", paper ? Json(paper->clocks) : Json()},
-          {"equal", json_or_null(comparison.equal(row))},
-          {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
-          {"interval_overlapped", json_or_null(comparison.overlapped_interval(row))},
-          {"mismatches", row.measured.mismatches},
-          {"checked", row.measured.checked},
-          {"max_error", row.measured.max_error},
-          {"seam_values", row.measured.seam_values},
-          {"seam_differences", row.measured.seam_differences},
-          {"operators", json_of(row.count.built)},
-          {"operators_drawn", json_of(row.count.drawn)},
-          {"evaluators", row.count.evaluators},
-          {"simulation_vertices_per_s", row.measured.vertices_per_s}};
+  return {
+      {"name", c.name},
+      {"org", c.org},
+      {"n", c.n},
+      {"format", c.format},
+      {"schedule", c.schedule},
+      {"evaluator", c.evaluator},
+      {"fmac", c.fma_latency > 0},
+      {"formula", json_or_null(comparison.formula(row))},
+      {"clocks_paper", paper ? Json(paper->clocks) : Json()},
+      {"equal", json_or_null(comparison.equal(row))},
+      {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
+      {"interval_overlapped", json_or_null(comparison.overlapped_interval(row))},
+      {"mismatches", row.measured.mismatches},
+      {"checked", row.measured.checked},
+      {"max_error", row.measured.max_error},
+      {"seam_values", row.measured.seam_values},
+      {"seam_differences", row.measured.seam_differences},
+      {"operators", json_of(row.count.built)},
+      {"operators_drawn", json_of(row.count.drawn)},
+      {"evaluators", row.count.evaluators},
+      {"simulation_vertices_per_s", row.measured.vertices_per_s},
+      {"simulation_share", row.measured.vertices_per_s / comparison.reference_vertices_per_s()}};
 }
 
 std::string text_of(const Operators& operators) {
@@ -77,7 +79,7 @@ std::string line(const Comparison& comparison, const Row& row) {
   if (paper == &row) paper = nullptr;
   return fmt::format(
       "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} "
-      "{:>9.2e} {:>5} {:>4} {:>8.0f}\n",
+      "{:>9.2e} {:>5} {:>4} {:>8.0f} {:>8.4f}\n",
       c.org, c.n, c.format, variant(c), formula ? fmt::format("{}", *formula) : "-",
       clocks ? std::to_string(clocks->clocks) : "-",
       comparison.equal(row).value_or(false) ? "yes"
@@ -88,7 +90,8 @@ std::string line(const Comparison& comparison, const Row& row) {
       paper != nullptr ? text_of(paper->count.drawn) : "-",
       interval ? fmt::format("{:.2f}", *interval) : "-", text_of(row.count.built),
       text_of(row.count.drawn), row.measured.max_error, sum(row, paper, &Measurement::mismatches),
-      sum(row, paper, &Measurement::seam_differences), row.measured.vertices_per_s);
+      sum(row, paper, &Measurement::seam_differences), row.measured.vertices_per_s,
+      row.measured.vertices_per_s / comparison.reference_vertices_per_s());
 }
 
 }  // namespace
@@ -97,11 +100,15 @@ std::string table(const Comparison& comparison) {
   std::string text = fmt::format(
       "{:<35} {:<51} {:<8}\n"
       "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9} "
-      "{:>5} {:>4} {:>8}\n",
+      "{:>5} {:>4} {:>8} {:>8}\n",
       "", "the paper's schedule", "overlapped", "org", "n", "format", "evaluator", "formula",
       "clocks", "equal", "final", "operators", "as drawn", "interval", "operators", "as drawn",
-      "max error", "wrong", "seam", "vertex/s");
+      "max error", "wrong", "seam", "vertex/s", "of C++");
   for (const Row* row : lines(comparison)) text += line(comparison, *row);
+  text += fmt::format(
+      "\nvertex/s is of the simulation, on one core; C++, eq. (1) in double by three loops, does "
+      "{:.0f}\n",
+      comparison.reference_vertices_per_s());
   return text;
 }
 
@@ -114,7 +121,10 @@ std::string json_report(const Comparison& comparison) {
     rows.push_back(rows.back());
     rows.back()["org"] = "tree";
   }
-  return Json{{"rows", std::move(rows)}}.dump(2) + "\n";
+  return Json{{"reference_vertices_per_s", comparison.reference_vertices_per_s()},
+              {"rows", std::move(rows)}}
+             .dump(2) +
+         "\n";
 }
 
 std::string faults(const Comparison& comparison) {

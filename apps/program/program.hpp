@@ -1,9 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace hwffd {
 

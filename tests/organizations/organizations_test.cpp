@@ -82,8 +82,9 @@ TEST(Comparison, JsonHasEveryField) {
     EXPECT_EQ(row.at("interval_overlapped"), 8);
     EXPECT_EQ(row.at("fmac"), false);
     EXPECT_EQ(row.at("operators"), (nlohmann::json{{"mul", 41}, {"add", 31}, {"fma", 0}}));
-    for (const char* field : {"format", "schedule", "evaluator", "mismatches", "checked",
-                              "max_error", "seam_differences", "simulation_vertices_per_s"}) {
+    for (const char* field :
+         {"format", "schedule", "evaluator", "mismatches", "checked", "max_error",
+          "seam_differences", "simulation_vertices_per_s", "simulation_share"}) {
       EXPECT_TRUE(row.contains(field)) << field;
     }
   }
@@ -92,11 +93,14 @@ TEST(Comparison, JsonHasEveryField) {
 TEST(Comparison, WithoutPartnerFieldsAreNull) {
   std::vector<Row> rows = small_comparison().rows();
   const auto overlapped =
-      nlohmann::json::parse(json_report(Comparison({rows[1]}))).at("rows").at(0);
+      nlohmann::json::parse(json_report(Comparison({rows[1]}, 1e6))).at("rows").at(0);
   EXPECT_TRUE(overlapped.at("clocks_paper").is_null());
   EXPECT_TRUE(overlapped.at("equal").is_null());
-  const auto paper = nlohmann::json::parse(json_report(Comparison({rows[0]}))).at("rows").at(0);
+  const auto paper =
+      nlohmann::json::parse(json_report(Comparison({rows[0]}, 1e6))).at("rows").at(0);
   EXPECT_TRUE(paper.at("interval_overlapped").is_null());
+  EXPECT_EQ(paper.at("simulation_share").get<double>(),
+            paper.at("simulation_vertices_per_s").get<double>() / 1e6);
   EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
 }
 
@@ -118,11 +122,11 @@ TEST(Comparison, BeyondThePaperThereIsNoFormula) {
 
 TEST(Comparison, FaultsAreSaid) {
   const std::vector<Row> good = small_comparison().rows();
-  EXPECT_EQ(faults(Comparison(good)), "");
+  EXPECT_EQ(faults(Comparison(good, 1e6)), "");
   const auto spoiled = [&](auto change) {
     std::vector<Row> rows = good;
     change(rows[0].measured);
-    return faults(Comparison(rows));
+    return faults(Comparison(rows, 1e6));
   };
   EXPECT_NE(spoiled([](Measurement& m) { m.mismatches = 1; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.seam_differences = 1; }), "");

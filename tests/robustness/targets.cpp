@@ -1,5 +1,6 @@
 #include "targets.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -78,13 +78,7 @@ TEST_P(Resident, TheLargestLattice) {
   tb::Random random(3);
   run.send_bspline();
   for (int buffer = 0; buffer < 2; ++buffer) {
-    LatticeWords lattice;
-    lattice.dims = {16, 16, 16};
-    for (int p = 0; p < 4096; ++p) {
-      lattice.points.push_back({run.codec().point(2 * random.unit() - 1),
-                                run.codec().point(2 * random.unit() - 1),
-                                run.codec().point(2 * random.unit() - 1)});
-    }
+    const LatticeWords lattice = random_lattice(run.codec(), random, {16, 16, 16});
     std::vector<VertexBeat> vertices;
     for (int cell = 0; cell < 13; ++cell) {
       for (const Index3& at : {Index3{cell, cell, cell}, Index3{12 - cell, cell, 5}}) {

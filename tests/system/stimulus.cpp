@@ -97,8 +97,15 @@ std::vector<InterleavedVertex> make_stimulus(const std::string& name, const Word
 }
 
 LatticeWords random_lattice(const WordCodec& codec, tb::Random& random, int most) {
+  std::array<int, 3> dims;
+  for (int& points : dims) points = static_cast<int>(random.between(4, most));
+  return random_lattice(codec, random, dims);
+}
+
+LatticeWords random_lattice(const WordCodec& codec, tb::Random& random,
+                            const std::array<int, 3>& dims) {
   LatticeWords lattice;
-  for (int& points : lattice.dims) points = static_cast<int>(random.between(4, most));
+  lattice.dims = dims;
   lattice.points.resize(lattice.dims[0] * lattice.dims[1] * lattice.dims[2]);
   for (auto& point : lattice.points) {
     for (std::uint32_t& word : point) word = codec.point(2 * random.unit() - 1);

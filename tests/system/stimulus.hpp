@@ -26,6 +26,9 @@ InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random);
 
 /// A lattice of 4 to `most` points an axis, uniform in [-1, 1).
 LatticeWords random_lattice(const WordCodec& codec, tb::Random& random, int most);
+/// The same of so many points an axis.
+LatticeWords random_lattice(const WordCodec& codec, tb::Random& random,
+                            const std::array<int, 3>& dims);
 
 /// Vertices of a lattice: coordinates uniform, now and then 0 or 1; with `stray`, now and then a
 /// cell or a coordinate outside, or a coordinate that is no number.

@@ -52,9 +52,9 @@ enum ErrorCode : unsigned {
 /// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
 /// above 4 GB, no buffer begins at a border of 4 KB.
 inline constexpr DescriptorRing kRing{0x100200, 5};
-inline constexpr AddressWindow kBuffers{0x200F70, 0x23FFFF};
+inline constexpr AddressWindow kBuffers{0x200F70, 0x3FFFFF};
 inline constexpr AddressWindow kReadWindow{kRing.base, kBuffers.limit};
-inline constexpr AddressWindow kWriteWindow{0x100001230, 0x10002FFFF};
+inline constexpr AddressWindow kWriteWindow{0x100001230, 0x1001FFFFF};
 inline constexpr std::uint64_t kPolls = 200'000;
 
 /// A whole system of one configuration, the driver that works it and the model of what it does.
