@@ -29,6 +29,7 @@ evaluator/ffd_eval_stream.v
 evaluator/ffd_org_select.v
 evaluator/ffd_org_cg.v
 evaluator/ffd_org_factored.v
+evaluator/ffd_org_nested.v
 evaluator/ffd_org_tree.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_generator.v
@@ -43,6 +44,9 @@ evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_summation.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_contraction.v
+evaluator/ffd_eval_former.v
+evaluator/ffd_eval_trivariate.v
+evaluator/ffd_eval_horner.v
 number/ffd_num_in.v
 number/ffd_num_mul.v
 number/ffd_num_term.v
@@ -53,6 +57,10 @@ number/ffd_num_range.v
 number/ffd_num_scale.v
 number/ffd_num_narrow.v
 number/ffd_num_out.v
+number/ffd_num_centre.v
+number/ffd_num_binomial.v
+number/ffd_num_rescale.v
+number/ffd_num_widen.v
 number/ffd_num_bspline.v
 number/ffd_num_delay.v
 number/float/ffd_fp_add.v

@@ -29,6 +29,7 @@ UNITS = {
     "ffd_num_term": ("mul",),
     "ffd_num_add": ("add",),
     "ffd_num_mac": ("fma",),
+    "ffd_num_centre": ("add",),
 }
 STEP = "ffd_num_step"
 EVALUATOR = "ffd_eval_poly"

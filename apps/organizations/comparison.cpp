@@ -25,10 +25,11 @@ double cost(const Configuration& row) {
 }
 
 /// What of the effort a row gets: the rows of the paper's schedule and the iterative ones have the
-/// same bits as their partners and take ten times as long, so they get a tenth of the seams.
+/// same bits as their partners and take ten times as long, so they get a tenth of the seams; so do
+/// those that form the coefficients of a cell for each vertex of a seam.
 Effort share_of(const Effort& effort, const Configuration& row) {
   constexpr double kSlow = 100;  // clocks a vertex
-  if (expected_interval(row) <= kSlow && std::string(row.schedule) != "paper") return effort;
+  if (scattered_interval(row) <= kSlow && std::string(row.schedule) != "paper") return effort;
   Effort share = effort;
   share.vertices = std::min<std::size_t>(effort.vertices, 1241);
   share.seam_values = std::max<std::size_t>(effort.seam_values / 10, 1);

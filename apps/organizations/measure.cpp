@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "hwffd/model/schedule.hpp"
+#include "hwffd/model/seam_bound.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::size_t kRecorded = 8;  // vertices whose schedule is kept
 constexpr std::size_t kWarmUp = 40;   // results before the interval is counted
+constexpr std::size_t kInACell = 4;   // vertices of the error, where a cell is kept
 
 double largest_error(const tb::EvaluatorStimulus& stimulus,
                      const std::vector<tb::EvaluatorCore::Result>& results,
@@ -35,20 +38,26 @@ double largest_error(const tb::EvaluatorStimulus& stimulus,
   return largest;
 }
 
-/// Components that differ from those of their group's first vertex. The results of the seams are
-/// the last ones.
-std::size_t seam_differences(const tb::SeamStimulus& seams,
-                             const std::vector<tb::EvaluatorCore::Result>& results) {
+/// Counts components that differ from those of their group's first vertex, and by how much. The
+/// results of the seams are the last ones.
+void compare_seams(const tb::SeamStimulus& seams,
+                   const std::vector<tb::EvaluatorCore::Result>& results, const Configuration& row,
+                   Measurement& measured) {
+  const WordCodec codec(row.format);
   const std::size_t offset = results.size() - seams.vertices.size();
-  std::size_t differ = 0;
   std::size_t first = 0;
   for (std::size_t v = 0; v < seams.vertices.size(); ++v) {
     if (seams.group[v] != seams.group[first]) first = v;
     for (int c = 0; c < 3; ++c) {
-      differ += results[offset + v].words[c] != results[offset + first].words[c] ? 1 : 0;
+      const std::uint32_t one = results[offset + first].words[c];
+      const std::uint32_t other = results[offset + v].words[c];
+      if (one == other) continue;
+      ++measured.seam_differences;
+      const double apart = std::abs(codec.decode_point(other) - codec.decode_point(one));
+      measured.seam_largest = std::max(measured.seam_largest, apart / seam_unit(row));
     }
   }
-  return differ;
+  measured.seam_values = 3 * seams.vertices.size();
 }
 
 }  // namespace
@@ -71,29 +80,34 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   const std::unique_ptr<tb::EvaluatorCore> core = tb::make_evaluator_core(row, effort.seed);
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
   tb::EvaluatorBench bench(*core, *model, encode(watertight_bspline(codec), codec));
-  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
+  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, 0, tb::ScheduleRecorder(*core)};
+  const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
 
-  bench.run(tb::random_stimulus(codec, kRecorded, effort.seed), tb::Throttle::always(),
+  bench.run(tb::random_stimulus(codec, kRecorded, effort.seed, together), tb::Throttle::always(),
             tb::Throttle::always(), &measured.schedule);
   if (std::string(row.schedule) == "paper") {
     measured.vertex = vertex_clocks(measured.schedule, kRecorded / 2);
   }
 
-  const auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1);
+  auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
   bench.run(random);
   measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
+  measured.vertices_per_s = static_cast<double>(bench.checked()) / bench.simulation_seconds();
+  if (keeps_cell(row)) {  // the error of a single cell says little
+    random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
+    bench.run(random);
+  }
+  const auto last = static_cast<std::ptrdiff_t>(effort.vertices);
   measured.max_error =
-      largest_error(random, {bench.results().begin() + kRecorded, bench.results().end()}, codec);
+      largest_error(random, {bench.results().end() - last, bench.results().end()}, codec);
 
   const auto seams = tb::seam_stimulus(codec, effort.seam_values, effort.seed + 2);
   bench.run(seams);
-  measured.seam_values = 3 * seams.vertices.size();
-  measured.seam_differences = seam_differences(seams, bench.results());
+  compare_seams(seams, bench.results(), row, measured);
 
   measured.checked = bench.checked();
   measured.mismatches = bench.mismatches();
   measured.first_mismatch = bench.first_mismatch();
-  measured.vertices_per_s = static_cast<double>(bench.checked()) / bench.simulation_seconds();
   return measured;
 }
 

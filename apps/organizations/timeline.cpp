@@ -115,6 +115,25 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   points.expect(schedule.sums(), c.name);
 }
 
+/// `nested`, within a cell: centred coordinates, then a cubic an axis, of which those that are
+/// added later start later than shown.
+void add_nested(std::vector<Lane>& lanes, const Row& row) {
+  const Configuration& c = *row.configuration;
+  const tb::ScheduleRecorder& schedule = row.measured.schedule;
+  const int components = 3 / folds(c);
+  const int step = c.fma_latency > 0 ? c.fma_latency : c.mul_latency + c.add_latency;
+  Pipeline vertices(schedule, schedule.steps());
+  vertices.pass(lanes, "3 adders, centring", c.add_latency);
+  int cubics = 16 * components;
+  for (const char* axis : {"upsilon", "tau", "sigma"}) {
+    for (int n = 1; n <= 3; ++n) {
+      vertices.pass(lanes, fmt::format("{} steps of {}, {} of 3", cubics, axis, n), step);
+    }
+    cubics /= 4;
+  }
+  vertices.expect(schedule.sums(), c.name);
+}
+
 struct Window {
   std::uint64_t begin;
   std::uint64_t end;
@@ -187,6 +206,10 @@ std::vector<Lane> lanes_of(const Row& row) {
   std::vector<Lane> lanes;
   if (contracts(*row.configuration)) {
     add_contraction(lanes, row);
+    return lanes;
+  }
+  if (keeps_cell(*row.configuration)) {
+    add_nested(lanes, row);
     return lanes;
   }
   Pipeline polynomials(schedule, schedule.polynomials().starts);

@@ -42,6 +42,7 @@ module ffd_org_cg #(
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire                                            s_vertex_bank,
+  input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
   output wire [SOURCE_W-1:0]                             read_source_o,
@@ -377,7 +378,7 @@ module ffd_org_cg #(
     .result_sum_o  (result_sum_o)
   );
 
-  wire unused_ok = &{1'b0, fill_first, filled_room};
+  wire unused_ok = &{1'b0, s_vertex_changed, fill_first, filled_room};
 endmodule
 
 `default_nettype wire

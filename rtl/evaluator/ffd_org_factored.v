@@ -41,6 +41,7 @@ module ffd_org_factored #(
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire                                            s_vertex_bank,
+  input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
   output wire [SOURCE_W-1:0]                             read_source_o,
@@ -182,7 +183,7 @@ module ffd_org_factored #(
   );
 
   assign read_index_o = 6'd0;
-  wire unused_ok = &{1'b0, step_first};
+  wire unused_ok = &{1'b0, s_vertex_changed, step_first};
 endmodule
 
 `default_nettype wire

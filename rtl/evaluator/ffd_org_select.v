@@ -1,6 +1,7 @@
 // ffd_org_select: the organization numbered ORG
 //
-// ORG is 0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel, 6 factored, 7 factored/3.
+// ORG is 0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel, 6 factored, 7 factored/3, 8 nested, 9
+// nested/3.
 // Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -35,6 +36,7 @@ module ffd_org_select #(
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire                                            s_vertex_bank,
+  input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
   output wire [SOURCE_W-1:0]                             read_source_o,
@@ -71,6 +73,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -106,6 +109,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -141,6 +145,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -176,6 +181,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -210,6 +216,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -244,6 +251,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -278,6 +286,7 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),
@@ -313,6 +322,78 @@ module ffd_org_select #(
         .s_vertex_cell       (s_vertex_cell),
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 8) begin : gen_nested
+      ffd_org_nested #(
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
+        .read_o              (read_o),
+        .read_last_o         (read_last_o),
+        .read_source_o       (read_source_o),
+        .read_cell_o         (read_cell_o),
+        .read_index_o        (read_index_o),
+        .read_points_i       (read_points_i),
+        .result_valid_o      (result_valid_o),
+        .result_sum_o        (result_sum_o)
+      );
+    end else if (ORG == 9) begin : gen_nested_by_3
+      ffd_org_nested #(
+        .FOLD(3),
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (READ_LATENCY),
+        .SOURCE_W       (SOURCE_W)
+      ) u_org (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid),
+        .s_vertex_ready      (s_vertex_ready),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
         .read_o              (read_o),
         .read_last_o         (read_last_o),
         .read_source_o       (read_source_o),

@@ -50,6 +50,7 @@ module ffd_org_tree #(
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire                                            s_vertex_bank,
+  input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
   output wire [SOURCE_W-1:0]                             read_source_o,
@@ -118,7 +119,7 @@ module ffd_org_tree #(
   // The first of this step's banks; unit e of an axis takes the e-th from there.
   wire [6+STEP_W-1:0] shifted = {6'd0, step} << $clog2(N);
   wire [5:0]          index   = shifted[5:0];
-  wire                unused_ok = &{1'b0, shifted[6+STEP_W-1:6]};
+  wire                unused_ok = &{1'b0, s_vertex_changed, shifted[6+STEP_W-1:6]};
 
   wire [UNITS_S*WEIGHT_W-1:0] weights_s;
   wire [UNITS_T*WEIGHT_W-1:0] weights_t;

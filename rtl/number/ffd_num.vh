@@ -8,6 +8,9 @@
 //   point                                  32 bits    1 + W,      Q1.(W-1)
 //   sum                                    32 bits    1 + 2W+6,   Q9.(2W-3): 64 exact products
 //
+// Weight and point are equally wide, so that a word of one can be taken for the other, at half or
+// twice its value in fixed point: the nested form does.
+//
 // The saturated flag is part of a number: each operation ORs those of its operands, so a result
 // that any saturation touched says so, and no organization carries a flag of its own.
 // SPDX-License-Identifier: Apache-2.0
@@ -32,6 +35,8 @@
 // where that is not 0 (binary32 only: in fixed point the bits would be the same).
 `define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
   ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : (MUL_LATENCY) + (ADD_LATENCY))
+// Clocks after which a step adds its coefficient.
+`define FFD_STEP_JOIN(MUL_LATENCY, FMA_LATENCY) ((FMA_LATENCY) > 0 ? 0 : (MUL_LATENCY))
 `define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))
 
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.

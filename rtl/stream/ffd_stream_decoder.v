@@ -14,7 +14,8 @@
 //             buffers cut short never come into use. Each event is a pulse of event_o (FFD_EVENT_*)
 //             with the packet's number since reset and the beat's in it.
 // Formats:    coordinates and coefficients leave as weights of FORMAT; source {resident, slot or
-//             buffer}; user {resident, buffer, bank, that of ffd_stream_vertex}.
+//             buffer}; changed: points or coefficients were loaded since the vertex before; user
+//             {resident, buffer, bank, that of ffd_stream_vertex}.
 // Pipeline:   a vertex leaves in the clock after its last beat; II 1 resident, 49 interleaved.
 // Freezes:    s_beat_ready is 0 when a header waits for its bank or buffer, a vertex for a slot, or
 //             a finished vertex for the one before it.
@@ -60,6 +61,7 @@ module ffd_stream_decoder #(
   output wire [11:0]                                     m_vertex_cell,
   output wire [SLOT_W:0]                                 m_vertex_source,
   output wire                                            m_vertex_bank,
+  output wire                                            m_vertex_changed,
   output wire [`FFD_USER_W-1:0]                          m_vertex_user,
   input  wire                                            slot_free_i,
   input  wire                                            retire_i,
@@ -278,6 +280,13 @@ module ffd_stream_decoder #(
   wire              outside;
   wire              cell_outside;
 
+  // Whether bank, buffer or slot may hold other numbers than for the vertex before.
+  reg changed_q;
+  always @(posedge clk) begin
+    if (rst || load_o || lattice_write_o) changed_q <= 1'b1;
+    else if (finish) changed_q <= 1'b0;
+  end
+
   ffd_stream_vertex #(
     .FORMAT  (FORMAT),
     .SOURCE_W(SLOT_W + 1)
@@ -295,6 +304,7 @@ module ffd_stream_decoder #(
     .last_i              (last_vertex || s_beat_last),
     .source_i            ({resident_q, resident_q ? buffer_source : slot_q}),
     .bank_i              (bank),
+    .changed_i           (changed_q || !resident_q),
     .cell_o              (slot_cell_o),
     .m_vertex_valid      (m_vertex_valid),
     .m_vertex_ready      (m_vertex_ready),
@@ -302,6 +312,7 @@ module ffd_stream_decoder #(
     .m_vertex_cell       (m_vertex_cell),
     .m_vertex_source     (m_vertex_source),
     .m_vertex_bank       (m_vertex_bank),
+    .m_vertex_changed    (m_vertex_changed),
     .m_vertex_user       (vertex_user),
     .nan_o               (nan),
     .outside_o           (outside),

@@ -32,6 +32,7 @@ module ffd_stream_vertex #(
   input  wire                                last_i,
   input  wire [SOURCE_W-1:0]                 source_i,
   input  wire                                bank_i,
+  input  wire                                changed_i,
   output wire [11:0]                         cell_o,
   output reg                                 m_vertex_valid,
   input  wire                                m_vertex_ready,
@@ -39,6 +40,7 @@ module ffd_stream_vertex #(
   output reg  [11:0]                         m_vertex_cell,
   output reg  [SOURCE_W-1:0]                 m_vertex_source,
   output reg                                 m_vertex_bank,
+  output reg                                 m_vertex_changed,
   output reg  [23:0]                         m_vertex_user,
   output wire                                nan_o,
   output wire                                outside_o,
@@ -134,6 +136,7 @@ module ffd_stream_vertex #(
       m_vertex_cell        <= now_cell;
       m_vertex_source      <= source_i;
       m_vertex_bank        <= bank_i;
+      m_vertex_changed     <= changed_i;
       m_vertex_user        <= {last_i, blank, status, now_tag};
     end
   end

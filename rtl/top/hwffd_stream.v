@@ -99,6 +99,7 @@ module hwffd_stream #(
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
+  wire                              vertex_changed;
   wire [`FFD_USER_W-1:0]            vertex_user;
   wire                              read;
   wire                              read_last;
@@ -147,6 +148,7 @@ module hwffd_stream #(
     .m_vertex_cell       (vertex_cell),
     .m_vertex_source     (vertex_source),
     .m_vertex_bank       (vertex_bank),
+    .m_vertex_changed    (vertex_changed),
     .m_vertex_user       (vertex_user),
     .slot_free_i         (read_last && !read_source[SLOT_W]),
     .retire_i            (retire),
@@ -207,6 +209,7 @@ module hwffd_stream #(
     .s_vertex_cell       (vertex_cell),
     .s_vertex_source     (vertex_source),
     .s_vertex_bank       (vertex_bank),
+    .s_vertex_changed    (vertex_changed),
     .s_vertex_user       (vertex_user),
     .read_o              (read),
     .read_last_o         (read_last),

@@ -17,6 +17,7 @@ EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) 
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }
   pins.support = vertex.support;
+  pins.changed = index == 0;  // supports are written before a run
   pins.tag = static_cast<std::uint16_t>(index);
   return pins;
 }

@@ -34,8 +34,8 @@ std::vector<SupportWords> lattice_supports(const WordCodec& codec, Random& rando
 
 }  // namespace
 
-EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices,
-                                  std::uint64_t seed) {
+EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, std::uint64_t seed,
+                                  std::size_t together) {
   Random random(seed);
   EvaluatorStimulus stimulus;
   stimulus.supports.resize(kSupports);
@@ -48,8 +48,12 @@ EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices,
     for (std::uint32_t& word : vertex.local) {
       word = codec.coordinate(random.chance(0.1) ? random.pick({0.0, 1.0}) : random.unit());
     }
-    for (int& cell : vertex.cell) cell = static_cast<int>(random.below(16));
-    vertex.support = static_cast<std::uint8_t>(v % kSupports);
+    if (v % together != 0) {
+      vertex.cell = stimulus.vertices[v - 1].cell;
+    } else {
+      for (int& cell : vertex.cell) cell = static_cast<int>(random.below(16));
+    }
+    vertex.support = static_cast<std::uint8_t>(v / together % kSupports);
   }
   return stimulus;
 }

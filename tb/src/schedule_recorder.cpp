@@ -9,6 +9,8 @@ ScheduleRecorder::ScheduleRecorder(const EvaluatorCore& core) {
     if (probe.signal == "step_valid_o") {
       sequencers_.push_back({probe.instance, {}});
       sequencer_values_.push_back(probe.value);
+    } else if (probe.signal == "step_first_o") {
+      first_ = probe.value;
     } else if (probe.signal == "step_valid_i") {
       step_ = probe.value;
     } else if (probe.signal == "step_source_i") {
@@ -19,7 +21,7 @@ ScheduleRecorder::ScheduleRecorder(const EvaluatorCore& core) {
       result_ = probe.value;
     }
   }
-  if (sequencers_.empty() || sequencers_.size() > 2 || step_ == nullptr || source_ == nullptr ||
+  if (sequencers_.empty() || sequencers_.size() > 2 || step_ == nullptr || first_ == nullptr ||
       sum_ == nullptr || result_ == nullptr) {
     throw std::invalid_argument("an evaluator without the probes of tb/rtl/ffd_bench.vlt");
   }
@@ -31,7 +33,8 @@ void ScheduleRecorder::sample(std::uint64_t clock) {
   }
   if (*step_ != 0) {
     steps_.push_back(clock);
-    sources_.push_back(*source_);
+    if (*first_ != 0) ++vertex_;
+    sources_.push_back(source_ != nullptr ? *source_ : vertex_);
   }
   if (*sum_ != 0) sums_.push_back(clock);
   if (*result_ != 0) results_.push_back(clock);

@@ -1,4 +1,5 @@
-// Every organization at its read port: every bit against the model, clocks against the formulas.
+// Every organization at its read port: every bit against the model, clocks against the formulas;
+// where one keeps a cell, what a change of cell does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +19,15 @@ inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.n
 
 namespace test {
 namespace {
+
+/// The rows that this build has and that keep a cell.
+std::vector<Configuration> cell_rows() {
+  std::vector<Configuration> built;
+  for (const Configuration& row : configurations()) {
+    if (keeps_cell(row) && tb::has_evaluator_core(row)) built.push_back(row);
+  }
+  return built;
+}
 
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
@@ -49,6 +59,8 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 };
 
 class PaperSchedule : public Evaluator {};
+class KeepsCell : public Evaluator {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);  // no row of tier sim does
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
   const auto stimulus = tb::random_stimulus(codec_, 200, tb::seed_from_environment(1));
@@ -64,7 +76,60 @@ TEST_P(Evaluator, IntervalEqualsTheFormula) {
   const auto stimulus = tb::random_stimulus(codec_, 41 + intervals, 7);
   bench_.run(stimulus);
   expect_no_mismatch(stimulus.vertices.size());
-  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40), expected_interval(GetParam()));
+  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40), scattered_interval(GetParam()));
+}
+
+// Within a cell the rate is the organization's from the second vertex on, to the clock.
+TEST_P(KeepsCell, IntervalWithinACell) {
+  const std::size_t vertices = 2001;
+  bench_.run(tb::random_stimulus(codec_, vertices, 8, vertices));
+  expect_no_mismatch(vertices);
+  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 0), expected_interval(GetParam()));
+}
+
+// Runs of one, two, three vertices a cell: those before a change of cell are still inside while the
+// next cell's coefficients form, and each run but for its first vertex goes at full rate.
+TEST_P(KeepsCell, ChangeOfCellWhileVerticesAreInside) {
+  const double inside = expected_interval(GetParam());
+  const double change = scattered_interval(GetParam());
+  std::size_t vertices = 0;
+  for (const std::size_t together : {2, 3, 5, 40}) {
+    const auto stimulus = tb::random_stimulus(codec_, 4 * together, together, together);
+    bench_.run(stimulus);
+    const auto& starts = bench_.start_clocks();
+    for (std::size_t v = 1; v < stimulus.vertices.size(); ++v) {
+      const double clocks = static_cast<double>(starts[vertices + v] - starts[vertices + v - 1]);
+      const bool first = v % together == 0;
+      // A folded vertex before it still runs when the next one's coefficients begin to form.
+      EXPECT_EQ(clocks, first ? change : inside) << "run of " << together << ", vertex " << v;
+    }
+    vertices += stimulus.vertices.size();
+  }
+  expect_no_mismatch(vertices);
+}
+
+// The same supports under other points, then other coefficients: a vertex that says so has the new.
+TEST_P(KeepsCell, WhatChangedIsFormedAnew) {
+  const auto first = tb::random_stimulus(codec_, 20, 1, 20);
+  auto second = tb::random_stimulus(codec_, 20, 2, 20);
+  for (tb::EvaluatorVertex& vertex : second.vertices) vertex.cell = first.vertices[0].cell;
+  bench_.run(first);
+  bench_.run(second);
+  expect_no_mismatch(40);
+  const auto& results = bench_.results();
+  EXPECT_NE(results.front().words, results.back().words);
+}
+
+TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
+  std::size_t vertices = 0;
+  for (const char* source : {"always", "gaps", "bursts"}) {
+    for (const char* sink : {"bernoulli", "bursts", "long_stall"}) {
+      const auto stimulus = tb::random_stimulus(codec_, 400, vertices + 1, 37);
+      bench_.run(stimulus, tb::make_throttle(source, 5), tb::make_throttle(sink, 6));
+      vertices += stimulus.vertices.size();
+    }
+  }
+  expect_no_mismatch(vertices);
 }
 
 // At the paper's schedule no vertex starts before the one before it has ended: the result of one
@@ -88,6 +153,7 @@ std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), name_of);
+INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), name_of);
 INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), name_of);
 
 }  // namespace

@@ -86,6 +86,14 @@ class Operators(unittest.TestCase):
         self.assertEqual(folded["operators"], {"mul": 12 + 84, "add": 12 + 63, "fma": 0})
         self.assertEqual((folded["drawn"], folded["evaluators"]), (folded["operators"], 4))
 
+    def test_nested(self):
+        row = self.count("--org", "nested", "--format", "fx18")["nested-fx18-overlapped"]
+        # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.
+        self.assertEqual(row["operators"], {"mul": 3 * 67, "add": 3 * 67, "fma": 0})
+        self.assertEqual((row["drawn"], row["evaluators"]), (row["operators"], 0))
+        folded = self.count("--org", "nested/3", "--format", "fx18")["nested3-fx18-overlapped"]
+        self.assertEqual(folded["operators"], {"mul": 63 + 12, "add": 63 + 12, "fma": 0})
+
     def test_unknown_rows_are_one_line(self):
         done = subprocess.run(
             [sys.executable, "-B", ROOT / "scripts" / "operators.py", "unused", "--org", "none"],

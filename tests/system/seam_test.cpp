@@ -1,11 +1,16 @@
 // Watertight seams: a vertex on a face, edge or corner that cells share gets the same bits from
-// each of them (docs/numerics.md section 5), in the model and in the RTL.
+// each of them (docs/numerics.md section 5), in the model and in the RTL; or, from an organization
+// that is not watertight, within a bound.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "hwffd/lattice/lattice.hpp"
+#include "hwffd/model/schedule.hpp"
+#include "hwffd/model/seam_bound.hpp"
 #include "system_run.hpp"
 
 namespace hwffd::test {
@@ -75,27 +80,47 @@ struct Seams {
     }
   }
 
-  /// Components that differ from those of the group's first vertex.
-  std::size_t differences(const std::vector<Beat>& results) const {
+  /// How components differ from those of the group's first vertex.
+  struct Differences {
+    std::size_t count = 0;
+    double largest = 0;
+  };
+  Differences differences(const std::vector<Beat>& results, const WordCodec& codec) const {
     EXPECT_EQ(results.size(), vertices.size());
-    std::size_t differ = 0;
+    Differences differ;
     std::size_t first = 0;
     for (std::size_t v = 0; v < results.size(); ++v) {
       if (group[v] != group[first]) first = v;
-      for (int c = 0; c < 3; ++c) differ += results[v].words[c] != results[first].words[c] ? 1 : 0;
+      for (int c = 0; c < 3; ++c) {
+        if (results[v].words[c] == results[first].words[c]) continue;
+        ++differ.count;
+        const double apart =
+            codec.decode_point(results[v].words[c]) - codec.decode_point(results[first].words[c]);
+        differ.largest = std::max(differ.largest, std::abs(apart));
+      }
     }
     return differ;
   }
 };
 
-std::size_t model_differences(const Configuration& row, const Blending& blending) {
+/// None, or where the organization is not watertight some, within its bound.
+void expect_sound(const Configuration& row, const Seams::Differences& differ, std::size_t values) {
+  const double units = differ.largest / seam_unit(row);
+  std::printf("%zu values, %zu differ, by %.3g units at most\n", values, differ.count, units);
+  EXPECT_LE(units, seam_bound(row));
+  if (seam_bound(row) == 0) {
+    EXPECT_EQ(differ.count, 0U);
+  } else {
+    EXPECT_GT(differ.count, 0U) << "it has become watertight: say so";
+  }
+}
+
+Seams::Differences model_differences(const Seams& seams, const Configuration& row,
+                                     const Blending& blending) {
   const WordCodec codec(row.format);
-  const Seams seams(codec, kValues, tb::seed_from_environment(1));
   model::StreamModel model(row);
   model.run(coefficients_packet(blending, codec));
-  const std::size_t differ = seams.differences(model.run(interleaved_packet(seams.vertices)));
-  std::printf("%zu values, %zu differ\n", 3 * seams.vertices.size(), differ);
-  return differ;
+  return seams.differences(model.run(interleaved_packet(seams.vertices)), codec);
 }
 
 class Seam : public PerConfiguration {};
@@ -104,13 +129,18 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FloatSeam);  // gates are of fixed
 
 TEST_P(Seam, ModelIsWatertight) {
   const WordCodec codec(GetParam().format);
-  EXPECT_EQ(model_differences(GetParam(), watertight_bspline(codec)), 0U);
+  const Seams seams(codec, kValues, tb::seed_from_environment(1));
+  EXPECT_GE(3 * seams.vertices.size(), kValues);
+  expect_sound(GetParam(), model_differences(seams, GetParam(), watertight_bspline(codec)),
+               3 * seams.vertices.size());
 }
 
 // The test can fail: with each coefficient rounded by itself, binary32 cracks. Not so an evaluator
 // that takes no coefficients.
 TEST_P(FloatSeam, PlainCoefficientsCrackInBinary32) {
-  const std::size_t differ = model_differences(GetParam(), plain_bspline());
+  const Seams seams(WordCodec(GetParam().format), kValues, tb::seed_from_environment(1));
+  const std::size_t differ = model_differences(seams, GetParam(), plain_bspline()).count;
+  std::printf("%zu values, %zu differ\n", 3 * seams.vertices.size(), differ);
   if (std::string(GetParam().evaluator) == "bspline") {
     EXPECT_EQ(differ, 0U);
   } else {
@@ -120,16 +150,16 @@ TEST_P(FloatSeam, PlainCoefficientsCrackInBinary32) {
 
 TEST_P(Seam, RtlIsWatertight) {
   SystemRun run(GetParam(), 1);
-  // The schedule of the paper takes ten times as long for the same bits.
-  const bool paper = std::string(GetParam().schedule) == "paper";
-  const std::size_t values = share_of(paper ? kValues / 10 : kValues);
+  // The schedule of the paper takes ten times as long for the same bits, as does a cell a vertex.
+  const bool slow = std::string(GetParam().schedule) == "paper" || keeps_cell(GetParam());
+  const std::size_t values = share_of(slow ? kValues / 10 : kValues);
   const Seams seams(run.codec(), values, tb::seed_from_environment(2));
   run.send_bspline();
   run.send(interleaved_packet(seams.vertices));
   ASSERT_TRUE(run.run());
   EXPECT_GE(3 * seams.vertices.size(), values);
-  EXPECT_EQ(seams.differences(run.bench().results()), 0U);
-  std::printf("%zu values compared\n", 3 * seams.vertices.size());
+  expect_sound(GetParam(), seams.differences(run.bench().results(), run.codec()),
+               3 * seams.vertices.size());
 }
 
 HWFFD_FOR_EACH_CONFIGURATION(Seam);

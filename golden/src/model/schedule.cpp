@@ -14,11 +14,19 @@ int generator_evaluators(const Configuration& row) {
   return org.rfind("cg", 0) == 0 ? std::atoi(org.c_str() + 2) : 0;
 }
 
-double steps(const Configuration& row) { return std::ceil(64.0 / row.n) * folds(row); }
+bool is_a(const Configuration& row, const char* organization) {
+  return std::string(row.org).rfind(organization, 0) == 0;
+}
+
+double steps(const Configuration& row) {
+  return (keeps_cell(row) ? 1 : std::ceil(64.0 / row.n)) * folds(row);
+}
 
 }  // namespace
 
-bool contracts(const Configuration& row) { return std::string(row.org).rfind("factored", 0) == 0; }
+bool contracts(const Configuration& row) { return is_a(row, "factored"); }
+
+bool keeps_cell(const Configuration& row) { return is_a(row, "nested"); }
 
 int folds(const Configuration& row) {
   const std::string org = row.org;
@@ -27,7 +35,7 @@ int folds(const Configuration& row) {
 }
 
 std::optional<double> paper_clocks(const Configuration& row) {
-  if (contracts(row)) return std::nullopt;
+  if (contracts(row) || keeps_cell(row)) return std::nullopt;
   const bool fused = row.fma_latency > 0;
   const double polynomial = fused ? 3 : 6;
   if (const int evaluators = generator_evaluators(row)) {
@@ -48,6 +56,15 @@ double overlapped_interval(const Configuration& row) {
 double expected_interval(const Configuration& row) {
   return std::string(row.schedule) == "paper" ? paper_clocks(row).value()
                                               : overlapped_interval(row);
+}
+
+double scattered_interval(const Configuration& row) {
+  if (!keeps_cell(row)) return expected_interval(row);
+  constexpr int kReadLatency = 2;
+  constexpr int kSteps = 16 + 3 * 64;  // of ffd_eval_former, whose four phases drain
+  const int sum = row.fma_latency > 0 ? row.mul_latency + row.fma_latency + row.add_latency
+                                      : row.mul_latency + 2 * row.add_latency;
+  return kSteps + 4 * (kReadLatency + sum + row.convert_latency) + 2;
 }
 
 }  // namespace hwffd

@@ -68,6 +68,8 @@ struct Operands {
   Int128 a = 0, b = 0, c = 0, sum_a = 0, sum_b = 0;
   bool flag_a = false, flag_b = false, flag_c = false;
   int shift = 0;
+  int rescale = 0;
+  int widen = 0;
 };
 
 enum Unit {
@@ -80,9 +82,12 @@ enum Unit {
   kScale,
   kAddUnit,
   kNarrow,
+  kRescale,
+  kCentre,
+  kWiden,
   kOut
 };
-constexpr int kUnits = 10;
+constexpr int kUnits = 13;
 using Results = std::array<Int128, kUnits>;
 
 template <int W>
@@ -103,6 +108,9 @@ Results exact_results(const Operands& o) {
           packed(nearest({o.a * (1 << o.shift), kF}, kF, W), o.flag_a, W),
           packed(o.sum_a + o.sum_b, flag_ab, 2 * W + 6),
           packed(nearest({o.sum_a, 2 * W - 3}, W - 1, W), o.flag_a, W),
+          packed(nearest({o.sum_a * (1 << (o.rescale + 1)), 2 * W - 2}, W - 1, W), o.flag_a, W),
+          packed(2 * nearest(coordinate, kF, W).value - one, o.word > 0x80000000U, W),
+          packed(o.a * one * (1 << o.widen), o.flag_a, 2 * W + 6),
           out};
 }
 
@@ -131,6 +139,9 @@ Results model_results(const Operands& o) {
           number(F::scale(a, o.shift)),
           sum(F::add(sum_a, sum_b)),
           number(F::narrow(sum_a)),
+          number(F::rescale(sum_a, o.rescale)),
+          number(F::centre(F::coordinate(o.word))),
+          sum(F::widen(a, o.widen)),
           packed(Int128{out.word}, out.saturated, 32)};
 }
 
@@ -152,6 +163,8 @@ class Units {
     drive(dut.b_i, packed(o.b, o.flag_b, W));
     drive(dut.c_i, packed(o.c, o.flag_c, W));
     dut.shift_i = static_cast<CData>(o.shift);
+    dut.widen_i = static_cast<CData>(o.widen);
+    dut.rescale_i = static_cast<CData>(o.rescale & 7);
     drive(dut.sum_a_i, packed(o.sum_a, o.flag_a, 2 * W + 6));
     drive(dut.sum_b_i, packed(o.sum_b, o.flag_b, 2 * W + 6));
     dut.eval();  // converters of latency 0 answer before the edge
@@ -172,16 +185,26 @@ class Units {
                                                     Widths<W>::kConvert,
                                                     Widths<W>::kAdd,
                                                     Widths<W>::kConvert,
+                                                    Widths<W>::kConvert,
+                                                    Widths<W>::kAdd,
+                                                    0,
                                                     Widths<W>::kConvert};
 
   void compare() {
     auto& dut = sim_.dut();
-    const Results got{
-        read(dut.coordinate_o), read(dut.coefficient_o),
-        read(dut.point_o),      read(dut.mul_o),
-        read(dut.term_o),       read(dut.step_o),
-        read(dut.scale_o),      read(dut.add_o),
-        read(dut.narrow_o),     Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
+    const Results got{read(dut.coordinate_o),
+                      read(dut.coefficient_o),
+                      read(dut.point_o),
+                      read(dut.mul_o),
+                      read(dut.term_o),
+                      read(dut.step_o),
+                      read(dut.scale_o),
+                      read(dut.add_o),
+                      read(dut.narrow_o),
+                      read(dut.rescale_o),
+                      read(dut.centre_o),
+                      read(dut.widen_o),
+                      Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
     for (int unit = 0; unit < kUnits; ++unit) {
       if (expected_[unit].size() <= static_cast<std::size_t>(kLatency[unit])) continue;
       ASSERT_TRUE(got[unit] == expected_[unit].front())
@@ -243,6 +266,8 @@ Operands random_operands(tb::Random& random) {
   o.flag_b = random.chance(0.1);
   o.flag_c = random.chance(0.1);
   o.shift = static_cast<int>(random.below(4));
+  o.widen = static_cast<int>(random.below(3));
+  o.rescale = static_cast<int>(random.below(5)) - 1;
   return o;
 }
 

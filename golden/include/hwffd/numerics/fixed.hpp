@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "hwffd/numerics/binomial.hpp"
 #include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd {
@@ -79,6 +80,29 @@ struct Fixed {
   static Point narrow(Sum sum) {
     return with_flag(round_to<Number>(Int128{sum.value}, kSumFraction - kPointFraction, W),
                      sum.saturated);
+  }
+  /// A sum times 2^shift, shift -1 to 3, as a point.
+  static Point rescale(Sum sum, int shift) {
+    const Int128 doubled = Int128{sum.value} * (Int128{1} << (shift + 1));
+    return with_flag(round_to<Number>(doubled, kSumFraction - kPointFraction + 1, W),
+                     sum.saturated);
+  }
+  /// 2 x - 1 of a coordinate in [0, 1], exact.
+  static Weight centre(Weight coordinate) {
+    return {2 * coordinate.value - (std::int64_t{1} << kWeightFraction), coordinate.saturated};
+  }
+  /// binom(power, k) / 2^power, exact; power and k 0 to 3.
+  static Weight binomial(int power, int k) {
+    return {(std::int64_t{kBinomial[power][k]} << kWeightFraction) >> power, false};
+  }
+  /// A point times 2^shift, shift 0 to 2, as a sum, exact.
+  static Sum widen(Point point, int shift) {
+    constexpr int kPlaces = kSumFraction - kPointFraction;
+    Sum sum;
+    sum.value =
+        static_cast<decltype(sum.value)>(point.value) * (std::int64_t{1} << (kPlaces + shift));
+    sum.saturated = point.saturated;
+    return sum;
   }
   static OutWord out(Sum sum) {
     constexpr int kPad = std::max(31 - kSumFraction, 0);

@@ -25,6 +25,7 @@ class EvaluatorCore {
     std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
     std::uint8_t support = 0;
     bool bank = false;
+    bool changed = false;  ///< points or coefficients were written since the vertex before
     std::uint16_t tag = 0;
   };
   struct Result {

@@ -26,8 +26,9 @@ struct EvaluatorStimulus {
 };
 
 /// Supports with points uniform in [-1, 1), vertices in any cell with uniform coordinates, one in
-/// ten of them 0 or 1.
-EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, std::uint64_t seed);
+/// ten of them 0 or 1. `together` of them, one after the other, share cell and support.
+EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, std::uint64_t seed,
+                                  std::size_t together = 1);
 
 /// Vertices on faces, edges and corners that the cells of one random lattice share.
 struct SeamStimulus : EvaluatorStimulus {

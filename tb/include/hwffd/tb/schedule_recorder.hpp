@@ -29,9 +29,9 @@ class ScheduleRecorder {
   /// The one behind it, of a combination generator; null if there is none.
   const Sequencer* combinations() const;
   /// Weights of a step arrive at the multiplier; where axes are contracted, its points are asked
-  /// for.
+  /// for; where a cell is kept, its coordinates come.
   const std::vector<std::uint64_t>& steps() const { return steps_; }
-  /// The support that each step reads.
+  /// The support that each step reads; where steps read none, a number of its vertex.
   const std::vector<std::uint8_t>& sources() const { return sources_; }
   /// The sum of a step arrives at the accumulator, or is complete.
   const std::vector<std::uint64_t>& sums() const { return sums_; }
@@ -45,6 +45,8 @@ class ScheduleRecorder {
   std::vector<const std::uint8_t*> sequencer_values_;
   const std::uint8_t* step_ = nullptr;
   const std::uint8_t* source_ = nullptr;
+  const std::uint8_t* first_ = nullptr;  // of the sequencer's steps
+  std::uint8_t vertex_ = 0;
   const std::uint8_t* sum_ = nullptr;
   const std::uint8_t* result_ = nullptr;
   std::vector<std::uint64_t> steps_;

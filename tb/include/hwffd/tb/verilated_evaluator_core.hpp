@@ -63,6 +63,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     dut_->s_vertex_cell = vertex.cell;
     dut_->s_vertex_support = vertex.support;
     dut_->s_vertex_bank = vertex.bank ? 1 : 0;
+    dut_->s_vertex_changed = vertex.changed ? 1 : 0;
     dut_->s_vertex_tag = vertex.tag;
   }
   void drive_result_ready(bool ready) override { dut_->m_result_ready = ready ? 1 : 0; }

@@ -1,0 +1,25 @@
+#include "hwffd/model/seam_bound.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "hwffd/model/schedule.hpp"
+
+namespace hwffd {
+namespace {
+
+bool is_float(const Configuration& row) { return std::string(row.format) == "fp32"; }
+
+}  // namespace
+
+double seam_unit(const Configuration& row) {
+  return std::ldexp(1.0, is_float(row) ? -24 : 1 - std::atoi(row.format + 2));
+}
+
+double seam_bound(const Configuration& row) {
+  if (!keeps_cell(row)) return 0;
+  return is_float(row) ? 6 : 24;
+}
+
+}  // namespace hwffd
