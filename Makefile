@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
+.PHONY: help sim organizations streams words tangents embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -43,6 +43,7 @@ help:
 	@echo 'make organizations  every organization: clocks against the formulas, operators, errors, seams'
 	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
 	@echo 'make streams   words moved by arrangements of the control points: table, plot, JSON'
+	@echo 'make tangents  derivatives and det J out of the simulated RTL, against oracle and differences'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
 	@echo 'make embed     meshes in box, cylinder, sphere and custom lattices: table, JSON'
 	@echo 'make hwffd     the command hwffd, the library and its Python module; PREFIX= installs them'
@@ -86,6 +87,11 @@ words: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-words
 	@$(BUILD)/apps/hwffd-words
+
+tangents: install
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-tangents
+	@$(BUILD)/apps/hwffd-tangents
 
 embed: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

@@ -15,6 +15,7 @@ bus/ffd_dma_ring.v
 bus/ffd_dma_write.v
 stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v
+stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
 stream/ffd_stream_fifo.v
 stream/ffd_stream_lattice.v
@@ -47,6 +48,8 @@ evaluator/ffd_eval_contraction.v
 evaluator/ffd_eval_former.v
 evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_horner.v
+evaluator/ffd_eval_determinant.v
+evaluator/ffd_eval_point_product.v
 number/ffd_num_in.v
 number/ffd_num_mul.v
 number/ffd_num_term.v
@@ -55,7 +58,9 @@ number/ffd_num_add.v
 number/ffd_num_step.v
 number/ffd_num_range.v
 number/ffd_num_scale.v
+number/ffd_num_factor.v
 number/ffd_num_narrow.v
+number/ffd_num_negate.v
 number/ffd_num_out.v
 number/ffd_num_centre.v
 number/ffd_num_binomial.v

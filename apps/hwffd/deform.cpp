@@ -75,6 +75,9 @@ int run(const Options& options, const StageOptions& stage_options) {
   for (const Stage& stage : stages) rest.push_back(stage.rest);
   const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
 
+  const auto gradients =
+      geometry.is_mesh() ? Deformer::Gradients::kAll : Deformer::Gradients::kNone;
+
   const int frames = options.keyframes;
   std::vector<std::string> written;
   Deformer::Result result;
@@ -86,7 +89,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     for (const Stage& stage : stages) {
       deformed.push_back(between(stage.rest, stage.deformed, fraction));
     }
-    result = deformer.deform(deformed, *device);
+    result = deformer.deform(deformed, *device, gradients);
     geometry.move(result.positions, result.gradients);
     written.push_back(frames > 0 ? frame_path(output, frame).string() : output);
     geometry.write(written.back());

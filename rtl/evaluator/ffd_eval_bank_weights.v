@@ -31,13 +31,13 @@ module ffd_eval_bank_weights #(
   input  wire                                            clk,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            step_valid_i,
   input  wire [1:0]                                      step_i,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              coordinates_i,
   input  wire [11:0]                                     cell_i,
-  input  wire                                            bank_i,
+  input  wire [5:0]                                      bank_i,
   output wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]            weights_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
@@ -45,7 +45,7 @@ module ffd_eval_bank_weights #(
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
   localparam SETS         = 3 / FOLD;
-  localparam ADDRESS_W    = FOLD == 1 ? 3 : 5;
+  localparam ADDRESS_W    = FOLD == 1 ? 4 : 6;
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
@@ -64,18 +64,18 @@ module ffd_eval_bank_weights #(
     for (set = 0; set < SETS; set = set + 1) begin : gen_set
       wire [WEIGHT_W-1:0] coordinate;
       wire [1:0]          residue;  // of the cell, modulo 4
-      wire                bank;
+      wire [1:0]          bank;
       wire                load;
       wire [ADDRESS_W-1:0] load_address;
 
       if (FOLD == 1) begin : gen_own_axis
         ffd_num_delay #(
-          .WIDTH  (WEIGHT_W + 3),
+          .WIDTH  (WEIGHT_W + 4),
           .LATENCY((2 - set) * DISTANCE)
         ) u_later (
           .clk(clk),
           .rst(1'b0),
-          .d_i({coordinates_i[set*WEIGHT_W +: WEIGHT_W], cell_i[4*set +: 2], bank_i}),
+          .d_i({coordinates_i[set*WEIGHT_W +: WEIGHT_W], cell_i[4*set +: 2], bank_i[2*set +: 2]}),
           .q_o({coordinate, residue, bank})
         );
         assign load         = load_i && load_axis_i == set;
@@ -86,7 +86,8 @@ module ffd_eval_bank_weights #(
                                                coordinates_i[0*WEIGHT_W +: WEIGHT_W];
         assign residue      = step_i == 2'd0 ? cell_i[9:8] : step_i == 2'd1 ? cell_i[5:4] :
                                                cell_i[1:0];
-        assign bank         = bank_i;
+        assign bank         = step_i == 2'd0 ? bank_i[5:4] : step_i == 2'd1 ? bank_i[3:2] :
+                                               bank_i[1:0];
         assign load         = load_i;
         assign load_address = {load_axis_i, load_address_i};
       end

@@ -16,7 +16,7 @@
 
 module ffd_eval_coefficient_file #(
   parameter FORMAT    = 18,
-  parameter ADDRESS_W = 3
+  parameter ADDRESS_W = 4
 ) (
   input  wire                                            clk,
   input  wire                                            load_i,

@@ -41,12 +41,12 @@ module ffd_eval_former #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            start_i,
   input  wire [11:0]                                     cell_i,
   input  wire [SOURCE_W-1:0]                             source_i,
-  input  wire                                            bank_i,
+  input  wire [5:0]                                      bank_i,
   output wire                                            done_o,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -235,9 +235,9 @@ module ffd_eval_former #(
         .load_i         (load_i && load_axis_i == c),
         .load_address_i (load_address_i),
         .load_entry_i   (load_entry_i),
-        .address_i      ({4{bank_i, blending}}),
+        .address_i      ({4{bank_i[2*c +: 2], blending}}),
         .coefficient_o  (coefficients),
-        .shift_address_i({bank_i, blending_late}),
+        .shift_address_i({bank_i[2*c +: 2], blending_late}),
         .shift_o        (shift)
       );
 

@@ -2,13 +2,13 @@
 //
 // What the paper's section 3.3.3 starts from: a predetermined evaluator. It stands beside the
 // general one so that the price of generality can be measured. What is loaded is ignored; the bits
-// are those of ffd_eval_poly_pipelined with the watertight B-spline loaded.
+// are those of ffd_eval_poly_pipelined with the watertight B-spline and its derivative loaded.
 //
 // Formats, rounding: those of ffd_num_step; the shift is 0, so there is none of ffd_num_scale.
 // Pipeline:   FFD_POLY_LATENCY = 3 steps + CONVERT_LATENCY, II 1, never frozen; step_k holds power
 //             2 - k and needs its coefficient k steps after the start.
-// Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 2: the
-//             low two bits of an address are the blending function.
+// Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 4: the
+//             low four bits of an address are {derivative, bank, function}.
 // Model:      golden/include/hwffd/model/hard_wired.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -21,7 +21,7 @@ module ffd_eval_poly_bspline #(
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 0,
-  parameter ADDRESS_W       = 3
+  parameter ADDRESS_W       = 4
 ) (
   input  wire                                            clk,
   input  wire                                            load_i,
@@ -41,13 +41,13 @@ module ffd_eval_poly_bspline #(
     for (k = 0; k < 3; k = k + 1) begin : gen_step
       wire [WEIGHT_W-1:0] coordinate;
       wire [WEIGHT_W-1:0] coefficient;
-      wire [1:0]          blending;
+      wire [2:0]          blending;  // {derivative, function}
       wire [WEIGHT_W-1:0] weight;
       wire [WEIGHT_W-1:0] weight_next;
 
       if (k == 0) begin : gen_first
         assign coordinate = coordinate_i;
-        assign blending   = address_i[1:0];
+        assign blending   = {address_i[3], address_i[1:0]};
         assign weight     = leading;
       end else begin : gen_next
         assign weight = gen_step[k-1].weight_next;
@@ -61,7 +61,7 @@ module ffd_eval_poly_bspline #(
           .q_o(coordinate)
         );
         ffd_num_delay #(
-          .WIDTH  (2),
+          .WIDTH  (3),
           .LATENCY(STEP)
         ) u_blending (
           .clk(clk),
@@ -75,7 +75,8 @@ module ffd_eval_poly_bspline #(
         .FORMAT(FORMAT),
         .POWER (2 - k)
       ) u_coefficient (
-        .function_i   (blending),
+        .derivative_i (blending[2]),
+        .function_i   (blending[1:0]),
         .coefficient_o(coefficient)
       );
 
@@ -98,6 +99,7 @@ module ffd_eval_poly_bspline #(
     .FORMAT(FORMAT),
     .POWER (3)
   ) u_leading (
+    .derivative_i (address_i[3]),
     .function_i   (address_i[1:0]),
     .coefficient_o(leading)
   );

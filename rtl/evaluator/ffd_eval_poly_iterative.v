@@ -22,7 +22,7 @@ module ffd_eval_poly_iterative #(
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 0,
-  parameter ADDRESS_W       = 3
+  parameter ADDRESS_W       = 4
 ) (
   input  wire                                            clk,
   input  wire                                            load_i,

@@ -4,11 +4,17 @@
 // there is room for its result (credits), its `user` word waits in a queue of its own and meets the
 // result at the output: both keep their order.
 //
+// Vertices of column 1, 2, 3, in this order, are the columns of a Jacobian: their three results
+// become one, det J, with the user word of the third. It takes longer than a result of column 0,
+// waits in a queue of its own and leaves in its place in the order.
+//
 // Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
-//             them, results {z, y, x} as stream words with {nan, saturated} of any component.
-// Pipeline:   the organization's, CONVERT_LATENCY, and 1 clock in the result queue.
+//             them, results {z, y, x} as stream words with {nan, saturated} of any component; of a
+//             determinant {0, 0, det J}.
+// Pipeline:   the organization's, CONVERT_LATENCY, and 1 clock in the result queue; det J after
+//             ffd_eval_determinant.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
-// Parameters: IN_FLIGHT a power of two >= 2, more than the organization's pipeline holds at full
+// Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
 //             rate; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -35,15 +41,16 @@ module ffd_eval_stream #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire                                            s_vertex_bank,
+  input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
+  input  wire [1:0]                                      s_vertex_column,
   input  wire [USER_W-1:0]                               s_vertex_user,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -55,24 +62,36 @@ module ffd_eval_stream #(
   input  wire                                            m_result_ready,
   output wire [95:0]                                     m_result_words,
   output wire [1:0]                                      m_result_flags,
+  output wire                                            m_result_determinant,
   output wire [USER_W-1:0]                               m_result_user
 );
   localparam SUM_W   = `FFD_SUM_W(FORMAT);
   localparam COUNT_W = $clog2(IN_FLIGHT) + 1;
 
-  // Credits: vertices inside, from their entry until their result has left.
+  generate
+    if (IN_FLIGHT < 4) begin : gen_bad_in_flight
+      ERROR_ffd_eval_stream_in_flight_must_be_at_least_4 u_error ();
+    end
+  endgenerate
+
+  localparam [1:0] LAST_COLUMN = 2'd3;
+
+  // Credits: vertices inside, from their entry until their result has left; three leave with a
+  // determinant.
   reg  [COUNT_W-1:0] inside_q;
   wire               room   = !inside_q[COUNT_W-1];
   wire               ready;
   wire               enter  = s_vertex_valid && s_vertex_ready;
   wire               leave  = m_result_valid && m_result_ready;
 
+  wire [COUNT_W-1:0] entering = {{(COUNT_W - 1) {1'b0}}, enter};
+  wire [COUNT_W-1:0] leaving  = {{(COUNT_W - 2) {1'b0}}, leave && m_result_determinant, leave};
+
   assign s_vertex_ready = ready && room;
 
   always @(posedge clk) begin
     if (rst) inside_q <= {COUNT_W{1'b0}};
-    else if (enter && !leave) inside_q <= inside_q + 1'b1;
-    else if (leave && !enter) inside_q <= inside_q - 1'b1;
+    else inside_q <= inside_q + entering - leaving;
   end
 
   wire               sum_valid;
@@ -114,6 +133,26 @@ module ffd_eval_stream #(
     .result_sum_o        (sum)
   );
 
+  // Which column a sum is of.
+  wire [1:0] column;
+  wire       columns_ready;
+  wire       column_valid;
+
+  ffd_stream_fifo #(
+    .WIDTH(2),
+    .DEPTH(IN_FLIGHT)
+  ) u_columns (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(enter),
+    .s_word_ready(columns_ready),
+    .s_word_data (s_vertex_column),
+    .m_word_valid(column_valid),
+    .m_word_ready(sum_valid),
+    .m_word_data (column)
+  );
+
+  wire        own_result = column == 2'd0;
   wire        word_valid;
   wire [95:0] words;
   wire [2:0]  saturated;
@@ -142,15 +181,43 @@ module ffd_eval_stream #(
   ) u_word_valid (
     .clk(clk),
     .rst(rst),
-    .d_i(sum_valid),
+    .d_i(sum_valid && own_result),
     .q_o(word_valid)
   );
 
-  // Credits keep both queues from overflowing, so their readies are not needed; a user word is
-  // there whenever its result is.
-  wire results_ready;
-  wire users_ready;
-  wire user_valid;
+  wire        determinant_valid;
+  wire [31:0] determinant;
+  wire        determinant_saturated;
+  wire        determinant_nan;
+
+  ffd_eval_determinant #(
+    .FORMAT         (FORMAT),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY)
+  ) u_determinant (
+    .clk           (clk),
+    .rst           (rst),
+    .column_valid_i(sum_valid && !own_result),
+    .column_last_i (column == LAST_COLUMN),
+    .column_i      (sum),
+    .word_valid_o  (determinant_valid),
+    .word_o        (determinant),
+    .saturated_o   (determinant_saturated),
+    .nan_o         (determinant_nan)
+  );
+
+  // Credits keep the queues from overflowing, so their readies are not needed. A user word is there
+  // whenever its result is; it says in which queue that is.
+  wire        results_ready;
+  wire        result_valid;
+  wire [97:0] result;
+  wire        determinants_ready;
+  wire        waiting_valid;
+  wire [33:0] waiting;
+  wire        users_ready;
+  wire        user_valid;
+  wire        is_determinant;
 
   ffd_stream_fifo #(
     .WIDTH(98),
@@ -161,26 +228,48 @@ module ffd_eval_stream #(
     .s_word_valid(word_valid),
     .s_word_ready(results_ready),
     .s_word_data ({|nan, |saturated, words}),
-    .m_word_valid(m_result_valid),
-    .m_word_ready(m_result_ready),
-    .m_word_data ({m_result_flags, m_result_words})
+    .m_word_valid(result_valid),
+    .m_word_ready(leave && !m_result_determinant),
+    .m_word_data (result)
   );
 
   ffd_stream_fifo #(
-    .WIDTH(USER_W),
+    .WIDTH(34),
+    .DEPTH(IN_FLIGHT / 2)
+  ) u_determinants (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(determinant_valid),
+    .s_word_ready(determinants_ready),
+    .s_word_data ({determinant_nan, determinant_saturated, determinant}),
+    .m_word_valid(waiting_valid),
+    .m_word_ready(leave && m_result_determinant),
+    .m_word_data (waiting)
+  );
+
+  wire takes_user = s_vertex_column == 2'd0 || s_vertex_column == LAST_COLUMN;
+
+  ffd_stream_fifo #(
+    .WIDTH(1 + USER_W),
     .DEPTH(IN_FLIGHT)
   ) u_users (
     .clk         (clk),
     .rst         (rst),
-    .s_word_valid(enter),
+    .s_word_valid(enter && takes_user),
     .s_word_ready(users_ready),
-    .s_word_data (s_vertex_user),
+    .s_word_data ({s_vertex_column == LAST_COLUMN, s_vertex_user}),
     .m_word_valid(user_valid),
     .m_word_ready(leave),
-    .m_word_data (m_result_user)
+    .m_word_data ({is_determinant, m_result_user})
   );
 
-  wire unused_ok = &{1'b0, results_ready, users_ready, user_valid};
+  assign m_result_determinant = user_valid && is_determinant;
+  assign m_result_valid       = m_result_determinant ? waiting_valid : result_valid;
+  assign m_result_words       = m_result_determinant ? {64'd0, waiting[31:0]} : result[95:0];
+  assign m_result_flags       = m_result_determinant ? waiting[33:32] : result[97:96];
+
+  wire unused_ok = &{1'b0, columns_ready, column_valid, results_ready, determinants_ready,
+                     users_ready};
 endmodule
 
 `default_nettype wire

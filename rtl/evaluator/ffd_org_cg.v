@@ -34,14 +34,14 @@ module ffd_org_cg #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire                                            s_vertex_bank,
+  input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -69,7 +69,7 @@ module ffd_org_cg #(
   localparam SETS         = CONTEXTS + 2;
   localparam SET_W        = $clog2(SETS);
   localparam FILL_W       = $clog2(POLYNOMIALS);
-  localparam SELECT_W     = SIZE == 3 ? 3 : 5;
+  localparam SELECT_W     = SIZE == 3 ? 4 : 6;
 
   generate
     if (SIZE < 1 || SIZE > 3) begin : gen_bad_size
@@ -116,11 +116,11 @@ module ffd_org_cg #(
   wire [3*WEIGHT_W-1:0] fill_coordinates;
   wire [11:0]           fill_cell;
   wire [SOURCE_W-1:0]   fill_source;
-  wire                  fill_bank;
+  wire [5:0]            fill_bank;
   wire [SET_W-1:0]      fill_set;
 
   ffd_eval_sequencer #(
-    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 1 + SET_W),
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 6 + SET_W),
     .STEPS    (POLYNOMIALS),
     .CONTEXTS (1),
     .INTERVAL (FILL),
@@ -202,6 +202,7 @@ module ffd_org_cg #(
       wire [3:0]          place = FIRST + {{(4 - FILL_W) {1'b0}}, fill};
       wire [1:0]          axis  = place[3:2];
       wire [WEIGHT_W-1:0] coordinate = fill_coordinates[axis*WEIGHT_W +: WEIGHT_W];
+      wire [1:0]          bank       = fill_bank[2*axis +: 2];
 
       wire                load;
       wire [SELECT_W-1:0] load_select;
@@ -209,11 +210,11 @@ module ffd_org_cg #(
       if (SIZE == 3) begin : gen_own_axis
         assign load        = load_i && load_axis_i == e;
         assign load_select = load_address_i;
-        assign select      = {fill_bank, place[1:0]};
+        assign select      = {bank, place[1:0]};
       end else begin : gen_all_axes
         assign load        = load_i;
         assign load_select = {load_axis_i, load_address_i};
-        assign select      = {axis, fill_bank, place[1:0]};
+        assign select      = {axis, bank, place[1:0]};
       end
 
       ffd_eval_poly #(

@@ -33,14 +33,14 @@ module ffd_org_factored #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire                                            s_vertex_bank,
+  input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -81,11 +81,11 @@ module ffd_org_factored #(
   wire [3*WEIGHT_W-1:0] coordinates;
   wire [11:0]           cell_index;
   wire [SOURCE_W-1:0]   source;
-  wire                  bank;
+  wire [5:0]            bank;
   wire [1:0]            step = {{(2 - STEP_W) {1'b0}}, step_count};
 
   ffd_eval_sequencer #(
-    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 1),
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 6),
     .STEPS    (FOLD),
     .CONTEXTS (1),
     .INTERVAL (1)

@@ -39,14 +39,14 @@ module ffd_org_nested #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire                                            s_vertex_bank,
+  input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -59,7 +59,7 @@ module ffd_org_nested #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  localparam KEY_W        = 12 + SOURCE_W + 1;
+  localparam KEY_W        = 12 + SOURCE_W + 6;
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   // Clocks from a vertex's entry to its last use of a coefficient, and to the first overwritten.
@@ -117,7 +117,7 @@ module ffd_org_nested #(
 
   wire [11:0]         formed_cell;
   wire [SOURCE_W-1:0] formed_source;
-  wire                formed_bank;
+  wire [5:0]          formed_bank;
   assign {formed_cell, formed_source, formed_bank} = key_q;
 
   // ---- forming

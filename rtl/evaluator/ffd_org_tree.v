@@ -42,14 +42,14 @@ module ffd_org_tree #(
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [2:0]                                      load_address_i,
+  input  wire [3:0]                                      load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire                                            s_vertex_bank,
+  input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -77,7 +77,7 @@ module ffd_org_tree #(
   localparam PAPER        = SCHEDULE == `FFD_SCHEDULE_PAPER;
   localparam INTERVAL     = PAPER ? PASS : `FFD_POLY_INTERVAL(EVALUATOR);
   localparam CONTEXTS     = `FFD_CONTEXTS(ACCUMULATE, INTERVAL);
-  localparam PAYLOAD_W    = 3 * WEIGHT_W + 12 + SOURCE_W + 1;
+  localparam PAYLOAD_W    = 3 * WEIGHT_W + 12 + SOURCE_W + 6;
 
   generate
     if (N < 1 || N > 64 || (N & (N - 1)) != 0) begin : gen_bad_n
@@ -95,7 +95,7 @@ module ffd_org_tree #(
   wire [3*WEIGHT_W-1:0] coordinates;
   wire [11:0]           cell_index;
   wire [SOURCE_W-1:0]   source;
-  wire                  bank;
+  wire [5:0]            bank;
 
   ffd_eval_sequencer #(
     .PAYLOAD_W(PAYLOAD_W),
@@ -141,7 +141,7 @@ module ffd_org_tree #(
           .ADD_LATENCY    (ADD_LATENCY),
           .FMA_LATENCY    (FMA_LATENCY),
           .CONVERT_LATENCY(CONVERT_LATENCY),
-          .ADDRESS_W      (3)
+          .ADDRESS_W      (4)
         ) u_poly (
           .clk           (clk),
           .load_i        (load_i && load_axis_i == a),
@@ -149,7 +149,7 @@ module ffd_org_tree #(
           .load_entry_i  (load_entry_i),
           .start_i       (step_valid),
           .coordinate_i  (coordinates[a*WEIGHT_W +: WEIGHT_W]),
-          .address_i     ({bank, blending}),
+          .address_i     ({bank[2*a +: 2], blending}),
           .weight_o      (weights[e*WEIGHT_W +: WEIGHT_W])
         );
       end

@@ -1,7 +1,8 @@
-// ffd_num_bspline: a coefficient of the uniform cubic B-spline, wired in
+// ffd_num_bspline: a coefficient of the uniform cubic B-spline or of its derivative, wired in
 //
 // The watertight form of docs/numerics.md section 5, with one sixth, A, rounded once: in binary32
-// 2796203 * 2^-24, in fixed point the nearest multiple of the weight's unit. Its shift is 0.
+// 2796203 * 2^-24, in fixed point the nearest multiple of the weight's unit. The derivative is that
+// of the true B-spline, exact; in fixed point it is halved (section 9). Both have the shift 0.
 //
 // Formats:    a weight, never flagged.
 // Pipeline:   combinational.
@@ -15,6 +16,7 @@ module ffd_num_bspline #(
   parameter FORMAT = 18,
   parameter POWER  = 0
 ) (
+  input  wire                              derivative_i,
   input  wire [1:0]                        function_i,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  coefficient_o
 );
@@ -39,34 +41,54 @@ module ffd_num_bspline #(
   wire [WEIGHT_W-1:0] half;               // 1/2
   wire [WEIGHT_W-1:0] minus_half;         // -1/2
   wire [WEIGHT_W-1:0] minus_one;          // -1
+  // Of the derivative, in fixed point halved.
+  wire [WEIGHT_W-1:0] d_half;             // 1/2
+  wire [WEIGHT_W-1:0] d_minus_half;       // -1/2
+  wire [WEIGHT_W-1:0] d_one;              // 1
+  wire [WEIGHT_W-1:0] d_minus_two;        // -2
+  wire [WEIGHT_W-1:0] d_three_halves;     // 3/2
+  wire [WEIGHT_W-1:0] d_minus_three_halves;
 
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
-      assign sixth              = 32'h3E2A_AAAC;
-      assign minus_sixth        = 32'hBE2A_AAAC;
-      assign three_sixths       = 32'h3F00_0001;
-      assign minus_three_sixths = 32'hBF00_0001;
-      assign rest               = 32'h3F2A_AAAA;
-      assign half               = 32'h3F00_0000;
-      assign minus_half         = 32'hBF00_0000;
-      assign minus_one          = 32'hBF80_0000;
+      assign sixth                = 32'h3E2A_AAAC;
+      assign minus_sixth          = 32'hBE2A_AAAC;
+      assign three_sixths         = 32'h3F00_0001;
+      assign minus_three_sixths   = 32'hBF00_0001;
+      assign rest                 = 32'h3F2A_AAAA;
+      assign half                 = 32'h3F00_0000;
+      assign minus_half           = 32'hBF00_0000;
+      assign minus_one            = 32'hBF80_0000;
+      assign d_half               = half;
+      assign d_minus_half         = minus_half;
+      assign d_one                = 32'h3F80_0000;
+      assign d_minus_two          = 32'hC000_0000;
+      assign d_three_halves       = 32'h3FC0_0000;
+      assign d_minus_three_halves = 32'hBFC0_0000;
     end else begin : gen_fixed
       localparam FRACTION = FORMAT - 2;
       localparam SIXTH    = ((1 << FRACTION) + 3) / 6;
-      localparam [FORMAT-1:0] A     = SIXTH;
-      localparam [FORMAT-1:0] ONE   = 1 << FRACTION;
-      localparam [FORMAT-1:0] HALF  = 1 << (FRACTION - 1);
-      localparam [FORMAT-1:0] THREE = 3 * SIXTH;
-      localparam [FORMAT-1:0] REST  = (1 << FRACTION) - 2 * SIXTH;
-      localparam [FORMAT-1:0] NONE  = 0;
-      assign sixth              = {1'b0, A};
-      assign minus_sixth        = {1'b0, NONE - A};
-      assign three_sixths       = {1'b0, THREE};
-      assign minus_three_sixths = {1'b0, NONE - THREE};
-      assign rest               = {1'b0, REST};
-      assign half               = {1'b0, HALF};
-      assign minus_half         = {1'b0, NONE - HALF};
-      assign minus_one          = {1'b0, NONE - ONE};
+      localparam [FORMAT-1:0] A       = SIXTH;
+      localparam [FORMAT-1:0] ONE     = 1 << FRACTION;
+      localparam [FORMAT-1:0] HALF    = 1 << (FRACTION - 1);
+      localparam [FORMAT-1:0] THREE   = 3 * SIXTH;
+      localparam [FORMAT-1:0] REST    = (1 << FRACTION) - 2 * SIXTH;
+      localparam [FORMAT-1:0] QUARTER = 1 << (FRACTION - 2);
+      localparam [FORMAT-1:0] NONE    = 0;
+      assign sixth                = {1'b0, A};
+      assign minus_sixth          = {1'b0, NONE - A};
+      assign three_sixths         = {1'b0, THREE};
+      assign minus_three_sixths   = {1'b0, NONE - THREE};
+      assign rest                 = {1'b0, REST};
+      assign half                 = {1'b0, HALF};
+      assign minus_half           = {1'b0, NONE - HALF};
+      assign minus_one            = {1'b0, NONE - ONE};
+      assign d_half               = {1'b0, QUARTER};
+      assign d_minus_half         = {1'b0, NONE - QUARTER};
+      assign d_one                = half;
+      assign d_minus_two          = minus_one;
+      assign d_three_halves       = {1'b0, HALF + QUARTER};
+      assign d_minus_three_halves = {1'b0, NONE - HALF - QUARTER};
     end
   endgenerate
 
@@ -77,7 +99,15 @@ module ffd_num_bspline #(
   wire [WEIGHT_W-1:0] b2 = POWER == 0 ? sixth : POWER == 3 ? minus_three_sixths : half;
   wire [WEIGHT_W-1:0] b3 = POWER == 3 ? sixth : zero;
 
-  assign coefficient_o = function_i[1] ? (function_i[0] ? b3 : b2) : (function_i[0] ? b1 : b0);
+  wire [WEIGHT_W-1:0] d0 = POWER == 1 ? d_one : POWER == 3 ? zero : d_minus_half;
+  wire [WEIGHT_W-1:0] d1 = POWER == 1 ? d_minus_two : POWER == 2 ? d_three_halves : zero;
+  wire [WEIGHT_W-1:0] d2 = POWER == 0 ? d_half : POWER == 1 ? d_one :
+                           POWER == 2 ? d_minus_three_halves : zero;
+  wire [WEIGHT_W-1:0] d3 = POWER == 2 ? d_half : zero;
+
+  wire [WEIGHT_W-1:0] b = function_i[1] ? (function_i[0] ? b3 : b2) : (function_i[0] ? b1 : b0);
+  wire [WEIGHT_W-1:0] d = function_i[1] ? (function_i[0] ? d3 : d2) : (function_i[0] ? d1 : d0);
+  assign coefficient_o = derivative_i ? d : b;
 endmodule
 
 `default_nettype wire

@@ -1,11 +1,11 @@
 // ffd_num_narrow: sum -> point, between two contractions
 //
-// Formats:    fp32: a wire. fxW: Q9.(2W-3) -> Q1.(W-1), the point's own format, so that the next
-//             multiplication is again one of W x W bits.
+// Formats:    fp32: a wire. fxW: Q9.(2W-3) times 2^-SHIFT -> Q1.(W-1), the point's own format, so
+//             that the next multiplication is again one of W x W bits.
 // Rounding:   fxW: half up, saturated and flagged outside [-1, 1).
 // Error:      half a unit of a point.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
+// Parameters: FORMAT as in ffd_num.vh, SHIFT 0 to 7, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics (narrow).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -13,6 +13,7 @@
 
 module ffd_num_narrow #(
   parameter FORMAT  = 18,
+  parameter SHIFT   = 0,
   parameter LATENCY = 0
 ) (
   input  wire                             clk,
@@ -24,6 +25,9 @@ module ffd_num_narrow #(
   generate
     if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_narrow_format_is_unknown u_error ();
+    end
+    if (SHIFT < 0 || SHIFT > 7) begin : gen_bad_shift
+      ERROR_ffd_num_narrow_shift_must_be_0_to_7 u_error ();
     end
   endgenerate
 
@@ -38,7 +42,7 @@ module ffd_num_narrow #(
 
       ffd_fx_round #(
         .IN_W (VALUE_W),
-        .DROP (FORMAT - 2),
+        .DROP (FORMAT - 2 + SHIFT),
         .OUT_W(FORMAT)
       ) u_round (
         .value_i    (sum_i[VALUE_W-1:0]),

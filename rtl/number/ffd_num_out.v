@@ -1,9 +1,9 @@
 // ffd_num_out: a sum becomes a word of the stream, with its flags
 //
-// Formats:    fp32: the sum is the word; nan_o where it is one. fxW: Q9.(2W-3) -> Q1.31, half up,
-//             saturated_o outside [-1, 1) or where any operand was.
+// Formats:    fp32: the sum is the word; nan_o where it is one. fxW: Q9.(2W-3) times 2^-SHIFT ->
+//             Q1.31, half up, saturated_o outside [-1, 1) or where any operand was.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
+// Parameters: FORMAT as in ffd_num.vh, SHIFT 0 to 7, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics (out).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -11,6 +11,7 @@
 
 module ffd_num_out #(
   parameter FORMAT  = 18,
+  parameter SHIFT   = 0,
   parameter LATENCY = 0
 ) (
   input  wire                           clk,
@@ -22,6 +23,9 @@ module ffd_num_out #(
   generate
     if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_out_format_is_unknown u_error ();
+    end
+    if (SHIFT < 0 || SHIFT > 7) begin : gen_bad_shift
+      ERROR_ffd_num_out_shift_must_be_0_to_7 u_error ();
     end
   endgenerate
 
@@ -35,7 +39,7 @@ module ffd_num_out #(
       assign saturated = 1'b0;
       assign nan       = &sum_i[30:23] & |sum_i[22:0];
     end else begin : gen_fixed
-      localparam FRACTION = 2 * FORMAT - 3;
+      localparam FRACTION = 2 * FORMAT - 3 + SHIFT;
       localparam PAD      = FRACTION < 31 ? 31 - FRACTION : 0;
       localparam DROP     = FRACTION < 31 ? 0 : FRACTION - 31;
       localparam VALUE_W  = `FFD_SUM_W(FORMAT) - 1;

@@ -5,6 +5,13 @@
 
 // A vertex's way around the evaluator: {resident, buffer, bank, last, blank, status, tag}.
 `define FFD_USER_W 27
+`define FFD_USER_LAST 23
+
+// What a packet of vertices asks for; docs/interface.md section 2.
+`define FFD_RESULTS_POSITION    2'd0
+`define FFD_RESULTS_DERIVATIVES 2'd1
+`define FFD_RESULTS_DETERMINANT 2'd2
+`define FFD_RESULTS_BAD         2'd3
 
 // Events of the input, one pulse each; docs/interface.md section 5.
 `define FFD_EVENT_OPCODE       0

@@ -1,7 +1,7 @@
 // ffd_stream_decoder: packets become coefficients, control points and vertices
 //
 // A packet is a header beat and its payload, ended by tlast (docs/interface.md section 2):
-//   1 coefficients   12 beats, one a blending function
+//   1 coefficients   12 beats, one a blending function, or 24 with their derivatives
 //   2 lattice        a beat a control point
 //   3 vertices       count beats, one a vertex of the resident lattice
 //   4 interleaved    count vertices of 49 beats: the vertex, then its 64 points into a free slot
@@ -9,10 +9,10 @@
 // into use with the last beat. The header waits until no vertex inside reads them: vertices before
 // it see the old, after it the new.
 //
-// Bad input:  an unknown opcode, bad dimensions, and beats after a packet's end are dropped up to
-//             tlast. A tlast inside a vertex ends it: it goes on marked truncated. Banks and
-//             buffers cut short never come into use. Each event is a pulse of event_o (FFD_EVENT_*)
-//             with the packet's number since reset and the beat's in it.
+// Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
+//             are dropped up to tlast. A tlast inside a vertex ends it: it goes on marked
+//             truncated. Banks and buffers cut short never come into use. Each event is a pulse of
+//             event_o (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    coordinates and coefficients leave as weights of FORMAT; source {resident, slot or
 //             buffer}; changed: points or coefficients were loaded since the vertex before; user
 //             {resident, buffer, bank, that of ffd_stream_vertex}.
@@ -43,7 +43,7 @@ module ffd_stream_decoder #(
   input  wire                                            s_beat_last,
   output wire                                            load_o,
   output wire [1:0]                                      load_axis_o,
-  output wire [2:0]                                      load_address_o,
+  output wire [3:0]                                      load_address_o,
   output wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_o,
   output wire                                            lattice_write_o,
   output wire                                            lattice_buffer_o,
@@ -62,6 +62,7 @@ module ffd_stream_decoder #(
   output wire [SLOT_W:0]                                 m_vertex_source,
   output wire                                            m_vertex_bank,
   output wire                                            m_vertex_changed,
+  output wire [1:0]                                      m_vertex_results,
   output wire [`FFD_USER_W-1:0]                          m_vertex_user,
   input  wire                                            slot_free_i,
   input  wire                                            retire_i,
@@ -91,14 +92,17 @@ module ffd_stream_decoder #(
   reg  [1:0]  phase_q;
   reg  [31:0] count_q;
   reg         resident_q;
+  reg  [1:0]  results_q;
   wire        take            = s_beat_valid && s_beat_ready;
   wire        header          = take && state_q == HEADER;
   wire [7:0]  opcode          = s_beat_data[7:0];
   wire [31:0] count           = s_beat_data[63:32];
   wire        is_coefficients = opcode == OPCODE_COEFFICIENTS;
   wire        is_lattice      = opcode == OPCODE_LATTICE;
-  wire        is_vertices     = opcode == OPCODE_VERTICES;
-  wire        is_interleaved  = opcode == OPCODE_INTERLEAVED;
+  wire [1:0]  results         = s_beat_data[73:72];
+  wire        good_results    = results != `FFD_RESULTS_BAD;
+  wire        is_vertices     = opcode == OPCODE_VERTICES && good_results;
+  wire        is_interleaved  = opcode == OPCODE_INTERLEAVED && good_results;
   wire        known           = is_coefficients || is_lattice || is_vertices || is_interleaved;
   wire        last_phase      = phase_q == LAST_PHASE;
   wire        last_point      = &group_q && last_phase;
@@ -151,6 +155,7 @@ module ffd_stream_decoder #(
       if (state_q == HEADER) begin
         count_q    <= count;
         resident_q <= is_vertices;
+        results_q  <= results;
       end else if (finish) begin
         count_q <= count_q - 32'd1;
       end
@@ -180,6 +185,7 @@ module ffd_stream_decoder #(
   // ---- coefficients and lattice
 
   wire coefficients_loaded;
+  wire derivatives_loaded;
   ffd_stream_coefficients #(
     .FORMAT(FORMAT)
   ) u_coefficients (
@@ -194,7 +200,8 @@ module ffd_stream_decoder #(
     .load_address_o(load_address_o),
     .load_entry_o  (load_entry_o),
     .bank_o        (bank),
-    .loaded_o      (coefficients_loaded)
+    .loaded_o      (coefficients_loaded),
+    .derivatives_o (derivatives_loaded)
   );
 
   wire        lattice_loaded;
@@ -274,7 +281,9 @@ module ffd_stream_decoder #(
 
   wire [SLOT_W-1:0] buffer_source = {{(SLOT_W - 1) {1'b0}}, buffer};
   wire [23:0]       vertex_user;
-  wire              unloaded = !coefficients_loaded || (resident_q && !lattice_loaded);
+  wire              position = results_q == `FFD_RESULTS_POSITION;
+  wire              no_functions = !coefficients_loaded || (!position && !derivatives_loaded);
+  wire              unloaded = no_functions || (resident_q && !lattice_loaded);
   reg  [1:0]        lattice_user_q;
   wire              nan;
   wire              outside;
@@ -305,6 +314,7 @@ module ffd_stream_decoder #(
     .source_i            ({resident_q, resident_q ? buffer_source : slot_q}),
     .bank_i              (bank),
     .changed_i           (changed_q || !resident_q),
+    .results_i           (results_q),
     .cell_o              (slot_cell_o),
     .m_vertex_valid      (m_vertex_valid),
     .m_vertex_ready      (m_vertex_ready),
@@ -313,6 +323,7 @@ module ffd_stream_decoder #(
     .m_vertex_source     (m_vertex_source),
     .m_vertex_bank       (m_vertex_bank),
     .m_vertex_changed    (m_vertex_changed),
+    .m_vertex_results    (m_vertex_results),
     .m_vertex_user       (vertex_user),
     .nan_o               (nan),
     .outside_o           (outside),
@@ -334,7 +345,7 @@ module ffd_stream_decoder #(
   assign event_o[`FFD_EVENT_OPCODE]       = header && !known;
   assign event_o[`FFD_EVENT_SHORT]        = ends_short;
   assign event_o[`FFD_EVENT_LONG]         = take && state_q == DONE;
-  assign event_o[`FFD_EVENT_COEFFICIENTS] = finish && !coefficients_loaded;
+  assign event_o[`FFD_EVENT_COEFFICIENTS] = finish && no_functions;
   assign event_o[`FFD_EVENT_LATTICE]      = finish && resident_q && !lattice_loaded;
   assign event_o[`FFD_EVENT_DIMENSIONS]   = header && is_lattice && !good_lattice;
   assign event_o[`FFD_EVENT_CELL]         = cell_outside;

@@ -1,7 +1,8 @@
 // ffd_stream_encoder: a result becomes a beat {status, tag, z, y, x}
 //
 // Status bits (docs/interface.md section 4): 0 saturated, 1 clamped, 2 NaN, 3 outside, 4 truncated,
-// 5 unloaded; the rest is 0. A blank vertex gives blank coordinates (canonical NaN, or 0 in fixed
+// 5 unloaded, 6 folded: det J, which is the word x of its result, is not positive; the rest is 0. A
+// blank vertex gives blank coordinates (canonical NaN, or 0 in fixed
 // point), never what the datapath made of half a vertex.
 //
 // Pipeline:   combinational, between the result queue and the output's skid buffer.
@@ -16,6 +17,7 @@ module ffd_stream_encoder #(
 ) (
   input  wire [95:0]  words_i,
   input  wire [1:0]   flags_i,
+  input  wire         determinant_i,
   input  wire [22:0]  user_i,
   output wire [127:0] beat_o
 );
@@ -24,7 +26,10 @@ module ffd_stream_encoder #(
   wire       full  = flags_i[0] && !blank;
   wire [5:0] found = {3'd0, nan, 1'b0, full};
 
-  assign beat_o = {10'd0, user_i[21:16] | found, user_i[15:0],
+  // The words of both kinds of format have their sign in front, and only one for zero.
+  wire       folded = determinant_i && !blank && (words_i[31] || words_i[31:0] == 32'd0);
+
+  assign beat_o = {9'd0, folded, user_i[21:16] | found, user_i[15:0],
                    blank ? {3{`FFD_BLANK_WORD(FORMAT)}} : words_i};
 endmodule
 

@@ -4,8 +4,9 @@
 // them into the lattice, passes them or blanks the result. A cell of the resident lattice is always
 // brought inside, whatever the mode: nothing reads beyond the lattice.
 //
-// Formats:    coordinates {u, t, s} as weights of FORMAT; user {last, blank, status, tag},
-//             status {unloaded, truncated, outside, NaN, clamped, 0}.
+// Formats:    coordinates {u, t, s} as weights of FORMAT; results FFD_RESULTS_*;
+//             user {last, blank, status, tag}, status {unloaded, truncated, outside, NaN, clamped,
+//             0}.
 // Pipeline:   an interleaved vertex waits here for its points; the vertex is offered in the clock
 //             after finish_i.
 // Freezes:    finish_i only while no vertex is offered, or the one that is is taken.
@@ -33,6 +34,7 @@ module ffd_stream_vertex #(
   input  wire [SOURCE_W-1:0]                 source_i,
   input  wire                                bank_i,
   input  wire                                changed_i,
+  input  wire [1:0]                          results_i,
   output wire [11:0]                         cell_o,
   output reg                                 m_vertex_valid,
   input  wire                                m_vertex_ready,
@@ -41,6 +43,7 @@ module ffd_stream_vertex #(
   output reg  [SOURCE_W-1:0]                 m_vertex_source,
   output reg                                 m_vertex_bank,
   output reg                                 m_vertex_changed,
+  output reg  [1:0]                          m_vertex_results,
   output reg  [23:0]                         m_vertex_user,
   output wire                                nan_o,
   output wire                                outside_o,
@@ -137,6 +140,7 @@ module ffd_stream_vertex #(
       m_vertex_source      <= source_i;
       m_vertex_bank        <= bank_i;
       m_vertex_changed     <= changed_i;
+      m_vertex_results     <= results_i;
       m_vertex_user        <= {last_i, blank, status, now_tag};
     end
   end

@@ -1,8 +1,8 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
-// Packets in (coefficients, lattices, vertices, vertices with their control points), one result
-// beat a vertex out, in order: docs/interface.md. Every ready, valid and data bit of the streams
-// leaves a register.
+// Packets in (coefficients, lattices, vertices, vertices with their control points), result beats
+// out, one a vertex or with its derivatives four, in order: docs/interface.md. Every ready, valid
+// and data bit of the streams leaves a register.
 //
 // Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface.md,
 //             section 3).
@@ -12,7 +12,7 @@
 //             event_o has a pulse for each kind (ffd_stream.vh), for registers; idle_o is 1 when no
 //             packet is under way and no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
-//             lattice; IN_FLIGHT a power of two >= 2, the most vertices inside.
+//             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -56,7 +56,8 @@ module hwffd_stream #(
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
   localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
-  localparam SOURCE_W     = SLOT_W + 1;
+  localparam SOURCE_W     = SLOT_W + 1;  // of a vertex; of an evaluation one more
+  localparam USER_W       = `FFD_USER_W; // of a vertex; of an evaluation one more
 
   wire clk = aclk;
   wire rst = !aresetn;
@@ -81,7 +82,7 @@ module hwffd_stream #(
 
   wire                              load;
   wire [1:0]                        load_axis;
-  wire [2:0]                        load_address;
+  wire [3:0]                        load_address;
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
   wire                              lattice_write;
   wire                              lattice_buffer;
@@ -100,9 +101,17 @@ module hwffd_stream #(
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
   wire                              vertex_changed;
-  wire [`FFD_USER_W-1:0]            vertex_user;
+  wire [1:0]                        vertex_results;
+  wire [USER_W-1:0]                 vertex_user;
+  wire                              part_valid;
+  wire                              part_ready;
+  wire [SOURCE_W:0]                 part_source;
+  wire [5:0]                        part_bank;
+  wire [1:0]                        part_column;
+  wire [USER_W:0]                   part_user;
   wire                              read;
   wire                              read_last;
+  wire                              read_again;
   wire [SOURCE_W-1:0]               read_source;
   wire [11:0]                       read_cell;
   wire [5:0]                        read_index;
@@ -111,10 +120,13 @@ module hwffd_stream #(
   wire                              result_ready;
   wire [95:0]                       result_words;
   wire [1:0]                        result_flags;
-  wire [`FFD_USER_W-1:0]            result_user;
+  wire                              result_determinant;
+  wire                              result_final;
+  wire [USER_W-1:0]                 result_user;
   wire [127:0]                      result_beat;
   wire                              decoder_idle;
-  wire                              retire = result_valid && result_ready;
+  wire                              leave  = result_valid && result_ready;
+  wire                              retire = leave && result_final;
 
   ffd_stream_decoder #(
     .FORMAT   (FORMAT),
@@ -149,14 +161,36 @@ module hwffd_stream #(
     .m_vertex_source     (vertex_source),
     .m_vertex_bank       (vertex_bank),
     .m_vertex_changed    (vertex_changed),
+    .m_vertex_results    (vertex_results),
     .m_vertex_user       (vertex_user),
-    .slot_free_i         (read_last && !read_source[SLOT_W]),
+    .slot_free_i         (read_last && !read_again && !read_source[SLOT_W]),
     .retire_i            (retire),
-    .retire_user_i       (result_user[`FFD_USER_W-1 -: 3]),
+    .retire_user_i       (result_user[USER_W-1 -: 3]),
     .event_o             (event_o[`FFD_EVENTS-1:0]),
     .event_packet_o      (event_packet_o),
     .event_beat_o        (event_beat_o),
     .idle_o              (decoder_idle)
+  );
+
+  ffd_stream_derivatives #(
+    .SOURCE_W(SOURCE_W),
+    .USER_W  (USER_W),
+    .LAST    (`FFD_USER_LAST)
+  ) u_derivatives (
+    .clk             (clk),
+    .rst             (rst),
+    .s_vertex_valid  (vertex_valid),
+    .s_vertex_ready  (vertex_ready),
+    .s_vertex_source (vertex_source),
+    .s_vertex_bank   (vertex_bank),
+    .s_vertex_results(vertex_results),
+    .s_vertex_user   (vertex_user),
+    .m_vertex_valid  (part_valid),
+    .m_vertex_ready  (part_ready),
+    .m_vertex_source (part_source),
+    .m_vertex_bank   (part_bank),
+    .m_vertex_column (part_column),
+    .m_vertex_user   (part_user)
   );
 
   ffd_cache_points #(
@@ -193,8 +227,8 @@ module hwffd_stream #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SOURCE_W),
-    .USER_W         (`FFD_USER_W),
+    .SOURCE_W       (SOURCE_W + 1),
+    .USER_W         (USER_W + 1),
     .IN_FLIGHT      (IN_FLIGHT)
   ) u_evaluator (
     .clk                 (clk),
@@ -203,17 +237,18 @@ module hwffd_stream #(
     .load_axis_i         (load_axis),
     .load_address_i      (load_address),
     .load_entry_i        (load_entry),
-    .s_vertex_valid      (vertex_valid),
-    .s_vertex_ready      (vertex_ready),
+    .s_vertex_valid      (part_valid),
+    .s_vertex_ready      (part_ready),
     .s_vertex_coordinates(vertex_coordinates),
     .s_vertex_cell       (vertex_cell),
-    .s_vertex_source     (vertex_source),
-    .s_vertex_bank       (vertex_bank),
+    .s_vertex_source     (part_source),
+    .s_vertex_bank       (part_bank),
     .s_vertex_changed    (vertex_changed),
-    .s_vertex_user       (vertex_user),
+    .s_vertex_column     (part_column),
+    .s_vertex_user       (part_user),
     .read_o              (read),
     .read_last_o         (read_last),
-    .read_source_o       (read_source),
+    .read_source_o       ({read_again, read_source}),
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points),
@@ -221,16 +256,18 @@ module hwffd_stream #(
     .m_result_ready      (result_ready),
     .m_result_words      (result_words),
     .m_result_flags      (result_flags),
-    .m_result_user       (result_user)
+    .m_result_determinant(result_determinant),
+    .m_result_user       ({result_final, result_user})
   );
 
   ffd_stream_encoder #(
     .FORMAT(FORMAT)
   ) u_encoder (
-    .words_i(result_words),
-    .flags_i(result_flags),
-    .user_i (result_user[22:0]),
-    .beat_o (result_beat)
+    .words_i      (result_words),
+    .flags_i      (result_flags),
+    .determinant_i(result_determinant),
+    .user_i       (result_user[22:0]),
+    .beat_o       (result_beat)
   );
 
   ffd_stream_skid #(
@@ -240,13 +277,13 @@ module hwffd_stream #(
     .rst         (rst),
     .s_beat_valid(result_valid),
     .s_beat_ready(result_ready),
-    .s_beat_data ({result_user[23], result_beat}),
+    .s_beat_data ({result_user[`FFD_USER_LAST], result_beat}),
     .m_beat_valid(m_axis_tvalid),
     .m_beat_ready(m_axis_tready),
     .m_beat_data ({m_axis_tlast, m_axis_tdata})
   );
 
-  assign event_o[`FFD_EVENT_SATURATED] = retire && result_flags[0] && !result_user[22];
+  assign event_o[`FFD_EVENT_SATURATED] = leave && result_flags[0] && !result_user[22];
   assign idle_o = decoder_idle && !in_valid && !m_axis_tvalid;
 
   wire unused_ok = &{1'b0, read};

@@ -26,7 +26,7 @@ module ffd_bench_evaluator #(
   input  wire         rst,
   input  wire         load_i,
   input  wire [1:0]   load_axis_i,
-  input  wire [2:0]   load_address_i,
+  input  wire [3:0]   load_address_i,
   input  wire [1:0]   load_shift_i,
   input  wire [127:0] load_words_i,
   input  wire         write_i,
@@ -38,7 +38,7 @@ module ffd_bench_evaluator #(
   input  wire [95:0]  s_vertex_words,
   input  wire [11:0]  s_vertex_cell,
   input  wire [7:0]   s_vertex_support,
-  input  wire         s_vertex_bank,
+  input  wire [5:0]   s_vertex_bank,
   input  wire         s_vertex_changed,
   input  wire [15:0]  s_vertex_tag,
   output wire         m_result_valid,
@@ -90,6 +90,7 @@ module ffd_bench_evaluator #(
     if (write_i) support_q[{write_support_i, write_index_i}] <= point;
   end
 
+  wire        determinant;
   wire        read;
   wire        read_last;
   wire [7:0]  read_support;
@@ -141,6 +142,7 @@ module ffd_bench_evaluator #(
     .s_vertex_source     (s_vertex_support),
     .s_vertex_bank       (s_vertex_bank),
     .s_vertex_changed    (s_vertex_changed),
+    .s_vertex_column     (2'd0),
     .s_vertex_user       (s_vertex_tag),
     .read_o              (read),
     .read_last_o         (read_last),
@@ -152,10 +154,11 @@ module ffd_bench_evaluator #(
     .m_result_ready      (m_result_ready),
     .m_result_words      (m_result_words),
     .m_result_flags      (m_result_flags),
+    .m_result_determinant(determinant),
     .m_result_user       (m_result_tag)
   );
 
-  wire unused_ok = &{1'b0, read, read_last, read_cell};
+  wire unused_ok = &{1'b0, determinant, read, read_last, read_cell};
 endmodule
 
 `default_nettype wire

@@ -9,6 +9,8 @@ namespace hwffd::tb {
 namespace {
 
 constexpr std::uint64_t kStallLimit = 20'000;  // clocks without a result
+constexpr unsigned kDerivative = 2;            // of an axis's {derivative, bank}
+constexpr int kDerivativeAddress = 8;          // of {derivative, bank, function}
 
 EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) {
   EvaluatorCore::Vertex pins;
@@ -18,6 +20,9 @@ EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) 
   }
   pins.support = vertex.support;
   pins.changed = index == 0;  // supports are written before a run
+  if (vertex.derivative >= 0) {
+    pins.bank = static_cast<std::uint8_t>(kDerivative << (2 * vertex.derivative));
+  }
   pins.tag = static_cast<std::uint16_t>(index);
   return pins;
 }
@@ -34,8 +39,11 @@ EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model
   core_.drive_reset(false);
   for (int axis = 0; axis < 3; ++axis) {
     for (int f = 0; f < 4; ++f) {
-      core_.load(axis, 0, f, blending.shift, blending.word[f]);
+      core_.load(axis, f, blending.shift, blending.word[f]);
       model_.load(0, axis, f, 3, blending.shift, blending.word[f]);
+      const DerivativeWords& derivative = blending.derivative;
+      core_.load(axis, kDerivativeAddress + f, derivative.shift, derivative.word[f]);
+      model_.load_derivative(0, axis, f, 3, derivative.shift, derivative.word[f]);
     }
   }
 }
@@ -97,8 +105,9 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
     const EvaluatorCore::Result& got = results_[first + v];
-    const model::ResultWords expected =
-        model_.evaluate(0, {vertex.local, vertex.cell, stimulus.supports[vertex.support]});
+    model::VertexWords words{vertex.local, vertex.cell, stimulus.supports[vertex.support]};
+    words.derivative = vertex.derivative;
+    const model::ResultWords expected = model_.evaluate(0, words);
     const auto tag = static_cast<std::uint16_t>(v);
     ++checked_;
     if (got.words == expected.words && got.saturated == expected.saturated &&

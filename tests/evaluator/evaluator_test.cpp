@@ -69,6 +69,15 @@ TEST_P(Evaluator, BitsUnderRandomStalls) {
   expect_no_mismatch(2 * stimulus.vertices.size());
 }
 
+// Each vertex with the derivative functions of one axis, or of none: the position.
+TEST_P(Evaluator, DerivativesUnderRandomStalls) {
+  auto stimulus = tb::random_stimulus(codec_, 240, tb::seed_from_environment(2));
+  tb::Random random(5);
+  for (auto& vertex : stimulus.vertices) vertex.derivative = static_cast<int>(random.below(4)) - 1;
+  bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
+  expect_no_mismatch(stimulus.vertices.size());
+}
+
 // A barrel of contexts spreads its starts within its round, so the interval is counted over a
 // multiple of every number of contexts in the table.
 TEST_P(Evaluator, IntervalEqualsTheFormula) {

@@ -31,7 +31,7 @@ module formal_stream_decoder #(
 );
   wire                                       s_ready;
   wire                                       load;
-  wire [2:0]                                 load_address;
+  wire [3:0]                                 load_address;
   wire                                       lattice_write;
   wire                                       lattice_buffer;
   wire [11:0]                                lattice_at;
@@ -42,6 +42,7 @@ module formal_stream_decoder #(
   wire [11:0]                                m_cell;
   wire [SLOT_W:0]                            m_source;
   wire                                       m_bank;
+  wire [1:0]                                 m_results;
   wire [`FFD_USER_W-1:0]                     m_user;
   wire                                       idle;
   wire                                       m_ready;
@@ -74,6 +75,7 @@ module formal_stream_decoder #(
     .m_vertex_cell       (m_cell),
     .m_vertex_source     (m_source),
     .m_vertex_bank       (m_bank),
+    .m_vertex_results    (m_results),
     .m_vertex_user       (m_user),
     .slot_free_i         (free),
     .retire_i            (retire),
@@ -147,6 +149,7 @@ module formal_stream_decoder #(
   reg         first_q = 1'b1;
   reg         header_q;          // the next beat is a header
   reg [2:0]   opcode_q;          // 0: dropped
+  reg         twice_q;           // derivatives behind the coefficients
   reg [31:0]  left_q;            // vertices to come
   reg [5:0]   at_q;              // beats of the vertex, or of the coefficients, so far
   reg         offer_q;           // a vertex is to be offered
@@ -167,7 +170,7 @@ module formal_stream_decoder #(
   wire        vertex   = left_q != 0
                       && (opcode_q == 3 || (opcode_q == 4 && (at_q == 48 || s_last)));
   wire        finish   = take && !header_q && vertex;
-  wire        complete = take && !header_q && opcode_q == 1 && at_q == 11;
+  wire        complete = take && !header_q && opcode_q == 1 && at_q == (twice_q ? 23 : 11);
   wire        filled   = take && !header_q && opcode_q == 2 && lattice_at == size_q;
   wire        willing  = want_vertex && want_free && want_retire;
 
@@ -199,8 +202,9 @@ module formal_stream_decoder #(
     if (filled && !buffer_q) size_1_q <= size_q;
     if (filled && buffer_q) size_0_q <= size_q;
     if (take && header_q) begin
-      opcode_q <= opcode == 1 || opcode == 3 || opcode == 4 || (opcode == 2 && good) ? opcode[2:0]
-                                                                                    : 3'd0;
+      opcode_q <= opcode == 1 || (opcode == 2 && good)
+               || ((opcode == 3 || opcode == 4) && s_data[73:72] != 3) ? opcode[2:0] : 3'd0;
+      twice_q  <= s_data[95];
       left_q   <= s_data[63:32];
       at_q     <= 0;
       size_q   <= size;
@@ -217,9 +221,9 @@ module formal_stream_decoder #(
   // ---- one clock before
   reg                                        rst_q;
   reg                                        held_q;
-  reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+`FFD_USER_W-1:0] held_vertex_q;
-  wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+`FFD_USER_W-1:0] held_vertex =
-    {m_coordinates, m_cell, m_source, m_bank, m_user};
+  reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+2+`FFD_USER_W-1:0] held_vertex_q;
+  wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+2+`FFD_USER_W-1:0] held_vertex =
+    {m_coordinates, m_cell, m_source, m_bank, m_results, m_user};
   always @(posedge clk) begin
     rst_q         <= rst;
     held_q        <= m_valid && !m_ready && !rst;
@@ -261,6 +265,8 @@ module formal_stream_decoder #(
   (* hierconn *) wire [1:0] \u_dut.phase_q ;
   (* hierconn *) wire       \u_dut.u_coefficients.bank_q ;
   (* hierconn *) wire [3:0] \u_dut.u_coefficients.function_q ;
+  (* hierconn *) wire       \u_dut.u_coefficients.twice_q ;
+  (* hierconn *) wire       \u_dut.u_coefficients.derivative_q ;
   (* hierconn *) wire       \u_dut.u_lattice.buffer_q ;
   (* hierconn *) wire       \u_dut.u_lattice.loaded_q ;
   (* hierconn *) wire [3:0] \u_dut.u_lattice.gen_axis[0].top_q ;
@@ -277,10 +283,14 @@ module formal_stream_decoder #(
   wire same_left = is_vertex && left_q != 0 && \u_dut.count_q == left_q
                 && \u_dut.resident_q == (opcode_q == 3);
   wire [5:0] point = {\u_dut.group_q , 1'b0} + \u_dut.group_q + \u_dut.phase_q + 1'b1;
+  wire [5:0] function_at = (\u_dut.u_coefficients.derivative_q ? 6'd12 : 6'd0)
+                         + \u_dut.u_coefficients.function_q ;
   always @* begin
     case (\u_dut.state_q )
       3'd0: same_state = header_q;
-      3'd1: same_state = opcode_q == 1 && at_q == \u_dut.u_coefficients.function_q && at_q < 12;
+      3'd1: same_state = opcode_q == 1 && at_q == function_at && \u_dut.u_coefficients.function_q < 12
+                      && \u_dut.u_coefficients.twice_q == twice_q
+                      && (twice_q || !\u_dut.u_coefficients.derivative_q );
       3'd2: same_state = opcode_q == 2;
       3'd3: same_state = same_left && (opcode_q == 3 || at_q == 0);
       3'd4: same_state = same_left && opcode_q == 4 && at_q == point && \u_dut.phase_q < 3;

@@ -95,8 +95,8 @@ class Make(Checkout):
             self.assertTrue(lines[-1].startswith("ctest "), lines)
             self.assertTrue(lines[-1].endswith(f" -L {label}"), lines)
 
-    def test_words_and_embed_build_one_program_and_run_it(self):
-        for name in ("words", "embed"):
+    def test_words_embed_and_tangents_build_one_program_and_run_it(self):
+        for name in ("words", "embed", "tangents"):
             self.script(f"build/apps/hwffd-{name}", f'echo "{name}<$*>"')
             lines = self.run_here("make", name).stdout.splitlines()
             self.assertTrue(lines[-2].endswith(f" --target hwffd-{name}"), lines)

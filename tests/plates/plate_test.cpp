@@ -38,6 +38,10 @@ class FaultyDevice final : public Device {
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override {
     return model_->evaluate(vertices, blending);
   }
+  Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) override {
+    return model_->tangents(lattice, vertices, blending);
+  }
 
  private:
   std::unique_ptr<Device> model_ = make_device({"model"});

@@ -148,7 +148,7 @@ std::vector<Beat> spoiled(std::vector<Beat> packet, tb::Random& random) {
           (packet[0].words[0] & ~0xFFU) | static_cast<std::uint8_t>(random.below(256));
       break;
     case 3:
-      packet[0].words[2] = random.word() & 0x1F1F1F1F;
+      packet[0].words[2] = random.word() & 0x9F1F1F1F;
       break;
     default:
       packet[0].words[1] = static_cast<std::uint32_t>(random.below(3));
@@ -163,9 +163,12 @@ std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int
   for (int p = 0; p < packets; ++p) {
     std::vector<Beat> packet;
     const auto mode = static_cast<OutsideMode>(random.below(4));
+    const auto results = static_cast<Results>(random.below(3));
     switch (random.below(4)) {
       case 0:
-        packet = coefficients_packet(random_coefficients(codec, random));
+        packet = coefficients_packet(
+            random_coefficients(codec, random),
+            random.chance(0.8) ? Functions::kDerivativesToo : Functions::kBlending);
         break;
       case 1: {
         const LatticeWords lattice = random_lattice(codec, random, 6);
@@ -174,12 +177,12 @@ std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int
         break;
       }
       case 2:
-        packet =
-            vertices_packet(random_vertices(codec, random, dims, random.between(1, 9), true), mode);
+        packet = vertices_packet(random_vertices(codec, random, dims, random.between(1, 9), true),
+                                 mode, results);
         break;
       default:
-        packet =
-            interleaved_packet({extreme_vertex(codec, random), corner_vertex(codec, random)}, mode);
+        packet = interleaved_packet({extreme_vertex(codec, random), corner_vertex(codec, random)},
+                                    mode, results);
     }
     if (random.chance(0.25)) packet = spoiled(std::move(packet), random);
     beats.insert(beats.end(), packet.begin(), packet.end());
@@ -192,8 +195,11 @@ std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random&
   for (AxisWords& axis : axes) {
     axis.degree = static_cast<int>(random.below(4));
     axis.shift = static_cast<int>(random.below(4));
-    for (auto& function : axis.word) {
-      for (std::uint32_t& word : function) word = codec.coefficient(2 * random.unit() - 1, 0);
+    axis.derivative.shift = static_cast<int>(random.below(4));
+    for (auto* words : {&axis.word, &axis.derivative.word}) {
+      for (auto& function : *words) {
+        for (std::uint32_t& word : function) word = codec.coefficient(2 * random.unit() - 1, 0);
+      }
     }
   }
   return axes;

@@ -42,7 +42,8 @@ std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int
 /// A packet with something wrong: cut short, too long, of unknown opcode, or with a spoiled header.
 std::vector<Beat> spoiled(std::vector<Beat> packet, tb::Random& random);
 
-/// Coefficients, degrees and shifts at random: every bit of the coefficient file is used.
+/// Coefficients of functions and derivatives, degrees and shifts at random: every bit of the
+/// coefficient file is used.
 std::array<AxisWords, 3> random_coefficients(const WordCodec& codec, tb::Random& random);
 
 }  // namespace hwffd::test

@@ -57,7 +57,9 @@ void SystemRun::send(const std::vector<Beat>& beats) {
   bench_->expect(model_.run(beats));
 }
 
-void SystemRun::send_bspline() { send(coefficients_packet(watertight_bspline(codec_), codec_)); }
+void SystemRun::send_bspline() {
+  send(coefficients_packet(watertight_bspline(codec_), codec_, Functions::kDerivativesToo));
+}
 
 void SystemRun::reset(std::uint64_t cycles) {
   model_.reset();

@@ -44,7 +44,7 @@ class SystemRun {
 
   /// Appends packets to the command stream, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& beats);
-  /// Coefficients of the uniform B-spline.
+  /// Coefficients of the uniform B-spline and of its derivative.
   void send_bspline();
   /// Runs to the end; the failure is the bench's report.
   ::testing::AssertionResult run();

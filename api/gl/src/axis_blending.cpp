@@ -25,13 +25,4 @@ AxisBlending AxisBlending::bernstein(int degree) {
   return AxisBlending(degree, functions);
 }
 
-AxisBlending AxisBlending::derivative() const {
-  AxisBlending derived = *this;
-  for (int power = 0; power < kMaxDegree; ++power) {
-    derived.coefficients_.col(power) = (power + 1) * coefficients_.col(power + 1);
-  }
-  derived.coefficients_.col(kMaxDegree).setZero();
-  return derived;
-}
-
 }  // namespace hwffd::gl

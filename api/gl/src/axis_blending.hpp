@@ -29,9 +29,6 @@ class AxisBlending {
   /// Whether a device has room for an axis of so many points.
   bool fits(int points) const { return cells(points) >= 1 && cells(points) <= kMaxCells; }
 
-  /// The functions' derivatives, as many functions.
-  AxisBlending derivative() const;
-
  private:
   int degree_;
   Oracle::Coefficients coefficients_;

@@ -14,6 +14,10 @@ Eigen::Vector3d projected(const Eigen::Vector4d& slope, const Eigen::Vector4d& p
   return slope.head<3>() * position[3] - position.head<3>() * slope[3];
 }
 
+Device::Blending functions_of(const VolumeBlending& blending) {
+  return {blending[0].coefficients(), blending[1].coefficients(), blending[2].coefficients()};
+}
+
 }  // namespace
 
 ControlGrid::ControlGrid(const Index3& points, int components)
@@ -61,47 +65,58 @@ Lattice ControlGrid::lattice(int first_component, const VolumeBlending& blending
 
 ControlGrid::Values ControlGrid::evaluate(Device& device, const std::vector<Embedded>& vertices,
                                           const VolumeBlending& blending) const {
-  const Device::Blending functions{blending[0].coefficients(), blending[1].coefficients(),
-                                   blending[2].coefficients()};
   Values values(static_cast<Eigen::Index>(vertices.size()), components_);
   for (int first = 0; first < components_; first += 3) {
     const int count = std::min(3, components_ - first);
-    const Points sums = weighted_sums(device, lattice(first, blending), vertices, functions);
+    const Points sums =
+        weighted_sums(device, lattice(first, blending), vertices, functions_of(blending));
     values.middleCols(first, count) = sums.leftCols(count);
   }
   return values;
 }
 
-ControlGrid::Values ControlGrid::slope(Device& device, const std::vector<Embedded>& vertices,
-                                       const VolumeBlending& blending, int axis) const {
-  VolumeBlending along = blending;
-  along[axis] = blending[axis].derivative();
-  return evaluate(device, vertices, along);
+ControlGrid::Slopes ControlGrid::slopes(Device& device, const std::vector<Embedded>& vertices,
+                                        const VolumeBlending& blending) const {
+  const auto rows = static_cast<Eigen::Index>(vertices.size());
+  Slopes slopes{Values(rows, components_), {}};
+  slopes.along.fill(Values(rows, components_));
+  for (int first = 0; first < components_; first += 3) {
+    const int count = std::min(3, components_ - first);
+    const Device::Tangents part =
+        weighted_tangents(device, lattice(first, blending), vertices, functions_of(blending));
+    slopes.value.middleCols(first, count) = part.positions.leftCols(count);
+    for (Eigen::Index v = 0; v < rows; ++v) {
+      const Eigen::Matrix3d& jacobian = part.jacobians[static_cast<std::size_t>(v)];
+      for (int axis = 0; axis < 3; ++axis) {
+        slopes.along[axis].row(v).segment(first, count) =
+            jacobian.col(axis).head(count).transpose();
+      }
+    }
+  }
+  return slopes;
 }
 
 ControlGrid::Values ControlGrid::derivatives(Device& device, const std::vector<Embedded>& vertices,
                                              const VolumeBlending& blending) const {
-  Values all(static_cast<Eigen::Index>(vertices.size()), 9);
+  const Slopes all = slopes(device, vertices, blending);
+  Values columns(static_cast<Eigen::Index>(vertices.size()), 9);
   for (int axis = 0; axis < 3; ++axis) {
-    all.middleCols<3>(3 * axis) = slope(device, vertices, blending, axis).leftCols<3>();
+    columns.middleCols<3>(3 * axis) = all.along[axis].leftCols<3>();
   }
-  return all;
+  return columns;
 }
 
 ControlGrid::Values ControlGrid::sheet_normals(Device& device,
                                                const std::vector<Embedded>& vertices,
                                                const VolumeBlending& blending) const {
-  const Values along_u = slope(device, vertices, blending, 0);
-  const Values along_v = slope(device, vertices, blending, 1);
-  const Values position =
-      components_ == 4 ? evaluate(device, vertices, blending) : Values(along_u.rows(), 0);
-  Values normals(along_u.rows(), 3);
+  const Slopes all = slopes(device, vertices, blending);
+  Values normals(all.value.rows(), 3);
   for (Eigen::Index v = 0; v < normals.rows(); ++v) {
-    Eigen::Vector3d du = along_u.row(v).head<3>();
-    Eigen::Vector3d dv = along_v.row(v).head<3>();
+    Eigen::Vector3d du = all.along[0].row(v).head<3>();
+    Eigen::Vector3d dv = all.along[1].row(v).head<3>();
     if (components_ == 4) {
-      du = projected(along_u.row(v), position.row(v));
-      dv = projected(along_v.row(v), position.row(v));
+      du = projected(all.along[0].row(v), all.value.row(v));
+      dv = projected(all.along[1].row(v), all.value.row(v));
     }
     const Eigen::Vector3d normal = du.cross(dv);
     normals.row(v) = normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : normal;

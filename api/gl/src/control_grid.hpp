@@ -49,9 +49,15 @@ class ControlGrid {
                      const VolumeBlending& blending) const;
 
  private:
+  /// Values and their derivatives along the axes of the cell, n x components each.
+  struct Slopes {
+    Values value;
+    std::array<Values, 3> along;
+  };
+
   Lattice lattice(int first_component, const VolumeBlending& blending) const;
-  Values slope(Device& device, const std::vector<Embedded>& vertices,
-               const VolumeBlending& blending, int axis) const;
+  Slopes slopes(Device& device, const std::vector<Embedded>& vertices,
+                const VolumeBlending& blending) const;
 
   Index3 points_;
   int components_;

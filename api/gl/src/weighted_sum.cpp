@@ -25,39 +25,67 @@ double scale_of(const Oracle::Coefficients& functions) {
   return std::ldexp(1.0, exponent);
 }
 
-void clamp(std::vector<Embedded>& vertices) {
+std::vector<Embedded> clamped(std::vector<Embedded> vertices) {
   for (Embedded& vertex : vertices) vertex.local = vertex.local.cwiseMax(0.0).cwiseMin(1.0);
+  return vertices;
 }
+
+bool all_sum_to_one(const Device::Blending& blending) {
+  return sum_to_one(blending[0]) && sum_to_one(blending[1]) && sum_to_one(blending[2]);
+}
+
+/// What a device can evaluate in place of functions that do not sum to 1.
+struct Centred {
+  Lattice lattice;
+  Device::Blending blending;
+  double scale = 1;
+  Support centre;  ///< the lattice's, 64 times: what was taken away from any support
+
+  Centred(const Lattice& from, const Device::Blending& functions)
+      : lattice(from), blending(functions) {
+    for (Oracle::Coefficients& axis : blending) {
+      const double by = sum_to_one(axis) ? 1.0 : scale_of(axis);
+      axis /= by;
+      scale *= by;
+    }
+    const Eigen::RowVector3d low = from.points().colwise().minCoeff();
+    const Eigen::RowVector3d high = from.points().colwise().maxCoeff();
+    centre.rowwise() = (low + high) / 2;
+    lattice = Lattice(from.dims(), from.points().rowwise() - centre.row(0));
+  }
+};
 
 }  // namespace
 
-Points weighted_sums(Device& device, const Lattice& lattice, std::vector<Embedded> vertices,
+Points weighted_sums(Device& device, const Lattice& lattice, const std::vector<Embedded>& vertices,
                      const Device::Blending& blending) {
-  clamp(vertices);
-  if (sum_to_one(blending[0]) && sum_to_one(blending[1]) && sum_to_one(blending[2])) {
-    return device.evaluate(lattice, vertices, blending);
-  }
-  Device::Blending scaled = blending;
-  double scale = 1;
-  for (Oracle::Coefficients& axis : scaled) {
-    const double by = sum_to_one(axis) ? 1.0 : scale_of(axis);
-    axis /= by;
-    scale *= by;
-  }
-  const Eigen::RowVector3d low = lattice.points().colwise().minCoeff();
-  const Eigen::RowVector3d high = lattice.points().colwise().maxCoeff();
-  const Eigen::RowVector3d centre = (low + high) / 2;
-  const Points centred = lattice.points().rowwise() - centre;
-  Points sums = device.evaluate(Lattice(lattice.dims(), centred), vertices, scaled) * scale;
+  const std::vector<Embedded> places = clamped(vertices);
+  if (all_sum_to_one(blending)) return device.evaluate(lattice, places, blending);
+  const Centred centred(lattice, blending);
+  Points sums = device.evaluate(centred.lattice, places, centred.blending) * centred.scale;
   const Oracle oracle(blending[0], blending[1], blending[2]);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    double weight = 1;
-    for (const Oracle::Axis axis : {Oracle::kS, Oracle::kT, Oracle::kU}) {
-      weight *= oracle.blending(axis, vertices[v].local[axis]).sum();
-    }
-    sums.row(static_cast<Eigen::Index>(v)) += weight * centre;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    sums.row(static_cast<Eigen::Index>(v)) +=
+        oracle.jet(centred.centre, places[v].local).value.transpose();
   }
   return sums;
+}
+
+Device::Tangents weighted_tangents(Device& device, const Lattice& lattice,
+                                   const std::vector<Embedded>& vertices,
+                                   const Device::Blending& blending) {
+  const std::vector<Embedded> places = clamped(vertices);
+  if (all_sum_to_one(blending)) return device.tangents(lattice, places, blending);
+  const Centred centred(lattice, blending);
+  Device::Tangents tangents = device.tangents(centred.lattice, places, centred.blending);
+  const Oracle oracle(blending[0], blending[1], blending[2]);
+  tangents.positions *= centred.scale;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const Oracle::Jet mend = oracle.jet(centred.centre, places[v].local);
+    tangents.positions.row(static_cast<Eigen::Index>(v)) += mend.value.transpose();
+    tangents.jacobians[v] = tangents.jacobians[v] * centred.scale + mend.jacobian;
+  }
+  return tangents;
 }
 
 }  // namespace hwffd::gl

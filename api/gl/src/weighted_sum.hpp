@@ -4,13 +4,18 @@
 
 namespace hwffd::gl {
 
-/// Eq. (1) on a device, also for blending functions that do not sum to 1 (derivatives, tangents of
-/// Hermite curves). A device in fixed point takes the lattice's centre away and adds it to the
-/// sum, which is right only of weights that sum to 1, and holds no sum beyond the lattice's size;
-/// so here the points are centred, the functions scaled by a power of two, and the result mended.
+/// Eq. (1) on a device, also for blending functions that do not sum to 1 (Hermite curves). A device
+/// in fixed point takes the lattice's centre away and adds it to the sum, which is right only of
+/// weights that sum to 1, and holds no sum beyond the lattice's size; so here the points are
+/// centred, the functions scaled by a power of two, and the result mended.
 /// @param vertices  local coordinates beyond [0, 1] are clamped, on every device
 /// @throws what Device::evaluate throws
-Points weighted_sums(Device& device, const Lattice& lattice, std::vector<Embedded> vertices,
+Points weighted_sums(Device& device, const Lattice& lattice, const std::vector<Embedded>& vertices,
                      const Device::Blending& blending);
+
+/// The same with derivatives along the axes of the cells (Device::tangents).
+Device::Tangents weighted_tangents(Device& device, const Lattice& lattice,
+                                   const std::vector<Embedded>& vertices,
+                                   const Device::Blending& blending);
 
 }  // namespace hwffd::gl

@@ -34,23 +34,31 @@ Deformer::Deformer(Points points, std::vector<std::array<std::uint32_t, 3>> tria
       outside_(outside),
       first_(first_of(rest_), points_, outside_) {}
 
-Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& device) const {
+Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& device,
+                                  Gradients gradients) const {
   if (deformed.size() != rest_.size()) {
     throw Error(fmt::format("{} deformed lattices for {} stages; give one a stage", deformed.size(),
                             rest_.size()));
   }
   Result result;
   result.positions = points_;
-  result.gradients.assign(static_cast<std::size_t>(points_.rows()), Eigen::Matrix3d::Identity());
+  if (gradients == Gradients::kAll) {
+    result.gradients.assign(static_cast<std::size_t>(points_.rows()), Eigen::Matrix3d::Identity());
+  }
   for (std::size_t stage = 0; stage < rest_.size(); ++stage) {
     check_dims(rest_[stage], deformed[stage]);
     std::optional<Attachment> later;
     if (stage > 0) later.emplace(rest_[stage], result.positions, outside_);
     const Attachment& attachment = later ? *later : first_;
-    result.positions = attachment.follow(device.evaluate(deformed[stage], attachment.places()));
-    const std::vector<Eigen::Matrix3d> gradients = attachment.gradients(deformed[stage]);
-    for (std::size_t i = 0; i < gradients.size(); ++i) {
-      result.gradients[i] = gradients[i] * result.gradients[i];
+    if (gradients == Gradients::kNone) {
+      result.positions = attachment.follow(device.evaluate(deformed[stage], attachment.places()));
+    } else {
+      const Device::Tangents tangents = device.tangents(deformed[stage], attachment.places());
+      result.positions = attachment.follow(tangents.positions);
+      const std::vector<Eigen::Matrix3d> own = attachment.gradients(tangents.jacobians);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        result.gradients[i] = own[i] * result.gradients[i];
+      }
     }
     result.summaries.push_back(attachment.summary());
     result.torn_edges += attachment.torn_edges(triangles_);

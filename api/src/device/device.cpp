@@ -20,10 +20,8 @@ bool is_there(const std::string& kind, const Configuration& row) {
   return kind == "model" || (kind == "rtl" && tb::has_stream_core(row));
 }
 
-}  // namespace
-
-Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
-                        const Blending& blending) {
+/// @throws Error for a vertex that the lattice has no place for
+void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   const Index3 cells = lattice.cells();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const Index3& cell = vertices[v].cell;
@@ -38,14 +36,37 @@ Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& ver
                       v, cell[0], cell[1], cell[2], cells[0], cells[1], cells[2]));
     }
   }
+}
+
+Device::Blending all_bspline() {
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  return {bspline, bspline, bspline};
+}
+
+}  // namespace
+
+Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) {
+  check(lattice, vertices);
   counts_.vertices += vertices.size();
   if (vertices.empty()) return Points(0, 3);
   return run(lattice, vertices, blending);
 }
 
 Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices) {
-  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
-  return evaluate(lattice, vertices, {bspline, bspline, bspline});
+  return evaluate(lattice, vertices, all_bspline());
+}
+
+Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                                  const Blending& blending) {
+  check(lattice, vertices);
+  counts_.vertices += vertices.size();
+  if (vertices.empty()) return {Points(0, 3), {}};
+  return run_tangents(lattice, vertices, blending);
+}
+
+Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices) {
+  return tangents(lattice, vertices, all_bspline());
 }
 
 Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending) {

@@ -14,6 +14,18 @@ Points ReferenceDevice::run(const Lattice& lattice, const std::vector<Embedded>&
   return positions;
 }
 
+Device::Tangents ReferenceDevice::run_tangents(const Lattice& lattice,
+                                               const std::vector<Embedded>& vertices,
+                                               const Blending& blending) {
+  const Oracle oracle(blending[0], blending[1], blending[2]);
+  Tangents tangents{run(lattice, vertices, blending), {}};
+  tangents.jacobians.reserve(vertices.size());
+  for (const Embedded& at : vertices) {
+    tangents.jacobians.push_back(oracle.jet(lattice.support(at.cell), at.local).jacobian);
+  }
+  return tangents;
+}
+
 Points ReferenceDevice::run(const std::vector<SupportedVertex>& vertices,
                             const Blending& blending) {
   const Oracle oracle(blending[0], blending[1], blending[2]);

@@ -13,6 +13,8 @@ class ReferenceDevice final : public Device {
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override;
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;
+  Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) override;
 };
 
 }  // namespace hwffd

@@ -1,5 +1,7 @@
 #include "device/stream_device.hpp"
 
+#include <cmath>
+
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/interleave.hpp"
@@ -15,6 +17,12 @@ Blending blending_words(const Oracle::Coefficients& axis, const WordCodec& codec
     for (int power = 0; power < 4; ++power) rows[function][power] = axis(function, power);
   }
   return user_blending(rows);
+}
+
+std::array<AxisWords, 3> axes_of(const Device::Blending& blending, const WordCodec& codec) {
+  return {encode(blending_words(blending[0], codec), codec),
+          encode(blending_words(blending[1], codec), codec),
+          encode(blending_words(blending[2], codec), codec)};
 }
 
 class ModelStream final : public CommandStream {
@@ -49,13 +57,55 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name), format_(row.format), stream_(std::move(stream)) {}
 
+std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, std::size_t results) {
+  std::vector<Beat> beats = stream_->run(commands, results, [&](double done) { show(done); });
+  for (const Beat& beat : beats) {
+    if ((beat.words[3] & kStatusSaturated) != 0) ++counts_.saturated;
+  }
+  counts_.clocks = stream_->clocks();
+  return beats;
+}
+
+std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
+                                       const LatticeWords& lattice,
+                                       const std::vector<VertexBeat>& vertices, Results results) {
+  const bool derivatives = results != Results::kPosition;
+  std::vector<Beat> commands =
+      coefficients_packet(axes, derivatives ? Functions::kDerivativesToo : Functions::kBlending);
+  append(commands, lattice_packet(lattice));
+  append(commands, vertices_packets(vertices, results));
+  return answer(commands, results_of(results) * vertices.size());
+}
+
 Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& vertices,
                          const Device::Blending& blending) {
   const WordCodec codec(format_);
   const Normalization normalization = Normalization::of(lattice, codec);
-  std::vector<Beat> packets = lattice_packet(lattice_words(lattice, codec, normalization));
-  append(packets, vertices_packets(vertex_beats(vertices, codec)));
-  return results_of(packets, vertices.size(), blending, codec, normalization);
+  return positions_of(answer(axes_of(blending, codec), lattice_words(lattice, codec, normalization),
+                             vertex_beats(vertices, codec), Results::kPosition),
+                      codec, normalization);
+}
+
+Device::Tangents StreamDevice::run_tangents(const Lattice& lattice,
+                                            const std::vector<Embedded>& vertices,
+                                            const Device::Blending& blending) {
+  const WordCodec codec(format_);
+  const Normalization normalization = Normalization::of(lattice, codec);
+  const std::array<AxisWords, 3> axes = axes_of(blending, codec);
+  const std::vector<Beat> beats = answer(axes, lattice_words(lattice, codec, normalization),
+                                         vertex_beats(vertices, codec), Results::kDerivatives);
+  constexpr std::size_t kEach = results_of(Results::kDerivatives);
+  Tangents tangents{positions_of(beats, codec, normalization, kEach), {}};
+  tangents.jacobians.resize(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Point derivative = point_of(beats[kEach * v + 1 + axis], codec);
+      tangents.jacobians[v].col(static_cast<Eigen::Index>(axis)) =
+          std::ldexp(1.0, axes[axis].derivative.exponent) *
+          normalization.vector_to_world(derivative);
+    }
+  }
+  return tangents;
 }
 
 Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
@@ -66,25 +116,9 @@ Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
     points.middleRows<64>(64 * static_cast<Eigen::Index>(v)) = vertices[v].support;
   }
   const Normalization normalization = Normalization::of(points, codec);
-  const std::vector<Beat> packets = interleaved_packets(interleave(vertices, codec, normalization));
-  return results_of(packets, vertices.size(), blending, codec, normalization);
-}
-
-Points StreamDevice::results_of(const std::vector<Beat>& packets, std::size_t results,
-                                const Device::Blending& blending, const WordCodec& codec,
-                                const Normalization& normalization) {
-  std::vector<Beat> commands =
-      coefficients_packet(std::array<hwffd::Blending, 3>{blending_words(blending[0], codec),
-                                                         blending_words(blending[1], codec),
-                                                         blending_words(blending[2], codec)},
-                          codec);
-  append(commands, packets);
-  const std::vector<Beat> beats = stream_->run(commands, results, [&](double done) { show(done); });
-  for (const Beat& beat : beats) {
-    if ((beat.words[3] & kStatusSaturated) != 0) ++counts_.saturated;
-  }
-  counts_.clocks = stream_->clocks();
-  return positions_of(beats, codec, normalization);
+  std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
+  append(commands, interleaved_packets(interleave(vertices, codec, normalization)));
+  return positions_of(answer(commands, vertices.size()), codec, normalization);
 }
 
 }  // namespace hwffd

@@ -4,7 +4,7 @@
 
 #include "hwffd/device/device.hpp"
 #include "hwffd/model/configuration.hpp"
-#include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/packets.hpp"
 
 namespace hwffd {
 
@@ -37,11 +37,15 @@ class StreamDevice final : public Device {
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override;
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;
+  Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) override;
 
  private:
-  /// Sends the packets behind the one of the coefficients and reads so many results.
-  Points results_of(const std::vector<Beat>& packets, std::size_t results, const Blending& blending,
-                    const WordCodec& codec, const Normalization& normalization);
+  /// Sends the commands and reads so many results.
+  std::vector<Beat> answer(const std::vector<Beat>& commands, std::size_t results);
+  /// Coefficients, the lattice and its vertices.
+  std::vector<Beat> answer(const std::array<AxisWords, 3>& axes, const LatticeWords& lattice,
+                           const std::vector<VertexBeat>& vertices, Results results);
 
   std::string name_;
   std::string format_;

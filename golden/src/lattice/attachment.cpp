@@ -25,15 +25,18 @@ void check_finite(const Points& points) {
 }
 
 /// J_deformed J_rest^-1 at a place; NaN where J_rest is singular.
-Eigen::Matrix3d gradient_at(const Embedded& place, const Lattice& rest, const Lattice& deformed) {
-  const Oracle oracle;
-  Eigen::FullPivLU<Eigen::Matrix3d> decomposition(
-      oracle.jet(rest.support(place.cell), place.local).jacobian);
+Eigen::Matrix3d jacobian_at(const Embedded& place, const Lattice& lattice) {
+  return Oracle().jet(lattice.support(place.cell), place.local).jacobian;
+}
+
+Eigen::Matrix3d gradient_at(const Embedded& place, const Lattice& rest,
+                            const Eigen::Matrix3d& deformed) {
+  Eigen::FullPivLU<Eigen::Matrix3d> decomposition(jacobian_at(place, rest));
   decomposition.setThreshold(kSingular);
   if (!decomposition.isInvertible()) {
     return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   }
-  return oracle.jet(deformed.support(place.cell), place.local).jacobian * decomposition.inverse();
+  return deformed * decomposition.inverse();
 }
 
 }  // namespace
@@ -88,11 +91,23 @@ Points Attachment::follow(const Points& evaluated) const {
 
 std::vector<Eigen::Matrix3d> Attachment::gradients(const Lattice& deformed) const {
   check_same_dims("deformed lattice", deformed.dims(), rest_.dims());
+  std::vector<Eigen::Matrix3d> jacobians;
+  jacobians.reserve(places_.size());
+  for (const Embedded& place : places_) jacobians.push_back(jacobian_at(place, deformed));
+  return gradients(jacobians);
+}
+
+std::vector<Eigen::Matrix3d> Attachment::gradients(
+    const std::vector<Eigen::Matrix3d>& jacobians) const {
+  if (jacobians.size() != places_.size()) {
+    throw Error(fmt::format("{} derivatives for {} places; give one for each place",
+                            jacobians.size(), places_.size()));
+  }
   std::vector<Eigen::Matrix3d> result(embeddings_.size(), Eigen::Matrix3d::Identity());
   for (std::size_t i = 0; i < followers_.size(); ++i) {
     const auto row = static_cast<std::size_t>(followers_[i].row);
     if (embeddings_[row].status == EmbeddingStatus::kInside) {
-      result[row] = gradient_at(places_[i], rest_, deformed);
+      result[row] = gradient_at(places_[i], rest_, jacobians[i]);
     } else {
       result[row].setConstant(std::numeric_limits<double>::quiet_NaN());
     }

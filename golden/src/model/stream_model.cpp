@@ -12,6 +12,7 @@ void StreamModel::reset() {
   state_ = State::kHeader;
   bank_ = 0;
   loaded_ = false;
+  derivatives_loaded_ = false;
   lattice_.clear();
   results_.clear();
   events_ = {};
@@ -75,6 +76,11 @@ void StreamModel::header(const Beat& beat) {
       break;
     case Opcode::kVertices:
     case Opcode::kInterleaved:
+      if ((beat.words[2] >> 8 & 3) == 3) {
+        ++events_.opcode;
+        return;
+      }
+      wanted_ = static_cast<Results>(beat.words[2] >> 8 & 3);
       resident_ = static_cast<Opcode>(beat.words[0] & 0xFF) == Opcode::kVertices;
       starts = vertices_left_ != 0;
       if (starts) state_ = State::kVertex;
@@ -96,13 +102,20 @@ bool StreamModel::start_lattice() {
 }
 
 void StreamModel::coefficients(const Beat& beat) {
-  const int axis = beat_ / 4;
-  const int degree = static_cast<int>(header_.words[2] >> (2 * axis)) & 3;
-  const int shift = static_cast<int>(header_.words[2] >> (8 + 2 * axis)) & 3;
-  evaluator_->load(1 - bank_, axis, beat_ % 4, degree, shift, beat.words);
-  if (++beat_ == kCoefficientBeats) {
+  const bool derivatives = (header_.words[2] & kDerivativesFollow) != 0;
+  const int axis = beat_ % kCoefficientBeats / 4;
+  const auto field = [&](int low) {
+    return static_cast<int>(header_.words[2] >> (low + 2 * axis)) & 3;
+  };
+  if (beat_ < kCoefficientBeats) {
+    evaluator_->load(1 - bank_, axis, beat_ % 4, field(0), field(8), beat.words);
+  } else {
+    evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
+  }
+  if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
     bank_ = 1 - bank_;
     loaded_ = true;
+    derivatives_loaded_ = derivatives;
     state_ = State::kDone;
   }
 }
@@ -175,31 +188,46 @@ void StreamModel::points(const Beat& beat) {
 void StreamModel::finish_vertex(bool truncated, bool last) {
   --vertices_left_;
   const bool no_lattice = resident_ && lattice_.empty();
-  const bool unloaded = !loaded_ || no_lattice;
+  const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
+  const bool unloaded = no_functions || no_lattice;
   const bool out = outside_ || cell_outside_;
   const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
   const bool clamp = mode == OutsideMode::kClamp;
   const bool refused = out && !clamp && mode != OutsideMode::kPass;
-  events_.coefficients += loaded_ ? 0 : 1;
+  events_.coefficients += no_functions ? 1 : 0;
   events_.lattice += no_lattice ? 1 : 0;
   events_.nan += nan_ ? 1 : 0;
   events_.coordinate += outside_ ? 1 : 0;
   events_.cell += cell_outside_ ? 1 : 0;
 
   Beat result;
-  result.last = last;
   result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (nan_ ? kStatusNan : 0) |
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
-  if (truncated || unloaded || nan_ || refused) {
-    for (int c = 0; c < 3; ++c) result.words[c] = evaluator_->blank_word();
-  } else {
-    const ResultWords words = evaluator_->evaluate(bank_, vertex_);
-    for (int c = 0; c < 3; ++c) result.words[c] = words.words[c];
-    result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0);
-    events_.saturated += words.saturated ? 1 : 0;
+  const bool blank = truncated || unloaded || nan_ || refused;
+  for (int part = 0; part < results_of(wanted_); ++part) {
+    results_.push_back(blank ? blank_result(result) : evaluated(result, part));
   }
-  results_.push_back(result);
+  results_.back().last = last;
+}
+
+Beat StreamModel::blank_result(Beat result) const {
+  for (int c = 0; c < 3; ++c) result.words[c] = evaluator_->blank_word();
+  return result;
+}
+
+Beat StreamModel::evaluated(Beat result, int part) {
+  const bool determinant = part > 0 && wanted_ == Results::kDeterminant;
+  vertex_.derivative = part == 0 ? VertexWords::kPosition : part - 1;
+  const ResultWords words =
+      determinant ? evaluator_->determinant(bank_, vertex_) : evaluator_->evaluate(bank_, vertex_);
+  const std::uint32_t x = words.words[0];
+  const bool folded = determinant && (x == 0 || (x >> 31) != 0);
+  for (int c = 0; c < 3; ++c) result.words[c] = words.words[c];
+  result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0) |
+                     (folded ? kStatusFolded : 0);
+  events_.saturated += words.saturated ? 1 : 0;
+  return result;
 }
 
 }  // namespace hwffd::model

@@ -100,13 +100,17 @@ std::vector<InterleavedVertex> interleave(const std::vector<SupportedVertex>& ve
   return stream;
 }
 
+Point point_of(const Beat& result, const WordCodec& codec) {
+  return {codec.decode_point(result.words[0]), codec.decode_point(result.words[1]),
+          codec.decode_point(result.words[2])};
+}
+
 Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
-                    const Normalization& normalization) {
-  Points positions(static_cast<Eigen::Index>(results.size()), 3);
-  for (std::size_t v = 0; v < results.size(); ++v) {
-    Point point;
-    for (int c = 0; c < 3; ++c) point[c] = codec.decode_point(results[v].words[c]);
-    positions.row(static_cast<Eigen::Index>(v)) = normalization.to_world(point);
+                    const Normalization& normalization, std::size_t each) {
+  Points positions(static_cast<Eigen::Index>(results.size() / each), 3);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+    const Beat& result = results[static_cast<std::size_t>(v) * each];
+    positions.row(v) = normalization.to_world(point_of(result, codec));
   }
   return positions;
 }

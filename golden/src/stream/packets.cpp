@@ -5,9 +5,9 @@
 namespace hwffd {
 namespace {
 
-Beat vertices_header(Opcode opcode, std::size_t count, OutsideMode mode) {
+Beat vertices_header(Opcode opcode, std::size_t count, OutsideMode mode, Results results) {
   return {{static_cast<std::uint32_t>(opcode), static_cast<std::uint32_t>(count),
-           static_cast<std::uint32_t>(mode), 0},
+           static_cast<std::uint32_t>(mode) | static_cast<std::uint32_t>(results) << 8, 0},
           false};
 }
 
@@ -33,13 +33,20 @@ std::vector<Beat> in_packets(const std::vector<Vertex>& vertices, PacketOf packe
 
 }  // namespace
 
-std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes) {
+std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes, Functions functions) {
   std::vector<Beat> beats(1);
   beats[0].words = {static_cast<std::uint32_t>(Opcode::kCoefficients), kCoefficientBeats, 0, 0};
   for (int axis = 0; axis < 3; ++axis) {
     beats[0].words[2] |= static_cast<std::uint32_t>(axes[axis].degree) << (2 * axis);
     beats[0].words[2] |= static_cast<std::uint32_t>(axes[axis].shift) << (8 + 2 * axis);
     for (const auto& words : axes[axis].word) beats.push_back({words, false});
+  }
+  for (int axis = 0; axis < 3 && functions == Functions::kDerivativesToo; ++axis) {
+    const DerivativeWords& derivative = axes[axis].derivative;
+    beats[0].words[1] = 2 * kCoefficientBeats;
+    beats[0].words[2] |= kDerivativesFollow;
+    beats[0].words[2] |= static_cast<std::uint32_t>(derivative.shift) << (16 + 2 * axis);
+    for (const auto& words : derivative.word) beats.push_back({words, false});
   }
   beats.back().last = true;
   return beats;
@@ -60,8 +67,9 @@ std::vector<Beat> lattice_packet(const LatticeWords& lattice) {
   return beats;
 }
 
-std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices, OutsideMode mode) {
-  std::vector<Beat> beats = {vertices_header(Opcode::kVertices, vertices.size(), mode)};
+std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices, OutsideMode mode,
+                                  Results results) {
+  std::vector<Beat> beats = {vertices_header(Opcode::kVertices, vertices.size(), mode, results)};
   beats.reserve(1 + vertices.size());
   for (const VertexBeat& vertex : vertices) beats.push_back(beat_of(vertex));
   beats.back().last = true;
@@ -69,8 +77,8 @@ std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices, Outsi
 }
 
 std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
-                                     OutsideMode mode) {
-  std::vector<Beat> beats = {vertices_header(Opcode::kInterleaved, vertices.size(), mode)};
+                                     OutsideMode mode, Results results) {
+  std::vector<Beat> beats = {vertices_header(Opcode::kInterleaved, vertices.size(), mode, results)};
   beats.reserve(1 + kVertexBeats * vertices.size());
   for (const InterleavedVertex& vertex : vertices) {
     beats.push_back(beat_of(vertex));
@@ -83,8 +91,10 @@ std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& verti
   return beats;
 }
 
-std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices) {
-  return in_packets(vertices, [](const auto& some) { return vertices_packet(some); });
+std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices, Results results) {
+  return in_packets(vertices, [results](const auto& some) {
+    return vertices_packet(some, OutsideMode::kClamp, results);
+  });
 }
 
 std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vertices) {

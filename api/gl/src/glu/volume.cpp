@@ -191,7 +191,7 @@ Values Volume::deformed_normals(Device& device) const {
 }
 
 double Volume::work() const {
-  double passes = normals_ ? 3 : 0;
+  double passes = normals_ ? 1 : 0;
   for (const VolumeAttribute& attribute : attributes_) passes += attribute.grid().passes();
   return passes * static_cast<double>(positions()->vertices());
 }

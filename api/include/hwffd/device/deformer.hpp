@@ -17,10 +17,15 @@ class Deformer {
   /// What all stages made of the points.
   struct Result {
     Points positions;                         ///< n x 3
-    std::vector<Eigen::Matrix3d> gradients;   ///< of the whole map at each point; NaN: unknown
+    std::vector<Eigen::Matrix3d> gradients;   ///< of the whole map at each point; NaN: unknown;
+                                              ///< empty if not asked for
     std::vector<EmbeddingSummary> summaries;  ///< one a stage
     std::size_t torn_edges = 0;               ///< Attachment::torn_edges, over all stages
   };
+
+  /// Whether the derivatives of the map are wanted, for normals: a device evaluates four times
+  /// then.
+  enum class Gradients { kNone, kAll };
 
   /// @param points     n x 3
   /// @param triangles  indices of points, for torn_edges; may be empty
@@ -32,7 +37,8 @@ class Deformer {
   /// @param deformed  the lattices of the stages, deformed, of the same dimensions
   /// @throws Error for another number of lattices or other dimensions, and what Attachment and
   ///   Device throw
-  Result deform(const std::vector<Lattice>& deformed, Device& device) const;
+  Result deform(const std::vector<Lattice>& deformed, Device& device,
+                Gradients gradients = Gradients::kAll) const;
 
  private:
   Points points_;

@@ -30,6 +30,12 @@ class Device {
     std::uint64_t clocks = 0;     ///< of the simulated hardware; 0 elsewhere
   };
 
+  /// Points with their derivatives along the three axes of their cells.
+  struct Tangents {
+    Points positions;                        ///< n x 3
+    std::vector<Eigen::Matrix3d> jacobians;  ///< column a: dq/ds, dq/dt, dq/du, s of a cell 0 to 1
+  };
+
   virtual ~Device() = default;
 
   /// The kind of device, and its row of the table of configurations: "rtl basic-fx18-overlapped".
@@ -45,6 +51,12 @@ class Device {
   /// The same with the uniform B-spline along all axes.
   Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices);
 
+  /// The same with derivatives; positions are those of evaluate(), bit for bit.
+  Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                    const Blending& blending);
+  /// With the uniform B-spline along all axes.
+  Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices);
+
   /// Positions of vertices that bring their control points, n x 3, in their order (paper, fig. 3).
   /// @throws Error for a number that is not finite, or hardware that does not answer
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
@@ -56,6 +68,8 @@ class Device {
   virtual Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
                      const Blending& blending) = 0;
   virtual Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) = 0;
+  virtual Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                                const Blending& blending) = 0;
 
   void show(double done) const {
     if (progress_) progress_(done);

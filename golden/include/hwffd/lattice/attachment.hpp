@@ -37,6 +37,9 @@ class Attachment {
   /// poles, centres).
   /// @throws Error if the deformed lattice has other dimensions than the one at rest
   std::vector<Eigen::Matrix3d> gradients(const Lattice& deformed) const;
+  /// The same from J_deformed at each of places(), whoever computed it.
+  /// @throws Error for another number of them
+  std::vector<Eigen::Matrix3d> gradients(const std::vector<Eigen::Matrix3d>& jacobians) const;
 
   const EmbeddingSummary& summary() const { return summary_; }
   /// Of every point, as Embedder gives them.

@@ -9,7 +9,8 @@
 
 namespace hwffd::model {
 
-/// An evaluator with the watertight B-spline wired in: whatever is loaded, it is that.
+/// An evaluator with the watertight B-spline and its derivative wired in: whatever is loaded, it is
+/// that.
 /// Mirrors ffd_eval_poly_bspline.
 class HardWiredBspline final : public EvaluatorModel {
  public:
@@ -22,8 +23,18 @@ class HardWiredBspline final : public EvaluatorModel {
     general_->load(bank, axis, function, axis_.degree, axis_.shift, axis_.word[function]);
   }
 
+  void load_derivative(int bank, int axis, int function, int /*degree*/, int /*shift*/,
+                       const std::array<std::uint32_t, 4>& /*words*/) override {
+    const DerivativeWords& own = axis_.derivative;
+    general_->load_derivative(bank, axis, function, axis_.degree, own.shift, own.word[function]);
+  }
+
   ResultWords evaluate(int bank, const VertexWords& vertex) const override {
     return general_->evaluate(bank, vertex);
+  }
+
+  ResultWords determinant(int bank, const VertexWords& vertex) const override {
+    return general_->determinant(bank, vertex);
   }
 
   std::uint32_t blank_word() const override { return general_->blank_word(); }

@@ -26,7 +26,7 @@ class OrgNested {
 
   VectorSum<F> evaluate(const LocalVertex<F>& vertex, const Support<F>& support,
                         const CoefficientBank<F>& bank) const {
-    const CellCoefficients cell = form(vertex.cell, support, bank);
+    const CellCoefficients cell = form(vertex.cell, support, bank, vertex.derivative);
     VectorSum<F> sum;
     for (int c = 0; c < 3; ++c) {
       std::array<Value, 64> value;
@@ -41,12 +41,14 @@ class OrgNested {
   }
 
   /// c = (M_s x M_t x M_u) P, one axis at a time, u first. Mirrors ffd_eval_former.
+  /// @param derivative  the axis that takes its derivative functions; -1: none
   static CellCoefficients form(const std::array<int, 3>& cell, const Support<F>& support,
-                               const CoefficientBank<F>& bank) {
+                               const CoefficientBank<F>& bank, int derivative = -1) {
     CellCoefficients left{by_bank<F>(support, cell)};
     for (int axis = 2; axis >= 0; --axis) {
-      const Matrix matrix = power_matrix(bank, axis, cell[axis]);
-      const bool halved = bank.entry[axis][0].shift > 0 && left.halvings < 2;
+      const auto& functions = (axis == derivative ? bank.derivative : bank.entry)[axis];
+      const Matrix matrix = power_matrix(functions, cell[axis]);
+      const bool halved = functions[0].shift > 0 && left.halvings < 2;
       left.halvings += halved ? 1 : 0;
       const int stride = 1 << 2 * (2 - axis);  // of this axis's digit
       for (int n = 0; n < 64; ++n) {
@@ -64,12 +66,13 @@ class OrgNested {
  private:
   using Weights = std::array<typename F::Weight, 4>;
   using Matrix = std::array<Weights, 4>;  // [power of the centred coordinate][bank]
+  using Functions = typename CoefficientBank<F>::Functions;
 
   /// The coefficient of (2x - 1)^k in each blending function: sum_j c_j binom(j, k) / 2^j.
-  static Matrix power_matrix(const CoefficientBank<F>& bank, int axis, int cell) {
+  static Matrix power_matrix(const Functions& functions, int cell) {
     Matrix matrix;
     for (int b = 0; b < 4; ++b) {
-      const auto& entry = bank.entry[axis][local_of_bank(b, cell)];
+      const auto& entry = functions[local_of_bank(b, cell)];
       for (int k = 0; k < 4; ++k) {
         std::array<Vector, 4> coefficient{};
         Weights binomial;

@@ -6,11 +6,13 @@
 
 namespace hwffd::model {
 
-/// A vertex as an organization sees it: local coordinates s, t, u and the cell i, j, k.
+/// A vertex as an organization sees it: local coordinates s, t, u, the cell i, j, k, and the axis
+/// along which the derivative is wanted, -1 for the position.
 template <class F>
 struct LocalVertex {
   std::array<typename F::Weight, 3> local{};
   std::array<int, 3> cell{};
+  int derivative = -1;
 };
 
 /// The 4 x 4 x 4 control points of a cell, in local order (l, m, n), n fastest; components x, y, z.
@@ -31,9 +33,10 @@ std::array<std::array<typename F::Weight, 4>, 3> weights_of(const LocalVertex<F>
                                                             const CoefficientBank<F>& bank) {
   std::array<std::array<typename F::Weight, 4>, 3> weight;
   for (int axis = 0; axis < 3; ++axis) {
+    const bool derivative = axis == vertex.derivative;
     for (int b = 0; b < 4; ++b) {
       const int function = local_of_bank(b, vertex.cell[axis]);
-      weight[axis][b] = polynomial<F>(bank, axis, function, vertex.local[axis]);
+      weight[axis][b] = polynomial<F>(bank, axis, function, vertex.local[axis], derivative);
     }
   }
   return weight;

@@ -12,10 +12,10 @@ namespace hwffd::model {
 
 /// How often each event of the input occurred (FFD_EVENT_* in rtl/stream/ffd_stream.vh).
 struct StreamEvents {
-  std::uint64_t opcode = 0;        ///< unknown
+  std::uint64_t opcode = 0;        ///< unknown, or results unknown
   std::uint64_t too_short = 0;     ///< packets
   std::uint64_t too_long = 0;      ///< packets
-  std::uint64_t coefficients = 0;  ///< vertices that came before any
+  std::uint64_t coefficients = 0;  ///< vertices that came before what they want of them
   std::uint64_t lattice = 0;       ///< resident vertices that came before any
   std::uint64_t dimensions = 0;    ///< bad ones
   std::uint64_t cell = 0;          ///< vertices whose cell is outside the lattice
@@ -60,6 +60,8 @@ class StreamModel {
   void check_vertex();
   void gather_support();
   void finish_vertex(bool truncated, bool last);
+  Beat blank_result(Beat result) const;
+  Beat evaluated(Beat result, int part);
 
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::vector<Beat> results_;
@@ -70,6 +72,7 @@ class StreamModel {
 
   int bank_ = 0;
   bool loaded_ = false;
+  bool derivatives_loaded_ = false;  // of the bank in use
 
   std::array<int, 3> new_dims_{};
   std::vector<LatticePoint> new_lattice_;
@@ -77,6 +80,7 @@ class StreamModel {
   std::vector<LatticePoint> lattice_;  // empty: none came yet
 
   bool resident_ = false;
+  Results wanted_ = Results::kPosition;
   std::uint32_t vertices_left_ = 0;
   VertexWords vertex_;
   std::uint16_t tag_ = 0;

@@ -41,7 +41,7 @@ struct Binary32 {
   static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
     return add(mul(coordinate, weight), coefficient);
   }
-  static Point narrow(Sum sum) { return sum; }
+  static Point narrow(Sum sum, int /*shift*/ = 0) { return sum; }
   static Point rescale(Sum sum, int /*shift*/) { return sum; }
   static Weight centre(Weight coordinate) { return add(2 * coordinate, -1.0F); }
   /// binom(power, k) / 2^power; power and k 0 to 3.
@@ -49,8 +49,12 @@ struct Binary32 {
     return static_cast<float>(kBinomial[power][k]) / static_cast<float>(1 << power);
   }
   static Sum widen(Point point, int /*shift*/) { return point; }
+  static Weight factor(Point point) { return point; }
+  static Sum negate(Sum sum) { return -sum; }
   static Weight scale(Weight weight, int /*shift*/) { return weight; }
-  static OutWord out(Sum sum) { return {bits_of_float(sum), false, std::isnan(sum)}; }
+  static OutWord out(Sum sum, int /*shift*/ = 0) {
+    return {bits_of_float(sum), false, std::isnan(sum)};
+  }
 
   static Weight zero_weight() { return 0.0F; }
   static Sum zero_sum() { return 0.0F; }

@@ -77,8 +77,9 @@ struct Fixed {
   static Weight scale(Weight weight, int shift) {
     return with_flag(round_to<Number>(Int128{weight.value} * (1 << shift), 0, W), weight.saturated);
   }
-  static Point narrow(Sum sum) {
-    return with_flag(round_to<Number>(Int128{sum.value}, kSumFraction - kPointFraction, W),
+  /// The sum times 2^-shift.
+  static Point narrow(Sum sum, int shift = 0) {
+    return with_flag(round_to<Number>(Int128{sum.value}, kSumFraction - kPointFraction + shift, W),
                      sum.saturated);
   }
   /// A sum times 2^shift, shift -1 to 3, as a point.
@@ -104,10 +105,18 @@ struct Fixed {
     sum.saturated = point.saturated;
     return sum;
   }
-  static OutWord out(Sum sum) {
-    constexpr int kPad = std::max(31 - kSumFraction, 0);
-    constexpr int kDrop = std::max(kSumFraction - 31, 0);
-    const Number number = round_to<Number>(Int128{sum.value} * (1 << kPad), kDrop, 32);
+  /// Twice the point, exact: the same digits.
+  static Weight factor(Point point) { return point; }
+  static Sum negate(Sum sum) {
+    sum.value = -sum.value;
+    return sum;
+  }
+  /// The sum times 2^-shift.
+  static OutWord out(Sum sum, int shift = 0) {
+    const int fraction = kSumFraction + shift;
+    const int pad = std::max(31 - fraction, 0);
+    const int drop = std::max(fraction - 31, 0);
+    const Number number = round_to<Number>(Int128{sum.value} * (1 << pad), drop, 32);
     return {static_cast<std::uint32_t>(number.value), number.saturated || sum.saturated, false};
   }
 

@@ -11,9 +11,16 @@ namespace hwffd {
 
 /// Four blending functions of one axis: `coefficient[function][power]` of 1, x, x^2, x^3.
 struct Blending {
-  std::array<std::array<double, 4>, 4> coefficient{};
+  using Matrix = std::array<std::array<double, 4>, 4>;
+  Matrix coefficient{};
   int degree = 3;
+  /// Of the functions' derivatives, as many. That of the B-spline is exact, also where the
+  /// functions have 1/6 rounded (docs/numerics.md section 9).
+  Matrix derivative{};
 };
+
+/// The derivatives of functions that are given by their coefficients.
+Blending::Matrix differentiated(const Blending::Matrix& coefficient);
 
 /// The families that `family` knows: bspline, bernstein, hermite, catmull-rom, linear, constant.
 const std::vector<std::string>& family_names();
@@ -30,7 +37,7 @@ Blending family(const std::string& name, const WordCodec& codec);
 
 /// Blending functions of a user's own: row l of the matrix is function l, its columns are the
 /// coefficients of 1, x, x^2, x^3. The degree is the highest power that occurs.
-Blending user_blending(const std::array<std::array<double, 4>, 4>& matrix);
+Blending user_blending(const Blending::Matrix& matrix);
 
 /// The uniform cubic B-spline with 1/6 rounded once, so that shared faces get the same weights from
 /// both cells and the weights sum to 1 (docs/numerics.md section 5): a is the multiple of the
@@ -44,15 +51,22 @@ Blending plain_bspline();
 /// in [0, 1]: what must lie below 2^(1 + shift) in fixed point.
 double horner_magnitude(const Blending& blending);
 
+/// The smallest r >= 0 with sum_l |B_l'(x)| <= 2^r over x in [0, 1]: points in [-1, 1) have
+/// derivatives along such an axis in [-2^r, 2^r).
+int derivative_exponent(const Blending& blending);
+
 /// An axis as stream words. The shift is the smallest, 0 to 3, that fits coefficients and Horner's
-/// intermediate values into [-2, 2); what does not fit with 3 saturates in the core.
+/// intermediate values into [-2, 2); what does not fit with 3 saturates in the core. In fixed point
+/// derivatives are stored times 2^-r as well, r from derivative_exponent().
 AxisWords encode(const Blending& blending, const WordCodec& codec);
 
 /// The packet that loads the same blending functions for all three axes.
-std::vector<Beat> coefficients_packet(const Blending& blending, const WordCodec& codec);
+std::vector<Beat> coefficients_packet(const Blending& blending, const WordCodec& codec,
+                                      Functions functions = Functions::kBlending);
 
 /// The packet that loads blending functions of their own for s, t and u.
-std::vector<Beat> coefficients_packet(const std::array<Blending, 3>& axes, const WordCodec& codec);
+std::vector<Beat> coefficients_packet(const std::array<Blending, 3>& axes, const WordCodec& codec,
+                                      Functions functions = Functions::kBlending);
 
 /// The weights of an axis as the bit-true model computes them, exact in double.
 /// @param format      "fp32", or "fx" and the width of a word

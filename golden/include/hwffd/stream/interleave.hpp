@@ -21,6 +21,8 @@ class Normalization {
 
   Point to_stream(const Point& world) const { return (world - centre_) / scale_; }
   Point to_world(const Point& stream) const { return stream * scale_ + centre_; }
+  /// Of a difference of points, or a derivative.
+  Point vector_to_world(const Point& stream) const { return stream * scale_; }
 
  private:
   Point centre_{0, 0, 0};
@@ -56,8 +58,11 @@ std::vector<InterleavedVertex> interleave(const Lattice& lattice,
                                           const WordCodec& codec,
                                           const Normalization& normalization);
 
-/// Results as positions in world coordinates, n x 3.
+/// The three words of a result as the stream's coordinates.
+Point point_of(const Beat& result, const WordCodec& codec);
+
+/// The first of each vertex's `each` results as positions in world coordinates, n x 3.
 Points positions_of(const std::vector<Beat>& results, const WordCodec& codec,
-                    const Normalization& normalization);
+                    const Normalization& normalization, std::size_t each = 1);
 
 }  // namespace hwffd

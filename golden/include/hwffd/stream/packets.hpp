@@ -24,8 +24,24 @@ enum class OutsideMode : std::uint8_t {
   kBlank = 2   ///< no result
 };
 
-constexpr int kCoefficientBeats = 12;  ///< three axes, four blending functions
-constexpr int kPointBeats = 48;        ///< 64 points, three words each
+/// What comes back for a vertex, in a header of vertices.
+enum class Results : std::uint8_t {
+  kPosition = 0,     ///< q
+  kDerivatives = 1,  ///< q, dq/ds, dq/dt, dq/du: four results
+  kDeterminant = 2   ///< q, then det J as word x with kStatusFolded: two results
+};
+
+/// How many results a vertex has.
+constexpr int results_of(Results results) {
+  return results == Results::kPosition ? 1 : results == Results::kDerivatives ? 4 : 2;
+}
+
+/// Whether a packet of coefficients brings the derivatives of the functions, too.
+enum class Functions { kBlending, kDerivativesToo };
+
+constexpr int kCoefficientBeats = 12;                   ///< three axes, four functions
+constexpr std::uint32_t kDerivativesFollow = 1U << 31;  ///< in word 2 of a header of coefficients
+constexpr int kPointBeats = 48;                         ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
 constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
 
@@ -39,12 +55,21 @@ constexpr std::uint32_t kStatusNan = 1U << 18;
 constexpr std::uint32_t kStatusOutside = 1U << 19;
 constexpr std::uint32_t kStatusTruncated = 1U << 20;
 constexpr std::uint32_t kStatusUnloaded = 1U << 21;
+constexpr std::uint32_t kStatusFolded = 1U << 22;  ///< det J is not positive
+
+/// The derivatives of an axis's blending functions as stream words: `word[function][power]`.
+struct DerivativeWords {
+  std::array<std::array<std::uint32_t, 4>, 4> word{};
+  int shift = 0;     ///< 0 to 3; coefficients are stored times 2^-shift (fixed point)
+  int exponent = 0;  ///< results are dq times 2^-exponent (fixed point); the core does not know it
+};
 
 /// The blending functions of one axis as stream words: `word[function][power]`.
 struct AxisWords {
   std::array<std::array<std::uint32_t, 4>, 4> word{};
   int degree = 3;  ///< 0 to 3; coefficients of higher powers are taken as 0
   int shift = 0;   ///< 0 to 3; coefficients are stored times 2^-shift (fixed point)
+  DerivativeWords derivative;
 };
 
 /// A vertex as stream words.
@@ -65,22 +90,26 @@ struct LatticeWords {
   std::vector<std::array<std::uint32_t, 3>> points;
 };
 
-/// The packet that loads a bank of coefficients: 13 beats. Axes s, t, u.
-std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes);
+/// The packet that loads a bank of coefficients: 13 beats, or 25. Axes s, t, u.
+std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes,
+                                      Functions functions = Functions::kBlending);
 
 /// The packet that makes a lattice resident: a beat a point after the header.
 std::vector<Beat> lattice_packet(const LatticeWords& lattice);
 
 /// The packet of vertices of the resident lattice: 1 + n beats, in the order given.
 std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices,
-                                  OutsideMode mode = OutsideMode::kClamp);
+                                  OutsideMode mode = OutsideMode::kClamp,
+                                  Results results = Results::kPosition);
 
 /// The packet of interleaved vertices: 1 + 49 n beats, in the order given.
 std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
-                                     OutsideMode mode = OutsideMode::kClamp);
+                                     OutsideMode mode = OutsideMode::kClamp,
+                                     Results results = Results::kPosition);
 
 /// All vertices, in packets of at most kPacketVertices.
-std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices);
+std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices,
+                                   Results results = Results::kPosition);
 std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vertices);
 
 void append(std::vector<Beat>& beats, const std::vector<Beat>& more);

@@ -17,8 +17,8 @@ namespace hwffd::tb {
 /// model, the clock of each start and result kept.
 class EvaluatorBench {
  public:
-  /// Resets the core and loads the same blending functions for all axes into bank 0. Core and model
-  /// must outlive the bench.
+  /// Resets the core and loads the same functions and derivatives for all axes into bank 0. Core
+  /// and model must outlive the bench.
   EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const AxisWords& blending);
 
   /// Writes the supports and runs the vertices; `recorder`, if there is one, looks on.

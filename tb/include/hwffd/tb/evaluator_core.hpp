@@ -24,7 +24,7 @@ class EvaluatorCore {
     std::array<std::uint32_t, 3> words{};  ///< s, t, u as stream words
     std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
     std::uint8_t support = 0;
-    bool bank = false;
+    std::uint8_t bank = 0;  ///< {u, t, s}, two bits each: {derivative, bank}
     bool changed = false;  ///< points or coefficients were written since the vertex before
     std::uint16_t tag = 0;
   };
@@ -38,8 +38,9 @@ class EvaluatorCore {
   virtual ~EvaluatorCore() = default;
 
   virtual void drive_reset(bool asserted) = 0;
-  /// One clock that loads a blending function: coefficients of 1, x, x^2, x^3.
-  virtual void load(int axis, int bank, int function, int shift,
+  /// One clock that loads a function: coefficients of 1, x, x^2, x^3.
+  /// @param address  {derivative, bank, function}: 1, 1 and 2 bits
+  virtual void load(int axis, int address, int shift,
                     const std::array<std::uint32_t, 4>& words) = 0;
   /// One clock that writes a control point of a support, in local order, n fastest.
   virtual void write(std::uint8_t support, int index, const std::uint32_t* xyz) = 0;

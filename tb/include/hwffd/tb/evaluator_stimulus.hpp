@@ -17,6 +17,7 @@ struct EvaluatorVertex {
   std::array<std::uint32_t, 3> local{};  ///< s, t, u as stream words
   std::array<int, 3> cell{};
   std::uint8_t support = 0;  ///< which of the supports it reads
+  int derivative = -1;       ///< the axis along which it is differentiated; -1: the position
 };
 
 /// Supports (at most 256) and vertices that read them.

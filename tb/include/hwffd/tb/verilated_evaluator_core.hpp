@@ -36,11 +36,10 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
 
   void drive_reset(bool asserted) override { dut_->rst = asserted ? 1 : 0; }
 
-  void load(int axis, int bank, int function, int shift,
-            const std::array<std::uint32_t, 4>& words) override {
+  void load(int axis, int address, int shift, const std::array<std::uint32_t, 4>& words) override {
     dut_->load_i = 1;
     dut_->load_axis_i = static_cast<CData>(axis);
-    dut_->load_address_i = static_cast<CData>(4 * bank + function);
+    dut_->load_address_i = static_cast<CData>(address);
     dut_->load_shift_i = static_cast<CData>(shift);
     for (int i = 0; i < 4; ++i) dut_->load_words_i[i] = words[i];
     settle();
@@ -62,7 +61,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     for (int i = 0; i < 3; ++i) dut_->s_vertex_words[i] = vertex.words[i];
     dut_->s_vertex_cell = vertex.cell;
     dut_->s_vertex_support = vertex.support;
-    dut_->s_vertex_bank = vertex.bank ? 1 : 0;
+    dut_->s_vertex_bank = vertex.bank;
     dut_->s_vertex_changed = vertex.changed ? 1 : 0;
     dut_->s_vertex_tag = vertex.tag;
   }

@@ -1,0 +1,71 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace hwffd::tangents {
+
+std::string table(const std::vector<RowResult>& rows) {
+  std::string text =
+      fmt::format("{:<22} {:>8} {:>10} {:>13} {:>9} {:>9} {:>9} {:>8} {:>7} {:>6} {:>11} {:>6}\n",
+                  "row", "vertices", "mismatches", "clocks/vertex", "dq error", "- differ.",
+                  "det error", "upright", "folded", "wrong", "seam values", "differ");
+  for (const RowResult& r : rows) {
+    text += fmt::format(
+        "{:<22} {:>8} {:>10} {:>13.2f} {:>9.2e} {:>9.2e} {:>9.2e} {:>8} {:>7} {:>6} {:>11} {:>6}\n",
+        r.row.name, r.vertices, r.mismatches, r.clocks_per_vertex, r.max_error, r.max_difference,
+        r.max_determinant_error, r.upright, r.folded, r.wrong_flags, r.seam_values,
+        r.seam_differences);
+  }
+  return text;
+}
+
+std::string json_report(const std::vector<RowResult>& rows) {
+  std::size_t vertices = 0;
+  std::uint64_t mismatches = 0;
+  std::size_t seam_values = 0;
+  std::size_t seam_differences = 0;
+  std::size_t wrong_flags = 0;
+  double max_error = 0;
+  bool finite_difference_ok = true;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const RowResult& r : rows) {
+    vertices += r.vertices;
+    mismatches += r.mismatches;
+    seam_values += r.seam_values;
+    seam_differences += r.seam_differences;
+    wrong_flags += r.wrong_flags;
+    max_error = std::max(max_error, r.max_error);
+    finite_difference_ok = finite_difference_ok && r.finite_difference_ok();
+    list.push_back({{"name", r.row.name},
+                    {"org", r.row.org},
+                    {"format", r.row.format},
+                    {"vertices", r.vertices},
+                    {"mismatches", r.mismatches},
+                    {"clocks_per_vertex", r.clocks_per_vertex},
+                    {"max_error", r.max_error},
+                    {"bound", r.bound},
+                    {"max_difference", r.max_difference},
+                    {"finite_difference_ok", r.finite_difference_ok()},
+                    {"max_determinant_error", r.max_determinant_error},
+                    {"determinant_bound", r.determinant_bound},
+                    {"upright", r.upright},
+                    {"folded", r.folded},
+                    {"wrong_flags", r.wrong_flags},
+                    {"seam_values", r.seam_values},
+                    {"seam_differences", r.seam_differences}});
+  }
+  const nlohmann::ordered_json report{{"vertices", vertices},
+                                      {"max_error", max_error},
+                                      {"finite_difference_ok", finite_difference_ok},
+                                      {"seam_values", seam_values},
+                                      {"seam_differences", seam_differences},
+                                      {"wrong_flags", wrong_flags},
+                                      {"mismatches", mismatches},
+                                      {"rows", std::move(list)}};
+  return report.dump(2) + "\n";
+}
+
+}  // namespace hwffd::tangents

@@ -1,0 +1,70 @@
+// ffd_stream_derivatives: a vertex is evaluated once, or four times
+//
+// Between decoder and evaluator. By what its packet asks for (docs/interface.md section 2) a vertex
+// goes on as it is, or four times with the same coordinates, cell and points: the position, then
+// the derivatives along s, t and u, for which that axis takes its derivative functions. It waits in
+// the decoder until the last time.
+//
+// Formats:    bank {u, t, s}, each {derivative, bank}; source {again, that of the decoder}: 1 where
+//             the points are read once more, so that a slot is freed behind the last time; column 0
+//             a result of its own, 1 to 3 a column of J, from whose three comes one result; user
+//             {final, that of the decoder}: final with the vertex's last result, and tlast only
+//             there.
+// Pipeline:   combinational but for the count of evaluations.
+// Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
+// Parameters: SOURCE_W >= 1: of the decoder's source; USER_W >= 1 likewise; LAST the bit of user
+//             with tlast.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_stream.vh"
+
+module ffd_stream_derivatives #(
+  parameter SOURCE_W = 2,
+  parameter USER_W   = 27,
+  parameter LAST     = 23
+) (
+  input  wire                 clk,
+  input  wire                 rst,
+  input  wire                 s_vertex_valid,
+  output wire                 s_vertex_ready,
+  input  wire [SOURCE_W-1:0]  s_vertex_source,
+  input  wire                 s_vertex_bank,
+  input  wire [1:0]           s_vertex_results,
+  input  wire [USER_W-1:0]    s_vertex_user,
+  output wire                 m_vertex_valid,
+  input  wire                 m_vertex_ready,
+  output wire [SOURCE_W:0]    m_vertex_source,
+  output wire [5:0]           m_vertex_bank,
+  output wire [1:0]           m_vertex_column,
+  output reg  [USER_W:0]      m_vertex_user
+);
+  // 0 the position, 1 to 3 the derivative along s, t, u.
+  reg  [1:0] part_q;
+  wire       final = s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+
+  always @(posedge clk) begin
+    if (rst) part_q <= 2'd0;
+    else if (m_vertex_valid && m_vertex_ready) part_q <= final ? 2'd0 : part_q + 2'd1;
+  end
+
+  assign s_vertex_ready  = m_vertex_ready && final;
+  assign m_vertex_valid  = s_vertex_valid;
+  assign m_vertex_source = {!final, s_vertex_source};
+  assign m_vertex_column = s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
+
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_axis
+      localparam [1:0] PART = a + 1;
+      assign m_vertex_bank[2*a +: 2] = {part_q == PART, s_vertex_bank};
+    end
+  endgenerate
+
+  always @* begin
+    m_vertex_user       = {final, s_vertex_user};
+    m_vertex_user[LAST] = s_vertex_user[LAST] && final;
+  end
+endmodule
+
+`default_nettype wire
