@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations streams words tangents embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -42,6 +42,8 @@ help:
 	@echo '               MODEL= DEFORM= LATTICE= ORG= FORMAT= SCHEDULE= STREAM= SEED= TRACE=1'
 	@echo 'make organizations  every organization: clocks against the formulas, operators, errors, seams'
 	@echo '               ORG= N= FORMAT=; table, pictures, JSON'
+	@echo 'make bfp       block floating point: error, measured and proved; bits of every organization'
+	@echo '               ORG= N=; table, JSON (minutes)'
 	@echo 'make streams   words moved by arrangements of the control points: table, plot, JSON'
 	@echo 'make tangents  derivatives and det J out of the simulated RTL, against oracle and differences'
 	@echo 'make words     error of every word length, measured and proved: table, plot, JSON (minutes)'
@@ -77,6 +79,13 @@ organizations: install
 	@$(CMAKE_CONFIGURE) $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)")
 	@$(CMAKE_BUILD) --target hwffd-organizations
 	@$(BUILD)/apps/hwffd-organizations
+
+# The same selection, of one format; ORG= and N= narrow it.
+bfp: install
+	@scripts/configurations.py list --format bfp32 $(call arguments,org:ORG n:N) >/dev/null
+	@$(CMAKE_CONFIGURE) $(foreach v,ORG N,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)") -DHWFFD_FORMAT=bfp32
+	@$(CMAKE_BUILD) --target hwffd-bfp
+	@$(BUILD)/apps/hwffd-bfp
 
 streams: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

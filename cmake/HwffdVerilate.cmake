@@ -53,8 +53,8 @@ function(hwffd_verilate target)
     list(APPEND flags -CFLAGS -march=native)
   endif()
   # From 16 float units on, Verilator's optimization of gates makes a build four times as long and
-  # the simulation no faster.
-  if(ARG_PARAMETERS MATCHES "N=(16|32|64);FORMAT=0;")
+  # the simulation no faster. (`nested` has many whatever its N.)
+  if(ARG_PARAMETERS MATCHES "N=(16|32|64);FORMAT=0;" OR target MATCHES "^nested.*_fp32")
     list(APPEND flags -fno-gate)
   endif()
   foreach(parameter IN LISTS ARG_PARAMETERS)

@@ -49,7 +49,6 @@ evaluator/ffd_eval_former.v
 evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_horner.v
 evaluator/ffd_eval_determinant.v
-evaluator/ffd_eval_point_product.v
 number/ffd_num_in.v
 number/ffd_num_mul.v
 number/ffd_num_term.v
@@ -58,7 +57,7 @@ number/ffd_num_add.v
 number/ffd_num_step.v
 number/ffd_num_range.v
 number/ffd_num_scale.v
-number/ffd_num_factor.v
+number/ffd_num_product.v
 number/ffd_num_narrow.v
 number/ffd_num_negate.v
 number/ffd_num_out.v
@@ -77,5 +76,7 @@ number/float/ffd_fp_shift_left.v
 number/float/ffd_fp_shift_right.v
 number/float/ffd_fp_stage.v
 number/float/ffd_fp_unpack.v
+number/block/ffd_bfp_align.v
+number/block/ffd_bfp_normalise.v
 number/fixed/ffd_fx_product.v
 number/fixed/ffd_fx_round.v

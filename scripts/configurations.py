@@ -36,6 +36,7 @@ COLUMNS = (
 NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
            "fma_latency": (0, 99), "convert_latency": (0, 99), "stream": (0, 1)}
 FIXED_WIDTHS = range(12, 33)
+BLOCK_WIDTH = 35  # of the words inside bfp32 (docs/numerics.md)
 
 
 class TableError(Exception):
@@ -84,9 +85,11 @@ class Configuration:
 
 
 def format_number(word):
-    """fp32 is 0, fxW is W; None for anything else."""
+    """fp32 is 0, fxW is W, bfp32 is 64 + its words' width; None for anything else."""
     if word == "fp32":
         return 0
+    if word == "bfp32":
+        return 64 + BLOCK_WIDTH
     match = re.fullmatch(r"fx([1-9][0-9]*)", word)
     return int(match.group(1)) if match and int(match.group(1)) in FIXED_WIDTHS else None
 
@@ -108,8 +111,8 @@ def _read_row(row, where):
             raise TableError(
                 f"{where}: unknown {column} '{fields[column]}': one of {', '.join(words)}")
     if format_number(fields["format"]) is None:
-        raise TableError(f"{where}: unknown format '{fields['format']}': fp32 or fx"
-                         f"{FIXED_WIDTHS[0]} to fx{FIXED_WIDTHS[-1]}")
+        raise TableError(f"{where}: unknown format '{fields['format']}': fp32, bfp32 or "
+                         f"fx{FIXED_WIDTHS[0]} to fx{FIXED_WIDTHS[-1]}")
     for column, (low, high) in NUMBERS.items():
         if not re.fullmatch(r"[0-9]{1,4}", fields[column]):
             raise TableError(f"{where}: {column} is '{fields[column]}', a number wanted")

@@ -114,6 +114,8 @@ endmodule
 def _format_class(word, fused):
     if word == "fp32":
         return "Binary32Fused" if fused else "Binary32"
+    if word == "bfp32":
+        return "Block32"
     return f"Fixed<{word[2:]}>"
 
 
@@ -128,6 +130,7 @@ def models_text(configurations):
         '#include "hwffd/model/evaluator.hpp"',
         '#include "hwffd/model/hard_wired.hpp"',
         '#include "hwffd/numerics/binary32.hpp"',
+        '#include "hwffd/numerics/block.hpp"',
         '#include "hwffd/numerics/fixed.hpp"',
         "",
         "#include <stdexcept>",

@@ -58,8 +58,9 @@ class Subject:
     @property
     def effort(self):
         """A guess of its time, to begin with the longest."""
-        size = {"fp32": 40}.get(self.row.format, 10 if self.row.format == "fx32" else 4)
-        size += self.row.n * (4 if self.flat else 0.1) * (3 if self.row.format == "fx32" else 1)
+        wide = self.row.format in ("fx32", "bfp32")
+        size = {"fp32": 40}.get(self.row.format, 10 if wide else 4)
+        size += self.row.n * (4 if self.flat else 0.1) * (3 if wide else 1)
         return size * {"xilinx7": 2, "ice40": 2}.get(self.target, 1)
 
 

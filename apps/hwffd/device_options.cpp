@@ -7,7 +7,7 @@ namespace hwffd::command {
 void add_device_options(CLI::App& app, DeviceChoice& choice) {
   app.add_option("--device", choice.device, "model (default), rtl, reference");
   app.add_option("--org", choice.org, "organization: basic (default), cg3, parallel, ...");
-  app.add_option("--format", choice.format, "number format: fp32 (default), fx18, fx32");
+  app.add_option("--format", choice.format, "number format: fp32 (default), bfp32, fx18, fx32");
 }
 
 }  // namespace hwffd::command

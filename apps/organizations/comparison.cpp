@@ -26,13 +26,17 @@ double cost(const Configuration& row) {
 
 /// What of the effort a row gets: the rows of the paper's schedule and the iterative ones have the
 /// same bits as their partners and take ten times as long, so they get a tenth of the seams; so do
-/// those that form the coefficients of a cell for each vertex of a seam.
+/// those that form a cell's coefficients for each vertex of a seam, but only there they are slow.
 Effort share_of(const Effort& effort, const Configuration& row) {
   constexpr double kSlow = 100;  // clocks a vertex
-  if (scattered_interval(row) <= kSlow && std::string(row.schedule) != "paper") return effort;
+  const bool paper = std::string(row.schedule) == "paper";
   Effort share = effort;
-  share.vertices = std::min<std::size_t>(effort.vertices, 1241);
-  share.seam_values = std::max<std::size_t>(effort.seam_values / 10, 1);
+  if (paper || expected_interval(row) > kSlow) {
+    share.vertices = std::min<std::size_t>(effort.vertices, 1241);
+  }
+  if (paper || scattered_interval(row) > kSlow) {
+    share.seam_values = std::max<std::size_t>(effort.seam_values / 10, 1);
+  }
   return share;
 }
 

@@ -1,6 +1,7 @@
 #include "measure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "hwffd/model/schedule.hpp"
@@ -24,15 +25,17 @@ double largest_error(const tb::EvaluatorStimulus& stimulus,
   double largest = 0;
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const tb::EvaluatorVertex& vertex = stimulus.vertices[v];
+    const tb::SupportWords& words = stimulus.supports[vertex.support];
     Support support;
     for (int i = 0; i < 192; ++i) {
-      support.data()[i] = codec.decode_point(stimulus.supports[vertex.support][i]);
+      support.data()[i] = codec.decode_point(words.points[i]);
     }
     std::array<double, 3> local{};
     for (int a = 0; a < 3; ++a) local[a] = codec.decode_coordinate(vertex.local[a]);
     const Point exact = oracle.evaluate(support, local[0], local[1], local[2]);
     for (int c = 0; c < 3; ++c) {
-      largest = std::max(largest, std::abs(codec.decode_point(results[v].words[c]) - exact[c]));
+      const double error = codec.decode_point(results[v].words[c]) - exact[c];
+      largest = std::max(largest, std::ldexp(std::abs(error), -words.exponent));
     }
   }
   return largest;
@@ -90,9 +93,11 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   }
 
   auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
+  const double recorded_seconds = bench.simulation_seconds();
   bench.run(random);
   measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
-  measured.vertices_per_s = static_cast<double>(bench.checked()) / bench.simulation_seconds();
+  measured.vertices_per_s =
+      static_cast<double>(effort.vertices) / (bench.simulation_seconds() - recorded_seconds);
   if (keeps_cell(row)) {  // the error of a single cell says little
     random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
     bench.run(random);

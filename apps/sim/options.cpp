@@ -48,11 +48,23 @@ void keep(std::vector<Configuration>& rows, const char* option, const std::strin
              rows.end());
 }
 
+bool in_tier_sim(const Configuration& row) { return std::string(row.tier) == "sim"; }
+
+/// Whether the rows of tier sim do not have what is asked for.
+bool asks_for_more(const Text& text) {
+  if (!text.org.empty()) return true;
+  const std::vector<Configuration>& all = configurations();
+  return !text.format.empty() && std::none_of(all.begin(), all.end(), [&](const auto& row) {
+    return in_tier_sim(row) && row.format == text.format;
+  });
+}
+
 std::vector<Configuration> rows_of(const Text& text) {
   std::vector<Configuration> rows;
+  const bool more = asks_for_more(text);
   for (const Configuration& row : configurations()) {
-    // Without a wish, the rows of tier sim; with one, whatever this build has of it.
-    const bool wanted = !text.org.empty() || std::string(row.tier) == "sim";
+    // Without a wish beyond them, the rows of tier sim; with one, whatever this build has of it.
+    const bool wanted = more || in_tier_sim(row);
     if (wanted && tb::has_stream_core(row)) rows.push_back(row);
   }
   keep(rows, "ORG", text.org, [](const Configuration& row) { return row.org; });
@@ -97,7 +109,7 @@ Options parse_options(int argc, char** argv) {
                  "twist:90 | bend:90 | shear:0.5 | random:SEED | none (default: twist:90, random)");
   app.add_option("--lattice", text.lattice, "control points an axis, 4 to 16 (4x4x4)");
   app.add_option("--org", text.org, "organization (default: all of the table's tier sim)");
-  app.add_option("--format", text.format, "fp32 | fx18 | fx32 (default: all)");
+  app.add_option("--format", text.format, "fp32 | bfp32 | fx18 | fx32 (default: all)");
   app.add_option("--schedule", text.schedule, "paper | overlapped (default: both)");
   app.add_option("--stream", options.stream, "interleaved | resident | dma (interleaved)");
   app.add_option("--seed", text.seed, "seed of the bench (1)");

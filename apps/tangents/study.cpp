@@ -107,10 +107,10 @@ class Study {
     const std::vector<Beat> results = results_of(packets(scene, Results::kDeterminant));
     if (results.size() != 2 * scene.vertices.size()) return;
     const double unit = std::pow(lattice_scale(scene.lattice), 3);
-    const int shift = codec_.is_float() ? 0 : model::kDeterminantShift + 3 * exponent();
+    const int shift = !codec_.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent();
     for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
       const Beat& result = results[2 * v + 1];
-      const double scale = codec_.is_float() ? 1 / unit : 1.0;
+      const double scale = !codec_.has_fixed_weights() ? 1 / unit : 1.0;
       const double got = scale * std::ldexp(codec_.decode_point(result.words[0]), shift);
       const double exact = jacobian(scene, v).determinant() / unit;
       const bool folded = (result.words[3] & kStatusFolded) != 0;
@@ -131,7 +131,8 @@ class Study {
       InterleavedVertex& vertex = vertices.emplace_back();
       vertex.local = from.local;
       vertex.cell = from.cell;
-      vertex.points = stimulus.supports[from.support];
+      vertex.points = stimulus.supports[from.support].points;
+      vertex.exponent = stimulus.supports[from.support].exponent;
     }
     const std::vector<Beat> results =
         results_of(interleaved_packet(vertices, OutsideMode::kClamp, Results::kDerivatives));

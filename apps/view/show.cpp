@@ -52,8 +52,10 @@ void show(Scene scene, Device& device, const std::function<void(const Lattice&)>
     }
     rate.begin();
     if (controls.take_lattice_moved()) {
-      const Deformer::Result result = deformer.deform({controls.lattice()}, device);
-      scene.mesh.set_positions(result.positions, result.gradients);
+      // Normals from the faces: derivatives would cost a frame four times the evaluations.
+      const Deformer::Result result =
+          deformer.deform({controls.lattice()}, device, Deformer::Gradients::kNone);
+      scene.mesh.set_positions(result.positions);
     }
     const double aspect = window.whole_viewport();
     picture::draw_studio(controls.camera(), aspect, [&] {

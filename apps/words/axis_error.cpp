@@ -72,6 +72,15 @@ AxisError of_pieces(double reach, const ErrorOfWeight& error_of_weight) {
   return pieces;
 }
 
+/// Horner's rule in fixed point, each step rounded by half a unit; `sixth` is the error of one
+/// sixth.
+AxisError of_fixed_horner(double reach, double unit, double sixth) {
+  return of_pieces(reach, [=](double low, double high, int l) {
+    const double by = at_worse_end(low, high, [l](double x) { return std::abs(by_sixth(x)[l]); });
+    return sixth * by + unit / 2 * (1 + high + high * high);
+  });
+}
+
 }  // namespace
 
 std::array<double, 4> bspline(double x) {
@@ -86,11 +95,12 @@ std::array<double, 4> bspline_slope(double x) {
 
 AxisError propagated_axis_error(int width) {
   const double unit = std::ldexp(1, 2 - width);
-  return of_pieces(coordinate_reach(width), [unit](double low, double high, int l) {
-    const double sixth =
-        at_worse_end(low, high, [l](double x) { return std::abs(by_sixth(x)[l]); });
-    return unit / 3 * sixth + unit / 2 * (1 + high + high * high);
-  });
+  return of_fixed_horner(coordinate_reach(width), unit, unit / 3);
+}
+
+AxisError block_axis_error(int width) {
+  const double unit = std::ldexp(1, 2 - width);
+  return of_fixed_horner(unit / 2, unit, 0x1p-30 / 3);
 }
 
 AxisError binary32_axis_error(bool fused) {

@@ -29,6 +29,10 @@ std::array<double, 4> bspline_slope(double x);
 /// roundings of Horner's rule (docs/numerics.md section 7).
 AxisError propagated_axis_error(int width);
 
+/// Block floating point of words of any width from 32 up, in the same way: the coordinate's word is
+/// exact, and one sixth is rounded to its own word, Q2.30 (docs/numerics.md section 10).
+AxisError block_axis_error(int width);
+
 /// binary32 by propagation of errors, the steps fused or not.
 AxisError binary32_axis_error(bool fused);
 

@@ -25,41 +25,64 @@ Products products(const AxisPiece& s, const AxisPiece& t, double half) {
   return result;
 }
 
-double fixed_piece(const AxisPiece& s, const AxisPiece& t, const AxisPiece& u,
-                   const Products& pairs, int width) {
-  const double half = std::ldexp(1, 1 - width);
+/// The sum of the errors of the 64 weights, products rounded to half a unit each.
+double weights_error(const AxisPiece& s, const AxisPiece& t, const AxisPiece& u,
+                     const Products& pairs, double half) {
   double rounding = pairs.rounding * (1 + u.error);
   for (const double pair : pairs.limit) {
     for (const double weight : u.weight) rounding += std::min(pair * weight, half);
   }
-  const double weights = three_axes(s.error, t.error, u.error) + rounding;
-  // A point: at most a unit of Q1.(W-1), at the top where it saturates. The output: one of Q1.31.
-  return weights + (1 + weights) * half + 0x1p-31;
+  return three_axes(s.error, t.error, u.error) + rounding;
 }
 
-}  // namespace
-
-double fixed_product_bound(int width, const AxisError& axis) {
+/// The largest of that over all pieces.
+double worst_weights_error(int width, const AxisError& axis) {
   const double half = std::ldexp(1, 1 - width);
   double worst = 0;
   for (const AxisPiece& s : axis) {
     for (const AxisPiece& t : axis) {
       const Products pairs = products(s, t, half);
-      for (const AxisPiece& u : axis) worst = std::max(worst, fixed_piece(s, t, u, pairs, width));
+      for (const AxisPiece& u : axis) {
+        worst = std::max(worst, weights_error(s, t, u, pairs, half));
+      }
     }
   }
-  return worst + kDouble;
+  return worst;
 }
 
-double fixed_factored_bound(int width, const AxisError& axis) {
+/// Weights, points and narrowed sums of the factored form, the latter two off by `rounding` each.
+double factored_error(const AxisError& axis, double rounding) {
   double error = 0;
   for (const AxisPiece& piece : axis) error = std::max(error, piece.error);
   // What an axis's weights can make of an error: the sum of their magnitudes.
   const double gain = 1 + error;
+  return three_axes(error, error, error) + rounding * (gain * gain * gain + gain * gain + gain);
+}
+
+/// An error relative to 2^exponent in ulp of the largest point, which is 2^(exponent - 24) or more
+/// than that; and half an ulp, from the result's rounding.
+double in_ulp(double error) { return std::ldexp(error + kDouble, 24) + 0.5; }
+
+}  // namespace
+
+double fixed_product_bound(int width, const AxisError& axis) {
+  const double weights = worst_weights_error(width, axis);
+  // A point: at most a unit of Q1.(W-1), at the top where it saturates. The output: one of Q1.31.
+  return weights + (1 + weights) * std::ldexp(1, 1 - width) + 0x1p-31 + kDouble;
+}
+
+double fixed_factored_bound(int width, const AxisError& axis) {
   // Points and twice narrowed sums: at most a unit of Q1.(W-1) each, at the top where it saturates.
-  const double unit = std::ldexp(1, 1 - width);
-  const double rounding = unit * (gain * gain * gain + gain * gain + gain);
-  return three_axes(error, error, error) + rounding + 0x1p-31 + kDouble;
+  return factored_error(axis, std::ldexp(1, 1 - width)) + 0x1p-31 + kDouble;
+}
+
+double block_product_bound(int width, const AxisError& axis) {
+  const double weights = worst_weights_error(width, axis);
+  return in_ulp(weights + (1 + weights) * std::ldexp(1, -width));
+}
+
+double block_factored_bound(int width, const AxisError& axis) {
+  return in_ulp(factored_error(axis, std::ldexp(1, -width)));
 }
 
 double binary32_product_bound(int n, bool fused) {

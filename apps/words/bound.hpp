@@ -11,6 +11,11 @@ double fixed_product_bound(int width, const AxisError& axis);
 /// The same of `factored`, which contracts an axis at a time and narrows between.
 double fixed_factored_bound(int width, const AxisError& axis);
 
+/// Block floating point: the same of both forms, in ulp of the largest magnitude of a lattice's
+/// control points, where the exponent is theirs (docs/numerics.md section 10).
+double block_product_bound(int width, const AxisError& axis);
+double block_factored_bound(int width, const AxisError& axis);
+
 /// That of the product form in binary32 for sums of n = 1 (one after the other) or n = 64 terms (a
 /// tree).
 double binary32_product_bound(int n, bool fused);

@@ -29,6 +29,7 @@ module ffd_cache_interleaved #(
   input  wire [3:0]                           write_group_i,
   input  wire [1:0]                           write_phase_i,
   input  wire [127:0]                         write_words_i,
+  input  wire [`FFD_EXPONENT_W-1:0]           write_exponent_i,
   input  wire [SLOT_W-1:0]                    read_slot_i,
   input  wire [5:0]                           read_index_i,
   output wire [N*3*`FFD_POINT_W(FORMAT)-1:0]  points_o
@@ -55,8 +56,9 @@ module ffd_cache_interleaved #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_POINT)
       ) u_in (
-        .word_i  (write_words_i[32*i +: 32]),
-        .number_o(numbers[i*POINT_W +: POINT_W])
+        .word_i    (write_words_i[32*i +: 32]),
+        .exponent_i(write_exponent_i),
+        .number_o  (numbers[i*POINT_W +: POINT_W])
       );
     end
   endgenerate

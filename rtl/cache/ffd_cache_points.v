@@ -26,6 +26,7 @@ module ffd_cache_points #(
   input  wire [3:0]                           slot_group_i,
   input  wire [1:0]                           slot_phase_i,
   input  wire [127:0]                         slot_words_i,
+  input  wire [`FFD_EXPONENT_W-1:0]           write_exponent_i,
   input  wire [SLOT_W:0]                      read_source_i,
   input  wire [11:0]                          read_cell_i,
   input  wire [5:0]                           read_index_i,
@@ -42,15 +43,16 @@ module ffd_cache_points #(
     .N     (N),
     .AXIS  (AXIS)
   ) u_resident (
-    .clk           (clk),
-    .write_i       (lattice_write_i),
-    .write_buffer_i(lattice_buffer_i),
-    .write_at_i    (lattice_at_i),
-    .write_words_i (lattice_words_i),
-    .read_buffer_i (read_source_i[0]),
-    .read_cell_i   (read_cell_i),
-    .read_index_i  (read_index_i),
-    .points_o      (of_lattice)
+    .clk             (clk),
+    .write_i         (lattice_write_i),
+    .write_buffer_i  (lattice_buffer_i),
+    .write_at_i      (lattice_at_i),
+    .write_words_i   (lattice_words_i),
+    .write_exponent_i(write_exponent_i),
+    .read_buffer_i   (read_source_i[0]),
+    .read_cell_i     (read_cell_i),
+    .read_index_i    (read_index_i),
+    .points_o        (of_lattice)
   );
 
   ffd_cache_interleaved #(
@@ -58,16 +60,17 @@ module ffd_cache_points #(
     .N     (N),
     .SLOTS (SLOTS)
   ) u_interleaved (
-    .clk          (clk),
-    .write_i      (slot_write_i),
-    .write_slot_i (slot_i),
-    .write_cell_i (slot_cell_i),
-    .write_group_i(slot_group_i),
-    .write_phase_i(slot_phase_i),
-    .write_words_i(slot_words_i),
-    .read_slot_i  (read_source_i[SLOT_W-1:0]),
-    .read_index_i (read_index_i),
-    .points_o     (of_slot)
+    .clk             (clk),
+    .write_i         (slot_write_i),
+    .write_slot_i    (slot_i),
+    .write_cell_i    (slot_cell_i),
+    .write_group_i   (slot_group_i),
+    .write_phase_i   (slot_phase_i),
+    .write_words_i   (slot_words_i),
+    .write_exponent_i(write_exponent_i),
+    .read_slot_i     (read_source_i[SLOT_W-1:0]),
+    .read_index_i    (read_index_i),
+    .points_o        (of_slot)
   );
 
   ffd_num_delay #(

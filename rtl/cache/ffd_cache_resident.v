@@ -25,6 +25,7 @@ module ffd_cache_resident #(
   input  wire                                 write_buffer_i,
   input  wire [11:0]                          write_at_i,
   input  wire [95:0]                          write_words_i,
+  input  wire [`FFD_EXPONENT_W-1:0]           write_exponent_i,
   input  wire                                 read_buffer_i,
   input  wire [11:0]                          read_cell_i,
   input  wire [5:0]                           read_index_i,
@@ -63,8 +64,9 @@ module ffd_cache_resident #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_POINT)
       ) u_in (
-        .word_i  (write_words_i[32*c +: 32]),
-        .number_o(write_point[c*POINT_W +: POINT_W])
+        .word_i    (write_words_i[32*c +: 32]),
+        .exponent_i(write_exponent_i),
+        .number_o  (write_point[c*POINT_W +: POINT_W])
       );
     end
   endgenerate

@@ -8,7 +8,8 @@
 //
 // Formats:    sums in, a stream word out. fp32: each operation rounds once, as numerics.md has
 //             them. fxW: columns in [-1, 1), the word is det J / 4 (|det J| <= 4: numerics.md,
-//             section 9); products and sums are exact, a cofactor is halved and rounded.
+//             section 9); products and sums are exact, a cofactor is halved and rounded. Block:
+//             the same, times 2^(3 exponent_i), in binary32.
 // Pipeline:   the third column | CONVERT_LATENCY | 1: the first step | MUL + ADD + CONVERT |
 //             MUL, the term | 1 + 2 ADD | CONVERT_LATENCY: the word. II 4 clocks a vertex, which is
 //             what a vertex of four evaluations takes at least.
@@ -30,6 +31,7 @@ module ffd_eval_determinant #(
   input  wire                              column_valid_i,
   input  wire                              column_last_i,
   input  wire [3*`FFD_SUM_W(FORMAT)-1:0]   column_i,
+  input  wire [`FFD_EXPONENT_W-1:0]        exponent_i,
   output wire                              word_valid_o,
   output wire [31:0]                       word_o,
   output wire                              saturated_o,
@@ -120,7 +122,7 @@ module ffd_eval_determinant #(
   wire [SUM_W-1:0]   difference;
   wire [POINT_W-1:0] cofactor;
 
-  ffd_eval_point_product #(
+  ffd_num_product #(
     .FORMAT (FORMAT),
     .LATENCY(MUL_LATENCY)
   ) u_product (
@@ -130,7 +132,7 @@ module ffd_eval_determinant #(
     .product_o(product)
   );
 
-  ffd_eval_point_product #(
+  ffd_num_product #(
     .FORMAT (FORMAT),
     .LATENCY(MUL_LATENCY)
   ) u_other (
@@ -187,7 +189,7 @@ module ffd_eval_determinant #(
     .q_o(s0)
   );
 
-  ffd_eval_point_product #(
+  ffd_num_product #(
     .FORMAT (FORMAT),
     .LATENCY(MUL_LATENCY)
   ) u_term (
@@ -238,13 +240,28 @@ module ffd_eval_determinant #(
     .sum_o(sum)
   );
 
+  // The exponent of the vertex's points, with its word.
+  wire [`FFD_EXPONENT_W-1:0] exponent;
+
+  ffd_num_delay #(
+    .WIDTH  (`FFD_EXPONENT_W),
+    .LATENCY(CONVERT_LATENCY + 3 + COFACTOR + MUL_LATENCY + 2 * ADD_LATENCY - 1)
+  ) u_exponent (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(exponent_i),
+    .q_o(exponent)
+  );
+
   ffd_num_out #(
     .FORMAT (FORMAT),
     .SHIFT  (2),
+    .POWER  (3),
     .LATENCY(CONVERT_LATENCY)
   ) u_out (
     .clk        (clk),
     .sum_i      (sum),
+    .exponent_i (exponent),
     .word_o     (word_o),
     .saturated_o(saturated_o),
     .nan_o      (nan_o)

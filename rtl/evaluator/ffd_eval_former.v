@@ -96,11 +96,11 @@ module ffd_eval_former #(
   assign read_cell_o   = cell_i;
   assign read_index_o  = {step_q[3:2], step_q[5:4], 2'd0};
 
-  // ---- the step at which operands, sums and results are
+  // ---- the step at which operands, sums (a clock before they come) and results are
 
   wire       kept;
   wire [5:0] fetch_step;
-  wire [5:0] sum_step;
+  wire [5:0] near_step;
   wire [5:0] keep_step;
 
   ffd_num_delay #(
@@ -124,20 +124,20 @@ module ffd_eval_former #(
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(TREE)
-  ) u_sum_step (
+    .LATENCY(TREE - 1)
+  ) u_near_step (
     .clk(clk),
     .rst(1'b0),
     .d_i(fetch_step),
-    .q_o(sum_step)
+    .q_o(near_step)
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(CONVERT_LATENCY)
+    .LATENCY(CONVERT_LATENCY + 1)
   ) u_keep_step (
     .clk(clk),
     .rst(1'b0),
-    .d_i(sum_step),
+    .d_i(near_step),
     .q_o(keep_step)
   );
 
@@ -222,11 +222,12 @@ module ffd_eval_former #(
       wire [4*POINT_W-1:0]  points;
       wire [1:0]            shift;
       wire [1:0]            blending      = fetch_step[3:2] - cell_i[4*c +: 2];
-      wire [1:0]            blending_late = phase_q == POWERS ? sum_step[3:2] - cell_i[4*c +: 2]
+      wire [1:0]            blending_near = phase_q == POWERS ? near_step[3:2] - cell_i[4*c +: 2]
                                                               : 2'd0;
       wire [SUM_W-1:0]      sum;
-      wire signed [2:0]     scale = phase_q == POWERS ? {1'b0, shift} : {3{halve}};
+      reg signed [2:0]      scale_q;
       assign grows[c] = shift != 2'd0;
+      always @(posedge clk) scale_q <= phase_q == POWERS ? {1'b0, shift} : {3{halve}};
 
       ffd_eval_coefficient_file #(
         .FORMAT(FORMAT)
@@ -237,7 +238,7 @@ module ffd_eval_former #(
         .load_entry_i   (load_entry_i),
         .address_i      ({4{bank_i[2*c +: 2], blending}}),
         .coefficient_o  (coefficients),
-        .shift_address_i({bank_i[2*c +: 2], blending_late}),
+        .shift_address_i({bank_i[2*c +: 2], blending_near}),
         .shift_o        (shift)
       );
 
@@ -267,7 +268,7 @@ module ffd_eval_former #(
       ) u_rescale (
         .clk    (clk),
         .sum_i  (sum),
-        .shift_i(scale),
+        .shift_i(scale_q),
         .point_o(results[c*POINT_W +: POINT_W])
       );
     end
@@ -278,7 +279,7 @@ module ffd_eval_former #(
   assign write_vector_o = results;
   assign done_o         = drained && phase_q == ALONG_S;
 
-  wire unused_ok = &{1'b0, sum_step[5:4], sum_step[1:0], cell_i};
+  wire unused_ok = &{1'b0, near_step[5:4], near_step[1:0], cell_i};
 endmodule
 
 `default_nettype wire

@@ -2,7 +2,7 @@
 //
 // Organizations run free and know no tags; this module lends them both. A vertex enters only when
 // there is room for its result (credits), its `user` word waits in a queue of its own and meets the
-// result at the output: both keep their order.
+// result at the output, and its exponent in another, which meets the sum: all keep their order.
 //
 // Vertices of column 1, 2, 3, in this order, are the columns of a Jacobian: their three results
 // become one, det J, with the user word of the third. It takes longer than a result of column 0,
@@ -51,6 +51,7 @@ module ffd_eval_stream #(
   input  wire [5:0]                                      s_vertex_bank,
   input  wire                                            s_vertex_changed,
   input  wire [1:0]                                      s_vertex_column,
+  input  wire [`FFD_EXPONENT_W-1:0]                      s_vertex_exponent,
   input  wire [USER_W-1:0]                               s_vertex_user,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -133,23 +134,25 @@ module ffd_eval_stream #(
     .result_sum_o        (sum)
   );
 
-  // Which column a sum is of.
-  wire [1:0] column;
-  wire       columns_ready;
-  wire       column_valid;
+  // Which column a sum is of, and the exponent of its points.
+  localparam SIDE_W = 2 + `FFD_EXPONENT_W;
+  wire [1:0]                 column;
+  wire [`FFD_EXPONENT_W-1:0] exponent;
+  wire                       sides_ready;
+  wire                       side_valid;
 
   ffd_stream_fifo #(
-    .WIDTH(2),
+    .WIDTH(SIDE_W),
     .DEPTH(IN_FLIGHT)
-  ) u_columns (
+  ) u_sides (
     .clk         (clk),
     .rst         (rst),
     .s_word_valid(enter),
-    .s_word_ready(columns_ready),
-    .s_word_data (s_vertex_column),
-    .m_word_valid(column_valid),
+    .s_word_ready(sides_ready),
+    .s_word_data ({s_vertex_column, s_vertex_exponent}),
+    .m_word_valid(side_valid),
     .m_word_ready(sum_valid),
-    .m_word_data (column)
+    .m_word_data ({column, exponent})
   );
 
   wire        own_result = column == 2'd0;
@@ -167,6 +170,7 @@ module ffd_eval_stream #(
       ) u_out (
         .clk        (clk),
         .sum_i      (sum[c*SUM_W +: SUM_W]),
+        .exponent_i (exponent),
         .word_o     (words[32*c +: 32]),
         .saturated_o(saturated[c]),
         .nan_o      (nan[c])
@@ -201,6 +205,7 @@ module ffd_eval_stream #(
     .column_valid_i(sum_valid && !own_result),
     .column_last_i (column == LAST_COLUMN),
     .column_i      (sum),
+    .exponent_i    (exponent),
     .word_valid_o  (determinant_valid),
     .word_o        (determinant),
     .saturated_o   (determinant_saturated),
@@ -268,7 +273,7 @@ module ffd_eval_stream #(
   assign m_result_words       = m_result_determinant ? {64'd0, waiting[31:0]} : result[95:0];
   assign m_result_flags       = m_result_determinant ? waiting[33:32] : result[97:96];
 
-  wire unused_ok = &{1'b0, columns_ready, column_valid, results_ready, determinants_ready,
+  wire unused_ok = &{1'b0, sides_ready, side_valid, results_ready, determinants_ready,
                      users_ready};
 endmodule
 

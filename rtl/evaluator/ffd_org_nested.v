@@ -79,6 +79,9 @@ module ffd_org_nested #(
     if (EVALUATOR != `FFD_EVALUATOR_PIPELINED) begin : gen_bad_evaluator
       ERROR_ffd_org_nested_evaluator_must_be_pipelined u_error ();
     end
+    if (POINT_W != WEIGHT_W) begin : gen_bad_format
+      ERROR_ffd_org_nested_points_and_weights_must_be_equally_wide u_error ();
+    end
     if (LAST_USE > FORMED) begin : gen_bad_latency
       ERROR_ffd_org_nested_latencies_are_too_long u_error ();
     end

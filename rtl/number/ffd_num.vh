@@ -1,28 +1,42 @@
 // The number formats: widths, latencies and constants of the number layer (docs/numerics.md).
 //
-// FORMAT is 0 for binary32 (fp32) and the operand width W = 8 to 32 for fixed point (fxW).
-// A format fixes three kinds of number, and no module outside number/ looks inside them:
+// FORMAT is 0 for binary32 (fp32), the operand width W = 8 to 32 for fixed point (fxW), and 64 + W,
+// W = 8 to 40, for block floating point (bfp32 is W = 35): stream words in binary32, points times
+// 2^-exponent in fixed point. A format fixes three kinds of number, and no module outside number/
+// looks inside them:
 //
-//   kind                                   fp32       fxW (leading bit: saturated)
-//   weight (coordinate, coefficient too)   32 bits    1 + W,      Q2.(W-2)
-//   point                                  32 bits    1 + W,      Q1.(W-1)
-//   sum                                    32 bits    1 + 2W+6,   Q9.(2W-3): 64 exact products
+//   kind                                   fp32       fxW and block, flags in front
+//   weight (coordinate, coefficient too)   32 bits    1 + W,          Q2.(W-2)
+//   point                                  32 bits    F + W,          Q1.(W-1)
+//   sum                                    32 bits    F + 2W+6,       Q9.(2W-3): 64 exact products
 //
-// Weight and point are equally wide, so that a word of one can be taken for the other, at half or
-// twice its value in fixed point: the nested form does.
+// Flags are part of a number: each operation ORs those of its operands, so a result that any
+// saturation touched says so, and no organization carries a flag of its own. In fixed point F is 1,
+// {saturated}. In block floating point it is 3, {minus, plus, saturated}: a number with plus is an
+// infinity, with minus one below 0, with both a NaN, whatever its value; so OR adds these too.
 //
-// The saturated flag is part of a number: each operation ORs those of its operands, so a result
-// that any saturation touched says so, and no organization carries a flag of its own.
+// In binary32 and in fixed point weight and point are equally wide, so that a word of one can be
+// taken for the other, at half or twice its value in fixed point: the nested form does.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_NUM_VH
 `define FFD_NUM_VH
 
 `define FFD_FORMAT_FP32 0
-`define FFD_FORMAT_BAD(FORMAT) ((FORMAT) != 0 && ((FORMAT) < 8 || (FORMAT) > 32))
+`define FFD_FORMAT_BLOCK(FORMAT) ((FORMAT) > 64)
+`define FFD_FORMAT_BAD(FORMAT) \
+  ((FORMAT) != 0 && ((FORMAT) < 8 || (FORMAT) > 32) && ((FORMAT) < 72 || (FORMAT) > 104))
 
-`define FFD_WEIGHT_W(FORMAT) ((FORMAT) == 0 ? 32 : (FORMAT) + 1)
-`define FFD_POINT_W(FORMAT)  ((FORMAT) == 0 ? 32 : (FORMAT) + 1)
-`define FFD_SUM_W(FORMAT)    ((FORMAT) == 0 ? 32 : 2 * (FORMAT) + 7)
+// W and F, where the format is not binary32.
+`define FFD_FIXED_W(FORMAT) (`FFD_FORMAT_BLOCK(FORMAT) ? (FORMAT) - 64 : (FORMAT))
+`define FFD_FLAGS_W(FORMAT) (`FFD_FORMAT_BLOCK(FORMAT) ? 3 : 1)
+
+`define FFD_WEIGHT_W(FORMAT) ((FORMAT) == 0 ? 32 : `FFD_FIXED_W(FORMAT) + 1)
+`define FFD_POINT_W(FORMAT)  ((FORMAT) == 0 ? 32 : `FFD_FIXED_W(FORMAT) + `FFD_FLAGS_W(FORMAT))
+`define FFD_SUM_W(FORMAT) \
+  ((FORMAT) == 0 ? 32 : 2 * `FFD_FIXED_W(FORMAT) + 6 + `FFD_FLAGS_W(FORMAT))
+
+// The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
+`define FFD_EXPONENT_W 10
 
 // Roles of ffd_num_in.
 `define FFD_ROLE_COORDINATE  0
@@ -40,9 +54,11 @@
 `define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))
 
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.
-`define FFD_BLANK_WORD(FORMAT) ((FORMAT) == 0 ? 32'h7FC0_0000 : 32'h0000_0000)
+`define FFD_BLANK_WORD(FORMAT) \
+  ((FORMAT) == 0 || `FFD_FORMAT_BLOCK(FORMAT) ? 32'h7FC0_0000 : 32'h0000_0000)
 
 // The stream word of the coordinate 1.
-`define FFD_ONE_WORD(FORMAT) ((FORMAT) == 0 ? 32'h3F80_0000 : 32'h8000_0000)
+`define FFD_ONE_WORD(FORMAT) \
+  ((FORMAT) == 0 || `FFD_FORMAT_BLOCK(FORMAT) ? 32'h3F80_0000 : 32'h8000_0000)
 
 `endif

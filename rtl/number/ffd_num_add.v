@@ -1,7 +1,7 @@
 // ffd_num_add: sum + sum -> sum
 //
-// Rounding:   fp32: to nearest even. fxW: none.
-// Overflow:   fxW: none in a vertex: 64 products of magnitude at most 2 x 1 stay within
+// Rounding:   fp32: to nearest even. Else: none.
+// Overflow:   fixed point: none in a vertex: 64 products of magnitude at most 2 x 1 stay within
 //             [-128, 128], and the sum is Q9.
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
@@ -41,18 +41,19 @@ module ffd_num_add #(
         .result_o(sum_o)
       );
     end else begin : gen_fixed
-      localparam VALUE_W = `FFD_SUM_W(FORMAT) - 1;
+      localparam VALUE_W = 2 * `FFD_FIXED_W(FORMAT) + 6;
+      localparam FLAGS_W = `FFD_FLAGS_W(FORMAT);
       wire signed [VALUE_W-1:0] a   = a_i[VALUE_W-1:0];
       wire signed [VALUE_W-1:0] b   = b_i[VALUE_W-1:0];
       wire signed [VALUE_W-1:0] sum = a + b;
 
       ffd_num_delay #(
-        .WIDTH  (VALUE_W + 1),
+        .WIDTH  (FLAGS_W + VALUE_W),
         .LATENCY(LATENCY)
       ) u_sum (
         .clk(clk),
         .rst(1'b0),
-        .d_i({a_i[VALUE_W] | b_i[VALUE_W], sum}),
+        .d_i({a_i[VALUE_W +: FLAGS_W] | b_i[VALUE_W +: FLAGS_W], sum}),
         .q_o(sum_o)
       );
     end

@@ -39,8 +39,10 @@ module ffd_num_binomial #(
       assign unit  = {1'b0, EXPONENT, 23'd0};
       assign inner = POWER == 3 ? 32'h3EC0_0000 : 32'h3F00_0000;
     end else begin : gen_fixed
-      localparam [FORMAT-1:0] UNIT  = 1 << (FORMAT - 2 - POWER);
-      localparam [FORMAT-1:0] INNER = POWER * UNIT;
+      localparam W = `FFD_FIXED_W(FORMAT);
+      localparam [W-1:0] ONE   = 1;
+      localparam [W-1:0] UNIT  = ONE << (W - 2 - POWER);
+      localparam [W-1:0] INNER = POWER * UNIT;
       assign unit  = {1'b0, UNIT};
       assign inner = {1'b0, INNER};
     end

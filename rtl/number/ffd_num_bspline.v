@@ -1,8 +1,9 @@
 // ffd_num_bspline: a coefficient of the uniform cubic B-spline or of its derivative, wired in
 //
 // The watertight form of docs/numerics.md section 5, with one sixth, A, rounded once: in binary32
-// 2796203 * 2^-24, in fixed point the nearest multiple of the weight's unit. The derivative is that
-// of the true B-spline, exact; in fixed point it is halved (section 9). Both have the shift 0.
+// 2796203 * 2^-24, in fixed point the nearest multiple of the weight's unit, or of 2^-30, which is
+// that of a coefficient's word, where the weight has more bits. The derivative is that of the true
+// B-spline, exact; in fixed point it is halved (section 9). Both have the shift 0.
 //
 // Formats:    a weight, never flagged.
 // Pipeline:   combinational.
@@ -66,15 +67,20 @@ module ffd_num_bspline #(
       assign d_three_halves       = 32'h3FC0_0000;
       assign d_minus_three_halves = 32'hBFC0_0000;
     end else begin : gen_fixed
-      localparam FRACTION = FORMAT - 2;
+      localparam W        = `FFD_FIXED_W(FORMAT);
+      localparam FRACTION = W < 32 ? W - 2 : 30;
+      localparam PAD      = W - 2 - FRACTION;
       localparam SIXTH    = ((1 << FRACTION) + 3) / 6;
-      localparam [FORMAT-1:0] A       = SIXTH;
-      localparam [FORMAT-1:0] ONE     = 1 << FRACTION;
-      localparam [FORMAT-1:0] HALF    = 1 << (FRACTION - 1);
-      localparam [FORMAT-1:0] THREE   = 3 * SIXTH;
-      localparam [FORMAT-1:0] REST    = (1 << FRACTION) - 2 * SIXTH;
-      localparam [FORMAT-1:0] QUARTER = 1 << (FRACTION - 2);
-      localparam [FORMAT-1:0] NONE    = 0;
+      localparam THREE_OF = 3 * SIXTH;
+      localparam REST_OF  = (1 << FRACTION) - 2 * SIXTH;
+      localparam [W-1:0] UNIT    = 1 << PAD;
+      localparam [W-1:0] A       = SIXTH * UNIT;
+      localparam [W-1:0] ONE     = (1 << FRACTION) * UNIT;
+      localparam [W-1:0] HALF    = (1 << (FRACTION - 1)) * UNIT;
+      localparam [W-1:0] QUARTER = (1 << (FRACTION - 2)) * UNIT;
+      localparam [W-1:0] THREE   = THREE_OF * UNIT;
+      localparam [W-1:0] REST    = REST_OF * UNIT;
+      localparam [W-1:0] NONE    = 0;
       assign sixth                = {1'b0, A};
       assign minus_sixth          = {1'b0, NONE - A};
       assign three_sixths         = {1'b0, THREE};

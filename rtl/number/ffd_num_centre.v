@@ -1,8 +1,8 @@
 // ffd_num_centre: coordinate -> 2 x coordinate - 1, from [0, 1] to [-1, 1] about the cell's centre
 //
 // Rounding:   fp32: the doubling is exact (but for overflow to infinity), the sum to nearest even.
-//             fxW: none: a coordinate is a multiple of 2^-(W-2) in [0, 1], twice it less one is one
-//             in [-1, 1].
+//             Else: none: a coordinate is a multiple of 2^-(W-2) in [0, 1], and so is twice it less
+//             one in [-1, 1].
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
 // Model:      golden/include/hwffd/numerics (centre).  Test: tests/unit/fixed, tests/unit/float.
@@ -45,19 +45,20 @@ module ffd_num_centre #(
         .result_o(centred_o)
       );
     end else begin : gen_fixed
-      localparam [FORMAT-1:0] ONE = 1 << (FORMAT - 2);
-      wire [FORMAT-1:0] centred = {coordinate_i[FORMAT-2:0], 1'b0} - ONE;
+      localparam W = `FFD_FIXED_W(FORMAT);
+      wire [W-1:0] one     = {2'b01, {(W - 2) {1'b0}}};
+      wire [W-1:0] centred = {coordinate_i[W-2:0], 1'b0} - one;
 
       ffd_num_delay #(
-        .WIDTH  (FORMAT + 1),
+        .WIDTH  (W + 1),
         .LATENCY(LATENCY)
       ) u_centred (
         .clk(clk),
         .rst(1'b0),
-        .d_i({coordinate_i[FORMAT], centred}),
+        .d_i({coordinate_i[W], centred}),
         .q_o(centred_o)
       );
-      wire unused_ok = &{1'b0, coordinate_i[FORMAT-1]};
+      wire unused_ok = &{1'b0, coordinate_i[W-1]};
     end
   endgenerate
 endmodule

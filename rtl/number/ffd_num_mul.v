@@ -1,9 +1,10 @@
 // ffd_num_mul: weight x weight -> weight
 //
-// Rounding:   fp32: to nearest even. fxW: Q2.(W-2), half up, saturated and flagged outside [-2, 2).
+// Rounding:   fp32: to nearest even. Else: Q2.(W-2), half up, saturated and flagged outside
+//             [-2, 2).
 // Error:      half a unit in the last place.
-// Pipeline:   LATENCY registers, II 1, never frozen. fxW: the last one holds the rounded weight,
-//             the others surround the multiplier.
+// Pipeline:   LATENCY registers, II 1, never frozen. Fixed point: the last one holds the rounded
+//             weight, the others surround the multiplier.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
 // Model:      golden/include/hwffd/numerics (mul).  Test: tests/unit/fixed, tests/unit/float.
 // SPDX-License-Identifier: Apache-2.0
@@ -41,36 +42,37 @@ module ffd_num_mul #(
         .result_o(product_o)
       );
     end else begin : gen_fixed
-      wire signed [2*FORMAT-1:0] product;
-      wire signed [FORMAT-1:0]   rounded;
-      wire                       flag;
-      wire                       saturated;
+      localparam W = `FFD_FIXED_W(FORMAT);
+      wire signed [2*W-1:0] product;
+      wire signed [W-1:0]   rounded;
+      wire                  flag;
+      wire                  saturated;
 
       ffd_fx_product #(
-        .W      (FORMAT),
+        .W      (W),
         .LATENCY(LATENCY - 1)
       ) u_product (
         .clk      (clk),
-        .a_i      (a_i[FORMAT-1:0]),
-        .b_i      (b_i[FORMAT-1:0]),
-        .flag_i   (a_i[FORMAT] | b_i[FORMAT]),
+        .a_i      (a_i[W-1:0]),
+        .b_i      (b_i[W-1:0]),
+        .flags_i  (a_i[W] | b_i[W]),
         .product_o(product),
-        .flag_o   (flag)
+        .flags_o  (flag)
       );
 
       ffd_fx_round #(
-        .IN_W (2 * FORMAT),
-        .DROP (FORMAT - 2),
-        .OUT_W(FORMAT)
+        .IN_W (2 * W),
+        .DROP (W - 2),
+        .OUT_W(W)
       ) u_round (
         .value_i    (product),
-        .addend_i   ({FORMAT{1'b0}}),
+        .addend_i   ({W{1'b0}}),
         .value_o    (rounded),
         .saturated_o(saturated)
       );
 
       ffd_num_delay #(
-        .WIDTH  (FORMAT + 1),
+        .WIDTH  (W + 1),
         .LATENCY(1)
       ) u_result (
         .clk(clk),

@@ -1,8 +1,8 @@
 // ffd_num_narrow: sum -> point, between two contractions
 //
-// Formats:    fp32: a wire. fxW: Q9.(2W-3) times 2^-SHIFT -> Q1.(W-1), the point's own format, so
+// Formats:    fp32: a wire. Else: Q9.(2W-3) times 2^-SHIFT -> Q1.(W-1), the point's own format, so
 //             that the next multiplication is again one of W x W bits.
-// Rounding:   fxW: half up, saturated and flagged outside [-1, 1).
+// Rounding:   half up, saturated and flagged outside [-1, 1).
 // Error:      half a unit of a point.
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, SHIFT 0 to 7, LATENCY >= 0.
@@ -37,20 +37,24 @@ module ffd_num_narrow #(
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
       assign point = sum_i;
     end else begin : gen_fixed
-      localparam VALUE_W = `FFD_SUM_W(FORMAT) - 1;
+      localparam W       = `FFD_FIXED_W(FORMAT);
+      localparam VALUE_W = 2 * W + 6;
       wire saturated;
 
       ffd_fx_round #(
         .IN_W (VALUE_W),
-        .DROP (FORMAT - 2 + SHIFT),
-        .OUT_W(FORMAT)
+        .DROP (W - 2 + SHIFT),
+        .OUT_W(W)
       ) u_round (
         .value_i    (sum_i[VALUE_W-1:0]),
-        .addend_i   ({FORMAT{1'b0}}),
-        .value_o    (point[FORMAT-1:0]),
+        .addend_i   ({W{1'b0}}),
+        .value_o    (point[W-1:0]),
         .saturated_o(saturated)
       );
-      assign point[FORMAT] = sum_i[VALUE_W] | saturated;
+      assign point[W] = sum_i[VALUE_W] | saturated;
+      if (POINT_W > W + 1) begin : gen_class
+        assign point[POINT_W-1:W+1] = sum_i[VALUE_W+1 +: POINT_W - W - 1];
+      end
     end
   endgenerate
 

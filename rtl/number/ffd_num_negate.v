@@ -1,8 +1,9 @@
 // ffd_num_negate: -sum
 //
 // Formats:    fp32: the sign turned round, of a NaN too; ffd_num_add makes +0 and the canonical NaN
-//             of what comes of it. fxW: exact; a saturated number stays flagged.
-// Overflow:   fxW: none, sums lie within [-128, 128] of Q9.
+//             of what comes of it. fxW, block: exact; a saturated number stays flagged, infinities
+//             change sign.
+// Overflow:   fxW, block: none, sums lie within [-128, 128] of Q9.
 // Pipeline:   combinational.
 // Parameters: FORMAT as in ffd_num.vh.
 // Model:      golden/include/hwffd/numerics (negate).  Test: tests/evaluator, tests/system.
@@ -26,8 +27,11 @@ module ffd_num_negate #(
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
       assign negative_o = {!sum_i[31], sum_i[30:0]};
     end else begin : gen_fixed
-      localparam VALUE_W = `FFD_SUM_W(FORMAT) - 1;
-      assign negative_o = {sum_i[VALUE_W], {VALUE_W{1'b0}} - sum_i[VALUE_W-1:0]};
+      localparam VALUE_W = 2 * `FFD_FIXED_W(FORMAT) + 6;
+      assign negative_o[VALUE_W:0] = {sum_i[VALUE_W], {VALUE_W{1'b0}} - sum_i[VALUE_W-1:0]};
+      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_class
+        assign negative_o[VALUE_W+1 +: 2] = {sum_i[VALUE_W+1], sum_i[VALUE_W+2]};
+      end
     end
   endgenerate
 endmodule

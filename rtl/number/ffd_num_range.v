@@ -1,8 +1,8 @@
 // ffd_num_range: whether the stream word of a coordinate is a number in [0, 1]
 //
-// Formats:    stream words (docs/interface.md section 3): binary32, or unsigned Q1.31. NaN and the
-//             infinities are no numbers (nan_o), -0 is 0. clamped_o is the nearest word in [0, 1];
-//             of what is no number it is anything.
+// Formats:    stream words (docs/interface.md section 3): binary32 (fp32, block) or unsigned Q1.31.
+//             NaN and the infinities are no numbers (nan_o), -0 is 0. clamped_o is the nearest word
+//             in [0, 1]; of what is no number it is one of both ends.
 // Pipeline:   combinational.
 // Parameters: FORMAT as in ffd_num.vh.
 // Model:      golden/include/hwffd/numerics (range).  Test: tests/system, tests/unit/fixed.
@@ -29,7 +29,7 @@ module ffd_num_range #(
   wire above;
   wire below;
   generate
-    if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
+    if (FORMAT == `FFD_FORMAT_FP32 || `FFD_FORMAT_BLOCK(FORMAT)) begin : gen_float
       assign nan_o = &word_i[30:23];
       assign above = !word_i[31] && word_i[30:0] > ONE[30:0];
       assign below = word_i[31] && word_i[30:0] != 31'd0;

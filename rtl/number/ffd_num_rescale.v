@@ -3,8 +3,8 @@
 // ffd_num_narrow with a scale: what is formed grows past a point's range, or is a coefficient whose
 // bank has a shift (docs/numerics.md section 3).
 //
-// Formats:    fp32: a wire, the shift is ignored. fxW: Q9.(2W-3) -> Q1.(W-1).
-// Rounding:   fxW: half up, once; saturated and flagged outside [-1, 1).
+// Formats:    fp32: a wire, the shift is ignored. Else: Q9.(2W-3) -> Q1.(W-1).
+// Rounding:   half up, once; saturated and flagged outside [-1, 1).
 // Error:      half a unit of a point.
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
@@ -39,7 +39,8 @@ module ffd_num_rescale #(
       wire unused_ok = &{1'b0, shift_i};
     end else begin : gen_fixed
       // One place more behind the point than the sum has, for the shift by -1.
-      localparam VALUE_W   = `FFD_SUM_W(FORMAT) - 1;
+      localparam W         = `FFD_FIXED_W(FORMAT);
+      localparam VALUE_W   = 2 * W + 6;
       localparam SHIFTED_W = VALUE_W + 4;
       wire signed [SHIFTED_W-1:0] value   = {{4{sum_i[VALUE_W-1]}}, sum_i[VALUE_W-1:0]};
       wire        [2:0]           places  = shift_i + 3'd1;
@@ -48,15 +49,18 @@ module ffd_num_rescale #(
 
       ffd_fx_round #(
         .IN_W (SHIFTED_W),
-        .DROP (FORMAT - 1),
-        .OUT_W(FORMAT)
+        .DROP (W - 1),
+        .OUT_W(W)
       ) u_round (
         .value_i    (shifted),
-        .addend_i   ({FORMAT{1'b0}}),
-        .value_o    (point[FORMAT-1:0]),
+        .addend_i   ({W{1'b0}}),
+        .value_o    (point[W-1:0]),
         .saturated_o(saturated)
       );
-      assign point[FORMAT] = sum_i[VALUE_W] | saturated;
+      assign point[W] = sum_i[VALUE_W] | saturated;
+      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_class
+        assign point[W+1 +: 2] = sum_i[VALUE_W+1 +: 2];
+      end
     end
   endgenerate
 

@@ -3,7 +3,7 @@
 // Undoes the shift of a coefficient bank whose coefficients were stored times 2^-shift to fit
 // [-2, 2) (docs/numerics.md section 3).
 //
-// Formats:    fp32: a wire, the shift is ignored. fxW: saturated and flagged outside [-2, 2).
+// Formats:    fp32: a wire, the shift is ignored. Else: saturated and flagged outside [-2, 2).
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics (scale).  Test: tests/unit/fixed.
@@ -35,21 +35,22 @@ module ffd_num_scale #(
       assign scaled = weight_i;
       wire unused_ok = &{1'b0, shift_i};
     end else begin : gen_fixed
-      wire signed [FORMAT+2:0] weight  = {{3{weight_i[FORMAT-1]}}, weight_i[FORMAT-1:0]};
-      wire signed [FORMAT+2:0] shifted = weight <<< shift_i;
-      wire                     saturated;
+      localparam W = `FFD_FIXED_W(FORMAT);
+      wire signed [W+2:0] weight  = {{3{weight_i[W-1]}}, weight_i[W-1:0]};
+      wire signed [W+2:0] shifted = weight <<< shift_i;
+      wire                saturated;
 
       ffd_fx_round #(
-        .IN_W (FORMAT + 3),
+        .IN_W (W + 3),
         .DROP (0),
-        .OUT_W(FORMAT)
+        .OUT_W(W)
       ) u_round (
         .value_i    (shifted),
-        .addend_i   ({FORMAT{1'b0}}),
-        .value_o    (scaled[FORMAT-1:0]),
+        .addend_i   ({W{1'b0}}),
+        .value_o    (scaled[W-1:0]),
         .saturated_o(saturated)
       );
-      assign scaled[FORMAT] = weight_i[FORMAT] | saturated;
+      assign scaled[W] = weight_i[W] | saturated;
     end
   endgenerate
 

@@ -1,6 +1,6 @@
 // ffd_num_step: coefficient + coordinate x weight -> weight, one step of Horner's rule
 //
-// Rounding:   fp32: the product and the sum each to nearest even, or fused, once. fxW: Q2.(W-2),
+// Rounding:   fp32: the product and the sum each to nearest even, or fused, once. Else: Q2.(W-2),
 //             half up, once (the coefficient is on the grid); saturated outside [-2, 2).
 // Pipeline:   FFD_STEP_LATENCY registers, II 1, never frozen. The coefficient comes with the other
 //             operands, or with LATE FFD_STEP_JOIN later, where it is added: one that stands still
@@ -89,30 +89,31 @@ module ffd_num_step #(
         .result_o(weight_o)
       );
     end else begin : gen_fixed
-      wire signed [2*FORMAT-1:0] product;
-      wire signed [FORMAT-1:0]   rounded;
-      wire                       flag;
-      wire                       saturated;
+      localparam W = `FFD_FIXED_W(FORMAT);
+      wire signed [2*W-1:0] product;
+      wire signed [W-1:0]   rounded;
+      wire                  flag;
+      wire                  saturated;
 
       ffd_fx_product #(
-        .W      (FORMAT),
+        .W      (W),
         .LATENCY(MUL_LATENCY)
       ) u_product (
         .clk      (clk),
-        .a_i      (coordinate_i[FORMAT-1:0]),
-        .b_i      (weight_i[FORMAT-1:0]),
-        .flag_i   (coordinate_i[FORMAT] | weight_i[FORMAT]),
+        .a_i      (coordinate_i[W-1:0]),
+        .b_i      (weight_i[W-1:0]),
+        .flags_i  (coordinate_i[W] | weight_i[W]),
         .product_o(product),
-        .flag_o   (flag)
+        .flags_o  (flag)
       );
 
       ffd_fx_round #(
-        .IN_W (2 * FORMAT),
-        .DROP (FORMAT - 2),
-        .OUT_W(FORMAT)
+        .IN_W (2 * W),
+        .DROP (W - 2),
+        .OUT_W(W)
       ) u_round (
         .value_i    (product),
-        .addend_i   (coefficient[FORMAT-1:0]),
+        .addend_i   (coefficient[W-1:0]),
         .value_o    (rounded),
         .saturated_o(saturated)
       );
@@ -123,7 +124,7 @@ module ffd_num_step #(
       ) u_result (
         .clk(clk),
         .rst(1'b0),
-        .d_i({flag | coefficient[FORMAT] | saturated, rounded}),
+        .d_i({flag | coefficient[W] | saturated, rounded}),
         .q_o(weight_o)
       );
     end

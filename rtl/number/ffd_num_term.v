@@ -1,6 +1,7 @@
 // ffd_num_term: weight x point -> sum
 //
-// Rounding:   fp32: to nearest even. fxW: none, the product Q3.(2W-3) is exact and fits the sum.
+// Rounding:   fp32: to nearest even. Else: none, the product Q3.(2W-3) is exact and fits the sum.
+// Infinities: block: times a weight below 0 of the other sign, times 0 a NaN.
 // Pipeline:   LATENCY registers, II 1, never frozen.
 // Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
 // Model:      golden/include/hwffd/numerics (term).  Test: tests/unit/fixed, tests/unit/float.
@@ -39,22 +40,36 @@ module ffd_num_term #(
         .result_o(term_o)
       );
     end else begin : gen_fixed
-      wire signed [2*FORMAT-1:0] product;
-      wire                       flag;
+      localparam W       = `FFD_FIXED_W(FORMAT);
+      localparam FLAGS_W = `FFD_FLAGS_W(FORMAT);
+      wire signed [2*W-1:0]     product;
+      wire        [FLAGS_W-1:0] flags;
+      wire        [FLAGS_W-1:0] late_flags;
+
+      assign flags[0] = weight_i[W] | point_i[W];
+      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_class
+        wire plus     = point_i[W+1];
+        wire minus    = point_i[W+2];
+        wire negative = weight_i[W-1];
+        wire zero     = weight_i[W-1:0] == {W{1'b0}};
+        assign flags[1] = negative || zero ? minus || (zero && plus) : plus;
+        assign flags[2] = negative || zero ? plus || (zero && minus) : minus;
+      end
 
       ffd_fx_product #(
-        .W      (FORMAT),
+        .W      (W),
+        .FLAGS_W(FLAGS_W),
         .LATENCY(LATENCY)
       ) u_product (
         .clk      (clk),
-        .a_i      (weight_i[FORMAT-1:0]),
-        .b_i      (point_i[FORMAT-1:0]),
-        .flag_i   (weight_i[FORMAT] | point_i[FORMAT]),
+        .a_i      (weight_i[W-1:0]),
+        .b_i      (point_i[W-1:0]),
+        .flags_i  (flags),
         .product_o(product),
-        .flag_o   (flag)
+        .flags_o  (late_flags)
       );
 
-      assign term_o = {flag, {6{product[2*FORMAT-1]}}, product};
+      assign term_o = {late_flags, {6{product[2*W-1]}}, product};
     end
   endgenerate
 endmodule

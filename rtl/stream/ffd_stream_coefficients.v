@@ -91,8 +91,9 @@ module ffd_stream_coefficients #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_COEFFICIENT)
       ) u_in (
-        .word_i  (data_i[32*p +: 32]),
-        .number_o(number)
+        .word_i    (data_i[32*p +: 32]),
+        .exponent_i({`FFD_EXPONENT_W{1'b0}}),
+        .number_o  (number)
       );
       assign load_entry_o[p*WEIGHT_W +: WEIGHT_W] = terms > POWER ? number : {WEIGHT_W{1'b0}};
     end

@@ -15,7 +15,8 @@
 //             event_o (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    coordinates and coefficients leave as weights of FORMAT; source {resident, slot or
 //             buffer}; changed: points or coefficients were loaded since the vertex before; user
-//             {resident, buffer, bank, that of ffd_stream_vertex}.
+//             {resident, buffer, bank, that of ffd_stream_vertex}. The exponent of points comes in
+//             the header of opcodes 2 and 4 and goes with each of their vertices.
 // Pipeline:   a vertex leaves in the clock after its last beat; II 1 resident, 49 interleaved.
 // Freezes:    s_beat_ready is 0 when a header waits for its bank or buffer, a vertex for a slot, or
 //             a finished vertex for the one before it.
@@ -55,6 +56,7 @@ module ffd_stream_decoder #(
   output wire [3:0]                                      slot_group_o,
   output wire [1:0]                                      slot_phase_o,
   output wire [127:0]                                    slot_words_o,
+  output reg  [`FFD_EXPONENT_W-1:0]                      write_exponent_o,
   output wire                                            m_vertex_valid,
   input  wire                                            m_vertex_ready,
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              m_vertex_coordinates,
@@ -63,6 +65,7 @@ module ffd_stream_decoder #(
   output wire                                            m_vertex_bank,
   output wire                                            m_vertex_changed,
   output wire [1:0]                                      m_vertex_results,
+  output wire [`FFD_EXPONENT_W-1:0]                      m_vertex_exponent,
   output wire [`FFD_USER_W-1:0]                          m_vertex_user,
   input  wire                                            slot_free_i,
   input  wire                                            retire_i,
@@ -162,6 +165,11 @@ module ffd_stream_decoder #(
     end
   end
 
+  // The exponent of the points that this packet brings.
+  always @(posedge clk) begin
+    if (header) write_exponent_o <= s_beat_data[96 +: `FFD_EXPONENT_W];
+  end
+
   // ---- when it may come
 
   wire [1:0] bank_busy;
@@ -204,8 +212,9 @@ module ffd_stream_decoder #(
     .derivatives_o (derivatives_loaded)
   );
 
-  wire        lattice_loaded;
-  wire [11:0] last_cell;
+  wire                       lattice_loaded;
+  wire [11:0]                last_cell;
+  wire [`FFD_EXPONENT_W-1:0] lattice_exponent;
   ffd_stream_lattice #(
     .AXIS(AXIS)
   ) u_lattice (
@@ -214,6 +223,7 @@ module ffd_stream_decoder #(
     .header_i      (header),
     .beat_i        (take && state_q == LATTICE),
     .data_i        (s_beat_data),
+    .exponent_i    (write_exponent_o),
     .good_o        (good_lattice),
     .last_o        (last_of_lattice),
     .write_o       (lattice_write_o),
@@ -222,7 +232,8 @@ module ffd_stream_decoder #(
     .write_words_o (lattice_words_o),
     .buffer_o      (buffer),
     .loaded_o      (lattice_loaded),
-    .last_cell_o   (last_cell)
+    .last_cell_o   (last_cell),
+    .exponent_o    (lattice_exponent)
   );
 
   // Vertices that have not retired: those behind the decoder and the one it offers.
@@ -315,6 +326,7 @@ module ffd_stream_decoder #(
     .bank_i              (bank),
     .changed_i           (changed_q || !resident_q),
     .results_i           (results_q),
+    .exponent_i          (resident_q ? lattice_exponent : write_exponent_o),
     .cell_o              (slot_cell_o),
     .m_vertex_valid      (m_vertex_valid),
     .m_vertex_ready      (m_vertex_ready),
@@ -324,6 +336,7 @@ module ffd_stream_decoder #(
     .m_vertex_bank       (m_vertex_bank),
     .m_vertex_changed    (m_vertex_changed),
     .m_vertex_results    (m_vertex_results),
+    .m_vertex_exponent   (m_vertex_exponent),
     .m_vertex_user       (vertex_user),
     .nan_o               (nan),
     .outside_o           (outside),

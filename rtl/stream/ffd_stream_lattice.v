@@ -9,24 +9,27 @@
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_num.vh"
 
 module ffd_stream_lattice #(
   parameter AXIS = 16
 ) (
-  input  wire         clk,
-  input  wire         rst,
-  input  wire         header_i,
-  input  wire         beat_i,
-  input  wire [127:0] data_i,
-  output wire         good_o,
-  output wire         last_o,
-  output wire         write_o,
-  output wire         write_buffer_o,
-  output wire [11:0]  write_at_o,
-  output wire [95:0]  write_words_o,
-  output wire         buffer_o,
-  output wire         loaded_o,
-  output wire [11:0]  last_cell_o
+  input  wire                        clk,
+  input  wire                        rst,
+  input  wire                        header_i,
+  input  wire                        beat_i,
+  input  wire [127:0]                data_i,
+  input  wire [`FFD_EXPONENT_W-1:0]  exponent_i,
+  output wire                        good_o,
+  output wire                        last_o,
+  output wire                        write_o,
+  output wire                        write_buffer_o,
+  output wire [11:0]                 write_at_o,
+  output wire [95:0]                 write_words_o,
+  output wire                        buffer_o,
+  output wire                        loaded_o,
+  output wire [11:0]                 last_cell_o,
+  output reg  [`FFD_EXPONENT_W-1:0]  exponent_o
 );
   generate
     if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
@@ -49,6 +52,11 @@ module ffd_stream_lattice #(
       buffer_q <= !buffer_q;
       loaded_q <= 1'b1;
     end
+  end
+
+  // Of the buffer in use.
+  always @(posedge clk) begin
+    if (beat_i && last_o) exponent_o <= exponent_i;
   end
 
   // An axis: its points as the header says, and an index that steps when those below it wrap.

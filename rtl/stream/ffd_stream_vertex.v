@@ -35,6 +35,7 @@ module ffd_stream_vertex #(
   input  wire                                bank_i,
   input  wire                                changed_i,
   input  wire [1:0]                          results_i,
+  input  wire [`FFD_EXPONENT_W-1:0]          exponent_i,
   output wire [11:0]                         cell_o,
   output reg                                 m_vertex_valid,
   input  wire                                m_vertex_ready,
@@ -44,6 +45,7 @@ module ffd_stream_vertex #(
   output reg                                 m_vertex_bank,
   output reg                                 m_vertex_changed,
   output reg  [1:0]                          m_vertex_results,
+  output reg  [`FFD_EXPONENT_W-1:0]          m_vertex_exponent,
   output reg  [23:0]                         m_vertex_user,
   output wire                                nan_o,
   output wire                                outside_o,
@@ -93,8 +95,9 @@ module ffd_stream_vertex #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_COORDINATE)
       ) u_in (
-        .word_i  (word),
-        .number_o(coordinates[a*WEIGHT_W +: WEIGHT_W])
+        .word_i    (word),
+        .exponent_i({`FFD_EXPONENT_W{1'b0}}),
+        .number_o  (coordinates[a*WEIGHT_W +: WEIGHT_W])
       );
     end
   endgenerate
@@ -141,6 +144,7 @@ module ffd_stream_vertex #(
       m_vertex_bank        <= bank_i;
       m_vertex_changed     <= changed_i;
       m_vertex_results     <= results_i;
+      m_vertex_exponent    <= exponent_i;
       m_vertex_user        <= {last_i, blank, status, now_tag};
     end
   end

@@ -94,12 +94,14 @@ module hwffd_stream #(
   wire [3:0]                        slot_group;
   wire [1:0]                        slot_phase;
   wire [127:0]                      slot_words;
+  wire [`FFD_EXPONENT_W-1:0]        write_exponent;
   wire                              vertex_valid;
   wire                              vertex_ready;
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
+  wire [`FFD_EXPONENT_W-1:0]        vertex_exponent;
   wire                              vertex_changed;
   wire [1:0]                        vertex_results;
   wire [USER_W-1:0]                 vertex_user;
@@ -154,6 +156,7 @@ module hwffd_stream #(
     .slot_group_o        (slot_group),
     .slot_phase_o        (slot_phase),
     .slot_words_o        (slot_words),
+    .write_exponent_o    (write_exponent),
     .m_vertex_valid      (vertex_valid),
     .m_vertex_ready      (vertex_ready),
     .m_vertex_coordinates(vertex_coordinates),
@@ -162,6 +165,7 @@ module hwffd_stream #(
     .m_vertex_bank       (vertex_bank),
     .m_vertex_changed    (vertex_changed),
     .m_vertex_results    (vertex_results),
+    .m_vertex_exponent   (vertex_exponent),
     .m_vertex_user       (vertex_user),
     .slot_free_i         (read_last && !read_again && !read_source[SLOT_W]),
     .retire_i            (retire),
@@ -210,6 +214,7 @@ module hwffd_stream #(
     .slot_group_i    (slot_group),
     .slot_phase_i    (slot_phase),
     .slot_words_i    (slot_words),
+    .write_exponent_i(write_exponent),
     .read_source_i   (read_source),
     .read_cell_i     (read_cell),
     .read_index_i    (read_index),
@@ -244,6 +249,7 @@ module hwffd_stream #(
     .s_vertex_source     (part_source),
     .s_vertex_bank       (part_bank),
     .s_vertex_changed    (vertex_changed),
+    .s_vertex_exponent   (vertex_exponent),
     .s_vertex_column     (part_column),
     .s_vertex_user       (part_user),
     .read_o              (read),

@@ -33,6 +33,7 @@ module ffd_bench_evaluator #(
   input  wire [7:0]   write_support_i,
   input  wire [5:0]   write_index_i,
   input  wire [95:0]  write_words_i,
+  input  wire [9:0]   write_exponent_i,
   input  wire         s_vertex_valid,
   output wire         s_vertex_ready,
   input  wire [95:0]  s_vertex_words,
@@ -40,6 +41,7 @@ module ffd_bench_evaluator #(
   input  wire [7:0]   s_vertex_support,
   input  wire [5:0]   s_vertex_bank,
   input  wire         s_vertex_changed,
+  input  wire [9:0]   s_vertex_exponent,
   input  wire [15:0]  s_vertex_tag,
   output wire         m_result_valid,
   input  wire         m_result_ready,
@@ -61,8 +63,9 @@ module ffd_bench_evaluator #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_COEFFICIENT)
       ) u_in (
-        .word_i  (load_words_i[32*i +: 32]),
-        .number_o(entry[i*WEIGHT_W +: WEIGHT_W])
+        .word_i    (load_words_i[32*i +: 32]),
+        .exponent_i(10'd0),
+        .number_o  (entry[i*WEIGHT_W +: WEIGHT_W])
       );
     end
     for (i = 0; i < 3; i = i + 1) begin : gen_component
@@ -70,15 +73,17 @@ module ffd_bench_evaluator #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_COORDINATE)
       ) u_coordinate (
-        .word_i  (s_vertex_words[32*i +: 32]),
-        .number_o(coordinates[i*WEIGHT_W +: WEIGHT_W])
+        .word_i    (s_vertex_words[32*i +: 32]),
+        .exponent_i(10'd0),
+        .number_o  (coordinates[i*WEIGHT_W +: WEIGHT_W])
       );
       ffd_num_in #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_POINT)
       ) u_point (
-        .word_i  (write_words_i[32*i +: 32]),
-        .number_o(point[i*POINT_W +: POINT_W])
+        .word_i    (write_words_i[32*i +: 32]),
+        .exponent_i(write_exponent_i),
+        .number_o  (point[i*POINT_W +: POINT_W])
       );
     end
   endgenerate
@@ -141,6 +146,7 @@ module ffd_bench_evaluator #(
     .s_vertex_cell       (s_vertex_cell),
     .s_vertex_source     (s_vertex_support),
     .s_vertex_bank       (s_vertex_bank),
+    .s_vertex_exponent   (s_vertex_exponent),
     .s_vertex_changed    (s_vertex_changed),
     .s_vertex_column     (2'd0),
     .s_vertex_user       (s_vertex_tag),

@@ -12,7 +12,8 @@ constexpr std::uint64_t kStallLimit = 20'000;  // clocks without a result
 constexpr unsigned kDerivative = 2;            // of an axis's {derivative, bank}
 constexpr int kDerivativeAddress = 8;          // of {derivative, bank, function}
 
-EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) {
+EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t index) {
+  const EvaluatorVertex& vertex = stimulus.vertices[index];
   EvaluatorCore::Vertex pins;
   pins.words = vertex.local;
   for (int axis = 0; axis < 3; ++axis) {
@@ -23,6 +24,7 @@ EvaluatorCore::Vertex pins_of(const EvaluatorVertex& vertex, std::size_t index) 
   if (vertex.derivative >= 0) {
     pins.bank = static_cast<std::uint8_t>(kDerivative << (2 * vertex.derivative));
   }
+  pins.exponent = stimulus.supports[vertex.support].exponent;
   pins.tag = static_cast<std::uint16_t>(index);
   return pins;
 }
@@ -52,7 +54,7 @@ void EvaluatorBench::run(const EvaluatorStimulus& stimulus, Throttle source, Thr
                          ScheduleRecorder* recorder) {
   write_supports(stimulus.supports);
   const auto start = std::chrono::steady_clock::now();
-  simulate(stimulus.vertices, source, sink, recorder);
+  simulate(stimulus, source, sink, recorder);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   compare(stimulus);
 }
@@ -63,21 +65,23 @@ void EvaluatorBench::write_supports(const std::vector<SupportWords>& supports) {
   }
   for (std::size_t s = 0; s < supports.size(); ++s) {
     for (int p = 0; p < 64; ++p) {
-      core_.write(static_cast<std::uint8_t>(s), p, &supports[s][3 * p]);
+      core_.write(static_cast<std::uint8_t>(s), p, &supports[s].points[3 * p],
+                  supports[s].exponent);
     }
   }
 }
 
-void EvaluatorBench::simulate(const std::vector<EvaluatorVertex>& vertices, Throttle& source,
-                              Throttle& sink, ScheduleRecorder* recorder) {
+void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& source, Throttle& sink,
+                              ScheduleRecorder* recorder) {
+  const std::size_t vertices = stimulus.vertices.size();
   std::size_t sent = 0;
   std::size_t received = 0;
   std::uint64_t last_result = clock_;
   bool offered = false;
-  while (received < vertices.size()) {
-    offered = sent < vertices.size() && (offered || source.willing());
+  while (received < vertices) {
+    offered = sent < vertices && (offered || source.willing());
     const bool ready = sink.willing();
-    core_.drive_vertex(offered, offered ? pins_of(vertices[sent], sent) : EvaluatorCore::Vertex{});
+    core_.drive_vertex(offered, offered ? pins_of(stimulus, sent) : EvaluatorCore::Vertex{});
     core_.drive_result_ready(ready);
     core_.settle();
     if (recorder != nullptr) recorder->sample(clock_);
@@ -104,9 +108,11 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
   const std::size_t first = results_.size() - stimulus.vertices.size();
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
+    const SupportWords& support = stimulus.supports[vertex.support];
     const EvaluatorCore::Result& got = results_[first + v];
-    model::VertexWords words{vertex.local, vertex.cell, stimulus.supports[vertex.support]};
+    model::VertexWords words{vertex.local, vertex.cell, support.points};
     words.derivative = vertex.derivative;
+    words.exponent = support.exponent;
     const model::ResultWords expected = model_.evaluate(0, words);
     const auto tag = static_cast<std::uint16_t>(v);
     ++checked_;

@@ -1,5 +1,7 @@
 #include "hwffd/tb/evaluator_stimulus.hpp"
 
+#include <cmath>
+
 #include "hwffd/tb/random.hpp"
 
 namespace hwffd::tb {
@@ -26,7 +28,7 @@ std::vector<SupportWords> lattice_supports(const WordCodec& codec, Random& rando
     for (int p = 0; p < 64; ++p) {
       const int at =
           ((first[0] + p / 16) * kPoints + first[1] + p / 4 % 4) * kPoints + first[2] + p % 4;
-      for (int c = 0; c < 3; ++c) supports[s][3 * p + c] = points[at][c];
+      for (int c = 0; c < 3; ++c) supports[s].points[3 * p + c] = points[at][c];
     }
   }
   return supports;
@@ -40,7 +42,10 @@ EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, 
   EvaluatorStimulus stimulus;
   stimulus.supports.resize(kSupports);
   for (SupportWords& support : stimulus.supports) {
-    for (std::uint32_t& word : support) word = codec.point(2 * random.unit() - 1);
+    if (codec.is_block()) support.exponent = static_cast<int>(random.below(121)) - 60;
+    for (std::uint32_t& word : support.points) {
+      word = codec.point(std::ldexp(2 * random.unit() - 1, support.exponent));
+    }
   }
   stimulus.vertices.resize(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {

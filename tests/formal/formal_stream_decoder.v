@@ -43,6 +43,8 @@ module formal_stream_decoder #(
   wire [SLOT_W:0]                            m_source;
   wire                                       m_bank;
   wire [1:0]                                 m_results;
+  wire                                       m_changed;
+  wire [`FFD_EXPONENT_W-1:0]                 m_exponent;
   wire [`FFD_USER_W-1:0]                     m_user;
   wire                                       idle;
   wire                                       m_ready;
@@ -76,6 +78,8 @@ module formal_stream_decoder #(
     .m_vertex_source     (m_source),
     .m_vertex_bank       (m_bank),
     .m_vertex_results    (m_results),
+    .m_vertex_changed    (m_changed),
+    .m_vertex_exponent   (m_exponent),
     .m_vertex_user       (m_user),
     .slot_free_i         (free),
     .retire_i            (retire),
@@ -221,13 +225,20 @@ module formal_stream_decoder #(
   // ---- one clock before
   reg                                        rst_q;
   reg                                        held_q;
-  reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+2+`FFD_USER_W-1:0] held_vertex_q;
-  wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+2+`FFD_USER_W-1:0] held_vertex =
-    {m_coordinates, m_cell, m_source, m_bank, m_results, m_user};
+  reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex_q;
+  wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex =
+    {m_coordinates, m_cell, m_source, m_bank, m_changed, m_results, m_exponent, m_user};
   always @(posedge clk) begin
     rst_q         <= rst;
     held_q        <= m_valid && !m_ready && !rst;
     held_vertex_q <= held_vertex;
+  end
+
+  // ---- what was written since the vertex before was offered
+  reg  written_q;
+  wire new_vertex = m_valid && !held_q;
+  always @(posedge clk) begin
+    written_q <= rst || load || lattice_write || (written_q && !new_vertex);
   end
 
   (* hierconn *) wire [2:0]  \u_dut.state_q ;
@@ -346,6 +357,7 @@ module formal_stream_decoder #(
     slot_unused: assert (!slot_write || !((a_free && a_at_q == slot) || (b_free && b_at_q == slot)
                                        || (m_valid && !m_resident
                                            && m_source[SLOT_W-1:0] == slot)));
+    changed: assert (rst_q || !new_vertex || m_changed || (m_resident && !written_q));
     bank_order: assert (!m_valid || m_bank == bank_of_q);
     buffer_order: assert (!m_valid || !m_resident || m_buffer == buffer_of_q);
     point_inside: assert (!lattice_write || (lattice_at[3:0] <= size_q[3:0]

@@ -10,6 +10,7 @@
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/oracle/oracle.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -214,6 +215,20 @@ TEST(Attachment, GradientsOutside) {
   const auto faded = attached(unit_box(), points, "fade:0.5").gradients(deformed);
   EXPECT_EQ(faded[1], kUnit);
   EXPECT_TRUE(faded[2].array().isNaN().all());
+}
+
+TEST(Attachment, GradientsFromDerivativesOfAnother) {
+  const Points points = four_points();
+  const Attachment attachment = attached(unit_box(), points, "keep");
+  const Lattice deformed = Deformation::parse("twist:30").apply(unit_box());
+  std::vector<Eigen::Matrix3d> jacobians;
+  for (const Embedded& at : attachment.places()) {
+    jacobians.push_back(Oracle().jet(deformed.support(at.cell), at.local).jacobian);
+  }
+  EXPECT_EQ(attachment.gradients(jacobians), attachment.gradients(deformed));
+  jacobians.pop_back();
+  EXPECT_EQ(message_of<Error>([&] { attachment.gradients(jacobians); }),
+            "1 derivatives for 2 places; give one for each place");
 }
 
 TEST(Attachment, TornEdgesAreCountedOnce) {

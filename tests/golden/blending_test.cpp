@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string>& all_formats() {
   static const std::vector<std::string> formats = [] {
-    std::vector<std::string> names{"fp32"};
+    std::vector<std::string> names{"fp32", "bfp32"};
     for (int width = 12; width <= 32; ++width) names.push_back("fx" + std::to_string(width));
     return names;
   }();
@@ -57,7 +57,7 @@ TEST_P(Family, CoefficientsAreThoseOfTheOracle) {
     const Blending blending = family(GetParam().name, codec);
     // Only the B-spline has coefficients that are not exact: 3 times half a unit of its sixth.
     const bool exact = std::string(GetParam().name) != "bspline";
-    const int fraction = codec.is_float() ? 24 : codec.weight_fraction();
+    const int fraction = codec.has_fixed_weights() ? codec.weight_fraction() : 24;
     for (int l = 0; l < 4; ++l) {
       for (int power = 0; power < 4; ++power, ++checked) {
         EXPECT_NEAR(blending.coefficient[l][power], expected(l, power),
@@ -67,7 +67,7 @@ TEST_P(Family, CoefficientsAreThoseOfTheOracle) {
       }
     }
   }
-  EXPECT_EQ(checked, 22 * 16);
+  EXPECT_EQ(checked, 23 * 16);
 }
 
 TEST_P(Family, RangeUnityMagnitudeAndShift) {
@@ -102,11 +102,11 @@ TEST_P(Family, RangeUnityMagnitudeAndShift) {
   for (const std::string& format : all_formats()) {
     const WordCodec codec(format);
     const AxisWords axis = encode(family(GetParam().name, codec), codec);
-    EXPECT_EQ(axis.shift, codec.is_float() ? 0 : GetParam().shift) << format;
+    EXPECT_EQ(axis.shift, codec.has_fixed_weights() ? GetParam().shift : 0) << format;
     EXPECT_EQ(axis.degree, blending.degree) << format;
     ++formats;
   }
-  EXPECT_EQ(formats, 22);
+  EXPECT_EQ(formats, 23);
 }
 
 TEST_P(Family, WatertightAtItsStrideInEveryFormat) {
@@ -115,14 +115,14 @@ TEST_P(Family, WatertightAtItsStrideInEveryFormat) {
     const WordCodec codec(format);
     const AxisWords axis = encode(family(GetParam().name, codec), codec);
     for (const bool fused : {false, true}) {
-      if (fused && !codec.is_float()) continue;
+      if (fused && codec.has_fixed_weights()) continue;
       for (int stride = 1; stride <= 3; ++stride, ++checked) {
         EXPECT_EQ(is_watertight(axis, format, stride, fused), stride == GetParam().stride)
             << format << " stride " << stride << (fused ? " fused" : "");
       }
     }
   }
-  EXPECT_EQ(checked, 23 * 3);
+  EXPECT_EQ(checked, 24 * 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Family, ::testing::ValuesIn(kFacts), [](const auto& info) {
@@ -164,7 +164,7 @@ TEST(Families, DegreeOfAMatrixIsItsHighestPower) {
 TEST(Families, TheShiftFitsIntermediateValuesToo) {
   const Blending blending = user_blending({{{-1.9, -1.9, 1.9, 1.9}, {}, {}, {}}});
   EXPECT_NEAR(horner_magnitude(blending), 3.8, 1e-12);
-  for (const char* format : {"fx18", "fx32"}) {
+  for (const char* format : {"fx18", "fx32", "bfp32"}) {
     const WordCodec codec(format);
     AxisWords axis = encode(blending, codec);
     EXPECT_EQ(axis.shift, 1);
@@ -195,7 +195,7 @@ TEST(Families, NeighboursAgreeOnTheirFaceAtTheStride) {
   int differ = 0;
   for (const Facts& facts : kFacts) {
     if (facts.stride == 0) continue;
-    for (const char* format : {"fp32", "fx18", "fx32"}) {
+    for (const char* format : {"fp32", "fx18", "fx32", "bfp32"}) {
       const WordCodec codec(format);
       const auto model = model::make_evaluator_model(
           find_configuration("basic-" + std::string(format) + "-overlapped"));
@@ -225,7 +225,7 @@ TEST(Families, NeighboursAgreeOnTheirFaceAtTheStride) {
       }
     }
   }
-  EXPECT_EQ(checked, 5 * 3 * 500);
+  EXPECT_EQ(checked, 5 * 4 * 500);
   EXPECT_EQ(differ, 0);
 }
 
@@ -250,7 +250,7 @@ TEST_P(FamilyAgainstOracle, WeightsAndTheirSum) {
   const WordCodec codec(format);
   const AxisWords axis = encode(family(name, codec), codec);
   const Oracle oracle(Oracle::family(name));
-  const double unit = std::ldexp(1.0, codec.is_float() ? -24 : -codec.weight_fraction());
+  const double unit = std::ldexp(1.0, codec.has_fixed_weights() ? -codec.weight_fraction() : -24);
   const bool sums_to_one = oracle.blending(Oracle::kS, 0.25).sum() == 1.0;
   double largest = 0;
   double off = 0;

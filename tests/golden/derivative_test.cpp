@@ -62,7 +62,7 @@ class Device {
   int exponent() const { return axis_.derivative.exponent; }
   /// Fixed point: det J times 2^-determinant_shift() is what comes.
   int determinant_shift() const {
-    return codec_.is_float() ? 0 : model::kDeterminantShift + 3 * exponent();
+    return !codec_.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent();
   }
   const model::EvaluatorModel& model() const { return *model_; }
 
@@ -93,14 +93,15 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
     for (const std::string format : {"fp32", "fx12", "fx18", "fx27", "fx32"}) {
       const WordCodec codec(format);
       const AxisWords axis = encode(family(name, codec), codec);
-      EXPECT_EQ(axis.derivative.exponent, codec.is_float() ? 0 : exponent) << name << format;
+      EXPECT_EQ(axis.derivative.exponent, !codec.has_fixed_weights() ? 0 : exponent)
+          << name << format;
       EXPECT_EQ(axis.derivative.shift, 0) << name << format;
       for (int l = 0; l < 4; ++l) {
         for (int power = 0; power < 4; ++power, ++words) {
           const double exact = power < 3 ? (power + 1) * functions(l, power + 1) : 0.0;
           // A point's word is Q1.31, a coefficient's Q2.30.
           const double value = codec.decode_point(axis.derivative.word[l][power]) *
-                               (codec.is_float() ? 1.0 : std::ldexp(2.0, exponent));
+                               (!codec.has_fixed_weights() ? 1.0 : std::ldexp(2.0, exponent));
           EXPECT_NEAR(value, exact, 1e-15) << name << ' ' << format;
         }
       }
@@ -279,7 +280,7 @@ TEST(DerivativeDeterminant, HoldsTheLargestThereIs) {
       columns[i / 3][i % 3] = sum_of(negative);
       exact(i % 3, i / 3) = (negative ? -1 : 1) * (1 - 0x1p-17);
     }
-    const OutWord word = model::determinant<F>(columns);
+    const OutWord word = model::determinant<F>(columns, 0);
     const double value = std::ldexp(static_cast<std::int32_t>(word.word), -31);
     EXPECT_NEAR(value, exact.determinant() / 4, 1e-4);
     EXPECT_FALSE(word.saturated);

@@ -76,6 +76,28 @@ TEST(Deformer, StagesComposeInOrder) {
   }
 }
 
+// Normals come from the device: its derivatives, near those in double, and only where wanted.
+TEST(Deformer, GradientsAreOfTheDevice) {
+  const Points points = cloud();
+  const Lattice rest = box(points);
+  const Deformer deformer(points, {}, {rest}, Outside::parse("keep"));
+  const std::vector<Lattice> bent{moved(rest, "bend:40")};
+  const Deformer::Result exact = deformer.deform(bent, *make_device({"reference", "", ""}));
+  for (const auto& [format, step] : {std::pair{"fp32", 1e-5}, std::pair{"fx18", 2e-3}}) {
+    const std::unique_ptr<Device> device = make_device({"model", "basic", format});
+    const Deformer::Result got = deformer.deform(bent, *device);
+    double most = 0;
+    for (std::size_t i = 0; i < exact.gradients.size(); ++i) {
+      most = std::max(most, (got.gradients[i] - exact.gradients[i]).cwiseAbs().maxCoeff());
+    }
+    EXPECT_LT(most, step) << format;
+    EXPECT_GT(most, 0) << format;
+    const Deformer::Result bare = deformer.deform(bent, *device, Deformer::Gradients::kNone);
+    EXPECT_EQ(bare.positions, got.positions);
+    EXPECT_TRUE(bare.gradients.empty());
+  }
+}
+
 TEST(Deformer, CountsEdgesThatTear) {
   const Points points = (Points(3, 3) << 0.5, 0.5, 0.5, 0.6, 0.5, 0.5, 1.5, 0.5, 0.5).finished();
   const Lattice unit = box((Points(2, 3) << 0, 0, 0, 1, 1, 1).finished());

@@ -48,8 +48,8 @@ TEST(Device, ModelsOfEveryRowAreCloseToTheOracle) {
     const std::string format =
         name.substr(org.size() + 1, name.find('-', org.size() + 1) - org.size() - 1);
     if (name != org + "-" + format + "-overlapped") continue;  // variants of a row
-    const double step =
-        format == "fp32" ? 4e-6 : 16 * std::ldexp(1.0, 2 - std::stoi(format.substr(2)));
+    const bool fixed = format.rfind("fx", 0) == 0;
+    const double step = fixed ? 16 * std::ldexp(1.0, 2 - std::stoi(format.substr(2))) : 4e-6;
     const Points got = make_device({"model", org, format})->evaluate(scene.lattice, scene.vertices);
     EXPECT_LT(largest(got - exact), 4 * step) << name;
     EXPECT_GT(largest(got - exact), 0) << name;
@@ -61,7 +61,7 @@ TEST(Device, ModelsOfEveryRowAreCloseToTheOracle) {
 TEST(Device, RtlGivesTheBitsOfItsModel) {
   const Scene scene;
   const std::vector<std::string> rows = device_rows("rtl");
-  for (const std::string format : {"fp32", "fx18", "fx32"}) {
+  for (const std::string format : {"fp32", "fx18", "fx32", "bfp32"}) {
     ASSERT_NE(std::find(rows.begin(), rows.end(), "basic-" + format + "-overlapped"), rows.end());
     const std::unique_ptr<Device> rtl = make_device({"rtl", "basic", format});
     const std::unique_ptr<Device> model = make_device({"model", "basic", format});
@@ -74,6 +74,60 @@ TEST(Device, RtlGivesTheBitsOfItsModel) {
     EXPECT_GT(rtl->counts().clocks, 64 * 1000u);
     EXPECT_LT(rtl->counts().clocks, 70 * 1000u);
   }
+}
+
+/// Largest difference of two sets of derivatives.
+double largest(const std::vector<Eigen::Matrix3d>& a, const std::vector<Eigen::Matrix3d>& b) {
+  double most = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    most = std::max(most, (a[v] - b.at(v)).cwiseAbs().maxCoeff());
+  }
+  return most;
+}
+
+TEST(Device, TangentsAreTheDerivativesOfTheOracle) {
+  const Scene scene;
+  const std::unique_ptr<Device> reference = make_device({"reference", "", ""});
+  const Device::Tangents exact = reference->tangents(scene.lattice, scene.vertices);
+  EXPECT_EQ(exact.positions, reference->evaluate(scene.lattice, scene.vertices));
+  ASSERT_EQ(exact.jacobians.size(), 500u);
+  for (std::size_t v = 0; v < 500; ++v) {
+    const Embedded& at = scene.vertices[v];
+    const Oracle::Jet jet = Oracle().jet(scene.lattice.support(at.cell), at.local);
+    EXPECT_EQ(exact.jacobians[v], jet.jacobian) << "vertex " << v;
+  }
+  for (const auto& [format, step] :
+       {std::pair{"fp32", 4e-6}, std::pair{"fx18", 1e-3}, std::pair{"fx32", 6e-8}}) {
+    const std::unique_ptr<Device> device = make_device({"model", "basic", format});
+    const Device::Tangents got = device->tangents(scene.lattice, scene.vertices);
+    EXPECT_EQ(got.positions, device->evaluate(scene.lattice, scene.vertices)) << format;
+    EXPECT_LT(largest(got.jacobians, exact.jacobians), step) << format;
+    EXPECT_GT(largest(got.jacobians, exact.jacobians), 0) << format;
+  }
+}
+
+TEST(Device, TangentsOfTheRtlAreThoseOfItsModel) {
+  const Scene scene;
+  for (const std::string format : {"fp32", "fx18", "fx32"}) {
+    const std::unique_ptr<Device> rtl = make_device({"rtl", "basic", format});
+    const Device::Tangents got = rtl->tangents(scene.lattice, scene.vertices);
+    const Device::Tangents expected =
+        make_device({"model", "basic", format})->tangents(scene.lattice, scene.vertices);
+    EXPECT_EQ(got.positions, expected.positions) << format;
+    EXPECT_EQ(got.jacobians, expected.jacobians) << format;
+    EXPECT_GT(rtl->counts().clocks, 4 * 64 * 500u);
+    EXPECT_LT(rtl->counts().clocks, 4 * 70 * 500u);
+  }
+}
+
+TEST(Device, TangentsWithBlendingFunctionsOfTheCallersOwn) {
+  const Scene scene;
+  const Device::Blending blending{Oracle::bernstein(), Oracle::linear(), Oracle::catmull_rom()};
+  const Device::Tangents exact =
+      make_device({"reference", "", ""})->tangents(scene.lattice, scene.vertices, blending);
+  const Device::Tangents got = make_device({})->tangents(scene.lattice, scene.vertices, blending);
+  EXPECT_LT(largest(got.jacobians, exact.jacobians), 2e-5);
+  EXPECT_EQ(make_device({})->tangents(scene.lattice, {}).jacobians.size(), 0u);
 }
 
 TEST(Device, BlendingFunctionsOfTheCallersOwn) {

@@ -102,6 +102,15 @@ class Make(Checkout):
             self.assertTrue(lines[-2].endswith(f" --target hwffd-{name}"), lines)
             self.assertEqual(lines[-1], f"{name}<>")
 
+    def test_bfp_selects_rows_of_its_format(self):
+        self.script("scripts/configurations.py", ":")
+        self.script("build/apps/hwffd-bfp", 'echo "bfp<$*>"')
+        lines = self.run_here("make", "bfp", "ORG=basic", "FORMAT=fx18").stdout.splitlines()
+        for word in ("-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"):
+            self.assertIn(word, lines[-3].split())
+        self.assertTrue(lines[-2].endswith(" --target hwffd-bfp"), lines)
+        self.assertEqual(lines[-1], "bfp<>")
+
     def test_synth(self):
         self.script("scripts/synth", """for word; do printf '<%s>' "$word"; done""")
 

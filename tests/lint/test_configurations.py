@@ -108,6 +108,8 @@ class Accepted(Folder):
 
     def test_formats(self):
         self.assertEqual(configurations.format_number("fp32"), 0)
+        self.assertEqual(configurations.format_number("bfp32"), 99)
+        self.assertIsNone(configurations.format_number("bfp18"))
         for width in range(12, 33):
             self.assertEqual(configurations.format_number(f"fx{width}"), width)
 

@@ -129,13 +129,13 @@ TEST(Comparison, BoundedSeamsAreNoFault) {
   const OperatorCount count{{201, 201, 0}, {201, 201, 0}, 0};
   std::vector<Row> rows =
       compare({&row}, {{row.name, count}}, kLittle, [](std::size_t, std::size_t) {}).rows();
-  const auto json = nlohmann::json::parse(json_report(Comparison(rows))).at("rows").at(0);
+  const auto json = nlohmann::json::parse(json_report(Comparison(rows, 1e6))).at("rows").at(0);
   EXPECT_EQ(json.at("interval_overlapped"), 1);
   EXPECT_GT(json.at("seam_differences"), 0);
   EXPECT_LE(json.at("seam_largest_units"), json.at("seam_bound_units"));
-  EXPECT_EQ(faults(Comparison(rows)), "");
+  EXPECT_EQ(faults(Comparison(rows, 1e6)), "");
   rows[0].measured.seam_largest = seam_bound(row) + 1;
-  EXPECT_NE(faults(Comparison(rows)), "");
+  EXPECT_NE(faults(Comparison(rows, 1e6)), "");
 }
 
 TEST(Comparison, FaultsAreSaid) {

@@ -56,12 +56,12 @@ Eigen::Vector3d decoded(const Beat& result, const WordCodec& codec) {
 
 /// Largest error of a derivative of the B-spline times 2^-exponent; docs/numerics.md section 9.
 double bound(const std::string& format) {
-  return format == "fp32" ? 1e-6 : format == "fx18" ? 1.5e-4 : 1e-8;
+  return WordCodec(format).is_float() ? 1e-6 : format == "fx18" ? 1.5e-4 : 1e-8;
 }
 
 /// The same of det J times 2^-(2 + 3 exponent).
 double determinant_bound(const std::string& format) {
-  return format == "fp32" ? 2e-6 : format == "fx18" ? 2e-5 : 2e-9;
+  return WordCodec(format).is_float() ? 2e-6 : format == "fx18" ? 2e-5 : 2e-9;
 }
 
 TEST_P(Derivatives, FourResultsAVertexNearTheOracle) {
@@ -109,7 +109,7 @@ TEST_P(Derivatives, DeterminantAndItsSign) {
     const WordCodec& codec = run.codec();
     const Normalization normalization = Normalization::of(scene.lattice, codec);
     const int exponent = encode(watertight_bspline(codec), codec).derivative.exponent;
-    const int shift = codec.is_float() ? 0 : model::kDeterminantShift + 3 * exponent;
+    const int shift = !codec.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent;
     run.send_bspline();
     run.send(lattice_packet(lattice_words(scene.lattice, codec, normalization)));
     run.send(vertices_packet(vertex_beats(scene.vertices, codec), OutsideMode::kClamp,
@@ -167,7 +167,7 @@ TEST_P(Derivatives, FourIntervalsAVertex) {
                              OutsideMode::kClamp, wanted));
     ASSERT_TRUE(run.run());
     EXPECT_EQ(run.bench().clocks_per_result(20 * each, 50 * each) * static_cast<double>(each),
-              4 * expected_interval(GetParam()));
+              4 * scattered_interval(GetParam()));
   }
 }
 

@@ -34,7 +34,7 @@ constexpr std::array<Case, 6> kCases{{
 /// a cell's coefficients are rounded.
 double bound(const Configuration& row) {
   static const std::map<std::string, double> bounds{
-      {"fp32", 5e-7}, {"fx18", 1.4e-4}, {"fx32", 7e-9}};
+      {"fp32", 5e-7}, {"fx18", 1.4e-4}, {"fx32", 7e-9}, {"bfp32", 4e-8}};
   static const std::map<std::string, double> bounds_in_cell{
       {"fp32", 5e-7}, {"fx18", 4e-4}, {"fx32", 2.5e-8}};
   return keeps_cell(row) ? bounds_in_cell.at(row.format) : bounds.at(row.format);
@@ -132,7 +132,7 @@ TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   }
   const Blending user = user_blending({{{}, {3, -3, 0, 0}, {0, 3, 0, 0}, {}}});
   EXPECT_EQ(user.degree, 1);
-  EXPECT_EQ(encode(user, codec).shift, codec.is_float() ? 0 : 1);
+  EXPECT_EQ(encode(user, codec).shift, codec.has_fixed_weights() ? 1 : 0);
   const Blending bspline = family("bspline", codec);
   run.send(coefficients_packet({bspline, bspline, user}, codec));
   run.send(interleaved_packet(vertices));
@@ -146,7 +146,7 @@ TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   std::size_t whole = 0;
   for (std::size_t v = 0; v < kVertices; ++v) {
     const double u = codec.decode_coordinate(vertices[v].local[2]);
-    const bool saturates = weighs && !codec.is_float() && std::abs(u - 0.5) > 1.0 / 6;
+    const bool saturates = weighs && codec.has_fixed_weights() && std::abs(u - 0.5) > 1.0 / 6;
     EXPECT_EQ(results[v].words[3] >> 16, saturates ? kStatusSaturated >> 16 : 0U) << "u = " << u;
     if (saturates) {
       ++flagged;
@@ -157,7 +157,7 @@ TEST_P(FamilyOnAxes, AUsersMatrixThatSaturatesIsFlagged) {
   }
   EXPECT_EQ(flagged + whole, kVertices);
   EXPECT_GT(whole, 5U);
-  EXPECT_EQ(flagged > 5, weighs && !codec.is_float());
+  EXPECT_EQ(flagged > 5, weighs && codec.has_fixed_weights());
 }
 
 HWFFD_FOR_EACH_CONFIGURATION(FamilyOnAxes);

@@ -98,7 +98,8 @@ struct Seams {
         for (int c = 0; c < 3; ++c) {
           if (own.words[c] == other.words[c]) continue;
           ++differ.count;
-          const double apart = codec.decode_point(own.words[c]) - codec.decode_point(other.words[c]);
+          const double apart =
+              codec.decode_point(own.words[c]) - codec.decode_point(other.words[c]);
           differ.largest = std::max(differ.largest, std::abs(apart));
         }
       }

@@ -21,6 +21,11 @@ std::uint32_t corner_coordinate(const WordCodec& codec, tb::Random& random) {
                       0x3F7FFFFFU, 0x3F800000U, 0x3F800001U, 0x80000000U, 0xBF800000U});
 }
 
+/// Uniform in [-2^exponent, 2^exponent).
+std::uint32_t random_point(const WordCodec& codec, tb::Random& random, int exponent) {
+  return codec.point(std::ldexp(2 * random.unit() - 1, exponent));
+}
+
 std::uint32_t extreme_word(const WordCodec& codec, tb::Random& random) {
   if (!codec.is_float()) {
     return random.pick({0x80000000U, 0x80000001U, 0x7FFFFFFFU, 0x7FFFE000U, 0x00000001U,
@@ -31,8 +36,13 @@ std::uint32_t extreme_word(const WordCodec& codec, tb::Random& random) {
                       0xFE800000U});
 }
 
-InterleavedVertex extreme_vertex(const WordCodec& codec, tb::Random& random) {
-  InterleavedVertex vertex = random_vertex(codec, random);
+/// Where points share an exponent, one of some: middling, with subnormal points, with the largest.
+int random_exponent(const WordCodec& codec, tb::Random& random) {
+  return codec.is_block() ? random.pick({0, 3, -20, -130, 128}) : 0;
+}
+
+InterleavedVertex extreme_vertex(const WordCodec& codec, tb::Random& random, int exponent) {
+  InterleavedVertex vertex = random_vertex(codec, random, exponent);
   const double share = random.pick({0.01, 0.1, 1.0});
   for (std::uint32_t& word : vertex.points) {
     if (random.chance(share)) word = extreme_word(codec, random);
@@ -43,8 +53,8 @@ InterleavedVertex extreme_vertex(const WordCodec& codec, tb::Random& random) {
   return vertex;
 }
 
-InterleavedVertex corner_vertex(const WordCodec& codec, tb::Random& random) {
-  InterleavedVertex vertex = random_vertex(codec, random);
+InterleavedVertex corner_vertex(const WordCodec& codec, tb::Random& random, int exponent) {
+  InterleavedVertex vertex = random_vertex(codec, random, exponent);
   for (std::uint32_t& word : vertex.local) word = corner_coordinate(codec, random);
   return vertex;
 }
@@ -68,11 +78,12 @@ const std::vector<std::string>& stimulus_names() {
   return names;
 }
 
-InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random) {
+InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random, int exponent) {
   InterleavedVertex vertex;
+  vertex.exponent = exponent;
   for (std::uint32_t& word : vertex.local) word = codec.coordinate(random.unit());
   for (int& cell : vertex.cell) cell = static_cast<int>(random.below(16));
-  for (std::uint32_t& word : vertex.points) word = codec.point(2 * random.unit() - 1);
+  for (std::uint32_t& word : vertex.points) word = random_point(codec, random, exponent);
   return vertex;
 }
 
@@ -80,14 +91,15 @@ std::vector<InterleavedVertex> make_stimulus(const std::string& name, const Word
                                              std::size_t count, std::uint64_t seed) {
   if (name == "mesh") return mesh_vertices(codec, count, seed);
   tb::Random random(seed);
+  const int exponent = random_exponent(codec, random);
   std::vector<InterleavedVertex> vertices;
   for (std::size_t v = 0; v < count; ++v) {
     if (name == "corner") {
-      vertices.push_back(corner_vertex(codec, random));
+      vertices.push_back(corner_vertex(codec, random, exponent));
     } else if (name == "extreme") {
-      vertices.push_back(extreme_vertex(codec, random));
+      vertices.push_back(extreme_vertex(codec, random, exponent));
     } else if (name == "random") {
-      vertices.push_back(random_vertex(codec, random));
+      vertices.push_back(random_vertex(codec, random, exponent));
     } else {
       throw std::invalid_argument("no stimulus named " + name);
     }
@@ -106,9 +118,10 @@ LatticeWords random_lattice(const WordCodec& codec, tb::Random& random,
                             const std::array<int, 3>& dims) {
   LatticeWords lattice;
   lattice.dims = dims;
+  lattice.exponent = random_exponent(codec, random);
   lattice.points.resize(lattice.dims[0] * lattice.dims[1] * lattice.dims[2]);
   for (auto& point : lattice.points) {
-    for (std::uint32_t& word : point) word = codec.point(2 * random.unit() - 1);
+    for (std::uint32_t& word : point) word = random_point(codec, random, lattice.exponent);
   }
   return lattice;
 }
@@ -149,6 +162,7 @@ std::vector<Beat> spoiled(std::vector<Beat> packet, tb::Random& random) {
       break;
     case 3:
       packet[0].words[2] = random.word() & 0x9F1F1F1F;
+      packet[0].words[3] = random.word();
       break;
     default:
       packet[0].words[1] = static_cast<std::uint32_t>(random.below(3));
@@ -180,9 +194,12 @@ std::vector<Beat> random_packets(const WordCodec& codec, tb::Random& random, int
         packet = vertices_packet(random_vertices(codec, random, dims, random.between(1, 9), true),
                                  mode, results);
         break;
-      default:
-        packet = interleaved_packet({extreme_vertex(codec, random), corner_vertex(codec, random)},
-                                    mode, results);
+      default: {
+        const int exponent = random_exponent(codec, random);
+        packet = interleaved_packet(
+            {extreme_vertex(codec, random, exponent), corner_vertex(codec, random, exponent)}, mode,
+            results);
+      }
     }
     if (random.chance(0.25)) packet = spoiled(std::move(packet), random);
     beats.insert(beats.end(), packet.begin(), packet.end());

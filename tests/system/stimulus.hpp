@@ -17,14 +17,16 @@ namespace hwffd::test {
 /// - mesh: consecutive vertices of a mesh in a twisted lattice of many cells
 const std::vector<std::string>& stimulus_names();
 
-/// `count` vertices of a kind; tags count from 0.
+/// `count` vertices of a kind; tags count from 0. In block floating point all have one exponent, a
+/// random one.
 std::vector<InterleavedVertex> make_stimulus(const std::string& name, const WordCodec& codec,
                                              std::size_t count, std::uint64_t seed);
 
-/// A vertex with uniform coordinates and points in [-1, 1) and a random cell.
-InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random);
+/// A vertex with uniform coordinates and points in [-1, 1) times 2^exponent and a random cell.
+InterleavedVertex random_vertex(const WordCodec& codec, tb::Random& random, int exponent = 0);
 
-/// A lattice of 4 to `most` points an axis, uniform in [-1, 1).
+/// A lattice of 4 to `most` points an axis, uniform in [-1, 1) times 2^exponent, in block floating
+/// point of a random exponent.
 LatticeWords random_lattice(const WordCodec& codec, tb::Random& random, int most);
 /// The same of so many points an axis.
 LatticeWords random_lattice(const WordCodec& codec, tb::Random& random,

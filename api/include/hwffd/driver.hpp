@@ -25,7 +25,7 @@ struct CoreIdentity {
   unsigned version_major, version_minor, version_patch;
   unsigned org;          ///< number in rtl/configurations.csv
   unsigned n;            ///< units of a step
-  unsigned format;       ///< 0 fp32, W fxW
+  unsigned format;       ///< 0 fp32, W fxW, 99 bfp32
   unsigned schedule;     ///< 0 overlapped, 1 paper
   unsigned evaluator;    ///< 0 pipelined, 1 iterative, 2 bspline
   unsigned in_flight;    ///< most vertices inside

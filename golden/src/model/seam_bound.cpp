@@ -2,14 +2,14 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <string>
 
 #include "hwffd/model/schedule.hpp"
+#include "hwffd/stream/word_codec.hpp"
 
 namespace hwffd {
 namespace {
 
-bool is_float(const Configuration& row) { return std::string(row.format) == "fp32"; }
+bool is_float(const Configuration& row) { return WordCodec(row.format).is_float(); }
 
 }  // namespace
 
@@ -19,7 +19,7 @@ double seam_unit(const Configuration& row) {
 
 double seam_bound(const Configuration& row) {
   if (!keeps_cell(row)) return 0;
-  return is_float(row) ? 6 : 24;
+  return is_float(row) ? 8 : 32;
 }
 
 }  // namespace hwffd

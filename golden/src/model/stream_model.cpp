@@ -92,6 +92,12 @@ void StreamModel::header(const Beat& beat) {
   if (!starts || beat.last) ++events_.too_short;
 }
 
+/// Ten bits of word 3, two's complement.
+int StreamModel::header_exponent() const {
+  const int low = static_cast<int>(header_.words[3] & 0x3FF);
+  return low < 512 ? low : low - 1024;
+}
+
 bool StreamModel::start_lattice() {
   for (int axis = 0; axis < 3; ++axis) {
     new_dims_[axis] = static_cast<int>(header_.words[2] >> (8 * axis)) & 0xFF;
@@ -126,6 +132,7 @@ void StreamModel::lattice_point(const Beat& beat) {
   if (static_cast<int>(new_lattice_.size()) < all) return;
   dims_ = new_dims_;
   lattice_ = std::exchange(new_lattice_, {});
+  lattice_exponent_ = header_exponent();
   state_ = State::kDone;
 }
 
@@ -135,6 +142,7 @@ void StreamModel::vertex(const Beat& beat) {
     vertex_.local[axis] = beat.words[axis];
     vertex_.cell[axis] = static_cast<int>(beat.words[3] >> (16 + 4 * axis)) & 15;
   }
+  vertex_.exponent = resident_ ? lattice_exponent_ : header_exponent();
   tag_ = static_cast<std::uint16_t>(beat.words[3]);
   beat_ = 0;
   check_vertex();

@@ -113,7 +113,7 @@ Blending user_blending(const Blending::Matrix& matrix) {
 }
 
 Blending watertight_bspline(const WordCodec& codec) {
-  const int fraction = codec.is_float() ? 24 : codec.weight_fraction();
+  const int fraction = codec.has_fixed_weights() ? codec.weight_fraction() : 24;
   const double a = std::ldexp(std::nearbyint(std::ldexp(1.0 / 6.0, fraction)), -fraction);
   return {{{{a, -0.5, 0.5, -a}, {1 - 2 * a, 0, -1, 3 * a}, {a, 0.5, 0.5, -3 * a}, {0, 0, 0, a}}},
           3,
@@ -157,7 +157,7 @@ AxisWords encode(const Blending& blending, const WordCodec& codec) {
   AxisWords axis;
   axis.degree = blending.degree;
   DerivativeWords& derivative = axis.derivative;
-  if (!codec.is_float()) {
+  if (codec.has_fixed_weights()) {
     derivative.exponent = derivative_exponent(blending);
     axis.shift = shift_for(horner_magnitude(blending));
     derivative.shift = shift_for(

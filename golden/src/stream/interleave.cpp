@@ -1,5 +1,6 @@
 #include "hwffd/stream/interleave.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hwffd {
@@ -27,6 +28,7 @@ void encode_local(VertexBeat& beat, const Eigen::Vector3d& local, std::size_t in
 
 void encode_support(InterleavedVertex& vertex, const Support& support, const WordCodec& codec,
                     const Normalization& normalization) {
+  vertex.exponent = normalization.exponent();
   for (int p = 0; p < 64; ++p) {
     const Point point = normalization.to_stream(support.row(p));
     for (int c = 0; c < 3; ++c) vertex.points[3 * p + c] = codec.point(point[c]);
@@ -34,6 +36,17 @@ void encode_support(InterleavedVertex& vertex, const Support& support, const Wor
 }
 
 }  // namespace
+
+int block_exponent(const Points& points) {
+  float largest = 0;
+  for (const double value : points.reshaped()) {
+    const auto magnitude = std::abs(static_cast<float>(value));
+    if (std::isfinite(magnitude)) largest = std::max(largest, magnitude);
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);  // largest < 2^exponent
+  return exponent;
+}
 
 double lattice_scale(const Lattice& lattice) { return scale_of(lattice.points()); }
 
@@ -43,6 +56,7 @@ Normalization Normalization::of(const Lattice& lattice, const WordCodec& codec) 
 
 Normalization Normalization::of(const Points& points, const WordCodec& codec) {
   Normalization normalization;
+  if (codec.is_block()) normalization.exponent_ = block_exponent(points);
   if (codec.is_float()) return normalization;
   normalization.centre_ = centre_of(points);
   normalization.scale_ = scale_of(points);
@@ -51,7 +65,7 @@ Normalization Normalization::of(const Points& points, const WordCodec& codec) {
 
 LatticeWords lattice_words(const Lattice& lattice, const WordCodec& codec,
                            const Normalization& normalization) {
-  LatticeWords words{lattice.dims(), {}};
+  LatticeWords words{lattice.dims(), {}, normalization.exponent()};
   words.points.reserve(lattice.points().rows());
   for (Eigen::Index row = 0; row < lattice.points().rows(); ++row) {
     const Point point = normalization.to_stream(lattice.points().row(row));

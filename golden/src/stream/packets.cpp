@@ -1,9 +1,13 @@
 #include "hwffd/stream/packets.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace hwffd {
 namespace {
+
+/// A header's word 3: ten bits, two's complement.
+std::uint32_t exponent_word(int exponent) { return static_cast<std::uint32_t>(exponent) & 0x3FF; }
 
 Beat vertices_header(Opcode opcode, std::size_t count, OutsideMode mode, Results results) {
   return {{static_cast<std::uint32_t>(opcode), static_cast<std::uint32_t>(count),
@@ -56,7 +60,8 @@ std::vector<Beat> lattice_packet(const LatticeWords& lattice) {
   std::vector<Beat> beats(1);
   beats.reserve(1 + lattice.points.size());
   beats[0].words = {static_cast<std::uint32_t>(Opcode::kLattice),
-                    static_cast<std::uint32_t>(lattice.points.size()), 0, 0};
+                    static_cast<std::uint32_t>(lattice.points.size()), 0,
+                    exponent_word(lattice.exponent)};
   for (int axis = 0; axis < 3; ++axis) {
     beats[0].words[2] |= static_cast<std::uint32_t>(lattice.dims[axis]) << (8 * axis);
   }
@@ -80,7 +85,11 @@ std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& verti
                                      OutsideMode mode, Results results) {
   std::vector<Beat> beats = {vertices_header(Opcode::kInterleaved, vertices.size(), mode, results)};
   beats.reserve(1 + kVertexBeats * vertices.size());
+  if (!vertices.empty()) beats[0].words[3] = exponent_word(vertices.front().exponent);
   for (const InterleavedVertex& vertex : vertices) {
+    if (vertex.exponent != vertices.front().exponent) {
+      throw std::invalid_argument("interleaved vertices of one packet have one exponent");
+    }
     beats.push_back(beat_of(vertex));
     for (int row = 0; row < kPointBeats; ++row) {
       const std::uint32_t* words = &vertex.points[4 * row];

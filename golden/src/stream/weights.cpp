@@ -5,6 +5,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/model/coefficients.hpp"
 #include "hwffd/numerics/binary32.hpp"
+#include "hwffd/numerics/block.hpp"
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/stream/blending.hpp"
 
@@ -45,10 +46,11 @@ WeightsIn fixed_weights(int width, std::integer_sequence<int, Width...> /*widths
 std::array<double, 4> weights(const AxisWords& axis, const std::string& format,
                               std::uint32_t coordinate, bool fused) {
   const WordCodec codec(format);
-  if (codec.is_float()) {
+  if (!codec.has_fixed_weights()) {
     return fused ? weights_in<Binary32Fused>(axis, coordinate, 0)
                  : weights_in<Binary32>(axis, coordinate, 0);
   }
+  if (codec.is_block()) return weights_in<Block32>(axis, coordinate, Block32::kWeightFraction);
   const int fraction = codec.weight_fraction();
   const auto widths = std::make_integer_sequence<int, kWidest - kNarrowest + 1>();
   return fixed_weights(fraction + 2, widths)(axis, coordinate, fraction);

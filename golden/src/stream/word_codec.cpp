@@ -18,9 +18,14 @@ std::uint32_t rounded(double value, double low, double high) {
 
 WordCodec::WordCodec(const std::string& format) {
   if (format == "fp32") return;
+  if (format == "bfp32") {
+    width_ = 32;
+    block_ = true;
+    return;
+  }
   if (format.rfind("fx", 0) == 0 && format.size() == 4) width_ = std::atoi(format.c_str() + 2);
   if (width_ < 12 || width_ > 32) {
-    throw UsageError("unknown format '" + format + "': fp32, or fx12 to fx32");
+    throw UsageError("unknown format '" + format + "': fp32, bfp32, or fx12 to fx32");
   }
 }
 
@@ -30,7 +35,7 @@ std::uint32_t WordCodec::coordinate(double value) const {
 }
 
 std::uint32_t WordCodec::coefficient(double value, int shift) const {
-  if (is_float()) return bits_of_float(static_cast<float>(value));
+  if (!has_fixed_weights()) return bits_of_float(static_cast<float>(value));
   return rounded(std::ldexp(value, 30 - shift), -0x1p31, 0x1p31 - 1);
 }
 

@@ -1,23 +1,25 @@
 // ffd_fx_product: product_o = a_i * b_i, exact
 //
-// Formats:    signed W bits each, product signed 2W bits; flag_o is flag_i, as late as the product.
+// Formats:    signed W bits each, product signed 2W bits; flags_o is flags_i, as late as the
+//             product.
 // Pipeline:   LATENCY registers, II 1, never frozen: half before the multiplier (rounded down), the
 //             rest behind it, so that two or more surround it as multiplier blocks want it.
-// Parameters: W >= 2, LATENCY >= 0.
+// Parameters: W >= 2, FLAGS_W >= 1, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_fx_product #(
   parameter W       = 18,
+  parameter FLAGS_W = 1,
   parameter LATENCY = 1
 ) (
   input  wire                  clk,
   input  wire signed [W-1:0]   a_i,
   input  wire signed [W-1:0]   b_i,
-  input  wire                  flag_i,
+  input  wire [FLAGS_W-1:0]    flags_i,
   output wire signed [2*W-1:0] product_o,
-  output wire                  flag_o
+  output wire [FLAGS_W-1:0]    flags_o
 );
   generate
     if (W < 2) begin : gen_bad_width
@@ -64,13 +66,13 @@ module ffd_fx_product #(
   );
 
   ffd_num_delay #(
-    .WIDTH  (1),
+    .WIDTH  (FLAGS_W),
     .LATENCY(LATENCY)
-  ) u_flag (
+  ) u_flags (
     .clk(clk),
     .rst(1'b0),
-    .d_i(flag_i),
-    .q_o(flag_o)
+    .d_i(flags_i),
+    .q_o(flags_o)
   );
 endmodule
 

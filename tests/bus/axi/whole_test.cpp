@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <map>
 #include <numeric>
+#include <string>
 
 #include "axi_run.hpp"
 #include "hwffd/model/schedule.hpp"
@@ -16,9 +18,11 @@ class Axi : public PerAxiConfiguration {};
 TEST_P(Axi, SaysWhatItIs) {
   AxiRun run(GetParam(), 1);
   const CoreIdentity identity = run.driver().probe();
-  const bool is_float = std::string(GetParam().format) == "fp32";
+  const std::string format = GetParam().format;
+  const std::map<std::string, unsigned long> words{{"fp32", 0}, {"bfp32", 99}};
+  const auto found = words.find(format);
   EXPECT_EQ(identity.n, static_cast<unsigned>(GetParam().n));
-  EXPECT_EQ(identity.format, is_float ? 0U : std::stoul(std::string(GetParam().format).substr(2)));
+  EXPECT_EQ(identity.format, found != words.end() ? found->second : std::stoul(format.substr(2)));
   EXPECT_EQ(identity.schedule, 0U);
   EXPECT_EQ(identity.evaluator, 0U);
   EXPECT_EQ(identity.points_axis, static_cast<unsigned>(kAxisPoints));

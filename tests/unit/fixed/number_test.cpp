@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <deque>
-#include <type_traits>
 
 #include "Vnumber_units_18.h"
 #include "Vnumber_units_32.h"
@@ -12,29 +11,10 @@
 #include "exact_fixed.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
+#include "wide_words.hpp"
 
 namespace hwffd::test {
 namespace {
-
-// ---- ports of any width as 128-bit integers
-
-template <class Port>
-void drive(Port& port, Int128 bits) {
-  if constexpr (std::is_integral_v<Port>) {
-    port = static_cast<Port>(bits);
-  } else {
-    for (int word = 0; word < 3; ++word) port[word] = static_cast<EData>(bits >> (32 * word));
-  }
-}
-
-template <class Port>
-Int128 read(const Port& port) {
-  if constexpr (std::is_integral_v<Port>) {
-    return port;
-  } else {
-    return Int128{port[0]} | Int128{port[1]} << 32 | Int128{port[2]} << 64;
-  }
-}
 
 /// Two's complement of `width` bits below a flag.
 Int128 packed(Int128 value, bool flag, int width) {
@@ -162,6 +142,7 @@ class Units {
     drive(dut.a_i, packed(o.a, o.flag_a, W));
     drive(dut.b_i, packed(o.b, o.flag_b, W));
     drive(dut.c_i, packed(o.c, o.flag_c, W));
+    drive(dut.factor_i, packed(o.b, o.flag_b, W));
     dut.shift_i = static_cast<CData>(o.shift);
     dut.widen_i = static_cast<CData>(o.widen);
     dut.rescale_i = static_cast<CData>(o.rescale & 7);
@@ -231,26 +212,6 @@ class Units {
   Operands operands_;
   std::uint64_t compared_ = 0;
 };
-
-/// A signed word of `width` bits: an end of the range, a power of two or its neighbour, or random.
-Int128 corner_or_random(tb::Random& random, int width) {
-  const Int128 top = (Int128{1} << (width - 1)) - 1;
-  const Int128 power = Int128{1} << random.below(static_cast<std::uint64_t>(width) - 1);
-  switch (random.below(8)) {
-    case 0:
-      return random.pick({top, -top - 1, top - 1, -top});
-    case 1:
-      return power;
-    case 2:
-      return -power;
-    case 3:
-      return power - 1;
-    default: {
-      const Int128 bits = Int128{random.bits()} << 64 | random.bits();
-      return bits >> (128 - width);  // sign extended
-    }
-  }
-}
 
 template <int W>
 Operands random_operands(tb::Random& random) {

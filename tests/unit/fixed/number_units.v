@@ -11,12 +11,14 @@ module number_units #(
 ) (
   input  wire                              clk,
   input  wire [31:0]                       word_i,
+  input  wire [`FFD_EXPONENT_W-1:0]        exponent_i,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  coordinate_o,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]  coefficient_o,
   output wire [`FFD_POINT_W(FORMAT)-1:0]   point_o,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  a_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  b_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  c_i,
+  input  wire [`FFD_POINT_W(FORMAT)-1:0]   factor_i,
   input  wire [1:0]                        shift_i,
   input  wire signed [2:0]                 rescale_i,
   input  wire [1:0]                        widen_i,
@@ -39,22 +41,25 @@ module number_units #(
     .FORMAT(FORMAT),
     .ROLE  (`FFD_ROLE_COORDINATE)
   ) u_coordinate (
-    .word_i  (word_i),
-    .number_o(coordinate_o)
+    .word_i    (word_i),
+    .exponent_i(exponent_i),
+    .number_o  (coordinate_o)
   );
   ffd_num_in #(
     .FORMAT(FORMAT),
     .ROLE  (`FFD_ROLE_COEFFICIENT)
   ) u_coefficient (
-    .word_i  (word_i),
-    .number_o(coefficient_o)
+    .word_i    (word_i),
+    .exponent_i(exponent_i),
+    .number_o  (coefficient_o)
   );
   ffd_num_in #(
     .FORMAT(FORMAT),
     .ROLE  (`FFD_ROLE_POINT)
   ) u_point (
-    .word_i  (word_i),
-    .number_o(point_o)
+    .word_i    (word_i),
+    .exponent_i(exponent_i),
+    .number_o  (point_o)
   );
   ffd_num_mul #(
     .FORMAT (FORMAT),
@@ -71,7 +76,7 @@ module number_units #(
   ) u_term (
     .clk     (clk),
     .weight_i(a_i),
-    .point_i (b_i),
+    .point_i (factor_i),
     .term_o  (term_o)
   );
   ffd_num_step #(
@@ -141,6 +146,7 @@ module number_units #(
   ) u_out (
     .clk        (clk),
     .sum_i      (sum_a_i),
+    .exponent_i (exponent_i),
     .word_o     (out_o),
     .saturated_o(out_saturated_o),
     .nan_o      (out_nan_o)

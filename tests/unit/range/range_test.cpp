@@ -7,7 +7,9 @@
 
 #include "Vnum_range_0.h"
 #include "Vnum_range_18.h"
+#include "Vnum_range_99.h"
 #include "hwffd/numerics/binary32.hpp"
+#include "hwffd/numerics/block.hpp"
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/tb/random.hpp"
 
@@ -59,6 +61,8 @@ void expect_ranges(std::uint32_t one, ValueOf value_of) {
 }
 
 TEST(Range, Binary32) { expect_ranges<Vnum_range_0, Binary32>(0x3F800000U, binary32_value); }
+
+TEST(Range, Block) { expect_ranges<Vnum_range_99, Block32>(0x3F800000U, binary32_value); }
 
 TEST(Range, Fixed) { expect_ranges<Vnum_range_18, Fixed<18>>(0x80000000U, fixed_value); }
 

@@ -20,6 +20,7 @@ struct VertexWords {
   std::array<int, 3> cell{};
   std::array<std::uint32_t, 192> points{};
   int derivative = kPosition;  ///< or the axis along which q is differentiated
+  int exponent = 0;            ///< of the points, where the format has one for all (bfp32)
 };
 
 /// x, y, z as the stream returns them, and whether any of them saturated or is NaN.
@@ -72,7 +73,7 @@ class EvaluatorModelOf final : public EvaluatorModel {
   ResultWords evaluate(int bank, const VertexWords& vertex) const override {
     const VectorSum<F> sum = sum_of(bank, vertex);
     ResultWords result;
-    for (int c = 0; c < 3; ++c) put(result, c, F::out(sum[c]));
+    for (int c = 0; c < 3; ++c) put(result, c, F::out(sum[c], vertex.exponent));
     return result;
   }
 
@@ -84,7 +85,7 @@ class EvaluatorModelOf final : public EvaluatorModel {
       columns[axis] = sum_of(bank, along);
     }
     ResultWords result;
-    put(result, 0, model::determinant<F>(columns));
+    put(result, 0, model::determinant<F>(columns, vertex.exponent));
     return result;
   }
 
@@ -100,7 +101,8 @@ class EvaluatorModelOf final : public EvaluatorModel {
     for (int axis = 0; axis < 3; ++axis) local.local[axis] = F::coordinate(vertex.local[axis]);
     Support<F> support;
     for (int p = 0; p < 64; ++p) {
-      for (int c = 0; c < 3; ++c) support[p][c] = F::point(vertex.points[3 * p + c]);
+      for (int c = 0; c < 3; ++c)
+        support[p][c] = F::point(vertex.points[3 * p + c], vertex.exponent);
     }
     return organization_.evaluate(local, support, banks_[bank]);
   }

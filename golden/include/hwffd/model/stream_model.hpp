@@ -62,6 +62,7 @@ class StreamModel {
   void finish_vertex(bool truncated, bool last);
   Beat blank_result(Beat result) const;
   Beat evaluated(Beat result, int part);
+  int header_exponent() const;
 
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::vector<Beat> results_;
@@ -78,6 +79,7 @@ class StreamModel {
   std::vector<LatticePoint> new_lattice_;
   std::array<int, 3> dims_{};
   std::vector<LatticePoint> lattice_;  // empty: none came yet
+  int lattice_exponent_ = 0;
 
   bool resident_ = false;
   Results wanted_ = Results::kPosition;

@@ -32,7 +32,7 @@ struct Binary32 {
 
   static Weight coordinate(std::uint32_t word) { return float_of_bits(word); }
   static Weight coefficient(std::uint32_t word) { return float_of_bits(word); }
-  static Point point(std::uint32_t word) { return float_of_bits(word); }
+  static Point point(std::uint32_t word, int /*exponent*/ = 0) { return float_of_bits(word); }
 
   static Weight mul(Weight a, Weight b) { return canonical(a * b); }
   static Sum term(Weight weight, Point point) { return canonical(weight * point); }
@@ -49,10 +49,10 @@ struct Binary32 {
     return static_cast<float>(kBinomial[power][k]) / static_cast<float>(1 << power);
   }
   static Sum widen(Point point, int /*shift*/) { return point; }
-  static Weight factor(Point point) { return point; }
+  static Sum product(Point a, Point b) { return term(a, b); }
   static Sum negate(Sum sum) { return -sum; }
   static Weight scale(Weight weight, int /*shift*/) { return weight; }
-  static OutWord out(Sum sum, int /*shift*/ = 0) {
+  static OutWord out(Sum sum, int /*exponent*/ = 0, int /*shift*/ = 0) {
     return {bits_of_float(sum), false, std::isnan(sum)};
   }
 

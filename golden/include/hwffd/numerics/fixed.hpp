@@ -17,7 +17,7 @@ __extension__ using Int128 = __int128;
 /// Mirrors rtl/number with FORMAT = W.
 template <int W>
 struct Fixed {
-  static_assert(W >= 8 && W <= 32, "fixed point words have 8 to 32 bits");
+  static_assert(W >= 8 && W <= 40, "fixed point words have 8 to 40 bits");
 
   /// A weight (also coordinate, coefficient) or a point: `value` counts units in the last place.
   struct Number {
@@ -49,7 +49,7 @@ struct Fixed {
     return {number.value, number.saturated || word > kOne};
   }
   static Weight coefficient(std::uint32_t word) { return signed_word(word); }
-  static Point point(std::uint32_t word) { return signed_word(word); }
+  static Point point(std::uint32_t word, int /*exponent*/ = 0) { return signed_word(word); }
 
   static Weight mul(Weight a, Weight b) {
     return with_flag(round_to<Number>(Int128{a.value} * b.value, kWeightFraction, W),
@@ -105,14 +105,14 @@ struct Fixed {
     sum.saturated = point.saturated;
     return sum;
   }
-  /// Twice the point, exact: the same digits.
-  static Weight factor(Point point) { return point; }
+  /// Twice the product, exact: one point's digits as a weight.
+  static Sum product(Point a, Point b) { return term(a, b); }
   static Sum negate(Sum sum) {
     sum.value = -sum.value;
     return sum;
   }
   /// The sum times 2^-shift.
-  static OutWord out(Sum sum, int shift = 0) {
+  static OutWord out(Sum sum, int /*exponent*/ = 0, int shift = 0) {
     const int fraction = kSumFraction + shift;
     const int pad = std::max(31 - fraction, 0);
     const int drop = std::max(fraction - 31, 0);
@@ -135,7 +135,9 @@ struct Fixed {
 
  private:
   static Number signed_word(std::uint32_t word) {
-    return round_to<Number>(Int128{static_cast<std::int32_t>(word)}, 32 - W, W);
+    constexpr int kPad = std::max(W - 32, 0);
+    return round_to<Number>(Int128{static_cast<std::int32_t>(word)} * (1 << kPad), 32 - W + kPad,
+                            W);
   }
   static Number with_flag(Number number, bool flag) {
     return {number.value, number.saturated || flag};

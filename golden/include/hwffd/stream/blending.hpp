@@ -41,7 +41,8 @@ Blending user_blending(const Blending::Matrix& matrix);
 
 /// The uniform cubic B-spline with 1/6 rounded once, so that shared faces get the same weights from
 /// both cells and the weights sum to 1 (docs/numerics.md section 5): a is the multiple of the
-/// weight's unit nearest to 1/6, and in binary32 2796203 * 2^-24.
+/// weight's unit nearest to 1/6 (of its word's, where that has fewer bits), and in binary32
+/// 2796203 * 2^-24.
 Blending watertight_bspline(const WordCodec& codec);
 
 /// The uniform cubic B-spline with each coefficient rounded by itself: not watertight in binary32.
@@ -69,7 +70,7 @@ std::vector<Beat> coefficients_packet(const std::array<Blending, 3>& axes, const
                                       Functions functions = Functions::kBlending);
 
 /// The weights of an axis as the bit-true model computes them, exact in double.
-/// @param format      "fp32", or "fx" and the width of a word
+/// @param format      "fp32", "bfp32", or "fx" and the width of a word
 /// @param coordinate  a coordinate's stream word
 /// @param fused       fused multiply-add; binary32 only
 std::array<double, 4> weights(const AxisWords& axis, const std::string& format,

@@ -11,7 +11,8 @@ namespace hwffd {
 /// World coordinates to those of the stream and back: stream = (world - centre) / scale.
 ///
 /// Fixed point wants every control point inside [-1, 1): the centre is that of the lattice's
-/// bounding box, the scale a power of two. binary32 takes world coordinates as they are.
+/// bounding box, the scale a power of two. binary32 takes world coordinates as they are, and block
+/// floating point too, with the exponent of the largest.
 class Normalization {
  public:
   /// For control points of a lattice in the format of the codec.
@@ -23,11 +24,18 @@ class Normalization {
   Point to_world(const Point& stream) const { return stream * scale_ + centre_; }
   /// Of a difference of points, or a derivative.
   Point vector_to_world(const Point& stream) const { return stream * scale_; }
+  /// Of the points in the stream, where the format has one for all; else 0.
+  int exponent() const { return exponent_; }
 
  private:
   Point centre_{0, 0, 0};
   double scale_ = 1;
+  int exponent_ = 0;
 };
+
+/// The exponent of a block: the smallest e such that every finite coordinate, as a binary32 word,
+/// is below 2^e in magnitude; 0 where all are 0.
+int block_exponent(const Points& points);
 
 /// The power of two that just exceeds the half extent of a lattice: the unit in which errors are
 /// reported, the same for every format.

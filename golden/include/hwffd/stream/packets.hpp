@@ -82,12 +82,14 @@ struct VertexBeat {
 /// A vertex with its control points as stream words.
 struct InterleavedVertex : VertexBeat {
   std::array<std::uint32_t, 192> points{};  ///< 64 x 3, local order (l, m, n), n fastest
+  int exponent = 0;                         ///< of the points; only bfp32 looks at it
 };
 
 /// A lattice as stream words: points[(i * dims[1] + j) * dims[2] + k].
 struct LatticeWords {
   std::array<int, 3> dims{};  ///< points an axis, 4 to kAxisPoints
   std::vector<std::array<std::uint32_t, 3>> points;
+  int exponent = 0;  ///< of all points, -512 to 511; only bfp32 looks at it
 };
 
 /// The packet that loads a bank of coefficients: 13 beats, or 25. Axes s, t, u.
@@ -103,6 +105,7 @@ std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices,
                                   Results results = Results::kPosition);
 
 /// The packet of interleaved vertices: 1 + 49 n beats, in the order given.
+/// @throws std::invalid_argument unless all have the same exponent, which is the packet's
 std::vector<Beat> interleaved_packet(const std::vector<InterleavedVertex>& vertices,
                                      OutsideMode mode = OutsideMode::kClamp,
                                      Results results = Results::kPosition);

@@ -11,21 +11,27 @@ namespace hwffd {
 /// matters is the caller's to prevent (see `Normalization`).
 class WordCodec {
  public:
-  /// @param format  "fp32", or "fx" and the width of a word
+  /// @param format  "fp32", "bfp32", or "fx" and the width of a word
   explicit WordCodec(const std::string& format);
 
-  bool is_float() const { return width_ == 0; }
-  /// Fraction bits of a weight; only where `is_float()` is false.
+  /// Whether coordinates, points and results are binary32 words.
+  bool is_float() const { return width_ == 0 || block_; }
+  /// Whether the points of a lattice share an exponent.
+  bool is_block() const { return block_; }
+  /// Whether weights are fixed point, and so coefficients, with a shift.
+  bool has_fixed_weights() const { return width_ != 0; }
+  /// Fraction bits that a weight and its coefficient's word have both; only of fixed weights.
   int weight_fraction() const { return width_ - 2; }
 
-  std::uint32_t coordinate(double value) const;              ///< unsigned Q1.31
-  std::uint32_t coefficient(double value, int shift) const;  ///< Q2.30, times 2^-shift
-  std::uint32_t point(double value) const;                   ///< Q1.31
+  std::uint32_t coordinate(double value) const;              ///< binary32 or unsigned Q1.31
+  std::uint32_t coefficient(double value, int shift) const;  ///< binary32 or Q2.30, times 2^-shift
+  std::uint32_t point(double value) const;                   ///< binary32 or Q1.31
   double decode_coordinate(std::uint32_t word) const;
   double decode_point(std::uint32_t word) const;  ///< of a point, or of a result
 
  private:
-  int width_ = 0;  // 0: binary32
+  int width_ = 0;  // of weights, at most that of a word; 0: binary32
+  bool block_ = false;
 };
 
 }  // namespace hwffd

@@ -38,7 +38,7 @@ class EvaluatorBench {
 
  private:
   void write_supports(const std::vector<SupportWords>& supports);
-  void simulate(const std::vector<EvaluatorVertex>& vertices, Throttle& source, Throttle& sink,
+  void simulate(const EvaluatorStimulus& stimulus, Throttle& source, Throttle& sink,
                 ScheduleRecorder* recorder);
   void compare(const EvaluatorStimulus& stimulus);
 

@@ -25,7 +25,8 @@ class EvaluatorCore {
     std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
     std::uint8_t support = 0;
     std::uint8_t bank = 0;  ///< {u, t, s}, two bits each: {derivative, bank}
-    bool changed = false;  ///< points or coefficients were written since the vertex before
+    bool changed = false;   ///< points or coefficients were written since the vertex before
+    int exponent = 0;       ///< of the support
     std::uint16_t tag = 0;
   };
   struct Result {
@@ -43,7 +44,7 @@ class EvaluatorCore {
   virtual void load(int axis, int address, int shift,
                     const std::array<std::uint32_t, 4>& words) = 0;
   /// One clock that writes a control point of a support, in local order, n fastest.
-  virtual void write(std::uint8_t support, int index, const std::uint32_t* xyz) = 0;
+  virtual void write(std::uint8_t support, int index, const std::uint32_t* xyz, int exponent) = 0;
 
   virtual void drive_vertex(bool valid, const Vertex& vertex) = 0;
   virtual void drive_result_ready(bool ready) = 0;

@@ -9,8 +9,12 @@
 
 namespace hwffd::tb {
 
-/// The 64 control points of a support as stream words, three a point, in local order, n fastest.
-using SupportWords = std::array<std::uint32_t, 192>;
+/// The 64 control points of a support as stream words, three a point, in local order, n fastest,
+/// and their exponent where they share one (bfp32).
+struct SupportWords {
+  std::array<std::uint32_t, 192> points{};
+  int exponent = 0;
+};
 
 /// A vertex as an evaluator takes it at its read port.
 struct EvaluatorVertex {
@@ -26,8 +30,9 @@ struct EvaluatorStimulus {
   std::vector<EvaluatorVertex> vertices;
 };
 
-/// Supports with points uniform in [-1, 1), vertices in any cell with uniform coordinates, one in
-/// ten of them 0 or 1. `together` of them, one after the other, share cell and support.
+/// Supports with points uniform in [-1, 1) times 2^exponent (0 but in bfp32), vertices in any cell
+/// with uniform coordinates, one in ten of them 0 or 1. `together` of them, one after the other,
+/// share cell and support.
 EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, std::uint64_t seed,
                                   std::size_t together = 1);
 

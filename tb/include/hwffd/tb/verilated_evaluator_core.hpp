@@ -46,11 +46,12 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     clock();
     dut_->load_i = 0;
   }
-  void write(std::uint8_t support, int index, const std::uint32_t* xyz) override {
+  void write(std::uint8_t support, int index, const std::uint32_t* xyz, int exponent) override {
     dut_->write_i = 1;
     dut_->write_support_i = support;
     dut_->write_index_i = static_cast<CData>(index);
     for (int i = 0; i < 3; ++i) dut_->write_words_i[i] = xyz[i];
+    dut_->write_exponent_i = static_cast<SData>(exponent & 0x3FF);
     settle();
     clock();
     dut_->write_i = 0;
@@ -63,6 +64,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     dut_->s_vertex_support = vertex.support;
     dut_->s_vertex_bank = vertex.bank;
     dut_->s_vertex_changed = vertex.changed ? 1 : 0;
+    dut_->s_vertex_exponent = static_cast<SData>(vertex.exponent & 0x3FF);
     dut_->s_vertex_tag = vertex.tag;
   }
   void drive_result_ready(bool ready) override { dut_->m_result_ready = ready ? 1 : 0; }

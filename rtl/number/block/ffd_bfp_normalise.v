@@ -1,0 +1,176 @@
+// ffd_bfp_normalise: a sum in units of its block becomes a binary32 word
+//
+//   word = (value x 2^(exponent - (2W - 3))) rounded to binary32
+//
+// Three steps: magnitude and its leading zeros; the leading one brought to the top, which gives the
+// exponent field; where that is below 1, significand and field become those of a subnormal, and all
+// is rounded.
+//
+// Formats:    sum_i {minus, plus, saturated, Q9.(2W-3)}; exponent_i signed. plus alone is an
+//             infinity, minus alone one below 0, both a NaN (0x7FC00000), whatever the value.
+// Rounding:   to nearest even, once (ffd_fp_round). Overflow gives infinity; a zero is +0.
+// Pipeline:   LATENCY registers over the three steps, II 1, never frozen.
+// Parameters: 8 <= W <= 40, LATENCY >= 0.
+// Model:      golden/include/hwffd/numerics/block.hpp (out).  Test: tests/unit/block.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+
+module ffd_bfp_normalise #(
+  parameter W       = 35,
+  parameter LATENCY = 3
+) (
+  input  wire                        clk,
+  input  wire [2*W+8:0]              sum_i,
+  input  wire [`FFD_EXPONENT_W-1:0]  exponent_i,
+  output wire [31:0]                 word_o,
+  output wire                        saturated_o,
+  output wire                        nan_o
+);
+  localparam VALUE_W = 2 * W + 6;
+  localparam COUNT_W = $clog2(VALUE_W);
+  localparam FIELD_W = `FFD_EXPONENT_W + 2;
+  localparam KEPT_W  = 26;  // significand, guard, sticky
+  localparam CLASS_W = 4;   // {minus, plus, saturated, sign}
+
+  localparam [FIELD_W-1:0] TOP      = 135;  // field of a leading one at the top, less exponent_i
+  localparam [FIELD_W-1:0] LARGEST  = 254;
+  localparam [FIELD_W-1:0] ONE      = 1;
+  localparam [FIELD_W-1:0] FARTHEST = KEPT_W;
+
+  localparam FIRST   = LATENCY / 3;
+  localparam SECOND  = (2 * LATENCY) / 3 - FIRST;
+  localparam THIRD   = LATENCY - SECOND - FIRST;
+
+  generate
+    if (W < 8 || W > 40) begin : gen_bad_width
+      ERROR_ffd_bfp_normalise_width_must_be_8_to_40 u_error ();
+    end
+  endgenerate
+
+  // ---- magnitude and leading zeros
+
+  wire               sign      = sum_i[VALUE_W-1];
+  wire [VALUE_W-1:0] value     = sum_i[VALUE_W-1:0];
+  wire [VALUE_W-1:0] magnitude = sign ? -value : value;
+  wire [COUNT_W-1:0] zeros;
+  wire               none;
+
+  ffd_fp_lzc #(
+    .WIDTH(VALUE_W)
+  ) u_zeros (
+    .x_i    (magnitude),
+    .count_o(zeros),
+    .none_o (none)
+  );
+
+  wire [VALUE_W-1:0]         p1_magnitude;
+  wire [COUNT_W-1:0]         p1_zeros;
+  wire                       p1_none;
+  wire [`FFD_EXPONENT_W-1:0] p1_exponent;
+  wire [CLASS_W-1:0]         p1_class;
+
+  ffd_num_delay #(
+    .WIDTH  (VALUE_W + COUNT_W + 1 + `FFD_EXPONENT_W + CLASS_W),
+    .LATENCY(FIRST)
+  ) u_first (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({magnitude, zeros, none, exponent_i, sum_i[VALUE_W +: 3], sign}),
+    .q_o({p1_magnitude, p1_zeros, p1_none, p1_exponent, p1_class})
+  );
+
+  // ---- the leading one to the top, where the exponent field is exponent_i + 135
+
+  wire [VALUE_W-1:0] top;
+  ffd_fp_shift_left #(
+    .WIDTH   (VALUE_W),
+    .AMOUNT_W(COUNT_W)
+  ) u_top (
+    .x_i     (p1_magnitude),
+    .amount_i(p1_zeros),
+    .y_o     (top)
+  );
+
+  // The exponent field as if it had no ends: -462 to 646.
+  wire [FIELD_W-1:0] field = TOP + {{2{p1_exponent[`FFD_EXPONENT_W-1]}}, p1_exponent} -
+                             {{(FIELD_W - COUNT_W) {1'b0}}, p1_zeros};
+  wire [KEPT_W-1:0]  kept;
+  generate
+    if (VALUE_W > KEPT_W) begin : gen_wide
+      assign kept = {top[VALUE_W-1 -: KEPT_W-1], |top[VALUE_W-KEPT_W:0]};
+    end else begin : gen_narrow
+      assign kept = {top, {(KEPT_W - VALUE_W) {1'b0}}};
+    end
+  endgenerate
+
+  wire [KEPT_W-1:0]  p2_kept;
+  wire [FIELD_W-1:0] p2_field;
+  wire               p2_none;
+  wire [CLASS_W-1:0] p2_class;
+
+  ffd_num_delay #(
+    .WIDTH  (KEPT_W + FIELD_W + 1 + CLASS_W),
+    .LATENCY(SECOND)
+  ) u_second (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({kept, field, p1_none, p1_class}),
+    .q_o({p2_kept, p2_field, p2_none, p2_class})
+  );
+
+  // ---- subnormals, infinities, rounding
+
+  wire               below  = p2_field[FIELD_W-1] || p2_field == {FIELD_W{1'b0}};
+  wire [FIELD_W-1:0] down   = ONE - p2_field;
+  wire [4:0]         amount = !below ? 5'd0 : down > FARTHEST ? FARTHEST[4:0] : down[4:0];
+  wire [KEPT_W-1:0]  shifted;
+  wire               sticky;
+
+  ffd_fp_shift_right #(
+    .WIDTH   (KEPT_W),
+    .AMOUNT_W(5)
+  ) u_subnormal (
+    .x_i     (p2_kept),
+    .amount_i(amount),
+    .y_o     (shifted),
+    .sticky_o(sticky)
+  );
+
+  wire        plus     = p2_class[2];
+  wire        minus    = p2_class[3];
+  wire        huge     = !below && p2_field > LARGEST && !p2_none;
+  wire        infinite = plus || minus || huge;
+  wire        nan      = plus && minus;
+  wire [31:0] word;
+
+  wire [FIELD_W-1:0] biased = below || p2_none ? {FIELD_W{1'b0}} : p2_field - ONE;
+
+  ffd_fp_round #(
+    .EXP_W(8),
+    .SIG_W(24)
+  ) u_round (
+    .sign_i       (plus || minus ? minus : p2_class[0]),
+    .exponent_i   (biased[7:0]),
+    .significand_i(shifted[KEPT_W-1:2]),
+    .guard_i      (shifted[1]),
+    .sticky_i     (shifted[0] || sticky),
+    .infinite_i   (infinite),
+    .nan_i        (nan),
+    .result_o     (word)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (34),
+    .LATENCY(THIRD)
+  ) u_third (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({nan, p2_class[1], word}),
+    .q_o({nan_o, saturated_o, word_o})
+  );
+
+  wire unused_ok = &{1'b0, biased[FIELD_W-1:8]};
+endmodule
+
+`default_nettype wire
