@@ -90,7 +90,7 @@ Results exact_results(const Operands& o) {
           packed(nearest({o.sum_a, 2 * W - 3}, W - 1, W), o.flag_a, W),
           packed(nearest({o.sum_a * (1 << (o.rescale + 1)), 2 * W - 2}, W - 1, W), o.flag_a, W),
           packed(2 * nearest(coordinate, kF, W).value - one, o.word > 0x80000000U, W),
-          packed(o.a * one * (1 << o.widen), o.flag_a, 2 * W + 6),
+          packed(o.b * one * (1 << o.widen), o.flag_b, 2 * W + 6),
           out};
 }
 
@@ -121,7 +121,7 @@ Results model_results(const Operands& o) {
           number(F::narrow(sum_a)),
           number(F::rescale(sum_a, o.rescale)),
           number(F::centre(F::coordinate(o.word))),
-          sum(F::widen(a, o.widen)),
+          sum(F::widen(b, o.widen)),
           packed(Int128{out.word}, out.saturated, 32)};
 }
 

@@ -136,7 +136,7 @@ module number_units #(
   ffd_num_widen #(
     .FORMAT(FORMAT)
   ) u_widen (
-    .point_i(a_i),
+    .point_i(factor_i),
     .shift_i(widen_i),
     .sum_o  (widen_o)
   );
