@@ -9,7 +9,6 @@ bus/ffd_bus_run.v
 bus/ffd_bus_events.v
 bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
-bus/ffd_dma_fifo.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
 bus/ffd_dma_write.v
@@ -17,8 +16,11 @@ stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
+stream/ffd_stream_deep_fifo.v
 stream/ffd_stream_fifo.v
+stream/ffd_stream_header.v
 stream/ffd_stream_lattice.v
+stream/ffd_stream_queue.v
 stream/ffd_stream_readers.v
 stream/ffd_stream_skid.v
 stream/ffd_stream_vertex.v
@@ -79,4 +81,5 @@ number/float/ffd_fp_unpack.v
 number/block/ffd_bfp_align.v
 number/block/ffd_bfp_normalise.v
 number/fixed/ffd_fx_product.v
+number/fixed/ffd_fx_narrow.v
 number/fixed/ffd_fx_round.v

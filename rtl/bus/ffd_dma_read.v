@@ -196,7 +196,7 @@ module ffd_dma_read #(
     end
   end
 
-  ffd_dma_fifo #(
+  ffd_stream_deep_fifo #(
     .WIDTH(129),
     .DEPTH(FIFO_DEPTH)
   ) u_fifo (

@@ -158,7 +158,7 @@ module ffd_dma_write #(
 
   assign s_result_ready = fifo_ready && !soft_i;
 
-  ffd_dma_fifo #(
+  ffd_stream_deep_fifo #(
     .WIDTH(128),
     .DEPTH(FIFO_DEPTH)
   ) u_fifo (

@@ -1,6 +1,7 @@
 // ffd_cache_points: control points from where a vertex has them: its slot or the resident lattice
 //
-// Pipeline:   READ_LATENCY 2, II 1, never frozen.
+// Pipeline:   READ_LATENCY 2, II 1, never frozen. What is written is there for reads from the second
+//             clock after it: no vertex reads its points sooner.
 // Parameters: those of ffd_cache_interleaved and ffd_cache_resident; the source is {resident, slot
 //             or buffer}.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -34,6 +35,31 @@ module ffd_cache_points #(
 );
   localparam POINTS_W = N * 3 * `FFD_POINT_W(FORMAT);
 
+  reg                        lattice_write_q;
+  reg                        lattice_buffer_q;
+  reg [11:0]                 lattice_at_q;
+  reg [95:0]                 lattice_words_q;
+  reg                        slot_write_q;
+  reg [SLOT_W-1:0]           slot_q;
+  reg [11:0]                 slot_cell_q;
+  reg [3:0]                  slot_group_q;
+  reg [1:0]                  slot_phase_q;
+  reg [127:0]                slot_words_q;
+  reg [`FFD_EXPONENT_W-1:0]  write_exponent_q;
+  always @(posedge clk) begin
+    lattice_write_q  <= lattice_write_i;
+    lattice_buffer_q <= lattice_buffer_i;
+    lattice_at_q     <= lattice_at_i;
+    lattice_words_q  <= lattice_words_i;
+    slot_write_q     <= slot_write_i;
+    slot_q           <= slot_i;
+    slot_cell_q      <= slot_cell_i;
+    slot_group_q     <= slot_group_i;
+    slot_phase_q     <= slot_phase_i;
+    slot_words_q     <= slot_words_i;
+    write_exponent_q <= write_exponent_i;
+  end
+
   wire [POINTS_W-1:0] of_lattice;
   wire [POINTS_W-1:0] of_slot;
   wire                resident;
@@ -44,11 +70,11 @@ module ffd_cache_points #(
     .AXIS  (AXIS)
   ) u_resident (
     .clk             (clk),
-    .write_i         (lattice_write_i),
-    .write_buffer_i  (lattice_buffer_i),
-    .write_at_i      (lattice_at_i),
-    .write_words_i   (lattice_words_i),
-    .write_exponent_i(write_exponent_i),
+    .write_i         (lattice_write_q),
+    .write_buffer_i  (lattice_buffer_q),
+    .write_at_i      (lattice_at_q),
+    .write_words_i   (lattice_words_q),
+    .write_exponent_i(write_exponent_q),
     .read_buffer_i   (read_source_i[0]),
     .read_cell_i     (read_cell_i),
     .read_index_i    (read_index_i),
@@ -61,13 +87,13 @@ module ffd_cache_points #(
     .SLOTS (SLOTS)
   ) u_interleaved (
     .clk             (clk),
-    .write_i         (slot_write_i),
-    .write_slot_i    (slot_i),
-    .write_cell_i    (slot_cell_i),
-    .write_group_i   (slot_group_i),
-    .write_phase_i   (slot_phase_i),
-    .write_words_i   (slot_words_i),
-    .write_exponent_i(write_exponent_i),
+    .write_i         (slot_write_q),
+    .write_slot_i    (slot_q),
+    .write_cell_i    (slot_cell_q),
+    .write_group_i   (slot_group_q),
+    .write_phase_i   (slot_phase_q),
+    .write_words_i   (slot_words_q),
+    .write_exponent_i(write_exponent_q),
     .read_slot_i     (read_source_i[SLOT_W-1:0]),
     .read_index_i    (read_index_i),
     .points_o        (of_slot)

@@ -8,8 +8,8 @@
 // FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
 //             on beside the contraction, and each axis holds its own for the steps of the vertex.
 //
-// Pipeline:   step 0 | FFD_POLY_LATENCY: weights of u, for FOLD clocks; those of t and s later. A
-//             step a clock, those of a vertex one after the other; never frozen.
+// Pipeline:   step 0 | 1: addresses of the banks | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
+//             those of t and s later. A step a clock, those of a vertex one after the other; never frozen.
 // Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
 //             organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
@@ -63,6 +63,7 @@ module ffd_eval_bank_weights #(
   generate
     for (set = 0; set < SETS; set = set + 1) begin : gen_set
       wire [WEIGHT_W-1:0] coordinate;
+      reg  [WEIGHT_W-1:0] coordinate_q;
       wire [1:0]          residue;  // of the cell, modulo 4
       wire [1:0]          bank;
       wire                load;
@@ -92,16 +93,21 @@ module ffd_eval_bank_weights #(
         assign load_address = {load_axis_i, load_address_i};
       end
 
+      always @(posedge clk) coordinate_q <= coordinate;
+
       for (b = 0; b < 4; b = b + 1) begin : gen_bank
         localparam [1:0] BANK = b;
         wire [1:0]           blending = BANK - residue;
         wire [ADDRESS_W-1:0] address;
+        reg  [ADDRESS_W-1:0] address_q;
 
         if (FOLD == 1) begin : gen_own_file
           assign address = {bank, blending};
         end else begin : gen_three_files
           assign address = {2'd2 - step_i, bank, blending};
         end
+
+        always @(posedge clk) address_q <= address;
 
         ffd_eval_poly #(
           .FORMAT         (FORMAT),
@@ -117,8 +123,8 @@ module ffd_eval_bank_weights #(
           .load_address_i(load_address),
           .load_entry_i  (load_entry_i),
           .start_i       (step_valid_i),
-          .coordinate_i  (coordinate),
-          .address_i     (address),
+          .coordinate_i  (coordinate_q),
+          .address_i     (address_q),
           .weight_o      (evaluated[(4*set+b)*WEIGHT_W +: WEIGHT_W])
         );
       end
@@ -144,7 +150,7 @@ module ffd_eval_bank_weights #(
           assign weights = evaluated;
           ffd_num_delay #(
             .WIDTH  (2),
-            .LATENCY(POLY_LATENCY)
+            .LATENCY(1 + POLY_LATENCY)
           ) u_step (
             .clk(clk),
             .rst(1'b0),

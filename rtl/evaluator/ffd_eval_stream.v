@@ -8,10 +8,10 @@
 // become one, det J, with the user word of the third. It takes longer than a result of column 0,
 // waits in a queue of its own and leaves in its place in the order.
 //
-// Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
+// Formats:    coordinates {u, t, s} as stream words, cell {k, j, i}, points as the organization reads
 //             them, results {z, y, x} as stream words with {nan, saturated} of any component; of a
 //             determinant {0, 0, det J}.
-// Pipeline:   the organization's, CONVERT_LATENCY, and 1 clock in the result queue; det J after
+// Pipeline:   the organization's, CONVERT_LATENCY, and 3 clocks in the result queue; det J after
 //             ffd_eval_determinant.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
@@ -45,7 +45,7 @@ module ffd_eval_stream #(
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
-  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
+  input  wire [95:0]                                     s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire [5:0]                                      s_vertex_bank,
@@ -66,8 +66,10 @@ module ffd_eval_stream #(
   output wire                                            m_result_determinant,
   output wire [USER_W-1:0]                               m_result_user
 );
-  localparam SUM_W   = `FFD_SUM_W(FORMAT);
-  localparam COUNT_W = $clog2(IN_FLIGHT) + 1;
+  localparam SUM_W    = `FFD_SUM_W(FORMAT);
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+  localparam ENTRY_W  = `FFD_ENTRY_W(WEIGHT_W);
+  localparam COUNT_W  = $clog2(IN_FLIGHT) + 1;
 
   generate
     if (IN_FLIGHT < 4) begin : gen_bad_in_flight
@@ -85,15 +87,49 @@ module ffd_eval_stream #(
   wire               enter  = s_vertex_valid && s_vertex_ready;
   wire               leave  = m_result_valid && m_result_ready;
 
+  // Their room is known a clock later.
+  reg  [1:0]         left_q;
   wire [COUNT_W-1:0] entering = {{(COUNT_W - 1) {1'b0}}, enter};
-  wire [COUNT_W-1:0] leaving  = {{(COUNT_W - 2) {1'b0}}, leave && m_result_determinant, leave};
+  wire [COUNT_W-1:0] leaving  = {{(COUNT_W - 2) {1'b0}}, left_q};
 
   assign s_vertex_ready = ready && room;
 
   always @(posedge clk) begin
-    if (rst) inside_q <= {COUNT_W{1'b0}};
-    else inside_q <= inside_q + entering - leaving;
+    if (rst) begin
+      left_q   <= 2'd0;
+      inside_q <= {COUNT_W{1'b0}};
+    end else begin
+      left_q   <= {leave && m_result_determinant, leave};
+      inside_q <= inside_q + entering - leaving;
+    end
   end
+
+  // Coefficients arrive a clock later: no vertex can want them so soon.
+  reg               load_q;
+  reg [1:0]         load_axis_q;
+  reg [3:0]         load_address_q;
+  reg [ENTRY_W-1:0] load_entry_q;
+  always @(posedge clk) begin
+    load_q         <= load_i && !rst;
+    load_axis_q    <= load_axis_i;
+    load_address_q <= load_address_i;
+    load_entry_q   <= load_entry_i;
+  end
+
+  wire [3*WEIGHT_W-1:0] coordinates;
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_axis
+      ffd_num_in #(
+        .FORMAT(FORMAT),
+        .ROLE  (`FFD_ROLE_COORDINATE)
+      ) u_in (
+        .word_i    (s_vertex_coordinates[32*a +: 32]),
+        .exponent_i({`FFD_EXPONENT_W{1'b0}}),
+        .number_o  (coordinates[a*WEIGHT_W +: WEIGHT_W])
+      );
+    end
+  endgenerate
 
   wire               sum_valid;
   wire [3*SUM_W-1:0] sum;
@@ -113,13 +149,13 @@ module ffd_eval_stream #(
   ) u_org (
     .clk                 (clk),
     .rst                 (rst),
-    .load_i              (load_i),
-    .load_axis_i         (load_axis_i),
-    .load_address_i      (load_address_i),
-    .load_entry_i        (load_entry_i),
+    .load_i              (load_q),
+    .load_axis_i         (load_axis_q),
+    .load_address_i      (load_address_q),
+    .load_entry_i        (load_entry_q),
     .s_vertex_valid      (s_vertex_valid && room),
     .s_vertex_ready      (ready),
-    .s_vertex_coordinates(s_vertex_coordinates),
+    .s_vertex_coordinates(coordinates),
     .s_vertex_cell       (s_vertex_cell),
     .s_vertex_source     (s_vertex_source),
     .s_vertex_bank       (s_vertex_bank),
@@ -141,7 +177,7 @@ module ffd_eval_stream #(
   wire                       sides_ready;
   wire                       side_valid;
 
-  ffd_stream_fifo #(
+  ffd_stream_queue #(
     .WIDTH(SIDE_W),
     .DEPTH(IN_FLIGHT)
   ) u_sides (
@@ -224,7 +260,7 @@ module ffd_eval_stream #(
   wire        user_valid;
   wire        is_determinant;
 
-  ffd_stream_fifo #(
+  ffd_stream_queue #(
     .WIDTH(98),
     .DEPTH(IN_FLIGHT)
   ) u_results (
@@ -238,7 +274,7 @@ module ffd_eval_stream #(
     .m_word_data (result)
   );
 
-  ffd_stream_fifo #(
+  ffd_stream_queue #(
     .WIDTH(34),
     .DEPTH(IN_FLIGHT / 2)
   ) u_determinants (
@@ -254,7 +290,7 @@ module ffd_eval_stream #(
 
   wire takes_user = s_vertex_column == 2'd0 || s_vertex_column == LAST_COLUMN;
 
-  ffd_stream_fifo #(
+  ffd_stream_queue #(
     .WIDTH(1 + USER_W),
     .DEPTH(IN_FLIGHT)
   ) u_users (

@@ -75,7 +75,8 @@ module ffd_eval_trivariate #(
   // ---- coordinates, and which component, at every clock in which a unit wants them
 
   wire [3*WEIGHT_W-1:0] centred;
-  wire [1:0]            step_component;
+  wire [1:0]            early_component;
+  reg  [1:0]            step_component;
 
   genvar a;
   generate
@@ -93,13 +94,14 @@ module ffd_eval_trivariate #(
 
   ffd_num_delay #(
     .WIDTH  (2),
-    .LATENCY(ADD_LATENCY)
+    .LATENCY(ADD_LATENCY - 1)
   ) u_component (
     .clk(clk),
     .rst(1'b0),
     .d_i(step_component_i),
-    .q_o(step_component)
+    .q_o(early_component)
   );
+  always @(posedge clk) step_component <= early_component;
 
   genvar t;
   generate
@@ -151,11 +153,21 @@ module ffd_eval_trivariate #(
               assign of_upsilon[k*WEIGHT_W +: WEIGHT_W] =
                   gen_coefficient[16*k+4*j+i].vector_q[c*WEIGHT_W +: WEIGHT_W];
             end else begin : gen_in_turn
+              // Chosen a clock before it is wanted.
               wire [3*WEIGHT_W-1:0] vector = gen_coefficient[16*k+4*j+i].vector_q;
-              assign of_upsilon[k*WEIGHT_W +: WEIGHT_W] =
-                  gen_after[AT].component == 2'd0 ? vector[0*WEIGHT_W +: WEIGHT_W] :
-                  gen_after[AT].component == 2'd1 ? vector[1*WEIGHT_W +: WEIGHT_W] :
-                                                    vector[2*WEIGHT_W +: WEIGHT_W];
+              wire [1:0]            component;
+              reg  [WEIGHT_W-1:0]   own_q;
+              if (AT == 0) begin : gen_at_once
+                assign component = early_component;
+              end else begin : gen_later
+                assign component = gen_after[AT-1].component;
+              end
+              always @(posedge clk) begin
+                own_q <= component == 2'd0 ? vector[0*WEIGHT_W +: WEIGHT_W] :
+                         component == 2'd1 ? vector[1*WEIGHT_W +: WEIGHT_W] :
+                                             vector[2*WEIGHT_W +: WEIGHT_W];
+              end
+              assign of_upsilon[k*WEIGHT_W +: WEIGHT_W] = own_q;
             end
           end
 

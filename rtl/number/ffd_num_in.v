@@ -77,7 +77,7 @@ module ffd_num_in #(
         .minus_o    (number_o[W+2])
       );
     end else if (ROLE == `FFD_ROLE_COORDINATE) begin : gen_coordinate
-      wire        above = word_i > 32'h8000_0000;
+      wire        above = word_i[31] & |word_i[30:0];
       wire [32:0] word  = {1'b0, above ? 32'h8000_0000 : word_i};
       wire        saturated;
       ffd_fx_round #(

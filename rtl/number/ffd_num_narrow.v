@@ -31,42 +31,37 @@ module ffd_num_narrow #(
     end
   endgenerate
 
-  wire [POINT_W-1:0] point;
-
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
-      assign point = sum_i;
+      ffd_num_delay #(
+        .WIDTH  (POINT_W),
+        .LATENCY(LATENCY)
+      ) u_point (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(sum_i),
+        .q_o(point_o)
+      );
     end else begin : gen_fixed
       localparam W       = `FFD_FIXED_W(FORMAT);
       localparam VALUE_W = 2 * W + 6;
-      wire saturated;
+      localparam FLAGS_W = `FFD_FLAGS_W(FORMAT);
 
-      ffd_fx_round #(
-        .IN_W (VALUE_W),
-        .DROP (W - 2 + SHIFT),
-        .OUT_W(W)
-      ) u_round (
-        .value_i    (sum_i[VALUE_W-1:0]),
-        .addend_i   ({W{1'b0}}),
-        .value_o    (point[W-1:0]),
-        .saturated_o(saturated)
+      ffd_fx_narrow #(
+        .IN_W   (VALUE_W),
+        .DROP   (W - 2 + SHIFT),
+        .OUT_W  (W),
+        .FLAGS_W(FLAGS_W),
+        .LATENCY(LATENCY)
+      ) u_narrow (
+        .clk    (clk),
+        .value_i(sum_i[VALUE_W-1:0]),
+        .flags_i(sum_i[VALUE_W +: FLAGS_W]),
+        .value_o(point_o[W-1:0]),
+        .flags_o(point_o[POINT_W-1:W])
       );
-      assign point[W] = sum_i[VALUE_W] | saturated;
-      if (POINT_W > W + 1) begin : gen_class
-        assign point[POINT_W-1:W+1] = sum_i[VALUE_W+1 +: POINT_W - W - 1];
-      end
     end
   endgenerate
-
-  ffd_num_delay #(
-    .WIDTH  (POINT_W),
-    .LATENCY(LATENCY)
-  ) u_point (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(point),
-    .q_o(point_o)
-  );
 endmodule
 
 `default_nettype wire

@@ -36,18 +36,19 @@ module ffd_num_out #(
     end
   endgenerate
 
-  wire [31:0] word;
-  wire        saturated;
-  wire        nan;
-
-  // Behind what the format has registered itself.
-  localparam REGISTERS = `FFD_FORMAT_BLOCK(FORMAT) ? 0 : LATENCY;
-
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
-      assign word      = sum_i;
-      assign saturated = 1'b0;
-      assign nan       = &sum_i[30:23] & |sum_i[22:0];
+      wire nan = &sum_i[30:23] & |sum_i[22:0];
+      ffd_num_delay #(
+        .WIDTH  (33),
+        .LATENCY(LATENCY)
+      ) u_word (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i({nan, sum_i}),
+        .q_o({nan_o, word_o})
+      );
+      assign saturated_o = 1'b0;
     end else if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_block
       wire [`FFD_EXPONENT_W-1:0] exponent;
 
@@ -73,9 +74,9 @@ module ffd_num_out #(
         .clk        (clk),
         .sum_i      (sum_i),
         .exponent_i (exponent),
-        .word_o     (word),
-        .saturated_o(saturated),
-        .nan_o      (nan)
+        .word_o     (word_o),
+        .saturated_o(saturated_o),
+        .nan_o      (nan_o)
       );
     end else begin : gen_fixed
       localparam FRACTION = 2 * FORMAT - 3 + SHIFT;
@@ -83,7 +84,6 @@ module ffd_num_out #(
       localparam DROP     = FRACTION < 31 ? 0 : FRACTION - 31;
       localparam VALUE_W  = `FFD_SUM_W(FORMAT) - 1;
       wire signed [VALUE_W+PAD-1:0] value;
-      wire                          overflow;
 
       if (PAD > 0) begin : gen_pad
         assign value = {sum_i[VALUE_W-1:0], {PAD{1'b0}}};
@@ -91,30 +91,22 @@ module ffd_num_out #(
         assign value = sum_i[VALUE_W-1:0];
       end
 
-      ffd_fx_round #(
-        .IN_W (VALUE_W + PAD),
-        .DROP (DROP),
-        .OUT_W(32)
-      ) u_round (
-        .value_i    (value),
-        .addend_i   (32'd0),
-        .value_o    (word),
-        .saturated_o(overflow)
+      ffd_fx_narrow #(
+        .IN_W   (VALUE_W + PAD),
+        .DROP   (DROP),
+        .OUT_W  (32),
+        .FLAGS_W(1),
+        .LATENCY(LATENCY)
+      ) u_narrow (
+        .clk    (clk),
+        .value_i(value),
+        .flags_i(sum_i[VALUE_W]),
+        .value_o(word_o),
+        .flags_o(saturated_o)
       );
-      assign saturated = overflow | sum_i[VALUE_W];
-      assign nan       = 1'b0;
+      assign nan_o = 1'b0;
     end
   endgenerate
-
-  ffd_num_delay #(
-    .WIDTH  (34),
-    .LATENCY(REGISTERS)
-  ) u_word (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({nan, saturated, word}),
-    .q_o({nan_o, saturated_o, word_o})
-  );
 
   wire unused_ok = &{1'b0, exponent_i};
 endmodule

@@ -31,48 +31,43 @@ module ffd_num_rescale #(
     end
   endgenerate
 
-  wire [POINT_W-1:0] point;
-
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
-      assign point = sum_i;
+      ffd_num_delay #(
+        .WIDTH  (POINT_W),
+        .LATENCY(LATENCY)
+      ) u_point (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(sum_i),
+        .q_o(point_o)
+      );
       wire unused_ok = &{1'b0, shift_i};
     end else begin : gen_fixed
       // One place more behind the point than the sum has, for the shift by -1.
       localparam W         = `FFD_FIXED_W(FORMAT);
       localparam VALUE_W   = 2 * W + 6;
       localparam SHIFTED_W = VALUE_W + 4;
+      localparam FLAGS_W   = `FFD_FLAGS_W(FORMAT);
       wire signed [SHIFTED_W-1:0] value   = {{4{sum_i[VALUE_W-1]}}, sum_i[VALUE_W-1:0]};
       wire        [2:0]           places  = shift_i + 3'd1;
       wire signed [SHIFTED_W-1:0] shifted = value <<< places;
-      wire                        saturated;
 
-      ffd_fx_round #(
-        .IN_W (SHIFTED_W),
-        .DROP (W - 1),
-        .OUT_W(W)
-      ) u_round (
-        .value_i    (shifted),
-        .addend_i   ({W{1'b0}}),
-        .value_o    (point[W-1:0]),
-        .saturated_o(saturated)
+      ffd_fx_narrow #(
+        .IN_W   (SHIFTED_W),
+        .DROP   (W - 1),
+        .OUT_W  (W),
+        .FLAGS_W(FLAGS_W),
+        .LATENCY(LATENCY)
+      ) u_narrow (
+        .clk    (clk),
+        .value_i(shifted),
+        .flags_i(sum_i[VALUE_W +: FLAGS_W]),
+        .value_o(point_o[W-1:0]),
+        .flags_o(point_o[POINT_W-1:W])
       );
-      assign point[W] = sum_i[VALUE_W] | saturated;
-      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_class
-        assign point[W+1 +: 2] = sum_i[VALUE_W+1 +: 2];
-      end
     end
   endgenerate
-
-  ffd_num_delay #(
-    .WIDTH  (POINT_W),
-    .LATENCY(LATENCY)
-  ) u_point (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(point),
-    .q_o(point_o)
-  );
 endmodule
 
 `default_nettype wire

@@ -1,4 +1,4 @@
-// What the parts of the stream share: status, events.
+// What the parts of the stream share: headers, status, events.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_STREAM_VH
 `define FFD_STREAM_VH
@@ -6,6 +6,15 @@
 // A vertex's way around the evaluator: {resident, buffer, bank, last, blank, status, tag}.
 `define FFD_USER_W 27
 `define FFD_USER_LAST 23
+
+// What a beat would be as a header: its opcode, good dimensions, a count that is not 0.
+`define FFD_KIND_COEFFICIENTS 0
+`define FFD_KIND_LATTICE      1
+`define FFD_KIND_DIMENSIONS   2
+`define FFD_KIND_VERTICES     3
+`define FFD_KIND_INTERLEAVED  4
+`define FFD_KIND_SOME         5
+`define FFD_KIND_W            6
 
 // What a packet of vertices asks for; docs/interface.md section 2.
 `define FFD_RESULTS_POSITION    2'd0

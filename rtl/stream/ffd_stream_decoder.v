@@ -13,15 +13,15 @@
 //             are dropped up to tlast. A tlast inside a vertex ends it: it goes on marked
 //             truncated. Banks and buffers cut short never come into use. Each event is a pulse of
 //             event_o (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
-// Formats:    coordinates and coefficients leave as weights of FORMAT; source {resident, slot or
+// Formats:    kind is that of ffd_stream_header, of the same beat; coefficients leave as weights of
+//             FORMAT; source {resident, slot or
 //             buffer}; changed: points or coefficients were loaded since the vertex before; user
 //             {resident, buffer, bank, that of ffd_stream_vertex}. The exponent of points comes in
 //             the header of opcodes 2 and 4 and goes with each of their vertices.
 // Pipeline:   a vertex leaves in the clock after its last beat; II 1 resident, 49 interleaved.
 // Freezes:    s_beat_ready is 0 when a header waits for its bank or buffer, a vertex for a slot, or
 //             a finished vertex for the one before it.
-// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2, AXIS 4 to 16, IN_FLIGHT the most vertices behind
-//             the decoder.
+// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2, IN_FLIGHT the most vertices behind the decoder.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -33,7 +33,6 @@ module ffd_stream_decoder #(
   parameter FORMAT    = 18,
   parameter SLOTS     = 3,
   parameter SLOT_W    = $clog2(SLOTS),
-  parameter AXIS      = 16,
   parameter IN_FLIGHT = 16
 ) (
   input  wire                                            clk,
@@ -41,6 +40,7 @@ module ffd_stream_decoder #(
   input  wire                                            s_beat_valid,
   output reg                                             s_beat_ready,
   input  wire [127:0]                                    s_beat_data,
+  input  wire [`FFD_KIND_W-1:0]                          s_beat_kind,
   input  wire                                            s_beat_last,
   output wire                                            load_o,
   output wire [1:0]                                      load_axis_o,
@@ -59,7 +59,7 @@ module ffd_stream_decoder #(
   output reg  [`FFD_EXPONENT_W-1:0]                      write_exponent_o,
   output wire                                            m_vertex_valid,
   input  wire                                            m_vertex_ready,
-  output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              m_vertex_coordinates,
+  output wire [95:0]                                     m_vertex_coordinates,
   output wire [11:0]                                     m_vertex_cell,
   output wire [SLOT_W:0]                                 m_vertex_source,
   output wire                                            m_vertex_bank,
@@ -75,11 +75,6 @@ module ffd_stream_decoder #(
   output reg  [31:0]                                     event_beat_o,
   output wire                                            idle_o
 );
-  localparam [7:0] OPCODE_COEFFICIENTS = 8'd1;
-  localparam [7:0] OPCODE_LATTICE      = 8'd2;
-  localparam [7:0] OPCODE_VERTICES     = 8'd3;
-  localparam [7:0] OPCODE_INTERLEAVED  = 8'd4;
-
   localparam [2:0] HEADER       = 3'd0;
   localparam [2:0] COEFFICIENTS = 3'd1;
   localparam [2:0] LATTICE      = 3'd2;
@@ -98,21 +93,20 @@ module ffd_stream_decoder #(
   reg  [1:0]  results_q;
   wire        take            = s_beat_valid && s_beat_ready;
   wire        header          = take && state_q == HEADER;
-  wire [7:0]  opcode          = s_beat_data[7:0];
   wire [31:0] count           = s_beat_data[63:32];
-  wire        is_coefficients = opcode == OPCODE_COEFFICIENTS;
-  wire        is_lattice      = opcode == OPCODE_LATTICE;
+  wire        is_coefficients = s_beat_kind[`FFD_KIND_COEFFICIENTS];
+  wire        is_lattice      = s_beat_kind[`FFD_KIND_LATTICE];
+  wire        good_lattice    = s_beat_kind[`FFD_KIND_DIMENSIONS];
   wire [1:0]  results         = s_beat_data[73:72];
-  wire        good_results    = results != `FFD_RESULTS_BAD;
-  wire        is_vertices     = opcode == OPCODE_VERTICES && good_results;
-  wire        is_interleaved  = opcode == OPCODE_INTERLEAVED && good_results;
+  wire        is_vertices     = s_beat_kind[`FFD_KIND_VERTICES];
+  wire        is_interleaved  = s_beat_kind[`FFD_KIND_INTERLEAVED];
+  wire        some            = s_beat_kind[`FFD_KIND_SOME];
   wire        known           = is_coefficients || is_lattice || is_vertices || is_interleaved;
   wire        last_phase      = phase_q == LAST_PHASE;
   wire        last_point      = &group_q && last_phase;
   wire        last_vertex     = count_q == 32'd1;
   wire        last_function;
   wire        last_of_lattice;
-  wire        good_lattice;
 
   // The last beat of a vertex: its own, its last point, or a tlast that comes too early.
   wire vertex_ends = (state_q == VERTEX && (resident_q || s_beat_last)) ||
@@ -129,7 +123,7 @@ module ffd_stream_decoder #(
       HEADER:
         if (is_coefficients) state_d = COEFFICIENTS;
         else if (is_lattice && good_lattice) state_d = LATTICE;
-        else if ((is_vertices || is_interleaved) && count != 32'd0) state_d = VERTEX;
+        else if ((is_vertices || is_interleaved) && some) state_d = VERTEX;
         else state_d = DROP;
       COEFFICIENTS: if (last_function) state_d = DONE;
       LATTICE:      if (last_of_lattice) state_d = DONE;
@@ -165,9 +159,11 @@ module ffd_stream_decoder #(
     end
   end
 
-  // The exponent of the points that this packet brings.
+  // The exponent of the points that this packet brings, where there is such a thing.
+  wire [`FFD_EXPONENT_W-1:0] exponent = s_beat_data[96 +: `FFD_EXPONENT_W]
+                                      & {`FFD_EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
   always @(posedge clk) begin
-    if (header) write_exponent_o <= s_beat_data[96 +: `FFD_EXPONENT_W];
+    if (header) write_exponent_o <= exponent;
   end
 
   // ---- when it may come
@@ -215,16 +211,13 @@ module ffd_stream_decoder #(
   wire                       lattice_loaded;
   wire [11:0]                last_cell;
   wire [`FFD_EXPONENT_W-1:0] lattice_exponent;
-  ffd_stream_lattice #(
-    .AXIS(AXIS)
-  ) u_lattice (
+  ffd_stream_lattice u_lattice (
     .clk           (clk),
     .rst           (rst),
     .header_i      (header),
     .beat_i        (take && state_q == LATTICE),
     .data_i        (s_beat_data),
     .exponent_i    (write_exponent_o),
-    .good_o        (good_lattice),
     .last_o        (last_of_lattice),
     .write_o       (lattice_write_o),
     .write_buffer_o(lattice_buffer_o),
@@ -295,7 +288,6 @@ module ffd_stream_decoder #(
   wire              position = results_q == `FFD_RESULTS_POSITION;
   wire              no_functions = !coefficients_loaded || (!position && !derivatives_loaded);
   wire              unloaded = no_functions || (resident_q && !lattice_loaded);
-  reg  [1:0]        lattice_user_q;
   wire              nan;
   wire              outside;
   wire              cell_outside;
@@ -314,7 +306,7 @@ module ffd_stream_decoder #(
     .clk                 (clk),
     .rst                 (rst),
     .header_i            (header),
-    .vertex_i            (vertex),
+    .vertex_i            (state_q == VERTEX),
     .finish_i            (finish),
     .data_i              (s_beat_data),
     .bounded_i           (resident_q && lattice_loaded),
@@ -343,16 +335,14 @@ module ffd_stream_decoder #(
     .cell_outside_o      (cell_outside)
   );
 
-  always @(posedge clk) begin
-    if (finish) lattice_user_q <= {resident_q, buffer};
-  end
-  assign m_vertex_user = {lattice_user_q, m_vertex_bank, vertex_user};
+  // The buffer is that bit of the source where there is one.
+  assign m_vertex_user = {m_vertex_source[SLOT_W], m_vertex_source[0], m_vertex_bank, vertex_user};
 
   // ---- events
 
   wire payload    = state_q != HEADER && state_q != DONE && state_q != DROP;
   wire refused    = !known || (is_lattice && !good_lattice);
-  wire no_vertex  = (is_vertices || is_interleaved) && count == 32'd0;
+  wire no_vertex  = (is_vertices || is_interleaved) && !some;
   wire ends_short = (take && payload && s_beat_last && !complete) ||
                     (header && !refused && (s_beat_last || no_vertex));
   assign event_o[`FFD_EVENT_OPCODE]       = header && !known;

@@ -5,22 +5,19 @@
 //
 // Formats:    words go on as they came; write_at_o is {k, j, i}, 4 bits each, last_cell_o likewise.
 // Pipeline:   write_o in the clock of its beat.
-// Parameters: AXIS 4 to 16, the most points an axis.
+// Not checked: the dimensions in the header (ffd_stream_header).
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 
-module ffd_stream_lattice #(
-  parameter AXIS = 16
-) (
+module ffd_stream_lattice (
   input  wire                        clk,
   input  wire                        rst,
   input  wire                        header_i,
   input  wire                        beat_i,
   input  wire [127:0]                data_i,
   input  wire [`FFD_EXPONENT_W-1:0]  exponent_i,
-  output wire                        good_o,
   output wire                        last_o,
   output wire                        write_o,
   output wire                        write_buffer_o,
@@ -31,14 +28,6 @@ module ffd_stream_lattice #(
   output wire [11:0]                 last_cell_o,
   output reg  [`FFD_EXPONENT_W-1:0]  exponent_o
 );
-  generate
-    if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
-      ERROR_ffd_stream_lattice_axis_must_be_4_to_16 u_error ();
-    end
-  endgenerate
-
-  localparam [7:0] MOST = AXIS;
-
   reg buffer_q;
   reg loaded_q;
   assign buffer_o = buffer_q;
@@ -60,22 +49,20 @@ module ffd_stream_lattice #(
   end
 
   // An axis: its points as the header says, and an index that steps when those below it wrap.
-  wire [2:0] good;
   wire [2:0] at_top;
   wire [2:0] step = {beat_i, beat_i && at_top[2], beat_i && at_top[2] && at_top[1]};
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
-      wire [7:0] points = data_i[64+8*a +: 8];
+      wire [3:0] points = data_i[64+8*a +: 4];
       reg  [3:0] top_q;
       reg  [3:0] index_q;
       reg  [3:0] last_cell_q;
-      assign good[a]   = points >= 8'd4 && points <= MOST;
       assign at_top[a] = index_q == top_q;
       always @(posedge clk) begin
         if (header_i) begin
-          top_q   <= points[3:0] - 4'd1;
+          top_q   <= points - 4'd1;
           index_q <= 4'd0;
         end else if (step[a]) begin
           index_q <= at_top[a] ? 4'd0 : index_q + 4'd1;
@@ -87,7 +74,6 @@ module ffd_stream_lattice #(
     end
   endgenerate
 
-  assign good_o         = &good;
   assign last_o         = &at_top;
   assign write_o        = beat_i;
   assign write_buffer_o = !buffer_q;

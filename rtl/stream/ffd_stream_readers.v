@@ -3,7 +3,8 @@
 // Counts the vertices of either bank from the clock in which they leave the decoder until their
 // result has left. A bank may be overwritten when it has none.
 //
-// Pipeline:   busy_o is a function of registers.
+// Pipeline:   busy_o is a register, a clock behind the count: a bank that has come into use is not
+//             asked about for a packet's length.
 // Parameters: MOST >= 1, the most vertices inside.
 // Model:      none (order only).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -18,7 +19,7 @@ module ffd_stream_readers #(
   input  wire       enter_bank_i,
   input  wire       leave_i,
   input  wire       leave_bank_i,
-  output wire [1:0] busy_o
+  output reg  [1:0] busy_o
 );
   localparam COUNT_W = $clog2(MOST + 1);
 
@@ -34,7 +35,7 @@ module ffd_stream_readers #(
         else if (enter && !leave) inside_q <= inside_q + 1'b1;
         else if (leave && !enter) inside_q <= inside_q - 1'b1;
       end
-      assign busy_o[b] = inside_q != {COUNT_W{1'b0}};
+      always @(posedge clk) busy_o[b] <= !rst && inside_q != {COUNT_W{1'b0}};
     end
   endgenerate
 endmodule

@@ -4,11 +4,11 @@
 // them into the lattice, passes them or blanks the result. A cell of the resident lattice is always
 // brought inside, whatever the mode: nothing reads beyond the lattice.
 //
-// Formats:    coordinates {u, t, s} as weights of FORMAT; results FFD_RESULTS_*;
+// Formats:    coordinates {u, t, s} as stream words; results FFD_RESULTS_*;
 //             user {last, blank, status, tag}, status {unloaded, truncated, outside, NaN, clamped,
 //             0}.
-// Pipeline:   an interleaved vertex waits here for its points; the vertex is offered in the clock
-//             after finish_i.
+// Pipeline:   vertex_i while the beat of a vertex is due, taken or not; an interleaved vertex waits
+//             here for its points; the vertex is offered in the clock after finish_i.
 // Freezes:    finish_i only while no vertex is offered, or the one that is is taken.
 // Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -39,7 +39,7 @@ module ffd_stream_vertex #(
   output wire [11:0]                         cell_o,
   output reg                                 m_vertex_valid,
   input  wire                                m_vertex_ready,
-  output reg  [3*`FFD_WEIGHT_W(FORMAT)-1:0]  m_vertex_coordinates,
+  output reg  [95:0]                         m_vertex_coordinates,
   output reg  [11:0]                         m_vertex_cell,
   output reg  [SOURCE_W-1:0]                 m_vertex_source,
   output reg                                 m_vertex_bank,
@@ -51,8 +51,7 @@ module ffd_stream_vertex #(
   output wire                                outside_o,
   output wire                                cell_outside_o
 );
-  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
-  localparam VERTEX_W = 3 * WEIGHT_W + 12 + 3 + 16;
+  localparam VERTEX_W = 96 + 12 + 3 + 16;
 
   localparam [1:0] MODE_CLAMP = 2'd0;
   localparam [1:0] MODE_PASS  = 2'd1;
@@ -65,11 +64,11 @@ module ffd_stream_vertex #(
 
   // ---- the beat
 
-  wire [3*WEIGHT_W-1:0] coordinates;
-  wire [11:0]           cell_index;
-  wire [2:0]            nan;
-  wire [2:0]            outside;
-  wire [2:0]            beyond;
+  wire [95:0] coordinates;
+  wire [11:0] cell_index;
+  wire [2:0]  nan;
+  wire [2:0]  outside;
+  wire [2:0]  beyond;
 
   genvar a;
   generate
@@ -89,16 +88,8 @@ module ffd_stream_vertex #(
         .clamped_o(clamped)
       );
 
-      wire [31:0] word = !clamp ? data_i[32*a +: 32] : beyond[a] ? `FFD_ONE_WORD(FORMAT) : clamped;
-
-      ffd_num_in #(
-        .FORMAT(FORMAT),
-        .ROLE  (`FFD_ROLE_COORDINATE)
-      ) u_in (
-        .word_i    (word),
-        .exponent_i({`FFD_EXPONENT_W{1'b0}}),
-        .number_o  (coordinates[a*WEIGHT_W +: WEIGHT_W])
-      );
+      assign coordinates[32*a +: 32] = !clamp    ? data_i[32*a +: 32]
+                                     : beyond[a] ? `FFD_ONE_WORD(FORMAT) : clamped;
     end
   endgenerate
 
@@ -111,12 +102,12 @@ module ffd_stream_vertex #(
   end
   wire [VERTEX_W-1:0] now = vertex_i ? beat : beat_q;
 
-  wire [3*WEIGHT_W-1:0] now_coordinates;
-  wire [11:0]           now_cell;
-  wire                  now_nan;
-  wire                  now_outside;
-  wire                  now_beyond;
-  wire [15:0]           now_tag;
+  wire [95:0] now_coordinates;
+  wire [11:0] now_cell;
+  wire        now_nan;
+  wire        now_outside;
+  wire        now_beyond;
+  wire [15:0] now_tag;
   assign {now_coordinates, now_cell, now_nan, now_outside, now_beyond, now_tag} = now;
 
   assign cell_o         = beat_q[19 +: 12];
@@ -136,8 +127,9 @@ module ffd_stream_vertex #(
     else if (finish_i) m_vertex_valid <= 1'b1;
     else if (m_vertex_ready) m_vertex_valid <= 1'b0;
   end
+  // Whatever is here while nothing is offered, a vertex or not.
   always @(posedge clk) begin
-    if (finish_i) begin
+    if (!m_vertex_valid || m_vertex_ready) begin
       m_vertex_coordinates <= now_coordinates;
       m_vertex_cell        <= now_cell;
       m_vertex_source      <= source_i;

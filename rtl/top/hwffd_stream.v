@@ -62,22 +62,31 @@ module hwffd_stream #(
   wire clk = aclk;
   wire rst = !aresetn;
 
-  wire         in_valid;
-  wire         in_ready;
-  wire [127:0] in_data;
-  wire         in_last;
+  wire [`FFD_KIND_W-1:0] kind;
+  wire                   in_valid;
+  wire                   in_ready;
+  wire [127:0]           in_data;
+  wire                   in_last;
+  wire [`FFD_KIND_W-1:0] in_kind;
+
+  ffd_stream_header #(
+    .AXIS(AXIS)
+  ) u_header (
+    .data_i(s_axis_tdata),
+    .kind_o(kind)
+  );
 
   ffd_stream_skid #(
-    .WIDTH(129)
+    .WIDTH(`FFD_KIND_W + 129)
   ) u_in (
     .clk         (clk),
     .rst         (rst),
     .s_beat_valid(s_axis_tvalid),
     .s_beat_ready(s_axis_tready),
-    .s_beat_data ({s_axis_tlast, s_axis_tdata}),
+    .s_beat_data ({kind, s_axis_tlast, s_axis_tdata}),
     .m_beat_valid(in_valid),
     .m_beat_ready(in_ready),
-    .m_beat_data ({in_last, in_data})
+    .m_beat_data ({in_kind, in_last, in_data})
   );
 
   wire                              load;
@@ -95,9 +104,19 @@ module hwffd_stream #(
   wire [1:0]                        slot_phase;
   wire [127:0]                      slot_words;
   wire [`FFD_EXPONENT_W-1:0]        write_exponent;
+  wire                              decoded_valid;
+  wire                              decoded_ready;
+  wire [95:0]                       decoded_coordinates;
+  wire [11:0]                       decoded_cell;
+  wire [SOURCE_W-1:0]               decoded_source;
+  wire                              decoded_bank;
+  wire [`FFD_EXPONENT_W-1:0]        decoded_exponent;
+  wire                              decoded_changed;
+  wire [1:0]                        decoded_results;
+  wire [USER_W-1:0]                 decoded_user;
   wire                              vertex_valid;
   wire                              vertex_ready;
-  wire [3*WEIGHT_W-1:0]             vertex_coordinates;
+  wire [95:0]                       vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
@@ -128,19 +147,26 @@ module hwffd_stream #(
   wire [127:0]                      result_beat;
   wire                              decoder_idle;
   wire                              leave  = result_valid && result_ready;
-  wire                              retire = leave && result_final;
+
+  // Of the bank and buffer that a vertex has read, a clock after it has left.
+  reg                               retire_q;
+  reg  [2:0]                        retire_user_q;
+  always @(posedge clk) begin
+    retire_q      <= leave && result_final && !rst;
+    retire_user_q <= result_user[USER_W-1 -: 3];
+  end
 
   ffd_stream_decoder #(
     .FORMAT   (FORMAT),
     .SLOTS    (SLOTS),
-    .AXIS     (AXIS),
-    .IN_FLIGHT(IN_FLIGHT)
+    .IN_FLIGHT(IN_FLIGHT + 3)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
     .s_beat_valid        (in_valid),
     .s_beat_ready        (in_ready),
     .s_beat_data         (in_data),
+    .s_beat_kind         (in_kind),
     .s_beat_last         (in_last),
     .load_o              (load),
     .load_axis_o         (load_axis),
@@ -157,23 +183,40 @@ module hwffd_stream #(
     .slot_phase_o        (slot_phase),
     .slot_words_o        (slot_words),
     .write_exponent_o    (write_exponent),
-    .m_vertex_valid      (vertex_valid),
-    .m_vertex_ready      (vertex_ready),
-    .m_vertex_coordinates(vertex_coordinates),
-    .m_vertex_cell       (vertex_cell),
-    .m_vertex_source     (vertex_source),
-    .m_vertex_bank       (vertex_bank),
-    .m_vertex_changed    (vertex_changed),
-    .m_vertex_results    (vertex_results),
-    .m_vertex_exponent   (vertex_exponent),
-    .m_vertex_user       (vertex_user),
+    .m_vertex_valid      (decoded_valid),
+    .m_vertex_ready      (decoded_ready),
+    .m_vertex_coordinates(decoded_coordinates),
+    .m_vertex_cell       (decoded_cell),
+    .m_vertex_source     (decoded_source),
+    .m_vertex_bank       (decoded_bank),
+    .m_vertex_changed    (decoded_changed),
+    .m_vertex_results    (decoded_results),
+    .m_vertex_exponent   (decoded_exponent),
+    .m_vertex_user       (decoded_user),
     .slot_free_i         (read_last && !read_again && !read_source[SLOT_W]),
-    .retire_i            (retire),
-    .retire_user_i       (result_user[USER_W-1 -: 3]),
+    .retire_i            (retire_q),
+    .retire_user_i       (retire_user_q),
     .event_o             (event_o[`FFD_EVENTS-1:0]),
     .event_packet_o      (event_packet_o),
     .event_beat_o        (event_beat_o),
     .idle_o              (decoder_idle)
+  );
+
+  localparam VERTEX_W = USER_W + `FFD_EXPONENT_W + 2 + 1 + 1 + SOURCE_W + 12 + 96;
+
+  ffd_stream_skid #(
+    .WIDTH(VERTEX_W)
+  ) u_decoded (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(decoded_valid),
+    .s_beat_ready(decoded_ready),
+    .s_beat_data ({decoded_user, decoded_exponent, decoded_results, decoded_changed, decoded_bank,
+                   decoded_source, decoded_cell, decoded_coordinates}),
+    .m_beat_valid(vertex_valid),
+    .m_beat_ready(vertex_ready),
+    .m_beat_data ({vertex_user, vertex_exponent, vertex_results, vertex_changed, vertex_bank,
+                   vertex_source, vertex_cell, vertex_coordinates})
   );
 
   ffd_stream_derivatives #(

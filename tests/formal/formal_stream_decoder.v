@@ -38,7 +38,7 @@ module formal_stream_decoder #(
   wire                                       slot_write;
   wire [SLOT_W-1:0]                          slot;
   wire                                       m_valid;
-  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]         m_coordinates;
+  wire [95:0]                                m_coordinates;
   wire [11:0]                                m_cell;
   wire [SLOT_W:0]                            m_source;
   wire                                       m_bank;
@@ -52,10 +52,17 @@ module formal_stream_decoder #(
   wire                                       retire;
   wire [2:0]                                 retire_user;
 
+  wire [`FFD_KIND_W-1:0] s_kind;
+  ffd_stream_header #(
+    .AXIS(AXIS)
+  ) u_header (
+    .data_i(s_data),
+    .kind_o(s_kind)
+  );
+
   ffd_stream_decoder #(
     .FORMAT   (FORMAT),
     .SLOTS    (SLOTS),
-    .AXIS     (AXIS),
     .IN_FLIGHT(2)
   ) u_dut (
     .clk                 (clk),
@@ -63,6 +70,7 @@ module formal_stream_decoder #(
     .s_beat_valid        (s_valid),
     .s_beat_ready        (s_ready),
     .s_beat_data         (s_data),
+    .s_beat_kind         (s_kind),
     .s_beat_last         (s_last),
     .load_o              (load),
     .load_address_o      (load_address),

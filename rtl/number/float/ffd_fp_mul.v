@@ -13,8 +13,9 @@
 //
 // Two subnormal factors have depth > p, more than any position: their position is never used.
 //
-// Pipeline:   free running, II 1, exactly LATENCY registers, spread over five steps (ffd_fp_stage):
-//             multiply | find leading one | limit | shift | round. Never frozen, no reset.
+// Pipeline:   free running, II 1, exactly LATENCY registers, spread over seven steps
+//             (ffd_fp_stage): unpack | multiply halves | add them | find leading one | limit |
+//             shift | round. Never frozen, no reset.
 // Unchecked:  nothing: every pair of words has a defined result. No exception flags.
 // Parameters: EXP_W, SIG_W (width with the hidden bit) as guarded in ffd_fp_unpack;
 //             LATENCY >= 1, guarded in ffd_fp_stage.
@@ -32,7 +33,7 @@ module ffd_fp_mul #(
   input  wire [EXP_W+SIG_W-1:0] b_i,
   output wire [EXP_W+SIG_W-1:0] result_o
 );
-  localparam STEPS      = 5;
+  localparam STEPS      = 7;
   localparam W          = EXP_W + SIG_W;
   localparam PRODUCT_W  = 2 * SIG_W;
   localparam POSITION_W = $clog2(SIG_W + 1);      // of a leading one among the upper SIG_W + 1 bits
@@ -43,7 +44,7 @@ module ffd_fp_mul #(
   localparam BIAS                 = (1 << (EXP_W - 1)) - 1;
   localparam [DEPTH_W-1:0] ORIGIN = SIG_W[DEPTH_W-1:0] + BIAS[DEPTH_W-1:0];
 
-  // Step 0: multiply, add the exponents, classify.
+  // Step 0: unpack, add the exponents, classify.
   wire             p0_a_sign;
   wire [EXP_W-1:0] p0_a_exponent;
   wire [SIG_W-1:0] p0_a_significand;
@@ -83,154 +84,209 @@ module ffd_fp_mul #(
     .nan_o        (p0_b_nan)
   );
 
-  wire                 p0_sign     = p0_a_sign ^ p0_b_sign;
-  wire                 p0_infinite = p0_a_infinite | p0_b_infinite;
-  wire                 p0_nan      = p0_a_nan | p0_b_nan | (p0_infinite & (p0_a_zero | p0_b_zero));
-  wire [PRODUCT_W-1:0] p0_product  = {{SIG_W{1'b0}}, p0_a_significand}
-                                   * {{SIG_W{1'b0}}, p0_b_significand};
-  wire [DEPTH_W-1:0]   p0_depth    = ORIGIN - ({2'b00, p0_a_exponent} + {2'b00, p0_b_exponent});
+  wire               p0_sign     = p0_a_sign ^ p0_b_sign;
+  wire               p0_infinite = p0_a_infinite | p0_b_infinite;
+  wire               p0_nan      = p0_a_nan | p0_b_nan | (p0_infinite & (p0_a_zero | p0_b_zero));
+  wire [DEPTH_W-1:0] p0_depth    = ORIGIN - ({2'b00, p0_a_exponent} + {2'b00, p0_b_exponent});
 
-  wire                 p1_sign;
-  wire                 p1_nan;
-  wire                 p1_infinite;
-  wire [DEPTH_W-1:0]   p1_depth;
-  wire [PRODUCT_W-1:0] p1_product;
+  wire               p1_sign;
+  wire               p1_nan;
+  wire               p1_infinite;
+  wire [DEPTH_W-1:0] p1_depth;
+  wire [SIG_W-1:0]   p1_a;
+  wire [SIG_W-1:0]   p1_b;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + DEPTH_W + PRODUCT_W),
+    .WIDTH  (3 + DEPTH_W + 2 * SIG_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (0)
   ) u_stage0 (
     .clk(clk),
-    .d_i({p0_sign, p0_nan, p0_infinite, p0_depth, p0_product}),
-    .q_o({p1_sign, p1_nan, p1_infinite, p1_depth, p1_product})
+    .d_i({p0_sign, p0_nan, p0_infinite, p0_depth, p0_a_significand, p0_b_significand}),
+    .q_o({p1_sign, p1_nan, p1_infinite, p1_depth, p1_a, p1_b})
   );
 
-  // Step 1: the leading one. Padded in front to a power of two, position = ~(leading zeros).
-  wire [PRODUCT_W-1:0]  p1_upper = p1_product >> (SIG_W - 1);
-  wire [POSITION_W-1:0] p1_count;
-  wire                  p1_none;
+  // Step 1: the products of halves, each of a multiplier block's size.
+  localparam LOW_W  = SIG_W / 2;
+  localparam HIGH_W = SIG_W - LOW_W;
+  localparam PART_W = 2 * HIGH_W;
 
-  ffd_fp_lzc #(
-    .WIDTH(UPPER_W)
-  ) u_lzc (
-    .x_i    (p1_upper[UPPER_W-1:0]),
-    .count_o(p1_count),
-    .none_o (p1_none)
-  );
+  wire [PART_W-1:0] p1_a_high = {{HIGH_W{1'b0}}, p1_a[SIG_W-1:LOW_W]};
+  wire [PART_W-1:0] p1_b_high = {{HIGH_W{1'b0}}, p1_b[SIG_W-1:LOW_W]};
+  wire [PART_W-1:0] p1_a_low  = {{(PART_W-LOW_W){1'b0}}, p1_a[LOW_W-1:0]};
+  wire [PART_W-1:0] p1_b_low  = {{(PART_W-LOW_W){1'b0}}, p1_b[LOW_W-1:0]};
+  wire [PART_W-1:0] p1_high   = p1_a_high * p1_b_high;
+  wire [PART_W-1:0] p1_cross  = p1_a_high * p1_b_low;
+  wire [PART_W-1:0] p1_other  = p1_a_low * p1_b_high;
+  wire [PART_W-1:0] p1_low    = p1_a_low * p1_b_low;
 
-  wire                  p2_sign;
-  wire                  p2_nan;
-  wire                  p2_infinite;
-  wire [DEPTH_W-1:0]    p2_depth;
-  wire [PRODUCT_W-1:0]  p2_product;
-  wire                  p2_none;
-  wire [POSITION_W-1:0] p2_position;
+  wire               p2_sign;
+  wire               p2_nan;
+  wire               p2_infinite;
+  wire [DEPTH_W-1:0] p2_depth;
+  wire [PART_W-1:0]  p2_high;
+  wire [PART_W-1:0]  p2_cross;
+  wire [PART_W-1:0]  p2_other;
+  wire [PART_W-1:0]  p2_low;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + DEPTH_W + PRODUCT_W + 1 + POSITION_W),
+    .WIDTH  (3 + DEPTH_W + 4 * PART_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (1)
   ) u_stage1 (
     .clk(clk),
-    .d_i({p1_sign, p1_nan, p1_infinite, p1_depth, p1_product, p1_none, ~p1_count}),
-    .q_o({p2_sign, p2_nan, p2_infinite, p2_depth, p2_product, p2_none, p2_position})
+    .d_i({p1_sign, p1_nan, p1_infinite, p1_depth, p1_high, p1_cross, p1_other, p1_low}),
+    .q_o({p2_sign, p2_nan, p2_infinite, p2_depth, p2_high, p2_cross, p2_other, p2_low})
   );
 
-  // Step 2: normal or subnormal, exponent and shift. One sign bit more than depth has.
-  wire [DEPTH_W:0]    p2_left     = {{(DEPTH_W+1-POSITION_W){1'b0}}, p2_position}
-                                  - {p2_depth[DEPTH_W-1], p2_depth};
-  wire                p2_limited  = p2_left[DEPTH_W] | p2_none;
-  wire                p2_overflow = ~p2_limited
-                                  & ((|p2_left[DEPTH_W-1:EXP_W]) | (&p2_left[EXP_W-1:1]));
-  wire [EXP_W-1:0]    p2_field    = p2_left[EXP_W-1:0] & {EXP_W{~p2_limited}};
-  wire                p2_far      = |(p2_depth >> AMOUNT_W);
-  wire [AMOUNT_W-1:0] p2_amount   = p2_limited ? p2_depth[AMOUNT_W-1:0] | {AMOUNT_W{p2_far}}
-                                  : {{(AMOUNT_W-POSITION_W){1'b0}}, p2_position};
+  // Step 2: their sum. The outer two do not overlap.
+  wire [PART_W:0]      p2_crossed = {1'b0, p2_cross} + {1'b0, p2_other};
+  wire [PRODUCT_W:0]   p2_inner   = {{(PRODUCT_W-PART_W){1'b0}}, p2_crossed} << LOW_W;
+  wire [PRODUCT_W-1:0] p2_product = {p2_high, p2_low[2*LOW_W-1:0]} + p2_inner[PRODUCT_W-1:0];
 
   wire                 p3_sign;
   wire                 p3_nan;
   wire                 p3_infinite;
-  wire [EXP_W-1:0]     p3_field;
-  wire [AMOUNT_W-1:0]  p3_amount;
+  wire [DEPTH_W-1:0]   p3_depth;
   wire [PRODUCT_W-1:0] p3_product;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + EXP_W + AMOUNT_W + PRODUCT_W),
+    .WIDTH  (3 + DEPTH_W + PRODUCT_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (2)
   ) u_stage2 (
     .clk(clk),
-    .d_i({p2_sign, p2_nan, p2_infinite | p2_overflow, p2_field, p2_amount, p2_product}),
-    .q_o({p3_sign, p3_nan, p3_infinite, p3_field, p3_amount, p3_product})
+    .d_i({p2_sign, p2_nan, p2_infinite, p2_depth, p2_product}),
+    .q_o({p3_sign, p3_nan, p3_infinite, p3_depth, p3_product})
   );
 
-  // Step 3: the shift; significand and guard bit end up lowest, zeros above them.
-  wire [PRODUCT_W:0] p3_normal;
-  wire               p3_sticky;
+  // Step 3: the leading one. Padded in front to a power of two, position = ~(leading zeros).
+  wire [PRODUCT_W-1:0]  p3_upper = p3_product >> (SIG_W - 1);
+  wire [POSITION_W-1:0] p3_count;
+  wire                  p3_none;
+
+  ffd_fp_lzc #(
+    .WIDTH(UPPER_W)
+  ) u_lzc (
+    .x_i    (p3_upper[UPPER_W-1:0]),
+    .count_o(p3_count),
+    .none_o (p3_none)
+  );
+
+  wire                  p4_sign;
+  wire                  p4_nan;
+  wire                  p4_infinite;
+  wire [DEPTH_W-1:0]    p4_depth;
+  wire [PRODUCT_W-1:0]  p4_product;
+  wire                  p4_none;
+  wire [POSITION_W-1:0] p4_position;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + DEPTH_W + PRODUCT_W + 1 + POSITION_W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (3)
+  ) u_stage3 (
+    .clk(clk),
+    .d_i({p3_sign, p3_nan, p3_infinite, p3_depth, p3_product, p3_none, ~p3_count}),
+    .q_o({p4_sign, p4_nan, p4_infinite, p4_depth, p4_product, p4_none, p4_position})
+  );
+
+  // Step 4: normal or subnormal, exponent and shift. One sign bit more than depth has.
+  wire [DEPTH_W:0]    p4_left     = {{(DEPTH_W+1-POSITION_W){1'b0}}, p4_position}
+                                  - {p4_depth[DEPTH_W-1], p4_depth};
+  wire                p4_limited  = p4_left[DEPTH_W] | p4_none;
+  wire                p4_overflow = ~p4_limited
+                                  & ((|p4_left[DEPTH_W-1:EXP_W]) | (&p4_left[EXP_W-1:1]));
+  wire [EXP_W-1:0]    p4_field    = p4_left[EXP_W-1:0] & {EXP_W{~p4_limited}};
+  wire                p4_far      = |(p4_depth >> AMOUNT_W);
+  wire [AMOUNT_W-1:0] p4_amount   = p4_limited ? p4_depth[AMOUNT_W-1:0] | {AMOUNT_W{p4_far}}
+                                  : {{(AMOUNT_W-POSITION_W){1'b0}}, p4_position};
+
+  wire                 p5_sign;
+  wire                 p5_nan;
+  wire                 p5_infinite;
+  wire [EXP_W-1:0]     p5_field;
+  wire [AMOUNT_W-1:0]  p5_amount;
+  wire [PRODUCT_W-1:0] p5_product;
+
+  ffd_fp_stage #(
+    .WIDTH  (3 + EXP_W + AMOUNT_W + PRODUCT_W),
+    .LATENCY(LATENCY),
+    .STEPS  (STEPS),
+    .STEP   (4)
+  ) u_stage4 (
+    .clk(clk),
+    .d_i({p4_sign, p4_nan, p4_infinite | p4_overflow, p4_field, p4_amount, p4_product}),
+    .q_o({p5_sign, p5_nan, p5_infinite, p5_field, p5_amount, p5_product})
+  );
+
+  // Step 5: the shift; significand and guard bit end up lowest, zeros above them.
+  wire [PRODUCT_W:0] p5_normal;
+  wire               p5_sticky;
 
   ffd_fp_shift_right #(
     .WIDTH      (PRODUCT_W + 1),
     .AMOUNT_W   (AMOUNT_W),
     .LARGE_FIRST(1)
   ) u_normalise (
-    .x_i     ({p3_product, 1'b0}),
-    .amount_i(p3_amount),
-    .y_o     (p3_normal),
-    .sticky_o(p3_sticky)
+    .x_i     ({p5_product, 1'b0}),
+    .amount_i(p5_amount),
+    .y_o     (p5_normal),
+    .sticky_o(p5_sticky)
   );
 
-  wire             p4_sign;
-  wire             p4_nan;
-  wire             p4_infinite;
-  wire [EXP_W-1:0] p4_field;
-  wire [SIG_W-1:0] p4_significand;
-  wire             p4_guard;
-  wire             p4_sticky;
+  wire             p6_sign;
+  wire             p6_nan;
+  wire             p6_infinite;
+  wire [EXP_W-1:0] p6_field;
+  wire [SIG_W-1:0] p6_significand;
+  wire             p6_guard;
+  wire             p6_sticky;
 
   ffd_fp_stage #(
     .WIDTH  (3 + EXP_W + SIG_W + 2),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
-    .STEP   (3)
-  ) u_stage3 (
+    .STEP   (5)
+  ) u_stage5 (
     .clk(clk),
-    .d_i({p3_sign, p3_nan, p3_infinite, p3_field, p3_normal[SIG_W:0], p3_sticky}),
-    .q_o({p4_sign, p4_nan, p4_infinite, p4_field, p4_significand, p4_guard, p4_sticky})
+    .d_i({p5_sign, p5_nan, p5_infinite, p5_field, p5_normal[SIG_W:0], p5_sticky}),
+    .q_o({p6_sign, p6_nan, p6_infinite, p6_field, p6_significand, p6_guard, p6_sticky})
   );
 
-  // Step 4: round and pack.
-  wire [W-1:0] p4_result;
+  // Step 6: round and pack.
+  wire [W-1:0] p6_result;
 
   ffd_fp_round #(
     .EXP_W(EXP_W),
     .SIG_W(SIG_W)
   ) u_round (
-    .sign_i       (p4_sign),
-    .exponent_i   (p4_field),
-    .significand_i(p4_significand),
-    .guard_i      (p4_guard),
-    .sticky_i     (p4_sticky),
-    .infinite_i   (p4_infinite),
-    .nan_i        (p4_nan),
-    .result_o     (p4_result)
+    .sign_i       (p6_sign),
+    .exponent_i   (p6_field),
+    .significand_i(p6_significand),
+    .guard_i      (p6_guard),
+    .sticky_i     (p6_sticky),
+    .infinite_i   (p6_infinite),
+    .nan_i        (p6_nan),
+    .result_o     (p6_result)
   );
 
   ffd_fp_stage #(
     .WIDTH  (W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
-    .STEP   (4)
-  ) u_stage4 (
+    .STEP   (6)
+  ) u_stage6 (
     .clk(clk),
-    .d_i(p4_result),
+    .d_i(p6_result),
     .q_o(result_o)
   );
 
-  wire unused_ok = &{1'b0, p1_upper, p3_normal[PRODUCT_W:SIG_W+1]};
+  wire unused_ok = &{1'b0, p2_low, p2_inner[PRODUCT_W], p3_upper, p5_normal[PRODUCT_W:SIG_W+1]};
 endmodule
 
 `default_nettype wire

@@ -1,8 +1,8 @@
-// formal_dma_fifo: ffd_dma_fifo with any traffic and any reset
+// formal_deep_fifo: ffd_stream_deep_fifo with any traffic and any reset
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module formal_dma_fifo #(
+module formal_deep_fifo #(
   parameter WIDTH = 4,
   parameter DEPTH = 4
 ) (
@@ -17,7 +17,7 @@ module formal_dma_fifo #(
   wire             m_valid;
   wire [WIDTH-1:0] m_data;
 
-  ffd_dma_fifo #(
+  ffd_stream_deep_fifo #(
     .WIDTH(WIDTH),
     .DEPTH(DEPTH)
   ) u_dut (

@@ -1,4 +1,4 @@
-// ffd_dma_fifo: first in, first out in block memory; DEPTH words
+// ffd_stream_deep_fifo: first in, first out in block memory, DEPTH words
 //
 // For depths at which ffd_stream_fifo's combinational read would be large. The memory is read at
 // the head's next value, so its output register is the output, and holds while the head does.
@@ -10,7 +10,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_dma_fifo #(
+module ffd_stream_deep_fifo #(
   parameter WIDTH     = 128,
   parameter DEPTH     = 512,
   parameter ADDRESS_W = $clog2(DEPTH)
@@ -26,7 +26,7 @@ module ffd_dma_fifo #(
 );
   generate
     if (DEPTH < 2 || (1 << ADDRESS_W) != DEPTH) begin : gen_bad_depth
-      ERROR_ffd_dma_fifo_depth_must_be_a_power_of_two u_error ();
+      ERROR_ffd_stream_deep_fifo_depth_must_be_a_power_of_two u_error ();
     end
   endgenerate
 

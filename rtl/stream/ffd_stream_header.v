@@ -1,0 +1,55 @@
+// ffd_stream_header: what a beat would be as the header of a packet
+//
+// In front of the first register of the stream, so that the decoder finds it decided
+// (docs/interface.md section 2 has the fields).
+//
+// Formats:    kind as FFD_KIND_* in ffd_stream.vh: the opcode, where all else that the decoder knows
+//             is good, whether dimensions are, and whether the count is not 0.
+// Pipeline:   combinational.
+// Parameters: AXIS 4 to 16, the most points an axis of a lattice.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_stream.vh"
+
+module ffd_stream_header #(
+  parameter AXIS = 16
+) (
+  input  wire [127:0]            data_i,
+  output wire [`FFD_KIND_W-1:0]  kind_o
+);
+  generate
+    if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
+      ERROR_ffd_stream_header_axis_must_be_4_to_16 u_error ();
+    end
+  endgenerate
+
+  localparam [7:0] OPCODE_COEFFICIENTS = 8'd1;
+  localparam [7:0] OPCODE_LATTICE      = 8'd2;
+  localparam [7:0] OPCODE_VERTICES     = 8'd3;
+  localparam [7:0] OPCODE_INTERLEAVED  = 8'd4;
+  localparam [7:0] MOST                = AXIS;
+
+  wire [7:0] opcode       = data_i[7:0];
+  wire       good_results = data_i[73:72] != `FFD_RESULTS_BAD;
+  wire [2:0] good;
+
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_axis
+      wire [7:0] points = data_i[64+8*a +: 8];
+      assign good[a] = points >= 8'd4 && points <= MOST;
+    end
+  endgenerate
+
+  assign kind_o[`FFD_KIND_COEFFICIENTS] = opcode == OPCODE_COEFFICIENTS;
+  assign kind_o[`FFD_KIND_LATTICE]      = opcode == OPCODE_LATTICE;
+  assign kind_o[`FFD_KIND_DIMENSIONS]   = &good;
+  assign kind_o[`FFD_KIND_VERTICES]     = opcode == OPCODE_VERTICES && good_results;
+  assign kind_o[`FFD_KIND_INTERLEAVED]  = opcode == OPCODE_INTERLEAVED && good_results;
+  assign kind_o[`FFD_KIND_SOME]         = data_i[63:32] != 32'd0;
+
+  wire unused_ok = &{1'b0, data_i};
+endmodule
+
+`default_nettype wire
