@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -54,6 +54,8 @@ help:
 	@echo 'make glapi     every OpenGL call, and its errors beside those of Mesa: table, JSON'
 	@echo 'make synth     what organizations cost: LUTs, flip-flops, multipliers, memories, by yosys'
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
+	@echo 'make synth-check  whether area or depth has grown by 3 % over synth/baseline.csv; make'
+	@echo '               synth-baseline writes that file'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
@@ -131,6 +133,12 @@ glapi: install
 
 synth: install
 	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
+
+synth-check: install
+	@scripts/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+
+synth-baseline: install
+	@scripts/synth_baseline write -j $(JOBS)
 
 formal: install
 	@scripts/formal -j $(JOBS)

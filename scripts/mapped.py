@@ -10,6 +10,8 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from collections import Counter, defaultdict
 
+import liberty
+
 NOWHERE = float("-inf")  # the depth of what no register and no port leads to
 
 
@@ -31,6 +33,11 @@ def _shift_register(luts):
     return ("register", {"lutram": luts})
 
 
+_ICE40 = {
+    "SB_LUT4": _LUT, "SB_CARRY": _WIRED, "SB_RAM40_4K": _BLOCK,
+    **{f"SB_DFF{kind}": _FF for kind in ("", "E", "SR", "SS", "R", "S", "ESR", "ESS", "ER", "ES")},
+}
+# The standard cells are those of a file (scripts/liberty.py).
 CELLS = {
     "generic": {f"$_{gate}_": ("logic", {"cells": 1}) for gate in _GATES},
     "ecp5": {
@@ -38,12 +45,8 @@ CELLS = {
         "MULT18X18D": ("logic", {"dsp": 1}),
         "TRELLIS_DPR16X4": ("ram", {"lutram": 4}), "DP16KD": _BLOCK, "PDPW16KD": _BLOCK,
     },
-    "ice40": {
-        "SB_LUT4": _LUT, "SB_CARRY": _WIRED, "SB_MAC16": ("mac16", {"dsp": 1}),
-        "SB_RAM40_4K": _BLOCK,
-        **{f"SB_DFF{kind}": _FF for kind in ("", "E", "SR", "SS", "R", "S", "ESR", "ESS",
-                                             "ER", "ES")},
-    },
+    "up5k": {**_ICE40, "SB_MAC16": ("mac16", {"dsp": 1})},
+    "hx8k": _ICE40,
     "xilinx7": {
         **{f"LUT{inputs}": _LUT for inputs in range(1, 7)}, "INV": _LUT,
         "CARRY4": ("carry4", {}), "MUXF7": _WIRED, "MUXF8": _WIRED,
@@ -57,11 +60,12 @@ CELLS = {
     },
 }
 _GENERIC_FF = re.compile(r"\$_S?DFFC?E?_[PN01]+_\Z")
-TARGETS = tuple(CELLS)
+TARGETS = (*CELLS, liberty.TARGET)
 # What a target's table counts; the other fields mean nothing there.
 FIELDS = {
+    **{target: ("lut", "lutram", "ff", "dsp", "bram") for target in TARGETS},
     "generic": ("cells", "ff"),
-    **{target: ("lut", "lutram", "ff", "dsp", "bram") for target in TARGETS if target != "generic"},
+    liberty.TARGET: ("area_um2", "cells", "ff"),
 }
 
 
@@ -69,13 +73,14 @@ def kind_of(target, cell_type):
     """(kind, counts) of a cell that is not a module of the design. Raises NetlistError."""
     if target == "generic" and _GENERIC_FF.match(cell_type):
         return "register", {"cells": 1, "ff": 1}
-    if cell_type not in CELLS[target]:
+    cells = liberty.cells() if target == liberty.TARGET else CELLS[target]
+    if cell_type not in cells:
         raise NetlistError(f"a cell {cell_type}, which {target} does not have")
-    return CELLS[target][cell_type]
+    return cells[cell_type]
 
 
-def count(target, netlist, top):
-    """What the cells add up to, every instance counted: {field: number}."""
+def kinds(netlist, top):
+    """How many cells of each type there are, every instance counted: {type: number}."""
     modules, known = netlist["modules"], {}
 
     def of(name):
@@ -83,14 +88,22 @@ def count(target, netlist, top):
             total = Counter()
             for cell_type, number in Counter(
                     cell["type"] for cell in modules[name]["cells"].values()).items():
-                inside = of(cell_type) if cell_type in modules else kind_of(target, cell_type)[1]
-                for field, each in inside.items():
-                    total[field] += number * each
+                inside = of(cell_type) if cell_type in modules else {cell_type: 1}
+                for kind, each in inside.items():
+                    total[kind] += number * each
             known[name] = total
         return known[name]
 
-    total = of(top)
-    return {field: total[field] for field in FIELDS[target]}
+    return dict(sorted(of(top).items()))
+
+
+def count(target, netlist, top):
+    """What the cells add up to: {field: number}. Raises NetlistError."""
+    total = Counter()
+    for cell_type, number in kinds(netlist, top).items():
+        for field, each in kind_of(target, cell_type)[1].items():
+            total[field] += number * each
+    return {field: round(total[field]) for field in FIELDS[target]}
 
 
 # Depth ----------------------------------------------------------------------------------------

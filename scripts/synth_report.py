@@ -7,19 +7,30 @@ import json
 
 import mapped
 import synthesis
+import timing
 
-FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "depth")
+FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "power_mw",
+          "critical_path", "kinds")
+SHORT = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "fmax_mhz", "power_mw")
 TITLES = {
-    "generic": "Generic gates", "ecp5": "Lattice ECP5", "ice40": "Lattice iCE40",
-    "xilinx7": "Xilinx 7 series",
+    "generic": "Generic gates", "ecp5": "Lattice ECP5", "up5k": "Lattice iCE40 UltraPlus (UP5K)",
+    "hx8k": "Lattice iCE40 HX8K", "xilinx7": "Xilinx 7 series",
+    "osu018": "OSU 0.18 um standard cells",
 }
 HEADS = {
     "lut": "LUT", "lutram": "LUT as memory", "ff": "FF", "dsp": "multipliers", "bram": "memories",
-    "cells": "cells", "depth": "depth",
+    "cells": "cells", "area_um2": "area um2", "depth": "depth", "fmax_mhz": "MHz",
+    "power_mw": f"mW at {1000 // timing.PERIOD_NS} MHz",
 }
-DSP = {"ecp5": "MULT18X18D", "ice40": "SB_MAC16", "xilinx7": "DSP48E1"}
-BRAM = {"ecp5": "DP16KD", "ice40": "SB_RAM40_4K", "xilinx7": "RAMB18E1"}
+DSP = {"ecp5": "MULT18X18D", "up5k": "SB_MAC16", "hx8k": "none", "xilinx7": "DSP48E1"}
+BRAM = {"ecp5": "DP16KD", "up5k": "SB_RAM40_4K", "hx8k": "SB_RAM40_4K", "xilinx7": "RAMB18E1"}
 WIRED = "-bspline"
+
+
+def clock(result):
+    """What is known of a row's clock. Only the timing of standard cells is known without placing
+    and routing."""
+    return {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None, "routed": False, "seeds": []}
 
 
 def collect(work, found):
@@ -33,13 +44,14 @@ def collect(work, found):
                 "subject": subject, "name": row.name, "org": row.org, "n": row.n,
                 "format": row.format, "schedule": row.schedule, "target": subject.target,
                 "top": subject.top, **{field: result.get(field) for field in FIELDS},
-                "flat": subject.flat, "seconds": result["seconds"],
+                **clock(result), "flat": subject.flat, "seconds": result["seconds"],
             })
     return shown
 
 
 def columns(target):
-    return (*mapped.FIELDS[target], "depth")
+    timed = ("fmax_mhz", "power_mw") if target == synthesis.CELLS else ()
+    return (*mapped.FIELDS[target], "depth", *timed)
 
 
 def head(target, field):
@@ -58,18 +70,20 @@ def table(heads, rows, left=1):
 
 
 def target_tables(shown, target):
-    """The rows of one target: organizations in fixed point, in binary32, whole cores."""
+    """The rows of one target: organizations in fixed point, in binary32, whole cores, units."""
     parts = []
-    for title, top, fixed in (
-            ("fixed point", synthesis.ORGANIZATION, True),
-            ("binary32", synthesis.ORGANIZATION, False),
-            ("whole cores", synthesis.CORE, None)):
-        rows = [row for row in shown if row["target"] == target and row["top"] == top
+    for title, tops, fixed in (
+            ("Fixed and block floating point, `ffd_org_select`", (synthesis.ORGANIZATION,), True),
+            ("Binary32, `ffd_org_select`", (synthesis.ORGANIZATION,), False),
+            ("Whole cores, `hwffd_stream`", (synthesis.CORE,), None),
+            ("With DMA and registers, `hwffd_axi`", (synthesis.SYSTEM,), None),
+            ("Binary32 units by themselves", synthesis.FLOAT_UNITS, None)):
+        rows = [row for row in shown if row["target"] == target and row["top"] in tops
                 and fixed in (None, row["subject"].fixed)]
         if not rows:
             continue
         method = "flat" if rows[0]["flat"] else "units kept apart"
-        parts.append(f"{title.capitalize()}, `{top}`, {method}:\n\n" + table(
+        parts.append(f"{title}, {method}:\n\n" + table(
             ["row", "N", *(head(target, field) for field in columns(target))],
             [[row["name"], row["n"], *(number(row[field]) for field in columns(target))]
              for row in rows]))
@@ -121,8 +135,11 @@ def matrix(shown, target, fields):
 def totals(shown):
     parts = []
     for target in synthesis.TARGETS:
-        wanted = {"generic": [(("cells",), "cells")]}.get(
-            target, [(("lut", "lutram"), "LUT, memory included"), (("dsp",), head(target, "dsp"))])
+        wanted = {
+            "generic": [(("cells",), "cells")],
+            "hx8k": [(("lut",), "LUT")],
+            synthesis.CELLS: [((field,), head(target, field)) for field in ("area_um2", "fmax_mhz")],
+        }.get(target, [(("lut", "lutram"), "LUT, memory included"), (("dsp",), head(target, "dsp"))])
         if not any(row["target"] == target and _plain(row) for row in shown):
             continue
         parts += [f"{TITLES[target]}, {title}:\n\n" + matrix(shown, target, fields)
@@ -130,10 +147,33 @@ def totals(shown):
     return parts
 
 
+def cells_by_kind(shown):
+    """Kinds of cells down, organizations in fx18 across, target by target."""
+    parts = []
+    for target in synthesis.TARGETS:
+        rows = [row for row in shown
+                if row["target"] == target and row["format"] == "fx18" and _plain(row)]
+        kinds = sorted({kind for row in rows for kind in row["kinds"]})
+        if rows:
+            parts.append(f"{TITLES[target]}:\n\n" + table(
+                ["cell", *(row["name"].split("-")[0] for row in rows)],
+                [[f"`{kind}`", *(number(row["kinds"].get(kind, 0)) for row in rows)]
+                 for kind in kinds]))
+    return parts
+
+
+def critical_paths(shown):
+    """Where the longest paths of standard cells begin and end."""
+    return table(["row", "top", "MHz", "critical path"], [
+        [row["name"], f"`{row['top']}`", number(row["fmax_mhz"]), row["critical_path"]]
+        for row in shown if row["critical_path"]], 2)
+
+
 def markdown(work, found, shown, failed):
     parts = ["# Mapped by yosys",
-             f"{work.version}. Mapped, not placed: no wires, no clock frequency. What each number "
-             "counts is in synth/README.md."]
+             f"{work.version}, OpenSTA {work.sta_version or 'not here'}. Mapped, not placed: clocks and "
+             "power are of standard cells without wires. What each number counts is in "
+             "synth/README.md."]
     absent = len(found) - len(shown)
     if absent:
         parts.append(f"{absent} of {len(found)} rows have not been mapped from the present "
@@ -152,6 +192,13 @@ def markdown(work, found, shown, failed):
     sums = totals(shown)
     if sums:
         parts += ["## Organizations side by side", *sums]
+    kinds = cells_by_kind(shown)
+    if kinds:
+        parts += ["## Cells by kind", *kinds]
+    if any(row["critical_path"] for row in shown):
+        parts += ["## Critical paths of standard cells",
+                  "A name is that of the register in the sources, or of a port.",
+                  critical_paths(shown)]
     return "\n\n".join(parts) + "\n"
 
 
@@ -163,17 +210,19 @@ def write(work, found, failed, folder):
     broken = json.dumps([{"name": s.row.name, "top": s.top, "target": s.target, "error": why}
                          for s, why in failed])
     synthesis.write(folder / "synth.json",
-                    f'{{\n  "yosys": {json.dumps(work.version)},\n  "wanted": {len(found)},\n'
+                    f'{{\n  "yosys": {json.dumps(work.version)},\n'
+                    f'  "sta": {json.dumps(work.sta_version)},\n  "wanted": {len(found)},\n'
                     f'  "failed": {broken},\n  "rows": [\n{text}\n  ]\n}}\n')
     synthesis.write(folder / "synth.md", markdown(work, found, shown, failed))
     return shown
 
 
 def short(shown):
-    """The rows for a terminal."""
-    lines = [("row", "top", "target", *(HEADS[field] for field in FIELDS))]
-    lines[0] = tuple("lut ram" if word == "LUT as memory" else word for word in lines[0])
-    lines += [(row["name"], row["top"], row["target"], *(number(row[field]) for field in FIELDS))
+    """The rows for a terminal, in columns that some row fills."""
+    fields = [field for field in SHORT if any(row[field] is not None for row in shown)]
+    heads = ["lut ram" if field == "lutram" else HEADS[field] for field in fields]
+    lines = [("row", "top", "target", *heads)]
+    lines += [(row["name"], row["top"], row["target"], *(number(row[field]) for field in fields))
               for row in shown]
     widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
     return "\n".join("  ".join(

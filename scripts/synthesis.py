@@ -3,29 +3,43 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import concurrent.futures
 import hashlib
 import json
 import os
 import pathlib
 import re
+import shutil
 import time
 from dataclasses import dataclass
 
 import configurations
+import liberty
 import mapped
 import rtl
+import timing
 from processes import Processes
+from progress import Progress
 
-ORGANIZATION, CORE = "ffd_org_select", "hwffd_stream"
+ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
+# The rows in which the DMA and the registers are built around the core, as in tb/CMakeLists.txt.
+SYSTEM_ROWS = ("basic-fx18-overlapped", "basic-fp32-overlapped", "basic-bfp32-overlapped",
+               "factored-fx18-overlapped")
 TARGETS = mapped.TARGETS
-SETS = ("all", "ci")
+CELLS = liberty.TARGET
+ICE40 = ("up5k", "hx8k")
+SETS = ("all", "ci", "baseline")
+# binary32 units by themselves: module -> (word, column of the table with its latency).
+FLOAT_UNITS = {"ffd_fp_add": ("add", "add_latency"), "ffd_fp_mul": ("mul", "mul_latency"),
+               "ffd_fp_fma": ("fma", "fma_latency")}
+UNIT_TARGETS = ("ecp5", CELLS)
 
 # Mapped once each where a row keeps its units apart; the rest of the design is flattened.
 UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd_num_add",
          "ffd_num_mac")
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do.
-ABSORBING = ("ice40", "xilinx7")
+ABSORBING = (*ICE40, "xilinx7")
 
 
 class SynthesisError(Exception):
@@ -33,10 +47,28 @@ class SynthesisError(Exception):
 
 
 @dataclass(frozen=True)
-class Subject:
-    """One run: a row of the table, the module that is its top, and what it is mapped on."""
+class Unit:
+    """A binary32 unit by itself; it stands where a row of the table stands."""
 
-    row: configurations.Configuration
+    word: str
+    latency: int
+
+    org, n, format, schedule, stream, tier = "unit", 1, "fp32", "overlapped", 0, "all"
+
+    @property
+    def name(self):
+        return f"{self.word}-fp32-latency{self.latency}"
+
+    @property
+    def parameters(self):
+        return {"LATENCY": self.latency}
+
+
+@dataclass(frozen=True)
+class Subject:
+    """One run: a row of the table or a unit, the module that is its top, and the target."""
+
+    row: object
     top: str
     target: str
 
@@ -61,33 +93,77 @@ class Subject:
         wide = self.row.format in ("fx32", "bfp32")
         size = {"fp32": 40}.get(self.row.format, 10 if wide else 4)
         size += self.row.n * (4 if self.flat else 0.1) * (3 if wide else 1)
-        return size * {"xilinx7": 2, "ice40": 2}.get(self.target, 1)
+        return size * {"ecp5": 1, "generic": 1}.get(self.target, 2)
+
+
+def makes_sense(row, target):
+    """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those that might
+    fit, in fixed point; elsewhere `basic` in every form, and of the others those of up to eight
+    units, or folded, in fx18 and binary32. A tree of one unit is `basic`.
+    """
+    if target == "ecp5":
+        return True
+    if row.org == "tree" and row.n == 1:
+        return False
+    if target in ICE40:
+        return row.n == 1 and row.format in {"up5k": ("fx18", "fx32"), "hx8k": ("fx18",)}[target]
+    large = not row.org.endswith("/3") and (row.n > 8 or row.org == "nested")
+    common = row.format == "fx18" or (row.format == "fp32" and not row.fma_latency)
+    return row.org == "basic" or (common and not large)
 
 
 def subjects(rows):
     """The runs that are worth their time, in the table's order: of every overlapped row the
-    organization on each target, on iCE40 the smallest only; on ECP5 the whole core as well where the
-    row has streams.
+    organization on each target where it makes sense, and on ECP5 the whole core where the row has
+    streams, with DMA and registers where it has those; then the binary32 units.
     """
     found = []
-    for row in rows:
-        if row.schedule != "overlapped":
-            continue
-        for target in TARGETS:
-            if target == "ice40" and (row.n > 1 or row.format == "fp32"):
-                continue
-            found.append(Subject(row, ORGANIZATION, target))
-            if row.stream and target == "ecp5":
-                found.append(Subject(row, CORE, target))
+    overlapped = [row for row in rows if row.schedule == "overlapped"]
+    for row in overlapped:
+        found += [Subject(row, ORGANIZATION, target) for target in TARGETS
+                  if makes_sense(row, target)]
+        if row.stream:
+            found.append(Subject(row, CORE, "ecp5"))
+        if row.stream and row.name in SYSTEM_ROWS:
+            found.append(Subject(row, SYSTEM, "ecp5"))
+    return found + units(overlapped)
+
+
+def units(rows):
+    """The binary32 units with one register, and with the latencies that rows of the table have."""
+    found = []
+    for top, (word, column) in FLOAT_UNITS.items():
+        latencies = {getattr(row, column) for row in rows if row.format == "fp32"} - {0}
+        found += [Subject(Unit(word, latency), top, target)
+                  for latency in sorted(latencies | {1}) if latencies for target in UNIT_TARGETS]
     return found
 
 
 def of_set(found, name):
-    """Those of a set; `ci` is every organization in fx18 on ECP5, and `basic` on all targets."""
+    """Those of a set; `ci` is every organization in fx18 on ECP5, and `basic` on all targets;
+    `baseline` those and the binary32 units.
+    """
     if name == "all":
         return found
-    return [s for s in found if s.row.format == "fx18" and s.top == ORGANIZATION
-            and (s.target == "ecp5" or s.row.tier == "sim")]
+    return [s for s in found if (isinstance(s.row, Unit) and name == "baseline")
+            or (s.row.format == "fx18" and s.top == ORGANIZATION
+                and (s.target == "ecp5" or s.row.tier == "sim"))]
+
+
+def missing(wanted):
+    """What the chosen subjects lack on this machine, in one line; None if nothing."""
+    if not shutil.which("yosys"):
+        return "yosys not found: run scripts/install"
+    if not any(subject.target == CELLS for subject in wanted):
+        return None
+    if not shutil.which(timing.PROGRAM):
+        return (f"{timing.PROGRAM} not found: install Debian's {timing.PACKAGE}, or choose another "
+                "TARGET=")
+    try:
+        liberty.path()
+    except liberty.LibertyError as error:
+        return str(error)
+    return None
 
 
 class Synthesis:
@@ -98,6 +174,8 @@ class Synthesis:
         self.folder = self.root / "build" / "synth"
         self.sources = rtl.Sources(self.root)
         self.version = rtl.run([yosys, "-V"])[1].strip()
+        self.sta_version = rtl.run([timing.PROGRAM, "-version"])[1].strip() if shutil.which(
+            timing.PROGRAM) else ""
         self.processes = Processes(self.root)
         self._texts = {}
 
@@ -114,8 +192,17 @@ class Synthesis:
             *([] if subject.flat else [f"setattr -mod -set keep_hierarchy 1 {kept}"]),
             "script synth/prepare.ys",
             f"script synth/{subject.target}.ys",
+            *(self._cells() if subject.target == CELLS else []),
             "script synth/verify.ys",
         ]
+
+    @staticmethod
+    def _cells():
+        """Gates and flip-flops become cells of the library."""
+        return [f"read_liberty -lib {liberty.PATH}", f"dfflibmap -liberty {liberty.PATH}",
+                f"abc -liberty {liberty.PATH} -constr synth/osu018.constr "
+                "-script synth/osu018.abc",
+                "opt_clean -purge"]
 
     def _text(self, path):
         if path not in self._texts:
@@ -130,6 +217,10 @@ class Synthesis:
         paths += [pathlib.Path(path) for path in self.sources.needed(subject.top)]
         paths += sorted(self.sources.rtl.glob("*/*.vh"))
         paths.append(pathlib.Path(mapped.__file__))
+        if subject.target == CELLS:
+            paths += sorted((self.root / "synth").glob(f"{CELLS}.*"))
+            paths += [liberty.PATH, *(pathlib.Path(m.__file__) for m in (liberty, timing))]
+            steps.append(self.sta_version)
         digest = hashlib.sha256("\n".join([self.version, *steps]).encode())
         for path in paths:
             digest.update(hashlib.sha256(self._text(path)).digest())
@@ -151,6 +242,8 @@ class Synthesis:
 
     def result(self, subject):
         """The counts, if these sources have been mapped; else None."""
+        if subject.target == CELLS and not liberty.PATH.is_file():
+            return None
         found = self.last(subject)
         return found if found.get("key") == self.key(subject) else None
 
@@ -168,7 +261,11 @@ class Synthesis:
                 text = json.loads(netlist.read_text())
                 counts = mapped.count(subject.target, text, subject.top)
                 counts["depth"] = mapped.depth(subject.target, text, subject.top)
-            except (OSError, ValueError, KeyError, mapped.NetlistError) as error:
+                counts["kinds"] = mapped.kinds(text, subject.top)
+                if subject.target == CELLS:
+                    counts.update(self._time(subject, text))
+            except (OSError, ValueError, KeyError, mapped.NetlistError,
+                    timing.TimingError) as error:
                 raise SynthesisError(str(error)) from error
         finally:
             netlist.unlink(missing_ok=True)
@@ -179,6 +276,20 @@ class Synthesis:
     def _call(self, steps, log):
         with open(log, "w", encoding="utf-8") as out:
             return self.processes.call([self.yosys, "-Q", "-T", "-p", "; ".join(steps)], out)
+
+    def _time(self, subject, netlist):
+        """Clock and power of a netlist of standard cells. Raises TimingError."""
+        text, steps, log = (self._file(subject, suffix) for suffix in ("v", "tcl", "sta"))
+        try:
+            text.write_text(timing.verilog(netlist, subject.top))
+            steps.write_text(timing.script(text, subject.top, self.root / f"synth/{CELLS}.tcl"))
+            with open(log, "w", encoding="utf-8") as out:
+                self.processes.call([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(steps)],
+                                    out)
+            return timing.parse(log.read_text(errors="replace"))
+        finally:
+            for path in (text, steps):
+                path.unlink(missing_ok=True)
 
     def _complaint(self, subject, status):
         text = self._file(subject, "log").read_text(errors="replace")
@@ -192,6 +303,30 @@ class Synthesis:
                     if problem in warning:
                         return warning.rstrip(":.")
         return errors[0]
+
+
+def run_all(work, wanted, jobs):
+    """Maps what has no result yet, the longest first: [(subject, complaint)]."""
+    waiting = [subject for subject in wanted if work.result(subject) is None]
+    waiting.sort(key=lambda s: work.last(s).get("seconds", s.effort), reverse=True)
+    print(f"synth: {len(wanted)} rows, {len(wanted) - len(waiting)} of them unchanged", flush=True)
+    progress, failed = Progress(len(waiting)), []
+    with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
+        try:
+            running = {pool.submit(work.run, subject): subject for subject in waiting}
+            for done in concurrent.futures.as_completed(running):
+                progress.step(str(running[done]))
+                try:
+                    done.result()
+                except (SynthesisError, OSError) as error:
+                    failed.append((running[done], str(error)))
+        except KeyboardInterrupt:
+            work.processes.stop()
+            pool.shutdown(cancel_futures=True)
+            raise
+        finally:
+            progress.end()
+    return failed
 
 
 def write(path, text):

@@ -12,14 +12,26 @@ import sys
 import tempfile
 import unittest
 from collections import Counter
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
+import liberty  # noqa: E402
 import mapped  # noqa: E402
 import rtl  # noqa: E402
 
 SOURCES = rtl.Sources()
+LIBRARY = """\
+cell (INV) {
+  area : 16;
+}
+cell (DFF) {
+  area : 96;
+  ff (D,Q) {
+  }
+}
+"""
 
 
 def cell(cell_type, inputs, outputs, **parameters):
@@ -63,11 +75,16 @@ class ByHand(unittest.TestCase):
         self.assertEqual(counts, {"lut": 3, "lutram": 5, "ff": 2, "dsp": 1, "bram": 3})
         counts, _ = measure([cell(name, {}, {}) for name in
                              ("SB_LUT4", "SB_CARRY", "SB_DFFESR", "SB_MAC16", "SB_RAM40_4K")],
-                            "ice40")
+                            "up5k")
         self.assertEqual(counts, {"lut": 1, "lutram": 0, "ff": 1, "dsp": 1, "bram": 1})
         counts, _ = measure([cell(name, {}, {}) for name in
                              ("$_NOT_", "$_MUX_", "$_SDFFE_PP0P_", "$_DFF_P_")], "generic")
         self.assertEqual(counts, {"cells": 4, "ff": 2})
+        with mock.patch.object(liberty, "cells", lambda: liberty.parse(LIBRARY)):
+            counts, levels = measure(
+                [cell("INV", {"A": [2]}, {"Y": [3]}), cell("INV", {"A": [3]}, {"Y": [4]}),
+                 cell("DFF", {"D": [4], "CLK": [1]}, {"Q": [2]})], "osu018")
+        self.assertEqual((counts, levels), ({"area_um2": 128, "cells": 3, "ff": 1}, 2))
 
     def test_instances_are_counted_each(self):
         inner = module([lut([2], 3), ff(3, 4)], [2], [4])
@@ -76,11 +93,14 @@ class ByHand(unittest.TestCase):
         counts, _ = measure([cell("middle", {"i": [2]}, {"o": [3]}), lut([3], 4),
                              cell("inner", {"i": [4]}, {"o": [5]})], inner=inner, middle=middle)
         self.assertEqual((counts["lut"], counts["ff"]), (4, 3))
+        self.assertEqual(mapped.kinds({"modules": {
+            "top": module([cell("middle", {}, {}), lut([3], 4)]), "inner": inner,
+            "middle": middle}}, "top"), {"LUT4": 3, "TRELLIS_FF": 2})
 
     def test_unknown_cells_are_refused(self):
         for target, name in (("ecp5", "$_DLATCH_P_"), ("ecp5", "$mul"), ("ecp5", "SB_LUT4"),
-                             ("generic", "$_DLATCH_P_"), ("generic", "$add"), ("ice40", "$lut"),
-                             ("xilinx7", "LDCE"), ("generic", "$_SR_PP_")):
+                             ("generic", "$_DLATCH_P_"), ("generic", "$add"), ("up5k", "$lut"),
+                             ("hx8k", "SB_MAC16"), ("xilinx7", "LDCE"), ("generic", "$_SR_PP_")):
             with self.subTest(f"{name} on {target}"):
                 with self.assertRaisesRegex(mapped.NetlistError, re.escape(name)):
                     measure([cell(name, {"A": [2]}, {"Y": [3]})], target)
@@ -146,7 +166,7 @@ class ByHand(unittest.TestCase):
                     cell("SB_MAC16", {"A": [3]}, {"O": [4]}, **stages),
                     cell("SB_LUT4", {"I0": [4]}, {"O": [5]}),
                     cell("SB_DFF", {"D": [5]}, {"Q": [6]})]
-            return self.depth(path, "ice40")
+            return self.depth(path, "up5k")
 
         self.assertEqual(mac(), 3)
         self.assertEqual(mac(TOPOUTPUT_SELECT="11", A_REG="0"), 3)
@@ -204,10 +224,9 @@ class AgainstYosys(unittest.TestCase):
                                  {"cells": cells, "ff": flipflops})
 
     def test_targets(self):
-        for target, kept in (("ecp5", "ffd_num_step"), ("ice40", "ffd_num_step"),
-                             ("xilinx7", "ffd_num_step")):
+        for target in ("ecp5", "up5k", "hx8k", "xilinx7"):
             with self.subTest(target):
-                netlists, output = self.map("ffd_eval_poly", target, kept, "FORMAT 18")
+                netlists, output = self.map("ffd_eval_poly", target, "ffd_num_step", "FORMAT 18")
                 listed = Counter({name: int(count) for name, count in re.findall(
                     r"^ +([A-Z]\w+) +(\d+)$", output[output.rindex("Number of cells"):],
                     re.MULTILINE)})

@@ -7,6 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -19,7 +20,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import configurations  # noqa: E402
+import liberty  # noqa: E402
 import synthesis  # noqa: E402
+import timing  # noqa: E402
+
+HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 
 MODULE = """\
 `default_nettype none
@@ -68,7 +73,19 @@ if "generic" in script and "N 2" in script and {slow}:
 cells = {{"a": {{"type": "$_NOT_", "parameters": {{}}, "port_directions": {{"A": "input",
          "Y": "output"}}, "connections": {{"A": [2], "Y": [3]}}}}}}
 open(re.search(r"json -o (\\S+)", script).group(1), "w").write(json.dumps({{"modules": {{
-    "ffd_org_select": {{"ports": {{}}, "cells": cells if "generic" in script else {{}}}}}}}}))
+    re.search(r"-top (\\w+)", script).group(1): {{"ports": {{}}, "netnames": {{}},
+        "cells": cells if "generic" in script else {{}}}}}}}}))
+"""
+STAND_IN_STA = """\
+#!/bin/sh
+[ "$1" != -version ] || {{ cat {root}/sta_version; exit; }}
+cat {root}/timed
+"""
+TIMED = """\
+Startpoint: first_q (rising edge-triggered flip-flop clocked by clk)
+Endpoint: u_a/sum_q_3 (rising edge-triggered flip-flop clocked by clk)
+    6.0000   slack (MET)
+Total    1.0e-01   2.0e-02   4.0e-06   1.25e-01 100.0%
 """
 
 
@@ -77,9 +94,13 @@ class Checkout(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        self.path = os.environ["PATH"]
+        self.path, self.library = os.environ["PATH"], str(liberty.PATH)
         shutil.copytree(ROOT / "synth", self.root / "synth")
-        self.put("rtl/hwffd.f", "evaluator/ffd_org_select.v\nevaluator/ffd_org_other.v\n")
+        self.put("rtl/hwffd.f", "evaluator/ffd_org_select.v\nevaluator/ffd_org_other.v\n"
+                 + "".join(f"evaluator/{unit}.v\n" for unit in synthesis.FLOAT_UNITS))
+        for unit in synthesis.FLOAT_UNITS:
+            self.put(f"rtl/evaluator/{unit}.v",
+                     MODULE.format(name=unit, parameters="LATENCY = 1", body=GOOD))
         self.put("rtl/number/ffd_num.vh", "`define ONE 4'd1\n")
         self.put("rtl/configurations.csv", TABLE)
         self.put("rtl/evaluator/ffd_org_other.v",
@@ -98,12 +119,18 @@ class Checkout(unittest.TestCase):
     def stand_in(self, slow=False):
         self.put("version", "Yosys 1")
         self.put("bin/yosys", STAND_IN.format(python=sys.executable, root=self.root, slow=slow))
-        (self.root / "bin/yosys").chmod(0o755)
+        self.put("bin/sta", STAND_IN_STA.format(root=self.root))
+        self.put("sta_version", "2.0")
+        self.put("timed", TIMED)
+        self.put("cells.lib", "cell (INV) {\n  area : 16;\n}\n")
+        self.library = str(self.root / "cells.lib")
+        for program in ("yosys", "sta"):
+            (self.root / "bin" / program).chmod(0o755)
         self.path = f"{self.root}/bin:{self.path}"
 
     def command(self, *words):
         return ([sys.executable, "-B", str(ROOT / "scripts" / "synth"), "--root", str(self.root),
-                 *words], {"env": {**os.environ, "PATH": self.path}, "text": True,
+                 *words], {"env": {**os.environ, "PATH": self.path, "HWFFD_OSU018": self.library}, "text": True,
                            "stdout": subprocess.PIPE, "stderr": subprocess.PIPE})
 
     def synth(self, *words):
@@ -123,17 +150,20 @@ class Checkout(unittest.TestCase):
 
     def drafts(self):
         return [p.name for p in (self.root / "build").rglob("*")
-                if p.suffix in (".draft", ".netlist")]
+                if p.suffix in (".draft", ".netlist", ".v", ".tcl")]
 
 
 class Yosys(Checkout):
     def test_counts_of_a_good_row(self):
-        status, lines, errors = self.synth("--org", "tree")
-        self.assertEqual((status, errors), (0, []), lines)
+        targets = ["generic", "ecp5", "xilinx7", *(["osu018"] if HAS_CELLS else [])]
+        for target in targets:
+            status, lines, errors = self.synth("--org", "tree", "--target", target)
+            self.assertEqual((status, errors), (0, []), lines)
         rows = {row["target"]: row for row in self.report()["rows"]}
-        self.assertEqual(list(rows), ["generic", "ecp5", "xilinx7"])
-        self.assertEqual({target: row["ff"] for target, row in rows.items()},
-                         {"generic": 4, "ecp5": 4, "xilinx7": 4})
+        self.assertEqual(list(rows), targets)
+        for row in rows.values():
+            self.assertEqual(row["ff"], 4)
+            self.assertGreaterEqual(sum(row["kinds"].values()), 4)
         self.assertEqual([rows["generic"][field] for field in ("lut", "dsp", "bram", "lutram")],
                          [None] * 4)
         self.assertGreater(rows["generic"]["cells"], rows["generic"]["ff"])
@@ -141,7 +171,16 @@ class Yosys(Checkout):
             self.assertIsNone(rows[target]["cells"])
             self.assertIn(rows[target]["lut"], range(1, 7))
             self.assertEqual((rows[target]["dsp"], rows[target]["bram"]), (0, 0))
+            self.assertEqual([rows[target][field] for field in ("area_um2", "power_mw", "fmax_mhz")],
+                             [None] * 3)
+        if HAS_CELLS:
+            cells = rows["osu018"]
+            self.assertGreater(cells["area_um2"], 4 * 96)
+            self.assertGreater(cells["fmax_mhz"], 100)
+            self.assertGreater(cells["power_mw"], 0)
+            self.assertRegex(cells["critical_path"], r"^from \S+ to q_o")
         for row in rows.values():
+            self.assertEqual((row["fmax_share"], row["routed"], row["seeds"]), (None, False, []))
             self.assertEqual((row["name"], row["org"], row["n"], row["format"], row["schedule"]),
                              ("tree2-fx18-overlapped", "tree", 2, "fx18", "overlapped"))
             self.assertIn(row["depth"], range(1, 5))
@@ -186,11 +225,10 @@ class Bookkeeping(Checkout):
             return len(self.ran())
 
         everything = again()
-        self.assertEqual(everything, 4 + 4 + 4 + 2)
+        self.assertEqual(everything, 4 * 4 + 2 * 2 + 8)  # with two units on two targets
         self.assertEqual(again(), 0)
         source = self.root / "rtl/evaluator/ffd_org_select.v"
         changes = {
-            "source": lambda: self.module(GOOD + " "),
             "header": lambda: self.put("rtl/number/ffd_num.vh", "`define ONE 4'd2\n"),
             "checks": lambda: self.put("synth/verify.ys", "check -assert\n"),
             "version": lambda: self.put("version", "Yosys 2"),
@@ -200,10 +238,17 @@ class Bookkeeping(Checkout):
                 change()
                 self.assertEqual(again(), everything)
                 self.assertEqual(again(), 0)
-        self.put("synth/ice40.ys", "synth_ice40\n")
-        self.assertEqual(again(), 2)
-        self.put("rtl/configurations.csv", TABLE.replace("tree,2,", "tree,4,"))
-        self.assertEqual(again(), 3)
+        for name, text, count in (
+                ("rtl/evaluator/ffd_fp_add.v", MODULE.format(
+                    name="ffd_fp_add", parameters="LATENCY = 2", body=GOOD), 4),
+                ("synth/up5k.ys", "synth_ice40\n", 2), ("synth/osu018.tcl", "report_checks\n", 8),
+                ("cells.lib", "cell (INV) {\n  area : 8;\n}\n", 8), ("sta_version", "2.1", 8),
+                ("rtl/configurations.csv", TABLE.replace("tree,2,", "tree,4,"), 4)):
+            with self.subTest(name):
+                self.put(name, text)
+                self.assertEqual(again(), count)
+        self.module(GOOD + " ")
+        self.assertEqual(again(), everything - 8)
         self.put("rtl/evaluator/ffd_org_other.v", "module ffd_org_other; endmodule\n")
         source.touch()
         self.assertEqual(again(), 0)
@@ -213,15 +258,17 @@ class Bookkeeping(Checkout):
         self.module(GOOD + " ")
         self.assertEqual(self.synth("--org", "tree")[0], 0)
         report = self.report()
-        self.assertEqual({row["org"] for row in report["rows"]}, {"tree"})
-        self.assertEqual(report["wanted"], 14)
-        self.assertIn("11 of 14 rows have not been mapped",
+        self.assertEqual({row["org"] for row in report["rows"]}, {"tree", "unit"})
+        self.assertEqual(report["wanted"], 28)
+        self.assertIn("16 of 28 rows have not been mapped",
                       (self.root / "build/reports/synth.md").read_text())
 
     def test_selection(self):
-        for words, count in ((("--target", "ice40"), 2), (("--org", "tree"), 3), (("--n", "2"), 3),
-                             (("--format", "fp32"), 3), (("--set", "ci"), 6),
-                             (("--set", "ci", "--target", "generic"), 1)):
+        for words, count in ((("--target", "up5k"), 2), (("--target", "hx8k"), 2),
+                             (("--org", "tree"), 4), (("--n", "2"), 4), (("--org", "unit"), 8),
+                             (("--format", "fp32"), 4), (("--set", "ci"), 8),
+                             (("--set", "ci", "--target", "generic"), 1),
+                             (("--set", "baseline", "--target", "osu018"), 1)):
             with self.subTest(words):
                 self.module(GOOD + f" // {words}")
                 self.assertEqual(self.synth(*words)[0], 0)
@@ -229,11 +276,11 @@ class Bookkeeping(Checkout):
 
     def test_bad_requests(self):
         for words, message in (
-                (("--target", "ecp6"), "unknown TARGET 'ecp6': one of generic, ecp5, ice40, xili"),
-                (("--org", "x"), "unknown ORG 'x': one of basic, tree"),
+                (("--target", "ecp6"), "unknown TARGET 'ecp6': one of generic, ecp5, up5k, hx8k"),
+                (("--org", "x"), "unknown ORG 'x': one of basic, tree, unit"),
                 (("--n", "3"), "unknown N '3': one of 1, 2"),
                 (("--format", "fx19"), "unknown FORMAT 'fx19': one of fx18, fp32"),
-                (("--set", "cd"), "unknown SET 'cd': one of all, ci"),
+                (("--set", "cd"), "unknown SET 'cd': one of all, ci, baseline"),
                 (("--org", "tree", "--format", "fp32"), "no row is mapped for ORG=tree, FORMAT=fp"),
                 (("--org", "-x"), "argument --org: expected one argument"),
                 (("-j", "x"), "argument -j/--jobs: invalid int value: 'x'")):
@@ -242,6 +289,35 @@ class Bookkeeping(Checkout):
                 self.assertEqual((status, lines, len(errors)), (2, [], 1), errors)
                 self.assertTrue(errors[0].startswith(f"synth: {message}"), errors)
                 self.assertFalse((self.root / "build").exists())
+
+    def test_clock_and_power_are_those_of_opensta(self):
+        self.assertEqual(self.synth("--target", "osu018", "--org", "tree")[0], 0)
+        row = self.report()["rows"][0]
+        self.assertEqual((row["fmax_mhz"], row["power_mw"], row["critical_path"]),
+                         (250, 125, "from first_q to u_a/sum_q_3"))
+        self.assertIn("| 250.0 | from first_q to u_a/sum_q_3 |",
+                      (self.root / "build/reports/synth.md").read_text())
+        self.put("timed", "Error: v, line 1 syntax error\n")
+        self.put("sta_version", "2.1")
+        status, _, errors = self.synth("--target", "osu018", "--org", "tree")
+        self.assertEqual((status, len(errors)), (1, 1), errors)
+        self.assertIn("OpenSTA: Error: v, line 1", errors[0])
+        self.assertEqual(self.drafts(), [])
+
+    def test_missing_tools_are_one_line(self):
+        """Of standard cells only where rows of them are wanted."""
+        self.library = "/nowhere.lib"
+        self.assertEqual(self.synth("--target", "generic")[0], 0)
+        self.assertEqual(self.report()["wanted"], 28)
+        for message in ("no /nowhere.lib: install Debian's qflow-tech-osu018",
+                        "sta not found: install Debian's opensta", "yosys not found: run scripts/"):
+            with self.subTest(message):
+                status, lines, errors = self.synth("--target", "osu018")
+                self.assertEqual((status, lines, len(errors)), (1, [], 1), errors)
+                self.assertTrue(errors[0].startswith(f"synth: {message}"), errors)
+            name = "sta" if "nowhere" in message else "yosys"
+            self.path = f"{self.root}/bin"
+            (self.root / "bin" / name).unlink(missing_ok=True)
 
     def test_bad_table_is_one_line(self):
         self.put("rtl/configurations.csv", TABLE.replace("tree", "none"))
@@ -279,9 +355,12 @@ class Table(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
         self.assertGreaterEqual(len(names), 40)
         self.assertEqual({subject.target for subject in found}, set(synthesis.TARGETS))
-        self.assertEqual({subject.top for subject in found},
-                         {synthesis.ORGANIZATION, synthesis.CORE})
-        wired = [subject for subject in found if subject.row.evaluator == "bspline"]
+        self.assertEqual({subject.top for subject in found}, {
+            synthesis.ORGANIZATION, synthesis.CORE, synthesis.SYSTEM, *synthesis.FLOAT_UNITS})
+        built = re.search(r"set\(axi_rows ([^)]+)\)", (ROOT / "tb/CMakeLists.txt").read_text())
+        self.assertEqual({subject.row.name for subject in found if subject.top == synthesis.SYSTEM},
+                         set(built.group(1).split()))
+        wired = [subject for subject in found if subject.name.split(".")[0].endswith("-bspline")]
         for subject in wired:
             general = subject.name.replace("-bspline", "")
             self.assertIn(general, names)
@@ -289,7 +368,13 @@ class Table(unittest.TestCase):
         few = synthesis.of_set(found, "ci")
         self.assertEqual({subject.target for subject in few}, set(synthesis.TARGETS))
         self.assertEqual({subject.row.org for subject in few},
-                         {subject.row.org for subject in found})
+                         {subject.row.org for subject in found} - {"unit"})
+        guarded = synthesis.of_set(found, "baseline")
+        self.assertEqual([subject for subject in guarded if subject in few], few)
+        self.assertEqual({(subject.top, subject.target) for subject in guarded
+                          if subject not in few},
+                         {(top, target) for top in synthesis.FLOAT_UNITS
+                          for target in synthesis.UNIT_TARGETS})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,65 @@
+"""Which of the rows that yosys can map are asked for on a command line.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import os
+import pathlib
+import sys
+
+import configurations
+import rtl
+import synthesis
+
+
+class Request(Exception):
+    """A request that makes no sense, in one line."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Options that choose rows; complains in one line."""
+
+    def __init__(self, **more):
+        super().__init__(**more)
+        self.add_argument("--root", type=pathlib.Path, default=rtl.ROOT, help="checkout to look at")
+        self.add_argument("--target", help=", ".join(synthesis.TARGETS))
+        self.add_argument("--org", help="rows of this organization only; unit: binary32 units")
+        self.add_argument("--n", help="rows of so many units only")
+        self.add_argument("--format", help="rows of this format only")
+        self.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
+
+    def error(self, message):
+        print(f"{self.prog}: {message}", file=sys.stderr)
+        sys.exit(2)
+
+
+def chosen(found, name, options):
+    """The subjects asked for, of the set `name`. Raises Request."""
+    if name not in synthesis.SETS:
+        raise Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
+    columns = {
+        "TARGET": (options.target, lambda s: s.target),
+        "ORG": (options.org, lambda s: s.row.org),
+        "N": (options.n, lambda s: str(s.row.n)),
+        "FORMAT": (options.format, lambda s: s.row.format),
+    }
+    left = synthesis.of_set(found, name)
+    for word, (value, column) in columns.items():
+        if value is None:
+            continue
+        values = list(dict.fromkeys(column(subject) for subject in found))
+        if word == "TARGET":
+            values = list(synthesis.TARGETS)
+        if value not in values:
+            raise Request(f"unknown {word} '{value}': one of {', '.join(values)}")
+        left = [subject for subject in left if column(subject) == value]
+    if not left:
+        asked = ", ".join(f"{word}={value}" for word, (value, _) in columns.items() if value)
+        raise Request(f"no row is mapped for {asked} in the set '{name}'")
+    return left
+
+
+def subjects(root):
+    """All that the table of a checkout gives. Raises configurations.TableError."""
+    return synthesis.subjects(configurations.read(root / "rtl" / "configurations.csv"))
