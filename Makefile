@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline docs formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -56,6 +56,7 @@ help:
 	@echo '               TARGET= ORG= N= FORMAT= SET=ci (a subset of two minutes)'
 	@echo 'make synth-check  whether area or depth has grown by 3 % over synth/baseline.csv; make'
 	@echo '               synth-baseline writes that file'
+	@echo 'make docs      module hierarchy of the tops as pictures, the datasheet with its figures (minutes)'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
@@ -139,6 +140,10 @@ synth-check: install
 
 synth-baseline: install
 	@scripts/synth_baseline write -j $(JOBS)
+
+docs: install
+	@scripts/structure -j $(JOBS)
+	@scripts/datasheet.py --keep write
 
 formal: install
 	@scripts/formal -j $(JOBS)

@@ -337,7 +337,12 @@ def main(arguments=None):
     listing = commands.add_parser("list", help="print the names of a tier (default: all)")
     parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
     parameters.add_argument("name")
-    parameters.add_argument("--verilator", action="store_true", help="as -GNAME=value ...")
+    styles = parameters.add_mutually_exclusive_group()
+    styles.add_argument("--verilator", dest="prefix", action="store_const", const="-G",
+                        help="as -GNAME=value ...")
+    styles.add_argument("--fusesoc", dest="prefix", action="store_const", const="--",
+                        help="as --NAME=value ...")
+    parameters.set_defaults(prefix="")
     cmake = commands.add_parser("cmake", help="write names, identifiers, parameters for CMake")
     cpp = commands.add_parser("cpp", help="write the table (all tiers) as C++")
     factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
@@ -363,9 +368,8 @@ def main(arguments=None):
             for configuration in of_tier(selected(rows, options), options.tier):
                 print(configuration.name)
         elif options.command == "parameters":
-            prefix = "-G" if options.verilator else ""
             assignments = find(rows, options.name).assignments()
-            print(" ".join(prefix + word for word in assignments))
+            print(" ".join(options.prefix + word for word in assignments))
         elif options.command == "cmake":
             text = cmake_text(rows, options.tier, selected(rows, options))
             write_if_changed(options.out, text)

@@ -36,11 +36,17 @@ def _markdown_link(field):
                      if kind != "sets")
 
 
-def docs_text(registers, preamble):
-    lines = [preamble.rstrip("\n"), "", "| offset | register | fields |", "|---|---|---|"]
+def summary_lines(registers):
+    """A table of all registers, a line each."""
+    lines = ["| offset | register | fields |", "|---|---|---|"]
     for register in registers:
         names = ", ".join(f"`{field.name}`" for field in register.fields)
         lines.append(f"| 0x{register.offset:03X} | `{register.name}` | {names} |")
+    return lines
+
+
+def docs_text(registers, preamble):
+    lines = [preamble.rstrip("\n"), "", *summary_lines(registers)]
     for register in registers:
         lines += ["", f"### 0x{register.offset:03X} {register.name}", "",
                   "| bits | field | access | reset | meaning |", "|---|---|---|---|---|"]

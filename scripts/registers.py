@@ -205,6 +205,13 @@ def read(path):
     return parse(text, path)
 
 
+def version(registers):
+    """major.minor.patch, as VERSION reads."""
+    fields = next(register.fields for register in registers if register.name == "VERSION")
+    resets = {field.name: field.reset for field in fields}
+    return ".".join(str(resets[part]) for part in ("major", "minor", "patch"))
+
+
 def outputs(root=ROOT, table=None):
     """path below root -> the text that it must have"""
     root = pathlib.Path(root)

@@ -115,10 +115,10 @@ def yosys(sources, jobs):
     return ["yosys", "-Q", "-T", "-q", "-p", "; ".join(script)]
 
 
-def run(command):
-    """(exit status, everything it printed)."""
+def run(command, folder=None):
+    """(exit status, everything it printed), run in that folder."""
     done = subprocess.run(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         text=True, errors="replace", check=False,
     )
     return done.returncode, done.stdout

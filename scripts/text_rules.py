@@ -15,6 +15,7 @@ CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".c")
 TEXT_FOLDERS = CPP_FOLDERS + ("rtl", "scripts", "cmake", "synth", "docs", ".ci")
 TEXT_SUFFIXES = CPP_SUFFIXES + (
     ".v", ".vh", ".vlt", ".f", ".py", ".sh", ".cmake", ".csv", ".md", ".txt", ".json", ".ys",
+    ".sdc", ".xdc", ".lpf", ".pcf",
 )
 
 MODULE_NAME = re.compile(r"(ffd_[a-z0-9]+(_[a-z0-9]+)+|hwffd_[a-z0-9]+(_[a-z0-9]+)*)\Z")
@@ -64,7 +65,7 @@ class Tree:
         found = []
         for folder in (self.root / "scripts", self.root / ".ci"):
             found += [p for p in sorted(folder.glob("*")) if p.is_file() and not p.suffix]
-        names = ("Makefile", "CMakeLists.txt", "README.md")
+        names = ("Makefile", "CMakeLists.txt", "README.md", "hwffd.core", "fusesoc.conf")
         return found + [self.root / name for name in names if (self.root / name).is_file()]
 
     def name(self, path):

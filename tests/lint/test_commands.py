@@ -123,6 +123,12 @@ class Make(Checkout):
             f"<--{word.split('=')[0].lower()}><{word.split('=')[1]}>" for word in given))
         self.assertEqual(synth("ORG=$HOME;'"), "<-j><3><--org><$HOME;'>")
 
+    def test_docs(self):
+        for name in ("structure", "datasheet.py"):
+            self.script(f"scripts/{name}", f"""printf '{name}'; printf '<%s>' "$@"; echo""")
+        self.assertEqual(self.run_here("make", "docs", "JOBS=3").stdout.splitlines(),
+                         ["structure<-j><3>", "datasheet.py<--keep><write>"])
+
     def test_help_is_the_default(self):
         self.assertIn("make test-all", self.run_here("make").stdout)
 

@@ -123,6 +123,8 @@ class Accepted(Folder):
                  "CONVERT_LATENCY=0")
         done = self.run_script("parameters", "good-row", text=self.ROWS)
         self.assertEqual(done.stdout, words + "\n")
+        done = self.run_script("parameters", "--fusesoc", "good-row")
+        self.assertTrue(done.stdout.startswith("--ORG=0 --N="), done.stdout)
         done = self.run_script("parameters", "--verilator", "good-row")
         self.assertEqual(done.stdout, " ".join("-G" + word for word in words.split()) + "\n")
 

@@ -1,0 +1,71 @@
+"""Parameters and ports of a module, as its source declares them.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import re
+from dataclasses import dataclass
+
+import rtl
+
+_HEADER = re.compile(r"\bmodule\s+(\w+)\s*#\((.*?)\n\)\s*\((.*?)\n\);", re.DOTALL)
+_PARAMETER = re.compile(r"\s*parameter\s+(\w+)\s*=\s*(\S+)")
+_PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+):0\]\s*)?(\w+)")
+_DEFINE = re.compile(r"^`define\s+(\w+)\s+(\d+)\s*$", re.MULTILINE)
+
+
+class HeaderError(Exception):
+    """A header that cannot be read, in one line."""
+
+
+@dataclass(frozen=True)
+class Port:
+    direction: str
+    width: int
+    name: str
+
+
+@dataclass(frozen=True)
+class Header:
+    name: str
+    parameters: dict  # name -> default, a number
+    ports: tuple
+
+
+def _constants(sources):
+    """name -> number: the macros of the headers that are plain numbers."""
+    found = {}
+    for path in sorted(sources.rtl.glob("*/*.vh")):
+        found.update(_DEFINE.findall(rtl.strip_comments(path.read_text())))
+    return found
+
+
+def _number(text, constants, where):
+    value = constants.get(text[1:], "") if text.startswith("`") else text
+    if not value.isdigit():
+        raise HeaderError(f"{where} is '{text}', a number wanted")
+    return int(value)
+
+
+def read(sources, module):
+    """The header of a module whose ports have widths in numbers. Raises HeaderError."""
+    if module not in sources.files:
+        raise HeaderError(f"no module {module} in rtl/hwffd.f")
+    match = _HEADER.search(rtl.strip_comments(sources.files[module].read_text()))
+    if not match:
+        raise HeaderError(f"{module}: parameters and ports not found")
+    constants = _constants(sources)
+    parameters, ports = {}, []
+    for part in match.group(2).split(","):
+        found = _PARAMETER.fullmatch(part.rstrip())
+        if not found:
+            raise HeaderError(f"{module}: not a parameter: '{part.strip()}'")
+        name, value = found.groups()
+        parameters[name] = _number(value, constants, f"{module}.{name}")
+    for part in match.group(3).split(","):
+        found = _PORT.fullmatch(part.rstrip())
+        if not found:
+            raise HeaderError(f"{module}: not a port: '{part.strip()}'")
+        direction, high, name = found.groups()
+        ports.append(Port(direction, int(high or 0) + 1, name))
+    return Header(module, parameters, tuple(ports))

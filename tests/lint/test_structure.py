@@ -1,0 +1,129 @@
+"""Structure pictures: instances and area of a hierarchy, what is folded, what is drawn.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
+from unittest import mock
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import configurations  # noqa: E402
+import hierarchy  # noqa: E402
+import hierarchy_svg  # noqa: E402
+import rtl  # noqa: E402
+
+LOADER = SourceFileLoader("structure", str(ROOT / "scripts" / "structure"))
+structure = module_from_spec(spec_from_loader("structure", LOADER))
+LOADER.exec_module(structure)
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def cells(**numbers):
+    """{name: cell} of a module with so many cells of each type."""
+    return {"cells": {f"{kind}{i}": {"type": kind.replace("__", "\\")}
+                      for kind, number in numbers.items() for i in range(number)}}
+
+
+# 200 LUTs: 1 of the top's own, 2 x 60 + 40 in leaves with two widths, 39 in one, none in another.
+NETLIST = {"modules": {
+    "hwffd_top": cells(LUT4=1, ffd_mid_a=2, ffd_leaf_small=1, ffd_mid_b=1, ffd_leaf_free=1),
+    "ffd_mid_a": {"cells": {"l": {"type": "$paramod$12\\ffd_leaf_wide"}, "m": {"type": "ffd_x_y"}}},
+    "ffd_mid_b": {"cells": {"l": {"type": "$paramod\\ffd_leaf_wide\\W=s32'0"},
+                            "k": {"type": "$paramod$12\\ffd_leaf_wide"}}},
+    "$paramod$12\\ffd_leaf_wide": cells(LUT4=50, TRELLIS_FF=3),
+    "$paramod\\ffd_leaf_wide\\W=s32'0": cells(CCU2C=10, TRELLIS_DPR16X4=5, MULT18X18D=1),
+    "ffd_leaf_small": cells(LUT4=1),
+    "ffd_x_y": cells(LUT4=0, TRELLIS_FF=7),
+    "ffd_leaf_free": cells(),
+}}
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        self.root = hierarchy.Design(NETLIST, "hwffd_top").tree()
+        self.nodes = {node.module: (depth, node) for depth, node in self.root.walk()}
+
+    def test_module_names(self):
+        for name in ("ffd_a_b", "$paramod$0f\\ffd_a_b", "$paramod\\ffd_a_b\\W=s32'1\\N=32'0"):
+            self.assertEqual(hierarchy.module_of(name), "ffd_a_b")
+
+    def test_counts_multiply_down_the_hierarchy(self):
+        self.assertEqual(self.root.counts["lut"], 1 + 2 * 50 + 1 + (40 + 50))
+        self.assertEqual(self.root.counts["ff"], 2 * (3 + 7) + 3)
+        self.assertEqual(self.root.counts["dsp"], 1)
+        _, middle = self.nodes["ffd_mid_a"]
+        self.assertEqual((middle.instances, middle.counts["lut"], middle.own()["lut"]), (2, 100, 0))
+
+    def test_variants_of_a_module_are_one_node(self):
+        _, middle = self.nodes["ffd_mid_b"]
+        self.assertEqual([(child.module, child.instances, child.counts["lut"])
+                          for child in middle.children], [("ffd_leaf_wide", 2, 90)])
+
+    def test_the_small_is_folded(self):
+        self.assertEqual([(depth, node.module) for depth, node in self.root.walk()],
+                         [(0, "hwffd_top"), (1, "ffd_mid_a"), (2, "ffd_leaf_wide"),
+                          (1, "ffd_mid_b"), (2, "ffd_leaf_wide")])
+        self.assertEqual(self.root.own()["lut"], 2)
+
+    def test_picture(self):
+        text = hierarchy_svg.picture(self.root, ("a title", "more"), lambda module: "number")
+        picture = xml.etree.ElementTree.fromstring(text)
+        words = [element.text for element in picture.iter(f"{SVG}text")]
+        for word in ("a title", "hwffd_top", "ffd_mid_a", "\u00d7 2", "100.0 %", "52.1 %", "192"):
+            self.assertIn(word, words)
+        self.assertEqual(words.count("ffd_leaf_wide"), 2)
+        ground = picture.find(f"{SVG}rect")
+        self.assertEqual(ground.get("fill"), "#ffffff")
+        self.assertGreaterEqual(float(ground.get("width")), float(picture.get("width")) - 1)
+
+
+class Drawing(unittest.TestCase):
+    def test_a_row_of_the_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("rtl", "synth"):
+                (root / name).symlink_to(ROOT / name)
+            pictures = (("ffd_org_select", "basic-fx18-overlapped", True),)
+            with mock.patch.object(structure, "PICTURES", pictures), \
+                    mock.patch.object(sys, "argv", ["structure", "--root", folder, "-j", "1"]):
+                self.assertEqual(structure.main(), 0)
+            name = "structure-ffd_org_select-basic-fx18.svg"
+            self.assertEqual(sorted(path.name for path in (root / "build/docs").iterdir()),
+                             ["ffd_org_select-basic-fx18-overlapped.log", name])
+            text = (root / "docs" / name).read_text()
+            self.assertEqual(text, (root / "build/docs" / name).read_text())
+        words = [element.text for element in xml.etree.ElementTree.fromstring(text).iter(
+            f"{SVG}text")]
+        for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
+            self.assertEqual(words[words.index(module) + 1], f"\u00d7 {number}")
+        # What scripts/operators.py counts: nine steps, two products of weights, three terms.
+        self.assertEqual(words[words.index("ffd_org_select") + 4], "14")
+
+    def test_a_fault_is_one_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [sys.executable, "-B", ROOT / "scripts" / "structure", "--root", folder],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+
+    def test_pictures_that_documents_show_are_there(self):
+        shown = [structure.file_name(top, configurations.find(configurations.read(), name))
+                 for top, name, kept in structure.PICTURES if kept]
+        self.assertGreaterEqual(len(shown), 4)
+        for name in shown:
+            picture = xml.etree.ElementTree.parse(ROOT / "docs" / name)
+            self.assertGreater(len(picture.findall(f"{SVG}text")), 20, name)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
