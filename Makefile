@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline docs formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline docs boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -26,7 +26,7 @@ option_of   = $(firstword $(subst :, ,$1))
 variable_of = $(lastword $(subst :, ,$1))
 given       = $(and $(findstring command line,$(origin $1)),$(value $1))
 ORGANIZATIONS_OPTIONS := org:ORG n:N format:FORMAT
-OPTIONS     := prefix:PREFIX $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
+OPTIONS     := prefix:PREFIX board:BOARD $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
 
 $(foreach o,$(OPTIONS),$(eval export HWFFD_GIVEN_$(call variable_of,$o) := \
   $$(value $(call variable_of,$o))))
@@ -57,6 +57,8 @@ help:
 	@echo 'make synth-check  whether area or depth has grown by 3 % over synth/baseline.csv; make'
 	@echo '               synth-baseline writes that file'
 	@echo 'make docs      module hierarchy of the tops as pictures, the datasheet with its figures (minutes)'
+	@echo 'make boards    bitstreams of ULX3S and iCEBreaker: what of the chip is used, clock after routing'
+	@echo '               BOARD=ulx3s or icebreaker'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
@@ -144,6 +146,10 @@ synth-baseline: install
 docs: install
 	@scripts/structure -j $(JOBS)
 	@scripts/datasheet.py --keep write
+
+boards: install
+	@scripts/python_env route
+	@scripts/boards $(call arguments,board:BOARD)
 
 formal: install
 	@scripts/formal -j $(JOBS)

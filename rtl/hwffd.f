@@ -83,3 +83,10 @@ number/block/ffd_bfp_normalise.v
 number/fixed/ffd_fx_product.v
 number/fixed/ffd_fx_narrow.v
 number/fixed/ffd_fx_round.v
+board/ffd_board_icebreaker.v
+board/ffd_board_ulx3s.v
+board/ffd_board_core.v
+board/ffd_board_bridge.v
+board/ffd_board_reset.v
+board/ffd_board_uart_rx.v
+board/ffd_board_uart_tx.v

@@ -1,0 +1,99 @@
+// ffd_board_ulx3s: hwffd_stream behind the serial line of a ULX3S (ECP5-85F)
+//
+// Formats:    frames of ffd_board_bridge; 8 data bits, no parity, 1 stop bit.
+// Parameters: a row of configurations.csv; AXIS and IN_FLIGHT as in hwffd_stream; CLOCKS a bit (25
+//             are 1 Mbaud at 25 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks are 42 ms).
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/boards.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_eval.vh"
+
+module ffd_board_ulx3s #(
+  parameter ORG             = 0,
+  parameter N               = 1,
+  parameter FORMAT          = 18,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1,
+  parameter AXIS            = 16,
+  parameter IN_FLIGHT       = 128,
+  parameter CLOCKS          = 25,
+  parameter PAUSE_W         = 20
+) (
+  input  wire clk,
+  input  wire uart_rx_i,
+  output wire uart_tx_o
+);
+  wire         rst;
+  wire         command_valid;
+  wire         command_ready;
+  wire [127:0] command_data;
+  wire         command_last;
+  wire         result_valid;
+  wire         result_ready;
+  wire [127:0] result_data;
+  wire         result_last;
+  wire [9:0]   events;
+  wire [31:0]  event_packet;
+  wire [31:0]  event_beat;
+  wire         idle;
+
+  ffd_board_reset u_reset (
+    .clk  (clk),
+    .rst_o(rst)
+  );
+
+  ffd_board_bridge #(
+    .CLOCKS (CLOCKS),
+    .PAUSE_W(PAUSE_W)
+  ) u_bridge (
+    .clk         (clk),
+    .rst         (rst),
+    .uart_rx_i   (uart_rx_i),
+    .uart_tx_o   (uart_tx_o),
+    .m_beat_valid(command_valid),
+    .m_beat_ready(command_ready),
+    .m_beat_data (command_data),
+    .m_beat_last (command_last),
+    .s_beat_valid(result_valid),
+    .s_beat_ready(result_ready),
+    .s_beat_data (result_data),
+    .s_beat_last (result_last)
+  );
+
+  hwffd_stream #(
+    .ORG            (ORG),
+    .N              (N),
+    .FORMAT         (FORMAT),
+    .SCHEDULE       (SCHEDULE),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .AXIS           (AXIS),
+    .IN_FLIGHT      (IN_FLIGHT)
+  ) u_core (
+    .aclk          (clk),
+    .aresetn       (!rst),
+    .s_axis_tvalid (command_valid),
+    .s_axis_tready (command_ready),
+    .s_axis_tdata  (command_data),
+    .s_axis_tlast  (command_last),
+    .m_axis_tvalid (result_valid),
+    .m_axis_tready (result_ready),
+    .m_axis_tdata  (result_data),
+    .m_axis_tlast  (result_last),
+    .event_o       (events),
+    .event_packet_o(event_packet),
+    .event_beat_o  (event_beat),
+    .idle_o        (idle)
+  );
+
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, idle};
+endmodule
+
+`default_nettype wire

