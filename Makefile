@@ -57,6 +57,8 @@ help:
 	@echo 'make synth-check  whether area or depth has grown by 3 % over synth/baseline.csv; make'
 	@echo '               synth-baseline writes that file'
 	@echo 'make docs      module hierarchy of the tops as pictures, the datasheet with its figures (minutes)'
+	@echo 'make pnr       places and routes rows on ECP5 and iCE40, three seeds: clocks (hours)'
+	@echo '               TARGET= ORG= N= FORMAT='
 	@echo 'make boards    bitstreams of ULX3S and iCEBreaker: what of the chip is used, clock after routing'
 	@echo '               BOARD=ulx3s or icebreaker'
 	@echo 'make formal    unbounded proofs of handshakes, buses and control; each finds a planted bug'
@@ -146,6 +148,10 @@ synth-baseline: install
 docs: install
 	@scripts/structure -j $(JOBS)
 	@scripts/datasheet.py --keep write
+
+pnr: install
+	@scripts/python_env route
+	@scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 boards: install
 	@scripts/python_env route

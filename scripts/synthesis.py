@@ -106,7 +106,7 @@ def makes_sense(row, target):
     if row.org == "tree" and row.n == 1:
         return False
     if target in ICE40:
-        return row.n == 1 and row.format in {"up5k": ("fx18", "fx32"), "hx8k": ("fx18",)}[target]
+        return row.n == 1 and row.format in {"up5k": ("fx16", "fx18", "fx32"), "hx8k": ("fx18",)}[target]
     large = not row.org.endswith("/3") and (row.n > 8 or row.org == "nested")
     common = row.format == "fx18" or (row.format == "fp32" and not row.fma_latency)
     return row.org == "basic" or (common and not large)

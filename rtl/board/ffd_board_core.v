@@ -96,7 +96,7 @@ module ffd_board_core #(
   wire [1:0]                        slot_phase;
   wire [127:0]                      slot_words;
   wire                              vertex_ready;
-  wire [3*WEIGHT_W-1:0]             vertex_coordinates;
+  wire [95:0]                       vertex_words;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
@@ -112,17 +112,27 @@ module ffd_board_core #(
   reg  [USER_W-1:0]                 user_q;
   reg  [USER_W-1:0]                 sent_user_q;
 
+  wire [127:0]           beat_data = {s_beat_data[127:8], lowest};
+  wire [`FFD_KIND_W-1:0] beat_kind;
+
+  ffd_stream_header #(
+    .AXIS(AXIS)
+  ) u_header (
+    .data_i(beat_data),
+    .kind_o(beat_kind)
+  );
+
   ffd_stream_decoder #(
     .FORMAT   (FORMAT),
     .SLOTS    (SLOTS),
-    .AXIS     (AXIS),
     .IN_FLIGHT(2)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
     .s_beat_valid        (s_beat_valid && !hold),
     .s_beat_ready        (beat_ready),
-    .s_beat_data         ({s_beat_data[127:8], lowest}),
+    .s_beat_data         (beat_data),
+    .s_beat_kind         (beat_kind),
     .s_beat_last         (s_beat_last),
     .load_o              (load),
     .load_axis_o         (load_axis),
@@ -141,7 +151,7 @@ module ffd_board_core #(
     .write_exponent_o    (write_exponent),
     .m_vertex_valid      (vertex_valid),
     .m_vertex_ready      (vertex_ready),
-    .m_vertex_coordinates(vertex_coordinates),
+    .m_vertex_coordinates(vertex_words),
     .m_vertex_cell       (vertex_cell),
     .m_vertex_source     (vertex_source),
     .m_vertex_bank       (vertex_bank),
@@ -188,6 +198,15 @@ module ffd_board_core #(
       end
     end
   end
+
+  wire [3*WEIGHT_W-1:0] vertex_coordinates;
+
+  ffd_eval_coordinates #(
+    .FORMAT(FORMAT)
+  ) u_coordinates (
+    .words_i      (vertex_words),
+    .coordinates_o(vertex_coordinates)
+  );
 
   wire                   read;
   wire                   read_last;

@@ -1,7 +1,7 @@
 // ffd_cache_points: control points from where a vertex has them: its slot or the resident lattice
 //
-// Pipeline:   READ_LATENCY 2, II 1, never frozen. What is written is there for reads from the second
-//             clock after it: no vertex reads its points sooner.
+// Pipeline:   READ_LATENCY 2, II 1, never frozen. What is written is there for reads from the
+//             second clock after it: no vertex reads its points sooner.
 // Parameters: those of ffd_cache_interleaved and ffd_cache_resident; the source is {resident, slot
 //             or buffer}.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.

@@ -9,7 +9,8 @@
 //             on beside the contraction, and each axis holds its own for the steps of the vertex.
 //
 // Pipeline:   step 0 | 1: addresses of the banks | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
-//             those of t and s later. A step a clock, those of a vertex one after the other; never frozen.
+//             those of t and s later. A step a clock, those of a vertex one after the other; never
+//             frozen.
 // Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
 //             organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.

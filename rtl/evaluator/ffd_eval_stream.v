@@ -8,9 +8,9 @@
 // become one, det J, with the user word of the third. It takes longer than a result of column 0,
 // waits in a queue of its own and leaves in its place in the order.
 //
-// Formats:    coordinates {u, t, s} as stream words, cell {k, j, i}, points as the organization reads
-//             them, results {z, y, x} as stream words with {nan, saturated} of any component; of a
-//             determinant {0, 0, det J}.
+// Formats:    coordinates {u, t, s} as stream words, cell {k, j, i}, points as the organization
+//             reads them, results {z, y, x} as stream words with {nan, saturated} of any component;
+//             of a determinant {0, 0, det J}.
 // Pipeline:   the organization's, CONVERT_LATENCY, and 3 clocks in the result queue; det J after
 //             ffd_eval_determinant.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
@@ -117,19 +117,13 @@ module ffd_eval_stream #(
   end
 
   wire [3*WEIGHT_W-1:0] coordinates;
-  genvar a;
-  generate
-    for (a = 0; a < 3; a = a + 1) begin : gen_axis
-      ffd_num_in #(
-        .FORMAT(FORMAT),
-        .ROLE  (`FFD_ROLE_COORDINATE)
-      ) u_in (
-        .word_i    (s_vertex_coordinates[32*a +: 32]),
-        .exponent_i({`FFD_EXPONENT_W{1'b0}}),
-        .number_o  (coordinates[a*WEIGHT_W +: WEIGHT_W])
-      );
-    end
-  endgenerate
+
+  ffd_eval_coordinates #(
+    .FORMAT(FORMAT)
+  ) u_coordinates (
+    .words_i      (s_vertex_coordinates),
+    .coordinates_o(coordinates)
+  );
 
   wire               sum_valid;
   wire [3*SUM_W-1:0] sum;

@@ -3,8 +3,8 @@
 // In front of the first register of the stream, so that the decoder finds it decided
 // (docs/interface.md section 2 has the fields).
 //
-// Formats:    kind as FFD_KIND_* in ffd_stream.vh: the opcode, where all else that the decoder knows
-//             is good, whether dimensions are, and whether the count is not 0.
+// Formats:    kind as FFD_KIND_* in ffd_stream.vh: which opcode, whether dimensions are good, and
+//             whether the count is not 0.
 // Pipeline:   combinational.
 // Parameters: AXIS 4 to 16, the most points an axis of a lattice.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.

@@ -139,7 +139,7 @@ class Boards(unittest.TestCase):
             header = source[source.index("module"):source.index(");")]
             ports = re.findall(r"^  (?:in|out)put +wire +(\w+)", header, re.MULTILINE)
             folder = ROOT / "synth" / "boards" / board.name
-            pins = (folder / f"{board.name}.{boards.TOOLS[board.target].pins}").read_text()
+            pins = (folder / f"{board.name}.{boards.FAMILIES[board.target].pins}").read_text()
             placed = re.findall(r'^(?:set_io (\w+) |LOCATE COMP "(\w+)")', pins, re.MULTILINE)
             self.assertEqual(sorted(ports), sorted(a or b for a, b in placed), board.name)
             self.assertEqual(board.parameters["CLOCKS"] * board.baud, board.clock_mhz * 1e6)

@@ -44,7 +44,7 @@ module ffd_fp_mul #(
   localparam BIAS                 = (1 << (EXP_W - 1)) - 1;
   localparam [DEPTH_W-1:0] ORIGIN = SIG_W[DEPTH_W-1:0] + BIAS[DEPTH_W-1:0];
 
-  // Step 0: unpack, add the exponents, classify.
+  // Step 0: unpack, classify.
   wire             p0_a_sign;
   wire [EXP_W-1:0] p0_a_exponent;
   wire [SIG_W-1:0] p0_a_significand;
@@ -84,30 +84,31 @@ module ffd_fp_mul #(
     .nan_o        (p0_b_nan)
   );
 
-  wire               p0_sign     = p0_a_sign ^ p0_b_sign;
-  wire               p0_infinite = p0_a_infinite | p0_b_infinite;
-  wire               p0_nan      = p0_a_nan | p0_b_nan | (p0_infinite & (p0_a_zero | p0_b_zero));
-  wire [DEPTH_W-1:0] p0_depth    = ORIGIN - ({2'b00, p0_a_exponent} + {2'b00, p0_b_exponent});
+  wire p0_sign     = p0_a_sign ^ p0_b_sign;
+  wire p0_infinite = p0_a_infinite | p0_b_infinite;
+  wire p0_nan      = p0_a_nan | p0_b_nan | (p0_infinite & (p0_a_zero | p0_b_zero));
 
-  wire               p1_sign;
-  wire               p1_nan;
-  wire               p1_infinite;
-  wire [DEPTH_W-1:0] p1_depth;
-  wire [SIG_W-1:0]   p1_a;
-  wire [SIG_W-1:0]   p1_b;
+  wire             p1_sign;
+  wire             p1_nan;
+  wire             p1_infinite;
+  wire [EXP_W-1:0] p1_a_exponent;
+  wire [EXP_W-1:0] p1_b_exponent;
+  wire [SIG_W-1:0] p1_a;
+  wire [SIG_W-1:0] p1_b;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + DEPTH_W + 2 * SIG_W),
+    .WIDTH  (3 + 2 * EXP_W + 2 * SIG_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (0)
   ) u_stage0 (
     .clk(clk),
-    .d_i({p0_sign, p0_nan, p0_infinite, p0_depth, p0_a_significand, p0_b_significand}),
-    .q_o({p1_sign, p1_nan, p1_infinite, p1_depth, p1_a, p1_b})
+    .d_i({p0_sign, p0_nan, p0_infinite, p0_a_exponent, p0_b_exponent, p0_a_significand,
+          p0_b_significand}),
+    .q_o({p1_sign, p1_nan, p1_infinite, p1_a_exponent, p1_b_exponent, p1_a, p1_b})
   );
 
-  // Step 1: the products of halves, each of a multiplier block's size.
+  // Step 1: add the exponents; the products of halves, each of a multiplier block's size.
   localparam LOW_W  = SIG_W / 2;
   localparam HIGH_W = SIG_W - LOW_W;
   localparam PART_W = 2 * HIGH_W;
@@ -120,6 +121,8 @@ module ffd_fp_mul #(
   wire [PART_W-1:0] p1_cross  = p1_a_high * p1_b_low;
   wire [PART_W-1:0] p1_other  = p1_a_low * p1_b_high;
   wire [PART_W-1:0] p1_low    = p1_a_low * p1_b_low;
+
+  wire [DEPTH_W-1:0] p1_depth = ORIGIN - ({2'b00, p1_a_exponent} + {2'b00, p1_b_exponent});
 
   wire               p2_sign;
   wire               p2_nan;
