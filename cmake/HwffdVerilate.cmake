@@ -22,21 +22,25 @@ target_compile_options(verilated_runtime PRIVATE -w -O2)
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/tb/rtl/ffd_bench.vlt)
 option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 
-# hwffd_verilate(<target> [NETLIST] [NATIVE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...])
+# hwffd_verilate(<target> [NETLIST] [NATIVE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...]
+#                [LIBRARY <file>])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
 # where HWFFD_TRACE is on, which its users see as a definition of that name.
 #
 # Warnings are errors; what else Verilator says is in verilator.log, and shown where it fails.
 #
-# NETLIST says that the sources are gates: not linted, since yosys writes what it likes; modules kept
-# apart, since inlining a multiplier of gates a dozen times doubles the code; and compiled for a short
-# build, because an optimizer gains little on a hundred thousand lines without a branch.
+# NETLIST says that the sources are gates or cells: not linted, since yosys writes what it likes; and
+# compiled for a short build, because an optimizer gains little on a hundred thousand lines without a
+# branch.
+#
+# LIBRARY is a file for the modules that the sources lack; of those that both have, it is the sources' that
+# count. (NO_INCLUDES is how yosys' files of cells are told to stay alone.)
 #
 # NATIVE says that the model stays on this machine and may use all of its processor: a third faster
 # where many units move side by side.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "NETLIST;NATIVE" "TOP" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "NETLIST;NATIVE" "TOP;LIBRARY" "SOURCES;PARAMETERS" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
@@ -44,10 +48,13 @@ function(hwffd_verilate target)
     -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator -I${HWFFD_RTL_DIR}/stream)
   set(optimize OPT_FAST=-O2 OPT_SLOW=-O1)
   if(ARG_NETLIST)
-    list(APPEND flags -Wno-lint -Wno-fatal -fno-inline --output-split 20000)
+    list(APPEND flags -Wno-lint -Wno-fatal --output-split 20000)
     set(optimize OPT_FAST=-O0 OPT_SLOW=-O0)
   else()
     list(APPEND flags -Wall ${HWFFD_BENCH_CONTROL})
+  endif()
+  if(ARG_LIBRARY)
+    list(APPEND flags -DNO_INCLUDES -v ${ARG_LIBRARY})
   endif()
   if(ARG_NATIVE)
     list(APPEND flags -CFLAGS -march=native)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A generic gate netlist of one configuration of hwffd_stream, in Verilog, made by yosys.
+"""A netlist of one configuration of hwffd_stream on one target, in Verilog, to be simulated.
 
-Everything becomes gates and flip-flops of one bit, except the memories: as flip-flops they would be
-two thirds of the cells and tell nothing about the logic. All is flattened but the multiplier of the
-fixed-point formats, the same gates a dozen times.
+It is what `make synth` maps, but that generic gates keep their memories: as flip-flops they would be
+two thirds of the cells and tell nothing about the logic. Nets of several bits are split, since a
+netlist assigns them bit by bit, which simulators take for loops.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -15,48 +15,32 @@ import sys
 
 import configurations
 import rtl
+import synthesis
 
-TOP = "hwffd_stream"
-KEPT = "*ffd_fx_product*"
+# The script of synth/ for each target.
+SCRIPTS = {"ecp5": "ecp5", "generic": "generic_memories"}
 
 
-def script(sources, configuration, out):
-    """The steps of yosys: its own `synth` but for memory_map, and nets of one bit each at the end.
-
-    A netlist assigns the bits of a bus one by one, which simulators take for loops through it.
-    """
-    folders = "".join(f"-I {folder} " for folder in sources.includes)
-    files = " ".join(f'"{path}"' for path in sources.needed(TOP))
-    parameters = "".join(
-        f" -chparam {name} {value}" for name, value in configuration.parameters.items())
-    return "; ".join([
-        f"read_verilog {folders}{files}",
-        f"hierarchy -check -top {TOP}{parameters}",
-        f"setattr -mod -set keep_hierarchy 1 {KEPT}",
-        f"synth -flatten -top {TOP} -run begin:fine",
-        "opt -fast -full",
-        "opt -undriven -fine",
-        "techmap",
-        "opt -fast",
-        "abc -fast",
-        "opt -fast",
-        "splitnets",
-        "opt_clean -purge",
-        "check -assert",
-        f'write_verilog -noattr "{out}"',
-    ])
+def steps(row, target, out):
+    """The steps of yosys, to be run in the root."""
+    subject = synthesis.Subject(row, synthesis.CORE, target)
+    mapped = [step.replace(f"script synth/{target}.ys", f"script synth/{SCRIPTS[target]}.ys")
+              for step in synthesis.Synthesis(rtl.ROOT).script(subject)]
+    return [*mapped, "splitnets", "opt_clean -purge", f'write_verilog -noattr "{out}"']
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Writes the gate netlist of a configuration.")
+    parser = argparse.ArgumentParser(description="Writes the netlist of a configuration.")
     parser.add_argument("name", help="a row of rtl/configurations.csv")
+    parser.add_argument("target", choices=SCRIPTS)
     parser.add_argument("out", type=pathlib.Path, help="Verilog to write")
     options = parser.parse_args()
     try:
-        configuration = configurations.find(configurations.read(), options.name)
-        steps = script(rtl.Sources(), configuration, options.out)
+        row = configurations.find(configurations.read(), options.name)
         options.out.parent.mkdir(parents=True, exist_ok=True)
-        return subprocess.run(["yosys", "-Q", "-T", "-q", "-p", steps], check=False).returncode
+        commands = "; ".join(steps(row, options.target, options.out.resolve()))
+        return subprocess.run(["yosys", "-Q", "-T", "-q", "-p", commands], cwd=rtl.ROOT,
+                              check=False).returncode
     except (configurations.TableError, OSError) as error:
         print(f"netlist.py: {error}", file=sys.stderr)
         return 1

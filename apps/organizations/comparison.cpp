@@ -79,6 +79,20 @@ std::optional<double> Comparison::overlapped_interval(const Row& row) const {
   return overlapped->measured.interval;
 }
 
+std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas) {
+  std::vector<Throughput> found;
+  for (const Row& row : comparison.rows()) {
+    const Configuration& c = *row.configuration;
+    const auto mapped = areas.find(c.name);
+    if (mapped == areas.end() || std::string(c.schedule) != "overlapped") continue;
+    const std::string org = std::string(c.org) == "tree" ? fmt::format("tree {}", c.n) : c.org;
+    for (const Area& area : mapped->second) {
+      found.push_back({c.name, org, c.format, area, row.measured.interval});
+    }
+  }
+  return found;
+}
+
 Comparison compare(const std::vector<const Configuration*>& rows,
                    const std::map<std::string, OperatorCount>& operators, const Effort& effort,
                    const Progress& progress) {

@@ -8,6 +8,7 @@
 
 #include "measure.hpp"
 #include "operators.hpp"
+#include "throughput.hpp"
 
 namespace hwffd::organizations {
 
@@ -43,6 +44,9 @@ class Comparison {
   std::vector<Row> rows_;
   double reference_vertices_per_s_;
 };
+
+/// The overlapped rows on every target on which they have been mapped.
+std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas);
 
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 

@@ -13,6 +13,7 @@
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/tb/evaluator_core_factory.hpp"
 #include "options.hpp"
+#include "pareto.hpp"
 #include "program.hpp"
 #include "report.hpp"
 #include "timeline.hpp"
@@ -51,15 +52,17 @@ void add_timelines(std::vector<FileContent>& files, const std::filesystem::path&
 int run(const Options& options) {
   const Comparison comparison =
       compare(built_rows(), read_operators(options.operators), options.effort, show_rows_done);
-  fmt::print("{}", table(comparison));
+  const std::vector<Throughput> areas = throughputs(comparison, read_areas(options.areas));
+  fmt::print("{}{}", table(comparison), area_table(areas));
   const std::filesystem::path folder = options.output / "reports";
   std::filesystem::create_directories(folder);
-  std::vector<FileContent> files = {{folder / "organizations.json", json_report(comparison)},
+  std::vector<FileContent> files = {{folder / "organizations.json", json_report(comparison, areas)},
                                     {folder / "organizations.svg", tradeoff_chart(comparison)}};
+  if (!areas.empty()) files.push_back({folder / "pareto.svg", pareto_chart(areas)});
   add_timelines(files, folder, comparison);
   write_files(files);
-  fmt::print("\nwrote {0}/organizations.json, {0}/organizations.svg and {0}/timeline-*.svg\n",
-             folder.string());
+  fmt::print("\nwrote {0}/organizations.json, {0}/organizations.svg{1} and {0}/timeline-*.svg\n",
+             folder.string(), areas.empty() ? "" : fmt::format(", {}/pareto.svg", folder.string()));
   const std::string wrong = faults(comparison);
   fmt::print(stderr, "{}", wrong);
   return wrong.empty() ? 0 : 1;

@@ -16,6 +16,7 @@ Options parse_options(int argc, char** argv) {
                  "components of shared vertices of every row (60000); slow rows: a tenth");
   app.add_option("--seed", options.effort.seed, "seed of vertices and registers (1)");
   app.add_option("--operators", options.operators, "what scripts/operators.py wrote");
+  app.add_option("--areas", options.areas, "what make synth wrote (build/reports/synth.json)");
   app.add_option("--output", options.output, "folder for reports (build)");
   parse_command_line(app, argc, argv);
   const std::size_t vertices = options.effort.vertices;

@@ -9,6 +9,7 @@ namespace hwffd::organizations {
 struct Options {
   Effort effort;
   std::filesystem::path operators = "build/generated/operators.json";
+  std::filesystem::path areas = "build/reports/synth.json";
   std::filesystem::path output = "build";  ///< reports go to its folder reports/
 };
 

@@ -20,6 +20,27 @@ Json json_or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json json_of(const Throughput& on_target) {
+  return {{"size", on_target.area.size},
+          {"unit", on_target.area.unit},
+          {"multipliers", json_or_null(on_target.area.multipliers)},
+          {"fmax_mhz", json_or_null(on_target.area.clock_mhz)},
+          {"vertices_per_clock", on_target.per_clock()},
+          {"vertices_per_s", json_or_null(on_target.per_second())},
+          {"per_size", on_target.per_size()},
+          {"per_multiplier", json_or_null(on_target.per_multiplier())}};
+}
+
+/// By target; empty for a row that is mapped on none.
+Json targets_of(const Row& row, const std::vector<Throughput>& areas) {
+  Json found = Json::object();
+  for (const Throughput& on_target : areas) {
+    if (on_target.name == row.configuration->name)
+      found[on_target.area.target] = json_of(on_target);
+  }
+  return found;
+}
+
 Json json_of(const Comparison& comparison, const Row& row) {
   const Configuration& c = *row.configuration;
   const std::optional<VertexClocks> paper = comparison.paper_clocks(row);
@@ -116,10 +137,11 @@ std::string table(const Comparison& comparison) {
   return text;
 }
 
-std::string json_report(const Comparison& comparison) {
+std::string json_report(const Comparison& comparison, const std::vector<Throughput>& areas) {
   Json rows = Json::array();
   for (const Row& row : comparison.rows()) {
     rows.push_back(json_of(comparison, row));
+    if (!areas.empty()) rows.back()["targets"] = targets_of(row, areas);
     if (std::string(row.configuration->org) != "parallel") continue;
     // The tree of 64 units, the last of the paper's seven, is the same build.
     rows.push_back(rows.back());

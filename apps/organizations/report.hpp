@@ -10,7 +10,8 @@ namespace hwffd::organizations {
 std::string table(const Comparison& comparison);
 
 /// organizations.json: one object a row of the table of configurations (docs/verification.md).
-std::string json_report(const Comparison& comparison);
+/// With the areas, `targets` of a row has what it is on each.
+std::string json_report(const Comparison& comparison, const std::vector<Throughput>& areas = {});
 
 /// Lines for what is wrong: a bit that differs from the model, a seam that cracks, a formula that
 /// does not hold. Empty if nothing is.

@@ -55,7 +55,8 @@ class FuseSoC(unittest.TestCase):
             env={**environment, "HOME": str(self.home)}, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         self.assertEqual(outside() - self.before, set())
-        self.assertEqual(list(self.home.iterdir()), [])
+        # yosys keeps a history in the home of whoever runs a script of Tcl.
+        self.assertLessEqual({path.name for path in self.home.iterdir()}, {".yosys_history"})
         return done.returncode, done.stdout
 
     def test_lint(self):

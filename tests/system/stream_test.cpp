@@ -21,7 +21,8 @@ std::vector<std::uint64_t> seeds() {
 
 class Stream : public PerConfiguration {};
 class FloatStream : public PerConfiguration {};
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FloatStream);  // gates are of fixed point only
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(
+    FloatStream);  // most programs of netlists are of fixed point only
 
 TEST_P(Stream, ResetAtAnyMomentLeavesNothingBehind) {
   std::uint64_t resets = 0;
