@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
 #include "hwffd/tb/evaluator_core_factory.hpp"
@@ -44,9 +45,7 @@ Run run(const Configuration& row, std::size_t vertices, std::uint64_t seed) {
 
 }  // namespace
 
-std::string form_of(const Configuration& row) {
-  return std::string(row.org).rfind("factored", 0) == 0 ? "factored" : "product";
-}
+std::string form_of(const Configuration& row) { return contracts(row) ? "factored" : "product"; }
 
 std::vector<Agreement> compare(const std::vector<const Configuration*>& rows, std::size_t vertices,
                                std::uint64_t seed,

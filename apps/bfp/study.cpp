@@ -177,4 +177,9 @@ std::vector<Result> study(std::int64_t vertices, std::uint64_t seed, const Progr
   return results;
 }
 
+bool within_bounds(const std::vector<Result>& results) {
+  return std::all_of(results.begin(), results.end(),
+                     [](const Result& result) { return result.of_lattice <= result.bound; });
+}
+
 }  // namespace hwffd::bfp

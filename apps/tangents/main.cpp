@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include "hwffd/atomic_file.hpp"

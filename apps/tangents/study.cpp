@@ -61,18 +61,21 @@ Bounds bounds_of(const Configuration& row) {
 class Study {
  public:
   Study(RowResult& result, std::uint64_t seed)
-      : result_(result), codec_(result.row.format), seed_(seed) {}
+      : result_(result),
+        codec_(result.row.format),
+        exponent_(encode(watertight_bspline(codec_), codec_).derivative.exponent),
+        seed_(seed) {}
 
   /// The results of packets behind the B-spline's and its derivative's coefficients.
-  std::vector<Beat> results_of(const std::vector<Beat>& packets) {
+  std::vector<Beat> run(const std::vector<Beat>& packets) {
     const auto core = tb::make_stream_core(result_.row, seed_);
     tb::StreamBenchOptions options;
     options.test = {fmt::format("tangents {}", result_.row.name), seed_,
-                    fmt::format("make tangents SEED={}", seed_)};
+                    fmt::format("build/apps/hwffd-tangents --seed {}", seed_)};
     tb::StreamBench bench(*core, options);
     std::vector<Beat> beats =
         coefficients_packet(watertight_bspline(codec_), codec_, Functions::kDerivativesToo);
-    beats.insert(beats.end(), packets.begin(), packets.end());
+    append(beats, packets);
     bench.reset(4);
     bench.expect(model::StreamModel(result_.row).run(beats));
     bench.send(beats);
@@ -84,15 +87,16 @@ class Study {
   }
 
   void derivatives(const Scene& scene) {
+    constexpr std::size_t kEach = hwffd::results_of(Results::kDerivatives);
     const Normalization normalization = Normalization::of(scene.lattice, codec_);
-    const std::vector<Beat> results = results_of(packets(scene, Results::kDerivatives));
-    if (results.size() != 4 * scene.vertices.size()) return;
+    const std::vector<Beat> results = run(packets(scene, Results::kDerivatives));
+    if (results.size() != kEach * scene.vertices.size()) return;
     const double unit = lattice_scale(scene.lattice);
     for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
       const Eigen::Matrix3d exact = jacobian(scene, v);
       for (int axis = 0; axis < 3; ++axis) {
-        const Point got = std::ldexp(1.0, exponent()) *
-                          normalization.vector_to_world(point_of(results[4 * v + 1 + axis]));
+        const Point got = std::ldexp(1.0, exponent_) * normalization.vector_to_world(point_of(
+                                                           results[kEach * v + 1 + axis], codec_));
         const Point error = (got - exact.col(axis)) / unit;
         const Point difference = (got - central_difference(scene, v, axis)) / unit;
         result_.max_error = std::max(result_.max_error, error.cwiseAbs().maxCoeff());
@@ -100,17 +104,19 @@ class Study {
       }
     }
     result_.vertices += scene.vertices.size();
-    result_.clocks_per_vertex = 4 * clocks_per_result_;
+    result_.clocks_per_vertex = static_cast<double>(kEach) * clocks_per_result_;
   }
 
   void determinants(const Scene& scene) {
-    const std::vector<Beat> results = results_of(packets(scene, Results::kDeterminant));
-    if (results.size() != 2 * scene.vertices.size()) return;
+    constexpr std::size_t kEach = hwffd::results_of(Results::kDeterminant);
+    const std::vector<Beat> results = run(packets(scene, Results::kDeterminant));
+    if (results.size() != kEach * scene.vertices.size()) return;
     const double unit = std::pow(lattice_scale(scene.lattice), 3);
-    const int shift = !codec_.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent();
+    const bool fixed = codec_.has_fixed_weights();
+    const int shift = fixed ? model::kDeterminantShift + 3 * exponent_ : 0;
     for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-      const Beat& result = results[2 * v + 1];
-      const double scale = !codec_.has_fixed_weights() ? 1 / unit : 1.0;
+      const Beat& result = results[kEach * v + 1];
+      const double scale = fixed ? 1.0 : 1 / unit;
       const double got = scale * std::ldexp(codec_.decode_point(result.words[0]), shift);
       const double exact = jacobian(scene, v).determinant() / unit;
       const bool folded = (result.words[3] & kStatusFolded) != 0;
@@ -135,7 +141,7 @@ class Study {
       vertex.exponent = stimulus.supports[from.support].exponent;
     }
     const std::vector<Beat> results =
-        results_of(interleaved_packet(vertices, OutsideMode::kClamp, Results::kDerivatives));
+        run(interleaved_packet(vertices, OutsideMode::kClamp, Results::kDerivatives));
     if (results.size() != 4 * vertices.size()) return;
     std::size_t first = 0;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -150,19 +156,12 @@ class Study {
   }
 
  private:
-  int exponent() const { return encode(watertight_bspline(codec_), codec_).derivative.exponent; }
-
-  Point point_of(const Beat& result) const {
-    return {codec_.decode_point(result.words[0]), codec_.decode_point(result.words[1]),
-            codec_.decode_point(result.words[2])};
-  }
-
   std::vector<Beat> packets(const Scene& scene, Results wanted) const {
     const Normalization normalization = Normalization::of(scene.lattice, codec_);
     std::vector<Beat> beats = lattice_packet(lattice_words(scene.lattice, codec_, normalization));
     const std::vector<Beat> vertices =
         vertices_packet(vertex_beats(scene.vertices, codec_), OutsideMode::kClamp, wanted);
-    beats.insert(beats.end(), vertices.begin(), vertices.end());
+    append(beats, vertices);
     return beats;
   }
 
@@ -184,6 +183,7 @@ class Study {
 
   RowResult& result_;
   WordCodec codec_;
+  int exponent_;  // of the B-spline's derivative
   std::uint64_t seed_;
   double clocks_per_result_ = 0;
 };

@@ -62,7 +62,7 @@ class Device {
   int exponent() const { return axis_.derivative.exponent; }
   /// Fixed point: det J times 2^-determinant_shift() is what comes.
   int determinant_shift() const {
-    return !codec_.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent();
+    return codec_.has_fixed_weights() ? model::kDeterminantShift + 3 * exponent() : 0;
   }
   const model::EvaluatorModel& model() const { return *model_; }
 
@@ -93,7 +93,7 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
     for (const std::string format : {"fp32", "fx12", "fx18", "fx27", "fx32"}) {
       const WordCodec codec(format);
       const AxisWords axis = encode(family(name, codec), codec);
-      EXPECT_EQ(axis.derivative.exponent, !codec.has_fixed_weights() ? 0 : exponent)
+      EXPECT_EQ(axis.derivative.exponent, codec.has_fixed_weights() ? exponent : 0)
           << name << format;
       EXPECT_EQ(axis.derivative.shift, 0) << name << format;
       for (int l = 0; l < 4; ++l) {
@@ -101,7 +101,7 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
           const double exact = power < 3 ? (power + 1) * functions(l, power + 1) : 0.0;
           // A point's word is Q1.31, a coefficient's Q2.30.
           const double value = codec.decode_point(axis.derivative.word[l][power]) *
-                               (!codec.has_fixed_weights() ? 1.0 : std::ldexp(2.0, exponent));
+                               (codec.has_fixed_weights() ? std::ldexp(2.0, exponent) : 1.0);
           EXPECT_NEAR(value, exact, 1e-15) << name << ' ' << format;
         }
       }

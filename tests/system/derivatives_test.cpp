@@ -49,11 +49,6 @@ struct Scene {
   }
 };
 
-Eigen::Vector3d decoded(const Beat& result, const WordCodec& codec) {
-  return {codec.decode_point(result.words[0]), codec.decode_point(result.words[1]),
-          codec.decode_point(result.words[2])};
-}
-
 /// Largest error of a derivative of the B-spline times 2^-exponent; docs/numerics.md section 9.
 double bound(const std::string& format) {
   return WordCodec(format).is_float() ? 1e-6 : format == "fx18" ? 1.5e-4 : 1e-8;
@@ -87,7 +82,7 @@ TEST_P(Derivatives, FourResultsAVertexNearTheOracle) {
       if (part == 0) continue;
       const Eigen::Vector3d exact =
           std::ldexp(1.0, -exponent) * jet.jacobian.col(static_cast<Eigen::Index>(part) - 1);
-      largest = std::max(largest, (decoded(result, codec) - exact).cwiseAbs().maxCoeff());
+      largest = std::max(largest, (point_of(result, codec) - exact).cwiseAbs().maxCoeff());
     }
   }
   std::printf("%zu vertices, largest error %.3g\n", scene.vertices.size(), largest);
@@ -109,7 +104,7 @@ TEST_P(Derivatives, DeterminantAndItsSign) {
     const WordCodec& codec = run.codec();
     const Normalization normalization = Normalization::of(scene.lattice, codec);
     const int exponent = encode(watertight_bspline(codec), codec).derivative.exponent;
-    const int shift = !codec.has_fixed_weights() ? 0 : model::kDeterminantShift + 3 * exponent;
+    const int shift = codec.has_fixed_weights() ? model::kDeterminantShift + 3 * exponent : 0;
     run.send_bspline();
     run.send(lattice_packet(lattice_words(scene.lattice, codec, normalization)));
     run.send(vertices_packet(vertex_beats(scene.vertices, codec), OutsideMode::kClamp,

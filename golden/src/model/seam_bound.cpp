@@ -1,7 +1,6 @@
 #include "hwffd/model/seam_bound.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/word_codec.hpp"
@@ -14,7 +13,7 @@ bool is_float(const Configuration& row) { return WordCodec(row.format).is_float(
 }  // namespace
 
 double seam_unit(const Configuration& row) {
-  return std::ldexp(1.0, is_float(row) ? -24 : 1 - std::atoi(row.format + 2));
+  return std::ldexp(1.0, is_float(row) ? -24 : -1 - WordCodec(row.format).weight_fraction());
 }
 
 double seam_bound(const Configuration& row) {
