@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import csv
 import os
 import pathlib
+import statistics
 from dataclasses import dataclass
 
 import configurations
@@ -70,27 +71,35 @@ def read(path, rows):
 class Flow:
     """From RTL to bitstreams, in build/boards/<board>/; each step has its log there."""
 
-    def __init__(self, root, seed=1):
-        self.root, self.seed = pathlib.Path(root), seed
+    def __init__(self, root, seeds=nextpnr.SEEDS):
+        self.root, self.seeds = pathlib.Path(root), seeds
         self.sources = rtl.Sources(self.root)
         self.processes = Processes(self.root)
 
     def build(self, board):
-        """All steps; what of the chip is used, and the clock. Raises NextpnrError."""
+        """All steps, the fastest seed packed; what of the chip is used, and the clocks. Raises
+        NextpnrError.
+        """
         folder = self.root / "build" / "boards" / board.name
         folder.mkdir(parents=True, exist_ok=True)
         family = FAMILIES[board.target]
-        placed = folder / f"{board.name}.{family.placed}"
         bitstream = folder / f"{board.name}.{family.bitstream}"
-        report = self.route(board, self.synthesize(board, folder), placed, folder)
+        netlist = self.synthesize(board, folder)
+        reports = {seed: self.route(board, netlist, folder, seed) for seed in self.seeds}
+        clocks = {seed: nextpnr.clock(report) for seed, report in reports.items()}
+        best = max(clocks, key=clocks.get)
         nextpnr.call(self.processes, [
             nextpnr.find(self.root, family.pack, family), *family.pack_options,
-            self._name(placed), self._name(bitstream)], folder / "pack.log")
-        clock = nextpnr.clock(report)
+            self._name(self._placed(board, folder, best)), self._name(bitstream)],
+            folder / "pack.log")
+        report = reports[best]
         return {
-            "board": board.name, "row": board.row.name, "target": board.target, "seed": self.seed,
-            "clock_mhz": board.clock_mhz, "fmax_mhz": round(clock, 2),
-            "met": clock >= board.clock_mhz,
+            "board": board.name, "row": board.row.name, "target": board.target,
+            "clock_mhz": board.clock_mhz, "fmax_mhz": round(clocks[best], 2), "seed": best,
+            "median_mhz": round(statistics.median(clocks.values()), 2),
+            "seeds": [{"seed": seed, "fmax_mhz": round(clock, 2)}
+                      for seed, clock in clocks.items()],
+            "critical_path": nextpnr.path_in_words(report), "met": clocks[best] >= board.clock_mhz,
             "used": {name: [about["used"], about["available"]]
                      for name, about in report["utilization"].items() if about["used"]},
             "bitstream": self._name(bitstream), "bytes": bitstream.stat().st_size,
@@ -115,15 +124,21 @@ class Flow:
                      folder / "synthesis.log")
         return netlist
 
-    def route(self, board, netlist, placed, folder):
+    @staticmethod
+    def _placed(board, folder, seed):
+        return folder / f"{board.name}.{seed}.{FAMILIES[board.target].placed}"
+
+    def route(self, board, netlist, folder, seed):
         """Places and routes; what the router reports."""
         family = FAMILIES[board.target]
         pins = self.root / "synth" / "boards" / board.name / f"{board.name}.{family.pins}"
         return nextpnr.route(
-            self.processes, board.target, netlist, folder / "report.json", folder / "route.log",
+            self.processes, board.target, netlist, folder / f"{seed}.report",
+            folder / f"route.{seed}.log",
             (f"--{board.device}", "--package", board.package, family.pins_option,
-             self._name(pins), family.placed_option, self._name(placed), "--freq",
-             f"{board.clock_mhz:g}", "--seed", str(self.seed)))
+             self._name(pins), family.placed_option,
+             self._name(self._placed(board, folder, seed)), "--freq", f"{board.clock_mhz:g}",
+             "--seed", str(seed)))
 
     def _name(self, path):
         return os.path.relpath(path, self.root)

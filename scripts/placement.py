@@ -13,7 +13,6 @@ import hashlib
 import json
 import os
 import pathlib
-import re
 import statistics
 import time
 from dataclasses import dataclass
@@ -22,9 +21,7 @@ import nextpnr
 import rtl
 import synthesis
 
-SEEDS = (1, 2, 3)
-COLUMNS = ("name", "top", "target", "aim_share", "aim_mhz")
-CLOCKS = ("clk", "aclk")
+COLUMNS = ("name", "top", "target", "aim_share")
 MULTIPLIER = "ffd_clock_multiplier"
 
 
@@ -33,13 +30,13 @@ class Device:
     name: str
     options: tuple
     freq: int       # MHz that the router is asked for: more than it reaches
-    width: int      # bits of the multiplier that is the measure; 0: the device has none
+    width: int      # bits of the multiplier that is the measure
 
 
+# Blocks without pins can be routed on ECP5 only; iCE40 is routed with boards (scripts/boards).
 DEVICES = {
-    "ecp5": Device("LFE5U-85F, grade 6", ("--85k", "--package", "CABGA381", "--speed", "6"), 150, 18),
-    "up5k": Device("iCE40UP5K", ("--up5k", "--package", "sg48"), 60, 16),
-    "hx8k": Device("iCE40HX8K", ("--hx8k", "--package", "ct256"), 150, 0),
+    "ecp5": Device("LFE5U-85F, grade 6",
+                   ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context"), 150, 18),
 }
 
 
@@ -52,8 +49,7 @@ class Aim:
     """A line of the table: what is placed, and the clock to be reached, if one is set."""
 
     subject: synthesis.Subject
-    share: float
-    mhz: float
+    share: float  # of the multiplier's clock; None where none is set
 
 
 def read(path, found):
@@ -76,10 +72,10 @@ def read(path, found):
             raise PlacementError(f"{where}: {fields['name']}, {fields['top']}, {fields['target']} "
                                  "is not mapped by make synth, or has no router")
         try:
-            share, mhz = (float(fields[c]) if fields[c] else None for c in COLUMNS[3:])
+            share = float(fields["aim_share"]) if fields["aim_share"] else None
         except ValueError as error:
-            raise PlacementError(f"{where}: aim_share and aim_mhz are numbers or empty") from error
-        aims.append(Aim(subject, share, mhz))
+            raise PlacementError(f"{where}: aim_share is a number or empty") from error
+        aims.append(Aim(subject, share))
     return aims
 
 
@@ -90,64 +86,6 @@ def multiplier(width):
             f"  reg signed [{width - 1}:0] a_q, b_q;\n"
             "  always @(posedge clk) begin\n"
             "    a_q <= a_i;\n    b_q <= b_i;\n    product_o <= a_q * b_q;\n  end\nendmodule\n")
-
-
-def fold_pins(netlist, top):
-    """Gives an iCE40 netlist few pins: a chain of flip-flops feeds the inputs, another, with the
-    exclusive or of each output, takes the outputs. So all paths of a block are between registers.
-    """
-    module = netlist["modules"][top]
-    fresh = 1 + max(bit for net in module["netnames"].values() for bit in net["bits"]
-                    if isinstance(bit, int))
-    clock = next(port["bits"][0] for name, port in module["ports"].items() if name in CLOCKS)
-    cells, first = module["cells"], fresh
-
-    def add(kind, number, parameters, connections):
-        cells[f"fold_{kind}_{number}"] = {
-            "hide_name": 0, "type": kind, "parameters": parameters, "attributes": {},
-            "port_directions": {pin: "output" if pin in "QO" else "input" for pin in connections},
-            "connections": {pin: [bit] for pin, bit in connections.items()}}
-
-    def bits(direction):
-        return [bit for name, port in module["ports"].items() if port["direction"] == direction
-                and name not in CLOCKS for bit in port["bits"] if isinstance(bit, int)]
-
-    before, number, fresh = fresh, 0, fresh + 1
-    for bit in bits("input"):
-        add("SB_DFF", number, {}, {"C": clock, "D": before, "Q": bit})
-        before, number = bit, number + 1
-    for bit in bits("output"):
-        add("SB_LUT4", number, {"LUT_INIT": "0110" * 4},
-            {"I0": bit, "I1": before, "I2": "0", "I3": "0", "O": fresh})
-        add("SB_DFF", number, {}, {"C": clock, "D": fresh, "Q": fresh + 1})
-        before, number, fresh = fresh + 1, number + 1, fresh + 2
-    clock_name = next(name for name in module["ports"] if name in CLOCKS)
-    module["ports"] = {clock_name: module["ports"][clock_name],
-                       "fold_i": {"direction": "input", "bits": [first]},
-                       "fold_o": {"direction": "output", "bits": [before]}}
-    return netlist
-
-
-def _place(cell):
-    """The registers or the block that a cell belongs to, as named in the sources."""
-    cell = re.sub(r"genblk\d+\.|gen_\w+(\[\d+\])?\.", "", cell)
-    cell = re.sub(r"_(TRELLIS_FF|LUT4|CCU2C|PFUMX|L6MUX21|SB_\w+|MULT18X18D)_.*", "", cell)
-    return re.sub(r"\.\d+(\.\d+)*(_\w+)?$|\$.*$", "", cell)
-
-
-def path_in_words(report):
-    """The critical path between registers: from, to, levels, and what logic and wires take."""
-    for path in report["critical_paths"]:
-        steps = path["path"]
-        if "async" in path["from"] or "async" in path["to"] or not steps:
-            continue
-        logic = [step for step in steps if step["type"] == "logic"]
-        wires = sum(step["delay"] for step in steps if step["type"] == "routing")
-        total = sum(step["delay"] for step in steps)
-        levels = sum(1 for step in logic if step["delay"] > 0.1)
-        return (f"{_place(steps[0]['from']['cell'])} to {_place(steps[-1]['to']['cell'])}: "
-                f"{levels} levels, {total - wires:.1f} ns of logic, {wires:.1f} ns of wires")
-    return ""
 
 
 class Placement:
@@ -171,8 +109,7 @@ class Placement:
     def key(self, subject, target):
         """Of a subject, or of the measure where there is none."""
         own = self.work.key(subject) if subject else multiplier(DEVICES[target].width)
-        words = (own, self.version(target), DEVICES[target],
-                 pathlib.Path(__file__).read_text(encoding="utf-8"))
+        words = (own, self.version(target), DEVICES[target])
         return hashlib.sha256(repr(words).encode()).hexdigest()
 
     def _file(self, name, suffix):
@@ -208,8 +145,6 @@ class Placement:
         steps = [*steps, "flatten", "opt_clean", f"write_json {self._name(path)}"]
         nextpnr.call(self.work.processes, [self.work.yosys, "-Q", "-T", "-p", "; ".join(steps)],
                      self._file(name, "yosys.log"))
-        if not nextpnr.FAMILIES[target].block:
-            path.write_text(json.dumps(fold_pins(json.loads(path.read_text()), top)))
         mark.write_text(key)
         return path
 
@@ -220,11 +155,10 @@ class Placement:
         report = nextpnr.route(
             self.work.processes, target, self._file(name, "netlist"),
             self._file(name, f"{seed}.report"), self._file(name, f"{seed}.log"),
-            (*device.options, *nextpnr.FAMILIES[target].block, "--freq", str(device.freq),
-             "--seed", str(seed)))
+            (*device.options, "--freq", str(device.freq), "--seed", str(seed)))
         result = {"key": self.key(subject, target), "seed": seed,
                   "fmax_mhz": round(nextpnr.clock(report), 2),
-                  "critical_path": path_in_words(report),
+                  "critical_path": nextpnr.path_in_words(report),
                   "seconds": round(time.monotonic() - start, 1)}
         synthesis.write(self._file(name, f"{seed}.json"), json.dumps(result) + "\n")
         return result
@@ -232,7 +166,7 @@ class Placement:
     def results(self, subject, target):
         """All seeds that are there, in order."""
         try:
-            found = [self.result(subject, target, seed) for seed in SEEDS]
+            found = [self.result(subject, target, seed) for seed in nextpnr.SEEDS]
         except nextpnr.NextpnrError:
             return []
         return [result for result in found if result]
@@ -250,7 +184,7 @@ class Placement:
         if not found:
             return None
         fmax = self.median(subject, subject.target)
-        measure = DEVICES[subject.target].width and self.median(None, subject.target)
+        measure = self.median(None, subject.target)
         return {"fmax_mhz": fmax, "fmax_share": round(fmax / measure, 3) if measure else None,
                 "routed": True,
                 "seeds": [{"seed": r["seed"], "fmax_mhz": r["fmax_mhz"]} for r in found]}

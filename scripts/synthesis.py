@@ -97,8 +97,8 @@ class Subject:
 
 
 def makes_sense(row, target):
-    """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those that might
-    fit, in fixed point; elsewhere `basic` in every form, and of the others those of up to eight
+    """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
+    in fixed point, on HX8K, which has no multipliers, `cg3` in 16 bits only; elsewhere `basic` in every form, and of the others those of up to eight
     units, or folded, in fx18 and binary32. A tree of one unit is `basic`.
     """
     if target == "ecp5":
@@ -106,7 +106,8 @@ def makes_sense(row, target):
     if row.org == "tree" and row.n == 1:
         return False
     if target in ICE40:
-        return row.n == 1 and row.format in {"up5k": ("fx16", "fx18", "fx32"), "hx8k": ("fx18",)}[target]
+        small = row.org == "cg3" and row.format == "fx16"
+        return small or (target == "up5k" and row.n == 1 and row.format in ("fx18", "fx32"))
     large = not row.org.endswith("/3") and (row.n > 8 or row.org == "nested")
     common = row.format == "fx18" or (row.format == "fp32" and not row.fma_latency)
     return row.org == "basic" or (common and not large)

@@ -94,14 +94,15 @@ void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configurat
   pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
 }
 
-/// `factored`: polynomials, of which those of t and s may be later than shown, points,
-/// contractions.
+/// `factored`: banks addressed, polynomials, of which those of t and s may be later than shown,
+/// points, contractions.
 void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   constexpr int kReadLatency = 2;  // of ffd_bench_evaluator
   const Configuration& c = *row.configuration;
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   const int components = 3 / folds(c);
   Pipeline polynomials(schedule, schedule.polynomials().starts);
+  polynomials.pass(lanes, fmt::format("{} banks addressed", row.count.evaluators), 1);
   polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());

@@ -53,7 +53,6 @@ module ffd_bench_evaluator #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
 
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] entry;
-  wire [3*WEIGHT_W-1:0]             coordinates;
   wire [3*POINT_W-1:0]              point;
 
   genvar i;
@@ -69,14 +68,6 @@ module ffd_bench_evaluator #(
       );
     end
     for (i = 0; i < 3; i = i + 1) begin : gen_component
-      ffd_num_in #(
-        .FORMAT(FORMAT),
-        .ROLE  (`FFD_ROLE_COORDINATE)
-      ) u_coordinate (
-        .word_i    (s_vertex_words[32*i +: 32]),
-        .exponent_i(10'd0),
-        .number_o  (coordinates[i*WEIGHT_W +: WEIGHT_W])
-      );
       ffd_num_in #(
         .FORMAT(FORMAT),
         .ROLE  (`FFD_ROLE_POINT)
@@ -142,7 +133,7 @@ module ffd_bench_evaluator #(
     .load_entry_i        (entry),
     .s_vertex_valid      (s_vertex_valid),
     .s_vertex_ready      (s_vertex_ready),
-    .s_vertex_coordinates(coordinates),
+    .s_vertex_coordinates(s_vertex_words),
     .s_vertex_cell       (s_vertex_cell),
     .s_vertex_source     (s_vertex_support),
     .s_vertex_bank       (s_vertex_bank),

@@ -345,6 +345,13 @@ module formal_stream_decoder #(
               && \u_dut.u_buffer_readers.gen_bank[1].inside_q
                  == (a_q && a_resident_q && a_at_q[0]) + (b_q && b_resident_q && b_at_q[0])
                   + (m_valid && m_resident && m_buffer);
+  // A buffer is known to be read from the clock after its vertex has been offered.
+  (* hierconn *) wire [1:0] \u_dut.buffer_busy ;
+  wire known   = (\u_dut.u_buffer_readers.gen_bank[0].inside_q == 0 || \u_dut.buffer_busy [0]
+                  || (new_vertex && m_resident && !m_buffer))
+              && (\u_dut.u_buffer_readers.gen_bank[1].inside_q == 0 || \u_dut.buffer_busy [1]
+                  || (new_vertex && m_resident && m_buffer))
+              && (!new_vertex || !m_resident || m_buffer == \u_dut.u_lattice.buffer_q );
   wire slots   = \u_dut.used_q == a_free + b_free + (m_valid && !m_resident)
                                 + (\u_dut.state_q == 3'd4)
               && \u_dut.used_q <= SLOTS && (\u_dut.state_q != 3'd4 || !\u_dut.resident_q );
@@ -352,7 +359,7 @@ module formal_stream_decoder #(
   always @* if (!first_q && !rst) begin
     resync: assert (header_q == (\u_dut.state_q == 3'd0));
     follows: assert (same_state && same_lattice && same_offer);
-    counted: assert (users && readers && slots);
+    counted: assert (users && readers && known && slots);
     each_vertex: assert (m_valid == offer_q && !(finish && offer_q && !m_ready));
     stable: assert (!held_q || (m_valid && held_vertex == held_vertex_q));
     bank_free: assert (!load || !((a_q && a_bank_q == load_address[2])
