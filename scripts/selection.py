@@ -34,18 +34,22 @@ class Parser(argparse.ArgumentParser):
         sys.exit(2)
 
 
-def chosen(found, name, options):
-    """The subjects asked for, of the set `name`. Raises Request."""
-    if name not in synthesis.SETS:
-        raise Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
-    columns = {
+def columns(options):
+    """What is asked for, None where anything is, and which of a subject's columns that is."""
+    return {
         "TARGET": (options.target, lambda s: s.target),
         "ORG": (options.org, lambda s: s.row.org),
         "N": (options.n, lambda s: str(s.row.n)),
         "FORMAT": (options.format, lambda s: s.row.format),
     }
+
+
+def chosen(found, name, options):
+    """The subjects asked for, of the set `name`. Raises Request."""
+    if name not in synthesis.SETS:
+        raise Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
     left = synthesis.of_set(found, name)
-    for word, (value, column) in columns.items():
+    for word, (value, column) in columns(options).items():
         if value is None:
             continue
         values = list(dict.fromkeys(column(subject) for subject in found))
@@ -55,7 +59,8 @@ def chosen(found, name, options):
             raise Request(f"unknown {word} '{value}': one of {', '.join(values)}")
         left = [subject for subject in left if column(subject) == value]
     if not left:
-        asked = ", ".join(f"{word}={value}" for word, (value, _) in columns.items() if value)
+        asked = ", ".join(f"{word}={value}" for word, (value, _) in columns(options).items()
+                          if value)
         raise Request(f"no row is mapped for {asked} in the set '{name}'")
     return left
 
