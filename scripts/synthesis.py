@@ -98,16 +98,17 @@ class Subject:
 
 def makes_sense(row, target):
     """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
-    in fixed point, on HX8K, which has no multipliers, `cg3` in 16 bits only; elsewhere `basic` in every form, and of the others those of up to eight
-    units, or folded, in fx18 and binary32. A tree of one unit is `basic`.
+    in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere `basic` in every
+    form, and of the others those of up to eight units, or folded, in fx18 and binary32. A tree of
+    one unit is `basic`.
     """
     if target == "ecp5":
         return True
     if row.org == "tree" and row.n == 1:
         return False
     if target in ICE40:
-        small = row.org == "cg3" and row.format == "fx16"
-        return small or (target == "up5k" and row.n == 1 and row.format in ("fx18", "fx32"))
+        wide = target == "up5k" and row.n == 1 and row.format in ("fx18", "fx32")
+        return wide or row.format == "fx16"
     large = not row.org.endswith("/3") and (row.n > 8 or row.org == "nested")
     common = row.format == "fx18" or (row.format == "fp32" and not row.fma_latency)
     return row.org == "basic" or (common and not large)

@@ -23,7 +23,8 @@ constexpr std::array<const char*, 4> kColours = {"#0060a8", "#e08000", "#2a8000"
 int polynomial_latency(const Configuration& row) {
   const int step = row.fma_latency > 0 ? row.fma_latency : row.mul_latency + row.add_latency;
   const bool iterative = std::string(row.evaluator) == "iterative";
-  return 3 * (iterative && step % 3 == 0 ? step + 1 : step) + row.convert_latency;
+  const int file = std::string(row.schedule) == "overlapped" ? 1 : 0;
+  return file + 3 * (iterative && step % 3 == 0 ? step + 1 : step) + row.convert_latency;
 }
 
 std::string units(int count, const std::string& name) {
@@ -94,7 +95,7 @@ void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configurat
   pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
 }
 
-/// `factored`: banks addressed, polynomials, of which those of t and s may be later than shown,
+/// `factored`: polynomials, of which those of t and s may be later than shown,
 /// points, contractions.
 void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   constexpr int kReadLatency = 2;  // of ffd_bench_evaluator
@@ -102,7 +103,6 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   const int components = 3 / folds(c);
   Pipeline polynomials(schedule, schedule.polynomials().starts);
-  polynomials.pass(lanes, fmt::format("{} banks addressed", row.count.evaluators), 1);
   polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());

@@ -15,9 +15,13 @@
 `define FFD_LOOP_LATENCY(STEP_LATENCY) \
   ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
 
-// Clocks from a coordinate to its weight: three steps and the shift back.
-`define FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY) \
-  (3 * ((EVALUATOR) == 1 ? `FFD_LOOP_LATENCY(STEP_LATENCY) : (STEP_LATENCY)) + (CONVERT_LATENCY))
+// Clocks of reading a coefficient: the paper's schedule has none to spare.
+`define FFD_FILE_LATENCY(SCHEDULE) ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : 1)
+
+// Clocks from a coordinate to its weight: reading the file, three steps and the shift back.
+`define FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY, CONVERT_LATENCY) \
+  ((FILE_LATENCY) + (CONVERT_LATENCY) + \
+  3 * ((EVALUATOR) == 1 ? `FFD_LOOP_LATENCY(STEP_LATENCY) : (STEP_LATENCY)))
 
 // Clocks between polynomials of one evaluator.
 `define FFD_POLY_INTERVAL(EVALUATOR) ((EVALUATOR) == 1 ? 6 : 1)

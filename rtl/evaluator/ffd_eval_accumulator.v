@@ -2,7 +2,9 @@
 //
 // Successive terms of one vertex are DISTANCE clocks apart; between them the adder serves the terms
 // of other vertices. The paper draws an asynchronous reset by the counter's NOR gate; here the
-// first term of a vertex is added to +0 in its own clock. Fused, the term comes as its two factors.
+// first term of a vertex is added to +0: the register in front of the adder is cleared in the clock
+// before (clear_next_i), which costs no gate; where there is none, a gate is in front of the adder.
+// Fused, the term comes as its two factors.
 //
 // Formats, rounding: those of ffd_num_add, or of ffd_num_mac.
 // Pipeline:   ADD_LATENCY registers (FMA_LATENCY where fused); the sum is back DISTANCE clocks
@@ -25,7 +27,7 @@ module ffd_eval_accumulator #(
   input  wire                              clk,
   input  wire                              rst,
   input  wire                              valid_i,
-  input  wire                              clear_i,
+  input  wire                              clear_next_i,
   input  wire [`FFD_SUM_W(FORMAT)-1:0]     term_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  weight_i,
   input  wire [`FFD_POINT_W(FORMAT)-1:0]   point_i,
@@ -33,6 +35,11 @@ module ffd_eval_accumulator #(
 );
   localparam SUM_W   = `FFD_SUM_W(FORMAT);
   localparam LATENCY = FMA_LATENCY > 0 ? FMA_LATENCY : ADD_LATENCY;
+  localparam HOLD    = DISTANCE > LATENCY;
+  // An adder that can do without gives its last register to this module, which doubles it: one
+  // holds the result, the other is cleared.
+  localparam LEAST   = `FFD_ADD_LATENCY_MIN(FORMAT);
+  localparam DOUBLE  = !HOLD && LEAST < 1;
 
   generate
     if (DISTANCE < LATENCY) begin : gen_bad_distance
@@ -40,14 +47,21 @@ module ffd_eval_accumulator #(
     end
   endgenerate
 
-  wire [SUM_W-1:0] back;
-  wire [SUM_W-1:0] augend = clear_i ? {SUM_W{1'b0}} : back;
+  wire [SUM_W-1:0] augend;
+  wire [SUM_W-1:0] total;
+
+  ffd_num_delay #(
+    .WIDTH  (SUM_W),
+    .LATENCY(DOUBLE ? 1 : 0)
+  ) u_sum (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(total),
+    .q_o(sum_o)
+  );
 
   generate
-    if (DISTANCE <= LATENCY) begin : gen_direct
-      assign back = sum_o;
-      wire unused_ok = &{1'b0, rst, valid_i};
-    end else begin : gen_hold
+    if (HOLD) begin : gen_hold
       wire             valid;
       reg  [SUM_W-1:0] hold_q;
 
@@ -62,9 +76,23 @@ module ffd_eval_accumulator #(
         .q_o(valid)
       );
       always @(posedge clk) begin
-        if (valid) hold_q <= sum_o;
+        if (clear_next_i) hold_q <= {SUM_W{1'b0}};
+        else if (valid) hold_q <= sum_o;
       end
-      assign back = hold_q;
+      assign augend = hold_q;
+    end else if (DOUBLE) begin : gen_double
+      reg [SUM_W-1:0] total_q;
+      always @(posedge clk) begin
+        if (clear_next_i) total_q <= {SUM_W{1'b0}};
+        else total_q <= total;
+      end
+      assign augend = total_q;
+      wire unused_ok = &{1'b0, rst, valid_i};
+    end else begin : gen_gate
+      reg clear_q;
+      always @(posedge clk) clear_q <= clear_next_i;
+      assign augend = clear_q ? {SUM_W{1'b0}} : sum_o;
+      wire unused_ok = &{1'b0, rst, valid_i};
     end
 
     if (FMA_LATENCY > 0) begin : gen_fused
@@ -76,18 +104,18 @@ module ffd_eval_accumulator #(
         .weight_i(weight_i),
         .point_i (point_i),
         .sum_i   (augend),
-        .sum_o   (sum_o)
+        .sum_o   (total)
       );
       wire unused_term_ok = &{1'b0, term_i};
     end else begin : gen_add
       ffd_num_add #(
         .FORMAT (FORMAT),
-        .LATENCY(ADD_LATENCY)
+        .LATENCY(DOUBLE ? ADD_LATENCY - 1 : ADD_LATENCY)
       ) u_add (
         .clk  (clk),
         .a_i  (augend),
         .b_i  (term_i),
-        .sum_o(sum_o)
+        .sum_o(total)
       );
       wire unused_factors_ok = &{1'b0, weight_i, point_i};
     end

@@ -8,7 +8,7 @@
 // FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
 //             on beside the contraction, and each axis holds its own for the steps of the vertex.
 //
-// Pipeline:   step 0 | 1: addresses of the banks | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
+// Pipeline:   step 0 | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
 // Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
@@ -43,7 +43,9 @@ module ffd_eval_bank_weights #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(`FFD_SCHEDULE_OVERLAPPED);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
+                                              CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
   localparam SETS         = 3 / FOLD;
   localparam ADDRESS_W    = FOLD == 1 ? 4 : 6;
@@ -63,11 +65,10 @@ module ffd_eval_bank_weights #(
   genvar b;
   generate
     for (set = 0; set < SETS; set = set + 1) begin : gen_set
-      wire [WEIGHT_W-1:0] coordinate;
-      reg  [WEIGHT_W-1:0] coordinate_q;
-      wire [1:0]          residue;  // of the cell, modulo 4
-      wire [1:0]          bank;
-      wire                load;
+      wire [WEIGHT_W-1:0]  coordinate;
+      wire [1:0]           residue;  // of the cell, modulo 4
+      wire [1:0]           bank;
+      wire                 load;
       wire [ADDRESS_W-1:0] load_address;
 
       if (FOLD == 1) begin : gen_own_axis
@@ -94,13 +95,10 @@ module ffd_eval_bank_weights #(
         assign load_address = {load_axis_i, load_address_i};
       end
 
-      always @(posedge clk) coordinate_q <= coordinate;
-
       for (b = 0; b < 4; b = b + 1) begin : gen_bank
         localparam [1:0] BANK = b;
         wire [1:0]           blending = BANK - residue;
         wire [ADDRESS_W-1:0] address;
-        reg  [ADDRESS_W-1:0] address_q;
 
         if (FOLD == 1) begin : gen_own_file
           assign address = {bank, blending};
@@ -108,11 +106,10 @@ module ffd_eval_bank_weights #(
           assign address = {2'd2 - step_i, bank, blending};
         end
 
-        always @(posedge clk) address_q <= address;
-
         ffd_eval_poly #(
           .FORMAT         (FORMAT),
           .EVALUATOR      (EVALUATOR),
+          .FILE_LATENCY   (FILE_LATENCY),
           .MUL_LATENCY    (MUL_LATENCY),
           .ADD_LATENCY    (ADD_LATENCY),
           .FMA_LATENCY    (FMA_LATENCY),
@@ -124,8 +121,8 @@ module ffd_eval_bank_weights #(
           .load_address_i(load_address),
           .load_entry_i  (load_entry_i),
           .start_i       (step_valid_i),
-          .coordinate_i  (coordinate_q),
-          .address_i     (address_q),
+          .coordinate_i  (coordinate),
+          .address_i     (address),
           .weight_o      (evaluated[(4*set+b)*WEIGHT_W +: WEIGHT_W])
         );
       end
@@ -151,7 +148,7 @@ module ffd_eval_bank_weights #(
           assign weights = evaluated;
           ffd_num_delay #(
             .WIDTH  (2),
-            .LATENCY(1 + POLY_LATENCY)
+            .LATENCY(POLY_LATENCY)
           ) u_step (
             .clk(clk),
             .rst(1'b0),

@@ -4,8 +4,10 @@
 // set, and gives the three weights of a combination: step {l, m, n} of the global index modulo 4,
 // function (bank - cell) mod 4 of each axis. Of SETS sets one is read while others are filled.
 //
-// Pipeline:   1 clock, II 1. A weight can be read in the clock in which it comes.
-// Parameters: WEIGHT_W >= 1, SIZE 1 to 3, SETS >= 2. At most one evaluator fills an axis at a time.
+// Pipeline:   1 clock, II 1. A weight can be read in the clock after the one in which it comes;
+//             with FORWARD in that very clock.
+// Parameters: WEIGHT_W >= 1, SIZE 1 to 3, SETS >= 2, FORWARD 0 or 1. At most one evaluator fills an
+//             axis at a time.
 // Model:      golden/include/hwffd/model/org_cg.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -14,6 +16,7 @@ module ffd_eval_generator #(
   parameter WEIGHT_W = 19,
   parameter SIZE     = 1,
   parameter SETS     = 3,
+  parameter FORWARD  = 0,
   parameter SET_W    = $clog2(SETS)
 ) (
   input  wire                     clk,
@@ -64,8 +67,6 @@ module ffd_eval_generator #(
       wire [SET_W+1:0]    write_at = {weight_set_i, function_index};
       wire [SET_W+1:0]    read_at  = {step_set_i, blending};
       wire [WEIGHT_W-1:0] stored;
-      reg                 fresh_q;
-      reg  [WEIGHT_W-1:0] weight_q;
 
       ffd_mem_sdp #(
         .WIDTH       (WEIGHT_W),
@@ -81,11 +82,17 @@ module ffd_eval_generator #(
         .read_data_o    (stored)
       );
 
-      always @(posedge clk) begin
-        fresh_q  <= |here && write_at == read_at;
-        weight_q <= weight;
+      if (FORWARD != 0) begin : gen_forward
+        reg                fresh_q;
+        reg [WEIGHT_W-1:0] weight_q;
+        always @(posedge clk) begin
+          fresh_q  <= |here && write_at == read_at;
+          weight_q <= weight;
+        end
+        assign combination_o[a*WEIGHT_W +: WEIGHT_W] = fresh_q ? weight_q : stored;
+      end else begin : gen_stored
+        assign combination_o[a*WEIGHT_W +: WEIGHT_W] = stored;
       end
-      assign combination_o[a*WEIGHT_W +: WEIGHT_W] = fresh_q ? weight_q : stored;
     end
   endgenerate
 

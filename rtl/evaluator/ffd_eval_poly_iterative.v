@@ -5,8 +5,9 @@
 // ones polynomials interleave in the loop, so that one may start every 6 clocks all the same.
 //
 // Formats, rounding: those of ffd_num_step and ffd_num_scale.
-// Pipeline:   FFD_POLY_LATENCY = 3 loops + CONVERT_LATENCY; II 6: starts must be a multiple of 6
-//             clocks apart. The loop's length is no multiple of 3, so the passes of polynomials 6
+// Pipeline:   start_i and the address | FILE_LATENCY: started_i and the coordinate | 3 loops |
+//             CONVERT_LATENCY: FFD_POLY_LATENCY in all; II 6: starts must be a multiple of 6 clocks
+//             apart. The loop's length is no multiple of 3, so the passes of polynomials 6
 //             clocks apart (0, L, 2L modulo 6) never meet. Never frozen.
 // Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 1.
 // Not checked: a start that is neither a multiple of 6 clocks after another nor behind its end.
@@ -18,6 +19,7 @@
 
 module ffd_eval_poly_iterative #(
   parameter FORMAT          = 18,
+  parameter FILE_LATENCY    = 0,
   parameter MUL_LATENCY     = 1,
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
@@ -29,6 +31,7 @@ module ffd_eval_poly_iterative #(
   input  wire [ADDRESS_W-1:0]                            load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            start_i,
+  input  wire                                            started_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]                coordinate_i,
   input  wire [ADDRESS_W-1:0]                            address_i,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
@@ -42,8 +45,8 @@ module ffd_eval_poly_iterative #(
   wire [WEIGHT_W-1:0]  coordinate_back;
   wire [ADDRESS_W-1:0] address_back;
   wire [WEIGHT_W-1:0]  weight_back;
-  wire [1:0]           pass       = start_i ? 2'd0 : pass_back + 2'd1;
-  wire [WEIGHT_W-1:0]  coordinate = start_i ? coordinate_i : coordinate_back;
+  wire [1:0]           pass       = started_i ? 2'd0 : pass_back + 2'd1;
+  wire [WEIGHT_W-1:0]  coordinate = started_i ? coordinate_i : coordinate_back;
   wire [ADDRESS_W-1:0] address    = start_i ? address_i : address_back;
 
   wire [4*WEIGHT_W-1:0] coefficients;
@@ -52,19 +55,21 @@ module ffd_eval_poly_iterative #(
   wire [WEIGHT_W-1:0]   c2 = coefficients[2*WEIGHT_W +: WEIGHT_W];
   wire [WEIGHT_W-1:0]   c3 = coefficients[3*WEIGHT_W +: WEIGHT_W];
   wire [WEIGHT_W-1:0]   coefficient = pass == 2'd0 ? c2 : pass == 2'd1 ? c1 : c0;
-  wire [WEIGHT_W-1:0]   weight      = start_i ? c3 : weight_back;
+  wire [WEIGHT_W-1:0]   weight      = started_i ? c3 : weight_back;
   wire [WEIGHT_W-1:0]   weight_next;
   wire [1:0]            shift;
 
   ffd_eval_coefficient_file #(
-    .FORMAT   (FORMAT),
-    .ADDRESS_W(ADDRESS_W)
+    .FORMAT      (FORMAT),
+    .PORTS       (1),
+    .READ_LATENCY(FILE_LATENCY),
+    .ADDRESS_W   (ADDRESS_W)
   ) u_file (
     .clk            (clk),
     .load_i         (load_i),
     .load_address_i (load_address_i),
     .load_entry_i   (load_entry_i),
-    .address_i      ({4{address}}),
+    .address_i      (address),
     .coefficient_o  (coefficients),
     .shift_address_i(address_back),
     .shift_o        (shift)
@@ -94,13 +99,23 @@ module ffd_eval_poly_iterative #(
   );
 
   ffd_num_delay #(
-    .WIDTH  (2 + WEIGHT_W + ADDRESS_W),
+    .WIDTH  (2 + WEIGHT_W),
     .LATENCY(LOOP)
   ) u_beside (
     .clk(clk),
     .rst(1'b0),
-    .d_i({pass, coordinate, address}),
-    .q_o({pass_back, coordinate_back, address_back})
+    .d_i({pass, coordinate}),
+    .q_o({pass_back, coordinate_back})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (ADDRESS_W),
+    .LATENCY(LOOP)
+  ) u_address (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(address),
+    .q_o(address_back)
   );
 
   ffd_num_scale #(

@@ -4,8 +4,9 @@
 // in a row.
 //
 // Formats, rounding: those of ffd_num_step and ffd_num_scale.
-// Pipeline:   FFD_POLY_LATENCY = 3 steps + CONVERT_LATENCY, II 1, never frozen; step_k holds power
-//             2 - k and needs its coefficients k steps after the start.
+// Pipeline:   the address | FILE_LATENCY: the coordinate | 3 steps | CONVERT_LATENCY:
+//             FFD_POLY_LATENCY in all, II 1, never frozen; step_k holds power 2 - k and needs its
+//             coefficients k steps after the start.
 // Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 1: the
 //             address of a blending function in this evaluator's coefficient file.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
@@ -16,6 +17,7 @@
 
 module ffd_eval_poly_pipelined #(
   parameter FORMAT          = 18,
+  parameter FILE_LATENCY    = 0,
   parameter MUL_LATENCY     = 1,
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
@@ -94,8 +96,9 @@ module ffd_eval_poly_pipelined #(
   assign addresses[3*ADDRESS_W +: ADDRESS_W] = address_i;
 
   ffd_eval_coefficient_file #(
-    .FORMAT   (FORMAT),
-    .ADDRESS_W(ADDRESS_W)
+    .FORMAT      (FORMAT),
+    .READ_LATENCY(FILE_LATENCY),
+    .ADDRESS_W   (ADDRESS_W)
   ) u_file (
     .clk            (clk),
     .load_i         (load_i),

@@ -33,8 +33,8 @@ module ffd_eval_sequencer #(
   output reg                  step_valid_o,
   output reg                  step_first_o,
   output reg                  step_last_o,
-  output reg  [STEP_W-1:0]    step_o,
-  output reg  [PAYLOAD_W-1:0] payload_o
+  output wire [STEP_W-1:0]    step_o,
+  output wire [PAYLOAD_W-1:0] payload_o
 );
   generate
     if (STEPS < 1 || STEPS > 64) begin : gen_bad_steps
@@ -50,8 +50,9 @@ module ffd_eval_sequencer #(
 
   wire turn;
 
-  // The contexts shift through a ring; the first is the one whose turn it is. (A
-  // ring of none, refused above, would stop Verilator before it comes to the refusal.)
+  // The contexts shift through a ring; the first is the one whose turn it is, the last the one that
+  // had it, whose step is shown. (A ring of none, refused above, would stop Verilator before it
+  // comes to the refusal.)
   localparam RING = CONTEXTS < 1 ? 1 : CONTEXTS;
   wire                 head_active = gen_context[0].active_q;
   wire [STEP_W-1:0]    head_step   = gen_context[0].step_q;
@@ -59,7 +60,8 @@ module ffd_eval_sequencer #(
   wire                 may_start;
   wire                 start       = s_vertex_valid && s_vertex_ready;
   wire                 emit        = start || (turn && head_active);
-  wire [STEP_W-1:0]    step        = head_active ? head_step : {STEP_W{1'b0}};
+  wire [STEP_W-1:0]    step        = head_active ? head_step + 1'b1 : {STEP_W{1'b0}};
+  wire                 last        = step == LAST;
   wire [PAYLOAD_W-1:0] data        = head_active ? head_data : s_vertex_data;
 
   assign s_vertex_ready = turn && !head_active && may_start;
@@ -108,8 +110,8 @@ module ffd_eval_sequencer #(
       wire [PAYLOAD_W-1:0] data_d;
 
       if (i == RING - 1) begin : gen_back
-        assign active_d = emit && step != LAST;
-        assign step_d   = step + 1'b1;
+        assign active_d = emit && !last;
+        assign step_d   = step;
         assign data_d   = data;
       end else begin : gen_shift
         assign active_d = gen_context[i+1].active_q;
@@ -135,11 +137,11 @@ module ffd_eval_sequencer #(
     else step_valid_o <= emit;
   end
   always @(posedge clk) begin
-    step_first_o <= step == {STEP_W{1'b0}};
-    step_last_o  <= step == LAST;
-    step_o       <= step;
-    payload_o    <= data;
+    step_first_o <= !head_active;
+    step_last_o  <= last;
   end
+  assign step_o    = gen_context[RING-1].step_q;
+  assign payload_o = gen_context[RING-1].data_q;
 endmodule
 
 `default_nettype wire

@@ -105,18 +105,29 @@ module ffd_eval_summation #(
   assign read_last_o = read_valid && read_last;
 
   wire sum_valid;
-  wire sum_first;
   wire sum_last;
+  wire first_next;  // a clock ahead of the first sum
 
   ffd_num_delay #(
-    .WIDTH  (3),
+    .WIDTH  (2),
     .LATENCY(PRODUCT + TREE),
     .RESET  (1)
   ) u_sum_valid (
     .clk(clk),
     .rst(rst),
-    .d_i({step_valid_i, step_first_i, step_valid_i && step_last_i}),
-    .q_o({sum_valid, sum_first, sum_last})
+    .d_i({step_valid_i, step_valid_i && step_last_i}),
+    .q_o({sum_valid, sum_last})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(PRODUCT + TREE - 1),
+    .RESET  (1)
+  ) u_first_next (
+    .clk(clk),
+    .rst(rst),
+    .d_i(step_valid_i && step_first_i),
+    .q_o(first_next)
   );
 
   ffd_num_delay #(
@@ -167,19 +178,19 @@ module ffd_eval_summation #(
           .FMA_LATENCY(FUSED_SUM ? FMA_LATENCY : 0),
           .DISTANCE   (DISTANCE)
         ) u_accumulator (
-          .clk     (clk),
-          .rst     (rst),
-          .valid_i (sum_valid),
-          .clear_i (sum_first),
-          .term_i  (sum),
-          .weight_i(weights[WEIGHT_W-1:0]),
-          .point_i (points[POINT_W-1:0]),
-          .sum_o   (result_sum_o[c*SUM_W +: SUM_W])
+          .clk         (clk),
+          .rst         (rst),
+          .valid_i     (sum_valid),
+          .clear_next_i(first_next),
+          .term_i      (sum),
+          .weight_i    (weights[WEIGHT_W-1:0]),
+          .point_i     (points[POINT_W-1:0]),
+          .sum_o       (result_sum_o[c*SUM_W +: SUM_W])
         );
       end
     end
     if (N == 64) begin : gen_unused
-      wire unused_ok = &{1'b0, sum_valid, sum_first, DISTANCE != 0};
+      wire unused_ok = &{1'b0, sum_valid, first_next, DISTANCE != 0};
     end
   endgenerate
 endmodule

@@ -54,12 +54,15 @@ module ffd_org_cg #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
+                                              CONVERT_LATENCY);
   localparam TREE_LATENCY = `FFD_TREE_LATENCY(1, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam ACCUMULATE   = `FFD_ACCUMULATE_LATENCY(1, ADD_LATENCY, FMA_LATENCY);
   localparam GENERATOR    = 1;
-  localparam AHEAD        = 2;  // the queue and the sequencer
   localparam PAPER        = SCHEDULE == `FFD_SCHEDULE_PAPER;
+  localparam QUEUED       = 2;                           // the queue and the sequencer
+  localparam AHEAD        = PAPER ? QUEUED : QUEUED - 1;  // or else one clock for the weight's bank
   localparam POLYNOMIALS  = 12 / SIZE;
   localparam FILL         = PAPER ? POLY_LATENCY : `FFD_POLY_INTERVAL(EVALUATOR);
   localparam INTERVAL     = PAPER ? GENERATOR + 2 * MUL_LATENCY + TREE_LATENCY + ACCUMULATE : 1;
@@ -140,8 +143,8 @@ module ffd_org_cg #(
   );
 
   // The weights of one step, where they belong: {axis, function} of each evaluator. A vertex is
-  // announced two clocks ahead of its last weights, so that its first combination is read in the
-  // very clock in which they come.
+  // announced ahead of its last weights, so that its first combination is read in the very clock in
+  // which they come; overlapped, in the next, which takes no way round the bank.
   wire                     ahead_valid;
   wire                     ahead_last;
   wire [SET_W-1:0]         ahead_set;
@@ -220,6 +223,7 @@ module ffd_org_cg #(
       ffd_eval_poly #(
         .FORMAT         (FORMAT),
         .EVALUATOR      (EVALUATOR),
+        .FILE_LATENCY   (FILE_LATENCY),
         .MUL_LATENCY    (MUL_LATENCY),
         .ADD_LATENCY    (ADD_LATENCY),
         .FMA_LATENCY    (FMA_LATENCY),
@@ -307,7 +311,8 @@ module ffd_org_cg #(
   ffd_eval_generator #(
     .WEIGHT_W(WEIGHT_W),
     .SIZE    (SIZE),
-    .SETS    (SETS)
+    .SETS    (SETS),
+    .FORWARD (PAPER)
   ) u_generator (
     .clk            (clk),
     .weight_valid_i (weight_valid),

@@ -54,10 +54,11 @@ module ffd_org_factored #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, `FFD_FILE_LATENCY(SCHEDULE), STEP_LATENCY,
+                                              CONVERT_LATENCY);
   localparam CONTRACT     = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                   CONVERT_LATENCY);
-  localparam READ_DELAY   = 1 + POLY_LATENCY - READ_LATENCY;
+  localparam READ_DELAY   = POLY_LATENCY - READ_LATENCY;
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold

@@ -67,7 +67,9 @@ module ffd_org_tree #(
   localparam STEPS        = 64 / N;
   localparam STEP_W       = STEPS > 1 ? $clog2(STEPS) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, STEP_LATENCY, CONVERT_LATENCY);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
+                                              CONVERT_LATENCY);
   localparam TREE_LATENCY = `FFD_TREE_LATENCY(N, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam ACCUMULATE   = `FFD_ACCUMULATE_LATENCY(N, ADD_LATENCY, FMA_LATENCY);
   // A single fused unit multiplies in its accumulator, which cannot hide then.
@@ -137,6 +139,7 @@ module ffd_org_tree #(
         ffd_eval_poly #(
           .FORMAT         (FORMAT),
           .EVALUATOR      (EVALUATOR),
+          .FILE_LATENCY   (FILE_LATENCY),
           .MUL_LATENCY    (MUL_LATENCY),
           .ADD_LATENCY    (ADD_LATENCY),
           .FMA_LATENCY    (FMA_LATENCY),

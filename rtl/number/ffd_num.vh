@@ -49,6 +49,10 @@
 // where that is not 0 (binary32 only: in fixed point the bits would be the same).
 `define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
   ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : (MUL_LATENCY) + (ADD_LATENCY))
+
+// Registers that a sum needs at least.
+`define FFD_ADD_LATENCY_MIN(FORMAT) ((FORMAT) == `FFD_FORMAT_FP32 ? 1 : 0)
+
 // Clocks after which a step adds its coefficient.
 `define FFD_STEP_JOIN(MUL_LATENCY, FMA_LATENCY) ((FMA_LATENCY) > 0 ? 0 : (MUL_LATENCY))
 `define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))

@@ -4,7 +4,7 @@
 // Overflow:   fixed point: none in a vertex: 64 products of magnitude at most 2 x 1 stay within
 //             [-128, 128], and the sum is Q9.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 1.
+// Parameters: FORMAT as in ffd_num.vh; LATENCY >= 1, in fixed point >= 0.
 // Model:      golden/include/hwffd/numerics (add).  Test: tests/unit/fixed, tests/unit/float.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -23,8 +23,8 @@ module ffd_num_add #(
     if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_add_format_is_unknown u_error ();
     end
-    if (LATENCY < 1) begin : gen_bad_latency
-      ERROR_ffd_num_add_latency_must_be_at_least_1 u_error ();
+    if (LATENCY < `FFD_ADD_LATENCY_MIN(FORMAT)) begin : gen_bad_latency
+      ERROR_ffd_num_add_latency_must_be_at_least_1_or_0_in_fixed_point u_error ();
     end
   endgenerate
 

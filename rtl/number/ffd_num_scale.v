@@ -36,21 +36,19 @@ module ffd_num_scale #(
       wire unused_ok = &{1'b0, shift_i};
     end else begin : gen_fixed
       localparam W = `FFD_FIXED_W(FORMAT);
-      wire signed [W+2:0] weight  = {{3{weight_i[W-1]}}, weight_i[W-1:0]};
-      wire signed [W+2:0] shifted = weight <<< shift_i;
-      wire                saturated;
+      wire         sign = weight_i[W-1];
+      wire [2:0]   lost = weight_i[W-2 -: 3] ^ {3{sign}};
+      wire         saturated = shift_i > 2'd0 && lost[2] || shift_i > 2'd1 && lost[1] ||
+                               shift_i > 2'd2 && lost[0];
+      wire [W-1:0] once = shift_i[0] ? {weight_i[W-2:0], 1'b0} : weight_i[W-1:0];
+      // Each bit chooses by two bits out of once, once shifted by two, 0 and 1: one LUT of four
+      // inputs.
+      wire [1:0]   choice = saturated ? {1'b1, !sign} : {1'b0, shift_i[1]};
+      wire [W-1:0] twice  = choice[0] ? {once[W-3:0], 2'b00} : once;
 
-      ffd_fx_round #(
-        .IN_W (W + 3),
-        .DROP (0),
-        .OUT_W(W)
-      ) u_round (
-        .value_i    (shifted),
-        .addend_i   ({W{1'b0}}),
-        .value_o    (scaled[W-1:0]),
-        .saturated_o(saturated)
-      );
-      assign scaled[W] = weight_i[W] | saturated;
+      assign scaled = {weight_i[W] | saturated, sign,
+                       choice[1] ? {(W - 1) {choice[0]}} : twice[W-2:0]};
+      wire unused_ok = &{1'b0, twice[W-1]};
     end
   endgenerate
 

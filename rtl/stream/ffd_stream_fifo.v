@@ -1,6 +1,6 @@
 // ffd_stream_fifo: first in, first out; DEPTH words
 //
-// The head is read combinationally from the memory; valid and ready come from registered counts.
+// The head is read combinationally from the memory; valid and ready come from comparing registers.
 //
 // Pipeline:   1 clock from in to out, II 1.  Freezes: s_ready is 0 when full.
 // Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
@@ -31,12 +31,12 @@ module ffd_stream_fifo #(
   // One more bit than the address: equal pointers are empty, pointers DEPTH apart full.
   reg  [ADDRESS_W:0] write_q;
   reg  [ADDRESS_W:0] read_q;
-  wire [ADDRESS_W:0] used = write_q - read_q;
+  wire [ADDRESS_W:0] full = {!read_q[ADDRESS_W], read_q[ADDRESS_W-1:0]};
   wire               push = s_word_valid && s_word_ready;
   wire               pop  = m_word_valid && m_word_ready;
 
-  assign s_word_ready = !used[ADDRESS_W];
-  assign m_word_valid = used != {(ADDRESS_W + 1) {1'b0}};
+  assign s_word_ready = write_q != full;
+  assign m_word_valid = write_q != read_q;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -98,7 +98,7 @@ class Boards(unittest.TestCase):
         self.assertEqual([(r["board"], r["met"], r["fmax_mhz"], r["used"]) for r in report],
                          [("ulx3s", True, 31.0, {"LC": [50, 100]}),
                           ("icebreaker", True, 31.0, {"LC": [50, 100]})])
-        self.assertIn("icebreaker: cg3-fx16-overlapped: 31.0 MHz after routing, 12 wanted: met", out)
+        self.assertIn("icebreaker: cg1-fx16-overlapped: 31.0 MHz after routing, 12 wanted: met", out)
 
     def test_the_fastest_of_several_seeds_is_packed(self):
         status, out, err = self.run_boards("--board", "icebreaker", seed=None)
@@ -109,7 +109,7 @@ class Boards(unittest.TestCase):
         self.assertEqual([words[words.index("--seed") + 1] for words in ran[1:4]], ["1", "2", "3"])
         self.assertIn("build/boards/icebreaker/icebreaker.2.asc", ran[4])
         self.assertEqual(out[:3], [
-            "icebreaker: cg3-fx16-overlapped: 32.0 MHz after routing, 12 wanted: met",
+            "icebreaker: cg1-fx16-overlapped: 32.0 MHz after routing, 12 wanted: met",
             "  seed 2 of 3, whose median is 31.0 MHz",
             "  u_a.sum_q to u_b.value_q: 1 levels, 2.0 ns of logic, 3.0 ns of wires"])
 
@@ -146,7 +146,7 @@ class Boards(unittest.TestCase):
                             (good.replace(",85k", ",85k,85k"), "columns wanted"),
                             (good.replace("ecp5", "ecp6"), "no tools for target 'ecp6'"),
                             (good.replace("1000000", "fast"), "are numbers"),
-                            (good.replace("cg3-fx16", "cg9-fx16"), "no configuration named")):
+                            (good.replace("cg1-fx16", "cg9-fx16"), "no configuration named")):
             table.write_text(text)
             status, out, err = self.run_boards()
             self.assertEqual((status, out, len(err)), (1, [], 1))
