@@ -19,10 +19,12 @@ from dataclasses import dataclass
 
 import nextpnr
 import rtl
+import scan_chain
 import synthesis
 
-COLUMNS = ("name", "top", "target", "aim_share")
+COLUMNS = ("name", "top", "target", "aim_share", "aim_mhz")
 MULTIPLIER = "ffd_clock_multiplier"
+CHAINED = "ffd_clock_chain"
 
 
 @dataclass(frozen=True)
@@ -31,12 +33,14 @@ class Device:
     options: tuple
     freq: int       # MHz that the router is asked for: more than it reaches
     width: int      # bits of the multiplier that is the measure
+    chained: bool   # every port takes a pin, so the block's are on a chain (scan_chain.py)
 
 
-# Blocks without pins can be routed on ECP5 only; iCE40 is routed with boards (scripts/boards).
 DEVICES = {
     "ecp5": Device("LFE5U-85F, grade 6",
-                   ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context"), 150, 18),
+                   ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context"), 150, 18,
+                   False),
+    "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), 60, 16, True),
 }
 
 
@@ -50,6 +54,14 @@ class Aim:
 
     subject: synthesis.Subject
     share: float  # of the multiplier's clock; None where none is set
+    mhz: float    # by itself; None where none is set
+
+    def reached(self, clock):
+        """Whether a clock, as Placement.clock gives it, is the one to be reached; None if none is
+        set or the measure has not been routed."""
+        pairs = ((self.share, clock["fmax_share"]), (self.mhz, clock["fmax_mhz"]))
+        judged = [is_ >= aim for aim, is_ in pairs if None not in (aim, is_)]
+        return all(judged) if judged else None
 
 
 def read(path, found):
@@ -72,10 +84,11 @@ def read(path, found):
             raise PlacementError(f"{where}: {fields['name']}, {fields['top']}, {fields['target']} "
                                  "is not mapped by make synth, or has no router")
         try:
-            share = float(fields["aim_share"]) if fields["aim_share"] else None
+            wanted = [float(fields[column]) if fields[column] else None for column in COLUMNS[3:]]
         except ValueError as error:
-            raise PlacementError(f"{where}: aim_share is a number or empty") from error
-        aims.append(Aim(subject, share))
+            raise PlacementError(f"{where}: {' and '.join(COLUMNS[3:])} are numbers or empty"
+                                 ) from error
+        aims.append(Aim(subject, *wanted))
     return aims
 
 
@@ -142,11 +155,26 @@ class Placement:
             top = MULTIPLIER
             steps = [f"read_verilog {self._name(source)}", f"hierarchy -check -top {top}",
                      f"script synth/{target}.ys"]
-        steps = [*steps, "flatten", "opt_clean", f"write_json {self._name(path)}"]
-        nextpnr.call(self.work.processes, [self.work.yosys, "-Q", "-T", "-p", "; ".join(steps)],
-                     self._file(name, "yosys.log"))
+        self._map(name, [*steps, "flatten", "opt_clean"], path, "yosys.log")
+        if DEVICES[target].chained:
+            self._chain(name, target, top, path)
         mark.write_text(key)
         return path
+
+    def _map(self, name, steps, netlist, log):
+        steps = "; ".join([*steps, f"write_json {self._name(netlist)}"])
+        nextpnr.call(self.work.processes, [self.work.yosys, "-Q", "-T", "-p", steps],
+                     self._file(name, log))
+
+    def _chain(self, name, target, top, netlist):
+        """Puts the chain around a netlist."""
+        ports = json.loads(netlist.read_text())["modules"][top]["ports"]
+        source = self._file(name, "chain.v")
+        source.write_text(scan_chain.verilog(CHAINED, top, ports), encoding="utf-8")
+        # The cells of the library are read again with their parameters by the target's script.
+        self._map(name, [f"read_json {self._name(netlist)}", "delete =A:blackbox",
+                         f"read_verilog {self._name(source)}", f"script synth/{target}.ys"],
+                  netlist, "chain.log")
 
     def run(self, subject, target, seed):
         """Routes one seed, keeps its result and returns it. Raises NextpnrError."""

