@@ -3,7 +3,6 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import concurrent.futures
 import hashlib
 import json
 import os
@@ -16,10 +15,10 @@ from dataclasses import dataclass
 import configurations
 import liberty
 import mapped
+import pool
 import rtl
 import timing
 from processes import Processes
-from progress import Progress
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 # The rows in which the DMA and the registers are built around the core, as in tb/CMakeLists.txt.
@@ -312,23 +311,7 @@ def run_all(work, wanted, jobs):
     waiting = [subject for subject in wanted if work.result(subject) is None]
     waiting.sort(key=lambda s: work.last(s).get("seconds", s.effort), reverse=True)
     print(f"synth: {len(wanted)} rows, {len(wanted) - len(waiting)} of them unchanged", flush=True)
-    progress, failed = Progress(len(waiting)), []
-    with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
-        try:
-            running = {pool.submit(work.run, subject): subject for subject in waiting}
-            for done in concurrent.futures.as_completed(running):
-                progress.step(str(running[done]))
-                try:
-                    done.result()
-                except (SynthesisError, OSError) as error:
-                    failed.append((running[done], str(error)))
-        except KeyboardInterrupt:
-            work.processes.stop()
-            pool.shutdown(cancel_futures=True)
-            raise
-        finally:
-            progress.end()
-    return failed
+    return pool.complaints(work.run, waiting, jobs, work.processes, (SynthesisError, OSError))
 
 
 def write(path, text):
