@@ -120,12 +120,13 @@ class View(unittest.TestCase):
             return None
 
     def drag(self, button, begin, way):
-        do = self.screen.do
+        do, seen = self.screen.do, self.screen.pixels()
         do("mousemove", *begin)
         do("mousedown", button)
         do("mousemove", begin[0] + way[0] // 2, begin[1] + way[1] // 2)
         do("mousemove", begin[0] + way[0], begin[1] + way[1])
         do("mouseup", button)
+        wait_for("another picture", lambda: self.screen.pixels() != seen)
         return self.screen.still()
 
     def save(self, name):
@@ -166,7 +167,7 @@ class View(unittest.TestCase):
         turned = self.drag(3, (500, 400), (80, 30))
         self.assertNotEqual(before, turned)
         self.screen.do("click", 4)
-        self.assertNotEqual(turned, self.screen.still())
+        wait_for("another picture", lambda: self.screen.pixels() != turned)
         rest = json.loads((self.folder / "rest.json").read_text())["points"]
         self.assertEqual(self.save("lattice.json"), rest)
         self.assertEqual(self.close(), ("wrote lattice.json\n", ""))
