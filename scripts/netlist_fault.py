@@ -12,8 +12,8 @@ import re
 import sys
 
 UNIT = "ffd_num_term"
-LUT = re.compile(rf"(^module \S*{UNIT}\b.*?\bLUT4 #\(\s*\.INIT\(16'h)([0-9a-f]{{4}})",
-                 re.DOTALL | re.MULTILINE)
+LUT = re.compile(rf"(^module \S*{UNIT}\b(?:(?!endmodule).)*?"
+                 r"\bLUT4 #\(\s*\.INIT\(16'h)([0-9a-f]{4})", re.DOTALL | re.MULTILINE)
 
 
 def spoiled(netlist):

@@ -98,8 +98,8 @@ class Subject:
 def makes_sense(row, target):
     """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
     in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere `basic` in every
-    form, and of the others those of up to eight units, or folded, in fx18 and binary32. A tree of
-    one unit is `basic`.
+    form, of the others in fx18 those of up to eight units, or folded, and in binary32 those of up
+    to two. A tree of one unit is `basic`.
     """
     if target == "ecp5":
         return True
@@ -108,9 +108,11 @@ def makes_sense(row, target):
     if target in ICE40:
         wide = target == "up5k" and row.n == 1 and row.format in ("fx18", "fx32")
         return wide or row.format == "fx16"
-    large = not row.org.endswith("/3") and (row.n > 8 or row.org == "nested")
-    common = row.format == "fx18" or (row.format == "fp32" and not row.fma_latency)
-    return row.org == "basic" or (common and not large)
+    if row.org == "basic":
+        return True
+    if row.format == "fx18":
+        return row.org.endswith("/3") or (row.n <= 8 and row.org != "nested")
+    return row.format == "fp32" and row.n <= 2 and not row.fma_latency
 
 
 def subjects(rows):
