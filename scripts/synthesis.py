@@ -98,8 +98,7 @@ class Subject:
 def makes_sense(row, target):
     """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
     in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere `basic` in every
-    form, of the others in fx18 those of up to eight units, or folded, and in binary32 those of up
-    to two. A tree of one unit is `basic`.
+    form, and in fx18 the others of up to eight units, or folded. A tree of one unit is `basic`.
     """
     if target == "ecp5":
         return True
@@ -110,22 +109,22 @@ def makes_sense(row, target):
         return wide or row.format == "fx16"
     if row.org == "basic":
         return True
-    if row.format == "fx18":
-        return row.org.endswith("/3") or (row.n <= 8 and row.org != "nested")
-    return row.format == "fp32" and row.n <= 2 and not row.fma_latency
+    few = row.org.endswith("/3") or (row.n <= 8 and row.org != "nested")
+    return row.format == "fx18" and few
 
 
 def subjects(rows):
     """The runs that are worth their time, in the table's order: of every overlapped row the
     organization on each target where it makes sense, and on ECP5 the whole core where the row has
-    streams, with DMA and registers where it has those; then the binary32 units.
+    streams, in binary32 of `basic` only, with DMA and registers where it has those; then the
+    binary32 units.
     """
     found = []
     overlapped = [row for row in rows if row.schedule == "overlapped"]
     for row in overlapped:
         found += [Subject(row, ORGANIZATION, target) for target in TARGETS
                   if makes_sense(row, target)]
-        if row.stream:
+        if row.stream and (row.format != "fp32" or row.org == "basic"):
             found.append(Subject(row, CORE, "ecp5"))
         if row.stream and row.name in SYSTEM_ROWS:
             found.append(Subject(row, SYSTEM, "ecp5"))
