@@ -123,6 +123,8 @@ class Placement:
         """Of a subject, or of the measure where there is none."""
         own = self.work.key(subject) if subject else multiplier(DEVICES[target].width)
         words = (own, self.version(target), DEVICES[target])
+        if DEVICES[target].chained:
+            words += (pathlib.Path(scan_chain.__file__).read_bytes(),)
         return hashlib.sha256(repr(words).encode()).hexdigest()
 
     def _file(self, name, suffix):
@@ -173,8 +175,8 @@ class Placement:
         source.write_text(scan_chain.verilog(CHAINED, top, ports), encoding="utf-8")
         # The cells of the library are read again with their parameters by the target's script.
         self._map(name, [f"read_json {self._name(netlist)}", "delete =A:blackbox",
-                         f"read_verilog {self._name(source)}", f"script synth/{target}.ys"],
-                  netlist, "chain.log")
+                         f"read_verilog {self._name(source)}", f"hierarchy -top {CHAINED}",
+                         f"script synth/{target}.ys"], netlist, "chain.log")
 
     def run(self, subject, target, seed):
         """Routes one seed, keeps its result and returns it. Raises NextpnrError."""
