@@ -82,6 +82,7 @@ number/float/ffd_fp_unpack.v
 number/block/ffd_bfp_align.v
 number/block/ffd_bfp_normalise.v
 number/fixed/ffd_fx_product.v
+number/fixed/ffd_fx_block.v
 number/fixed/ffd_fx_narrow.v
 number/fixed/ffd_fx_round.v
 board/ffd_board_icebreaker.v

@@ -10,7 +10,8 @@ from progress import Progress
 
 def run(work, items, jobs, processes, ended, name=str):
     """Calls work(item) for every item, `jobs` at a time, and ended(item, future) for each that has
-    ended. An interrupt ends the running processes, begins no other and is passed on.
+    ended. An interrupt ends the running `processes`, if they are given, begins no other job and
+    is passed on.
     """
     progress = Progress(len(items))
     with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
@@ -20,7 +21,8 @@ def run(work, items, jobs, processes, ended, name=str):
                 progress.step(name(running[done]))
                 ended(running[done], done)
         except KeyboardInterrupt:
-            processes.stop()
+            if processes:
+                processes.stop()
             pool.shutdown(cancel_futures=True)
             raise
         finally:

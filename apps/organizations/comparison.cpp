@@ -29,9 +29,8 @@ double cost(const Configuration& row) {
 /// those that form a cell's coefficients for each vertex of a seam, but only there they are slow.
 Effort share_of(const Effort& effort, const Configuration& row) {
   constexpr double kSlow = 100;  // clocks a vertex
-  const bool paper = std::string(row.schedule) == "paper";
   Effort share = effort;
-  if (paper || expected_interval(row) > kSlow) {
+  if (!overlaps(row) || expected_interval(row) > kSlow) {
     share.vertices = std::min<std::size_t>(effort.vertices, 1241);
   }
   if (paper || scattered_interval(row) > kSlow) {
@@ -73,8 +72,7 @@ std::optional<bool> Comparison::equal(const Row& row) const {
 }
 
 std::optional<double> Comparison::overlapped_interval(const Row& row) const {
-  const bool own = std::string(row.configuration->schedule) == "overlapped";
-  const Row* overlapped = own ? &row : partner(row, "overlapped");
+  const Row* overlapped = overlaps(*row.configuration) ? &row : partner(row, "overlapped");
   if (overlapped == nullptr) return std::nullopt;
   return overlapped->measured.interval;
 }
@@ -84,7 +82,7 @@ std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& a
   for (const Row& row : comparison.rows()) {
     const Configuration& c = *row.configuration;
     const auto mapped = areas.find(c.name);
-    if (mapped == areas.end() || std::string(c.schedule) != "overlapped") continue;
+    if (mapped == areas.end() || !overlaps(c)) continue;
     const std::string org = std::string(c.org) == "tree" ? fmt::format("tree {}", c.n) : c.org;
     for (const Area& area : mapped->second) {
       found.push_back({c.name, org, c.format, area, row.measured.interval});

@@ -79,8 +79,8 @@ std::string text_of(const Operators& operators) {
 std::vector<const Row*> lines(const Comparison& comparison) {
   std::vector<const Row*> lines;
   for (const Row& row : comparison.rows()) {
-    const bool own = std::string(row.configuration->schedule) == "overlapped";
-    if (own || comparison.partner(row, "overlapped") == nullptr) lines.push_back(&row);
+    if (overlaps(*row.configuration) || comparison.partner(row, "overlapped") == nullptr)
+      lines.push_back(&row);
   }
   return lines;
 }
@@ -167,8 +167,7 @@ std::string faults(const Comparison& comparison) {
                           name, row.measured.seam_differences, row.measured.seam_values,
                           row.measured.seam_largest, bound);
     }
-    const bool paper = std::string(row.configuration->schedule) == "paper";
-    if (paper && !comparison.equal(row).value_or(false)) {
+    if (!overlaps(*row.configuration) && !comparison.equal(row).value_or(false)) {
       text += fmt::format("{}: {} clocks a vertex and {} between vertices, the formula says {}\n",
                           name, row.measured.vertex.clocks, row.measured.interval,
                           comparison.formula(row).value());

@@ -23,7 +23,7 @@ constexpr std::array<const char*, 4> kColours = {"#0060a8", "#e08000", "#2a8000"
 int polynomial_latency(const Configuration& row) {
   const int step = row.fma_latency > 0 ? row.fma_latency : row.mul_latency + row.add_latency;
   const bool iterative = std::string(row.evaluator) == "iterative";
-  const int file = std::string(row.schedule) == "overlapped" ? 1 : 0;
+  const int file = !overlaps(row) ? 0 : iterative ? 2 : 1;
   return file + 3 * (iterative && step % 3 == 0 ? step + 1 : step) + row.convert_latency;
 }
 

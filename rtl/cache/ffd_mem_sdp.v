@@ -1,8 +1,9 @@
 // ffd_mem_sdp: a memory with one write port and one read port
 //
 // The one memory of the core, inferred: read data is combinational with READ_LATENCY 0 (small, for
-// distributed memory) and registered with 1 (block memory). A read in the clock of a write to the
-// same address gives the old word.
+// distributed memory) and registered with 1 (block memory). A registered read in the clock of a
+// write to the same address is undefined, so that no way round a block memory is built; in
+// simulation it gives the complement of the old word, which no test could take for right.
 //
 // Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
 // Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1.
@@ -33,6 +34,7 @@ module ffd_mem_sdp #(
     end
   endgenerate
 
+  (* no_rw_check *)
   reg [WIDTH-1:0] memory_q [0:DEPTH-1];
 
   always @(posedge clk) begin
@@ -44,7 +46,14 @@ module ffd_mem_sdp #(
       assign read_data_o = memory_q[read_address_i];
     end else begin : gen_registered
       reg [WIDTH-1:0] read_q;
+`ifdef SYNTHESIS
       always @(posedge clk) read_q <= memory_q[read_address_i];
+`else
+      wire clash = write_i && write_address_i == read_address_i;
+      always @(posedge clk) begin
+        read_q <= clash ? ~memory_q[read_address_i] : memory_q[read_address_i];
+      end
+`endif
       assign read_data_o = read_q;
     end
   endgenerate

@@ -15,8 +15,10 @@
 `define FFD_LOOP_LATENCY(STEP_LATENCY) \
   ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
 
-// Clocks of reading a coefficient: the paper's schedule has none to spare.
-`define FFD_FILE_LATENCY(SCHEDULE) ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : 1)
+// Clocks of reading a coefficient: the paper's schedule has none to spare; the iterative evaluator
+// chooses behind the memory.
+`define FFD_FILE_LATENCY(SCHEDULE, EVALUATOR) \
+  ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : (EVALUATOR) == `FFD_EVALUATOR_ITERATIVE ? 2 : 1)
 
 // Clocks from a coordinate to its weight: reading the file, three steps and the shift back.
 `define FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY, CONVERT_LATENCY) \

@@ -43,7 +43,7 @@ module ffd_eval_bank_weights #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam FILE_LATENCY = `FFD_FILE_LATENCY(`FFD_SCHEDULE_OVERLAPPED);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(`FFD_SCHEDULE_OVERLAPPED, EVALUATOR);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.

@@ -19,7 +19,8 @@
 //             shift, so may grow, is halved in fxW, the first two of them: write_halvings_o
 //             (docs/numerics.md section 3).
 // Pipeline:   phases do not overlap: start_i | 208 + 4 (READ_LATENCY + FFD_CONTRACT_LATENCY)
-//             clocks, the last one with done_o, the last 64 of them with write_o.
+//             clocks, the last one with done_o; the last 64 have a vector, announced a clock ahead
+//             by write_o.
 // Freezes:    never. cell, source and bank hold from start_i to done_o.
 // Parameters: those of every organization with N 4.
 // Model:      golden/include/hwffd/model/org_nested.hpp (form).  Test: tests/evaluator.
@@ -96,21 +97,34 @@ module ffd_eval_former #(
   assign read_cell_o   = cell_i;
   assign read_index_o  = {step_q[3:2], step_q[5:4], 2'd0};
 
-  // ---- the step at which operands, sums (a clock before they come) and results are
+  // ---- the step at which operands, sums (two clocks before they come) and results are
 
+  wire       keep_next;
+  wire       last_next;
   wire       kept;
   wire [5:0] fetch_step;
   wire [5:0] near_step;
+  wire [5:0] next_step;
   wire [5:0] keep_step;
 
   ffd_num_delay #(
     .WIDTH  (2),
-    .LATENCY(READ_LATENCY + TREE + CONVERT_LATENCY),
+    .LATENCY(READ_LATENCY + TREE + CONVERT_LATENCY - 1),
+    .RESET  (1)
+  ) u_keep_next (
+    .clk(clk),
+    .rst(rst),
+    .d_i({issue_q, issue_q && last}),
+    .q_o({keep_next, last_next})
+  );
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(1),
     .RESET  (1)
   ) u_kept (
     .clk(clk),
     .rst(rst),
-    .d_i({issue_q, issue_q && last}),
+    .d_i({keep_next, last_next}),
     .q_o({kept, drained})
   );
   ffd_num_delay #(
@@ -124,7 +138,7 @@ module ffd_eval_former #(
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(TREE - 1)
+    .LATENCY(TREE - 2)
   ) u_near_step (
     .clk(clk),
     .rst(1'b0),
@@ -134,10 +148,19 @@ module ffd_eval_former #(
   ffd_num_delay #(
     .WIDTH  (6),
     .LATENCY(CONVERT_LATENCY + 1)
-  ) u_keep_step (
+  ) u_next_step (
     .clk(clk),
     .rst(1'b0),
     .d_i(near_step),
+    .q_o(next_step)
+  );
+  ffd_num_delay #(
+    .WIDTH  (6),
+    .LATENCY(1)
+  ) u_keep_step (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(next_step),
     .q_o(keep_step)
   );
 
@@ -225,9 +248,13 @@ module ffd_eval_former #(
       wire [1:0]            blending_near = phase_q == POWERS ? near_step[3:2] - cell_i[4*c +: 2]
                                                               : 2'd0;
       wire [SUM_W-1:0]      sum;
+      reg        [1:0]      shift_q;
       reg signed [2:0]      scale_q;
-      assign grows[c] = shift != 2'd0;
-      always @(posedge clk) scale_q <= phase_q == POWERS ? {1'b0, shift} : {3{halve}};
+      assign grows[c] = shift_q != 2'd0;
+      always @(posedge clk) begin
+        shift_q <= shift;
+        scale_q <= phase_q == POWERS ? {1'b0, shift_q} : {3{halve}};
+      end
 
       ffd_eval_coefficient_file #(
         .FORMAT(FORMAT)
@@ -274,8 +301,8 @@ module ffd_eval_former #(
     end
   endgenerate
 
-  assign write_o        = kept && phase_q == ALONG_S;
-  assign write_index_o  = keep_step;
+  assign write_o        = keep_next && phase_q == ALONG_S;
+  assign write_index_o  = next_step;
   assign write_vector_o = results;
   assign done_o         = drained && phase_q == ALONG_S;
 

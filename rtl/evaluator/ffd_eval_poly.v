@@ -2,8 +2,8 @@
 //
 // Pipeline:   FFD_POLY_LATENCY; starts are FFD_POLY_INTERVAL clocks apart, or a multiple of it. All
 //             but the iterative form need no start and give a weight for every clock.
-// Parameters: EVALUATOR as in ffd_eval.vh; FILE_LATENCY 0 or 1, clocks of reading a coefficient;
-//             the others as in each form.
+// Parameters: EVALUATOR as in ffd_eval.vh; FILE_LATENCY 0 or 1, clocks of reading a coefficient,
+//             iterative also 2; the others as in each form.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -33,24 +33,24 @@ module ffd_eval_poly #(
     if (EVALUATOR < 0 || EVALUATOR > 2) begin : gen_bad_evaluator
       ERROR_ffd_eval_poly_evaluator_must_be_0_1_or_2 u_error ();
     end
-    if (FILE_LATENCY < 0 || FILE_LATENCY > 1) begin : gen_bad_file_latency
-      ERROR_ffd_eval_poly_file_latency_must_be_0_or_1 u_error ();
+    if (FILE_LATENCY < 0 || FILE_LATENCY > (EVALUATOR == `FFD_EVALUATOR_ITERATIVE ? 2 : 1))
+    begin : gen_bad_file_latency
+      ERROR_ffd_eval_poly_file_latency_must_be_0_or_1_iterative_2 u_error ();
     end
   endgenerate
 
   // The coordinate waits for the first coefficients.
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
-  wire                start;
   wire [WEIGHT_W-1:0] coordinate;
 
   ffd_num_delay #(
-    .WIDTH  (1 + WEIGHT_W),
+    .WIDTH  (WEIGHT_W),
     .LATENCY(FILE_LATENCY)
   ) u_coordinate (
     .clk(clk),
     .rst(1'b0),
-    .d_i({start_i, coordinate_i}),
-    .q_o({start, coordinate})
+    .d_i(coordinate_i),
+    .q_o(coordinate)
   );
 
   generate
@@ -69,7 +69,6 @@ module ffd_eval_poly #(
         .load_address_i(load_address_i),
         .load_entry_i  (load_entry_i),
         .start_i       (start_i),
-        .started_i     (start),
         .coordinate_i  (coordinate),
         .address_i     (address_i),
         .weight_o      (weight_o)
@@ -103,7 +102,7 @@ module ffd_eval_poly #(
         .address_i     (address),
         .weight_o      (weight_o)
       );
-      wire unused_ok = &{1'b0, start};
+      wire unused_ok = &{1'b0, start_i};
     end else begin : gen_pipelined
       ffd_eval_poly_pipelined #(
         .FORMAT         (FORMAT),
@@ -122,7 +121,7 @@ module ffd_eval_poly #(
         .address_i     (address_i),
         .weight_o      (weight_o)
       );
-      wire unused_ok = &{1'b0, start};
+      wire unused_ok = &{1'b0, start_i};
     end
   endgenerate
 endmodule

@@ -4,12 +4,16 @@
 // the next coefficient. With one-clock units a polynomial takes the paper's 6 clocks; with deeper
 // ones polynomials interleave in the loop, so that one may start every 6 clocks all the same.
 //
+// Where the file is registered, the last registers of the coefficients of other passes are cleared,
+// and the choice is an OR.
+//
 // Formats, rounding: those of ffd_num_step and ffd_num_scale.
-// Pipeline:   start_i and the address | FILE_LATENCY: started_i and the coordinate | 3 loops |
+// Pipeline:   start_i and the address | FILE_LATENCY: the coordinate | 3 loops |
 //             CONVERT_LATENCY: FFD_POLY_LATENCY in all; II 6: starts must be a multiple of 6 clocks
 //             apart. The loop's length is no multiple of 3, so the passes of polynomials 6
 //             clocks apart (0, L, 2L modulo 6) never meet. Never frozen.
-// Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 1.
+// Parameters: FORMAT as in ffd_num.vh, FILE_LATENCY 0 to 2, CONVERT_LATENCY >= 0, other latencies
+//             >= 1, ADDRESS_W >= 1.
 // Not checked: a start that is neither a multiple of 6 clocks after another nor behind its end.
 // Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -31,7 +35,6 @@ module ffd_eval_poly_iterative #(
   input  wire [ADDRESS_W-1:0]                            load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            start_i,
-  input  wire                                            started_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]                coordinate_i,
   input  wire [ADDRESS_W-1:0]                            address_i,
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
@@ -40,29 +43,60 @@ module ffd_eval_poly_iterative #(
   localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam LOOP     = `FFD_LOOP_LATENCY(STEP);
 
-  // What goes into the loop: a new polynomial, or one that comes round with its pass counted.
+  localparam LAST     = FILE_LATENCY > 0 ? 1 : 0;  // register behind the file
+  localparam READ     = FILE_LATENCY - LAST;
+
+  // What is read: a new polynomial, or one that comes round with its pass counted.
   wire [1:0]           pass_back;
-  wire [WEIGHT_W-1:0]  coordinate_back;
   wire [ADDRESS_W-1:0] address_back;
+  wire [1:0]           pass    = start_i ? 2'd0 : pass_back + 2'd1;
+  wire [ADDRESS_W-1:0] address = start_i ? address_i : address_back;
+
+  // What goes into the loop FILE_LATENCY later.
+  wire                 started;
+  wire [WEIGHT_W-1:0]  coordinate_back;
+  wire [WEIGHT_W-1:0]  coordinate = started ? coordinate_i : coordinate_back;
+  wire [WEIGHT_W-1:0]  leading;
+  wire [WEIGHT_W-1:0]  coefficient;
   wire [WEIGHT_W-1:0]  weight_back;
-  wire [1:0]           pass       = started_i ? 2'd0 : pass_back + 2'd1;
-  wire [WEIGHT_W-1:0]  coordinate = started_i ? coordinate_i : coordinate_back;
-  wire [ADDRESS_W-1:0] address    = start_i ? address_i : address_back;
+  wire [WEIGHT_W-1:0]  weight     = started ? leading : weight_back;
+  wire [WEIGHT_W-1:0]  weight_next;
+
+  ffd_num_delay #(
+    .WIDTH  (2 + ADDRESS_W),
+    .LATENCY(LOOP)
+  ) u_read (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({pass, address}),
+    .q_o({pass_back, address_back})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(FILE_LATENCY)
+  ) u_started (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(start_i),
+    .q_o(started)
+  );
+
+  // ---- coefficients of the pass
 
   wire [4*WEIGHT_W-1:0] coefficients;
   wire [WEIGHT_W-1:0]   c0 = coefficients[0*WEIGHT_W +: WEIGHT_W];
   wire [WEIGHT_W-1:0]   c1 = coefficients[1*WEIGHT_W +: WEIGHT_W];
   wire [WEIGHT_W-1:0]   c2 = coefficients[2*WEIGHT_W +: WEIGHT_W];
   wire [WEIGHT_W-1:0]   c3 = coefficients[3*WEIGHT_W +: WEIGHT_W];
-  wire [WEIGHT_W-1:0]   coefficient = pass == 2'd0 ? c2 : pass == 2'd1 ? c1 : c0;
-  wire [WEIGHT_W-1:0]   weight      = started_i ? c3 : weight_back;
-  wire [WEIGHT_W-1:0]   weight_next;
+  wire [1:0]            shift_read;
   wire [1:0]            shift;
+  wire [1:0]            pass_read;
 
   ffd_eval_coefficient_file #(
     .FORMAT      (FORMAT),
     .PORTS       (1),
-    .READ_LATENCY(FILE_LATENCY),
+    .READ_LATENCY(READ),
     .ADDRESS_W   (ADDRESS_W)
   ) u_file (
     .clk            (clk),
@@ -72,8 +106,49 @@ module ffd_eval_poly_iterative #(
     .address_i      (address),
     .coefficient_o  (coefficients),
     .shift_address_i(address_back),
-    .shift_o        (shift)
+    .shift_o        (shift_read)
   );
+
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(READ)
+  ) u_pass (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(pass),
+    .q_o(pass_read)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (2 + WEIGHT_W),
+    .LATENCY(LAST)
+  ) u_leading (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({shift_read, c3}),
+    .q_o({shift, leading})
+  );
+
+  generate
+    if (LAST == 0) begin : gen_choice
+      assign coefficient = pass_read == 2'd0 ? c2 : pass_read == 2'd1 ? c1 : c0;
+    end else begin : gen_cleared
+      reg [WEIGHT_W-1:0] c0_q;
+      reg [WEIGHT_W-1:0] c1_q;
+      reg [WEIGHT_W-1:0] c2_q;
+      always @(posedge clk) begin
+        if (pass_read != 2'd0) c2_q <= {WEIGHT_W{1'b0}};
+        else c2_q <= c2;
+        if (pass_read != 2'd1) c1_q <= {WEIGHT_W{1'b0}};
+        else c1_q <= c1;
+        if (pass_read != 2'd2) c0_q <= {WEIGHT_W{1'b0}};
+        else c0_q <= c0;
+      end
+      assign coefficient = c2_q | c1_q | c0_q;
+    end
+  endgenerate
+
+  // ---- the loop
 
   ffd_num_step #(
     .FORMAT     (FORMAT),
@@ -99,23 +174,13 @@ module ffd_eval_poly_iterative #(
   );
 
   ffd_num_delay #(
-    .WIDTH  (2 + WEIGHT_W),
+    .WIDTH  (WEIGHT_W),
     .LATENCY(LOOP)
-  ) u_beside (
+  ) u_coordinate (
     .clk(clk),
     .rst(1'b0),
-    .d_i({pass, coordinate}),
-    .q_o({pass_back, coordinate_back})
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (ADDRESS_W),
-    .LATENCY(LOOP)
-  ) u_address (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(address),
-    .q_o(address_back)
+    .d_i(coordinate),
+    .q_o(coordinate_back)
   );
 
   ffd_num_scale #(

@@ -12,6 +12,7 @@
 // Formats:    coefficients and values are points, halved as often as write_halvings_i says (fxW);
 //             the steps take them for weights. Rounding: docs/numerics.md section 4.
 // Pipeline:   step | ADD_LATENCY: centred | 9 FFD_STEP_LATENCY: sum. II 1 step.
+//             A vector comes a clock behind its write_i.
 // Freezes:    never.
 // Not checked: that no vertex is inside when a coefficient is written.
 // Parameters: FOLD 1 or 3; the others as in every organization.
@@ -60,9 +61,11 @@ module ffd_eval_trivariate #(
   generate
     for (e = 0; e < 64; e = e + 1) begin : gen_coefficient
       localparam [5:0] INDEX = e;
+      reg                  write_q;
       reg [3*WEIGHT_W-1:0] vector_q;
       always @(posedge clk) begin
-        if (write_i && write_index_i == INDEX) vector_q <= write_vector_i;
+        write_q <= write_i && write_index_i == INDEX;
+        if (write_q) vector_q <= write_vector_i;
       end
     end
   endgenerate

@@ -54,7 +54,8 @@ module ffd_org_factored #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, `FFD_FILE_LATENCY(SCHEDULE), STEP_LATENCY,
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   localparam CONTRACT     = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                   CONVERT_LATENCY);

@@ -67,7 +67,7 @@ module ffd_org_tree #(
   localparam STEPS        = 64 / N;
   localparam STEP_W       = STEPS > 1 ? $clog2(STEPS) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   localparam TREE_LATENCY = `FFD_TREE_LATENCY(N, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);

@@ -54,7 +54,7 @@ TEST_P(Throughput, LatencyOfASingleVertex) {
       run.bench().result_clocks().at(0) - run.bench().accept_clocks().back();
   const Configuration& row = GetParam();
   const int deep = std::max(row.add_latency, row.fma_latency);
-  const double most_contexts = std::string(row.schedule) == "paper" ? 1 : deep;
+  const double most_contexts = overlaps(row) ? deep : 1;
   const double interval = scattered_interval(row);
   const double least = interval - most_contexts;
   const double most = most_contexts * interval + 6 * row.mul_latency + 10 * deep + 80;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "device/reference_device.hpp"
 #include "device/stream_device.hpp"
@@ -16,7 +15,7 @@ namespace hwffd {
 namespace {
 
 bool is_there(const std::string& kind, const Configuration& row) {
-  if (std::strcmp(row.schedule, "overlapped") != 0) return false;
+  if (!overlaps(row)) return false;
   return kind == "model" || (kind == "rtl" && tb::has_stream_core(row));
 }
 

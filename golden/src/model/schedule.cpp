@@ -54,8 +54,7 @@ double overlapped_interval(const Configuration& row) {
 }
 
 double expected_interval(const Configuration& row) {
-  return std::string(row.schedule) == "paper" ? paper_clocks(row).value()
-                                              : overlapped_interval(row);
+  return overlaps(row) ? overlapped_interval(row) : paper_clocks(row).value();
 }
 
 double scattered_interval(const Configuration& row) {

@@ -2,9 +2,9 @@
 //
 // Formats:    signed W bits each, product signed 2W bits; flags_o is flags_i, as late as the
 //             product.
-// Pipeline:   LATENCY registers, II 1, never frozen; two or more surround the multiplier, as blocks
-//             want it, any more stand in front of it. A word wider than a block's 18 bits is cut in
-//             two, and from LATENCY 3 on one register is between the four products and their sum.
+// Pipeline:   LATENCY registers, II 1, never frozen: one behind the multiplier, two from 4 on, the
+//             others in front of it. From 2 on a word wider than a block's 18 bits is cut in two:
+//             four ffd_fx_block with one register, from 3 on two; those behind are in their sum.
 // Parameters: 2 <= W <= 35, FLAGS_W >= 1, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
@@ -29,13 +29,13 @@ module ffd_fx_product #(
   endgenerate
 
   localparam BLOCK_W = 18;
-  localparam MIDDLE  = W > BLOCK_W && LATENCY > 2 ? 1 : 0;
-  localparam AFTER   = LATENCY > 0 ? 1 : 0;
-  localparam BEFORE  = LATENCY - MIDDLE - AFTER;
+  localparam CUT     = W > BLOCK_W && LATENCY > 1 ? 1 : 0;
+  localparam BLOCKS  = CUT == 0 ? 0 : LATENCY > 2 ? 2 : 1;     // registers around four blocks
+  localparam BEHIND  = LATENCY > 3 ? 2 : LATENCY > 0 ? 1 : 0;  // behind the one, or in the sum
+  localparam BEFORE  = LATENCY - BLOCKS - BEHIND;
 
-  wire signed [W-1:0]   a;
-  wire signed [W-1:0]   b;
-  wire signed [2*W-1:0] product;
+  wire signed [W-1:0] a;
+  wire signed [W-1:0] b;
 
   ffd_num_delay #(
     .WIDTH  (W),
@@ -58,50 +58,72 @@ module ffd_fx_product #(
   );
 
   generate
-    if (MIDDLE == 0) begin : gen_whole
+    if (CUT == 0) begin : gen_whole
       wire signed [2*W-1:0] wide_a = {{W{a[W-1]}}, a};
       wire signed [2*W-1:0] wide_b = {{W{b[W-1]}}, b};
-      assign product = wide_a * wide_b;
+
+      ffd_num_delay #(
+        .WIDTH  (2 * W),
+        .LATENCY(BEHIND)
+      ) u_product (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(wide_a * wide_b),
+        .q_o(product_o)
+      );
     end else begin : gen_halves
       // x = high 2^LOW_W + low, low not negative: products of HALF_W signed bits.
       localparam LOW_W  = (W - 1) / 2;
       localparam HALF_W = W - LOW_W;
       localparam PART_W = 2 * HALF_W;
       localparam ZERO_W = HALF_W - LOW_W;
-      wire signed [PART_W-1:0] a_high = {{HALF_W{a[W-1]}}, a[W-1:LOW_W]};
-      wire signed [PART_W-1:0] b_high = {{HALF_W{b[W-1]}}, b[W-1:LOW_W]};
-      wire signed [PART_W-1:0] a_low  = {{(HALF_W + ZERO_W) {1'b0}}, a[LOW_W-1:0]};
-      wire signed [PART_W-1:0] b_low  = {{(HALF_W + ZERO_W) {1'b0}}, b[LOW_W-1:0]};
-      reg  signed [PART_W-1:0] high_q;
-      reg  signed [PART_W-1:0] cross_q;
-      reg  signed [PART_W-1:0] other_q;
-      reg  signed [PART_W-1:0] low_q;
-      always @(posedge clk) begin
-        high_q  <= a_high * b_high;
-        cross_q <= a_high * b_low;
-        other_q <= a_low * b_high;
-        low_q   <= a_low * b_low;
+      wire [2*HALF_W-1:0] a_halves = {a[W-1:LOW_W], {ZERO_W{1'b0}}, a[LOW_W-1:0]};
+      wire [2*HALF_W-1:0] b_halves = {b[W-1:LOW_W], {ZERO_W{1'b0}}, b[LOW_W-1:0]};
+
+      genvar i;
+      genvar j;
+      for (i = 0; i < 2; i = i + 1) begin : gen_a
+        for (j = 0; j < 2; j = j + 1) begin : gen_b
+          wire signed [PART_W-1:0] part;
+          ffd_fx_block #(
+            .W     (HALF_W),
+            .BEFORE(BLOCKS - 1)
+          ) u_block (
+            .clk      (clk),
+            .a_i      (a_halves[i*HALF_W +: HALF_W]),
+            .b_i      (b_halves[j*HALF_W +: HALF_W]),
+            .product_o(part)
+          );
+        end
       end
 
       // The outer products do not overlap: low is not negative and below 2^(2 LOW_W).
-      wire signed [PART_W:0]  crossed = {cross_q[PART_W-1], cross_q} + {other_q[PART_W-1], other_q};
-      wire        [2*W-1:0]   outer   = {high_q[2*W-2*LOW_W-1:0], low_q[2*LOW_W-1:0]};
-      wire        [2*W-1:0]   inner   = {{(2*W-PART_W-1-LOW_W) {crossed[PART_W]}}, crossed,
-                                         {LOW_W{1'b0}}};
-      assign product = outer + inner;
-      wire unused_ok = &{1'b0, low_q[PART_W-1:2*LOW_W]};
+      wire [PART_W-1:0] low     = gen_a[0].gen_b[0].part;
+      wire [PART_W-1:0] cross   = gen_a[0].gen_b[1].part;
+      wire [PART_W-1:0] other   = gen_a[1].gen_b[0].part;
+      wire [PART_W-1:0] high    = gen_a[1].gen_b[1].part;
+      wire [PART_W:0]   crossed;
+      wire [2*W-1:0]    outer;
+      wire [2*W-1:0]    inner   = {{(2*W-PART_W-1-LOW_W) {crossed[PART_W]}}, crossed,
+                                   {LOW_W{1'b0}}};
+
+      ffd_num_delay #(
+        .WIDTH  (PART_W + 1 + 2 * W),
+        .LATENCY(BEHIND - 1)
+      ) u_parts (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i({{cross[PART_W-1], cross} + {other[PART_W-1], other},
+              high[2*W-2*LOW_W-1:0], low[2*LOW_W-1:0]}),
+        .q_o({crossed, outer})
+      );
+
+      reg [2*W-1:0] sum_q;
+      always @(posedge clk) sum_q <= outer + inner;
+      assign product_o = sum_q;
+      wire unused_ok = &{1'b0, low[PART_W-1:2*LOW_W]};
     end
   endgenerate
-
-  ffd_num_delay #(
-    .WIDTH  (2 * W),
-    .LATENCY(AFTER)
-  ) u_product (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(product),
-    .q_o(product_o)
-  );
 
   ffd_num_delay #(
     .WIDTH  (FLAGS_W),

@@ -6,9 +6,9 @@
 
 #include <array>
 #include <cstdio>
-#include <deque>
 
 #include "../fixed/wide_words.hpp"
+#include "../unit_pipelines.hpp"
 #include "Vblock_units_72.h"
 #include "Vblock_units_99.h"
 #include "exact_block.hpp"
@@ -46,7 +46,7 @@ struct Operands {
 };
 
 enum Unit { kCoordinate, kCoefficient, kPoint, kMul, kTerm, kStep, kAdd, kNarrow, kOut };
-constexpr int kUnits = 9;
+constexpr std::size_t kUnits = 9;
 using Results = std::array<Int128, kUnits>;
 
 /// {minus, plus, saturated} above two's complement of `width` bits.
@@ -168,17 +168,14 @@ Results model_results(const Operands& o) {
 template <int W>
 class Units {
  public:
-  ~Units() { EXPECT_GT(compared_, 0U); }
-
   void apply(const Operands& o) {
-    const Results exact = exact_results<W>(o);
-    const Results model = model_results<W>(o);
-    for (int unit = 0; unit < kUnits; ++unit) {
-      ASSERT_TRUE(exact[unit] == model[unit])
-          << "model, unit " << unit << ": got " << hex(model[unit]) << ", expected "
-          << hex(exact[unit]) << text(o);
-      expected_[unit].push_back(exact[unit]);
-    }
+    const auto text = [&o] {
+      return " after word " + hex(o.word) + " exponent " + std::to_string(o.exponent) + " a " +
+             hex(packed(o.a, W)) + " b " + hex(packed(o.b, W)) + " point " +
+             hex(packed(o.factor, W)) + " sums " + hex(packed(o.sum_a, 2 * W + 6)) + " " +
+             hex(packed(o.sum_b, 2 * W + 6));
+    };
+    pipelines_.expect(exact_results<W>(o), model_results<W>(o), text);
     auto& dut = sim_.dut();
     dut.word_i = o.word;
     dut.exponent_i = static_cast<SData>(o.exponent & 0x3FF);
@@ -189,10 +186,10 @@ class Units {
     drive(dut.sum_a_i, packed(o.sum_a, 2 * W + 6));
     drive(dut.sum_b_i, packed(o.sum_b, 2 * W + 6));
     dut.eval();  // converters of latency 0 answer before the edge
-    compare(o);
+    pipelines_.compare(results(), text);
     sim_.tick();
   }
-  std::uint64_t compared() const { return compared_; }
+  std::uint64_t compared() const { return pipelines_.compared(); }
 
  private:
   static constexpr std::array<int, kUnits> kLatency{0,
@@ -205,43 +202,21 @@ class Units {
                                                     Widths<W>::kConvert,
                                                     Widths<W>::kConvert};
 
-  void compare(const Operands& o) {
+  Results results() {
     auto& dut = sim_.dut();
-    const Results got{read(dut.coordinate_o),
-                      read(dut.coefficient_o),
-                      read(dut.point_o),
-                      read(dut.mul_o),
-                      read(dut.term_o),
-                      read(dut.step_o),
-                      read(dut.add_o),
-                      read(dut.narrow_o),
-                      packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0)};
-    for (int unit = 0; unit < kUnits; ++unit) {
-      if (expected_[unit].size() <= static_cast<std::size_t>(kLatency[unit])) continue;
-      ASSERT_TRUE(got[unit] == expected_[unit].front())
-          << "RTL, unit " << unit << ": got " << hex(got[unit]) << ", expected "
-          << hex(expected_[unit].front()) << text(o);
-      expected_[unit].pop_front();
-      ++compared_;
-    }
-  }
-  static std::string hex(Int128 value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%llx_%016llx",
-                  static_cast<unsigned long long>(value >> 64),
-                  static_cast<unsigned long long>(value));
-    return buffer;
-  }
-  static std::string text(const Operands& o) {
-    return " after word " + hex(o.word) + " exponent " + std::to_string(o.exponent) + " a " +
-           hex(packed(o.a, W)) + " b " + hex(packed(o.b, W)) + " point " +
-           hex(packed(o.factor, W)) + " sums " + hex(packed(o.sum_a, 2 * W + 6)) + " " +
-           hex(packed(o.sum_b, 2 * W + 6));
+    return {read(dut.coordinate_o),
+            read(dut.coefficient_o),
+            read(dut.point_o),
+            read(dut.mul_o),
+            read(dut.term_o),
+            read(dut.step_o),
+            read(dut.add_o),
+            read(dut.narrow_o),
+            packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0)};
   }
 
   tb::Sim<typename Widths<W>::Dut> sim_{tb::seed_from_environment(1)};
-  std::array<std::deque<Int128>, kUnits> expected_;
-  std::uint64_t compared_ = 0;
+  UnitPipelines<kUnits> pipelines_{kLatency};
 };
 
 /// A binary32 word: any field of the exponent, a significand at an end, of one bit, or random.

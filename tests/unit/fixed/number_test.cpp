@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdio>
-#include <deque>
 
+#include "../unit_pipelines.hpp"
 #include "Vnumber_units_18.h"
 #include "Vnumber_units_32.h"
 #include "Vnumber_units_8.h"
@@ -35,12 +35,12 @@ struct Widths<8> {
 template <>
 struct Widths<18> {
   using Dut = Vnumber_units_18;
-  static constexpr int kMul = 2, kAdd = 1, kConvert = 1;
+  static constexpr int kMul = 4, kAdd = 1, kConvert = 3;
 };
 template <>
 struct Widths<32> {
   using Dut = Vnumber_units_32;
-  static constexpr int kMul = 3, kAdd = 2, kConvert = 1;
+  static constexpr int kMul = 5, kAdd = 2, kConvert = 1;
 };
 
 struct Operands {
@@ -67,7 +67,7 @@ enum Unit {
   kWiden,
   kOut
 };
-constexpr int kUnits = 13;
+constexpr std::size_t kUnits = 13;
 using Results = std::array<Int128, kUnits>;
 
 template <int W>
@@ -129,14 +129,12 @@ Results model_results(const Operands& o) {
 template <int W>
 class Units {
  public:
-  ~Units() { EXPECT_GT(compared_, 0U); }
-
   void apply(const Operands& o) {
-    const Results exact = exact_results<W>(o);
-    const Results model = model_results<W>(o);
-    for (int unit = 0; unit < kUnits; ++unit) {
-      ASSERT_TRUE(exact[unit] == model[unit]) << "model, unit " << unit << text(o);
-    }
+    const auto text = [&o] {
+      return " after word " + hex(o.word) + " a " + hex(o.a) + " b " + hex(o.b) + " c " + hex(o.c) +
+             " shift " + std::to_string(o.shift) + " sums " + hex(o.sum_a) + " " + hex(o.sum_b);
+    };
+    pipelines_.expect(exact_results<W>(o), model_results<W>(o), text);
     auto& dut = sim_.dut();
     dut.word_i = o.word;
     drive(dut.a_i, packed(o.a, o.flag_a, W));
@@ -149,12 +147,10 @@ class Units {
     drive(dut.sum_a_i, packed(o.sum_a, o.flag_a, 2 * W + 6));
     drive(dut.sum_b_i, packed(o.sum_b, o.flag_b, 2 * W + 6));
     dut.eval();  // converters of latency 0 answer before the edge
-    for (int unit = 0; unit < kUnits; ++unit) expected_[unit].push_back(exact[unit]);
-    operands_ = o;
-    compare();
+    pipelines_.compare(results(), text);
     sim_.tick();
   }
-  std::uint64_t compared() const { return compared_; }
+  std::uint64_t compared() const { return pipelines_.compared(); }
 
  private:
   static constexpr std::array<int, kUnits> kLatency{0,
@@ -171,46 +167,25 @@ class Units {
                                                     0,
                                                     Widths<W>::kConvert};
 
-  void compare() {
+  Results results() {
     auto& dut = sim_.dut();
-    const Results got{read(dut.coordinate_o),
-                      read(dut.coefficient_o),
-                      read(dut.point_o),
-                      read(dut.mul_o),
-                      read(dut.term_o),
-                      read(dut.step_o),
-                      read(dut.scale_o),
-                      read(dut.add_o),
-                      read(dut.narrow_o),
-                      read(dut.rescale_o),
-                      read(dut.centre_o),
-                      read(dut.widen_o),
-                      Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
-    for (int unit = 0; unit < kUnits; ++unit) {
-      if (expected_[unit].size() <= static_cast<std::size_t>(kLatency[unit])) continue;
-      ASSERT_TRUE(got[unit] == expected_[unit].front())
-          << "RTL, unit " << unit << ": got " << hex(got[unit]) << ", expected "
-          << hex(expected_[unit].front()) << text(operands_);
-      expected_[unit].pop_front();
-      ++compared_;
-    }
-  }
-  static std::string hex(Int128 value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%llx_%016llx",
-                  static_cast<unsigned long long>(value >> 64),
-                  static_cast<unsigned long long>(value));
-    return buffer;
-  }
-  static std::string text(const Operands& o) {
-    return " after word " + hex(o.word) + " a " + hex(o.a) + " b " + hex(o.b) + " c " + hex(o.c) +
-           " shift " + std::to_string(o.shift) + " sums " + hex(o.sum_a) + " " + hex(o.sum_b);
+    return {read(dut.coordinate_o),
+            read(dut.coefficient_o),
+            read(dut.point_o),
+            read(dut.mul_o),
+            read(dut.term_o),
+            read(dut.step_o),
+            read(dut.scale_o),
+            read(dut.add_o),
+            read(dut.narrow_o),
+            read(dut.rescale_o),
+            read(dut.centre_o),
+            read(dut.widen_o),
+            Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
   }
 
   tb::Sim<typename Widths<W>::Dut> sim_{tb::seed_from_environment(1)};
-  std::array<std::deque<Int128>, kUnits> expected_;
-  Operands operands_;
-  std::uint64_t compared_ = 0;
+  UnitPipelines<kUnits> pipelines_{kLatency};
 };
 
 template <int W>

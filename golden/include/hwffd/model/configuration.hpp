@@ -20,6 +20,9 @@ struct Configuration {
   const char* tier;       ///< smallest tier that verilates it: "sim", "test" or "all"
 };
 
+/// Whether vertices follow each other before the one in front has ended; else the paper's schedule.
+inline bool overlaps(const Configuration& row) { return row.schedule == std::string("overlapped"); }
+
 /// Every row of the table, in its order, whatever tier this build is.
 const std::vector<Configuration>& configurations();
 

@@ -1,0 +1,49 @@
+// ffd_fx_block: product_o = a_i * b_i in one block multiplier, between registers of its own
+//
+// One of the four of a wide product. A module by itself, which synthesis may map by itself
+// (scripts/synthesis.py): the four blocks then share no register, and wires to them are short.
+//
+// Formats:    signed W bits each, product signed 2W bits, exact.
+// Pipeline:   BEFORE registers | multiplier, one register; II 1, never frozen.
+// Parameters: W >= 2, BEFORE >= 0.
+// Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module ffd_fx_block #(
+  parameter W      = 17,
+  parameter BEFORE = 0
+) (
+  input  wire                  clk,
+  input  wire signed [W-1:0]   a_i,
+  input  wire signed [W-1:0]   b_i,
+  output wire signed [2*W-1:0] product_o
+);
+  generate
+    if (W < 2) begin : gen_bad_width
+      ERROR_ffd_fx_block_width_must_be_at_least_2 u_error ();
+    end
+  endgenerate
+
+  wire signed [W-1:0] a;
+  wire signed [W-1:0] b;
+
+  ffd_num_delay #(
+    .WIDTH  (2 * W),
+    .LATENCY(BEFORE)
+  ) u_operands (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({a_i, b_i}),
+    .q_o({a, b})
+  );
+
+  wire signed [2*W-1:0] wide_a = {{W{a[W-1]}}, a};
+  wire signed [2*W-1:0] wide_b = {{W{b[W-1]}}, b};
+
+  reg signed  [2*W-1:0] product_q;
+  always @(posedge clk) product_q <= wide_a * wide_b;
+  assign product_o = product_q;
+endmodule
+
+`default_nettype wire
