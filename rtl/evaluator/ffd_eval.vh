@@ -20,6 +20,9 @@
 `define FFD_FILE_LATENCY(SCHEDULE, EVALUATOR) \
   ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : (EVALUATOR) == `FFD_EVALUATOR_ITERATIVE ? 2 : 1)
 
+// Clocks of choosing an axis in front of evaluators that take the axes in turn.
+`define FFD_CHOICE_LATENCY(FOLD) ((FOLD) > 1 ? 1 : 0)
+
 // Clocks from a coordinate to its weight: reading the file, three steps and the shift back.
 `define FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY, CONVERT_LATENCY) \
   ((FILE_LATENCY) + (CONVERT_LATENCY) + \

@@ -8,7 +8,7 @@
 // FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
 //             on beside the contraction, and each axis holds its own for the steps of the vertex.
 //
-// Pipeline:   step 0 | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
+// Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
 // Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
@@ -44,6 +44,7 @@ module ffd_eval_bank_weights #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(`FFD_SCHEDULE_OVERLAPPED, EVALUATOR);
+  localparam CHOICE       = `FFD_CHOICE_LATENCY(FOLD);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
@@ -66,6 +67,7 @@ module ffd_eval_bank_weights #(
   generate
     for (set = 0; set < SETS; set = set + 1) begin : gen_set
       wire [WEIGHT_W-1:0]  coordinate;
+      wire [WEIGHT_W-1:0]  chosen_coordinate;
       wire [1:0]           residue;  // of the cell, modulo 4
       wire [1:0]           bank;
       wire                 load;
@@ -95,16 +97,38 @@ module ffd_eval_bank_weights #(
         assign load_address = {load_axis_i, load_address_i};
       end
 
+      ffd_num_delay #(
+        .WIDTH  (WEIGHT_W),
+        .LATENCY(CHOICE)
+      ) u_coordinate (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(coordinate),
+        .q_o(chosen_coordinate)
+      );
+
       for (b = 0; b < 4; b = b + 1) begin : gen_bank
         localparam [1:0] BANK = b;
         wire [1:0]           blending = BANK - residue;
         wire [ADDRESS_W-1:0] address;
+        wire                 start;
+        wire [ADDRESS_W-1:0] chosen_address;
 
         if (FOLD == 1) begin : gen_own_file
           assign address = {bank, blending};
         end else begin : gen_three_files
           assign address = {2'd2 - step_i, bank, blending};
         end
+
+        ffd_num_delay #(
+          .WIDTH  (1 + ADDRESS_W),
+          .LATENCY(CHOICE)
+        ) u_address (
+          .clk(clk),
+          .rst(1'b0),
+          .d_i({step_valid_i, address}),
+          .q_o({start, chosen_address})
+        );
 
         ffd_eval_poly #(
           .FORMAT         (FORMAT),
@@ -120,9 +144,9 @@ module ffd_eval_bank_weights #(
           .load_i        (load),
           .load_address_i(load_address),
           .load_entry_i  (load_entry_i),
-          .start_i       (step_valid_i),
-          .coordinate_i  (coordinate),
-          .address_i     (address),
+          .start_i       (start),
+          .coordinate_i  (chosen_coordinate),
+          .address_i     (chosen_address),
           .weight_o      (evaluated[(4*set+b)*WEIGHT_W +: WEIGHT_W])
         );
       end
@@ -148,7 +172,7 @@ module ffd_eval_bank_weights #(
           assign weights = evaluated;
           ffd_num_delay #(
             .WIDTH  (2),
-            .LATENCY(POLY_LATENCY)
+            .LATENCY(CHOICE + POLY_LATENCY)
           ) u_step (
             .clk(clk),
             .rst(1'b0),

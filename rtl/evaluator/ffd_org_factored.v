@@ -5,7 +5,8 @@
 // a vertex a clock from any cell. Folded by three, one component a clock on a third of it.
 //
 // Schedule:   overlapped only, FOLD clocks between vertices; the paper has no such organization.
-// Pipeline:   step | FFD_POLY_LATENCY: weights of u, points | ffd_eval_contraction.
+// Pipeline:   step | FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points |
+//             ffd_eval_contraction.
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a
 //             vertex must have room for its result.
 // Parameters: those of every organization (docs/architecture.md); N is 64, SCHEDULE overlapped,
@@ -59,7 +60,7 @@ module ffd_org_factored #(
                                               CONVERT_LATENCY);
   localparam CONTRACT     = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                   CONVERT_LATENCY);
-  localparam READ_DELAY   = POLY_LATENCY - READ_LATENCY;
+  localparam READ_DELAY   = `FFD_CHOICE_LATENCY(FOLD) + POLY_LATENCY - READ_LATENCY;
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
