@@ -33,7 +33,7 @@ Effort share_of(const Effort& effort, const Configuration& row) {
   if (!overlaps(row) || expected_interval(row) > kSlow) {
     share.vertices = std::min<std::size_t>(effort.vertices, 1241);
   }
-  if (paper || scattered_interval(row) > kSlow) {
+  if (!overlaps(row) || scattered_interval(row) > kSlow) {
     share.seam_values = std::max<std::size_t>(effort.seam_values / 10, 1);
   }
   return share;
