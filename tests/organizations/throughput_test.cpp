@@ -73,7 +73,7 @@ TEST(Throughput, Rates) {
 TEST(Throughput, OfOverlappedRowsThatHaveBeenMapped) {
   std::vector<Row> rows;
   for (const char* name : {"tree4-fx18-paper", "tree4-fx18-overlapped", "cg3-fx18-overlapped"}) {
-    rows.push_back({&find_configuration(name), {}, {}});
+    rows.push_back(Row{&find_configuration(name), Measurement(), OperatorCount()});
     rows.back().measured.interval = static_cast<double>(rows.size());
   }
   const Area area{"ecp5", "LUTs", 1860, 35, 130};
