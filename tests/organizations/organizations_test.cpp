@@ -107,6 +107,22 @@ TEST(Comparison, WithoutPartnerFieldsAreNull) {
   EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
 }
 
+// A rate for each target on which the overlapped row has been mapped; none for the paper's.
+TEST(Comparison, ThroughputsOfOverlappedRowsThatHaveBeenMapped) {
+  const Area area{"ecp5", "LUTs", 2779, 55, 120};
+  const Areas areas = {{"tree8-fx18-paper", {area}}, {"tree8-fx18-overlapped", {area, area}}};
+  const std::vector<Throughput> found = throughputs(small_comparison(), areas);
+  ASSERT_EQ(found.size(), 2U);
+  for (const Throughput& each : found) {
+    EXPECT_EQ(each.name, "tree8-fx18-overlapped");
+    EXPECT_EQ(each.org, "tree 8");
+    EXPECT_EQ(each.format, "fx18");
+    EXPECT_EQ(each.area.size, 2779);
+    EXPECT_EQ(each.interval, 8);
+  }
+  EXPECT_TRUE(throughputs(small_comparison(), {}).empty());
+}
+
 // An organization that the paper lacks has no formula, and that is no fault.
 TEST(Comparison, BeyondThePaperThereIsNoFormula) {
   const Configuration& row = find_configuration("factored3-fx18-overlapped");

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "comparison.hpp"
 #include "hwffd/error.hpp"
 #include "pareto.hpp"
 #include "synthesis.hpp"
@@ -68,25 +67,6 @@ TEST(Throughput, Rates) {
   EXPECT_DOUBLE_EQ(untimed.rate(), 0.25);
   untimed.area.multipliers = 0;
   EXPECT_FALSE(untimed.per_multiplier());
-}
-
-TEST(Throughput, OfOverlappedRowsThatHaveBeenMapped) {
-  std::vector<Row> rows;
-  for (const char* name : {"tree4-fx18-paper", "tree4-fx18-overlapped", "cg3-fx18-overlapped"}) {
-    rows.push_back(Row{&find_configuration(name), Measurement(), OperatorCount()});
-    rows.back().measured.interval = static_cast<double>(rows.size());
-  }
-  const Area area{"ecp5", "LUTs", 1860, 35, 130};
-  const Areas areas = {{"tree4-fx18-paper", {area}}, {"tree4-fx18-overlapped", {area, area}}};
-  const std::vector<Throughput> found = throughputs(Comparison(rows, 1e6), areas);
-  ASSERT_EQ(found.size(), 2U);
-  for (const Throughput& each : found) {
-    EXPECT_EQ(each.name, "tree4-fx18-overlapped");
-    EXPECT_EQ(each.org, "tree 4");
-    EXPECT_EQ(each.format, "fx18");
-    EXPECT_EQ(each.area.size, 1860);
-    EXPECT_EQ(each.interval, 2);
-  }
 }
 
 TEST(Throughput, TheFrontIsWhatNoOtherBeats) {
