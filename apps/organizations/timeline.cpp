@@ -103,6 +103,7 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   const int components = 3 / folds(c);
   Pipeline polynomials(schedule, schedule.polynomials().starts);
+  if (folds(c) > 1) polynomials.pass(lanes, "axis chosen", 1);
   polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());
