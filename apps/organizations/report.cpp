@@ -79,8 +79,9 @@ std::string text_of(const Operators& operators) {
 std::vector<const Row*> lines(const Comparison& comparison) {
   std::vector<const Row*> lines;
   for (const Row& row : comparison.rows()) {
-    if (overlaps(*row.configuration) || comparison.partner(row, "overlapped") == nullptr)
+    if (overlaps(*row.configuration) || comparison.partner(row, "overlapped") == nullptr) {
       lines.push_back(&row);
+    }
   }
   return lines;
 }
