@@ -65,7 +65,7 @@ help:
 	@echo 'make test      build everything and run the tests'
 	@echo 'make test-all  every configuration of the table, and the long tests'
 	@echo 'make soak      mixed good and bad traffic through hwffd_axi, SEEDS= of them (100; minutes)'
-	@echo 'make lint      every module and configuration through three tools; no warning is allowed'
+	@echo 'make lint      every module and configuration through Verilator, Icarus, yosys; no warning is allowed'
 	@echo 'make clean     remove build/ and build-trace/'
 	@echo
 	@echo 'JOBS=$(JOBS)              processes side by side'

@@ -98,7 +98,8 @@ class Subject:
 def makes_sense(row, target):
     """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
     in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere `basic` in every
-    form, and in fx18 the others of up to eight units, or folded. A tree of one unit is `basic`.
+    form, and in fx18 those folded and the others of up to eight units but `nested`. A tree of one
+    unit is `basic`.
     """
     if target == "ecp5":
         return True
@@ -142,7 +143,7 @@ def units(rows):
 
 
 def of_set(found, name):
-    """Those of a set; `ci` is every organization in fx18 on ECP5, and `basic` on all targets;
+    """Those of a set; `ci` is every organization in fx18 on ECP5, and `basic` where it is mapped;
     `baseline` those and the binary32 units.
     """
     if name == "all":

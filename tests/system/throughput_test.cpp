@@ -11,7 +11,7 @@
 namespace hwffd::test {
 namespace {
 
-// A barrel of 2, 4, 5 or 6 contexts spreads its starts within its round; over whole rounds the
+// A barrel of 2, 4, 5 or 8 contexts spreads its starts within its round; over whole rounds the
 // interval is exact.
 constexpr std::size_t kVertices = 1 + 120;
 

@@ -10,7 +10,7 @@ struct Configuration {
   const char* name;
   const char* org;        ///< organization, e.g. "basic"
   int n;                  ///< control points an organization takes in one clock
-  const char* format;     ///< "fp32", or "fx" and the width of a word, e.g. "fx18"
+  const char* format;     ///< "fp32", "bfp32", or "fx" and the width of a word, e.g. "fx18"
   const char* schedule;   ///< "overlapped" or "paper"
   const char* evaluator;  ///< "pipelined", "iterative", or "bspline": wired in
   int mul_latency;        ///< clocks of a multiplier
