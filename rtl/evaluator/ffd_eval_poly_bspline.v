@@ -5,7 +5,7 @@
 // are those of ffd_eval_poly_pipelined with the watertight B-spline and its derivative loaded.
 //
 // Formats, rounding: those of ffd_num_step; the shift is 0, so there is none of ffd_num_scale.
-// Pipeline:   FFD_POLY_LATENCY = 3 steps + CONVERT_LATENCY, II 1, never frozen; step_k holds power
+// Pipeline:   3 steps + CONVERT_LATENCY, II 1, never frozen; no file is read. step_k holds power
 //             2 - k and needs its coefficient k steps after the start.
 // Parameters: FORMAT as in ffd_num.vh, latencies >= 1 (CONVERT_LATENCY >= 0), ADDRESS_W >= 4: the
 //             low four bits of an address are {derivative, bank, function}.

@@ -1,7 +1,7 @@
 // The number formats: widths, latencies and constants of the number layer (docs/numerics.md).
 //
 // FORMAT is 0 for binary32 (fp32), the operand width W = 8 to 32 for fixed point (fxW), and 64 + W,
-// W = 8 to 40, for block floating point (bfp32 is W = 35): stream words in binary32, points times
+// W = 8 to 35, for block floating point (bfp32 is W = 35): stream words in binary32, points times
 // 2^-exponent in fixed point. A format fixes three kinds of number, and no module outside number/
 // looks inside them:
 //
@@ -24,7 +24,7 @@
 `define FFD_FORMAT_FP32 0
 `define FFD_FORMAT_BLOCK(FORMAT) ((FORMAT) > 64)
 `define FFD_FORMAT_BAD(FORMAT) \
-  ((FORMAT) != 0 && ((FORMAT) < 8 || (FORMAT) > 32) && ((FORMAT) < 72 || (FORMAT) > 104))
+  ((FORMAT) != 0 && ((FORMAT) < 8 || (FORMAT) > 32) && ((FORMAT) < 72 || (FORMAT) > 99))
 
 // W and F, where the format is not binary32.
 `define FFD_FIXED_W(FORMAT) (`FFD_FORMAT_BLOCK(FORMAT) ? (FORMAT) - 64 : (FORMAT))

@@ -40,7 +40,7 @@ module ffd_stream_deep_fifo #(
 
   assign s_word_ready = !used[ADDRESS_W];
 
-  // A word is seen the clock after it was written: the memory gives the old one before.
+  // A word is seen the clock after it was written: what the memory gives before is not valid.
   always @(posedge clk) begin
     if (rst) begin
       write_q      <= {(ADDRESS_W + 1) {1'b0}};

@@ -1,6 +1,6 @@
 // ffd_stream_vertex: the beat of a vertex becomes what the evaluator takes
 //
-// Checks cell and coordinates, and by the mode of the packet (docs/interface.md section 4) clamps
+// Checks cell and coordinates, and by the mode of the packet (docs/interface.md section 2) clamps
 // them into the lattice, passes them or blanks the result. A cell of the resident lattice is always
 // brought inside, whatever the mode: nothing reads beyond the lattice.
 //

@@ -5,7 +5,7 @@
 //
 // Formats:    signed W bits each, product signed 2W bits, exact.
 // Pipeline:   BEFORE registers | multiplier, one register; II 1, never frozen.
-// Parameters: W >= 2, BEFORE >= 0.
+// Parameters: W >= 2 (one block up to 18), BEFORE >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
