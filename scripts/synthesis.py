@@ -117,7 +117,7 @@ def makes_sense(row, target):
 def subjects(rows):
     """The runs that are worth their time, in the table's order: of every overlapped row the
     organization on each target where it makes sense, and on ECP5 the whole core where the row has
-    streams, in binary32 of `basic` only, with DMA and registers where it has those; then the
+    streams, outside fixed point of `basic` only, with DMA and registers where it has those; then the
     binary32 units.
     """
     found = []
@@ -125,7 +125,7 @@ def subjects(rows):
     for row in overlapped:
         found += [Subject(row, ORGANIZATION, target) for target in TARGETS
                   if makes_sense(row, target)]
-        if row.stream and (row.format != "fp32" or row.org == "basic"):
+        if row.stream and (row.format.startswith("fx") or row.org == "basic"):
             found.append(Subject(row, CORE, "ecp5"))
         if row.stream and row.name in SYSTEM_ROWS:
             found.append(Subject(row, SYSTEM, "ecp5"))
