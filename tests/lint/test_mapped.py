@@ -247,6 +247,10 @@ class AgainstYosys(unittest.TestCase):
         counts = mapped.count("ecp5", netlists[True], "ffd_fx_product")
         self.assertEqual((counts["dsp"], counts["lut"]), (1, 0))
 
+    def test_a_wide_product_with_two_registers_maps_on_ice40(self):
+        netlists, _ = self.map("ffd_fx_product", "up5k", "none", "W 32", "LATENCY 4")
+        self.assertEqual(mapped.count("up5k", netlists[True], "ffd_fx_product")["dsp"], 4)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
