@@ -57,7 +57,7 @@ help:
 	@echo 'make synth-check  whether area or depth has grown by 3 % over synth/baseline.csv; make'
 	@echo '               synth-baseline writes that file'
 	@echo 'make docs      module hierarchy of the tops as pictures, the datasheet with its figures (minutes)'
-	@echo 'make pnr       places and routes rows on ECP5 and iCE40, three seeds: clocks (hours)'
+	@echo 'make pnr       places and routes rows on ECP5 and iCE40, three seeds: clocks (an hour)'
 	@echo '               TARGET= ORG= N= FORMAT='
 	@echo 'make boards    bitstreams of ULX3S and iCEBreaker: what of the chip is used, clock after routing'
 	@echo '               BOARD=ulx3s or icebreaker'
