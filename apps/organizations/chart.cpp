@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labels.hpp"
 #include "svg.hpp"
 
 namespace hwffd::organizations {
@@ -31,7 +32,7 @@ struct Series {
   std::string name;
   std::string colour;
   bool hollow;
-  double label_y;  // of the labels, from the mark's centre
+  int labels;  // above the marks 1, below them -1, none 0
   std::vector<Mark> marks;
 };
 
@@ -85,24 +86,7 @@ std::string grid() {
   return drawing;
 }
 
-/// Whether a mark before this one lies so close that labels on the same side would meet.
-bool crowded(const Series& series, const Mark& mark) {
-  return std::any_of(&series.marks.front(), &mark, [&](const Mark& other) {
-    return std::abs(x_of(other.operators) - x_of(mark.operators)) < 12 &&
-           std::abs(y_of(other.clocks) - y_of(mark.clocks)) < 12;
-  });
-}
-
-std::string label(const Series& series, const Mark& mark) {
-  if (series.label_y == 0) return "";
-  const bool aside = crowded(series, mark);
-  return svg::text(x_of(mark.operators) + (aside ? 9 : 0),
-                   y_of(mark.clocks) + (aside ? 4 : series.label_y), mark.name,
-                   fmt::format("font-size=\"10\" text-anchor=\"{}\" fill=\"{}\"",
-                               aside ? "start" : "middle", series.colour));
-}
-
-std::string draw(const Series& series) {
+std::string draw(const Series& series, svg::Labels& labels) {
   std::string drawing;
   const std::string fill = series.hollow ? "white" : series.colour;
   for (const Mark& mark : series.marks) {
@@ -111,7 +95,10 @@ std::string draw(const Series& series) {
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", fill, series.colour),
         fmt::format("{}, {}: {} operators, {} clocks", mark.name, series.name, mark.operators,
                     mark.clocks));
-    drawing += label(series, mark);
+    if (series.labels != 0) {
+      drawing += labels.beside(x_of(mark.operators), y_of(mark.clocks), mark.name, series.colour,
+                               series.labels > 0);
+    }
   }
   return drawing;
 }
@@ -142,14 +129,18 @@ std::string tradeoff_chart(const Comparison& comparison) {
   const std::vector<Series> all = {
       {"paper's schedule, units as drawn", paper, true, 0,
        marks(comparison, format, "paper", false, &OperatorCount::drawn)},
-      {"paper's schedule, as built", paper, false, -9,
+      {"paper's schedule, as built", paper, false, 1,
        marks(comparison, format, "paper", false, &OperatorCount::built)},
-      {"overlapped", overlapped, false, 18,
+      {"overlapped", overlapped, false, -1,
        marks(comparison, format, "overlapped", false, &OperatorCount::built)},
       {"paper's schedule, fused, binary32", "#2a8000", false, 0,
        marks(comparison, "fp32", "paper", true, &OperatorCount::built)}};
   std::string drawing = grid();
-  for (const Series& series : all) drawing += draw(series);
+  svg::Labels labels;
+  for (const Series& series : all) {
+    for (const Mark& mark : series.marks) labels.keep_free(x_of(mark.operators), y_of(mark.clocks));
+  }
+  for (const Series& series : all) drawing += draw(series, labels);
   drawing += legend(all);
   drawing += svg::text(kLeft, kTop - 24, fmt::format("Clocks against operators, {}", format),
                        "font-size=\"15\"");

@@ -18,6 +18,14 @@ bool is_same(const Configuration& a, const Configuration& b) {
          (a.fma_latency > 0) == (b.fma_latency > 0);
 }
 
+/// "tree 8", "basic bspline": what tells a row from the others of its format and schedule.
+std::string picture_name(const Configuration& row) {
+  const std::string name = row.name;
+  std::string form = name.substr(name.find(row.schedule) + std::string(row.schedule).size());
+  std::replace(form.begin(), form.end(), '-', ' ');
+  return (std::string(row.org) == "tree" ? fmt::format("tree {}", row.n) : row.org) + form;
+}
+
 /// Rough: what a vertex costs the simulator.
 double cost(const Configuration& row) {
   const double units = row.n + 3;
@@ -83,9 +91,8 @@ std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& a
     const Configuration& c = *row.configuration;
     const auto mapped = areas.find(c.name);
     if (mapped == areas.end() || !overlaps(c)) continue;
-    const std::string org = std::string(c.org) == "tree" ? fmt::format("tree {}", c.n) : c.org;
     for (const Area& area : mapped->second) {
-      found.push_back({c.name, org, c.format, area, row.measured.interval});
+      found.push_back({c.name, picture_name(c), c.format, area, row.measured.interval});
     }
   }
   return found;

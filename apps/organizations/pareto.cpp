@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labels.hpp"
 #include "svg.hpp"
 
 namespace hwffd::organizations {
@@ -17,7 +18,6 @@ constexpr double kLeft = 80;
 constexpr double kRight = 530;
 constexpr double kTop = 40;
 constexpr double kBottom = 360;
-constexpr double kLine = 12;  // of text: names of marks closer than this stand on either side
 const char* const kColour = "#0060a8";
 
 /// Whole decades around the values, on a logarithmic axis between two pixels.
@@ -93,21 +93,19 @@ std::string panel(const std::vector<Throughput>& rows) {
   const Axis x = axis(rows, kLeft, kRight, [](const Throughput& row) { return row.area.size; });
   const Axis y = axis(rows, kBottom, kTop, [](const Throughput& row) { return row.rate(); });
   std::string drawing = grid(x, y, rows.front());
-  for (const Throughput& row : rows) drawing += mark(x, y, row, "#bbbbbb");
+  svg::Labels labels;
+  for (const Throughput& row : rows) {
+    drawing += mark(x, y, row, "#bbbbbb");
+    labels.keep_free(x.at(row.area.size), y.at(row.rate()));
+  }
   std::string points;
   std::string named;
-  double last = kBottom + kLine;  // height of the mark before, from the smallest on
   for (const Throughput* row : front(rows)) {
     const double left = x.at(row->area.size);
     const double above = y.at(row->rate());
-    const bool close = std::abs(last - above) < kLine;
     points += fmt::format("{:.1f},{:.1f} ", left, above);
     named += mark(x, y, *row, kColour);
-    named += svg::text(left + (close ? 7 : -7), above + (close ? 12 : -5),
-                       fmt::format("{} {}", row->org, row->format),
-                       fmt::format("font-size=\"10\" text-anchor=\"{}\" fill=\"{}\"",
-                                   close ? "start" : "end", kColour));
-    last = above;
+    named += labels.beside(left, above, fmt::format("{} {}", row->org, row->format), kColour, true);
   }
   return drawing + svg::polyline(points, fmt::format("stroke=\"{}\"", kColour)) + named;
 }

@@ -1,0 +1,57 @@
+// Names beside crowded marks, read back from the SVG that they become.
+
+#include "labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace hwffd::svg {
+namespace {
+
+struct Read {
+  double x, y;
+  char anchor[8];
+};
+
+Read read(const std::string& text) {
+  Read read{};
+  EXPECT_EQ(std::sscanf(text.c_str(),
+                        "<text x=\"%lf\" y=\"%lf\" font-size=\"10\" text-anchor=\"%7[a-z]\"",
+                        &read.x, &read.y, read.anchor),
+            3)
+      << text;
+  return read;
+}
+
+TEST(Labels, ALoneOneIsAboveOrBelow) {
+  Labels labels;
+  labels.keep_free(100, 100);
+  const Read above = read(labels.beside(100, 100, "above", "red", true));
+  EXPECT_STREQ(above.anchor, "middle");
+  EXPECT_EQ(above.x, 100);
+  EXPECT_LT(above.y, 95);
+  EXPECT_GT(read(labels.beside(100, 100, "below", "red", false)).y, 105);
+}
+
+// Five marks within five pixels: any two names are a line apart or lie on either side.
+TEST(Labels, CrowdedOnesDoNotMeet) {
+  Labels labels;
+  for (int i = 0; i < 5; ++i) labels.keep_free(100 + i, 100 + i);
+  std::vector<Read> all;
+  for (int i = 0; i < 5; ++i) {
+    all.push_back(read(labels.beside(100 + i, 100 + i, "a name", "red", true)));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool sides = std::string(all[i].anchor) != all[j].anchor;
+      EXPECT_TRUE(sides || std::abs(all[i].y - all[j].y) > 10) << i << " and " << j;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::svg
