@@ -2,9 +2,9 @@
 //
 // Formats:    signed W bits each, product signed 2W bits; flags_o is flags_i, as late as the
 //             product.
-// Pipeline:   LATENCY registers, II 1, never frozen. W <= 18 or LATENCY < 2: one multiplier, 1 behind
-//             it, from 4 on 2, the rest in front. Else four ffd_fx_block, each 1 behind its product
-//             and from 3 on 1 in front; their sum 1, from 4 on 1 in it, the rest in front of all.
+// Pipeline:   LATENCY registers, II 1, never frozen. W <= 18 or LATENCY < 2: one multiplier, 1
+//             behind it, from 4 on 2, the rest in front. Else four ffd_fx_block, each 1 behind its
+//             product and from 3 on 1 in front; their sum 1, from 4 on 1 in it, the rest in front.
 // Parameters: 2 <= W <= 35, FLAGS_W >= 1, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
