@@ -98,16 +98,22 @@ std::string panel(const std::vector<Throughput>& rows) {
     drawing += mark(x, y, row, "#bbbbbb");
     labels.keep_free(x.at(row.area.size), y.at(row.rate()));
   }
+  const std::vector<const Throughput*> best = front(rows);
   std::string points;
-  std::string named;
-  for (const Throughput* row : front(rows)) {
-    const double left = x.at(row->area.size);
-    const double above = y.at(row->rate());
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const double left = x.at(best[i]->area.size);
+    const double above = y.at(best[i]->rate());
     points += fmt::format("{:.1f},{:.1f} ", left, above);
-    named += mark(x, y, *row, kColour);
-    named += labels.beside(left, above, fmt::format("{} {}", row->org, row->format), kColour, true);
+    if (i == 0) continue;
+    labels.keep_free(x.at(best[i - 1]->area.size), y.at(best[i - 1]->rate()), left, above);
   }
-  return drawing + svg::polyline(points, fmt::format("stroke=\"{}\"", kColour)) + named;
+  drawing += svg::polyline(points, fmt::format("stroke=\"{}\"", kColour));
+  for (const Throughput* row : best) {
+    drawing += mark(x, y, *row, kColour);
+    drawing += labels.beside(x.at(row->area.size), y.at(row->rate()),
+                             fmt::format("{} {}", row->org, row->format), kColour, true);
+  }
+  return drawing;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "svg.hpp"
 
@@ -44,6 +45,16 @@ double left_of(const Place& place, double width) {
 
 void Labels::keep_free(double x, double y) {
   taken_.push_back({x - kRadius, y - kRadius, x + kRadius, y + kRadius});
+}
+
+void Labels::keep_free(double x1, double y1, double x2, double y2) {
+  constexpr double kStep = 4;
+  const double steps = std::ceil(std::hypot(x2 - x1, y2 - y1) / kStep);
+  for (double i = 1; i < steps; ++i) {
+    const double x = x1 + (x2 - x1) * i / steps;
+    const double y = y1 + (y2 - y1) * i / steps;
+    taken_.push_back({x - 1, y - 1, x + 1, y + 1});
+  }
 }
 
 double Labels::covered(const Box& box) const {

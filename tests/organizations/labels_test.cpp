@@ -53,5 +53,13 @@ TEST(Labels, CrowdedOnesDoNotMeet) {
   }
 }
 
+// A line that goes up to the right leaves the place to the left of it.
+TEST(Labels, ALineIsNotCovered) {
+  Labels labels;
+  labels.keep_free(100, 100);
+  labels.keep_free(100, 100, 200, 0);
+  EXPECT_STREQ(read(labels.beside(100, 100, "a name", "red", true)).anchor, "end");
+}
+
 }  // namespace
 }  // namespace hwffd::svg
