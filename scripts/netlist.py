@@ -39,7 +39,7 @@ def main():
         row = configurations.find(configurations.read(), options.name)
         options.out.parent.mkdir(parents=True, exist_ok=True)
         commands = "; ".join(steps(row, options.target, options.out.resolve()))
-        return subprocess.run(["yosys", "-Q", "-T", "-q", "-p", commands], cwd=rtl.ROOT,
+        return subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", commands], cwd=rtl.ROOT,
                               check=False).returncode
     except (configurations.TableError, OSError) as error:
         print(f"netlist.py: {error}", file=sys.stderr)
