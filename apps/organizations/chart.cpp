@@ -43,11 +43,6 @@ double y_of(double clocks) {
   return kBottom - std::log(clocks / kShortest) / std::log(kLongest / kShortest) * (kBottom - kTop);
 }
 
-std::string short_name(const Configuration& row) {
-  const std::string org = row.org;
-  return org == "tree" ? fmt::format("tree {}", row.n) : org;
-}
-
 /// One mark a row of a format, schedule and kind of operators; the first of several evaluators.
 std::vector<Mark> marks(const Comparison& comparison, const std::string& format,
                         const std::string& schedule, bool fused, Operators OperatorCount::*form) {

@@ -18,12 +18,12 @@ bool is_same(const Configuration& a, const Configuration& b) {
          (a.fma_latency > 0) == (b.fma_latency > 0);
 }
 
-/// "tree 8", "basic bspline": what tells a row from the others of its format and schedule.
-std::string picture_name(const Configuration& row) {
+/// What a row's name has behind its schedule: "basic-fx18-overlapped-bspline" -> " bspline".
+std::string form_of(const Configuration& row) {
   const std::string name = row.name;
   std::string form = name.substr(name.find(row.schedule) + std::string(row.schedule).size());
   std::replace(form.begin(), form.end(), '-', ' ');
-  return (std::string(row.org) == "tree" ? fmt::format("tree {}", row.n) : row.org) + form;
+  return form;
 }
 
 /// Rough: what a vertex costs the simulator.
@@ -85,6 +85,10 @@ std::optional<double> Comparison::overlapped_interval(const Row& row) const {
   return overlapped->measured.interval;
 }
 
+std::string short_name(const Configuration& row) {
+  return std::string(row.org) == "tree" ? fmt::format("tree {}", row.n) : row.org;
+}
+
 std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas) {
   std::vector<Throughput> found;
   for (const Row& row : comparison.rows()) {
@@ -92,7 +96,7 @@ std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& a
     const auto mapped = areas.find(c.name);
     if (mapped == areas.end() || !overlaps(c)) continue;
     for (const Area& area : mapped->second) {
-      found.push_back({c.name, picture_name(c), c.format, area, row.measured.interval});
+      found.push_back({c.name, short_name(c) + form_of(c), c.format, area, row.measured.interval});
     }
   }
   return found;

@@ -45,6 +45,9 @@ class Comparison {
   double reference_vertices_per_s_;
 };
 
+/// An organization as pictures call it: "basic", "tree 8".
+std::string short_name(const Configuration& row);
+
 /// The overlapped rows on every target on which they have been mapped.
 std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas);
 
