@@ -1,8 +1,8 @@
 // ffd_num_in: a word of the stream becomes a coordinate, a coefficient or a point
 //
 // Formats:    fp32: the word is the number. fxW, by ROLE (docs/interface.md section 3):
-//               coordinate   unsigned Q1.31, 0x80000000 = 1.0  ->  Q2.(W-2); above 1.0 it is
-//                            clamped to 1.0 and flagged
+//               coordinate   unsigned Q1.31, 0x80000000 = 1.0  ->  Q2.(W-2); outside [0, 1] it is
+//                            clamped (ffd_num_range) and flagged
 //               coefficient  Q2.30 (already times 2^-shift)    ->  Q2.(W-2)
 //               point        Q1.31                             ->  Q1.(W-1)
 //             Block: coordinates and points are binary32, aligned to 1 and to 2^exponent_i, the
@@ -38,14 +38,13 @@ module ffd_num_in #(
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
       assign number_o = word_i;
-    end else if (`FFD_FORMAT_BLOCK(FORMAT) && ROLE == `FFD_ROLE_COORDINATE) begin : gen_block_place
-      // Q2.(W-2) is a point's Q1.(W-1) in a block of exponent 1. What is clamped is no infinity.
+    end else if (ROLE == `FFD_ROLE_COORDINATE) begin : gen_coordinate
+      // Into [0, 1] first, so that what is clamped is no infinity.
       wire        nan;
       wire        outside;
       wire [31:0] clamped;
       wire        saturated;
-      wire        plus;
-      wire        minus;
+      wire        infinite;
       ffd_num_range #(
         .FORMAT(FORMAT)
       ) u_range (
@@ -54,17 +53,36 @@ module ffd_num_in #(
         .outside_o(outside),
         .clamped_o(clamped)
       );
-      ffd_bfp_align #(
-        .W(W)
-      ) u_align (
-        .word_i     (clamped),
-        .exponent_i (`FFD_EXPONENT_W'd1),
-        .value_o    (number_o[W-1:0]),
-        .saturated_o(saturated),
-        .plus_o     (plus),
-        .minus_o    (minus)
-      );
-      assign number_o[W] = nan | outside | saturated | plus | minus;
+      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_block
+        // Q2.(W-2) is a point's Q1.(W-1) in a block of exponent 1.
+        wire plus;
+        wire minus;
+        ffd_bfp_align #(
+          .W(W)
+        ) u_align (
+          .word_i     (clamped),
+          .exponent_i (`FFD_EXPONENT_W'd1),
+          .value_o    (number_o[W-1:0]),
+          .saturated_o(saturated),
+          .plus_o     (plus),
+          .minus_o    (minus)
+        );
+        assign infinite = plus | minus;
+      end else begin : gen_fixed
+        wire [32:0] word = {1'b0, clamped};
+        ffd_fx_round #(
+          .IN_W (33),
+          .DROP (33 - W),
+          .OUT_W(W)
+        ) u_round (
+          .value_i    (word),
+          .addend_i   ({W{1'b0}}),
+          .value_o    (number_o[W-1:0]),
+          .saturated_o(saturated)
+        );
+        assign infinite = 1'b0;
+      end
+      assign number_o[W] = nan | outside | saturated | infinite;
     end else if (`FFD_FORMAT_BLOCK(FORMAT) && ROLE == `FFD_ROLE_POINT) begin : gen_block_point
       ffd_bfp_align #(
         .W(W)
@@ -76,21 +94,6 @@ module ffd_num_in #(
         .plus_o     (number_o[W+1]),
         .minus_o    (number_o[W+2])
       );
-    end else if (ROLE == `FFD_ROLE_COORDINATE) begin : gen_coordinate
-      wire        above = word_i[31] & |word_i[30:0];
-      wire [32:0] word  = {1'b0, above ? 32'h8000_0000 : word_i};
-      wire        saturated;
-      ffd_fx_round #(
-        .IN_W (33),
-        .DROP (33 - W),
-        .OUT_W(W)
-      ) u_round (
-        .value_i    (word),
-        .addend_i   ({W{1'b0}}),
-        .value_o    (number_o[W-1:0]),
-        .saturated_o(saturated)
-      );
-      assign number_o[W] = above | saturated;
     end else begin : gen_signed
       localparam PAD = W > 32 ? W - 32 : 0;
       wire signed [31+PAD:0] word;

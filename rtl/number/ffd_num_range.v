@@ -1,11 +1,12 @@
 // ffd_num_range: whether the stream word of a coordinate is a number in [0, 1]
 //
-// Formats:    stream words (docs/interface.md section 3): binary32 (fp32, block) or unsigned Q1.31.
-//             NaN and the infinities are no numbers (nan_o), -0 is 0. clamped_o is the nearest word
-//             in [0, 1]; of what is no number it is one of both ends.
+// Formats:    stream words (docs/interface.md section 3): binary32 (fp32, block), or units of 2^-31
+//             modulo 2^32 from -1/2 on, so that words from 0xC0000000 on are below 0. NaN and the
+//             infinities are no numbers (nan_o), -0 is 0. clamped_o is the nearest word in [0, 1];
+//             of what is no number it is one of both ends.
 // Pipeline:   combinational.
 // Parameters: FORMAT as in ffd_num.vh.
-// Model:      golden/include/hwffd/numerics (range).  Test: tests/system, tests/unit/fixed.
+// Model:      golden/include/hwffd/numerics (range).  Test: tests/unit/range.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
@@ -35,8 +36,8 @@ module ffd_num_range #(
       assign below = word_i[31] && word_i[30:0] != 31'd0;
     end else begin : gen_fixed
       assign nan_o = 1'b0;
-      assign above = word_i > ONE;
-      assign below = 1'b0;
+      assign above = word_i > ONE && !below;
+      assign below = &word_i[31:30];
     end
   endgenerate
 

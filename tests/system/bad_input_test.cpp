@@ -154,6 +154,24 @@ TEST_P(BadInput, CoordinateOutside) {
   }
 }
 
+// Nearest is the face on the same side, however little a coordinate is outside.
+TEST_P(BadInput, CoordinateOutsideGoesToTheNearestFace) {
+  const WordCodec codec(GetParam().format);
+  const auto expect_as = [&](double value, double face) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<VertexBeat> stray = vertices(3);
+      stray[1].local[axis] = codec.coordinate(value);
+      expect_event(kCoordinate, 1, vertices_packet(stray));
+      const Beat clamped = results_[3];
+      stray[1].local[axis] = codec.coordinate(face);
+      expect_event(kCoordinate, 0, vertices_packet(stray));
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_[3].words[c]) << value;
+    }
+  };
+  for (const double value : {-0x1p-31, -0.25, -0.5}) expect_as(value, 0);
+  for (const double value : {1 + 0x1p-23, 1.25, 1.49}) expect_as(value, 1);
+}
+
 TEST_P(BadInput, CoordinateThatIsNoNumber) {
   const WordCodec codec(GetParam().format);
   if (!codec.is_float()) GTEST_SKIP() << "fixed point has none";

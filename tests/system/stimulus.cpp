@@ -15,7 +15,8 @@ namespace {
 std::uint32_t corner_coordinate(const WordCodec& codec, tb::Random& random) {
   if (!codec.is_float()) {
     return random.pick({0x00000000U, 0x00000001U, 0x00002000U, 0x40000000U, 0x7FFFE000U,
-                        0x7FFFFFFFU, 0x80000000U, 0x80000001U, 0xFFFFFFFFU});
+                        0x7FFFFFFFU, 0x80000000U, 0x80000001U, 0xBFFFFFFFU, 0xC0000000U,
+                        0xFFFFFFFFU});
   }
   return random.pick({0x00000000U, 0x00000001U, 0x007FFFFFU, 0x00800000U, 0x33800000U, 0x3F000000U,
                       0x3F7FFFFFU, 0x3F800000U, 0x3F800001U, 0x80000000U, 0xBF800000U});

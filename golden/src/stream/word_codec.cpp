@@ -31,7 +31,7 @@ WordCodec::WordCodec(const std::string& format) {
 
 std::uint32_t WordCodec::coordinate(double value) const {
   if (is_float()) return bits_of_float(static_cast<float>(value));
-  return rounded(std::ldexp(value, 31), 0, 0x1p32 - 1);
+  return rounded(std::ldexp(value, 31), -0x1p30, 0x1.8p31 - 1);
 }
 
 std::uint32_t WordCodec::coefficient(double value, int shift) const {
@@ -45,7 +45,9 @@ std::uint32_t WordCodec::point(double value) const {
 }
 
 double WordCodec::decode_coordinate(std::uint32_t word) const {
-  return is_float() ? float_of_bits(word) : std::ldexp(word, -31);
+  if (is_float()) return float_of_bits(word);
+  constexpr std::uint32_t kHalf = 0x40000000;  // the middle of [-1/2, 3/2)
+  return std::ldexp(static_cast<std::int32_t>(word - kHalf), -31) + 0.5;
 }
 
 double WordCodec::decode_point(std::uint32_t word) const {

@@ -73,13 +73,15 @@ using Results = std::array<Int128, kUnits>;
 template <int W>
 Results exact_results(const Operands& o) {
   constexpr int kF = W - 2;
-  const Exact coordinate{o.word > 0x80000000U ? Int128{0x80000000U} : Int128{o.word}, 31};
+  const bool below = o.word >= 0xC0000000U;  // a coordinate below 0
+  const bool outside = o.word > 0x80000000U;
+  const Exact coordinate{below ? 0 : outside ? Int128{0x80000000U} : Int128{o.word}, 31};
   const Int128 word = static_cast<std::int32_t>(o.word);
   const Int128 product = o.a * o.b;
   const Int128 one = Int128{1} << kF;
   const bool flag_ab = o.flag_a || o.flag_b;
   const Int128 out = packed(nearest({o.sum_a, 2 * W - 3}, 31, 32), o.flag_a, 32);
-  return {packed(nearest(coordinate, kF, W), o.word > 0x80000000U, W),
+  return {packed(nearest(coordinate, kF, W), outside, W),
           packed(nearest({word, 30}, kF, W), false, W),
           packed(nearest({word, 31}, W - 1, W), false, W),
           packed(nearest({product, 2 * kF}, kF, W), flag_ab, W),
@@ -89,7 +91,7 @@ Results exact_results(const Operands& o) {
           packed(o.sum_a + o.sum_b, flag_ab, 2 * W + 6),
           packed(nearest({o.sum_a, 2 * W - 3}, W - 1, W), o.flag_a, W),
           packed(nearest({o.sum_a * (1 << (o.rescale + 1)), 2 * W - 2}, W - 1, W), o.flag_a, W),
-          packed(2 * nearest(coordinate, kF, W).value - one, o.word > 0x80000000U, W),
+          packed(2 * nearest(coordinate, kF, W).value - one, outside, W),
           packed(o.b * one * (1 << o.widen), o.flag_b, 2 * W + 6),
           out};
 }

@@ -1,4 +1,4 @@
-// ffd_num_range and its model against what the words mean: IEEE-754 fields, or a fraction of 2^31.
+// ffd_num_range and its model against what the words mean: IEEE-754 fields, or units of 2^-31.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,11 @@ std::optional<double> binary32_value(std::uint32_t word) {
   return word >> 31 != 0 ? -magnitude : magnitude;
 }
 
-std::optional<double> fixed_value(std::uint32_t word) { return std::ldexp(word, -31); }
+/// Words count units of 2^-31 modulo 2^32, from -1/2 on, so that a step below 0 is below 0.
+std::optional<double> fixed_value(std::uint32_t word) {
+  const double units = word;
+  return std::ldexp(word < 0xC0000000U ? units : units - 0x1p32, -31);
+}
 
 using ValueOf = std::optional<double> (*)(std::uint32_t);
 
@@ -51,8 +55,8 @@ template <class Dut, class Format>
 void expect_ranges(std::uint32_t one, ValueOf value_of) {
   ASSERT_EQ(value_of(one), 1.0);
   Dut dut;
-  for (const std::uint32_t corner :
-       {0x00000000U, one, 0x80000000U, 0x7F800000U, 0xFF800000U, 0x7FFFFFFFU, 0xBF800000U}) {
+  for (const std::uint32_t corner : {0x00000000U, one, 0x80000000U, 0x7F800000U, 0xFF800000U,
+                                     0x7FFFFFFFU, 0xBF800000U, 0xC0000000U}) {
     for (std::uint32_t near = 0; near < 2048; ++near)
       expect_range<Dut, Format>(dut, corner - 1024 + near, one, value_of);
   }

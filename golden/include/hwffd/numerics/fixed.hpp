@@ -38,15 +38,18 @@ struct Fixed {
   static constexpr std::uint32_t kBlankWord = 0;
   static constexpr std::uint32_t kOneWord = 0x80000000;
 
+  /// A coordinate's word counts units of 2^-31 modulo 2^32, from -1/2 on.
   static CoordinateRange range(std::uint32_t word) {
-    const bool above = word > kOneWord;
-    return {false, above, above ? kOneWord : word};
+    constexpr std::uint32_t kMinusHalf = 0xC0000000;
+    const bool below = word >= kMinusHalf;
+    const bool outside = word > kOneWord;
+    return {false, outside, below ? 0 : outside ? kOneWord : word};
   }
 
   static Weight coordinate(std::uint32_t word) {
-    constexpr std::uint32_t kOne = 0x80000000U;
-    const Number number = round_to<Number>(Int128{std::min(word, kOne)}, 33 - W, W);
-    return {number.value, number.saturated || word > kOne};
+    const CoordinateRange place = range(word);
+    const Number number = round_to<Number>(Int128{place.clamped}, 33 - W, W);
+    return {number.value, number.saturated || place.outside};
   }
   static Weight coefficient(std::uint32_t word) { return signed_word(word); }
   static Point point(std::uint32_t word, int /*exponent*/ = 0) { return signed_word(word); }

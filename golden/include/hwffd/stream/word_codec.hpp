@@ -23,7 +23,7 @@ class WordCodec {
   /// Fraction bits that a weight and its coefficient's word have both; only of fixed weights.
   int weight_fraction() const { return width_ - 2; }
 
-  std::uint32_t coordinate(double value) const;              ///< binary32 or unsigned Q1.31
+  std::uint32_t coordinate(double value) const;              ///< binary32 or Q1.31 in [-1/2, 3/2)
   std::uint32_t coefficient(double value, int shift) const;  ///< binary32 or Q2.30, times 2^-shift
   std::uint32_t point(double value) const;                   ///< binary32 or Q1.31
   double decode_coordinate(std::uint32_t word) const;
