@@ -1,6 +1,7 @@
 #include "hwffd/tb/axi_memory.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace hwffd::tb {
 
@@ -21,11 +22,22 @@ void AxiMemory::fail_nothing() {
   failing_writes_.clear();
 }
 
+void AxiMemory::answer_unasked(AxiResponse response, bool last) {
+  AxiReadChannel beat;
+  beat.valid = true;
+  for (std::uint32_t& word : beat.data) word = random_.word();
+  beat.response = response;
+  beat.last = last;
+  unasked_queue_.push_back(beat);
+}
+
 void AxiMemory::forget_open() {
   read_queue_.clear();
   write_queue_.clear();
   answer_queue_.clear();
   data_queue_.clear();
+  unasked_queue_.clear();
+  unasked_ = false;
   r_ = {};
   b_ = {};
 }
@@ -95,6 +107,11 @@ void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
     r_.last = open.done + 1 == open.beats;
     r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{kAxiOkay};
   }
+  if (!r_.valid && read_queue_.empty() && !unasked_queue_.empty()) {
+    r_ = unasked_queue_.front();
+    unasked_queue_.pop_front();
+    unasked_ = true;
+  }
   if (!r_.valid) {  // idle data is garbage
     for (std::uint32_t& word : r_.data) word = random_.word();
     r_.last = random_.chance(0.5);
@@ -144,9 +161,11 @@ void AxiMemory::commit(std::uint64_t cycle) {
 
 void AxiMemory::observe(const AxiPins& pins, std::uint64_t cycle) {
   if (pins.r.valid && pins.r.ready) {
-    ++read_beats_;
     r_.valid = false;
-    if (++read_queue_.front().done == read_queue_.front().beats) read_queue_.pop_front();
+    if (!std::exchange(unasked_, false)) {
+      ++read_beats_;
+      if (++read_queue_.front().done == read_queue_.front().beats) read_queue_.pop_front();
+    }
   }
   if (pins.b.valid && pins.b.ready) {
     b_.valid = false;

@@ -57,6 +57,9 @@ class AxiMemory {
   /// Beat `beat` of every read burst at that address fails.
   void fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response);
   void fail_nothing();
+  /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
+  /// open.
+  void answer_unasked(AxiResponse response, bool last);
   /// As aresetn of the whole bus: what is open is forgotten, write data without its last beat too.
   void forget_open();
 
@@ -118,6 +121,8 @@ class AxiMemory {
   std::deque<Open> write_queue_;   // waiting for data
   std::deque<Open> answer_queue_;  // waiting for their response
   std::deque<std::pair<AxiData, bool>> data_queue_;
+  std::deque<AxiReadChannel> unasked_queue_;
+  bool unasked_ = false;  // what R shows
   AxiReadChannel r_;
   AxiResponseChannel b_;
   std::vector<Burst> reads_, writes_;

@@ -1,0 +1,118 @@
+// A result area from its start to the next one: partly used, full, failed, flushed.
+#include <gtest/gtest.h>
+
+#include "dma_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint64_t kArea = 0x10000;  // a border of every burst
+constexpr std::uint64_t kNext = 0x90000;
+
+class ResultArea : public testing::TestWithParam<DmaSize> {};
+INSTANTIATE_TEST_SUITE_P(Dma, ResultArea, testing::ValuesIn(dma_sizes()),
+                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+
+bool counted(DmaBench& bench, std::uint64_t results) {
+  return bench.run_until([&] { return bench.status.result_count == results; }, 5000);
+}
+
+TEST_P(ResultArea, TheNextOneBeginsWhereTheOldOneIsPartlyUsed) {
+  for (const std::uint64_t used : {0, 1, 3, 17, 63}) {
+    DmaBench bench(GetParam(), used);
+    bench.start_results(kArea, 64 * kBeat);
+    bench.run(10);
+    bench.offer_results(used, used);
+    ASSERT_TRUE(counted(bench, used));
+    bench.start_results(kNext, 64 * kBeat);
+    bench.offer_results(20, 20);
+    ASSERT_TRUE(counted(bench, 20));
+    EXPECT_EQ(bench.results_in_memory(kArea, 0, used), used);
+    EXPECT_EQ(bench.results_in_memory(kNext, used, 20), 20u);
+    EXPECT_EQ(bench.memory.changed_outside({{kArea, kArea + used * kBeat - (used != 0 ? 1 : 0)},
+                                            {kNext, kNext + 20 * kBeat - 1}}),
+              0u);
+    EXPECT_FALSE(bench.status.result_overflow);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
+// An area that its last burst would have filled is not full once that burst has failed.
+TEST_P(ResultArea, ResultsBehindAFailedLastBurstWait) {
+  const std::uint64_t burst = GetParam().max_burst;
+  for (std::uint64_t bursts = 1; bursts <= 3; ++bursts) {
+    DmaBench bench(GetParam(), bursts);
+    const std::uint64_t capacity = bursts * burst;
+    bench.memory.fail_write(bursts - 1, tb::kAxiSlverr);
+    bench.start_results(kArea, static_cast<std::uint32_t>(capacity * kBeat));
+    bench.offer_results(capacity, burst);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }, 5000));
+    ASSERT_TRUE(bench.run_until([&] { return !bench.status.result_running; }, 100));
+    bench.offer_results(6, 3);
+    bench.run(50);
+    EXPECT_EQ(bench.results_waiting(), 0u);
+    EXPECT_FALSE(bench.status.result_overflow);
+    EXPECT_EQ(bench.status.result_count, capacity - burst);
+    bench.start_results(kNext, 6 * kBeat);
+    ASSERT_TRUE(counted(bench, 6));
+    EXPECT_EQ(bench.results_in_memory(kNext, capacity, 6), 6u);
+    EXPECT_EQ(bench.write_errors().size(), 1u);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
+/// Clocks until the address of what was just offered goes out.
+std::uint64_t clocks_to_address(DmaBench& bench) {
+  const std::uint64_t writes = bench.memory.writes().size(), start = bench.cycle();
+  EXPECT_TRUE(bench.run_until([&] { return bench.memory.writes().size() > writes; }, 1000));
+  return bench.cycle() - start;
+}
+
+// However many beats a `last` has sent on, a beat without one then waits for others.
+TEST_P(ResultArea, AFlushEndsWithItsLastBeat) {
+  constexpr std::uint64_t kPatience = 20;  // FLUSH_CLOCKS, and four for the way to the bus
+  const std::uint64_t burst = GetParam().max_burst;
+  for (std::uint64_t flushed = 1; flushed <= std::min<std::uint64_t>(2 * burst + 1, 40);
+       ++flushed) {
+    if ((flushed + 1) % burst == 0) continue;  // the beat behind would fill a burst
+    SCOPED_TRACE(testing::Message() << flushed << " beats flushed");
+    DmaBench bench(GetParam(), flushed);
+    bench.start_results(kArea, 1 << 16);
+    bench.run(10);
+    bench.offer_results(flushed, flushed);
+    ASSERT_TRUE(counted(bench, flushed));
+    bench.offer_results(1);
+    EXPECT_EQ(clocks_to_address(bench), kPatience);
+    ASSERT_TRUE(counted(bench, flushed + 1));
+    EXPECT_EQ(bench.results_in_memory(kArea, 0, flushed + 1), flushed + 1);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
+// While a soft reset waits for the reader's bursts, the writer has nothing open and could begin.
+TEST_P(ResultArea, NoneStartsDuringASoftReset) {
+  DmaBench bench(GetParam(), 9);
+  bench.memory.set_latency({60, 60});
+  bench.place_ring(0x7000, 2);
+  bench.put_packet(0x100000, GetParam().max_burst);
+  bench.start_ring();
+  bench.run(20);
+  bench.controls.soft_reset = true;
+  bench.step();
+  bench.step();
+  for (int clocks = 0; clocks < 20; ++clocks) {
+    bench.start_results(kArea, 1 << 16);
+    ASSERT_TRUE(bench.status.clearing);
+    EXPECT_FALSE(bench.status.result_running || bench.status.result_busy) << clocks;
+  }
+  ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing; }, 1000));
+  bench.offer_results(4, 4);
+  bench.run(100);
+  EXPECT_FALSE(bench.status.result_running);
+  EXPECT_TRUE(bench.memory.writes().empty());
+  EXPECT_TRUE(bench.write_errors().empty());
+  EXPECT_EQ(bench.faults(), "");
+}
+
+}  // namespace
+}  // namespace hwffd::test

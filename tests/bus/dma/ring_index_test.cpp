@@ -1,0 +1,92 @@
+// Indices of the ring in all their bits: where a fault is reported and where a start goes on, in
+// the same ring or in a smaller one.
+#include <gtest/gtest.h>
+
+#include "dma_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr unsigned kLargest = 15;  // log2 of the entries
+constexpr std::uint64_t kRing = 0x80000;
+constexpr std::uint64_t kPackets = 0x100000;
+
+unsigned in_ring(unsigned index, unsigned entries_log2) {
+  return index & ((1u << entries_log2) - 1);
+}
+
+/// Reads packets of one beat until the tail of the largest ring is `index`.
+void advance(DmaBench& bench, unsigned index) {
+  bench.place_ring(kRing, kLargest);
+  for (unsigned i = 0; i < index; ++i) {
+    bench.put_descriptor({kPackets, kBeat, 0});
+    bench.expect_packet(kPackets, 1);
+  }
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until_idle(1000000));
+  ASSERT_EQ(bench.status.ring_tail, index);
+  ASSERT_EQ(bench.packet_difference(), "");
+  bench.forget_packets();
+}
+
+/// A start finds a bad descriptor at `index`, says so and stops there.
+void expect_refused(DmaBench& bench, unsigned index, const Descriptor& bad, unsigned code) {
+  bench.forget_read_errors();
+  bench.set_software_head(static_cast<std::uint16_t>(index));
+  bench.put_descriptor(bad);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }, 200));
+  ASSERT_TRUE(bench.run_until_idle());
+  ASSERT_EQ(bench.read_errors().size(), 1u);
+  EXPECT_EQ(bench.read_errors()[0].code, code);
+  EXPECT_EQ(bench.read_errors()[0].address, bench.descriptor_address(index));
+  EXPECT_EQ(bench.status.ring_tail, index);
+}
+
+/// The descriptor at `index`, mended, is where the next start goes on.
+void expect_read(DmaBench& bench, unsigned index) {
+  bench.set_software_head(static_cast<std::uint16_t>(index));
+  bench.put_packet(kPackets + 0x100, 3);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until_idle());
+  EXPECT_EQ(bench.packet_difference(), "");
+  EXPECT_EQ(bench.status.ring_tail, bench.software_head());
+}
+
+/// From a tail of `index` on, through rings of half the size each, which lose a bit of it each.
+void halve_rings(unsigned index, const Descriptor& bad, unsigned code) {
+  DmaBench bench(dma_sizes().back(), index + code);
+  advance(bench, index);
+  for (unsigned log2 = kLargest; log2 > 0; --log2) {
+    SCOPED_TRACE(testing::Message() << "index " << index << ", 2^" << log2 << " entries");
+    bench.place_ring(kRing, log2);
+    expect_refused(bench, in_ring(index, log2), bad, code);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+  expect_read(bench, in_ring(index, 1));
+  EXPECT_EQ(bench.faults(), "");
+}
+
+// Both values of every bit: 0x2AAA and 0x5555.
+TEST(RingIndex, OfADescriptorThatIsRefused) {
+  halve_rings(0x2AAA, {kPackets, 0, 0}, kZeroLength);
+  halve_rings(0x5555, {kPackets + 8, kBeat, 0}, kMisaligned);
+}
+
+TEST(RingIndex, OfADescriptorWithFlags) {
+  halve_rings(0x2AAA, {kPackets, kBeat, 1}, kFlags);
+  halve_rings(0x5555, {kPackets, kBeat, 1}, kFlags);
+}
+
+TEST(RingIndex, OfAStartInTheSameRing) {
+  for (const unsigned index : {0x2AAAu, 0x5555u}) {
+    DmaBench bench(dma_sizes().back(), index);
+    advance(bench, index);
+    expect_refused(bench, index, {kPackets, kBeat, 1}, kFlags);
+    expect_read(bench, index);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::test

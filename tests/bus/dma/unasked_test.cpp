@@ -1,0 +1,52 @@
+// Read data that nobody asked for is ignored, whatever it says.
+#include <gtest/gtest.h>
+
+#include "dma_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint64_t kRing = 0x7000;
+constexpr std::uint64_t kPackets = 0x100000;
+
+class Unasked : public testing::TestWithParam<DmaSize> {};
+INSTANTIATE_TEST_SUITE_P(Dma, Unasked, testing::ValuesIn(dma_sizes()),
+                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+
+constexpr std::uint64_t kKinds = 8;
+
+/// A beat of every response, last and not; nothing comes of them.
+void expect_ignored(DmaBench& bench) {
+  for (const auto response : {tb::kAxiOkay, tb::kAxiExOkay, tb::kAxiSlverr, tb::kAxiDecerr}) {
+    for (const bool last : {false, true}) bench.memory.answer_unasked(response, last);
+  }
+  const std::size_t packets = bench.packets().size(), reads = bench.memory.reads().size();
+  bench.run(40);
+  EXPECT_EQ(bench.packets().size(), packets);
+  EXPECT_EQ(bench.memory.reads().size(), reads);
+  EXPECT_TRUE(bench.read_errors().empty());
+  EXPECT_TRUE(bench.status.idle);
+  bench.checker.restarted();  // no error of the engine's
+}
+
+// After reset, behind a descriptor, behind a packet, and each time the next packet is exact.
+TEST_P(Unasked, ReadDataBetweenPackets) {
+  DmaBench bench(GetParam(), 2);
+  bench.place_ring(kRing, 4);
+  expect_ignored(bench);
+  bench.start_ring();
+  for (std::uint64_t packet = 0; packet < 10; ++packet) {
+    bench.put_packet(kPackets + packet * 0x1000, 1 + 3 * packet);
+    bench.ring_doorbell();
+    ASSERT_TRUE(bench.run_until_idle());
+    EXPECT_EQ(bench.packet_difference(), "");
+    expect_ignored(bench);
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_EQ(bench.status.ring_tail, 10);
+  EXPECT_EQ(bench.checker.violations(tb::AxiRule::kUnasked), 11 * kKinds);
+  EXPECT_EQ(bench.checker.violations(), 11 * kKinds) << "a rule that the engine broke";
+}
+
+}  // namespace
+}  // namespace hwffd::test
