@@ -34,6 +34,7 @@ module formal_axil_registers #(
   localparam [9:0] RESULT_BASE_HI = 10'h019;
   localparam [9:0] RESULT_SIZE = 10'h01a;
   localparam [9:0] WINDOWS = 10'h020;    // eight of them
+  localparam [9:0] COUNTERS = 10'h030;   // low and high word of each of three
   localparam [9:0] ERROR_STATUS = 10'h040;
   localparam [9:0] ERROR_FIRST = 10'h042;
   localparam [9:0] IRQ_STATE = 10'h051;
@@ -116,6 +117,39 @@ module formal_axil_registers #(
   (* hierconn *) wire        \u_dut.irq_state_done_q ;
   (* hierconn *) wire        \u_dut.irq_state_error_q ;
   (* hierconn *) wire        \u_dut.irq_state_refused_q ;
+
+  // Counters side by side: count, high word as it was latched, and what latches it.
+  (* hierconn *) wire        \u_dut.read ;
+  (* hierconn *) wire [9:0]  \u_dut.read_word ;
+  (* hierconn *) wire [31:0] \u_dut.read_data ;
+  (* hierconn *) wire [63:0] \u_dut.u_counter_vertices.count_q ;
+  (* hierconn *) wire [63:0] \u_dut.u_counter_stalls.count_q ;
+  (* hierconn *) wire [63:0] \u_dut.u_counter_busy.count_q ;
+  (* hierconn *) wire [31:0] \u_dut.u_counter_vertices.high_q ;
+  (* hierconn *) wire [31:0] \u_dut.u_counter_stalls.high_q ;
+  (* hierconn *) wire [31:0] \u_dut.u_counter_busy.high_q ;
+  (* hierconn *) wire        \u_dut.u_counter_vertices.latch_i ;
+  (* hierconn *) wire        \u_dut.u_counter_stalls.latch_i ;
+  (* hierconn *) wire        \u_dut.u_counter_busy.latch_i ;
+  wire [95:0] lows    = {\u_dut.u_counter_busy.count_q [31:0],
+                         \u_dut.u_counter_stalls.count_q [31:0],
+                         \u_dut.u_counter_vertices.count_q [31:0]};
+  wire [95:0] highs   = {\u_dut.u_counter_busy.high_q , \u_dut.u_counter_stalls.high_q ,
+                         \u_dut.u_counter_vertices.high_q };
+  wire [2:0]  latches = {\u_dut.u_counter_busy.latch_i , \u_dut.u_counter_stalls.latch_i ,
+                         \u_dut.u_counter_vertices.latch_i };
+  reg         counters_read;
+  integer     c;
+  always @* begin
+    counters_read = 1'b1;
+    for (c = 0; c < 3; c = c + 1) begin
+      if (latches[c] != (\u_dut.read && \u_dut.read_word == COUNTERS + 2 * c)) counters_read = 1'b0;
+      if (\u_dut.read_word == COUNTERS + 2 * c && \u_dut.read_data != lows[32*c +: 32])
+        counters_read = 1'b0;
+      if (\u_dut.read_word == COUNTERS + 2 * c + 1 && \u_dut.read_data != highs[32*c +: 32])
+        counters_read = 1'b0;
+    end
+  end
 
   wire        write = \u_dut.write ;
   wire [9:0]  word  = \u_dut.write_word ;
@@ -208,6 +242,8 @@ module formal_axil_registers #(
   always @* if (!first_q) begin
     locked_error: assert (!(write && lock && (word >> 3) == (WINDOWS >> 3)) || \u_dut.write_error );
   end
+  // From the first clock on, in which counters may hold any count.
+  always @* counters: assert (counters_read);
 endmodule
 
 `default_nettype wire

@@ -46,6 +46,8 @@ module formal_stream_decoder #(
   wire                                       m_changed;
   wire [`FFD_EXPONENT_W-1:0]                 m_exponent;
   wire [`FFD_USER_W-1:0]                     m_user;
+  wire [31:0]                                event_packet;
+  wire [31:0]                                event_beat;
   wire                                       idle;
   wire                                       m_ready;
   wire                                       free;
@@ -92,6 +94,8 @@ module formal_stream_decoder #(
     .slot_free_i         (free),
     .retire_i            (retire),
     .retire_user_i       (retire_user),
+    .event_packet_o      (event_packet),
+    .event_beat_o        (event_beat),
     .idle_o              (idle)
   );
 
@@ -236,11 +240,25 @@ module formal_stream_decoder #(
   reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex_q;
   wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex =
     {m_coordinates, m_cell, m_source, m_bank, m_changed, m_results, m_exponent, m_user};
+  reg        take_q;
+  reg        last_q;
+  reg [31:0] event_packet_q;
+  reg [31:0] event_beat_q;
   always @(posedge clk) begin
-    rst_q         <= rst;
+    rst_q          <= rst;
+    take_q         <= take;
+    last_q         <= s_last;
+    event_packet_q <= event_packet;
+    event_beat_q   <= event_beat;
+  end
+  always @(posedge clk) begin
     held_q        <= m_valid && !m_ready && !rst;
     held_vertex_q <= held_vertex;
   end
+
+  // ---- the place of an event, a step from that of the clock before
+  wire [31:0] next_packet = event_packet_q + (take_q && last_q);
+  wire [31:0] next_beat   = !take_q ? event_beat_q : last_q ? 32'd0 : event_beat_q + 32'd1;
 
   // ---- what was written since the vertex before was offered
   reg  written_q;
@@ -382,6 +400,8 @@ module formal_stream_decoder #(
     slot_inside: assert (slot < SLOTS && (!m_valid || m_resident || m_source[SLOT_W-1:0] < SLOTS));
     idle_means: assert (!idle || (header_q && !m_valid && !a_q && !b_q));
     live: assert (wait_q < CLOCKS);
+    place: assert (event_packet == (rst_q ? 32'd0 : next_packet)
+                   && event_beat == (rst_q ? 32'd0 : next_beat));
   end
 endmodule
 
