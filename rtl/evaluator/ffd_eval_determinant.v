@@ -15,7 +15,7 @@
 //             what a vertex of four evaluations takes at least.
 // Freezes:    never.
 // Parameters: FORMAT as in ffd_num.vh, latencies as in every organization.
-// Model:      golden/include/hwffd/model/determinant.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/determinant.hpp.  Test: tests/unit/determinant.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
