@@ -38,7 +38,8 @@ Run run(const Configuration& row, std::size_t vertices, std::uint64_t seed) {
   const WordCodec codec(row.format);
   const std::unique_ptr<tb::EvaluatorCore> core = tb::make_evaluator_core(row, seed);
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
-  tb::EvaluatorBench bench(*core, *model, encode(watertight_bspline(codec), codec));
+  const AxisWords bspline = encode(watertight_bspline(codec), codec);
+  tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
   bench.run(draw(codec, vertices, seed));
   return {bench.results(), bench.mismatches()};
 }

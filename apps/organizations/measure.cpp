@@ -82,7 +82,8 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   const WordCodec codec(row.format);
   const std::unique_ptr<tb::EvaluatorCore> core = tb::make_evaluator_core(row, effort.seed);
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
-  tb::EvaluatorBench bench(*core, *model, encode(watertight_bspline(codec), codec));
+  const AxisWords bspline = encode(watertight_bspline(codec), codec);
+  tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
   Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, 0, tb::ScheduleRecorder(*core)};
   const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
 

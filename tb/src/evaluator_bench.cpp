@@ -8,9 +8,11 @@
 namespace hwffd::tb {
 namespace {
 
-constexpr std::uint64_t kStallLimit = 20'000;  // clocks without a result
-constexpr unsigned kDerivative = 2;            // of an axis's {derivative, bank}
-constexpr int kDerivativeAddress = 8;          // of {derivative, bank, function}
+constexpr std::uint64_t kStallLimit = 20'000;   // clocks without a result
+constexpr unsigned kBankOfEachAxis = 0b010101;  // of {derivative, bank} of u, t, s
+constexpr unsigned kDerivative = 2;             // of an axis's {derivative, bank}
+constexpr int kDerivativeAddress = 8;           // of {derivative, bank, function}
+constexpr int kBankAddress = 4;
 
 EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t index) {
   const EvaluatorVertex& vertex = stimulus.vertices[index];
@@ -20,32 +22,52 @@ EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t ind
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }
   pins.support = vertex.support;
-  pins.changed = index == 0;  // supports are written before a run
-  if (vertex.derivative >= 0) {
-    pins.bank = static_cast<std::uint8_t>(kDerivative << (2 * vertex.derivative));
-  }
+  // Supports are written before a run; in the core a bank comes into use when it is loaded.
+  pins.changed = index == 0 || vertex.bank != stimulus.vertices[index - 1].bank;
+  unsigned bank = vertex.bank != 0 ? kBankOfEachAxis : 0;
+  if (vertex.derivative >= 0) bank |= kDerivative << (2 * vertex.derivative);
+  pins.bank = static_cast<std::uint8_t>(bank);
   pins.exponent = stimulus.supports[vertex.support].exponent;
   pins.tag = static_cast<std::uint16_t>(index);
   return pins;
 }
 
+/// As a planted fault sees it.
+Beat beat_of(const EvaluatorCore::Result& result) {
+  const std::uint32_t flags = (result.nan ? 2U : 0U) | (result.saturated ? 1U : 0U);
+  return {{result.words[0], result.words[1], result.words[2], flags << 16 | result.tag}, false};
+}
+
+EvaluatorCore::Result result_of(const Beat& beat) {
+  const std::uint32_t user = beat.words[3];
+  return {{beat.words[0], beat.words[1], beat.words[2]},
+          (user >> 16 & 1) != 0,
+          (user >> 17 & 1) != 0,
+          static_cast<std::uint16_t>(user)};
+}
+
 }  // namespace
 
-EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model,
-                               const AxisWords& blending)
+EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const Bank& bank)
     : core_(core), model_(model) {
   core_.drive_reset(true);
   core_.drive_vertex(false, {});
   core_.drive_result_ready(false);
   for (int i = 0; i < 3; ++i) core_.clock();
   core_.drive_reset(false);
+  load(0, bank);
+}
+
+void EvaluatorBench::load(int number, const Bank& bank) {
   for (int axis = 0; axis < 3; ++axis) {
+    const AxisWords& words = bank[axis];
+    const DerivativeWords& derivative = words.derivative;
     for (int f = 0; f < 4; ++f) {
-      core_.load(axis, f, blending.shift, blending.word[f]);
-      model_.load(0, axis, f, 3, blending.shift, blending.word[f]);
-      const DerivativeWords& derivative = blending.derivative;
-      core_.load(axis, kDerivativeAddress + f, derivative.shift, derivative.word[f]);
-      model_.load_derivative(0, axis, f, 3, derivative.shift, derivative.word[f]);
+      const int address = kBankAddress * number + f;
+      core_.load(axis, address, words.shift, words.word[f]);
+      model_.load(number, axis, f, 3, words.shift, words.word[f]);
+      core_.load(axis, kDerivativeAddress + address, derivative.shift, derivative.word[f]);
+      model_.load_derivative(number, axis, f, 3, derivative.shift, derivative.word[f]);
     }
   }
 }
@@ -54,9 +76,10 @@ void EvaluatorBench::run(const EvaluatorStimulus& stimulus, Throttle source, Thr
                          ScheduleRecorder* recorder) {
   write_supports(stimulus.supports);
   const auto start = std::chrono::steady_clock::now();
+  const std::size_t first = results_.size();
   simulate(stimulus, source, sink, recorder);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  compare(stimulus);
+  compare(stimulus, first);
 }
 
 void EvaluatorBench::write_supports(const std::vector<SupportWords>& supports) {
@@ -75,10 +98,10 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
                               ScheduleRecorder* recorder) {
   const std::size_t vertices = stimulus.vertices.size();
   std::size_t sent = 0;
-  std::size_t received = 0;
+  const std::size_t first = results_.size();
   std::uint64_t last_result = clock_;
   bool offered = false;
-  while (received < vertices) {
+  while (results_.size() < first + vertices) {
     offered = sent < vertices && (offered || source.willing());
     const bool ready = sink.willing();
     core_.drive_vertex(offered, offered ? pins_of(stimulus, sent) : EvaluatorCore::Vertex{});
@@ -92,8 +115,7 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
     }
     if (ready && core_.result_valid()) {
       result_clocks_.push_back(clock_);
-      results_.push_back(core_.result());
-      ++received;
+      take(core_.result());
       last_result = clock_;
     }
     core_.clock();
@@ -104,8 +126,14 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
   core_.drive_vertex(false, {});
 }
 
-void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
-  const std::size_t first = results_.size() - stimulus.vertices.size();
+void EvaluatorBench::take(const EvaluatorCore::Result& result) {
+  Beat beat = beat_of(result);
+  for (unsigned copies = fault_.pass(beat); copies > 0; --copies) {
+    results_.push_back(result_of(beat));
+  }
+}
+
+void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t first) {
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
     const SupportWords& support = stimulus.supports[vertex.support];
@@ -113,7 +141,7 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
     model::VertexWords words{vertex.local, vertex.cell, support.points};
     words.derivative = vertex.derivative;
     words.exponent = support.exponent;
-    const model::ResultWords expected = model_.evaluate(0, words);
+    const model::ResultWords expected = model_.evaluate(vertex.bank, words);
     const auto tag = static_cast<std::uint16_t>(v);
     ++checked_;
     if (got.words == expected.words && got.saturated == expected.saturated &&
@@ -122,9 +150,9 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus) {
     }
     if (++mismatches_ > 1) continue;
     first_mismatch_ = fmt::format(
-        "vertex {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}", v,
-        got.words[0], got.words[1], got.words[2], got.tag, expected.words[0], expected.words[1],
-        expected.words[2], tag);
+        "vertex {}, bank {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}",
+        v, vertex.bank, got.words[0], got.words[1], got.words[2], got.tag, expected.words[0],
+        expected.words[1], expected.words[2], tag);
   }
 }
 

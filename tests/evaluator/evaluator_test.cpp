@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 
 #include "hwffd/model/schedule.hpp"
@@ -39,13 +40,39 @@ std::vector<Configuration> built_rows(const std::string& schedule = "") {
   return built;
 }
 
+/// Another family on each axis, and on each axis another one in either bank: whatever takes the
+/// functions of a wrong axis or bank shows.
+tb::EvaluatorBench::Bank families(const WordCodec& codec, int bank) {
+  constexpr const char* kNames[2][3] = {{"bspline", "bernstein", "catmull-rom"},
+                                        {"hermite", "bspline", "bernstein"}};
+  tb::EvaluatorBench::Bank axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] = encode(family(kNames[bank][axis], codec), codec);
+  }
+  return axes;
+}
+
 class Evaluator : public ::testing::TestWithParam<Configuration> {
  protected:
   Evaluator()
       : codec_(GetParam().format),
         core_(tb::make_evaluator_core(GetParam(), tb::seed_from_environment(1))),
         model_(model::make_evaluator_model(GetParam())),
-        bench_(*core_, *model_, encode(watertight_bspline(codec_), codec_)) {}
+        bench_(*core_, *model_, families(codec_, 0)) {
+    bench_.load(1, families(codec_, 1));
+  }
+
+  /// Vertices of either bank; those together in a cell are of one.
+  tb::EvaluatorStimulus draw(std::size_t vertices, std::uint64_t seed, std::size_t together = 1) {
+    auto stimulus = tb::random_stimulus(codec_, vertices, seed, together);
+    tb::Random random(tb::derive_seed(seed, together));
+    int bank = 0;
+    for (std::size_t v = 0; v < vertices; ++v) {
+      if (v % together == 0) bank = random.chance(0.5) ? 1 : 0;
+      stimulus.vertices[v].bank = bank;
+    }
+    return stimulus;
+  }
 
   void expect_no_mismatch(std::size_t vertices) {
     EXPECT_EQ(bench_.checked(), vertices);
@@ -63,7 +90,7 @@ class KeepsCell : public Evaluator {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);  // no row of tier sim does
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
-  const auto stimulus = tb::random_stimulus(codec_, 200, tb::seed_from_environment(1));
+  const auto stimulus = draw(200, tb::seed_from_environment(1));
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
   bench_.run(stimulus, tb::make_throttle("long_stall", 3), tb::make_throttle("sparse", 4));
   expect_no_mismatch(2 * stimulus.vertices.size());
@@ -71,18 +98,36 @@ TEST_P(Evaluator, BitsUnderRandomStalls) {
 
 // Each vertex with the derivative functions of one axis, or of none: the position.
 TEST_P(Evaluator, DerivativesUnderRandomStalls) {
-  auto stimulus = tb::random_stimulus(codec_, 240, tb::seed_from_environment(2));
+  auto stimulus = draw(240, tb::seed_from_environment(2));
   tb::Random random(5);
   for (auto& vertex : stimulus.vertices) vertex.derivative = static_cast<int>(random.below(4)) - 1;
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
   expect_no_mismatch(stimulus.vertices.size());
 }
 
+// Every bit of a result, once; a result that is lost, one that comes twice.
+TEST_P(Evaluator, PlantedFaultsAreFound) {
+  constexpr unsigned kBits = 3 * 32 + 16 + 2;  // words, tag, flags
+  tb::EvaluatorStimulus stimulus = draw(4, 3);
+  stimulus.supports.resize(stimulus.vertices.size());
+  std::uint64_t found = 0;
+  for (unsigned bit = 0; bit < kBits; ++bit) {
+    bench_.plant({tb::Fault::Kind::kFlip, 1, bit});
+    bench_.run(stimulus);
+    EXPECT_EQ(bench_.mismatches(), ++found) << "bit " << bit;
+  }
+  bench_.plant({tb::Fault::Kind::kDrop, 1, 0});
+  EXPECT_THROW(bench_.run(stimulus), std::runtime_error);
+  bench_.plant({tb::Fault::Kind::kDuplicate, 1, 0});
+  bench_.run(stimulus);
+  EXPECT_EQ(bench_.mismatches(), found + 2) << "the last two results come a place late";
+}
+
 // A barrel of contexts spreads its starts within its round, so the interval is counted over a
 // multiple of every number of contexts in the table.
 TEST_P(Evaluator, IntervalEqualsTheFormula) {
   const std::size_t intervals = 120;
-  const auto stimulus = tb::random_stimulus(codec_, 41 + intervals, 7);
+  const auto stimulus = draw(41 + intervals, 7);
   bench_.run(stimulus);
   expect_no_mismatch(stimulus.vertices.size());
   EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40), scattered_interval(GetParam()));
@@ -91,7 +136,7 @@ TEST_P(Evaluator, IntervalEqualsTheFormula) {
 // Within a cell the rate is the organization's from the second vertex on, to the clock.
 TEST_P(KeepsCell, IntervalWithinACell) {
   const std::size_t vertices = 2001;
-  bench_.run(tb::random_stimulus(codec_, vertices, 8, vertices));
+  bench_.run(draw(vertices, 8, vertices));
   expect_no_mismatch(vertices);
   EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 0), expected_interval(GetParam()));
 }
@@ -103,7 +148,7 @@ TEST_P(KeepsCell, ChangeOfCellWhileVerticesAreInside) {
   const double change = scattered_interval(GetParam());
   std::size_t vertices = 0;
   for (const std::size_t together : {2, 3, 5, 40}) {
-    const auto stimulus = tb::random_stimulus(codec_, 4 * together, together, together);
+    const auto stimulus = draw(4 * together, together, together);
     bench_.run(stimulus);
     const auto& starts = bench_.start_clocks();
     for (std::size_t v = 1; v < stimulus.vertices.size(); ++v) {
@@ -119,9 +164,12 @@ TEST_P(KeepsCell, ChangeOfCellWhileVerticesAreInside) {
 
 // The same supports under other points, then other coefficients: a vertex that says so has the new.
 TEST_P(KeepsCell, WhatChangedIsFormedAnew) {
-  const auto first = tb::random_stimulus(codec_, 20, 1, 20);
-  auto second = tb::random_stimulus(codec_, 20, 2, 20);
-  for (tb::EvaluatorVertex& vertex : second.vertices) vertex.cell = first.vertices[0].cell;
+  const auto first = draw(20, 1, 20);
+  auto second = draw(20, 2, 20);
+  for (tb::EvaluatorVertex& vertex : second.vertices) {
+    vertex.cell = first.vertices[0].cell;
+    vertex.bank = first.vertices[0].bank;
+  }
   bench_.run(first);
   bench_.run(second);
   expect_no_mismatch(40);
@@ -133,7 +181,7 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   std::size_t vertices = 0;
   for (const char* source : {"always", "gaps", "bursts"}) {
     for (const char* sink : {"bernoulli", "bursts", "long_stall"}) {
-      const auto stimulus = tb::random_stimulus(codec_, 400, vertices + 1, 37);
+      const auto stimulus = draw(400, vertices + 1, 37);
       bench_.run(stimulus, tb::make_throttle(source, 5), tb::make_throttle(sink, 6));
       vertices += stimulus.vertices.size();
     }
@@ -144,7 +192,7 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
 // At the paper's schedule no vertex starts before the one before it has ended: the result of one
 // comes no later than its successor starts, but for the registers that carry it (at most 8).
 TEST_P(PaperSchedule, DoesNotOverlap) {
-  const auto stimulus = tb::random_stimulus(codec_, 20, 9);
+  const auto stimulus = draw(20, 9);
   bench_.run(stimulus);
   expect_no_mismatch(stimulus.vertices.size());
   const auto& starts = bench_.start_clocks();

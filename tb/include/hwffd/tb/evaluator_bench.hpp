@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "hwffd/stream/packets.hpp"
 #include "hwffd/tb/evaluator_core.hpp"
 #include "hwffd/tb/evaluator_stimulus.hpp"
+#include "hwffd/tb/fault.hpp"
 #include "hwffd/tb/schedule_recorder.hpp"
 #include "hwffd/tb/throttle.hpp"
 
@@ -17,9 +19,18 @@ namespace hwffd::tb {
 /// model, the clock of each start and result kept.
 class EvaluatorBench {
  public:
-  /// Resets the core and loads the same functions and derivatives for all axes into bank 0. Core
-  /// and model must outlive the bench.
-  EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const AxisWords& blending);
+  /// Functions and derivatives of s, t and u.
+  using Bank = std::array<AxisWords, 3>;
+
+  /// Resets the core and loads bank 0. Core and model must outlive the bench.
+  EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const Bank& bank);
+
+  /// Loads a bank, 0 or 1, between runs.
+  void load(int number, const Bank& bank);
+
+  /// Spoils one result of the runs to come on its way to the comparison, which must notice: as a
+  /// beat it is x, y, z and {NaN, saturated, tag}.
+  void plant(const Fault& fault) { fault_ = FaultInjector(fault); }
 
   /// Writes the supports and runs the vertices; `recorder`, if there is one, looks on.
   /// Throws std::runtime_error when nothing comes for 20,000 clocks.
@@ -40,10 +51,12 @@ class EvaluatorBench {
   void write_supports(const std::vector<SupportWords>& supports);
   void simulate(const EvaluatorStimulus& stimulus, Throttle& source, Throttle& sink,
                 ScheduleRecorder* recorder);
-  void compare(const EvaluatorStimulus& stimulus);
+  void take(const EvaluatorCore::Result& result);
+  void compare(const EvaluatorStimulus& stimulus, std::size_t first);
 
   EvaluatorCore& core_;
   model::EvaluatorModel& model_;
+  FaultInjector fault_;
   std::uint64_t clock_ = 0;
   std::uint64_t checked_ = 0;
   std::uint64_t mismatches_ = 0;

@@ -21,6 +21,7 @@ struct EvaluatorVertex {
   std::array<std::uint32_t, 3> local{};  ///< s, t, u as stream words
   std::array<int, 3> cell{};
   std::uint8_t support = 0;  ///< which of the supports it reads
+  int bank = 0;              ///< of the coefficients, 0 or 1
   int derivative = -1;       ///< the axis along which it is differentiated; -1: the position
 };
 
