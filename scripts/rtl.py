@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 import subprocess
+from dataclasses import dataclass
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -74,10 +75,24 @@ class Sources:
         return sorted({str(path.parent) for path in self.rtl.glob("*/*.vh")})
 
 
-def verilator(sources, top, files, parameters=()):
+@dataclass(frozen=True)
+class Language:
+    """A language that the sources are read as, and how each tool is told so."""
+
+    verilator: tuple
+    icarus: str
+    yosys: str
+
+
+VERILOG = Language(("--default-language", "1364-2005"), "-g2005", "")
+# What Verilator takes sources for if not told, as do vendors' tools where a project mixes the two.
+SYSTEMVERILOG = Language((), "-g2012", "-sv ")
+
+
+def verilator(sources, top, files, parameters=(), language=VERILOG):
     waivers = sources.rtl / "lint" / "hwffd.vlt"
     return (
-        ["verilator", "--lint-only", "--default-language", "1364-2005", "-Wall"]
+        ["verilator", "--lint-only", *language.verilator, "-Wall"]
         + ["-I" + folder for folder in sources.includes]
         + ["--top-module", top]
         + ["-G" + parameter for parameter in parameters]
@@ -86,22 +101,28 @@ def verilator(sources, top, files, parameters=()):
     )
 
 
-def icarus(sources, top, files, parameters=()):
+def verilator_list(sources, top):
+    """The file list as an integrator hands it over, without a word about folders or language."""
+    return ["verilator", "--lint-only", "-Wall", "-F", str(sources.rtl / "hwffd.f"),
+            "--top-module", top]
+
+
+def icarus(sources, top, files, parameters=(), language=VERILOG):
     return (
-        ["iverilog", "-g2005", "-Wall", "-t", "null", "-s", top]
+        ["iverilog", language.icarus, "-Wall", "-t", "null", "-s", top]
         + ["-I" + folder for folder in sources.includes]
         + [f"-P{top}.{parameter}" for parameter in parameters]
         + files
     )
 
 
-def yosys(sources, jobs):
+def yosys(sources, jobs, language=VERILOG):
     """One process for several (top, files, parameters), each from the sources as read."""
     files = []
     for _, needed, _ in jobs:
         files += [path for path in needed if path not in files]
     folders = "".join(f"-I {folder} " for folder in sources.includes)
-    script = [f"read_verilog {folders}" + " ".join(f'"{path}"' for path in files)]
+    script = [f"read_verilog {language.yosys}{folders}" + " ".join(f'"{path}"' for path in files)]
     script.append("design -save sources")
     for top, _, parameters in jobs:
         values = (parameter.split("=", 1) for parameter in parameters)
@@ -109,9 +130,9 @@ def yosys(sources, jobs):
             "design -load sources",
             f"hierarchy -check -top {top}"
             + "".join(f" -chparam {name} {value}" for name, value in values),
-            "proc",
-            "check -assert",
         ]
+        if language is VERILOG:  # nothing is left of the language behind `hierarchy`
+            script += ["proc", "check -assert"]
     return ["yosys", "-Q", "-T", "-q", "-p", "; ".join(script)]
 
 

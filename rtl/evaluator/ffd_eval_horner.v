@@ -29,12 +29,12 @@ module ffd_eval_horner #(
   genvar p;
   generate
     for (p = 0; p < 3; p = p + 1) begin : gen_step
-      wire [WEIGHT_W-1:0] before;
+      wire [WEIGHT_W-1:0] previous;
       wire [WEIGHT_W-1:0] value;
       if (p == 0) begin : gen_first
-        assign before = coefficients_i[3*WEIGHT_W +: WEIGHT_W];
+        assign previous = coefficients_i[3*WEIGHT_W +: WEIGHT_W];
       end else begin : gen_next
-        assign before = gen_step[p-1].value;
+        assign previous = gen_step[p-1].value;
       end
 
       ffd_num_step #(
@@ -47,7 +47,7 @@ module ffd_eval_horner #(
         .clk          (clk),
         .coefficient_i(coefficients_i[(2-p)*WEIGHT_W +: WEIGHT_W]),
         .coordinate_i (coordinate_i[p*WEIGHT_W +: WEIGHT_W]),
-        .weight_i     (before),
+        .weight_i     (previous),
         .weight_o     (value)
       );
     end

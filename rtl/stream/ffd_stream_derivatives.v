@@ -8,7 +8,7 @@
 // Formats:    bank {u, t, s}, each {derivative, bank}; source {again, that of the decoder}: 1 where
 //             the points are read once more, so that a slot is freed behind the last time; column 0
 //             a result of its own, 1 to 3 a column of J, from whose three comes one result; user
-//             {final, that of the decoder}: final with the vertex's last result, and tlast only
+//             {result_final, that of the decoder}: 1 with the vertex's last result, and tlast only
 //             there.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
@@ -41,16 +41,16 @@ module ffd_stream_derivatives #(
 );
   // 0 the position, 1 to 3 the derivative along s, t, u.
   reg  [1:0] part_q;
-  wire       final = s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+  wire       result_final = s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
 
   always @(posedge clk) begin
     if (rst) part_q <= 2'd0;
-    else if (m_vertex_valid && m_vertex_ready) part_q <= final ? 2'd0 : part_q + 2'd1;
+    else if (m_vertex_valid && m_vertex_ready) part_q <= result_final ? 2'd0 : part_q + 2'd1;
   end
 
-  assign s_vertex_ready  = m_vertex_ready && final;
+  assign s_vertex_ready  = m_vertex_ready && result_final;
   assign m_vertex_valid  = s_vertex_valid;
-  assign m_vertex_source = {!final, s_vertex_source};
+  assign m_vertex_source = {!result_final, s_vertex_source};
   assign m_vertex_column = s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
 
   genvar a;
@@ -62,8 +62,8 @@ module ffd_stream_derivatives #(
   endgenerate
 
   always @* begin
-    m_vertex_user       = {final, s_vertex_user};
-    m_vertex_user[LAST] = s_vertex_user[LAST] && final;
+    m_vertex_user       = {result_final, s_vertex_user};
+    m_vertex_user[LAST] = s_vertex_user[LAST] && result_final;
   end
 endmodule
 

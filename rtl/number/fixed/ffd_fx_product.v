@@ -98,14 +98,14 @@ module ffd_fx_product #(
       end
 
       // The outer products do not overlap: low is not negative and below 2^(2 LOW_W).
-      wire [PART_W-1:0] low     = gen_a[0].gen_b[0].part;
-      wire [PART_W-1:0] cross   = gen_a[0].gen_b[1].part;
-      wire [PART_W-1:0] other   = gen_a[1].gen_b[0].part;
-      wire [PART_W-1:0] high    = gen_a[1].gen_b[1].part;
+      wire [PART_W-1:0] low      = gen_a[0].gen_b[0].part;
+      wire [PART_W-1:0] low_high = gen_a[0].gen_b[1].part;
+      wire [PART_W-1:0] high_low = gen_a[1].gen_b[0].part;
+      wire [PART_W-1:0] high     = gen_a[1].gen_b[1].part;
       wire [PART_W:0]   crossed;
       wire [2*W-1:0]    outer;
-      wire [2*W-1:0]    inner   = {{(2*W-PART_W-1-LOW_W) {crossed[PART_W]}}, crossed,
-                                   {LOW_W{1'b0}}};
+      wire [2*W-1:0]    inner    = {{(2*W-PART_W-1-LOW_W) {crossed[PART_W]}}, crossed,
+                                    {LOW_W{1'b0}}};
 
       ffd_num_delay #(
         .WIDTH  (PART_W + 1 + 2 * W),
@@ -113,7 +113,7 @@ module ffd_fx_product #(
       ) u_parts (
         .clk(clk),
         .rst(1'b0),
-        .d_i({{cross[PART_W-1], cross} + {other[PART_W-1], other},
+        .d_i({{low_high[PART_W-1], low_high} + {high_low[PART_W-1], high_low},
               high[2*W-2*LOW_W-1:0], low[2*LOW_W-1:0]}),
         .q_o({crossed, outer})
       );
