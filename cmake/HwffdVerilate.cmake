@@ -48,8 +48,9 @@ function(hwffd_verilate target)
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
-    -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir}
-    -I${HWFFD_RTL_DIR}/number -I${HWFFD_RTL_DIR}/evaluator -I${HWFFD_RTL_DIR}/stream)
+    -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir})
+  list(TRANSFORM HWFFD_RTL_INCLUDES PREPEND -I OUTPUT_VARIABLE includes)
+  list(APPEND flags ${includes})
   set(optimize "-O2 -fno-tree-pre -fno-code-hoisting")
   if(ARG_NETLIST)
     list(APPEND flags -Wno-lint -Wno-fatal)

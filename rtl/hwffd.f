@@ -1,4 +1,8 @@
-// Every source of the core, one a line, relative to this folder. Order does not matter.
+// Every source of the core and every folder with headers, one a line, relative to this folder:
+// `verilator -F rtl/hwffd.f` takes it as it is. Order does not matter.
++incdir+evaluator
++incdir+number
++incdir+stream
 top/hwffd_axi.v
 top/hwffd_stream.v
 bus/ffd_axil_registers.v

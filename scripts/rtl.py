@@ -13,6 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 _COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _MODULE = re.compile(r"^\s*module\s+([A-Za-z_]\w*)", re.MULTILINE)
 _WORD = re.compile(r"[A-Za-z_]\w*")
+_FOLDER = "+incdir+"
 
 
 def strip_comments(text):
@@ -24,14 +25,20 @@ def strip_comments(text):
     return _COMMENT.sub(blank, text)
 
 
+def _entries(path):
+    """What a file list says, one a line; // comments and blank lines are allowed."""
+    lines = (line.split("//")[0].strip() for line in path.read_text().splitlines())
+    return [line for line in lines if line]
+
+
 def read_file_list(path):
-    """The entries of a file list, as written: one a line, // comments and blank lines allowed."""
-    entries = []
-    for line in path.read_text().splitlines():
-        entry = line.split("//")[0].strip()
-        if entry:
-            entries.append(entry)
-    return entries
+    """The sources of a file list, as written."""
+    return [entry for entry in _entries(path) if not entry.startswith(_FOLDER)]
+
+
+def read_include_folders(path):
+    """The folders with headers of a file list, as written."""
+    return [entry[len(_FOLDER):] for entry in _entries(path) if entry.startswith(_FOLDER)]
 
 
 class Sources:
@@ -71,8 +78,8 @@ class Sources:
 
     @property
     def includes(self):
-        """The folders that hold headers."""
-        return sorted({str(path.parent) for path in self.rtl.glob("*/*.vh")})
+        """The folders with headers."""
+        return [str(self.rtl / name) for name in read_include_folders(self.rtl / "hwffd.f")]
 
 
 @dataclass(frozen=True)

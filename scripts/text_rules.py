@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 
-from rtl import read_file_list, strip_comments
+from rtl import read_file_list, read_include_folders, strip_comments
 
 WIDTH = 100
 OPERATORS = tuple("+-*/%&|^~<>=!?:")
@@ -364,6 +364,13 @@ def file_list(tree):
     for source in tree.verilog:
         if str(source.relative_to(tree.root / "rtl")) not in entries:
             yield tree.name(source), 1, "not listed in rtl/hwffd.f"
+    folders = read_include_folders(path)
+    for folder in folders:
+        if not (tree.root / "rtl" / folder).is_dir():
+            yield name, 1, f"folder {folder} does not exist"
+    for header in tree.headers:
+        if str(header.parent.relative_to(tree.root / "rtl")) not in folders:
+            yield tree.name(header), 1, "its folder is not listed in rtl/hwffd.f (+incdir+)"
 
 
 def empty_waivers(tree):

@@ -9,15 +9,16 @@ import sys
 from cocotb.runner import get_results, get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
-RTL = HERE.parents[1] / "rtl"
+sys.path.insert(0, str(HERE.parents[1] / "scripts"))
+
+import rtl  # noqa: E402
 
 
 def main(vectors, folder):
-    listed = (RTL / "hwffd.f").read_text().splitlines()
-    sources = [RTL / line for line in listed if line and not line.startswith("//")]
-    includes = sorted({header.parent for header in RTL.glob("*/*.vh")})
+    sources = rtl.Sources()
+    files = [*sources.files.values(), HERE / "hwffd_axi_ids.v"]
     runner = get_runner("icarus")
-    runner.build(verilog_sources=[*sources, HERE / "hwffd_axi_ids.v"], includes=includes,
+    runner.build(verilog_sources=files, includes=sources.includes,
                  hdl_toplevel="hwffd_axi_ids", build_args=["-g2005"], build_dir=folder, always=True)
     results = runner.test(hdl_toplevel="hwffd_axi_ids", test_module="test_hwffd_axi",
                           test_dir=HERE, build_dir=folder, extra_env={"VECTORS": vectors},

@@ -96,7 +96,7 @@ class Checkout(unittest.TestCase):
         self.root = pathlib.Path(folder.name)
         self.path, self.library = os.environ["PATH"], str(liberty.PATH)
         shutil.copytree(ROOT / "synth", self.root / "synth")
-        self.put("rtl/hwffd.f", "evaluator/ffd_org_select.v\nevaluator/ffd_org_other.v\n"
+        self.put("rtl/hwffd.f", "+incdir+number\nevaluator/ffd_org_select.v\nevaluator/ffd_org_other.v\n"
                  + "".join(f"evaluator/{unit}.v\n" for unit in synthesis.FLOAT_UNITS))
         for unit in synthesis.FLOAT_UNITS:
             self.put(f"rtl/evaluator/{unit}.v",

@@ -94,6 +94,7 @@ WAIVERS = "// None; lint_off is not for here.\n`verilator_config\n"
 FORMAT_HEADER = "`define FFD_WORD(FORMAT) ((FORMAT) == 0 ? 32 : (FORMAT))\n"
 SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
 MARK = "TO" "DO"
+LIST = f"// list\nevaluator/{NAME}.v\n"
 
 
 def replaced(old, new):
@@ -162,6 +163,9 @@ PLANTED = [
     ("file-list", "listed twice", {"rtl/hwffd.f": f"evaluator/{NAME}.v\nevaluator/{NAME}.v\n"}),
     ("file-list", "listed but absent", {"rtl/hwffd.f": f"evaluator/{NAME}.v\nevaluator/no.v\n"}),
     ("file-list", "no list", {"rtl/hwffd.f": None}),
+    ("file-list", "folder of headers not listed",
+     {"rtl/number/ffd_formats.vh": SPDX + FORMAT_HEADER, "rtl/hwffd.f": f"evaluator/{NAME}.v\n"}),
+    ("file-list", "folder of headers absent", {"rtl/hwffd.f": f"{LIST}+incdir+no\n"}),
     ("empty-waivers", "a waiver",
      {"rtl/lint/hwffd.vlt": WAIVERS + 'lint_off -rule WIDTH -file "*.v"\n'}),
     ("empty-waivers", "no file", {"rtl/lint/hwffd.vlt": None}),
@@ -170,7 +174,8 @@ PLANTED = [
 # what must pass -> files
 PASSES = {
     "the sample": {},
-    "a test of the format in number/": {"rtl/number/ffd_formats.vh": SPDX + FORMAT_HEADER},
+    "a test of the format in number/":
+        {"rtl/number/ffd_formats.vh": SPDX + FORMAT_HEADER, "rtl/hwffd.f": f"{LIST}+incdir+number\n"},
     "100 columns": inserted("  // " + "x" * 95),
     "operators aligned":
         inserted("  wire y = d_i[0]\n         + d_i[1] ?\n           d_i[2] : d_i[3];"),
@@ -191,7 +196,7 @@ class TextRules(unittest.TestCase):
 
     def plant(self, files):
         shutil.rmtree(self.root)
-        tree = {FILE: CLEAN, "rtl/hwffd.f": f"// list\nevaluator/{NAME}.v\n",
+        tree = {FILE: CLEAN, "rtl/hwffd.f": LIST,
                 "rtl/lint/hwffd.vlt": WAIVERS, **files}
         for name, text in tree.items():
             if text is not None:

@@ -100,6 +100,17 @@ PLANTED = {
              f"{tool} hwffd_stream (bad-row):", "ERROR_hwffd_stream_latency")
         for tool in ("verilator", "icarus", "yosys")
     },
+    **{
+        f"a word of SystemVerilog as a name, by {tool}":
+            (sample("  wire [3:0] final = d_i;\n  assign q_o = final;"),
+             f"{tool} SystemVerilog hwffd_stream (good-row):", complaint)
+        for tool, complaint in (("verilator", "keyword"), ("icarus", "error: invalid"),
+                                ("yosys", "TOK_FINAL"))
+    },
+    "such a word below no configuration":
+        ({"rtl/evaluator/ffd_org_other.v":
+            module("ffd_org_other", "  wire [3:0] cross = d_i;\n  assign q_o = cross;")},
+         "verilator -F hwffd.f hwffd_stream:", "cross"),
     "unformatted C++":
         ({"golden/src/x.cpp": "int  x;\n"}, "clang-format:", "x.cpp:1"),
 }
