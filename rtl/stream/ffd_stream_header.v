@@ -28,7 +28,8 @@ module ffd_stream_header #(
   localparam [7:0] OPCODE_LATTICE      = 8'd2;
   localparam [7:0] OPCODE_VERTICES     = 8'd3;
   localparam [7:0] OPCODE_INTERLEAVED  = 8'd4;
-  localparam [7:0] MOST                = AXIS;
+  localparam [31:0] AXIS_WORD          = AXIS;  // 32 bits where set from outside
+  localparam [7:0] MOST                = AXIS_WORD[7:0];
 
   wire [7:0] opcode       = data_i[7:0];
   wire       good_results = data_i[73:72] != `FFD_RESULTS_BAD;

@@ -31,10 +31,9 @@ endmodule
 
 `default_nettype wire
 """
-TOP_PARAMETERS = ",\n  parameter ".join(
-    f"{name} = 1" for name in configurations.read()[0].parameters)
-USED_PARAMETERS = "\n    + ".join(
-    name for name in configurations.read()[0].parameters if name != "MUL_LATENCY")
+NAMES = [*configurations.read()[0].parameters, "AXIS"]
+TOP_PARAMETERS = ",\n  parameter ".join(f"{name} = 1" for name in NAMES)
+USED_PARAMETERS = "\n    + ".join(name for name in NAMES if name != "MUL_LATENCY")
 TOP_BODY = f"""\
   ffd_org_sample u_sample (
     .d_i(d_i),
@@ -111,6 +110,11 @@ PLANTED = {
         ({"rtl/evaluator/ffd_org_other.v":
             module("ffd_org_other", "  wire [3:0] cross = d_i;\n  assign q_o = cross;")},
          "verilator -F hwffd.f hwffd_stream:", "cross"),
+    "a parameter that must not be given":
+        ({"rtl/top/hwffd_stream.v": MODULE.format(
+            name="hwffd_stream", parameters=TOP_PARAMETERS,
+            body=f"{TOP_BODY}\n  localparam [7:0] MOST = AXIS;\n  wire unused_most = &{{1'b0, MOST}};")},
+         "verilator hwffd_stream (all parameters given, AXIS=4):", "WIDTH"),
     "unformatted C++":
         ({"golden/src/x.cpp": "int  x;\n"}, "clang-format:", "x.cpp:1"),
 }
