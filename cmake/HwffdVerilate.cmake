@@ -48,7 +48,7 @@ function(hwffd_verilate target)
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
-    -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir})
+    -DFFD_SIMULATION -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir})
   list(TRANSFORM HWFFD_RTL_INCLUDES PREPEND -I OUTPUT_VARIABLE includes)
   list(APPEND flags ${includes})
   set(optimize "-O2 -fno-tree-pre -fno-code-hoisting")

@@ -58,7 +58,7 @@ targets:
     flow_options:
       tool: verilator
       mode: cc
-      verilator_options: [--default-language, 1364-2005, -Wall]
+      verilator_options: [--default-language, 1364-2005, -Wall, -D{simulation}]
     parameters:
 {used_stream}
 
@@ -108,8 +108,8 @@ def text(root):
         parameters += [f"  {name}:", "    datatype: int", "    paramtype: vlogparam",
                        f"    description: {value} if not given; {where}"]
     return _TEXT.format(
-        generated=GENERATED, version=registers.version(table), rtl="\n".join(_rtl_lines(root)),
-        example="\n".join(_example_lines()),
+        generated=GENERATED, version=registers.version(table), simulation=rtl.SIMULATION,
+        rtl="\n".join(_rtl_lines(root)), example="\n".join(_example_lines()),
         used="\n".join(f"      - {name}" if name in stream else f'      - "axi? ({name})"'
                        for name in axi),
         used_stream="\n".join(f"      - {name}" for name in stream),

@@ -15,6 +15,9 @@ _MODULE = re.compile(r"^\s*module\s+([A-Za-z_]\w*)", re.MULTILINE)
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _FOLDER = "+incdir+"
 
+# What a simulator defines so that memories show reads whose word is undefined.
+SIMULATION = "FFD_SIMULATION"
+
 
 def strip_comments(text):
     """Verilog without comments and strings; every line keeps its number and its columns."""

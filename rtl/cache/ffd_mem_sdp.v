@@ -2,8 +2,9 @@
 //
 // The one memory of the core, inferred: read data is combinational with READ_LATENCY 0 (small, for
 // distributed memory) and registered with 1 (block memory). A registered read in the clock of a
-// write to the same address is undefined, so that no way round a block memory is built; in
-// simulation it gives the complement of the old word, which no test could take for right.
+// write to the same address is undefined, so that no way round a block memory is built. Where a
+// simulator defines FFD_SIMULATION it gives the complement of the old word, which no test could
+// take for right; no tool that makes hardware defines it.
 //
 // Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
 // Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1.
@@ -46,13 +47,13 @@ module ffd_mem_sdp #(
       assign read_data_o = memory_q[read_address_i];
     end else begin : gen_registered
       reg [WIDTH-1:0] read_q;
-`ifdef SYNTHESIS
-      always @(posedge clk) read_q <= memory_q[read_address_i];
-`else
+`ifdef FFD_SIMULATION
       wire clash = write_i && write_address_i == read_address_i;
       always @(posedge clk) begin
         read_q <= clash ? ~memory_q[read_address_i] : memory_q[read_address_i];
       end
+`else
+      always @(posedge clk) read_q <= memory_q[read_address_i];
 `endif
       assign read_data_o = read_q;
     end

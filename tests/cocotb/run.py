@@ -19,6 +19,7 @@ def main(vectors, folder):
     files = [*sources.files.values(), HERE / "hwffd_axi_ids.v"]
     runner = get_runner("icarus")
     runner.build(verilog_sources=files, includes=sources.includes,
+                 defines={rtl.SIMULATION: 1},
                  hdl_toplevel="hwffd_axi_ids", build_args=["-g2005"], build_dir=folder, always=True)
     results = runner.test(hdl_toplevel="hwffd_axi_ids", test_module="test_hwffd_axi",
                           test_dir=HERE, build_dir=folder, extra_env={"VECTORS": vectors},
