@@ -26,8 +26,9 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-  ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v
-  ${table} ${script} ${CMAKE_SOURCE_DIR}/scripts/organizations.py ${HWFFD_RTL_DIR}/hwffd.f)
+  ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
+  ${table} ${script} ${CMAKE_SOURCE_DIR}/scripts/organizations.py ${CMAKE_SOURCE_DIR}/scripts/tables.py
+  ${HWFFD_RTL_DIR}/hwffd.f)
 
 function(hwffd_generate)
   execute_process(COMMAND ${Python3_EXECUTABLE} -B ${script} ${ARGN} RESULT_VARIABLE failed)

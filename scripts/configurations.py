@@ -9,20 +9,21 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
-import csv
 import pathlib
 import re
 import sys
 from dataclasses import dataclass
 
 import organizations
+import tables
 from organizations import GENERATED, models_text, select_text
+from tables import TableError
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "rtl" / "configurations.csv"
 
-# The enumerations of the RTL's parameters: a word's place is its number. Organizations are numbered
-# in the order in which the table first names them.
+# The enumerations of the RTL's parameters: a word's place is its number. (Organizations have a table
+# of their own.)
 SCHEDULES = ("overlapped", "paper")
 EVALUATORS = ("pipelined", "iterative", "bspline")
 
@@ -37,10 +38,6 @@ NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
            "fma_latency": (0, 99), "convert_latency": (0, 99), "stream": (0, 1)}
 FIXED_WIDTHS = range(12, 33)
 BLOCK_WIDTH = 35  # of the words inside bfp32 (docs/numerics.md)
-
-
-class TableError(Exception):
-    """A fault of the table, in one line."""
 
 
 @dataclass(frozen=True)
@@ -94,18 +91,11 @@ def format_number(word):
     return int(match.group(1)) if match and int(match.group(1)) in FIXED_WIDTHS else None
 
 
-def _read_row(row, where):
-    if len(row) != len(COLUMNS):
-        raise TableError(f"{where}: {len(row)} columns, {len(COLUMNS)} wanted")
-    fields = dict(zip(COLUMNS, row))
+def _read_row(fields, where, known):
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
-    if not organizations.WORD.fullmatch(fields["org"]):
-        raise TableError(f"{where}: bad org '{fields['org']}': letters, then perhaps a number, then "
-                         "perhaps / and a number")
-    module = organizations.module_path(ROOT / "rtl", fields["org"])
-    if not module.is_file():
-        raise TableError(f"{where}: unknown org '{fields['org']}': there is no {module.name}")
+    if fields["org"] not in known:
+        raise TableError(f"{where}: unknown org '{fields['org']}': one of {', '.join(known)}")
     for column, words in (("schedule", SCHEDULES), ("evaluator", EVALUATORS), ("tier", TIERS)):
         if fields[column] not in words:
             raise TableError(
@@ -119,28 +109,19 @@ def _read_row(row, where):
         fields[column] = int(fields[column])
         if not low <= fields[column] <= high:
             raise TableError(f"{where}: {column} is {fields[column]}, {low} to {high} wanted")
-    return fields
+    organization = known[fields["org"]]
+    if organization.n not in (None, fields["n"]):
+        raise TableError(f"{where}: n is {fields['n']}, that of {organization.name} is "
+                         f"{organization.n}")
+    return Configuration(**fields, org_number=organization.number)
 
 
 def read(path=TABLE):
     """The rows in order. Raises TableError."""
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise TableError(f"{path}: cannot be read: {error}") from error
-    rows = csv.reader(text.splitlines())
-    header = next(rows, [])
-    if tuple(header) != COLUMNS:
-        raise TableError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
+    known = organizations.read()
     found = {}
-    org_numbers = {}
-    for row in rows:
-        if not row:
-            continue
-        where = f"{path}:{rows.line_num}"
-        fields = _read_row(row, where)
-        org_number = org_numbers.setdefault(fields["org"], len(org_numbers))
-        configuration = Configuration(**fields, org_number=org_number)
+    for where, fields in tables.read(path, COLUMNS):
+        configuration = _read_row(fields, where, known)
         if configuration.name in found:
             raise TableError(f"{where}: '{configuration.name}' is there twice")
         found[configuration.name] = configuration
@@ -378,7 +359,7 @@ def main(arguments=None):
         elif options.command == "models":
             write_if_changed(options.out, models_text(rows))
         elif options.command == "select":
-            write_if_changed(options.out, select_text(rows, ROOT / "rtl"))
+            write_if_changed(options.out, select_text(ROOT / "rtl"))
         elif options.command == "evaluators":
             built = of_tier(selected(rows, options), options.tier)
             text = factory_text(built, "evaluator", "_evaluator")

@@ -13,6 +13,7 @@ import configurations
 import module_header
 import registers
 import rtl
+import tables
 
 NAME = "hwffd.core"
 GENERATED = "Made by scripts/core_file.py write; changes here are lost."
@@ -134,7 +135,7 @@ def main(arguments=None):
             configurations.write_if_changed(options.root / NAME, text(options.root))
             return 0
         found = stale(options.root)
-    except (configurations.TableError, registers.TableError, module_header.HeaderError,
+    except (tables.TableError, module_header.HeaderError,
             OSError) as error:
         found = [str(error)]
     for line in found:

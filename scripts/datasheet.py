@@ -31,6 +31,7 @@ import register_texts
 import registers
 import reports
 import rtl
+import tables
 
 TEMPLATE, DOCUMENT = "docs/datasheet.in.md", "docs/datasheet.md"
 GENERATED = f"Made from {TEMPLATE} by scripts/datasheet.py; changes here are lost."
@@ -222,7 +223,7 @@ def main(arguments=None):
         if options.command == "write":
             return write(options.root, options.partial, options.keep)
         found = stale(options.root)
-    except (configurations.TableError, registers.TableError, module_header.HeaderError,
+    except (tables.TableError, module_header.HeaderError,
             reports.RequestError, DatasheetError, OSError) as error:
         found = [str(error)]
     for line in found:

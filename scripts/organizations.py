@@ -1,8 +1,8 @@
-"""Code that follows from the organizations named in the table of configurations: the selector in
-the RTL and the factory of bit-true models. An organization `name` is the module ffd_org_<name> and
-the class OrgName in hwffd/model/org_<name>.hpp; a number at the end of a name (cg3) is the module's
-parameter SIZE, one behind a stroke (factored/3) its parameter FOLD. Where two organizations are one
-module, the second is in SHARED. All modules have the ports and parameters of ffd_org_tree.
+"""The table of organizations, rtl/organizations.csv, and the code that follows from it: the selector
+in the RTL and the factory of bit-true models. An organization `name` is the module ffd_org_<name>
+and the class OrgName in hwffd/model/org_<name>.hpp; a number at the end of a name (cg3) is the
+module's parameter SIZE, one behind a stroke (factored/3) its parameter FOLD. Where two organizations
+are one module, the second is in SHARED. All modules have the ports and parameters of ffd_org_tree.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -10,9 +10,18 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 import textwrap
+from dataclasses import dataclass
 
-GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
+import tables
+from tables import TableError
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = "organizations.csv"
+COLUMNS = ("org", "number", "n")
+NUMBERS = range(256)  # what CONFIG.org has bits for
+UNITS = range(1, 65)
+_GENERATED = "by scripts/configurations.py; changes here are lost."
+GENERATED = f"Made from rtl/configurations.csv {_GENERATED}"
 
 # The word of an organization: letters, perhaps a number, perhaps how often it is folded.
 WORD = re.compile(r"([a-z]+)([0-9]*)(?:/([0-9]+))?")
@@ -22,6 +31,13 @@ SHARED = {
     "basic": ("tree", {"SERIAL": 1}),
     "parallel": ("tree", {}),
 }
+
+
+@dataclass(frozen=True)
+class Organization:
+    name: str
+    number: int  # the value of the parameter ORG, which software reads: it stays for ever
+    n: int  # that of N; None where the rows choose
 
 
 def split_name(org):
@@ -39,9 +55,35 @@ def module_path(rtl, org):
     return pathlib.Path(rtl) / "evaluator" / f"ffd_org_{split_name(org)[0]}.v"
 
 
-def organizations(configurations):
-    """The organizations of the table; a word's place is the value of the parameter ORG."""
-    return list(dict.fromkeys(c.org for c in configurations))
+def _number(text, allowed, where, what):
+    if not re.fullmatch(r"[0-9]{1,4}", text) or int(text) not in allowed:
+        raise TableError(f"{where}: {what} is '{text}', {allowed[0]} to {allowed[-1]} wanted")
+    return int(text)
+
+
+def read(rtl=ROOT / "rtl"):
+    """name -> Organization, of the table in that folder. Raises TableError."""
+    path = pathlib.Path(rtl) / TABLE
+    found = {}
+    for where, cells in tables.read(path, COLUMNS):
+        name = cells["org"]
+        if not WORD.fullmatch(name):
+            raise TableError(f"{where}: bad org '{name}': letters, then perhaps a number, then "
+                             "perhaps / and a number")
+        module = module_path(rtl, name)
+        if not module.is_file():
+            raise TableError(f"{where}: unknown org '{name}': there is no {module.name}")
+        number = _number(cells["number"], NUMBERS, where, "number")
+        n = _number(cells["n"], UNITS, where, "n") if cells["n"] else None
+        if name in found:
+            raise TableError(f"{where}: '{name}' is there twice")
+        for other in found.values():
+            if other.number == number:
+                raise TableError(f"{where}: number {number} is that of '{other.name}'")
+        found[name] = Organization(name, number, n)
+    if not found:
+        raise TableError(f"{path}: no organizations")
+    return found
 
 
 def _header(rtl):
@@ -61,31 +103,38 @@ def _connections(names, indent):
     return ",\n".join(f"{indent}.{name:<{width}}({name})" for name in names)
 
 
-def select_text(configurations, rtl):
-    """ffd_org_select: the organization numbered ORG."""
+def select_text(rtl):
+    """ffd_org_select: the organization numbered ORG, if N is one that it has."""
     parameters, ports, names, wires = _header(rtl)
-    found = organizations(configurations)
+    found = sorted(read(rtl).values(), key=lambda organization: organization.number)
+    first = found[0]
+    if first.n:
+        parameters = re.sub(r"(?m)^(  parameter N +=) \d+", rf"\1 {first.n}", parameters)
+    refused = [f"ORG == {one.number} && N != {one.n}" for one in found if one.n]
     arms = []
-    for number, org in enumerate(found):
-        module, own = split_name(org)
+    for organization in found:
+        module, own = split_name(organization.name)
         values = _connections(names, " " * 8)
         for name, value in own.items():
             values = f"        .{name}({value}),\n" + values
-        opening = "if" if number == 0 else "end else if"
-        arms.append(f"""    {opening} (ORG == {number}) begin : gen_{org.replace("/", "_by_")}
+        opening = "if" if organization is first else "end else if"
+        label = organization.name.replace("/", "_by_")
+        arms.append(f"""    {opening} (ORG == {organization.number}) begin : gen_{label}
       ffd_org_{module} #(
 {values}
       ) u_org (
 {_connections(wires, " " * 8)}
       );
 """)
-    listing = ", ".join(f"{number} {org}" for number, org in enumerate(found))
+    listing = ", ".join(f"{one.number} {one.name}" + (f" (N {one.n})" if one.n else "")
+                        for one in found)
     numbers = textwrap.fill(f"ORG is {listing}.", 100, initial_indent="// ",
                             subsequent_indent="// ")
+    refusals = " ||\n        ".join(refused)
     return f"""// ffd_org_select: the organization numbered ORG
 //
 {numbers}
-// {GENERATED}
+// Made from rtl/{TABLE} {_GENERATED}
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
@@ -95,12 +144,15 @@ def select_text(configurations, rtl):
 `include "ffd_eval.vh"
 
 module ffd_org_select #(
-  parameter ORG             = 0,
+  parameter ORG             = {first.number},
 {parameters}
 ) (
 {ports}
 );
   generate
+    if ({refusals}) begin : gen_bad_n
+      ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
+    end
 {"".join(arms)}    end else begin : gen_bad_org
       ERROR_ffd_org_select_org_is_unknown u_error ();
     end

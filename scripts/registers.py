@@ -8,7 +8,6 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
-import csv
 import pathlib
 import re
 import sys
@@ -18,7 +17,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import register_rtl  # noqa: E402
 import register_texts  # noqa: E402
+import tables  # noqa: E402
 from configurations import write_if_changed  # noqa: E402
+from tables import TableError  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "rtl/bus/registers.csv"
@@ -33,10 +34,6 @@ ACCESSES = {
 }
 WRITABLE = ("rw", "w1s", "w1", "w1c", "event")
 RESETLESS = ("ro", "w1")
-
-
-class TableError(Exception):
-    """A fault of the table, in one line."""
 
 
 @dataclass(frozen=True)
@@ -106,11 +103,8 @@ def _read_reset(text, access, width, where):
     return int(text, 0)
 
 
-def _read_row(row, where):
+def _read_row(cells, where):
     """(offset, Field)"""
-    if len(row) != len(COLUMNS):
-        raise TableError(f"{where}: {len(row)} columns, {len(COLUMNS)} wanted")
-    cells = dict(zip(COLUMNS, row))
     if not re.fullmatch(r"0x[0-9A-F]{3}", cells["offset"]) or int(cells["offset"], 16) % 4:
         raise TableError(f"{where}: offset '{cells['offset']}': 0x and three digits, a multiple"
                          " of 4")
@@ -166,15 +160,9 @@ def _check_links(registers):
 
 def parse(text, path):
     """The registers in order of their offsets. Raises TableError."""
-    rows = csv.reader(text.splitlines())
-    if tuple(next(rows, [])) != COLUMNS:
-        raise TableError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
     found = []  # (offset, name, fields)
-    for row in rows:
-        if not row:
-            continue
-        where = f"{path}:{rows.line_num}"
-        offset, field = _read_row(row, where)
+    for where, cells in tables.parse(text, path, COLUMNS):
+        offset, field = _read_row(cells, where)
         if found and found[-1][:2] == (offset, field.register):
             if field.name in [other.name for other in found[-1][2]]:
                 raise TableError(f"{where}: {field.path} is there twice")
@@ -198,11 +186,7 @@ def parse(text, path):
 
 
 def read(path):
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise TableError(f"{path}: cannot be read: {error}") from error
-    return parse(text, path)
+    return parse(tables.read_text(path), path)
 
 
 def version(registers):

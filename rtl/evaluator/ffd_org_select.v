@@ -1,8 +1,8 @@
 // ffd_org_select: the organization numbered ORG
 //
-// ORG is 0 basic, 1 cg1, 2 cg2, 3 cg3, 4 tree, 5 parallel, 6 factored, 7 factored/3, 8 nested, 9
-// nested/3.
-// Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost.
+// ORG is 0 basic (N 1), 1 cg1 (N 1), 2 cg2 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6
+// factored (N 64), 7 factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4).
+// Made from rtl/organizations.csv by scripts/configurations.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
@@ -14,7 +14,7 @@
 module ffd_org_select #(
   parameter ORG             = 0,
   parameter FORMAT          = 18,
-  parameter N               = 8,
+  parameter N               = 1,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
@@ -47,6 +47,17 @@ module ffd_org_select #(
   output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o
 );
   generate
+    if (ORG == 0 && N != 1 ||
+        ORG == 1 && N != 1 ||
+        ORG == 2 && N != 1 ||
+        ORG == 3 && N != 1 ||
+        ORG == 5 && N != 64 ||
+        ORG == 6 && N != 64 ||
+        ORG == 7 && N != 64 ||
+        ORG == 8 && N != 4 ||
+        ORG == 9 && N != 4) begin : gen_bad_n
+      ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
+    end
     if (ORG == 0) begin : gen_basic
       ffd_org_tree #(
         .SERIAL(1),

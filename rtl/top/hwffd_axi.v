@@ -8,7 +8,8 @@
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer.
-// Parameters: as in hwffd_stream; MAX_BURST to WRITE_OUTSTANDING as in ffd_dma_engine.
+// Parameters: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS); MAX_BURST to
+//             WRITE_OUTSTANDING as in ffd_dma_engine.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -84,6 +85,12 @@ module hwffd_axi #(
   output wire         m_axi_bready,
   input  wire [1:0]   m_axi_bresp
 );
+  generate
+    if (IN_FLIGHT >= 65536) begin : gen_bad_in_flight
+      ERROR_hwffd_axi_in_flight_must_be_below_65536 u_error ();
+    end
+  endgenerate
+
   // A parameter that is set from outside has 32 bits.
   localparam [31:0] ORG_WORD       = ORG;
   localparam [31:0] N_WORD         = N;

@@ -32,7 +32,7 @@ BAD = {
 FIELDS = {
     "name": ("Good", "good_row", "1-row", "good-", "", "two words", "a;b"),
     "org": ("", "Basic", "nothing", "tree/", "tree/x", "/3"),
-    "n": ("", "0", "65", "-1", "x", "1.0"),
+    "n": ("", "0", "65", "-1", "x", "1.0", "8"),
     "format": ("", "fp64", "fx", "fx11", "fx33", "fx018", "18", "FX18"),
     "schedule": ("", "late"),
     "evaluator": ("", "none"),
@@ -98,8 +98,8 @@ class Accepted(Folder):
     ROWS = (
         f"{HEADER}\n"
         "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,1,sim\n"
-        "good-row,basic,4,fx18,paper,iterative,5,4,3,0,1,test\n"
-        "large,basic,64,fx32,overlapped,pipelined,2,1,0,1,0,all\n"
+        "good-row,tree,4,fx18,paper,iterative,5,4,3,0,1,test\n"
+        "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,0,all\n"
     )
 
     def test_committed_table(self):
@@ -119,12 +119,12 @@ class Accepted(Folder):
             self.assertEqual(self.run_script("list", "--tier", tier, text=self.ROWS).stdout, names)
 
     def test_parameters(self):
-        words = ("ORG=0 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=3 "
+        words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=3 "
                  "CONVERT_LATENCY=0")
         done = self.run_script("parameters", "good-row", text=self.ROWS)
         self.assertEqual(done.stdout, words + "\n")
         done = self.run_script("parameters", "--fusesoc", "good-row")
-        self.assertTrue(done.stdout.startswith("--ORG=0 --N="), done.stdout)
+        self.assertTrue(done.stdout.startswith("--ORG=4 --N="), done.stdout)
         done = self.run_script("parameters", "--verilator", "good-row")
         self.assertEqual(done.stdout, " ".join("-G" + word for word in words.split()) + "\n")
 
@@ -135,7 +135,7 @@ class Accepted(Folder):
         self.assertIn("set(HWFFD_CONFIGURATION_IDENTIFIERS small good_row large)\n", text)
         self.assertIn("set(HWFFD_TIER_IDENTIFIERS small good_row)\n", text)
         self.assertIn("set(HWFFD_SELECTED_IDENTIFIERS small good_row large)\n", text)
-        self.assertIn("set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=0 N=4 FORMAT=18 ", text)
+        self.assertIn("set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 ", text)
 
     def test_selection(self):
         wanted = self.run_script("list", "--n", "4", "--format", "fx18", text=self.ROWS)
@@ -149,7 +149,7 @@ class Accepted(Folder):
         self.run_script("cpp", str(table), text=self.ROWS)
         self.run_script("factory", str(factory), "--tier", "test")
         self.assertIn(
-            '{"good-row", "basic", 4, "fx18", "paper", "iterative", 5, 4, 3, 0, "test"},',
+            '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 3, 0, "test"},',
             table.read_text())
         self.assertIn('"large"', table.read_text())
         self.assertIn('#include "Vgood_row.h"', factory.read_text())

@@ -23,7 +23,7 @@ class RegisterError : public DriverError {
 /// What was built: VERSION, CONFIG and LIMITS.
 struct CoreIdentity {
   unsigned version_major, version_minor, version_patch;
-  unsigned org;          ///< number in rtl/configurations.csv
+  unsigned org;          ///< number in rtl/organizations.csv
   unsigned n;            ///< units of a step
   unsigned format;       ///< 0 fp32, W fxW, 99 bfp32
   unsigned schedule;     ///< 0 overlapped, 1 paper
