@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """hwffd.core, the description of the core for FuseSoC: files from rtl/hwffd.f and the headers beside
-them, parameters with their defaults from the tops, the version from the table of registers.
+them, parameters with their defaults from the tops, the version from VERSION.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -11,9 +11,9 @@ import sys
 
 import configurations
 import module_header
-import registers
 import rtl
 import tables
+import version
 
 NAME = "hwffd.core"
 GENERATED = "Made by scripts/core_file.py write; changes here are lost."
@@ -101,7 +101,6 @@ def text(root):
     root = pathlib.Path(root)
     sources = rtl.Sources(root)
     stream, axi = (module_header.read(sources, top).parameters for top in TOPS)
-    table = registers.read(root / registers.TABLE)
     row = configurations.read(root / "rtl" / "configurations.csv")[0].parameters
     parameters = []
     for name, value in axi.items():
@@ -109,7 +108,7 @@ def text(root):
         parameters += [f"  {name}:", "    datatype: int", "    paramtype: vlogparam",
                        f"    description: {value} if not given; {where}"]
     return _TEXT.format(
-        generated=GENERATED, version=registers.version(table), simulation=rtl.SIMULATION,
+        generated=GENERATED, version=version.read(root), simulation=rtl.SIMULATION,
         rtl="\n".join(_rtl_lines(root)), example="\n".join(_example_lines()),
         used="\n".join(f"      - {name}" if name in stream else f'      - "axi? ({name})"'
                        for name in axi),

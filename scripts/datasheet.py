@@ -4,7 +4,7 @@ parameters and ports from the tops, registers and rows from their tables.
 
 In the template, {{...}} stands for what is put in:
 
-    {{version}}                              of the table of registers
+    {{version}}                              of the file VERSION
     {{REPORT FIELD[:FORMAT] KEY=VALUE ...}}  a field of the one row with these values
     {{registers}}                            offset, register, fields
     {{parameters TOP                         a table; each line a NAME: meaning
@@ -32,6 +32,7 @@ import registers
 import reports
 import rtl
 import tables
+import version
 
 TEMPLATE, DOCUMENT = "docs/datasheet.in.md", "docs/datasheet.md"
 GENERATED = f"Made from {TEMPLATE} by scripts/datasheet.py; changes here are lost."
@@ -107,7 +108,7 @@ class Datasheet:
         self.root, self.figures = pathlib.Path(root), figures
         self.sources = rtl.Sources(root)
         self.rows = configurations.read(self.root / "rtl" / "configurations.csv")
-        self.registers = registers.read(self.root / registers.TABLE)
+        self.registers = registers.read(self.root)
 
     def text(self):
         template = (self.root / TEMPLATE).read_text(encoding="utf-8")
@@ -122,7 +123,7 @@ class Datasheet:
         if word == "registers":
             return "\n".join(register_texts.summary_lines(self.registers))
         if word == "version":
-            return registers.version(self.registers)
+            return str(version.read(self.root))
         return self.figures.show(first)
 
     def _meanings(self, lines):

@@ -2,7 +2,8 @@
 """The table of registers, rtl/bus/registers.csv, and what is made from it.
 
 One row is one field. This module reads the table and refuses what is wrong with it;
-register_rtl.py and register_texts.py make RTL, a C header and docs/registers.md from it.
+register_rtl.py and register_texts.py make RTL, a C header and docs/registers.md from it. Reset
+values "version" are the parts of the version, whose own header is made here too.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -18,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import register_rtl  # noqa: E402
 import register_texts  # noqa: E402
 import tables  # noqa: E402
+import version  # noqa: E402
 from configurations import write_if_changed  # noqa: E402
 from tables import TableError  # noqa: E402
 
@@ -103,8 +105,12 @@ def _read_reset(text, access, width, where):
     return int(text, 0)
 
 
-def _read_row(cells, where):
+def _read_row(cells, where, release):
     """(offset, Field)"""
+    if cells["reset"] == "version":
+        if cells["field"] not in release._fields:
+            raise TableError(f"{where}: reset 'version': of {', '.join(release._fields)} only")
+        cells["reset"] = str(getattr(release, cells["field"]))
     if not re.fullmatch(r"0x[0-9A-F]{3}", cells["offset"]) or int(cells["offset"], 16) % 4:
         raise TableError(f"{where}: offset '{cells['offset']}': 0x and three digits, a multiple"
                          " of 4")
@@ -158,11 +164,11 @@ def _check_links(registers):
             raise TableError(f"{field.path}: unless and needs want refused")
 
 
-def parse(text, path):
-    """The registers in order of their offsets. Raises TableError."""
+def parse(text, path, release):
+    """The registers of a version, in order of their offsets. Raises TableError."""
     found = []  # (offset, name, fields)
     for where, cells in tables.parse(text, path, COLUMNS):
-        offset, field = _read_row(cells, where)
+        offset, field = _read_row(cells, where, release)
         if found and found[-1][:2] == (offset, field.register):
             if field.name in [other.name for other in found[-1][2]]:
                 raise TableError(f"{where}: {field.path} is there twice")
@@ -185,26 +191,22 @@ def parse(text, path):
     return registers
 
 
-def read(path):
-    return parse(tables.read_text(path), path)
-
-
-def version(registers):
-    """major.minor.patch, as VERSION reads."""
-    fields = next(register.fields for register in registers if register.name == "VERSION")
-    resets = {field.name: field.reset for field in fields}
-    return ".".join(str(resets[part]) for part in ("major", "minor", "patch"))
+def read(root=ROOT, table=None):
+    """Those of a checkout. Raises TableError."""
+    path = table or pathlib.Path(root) / TABLE
+    return parse(tables.read_text(path), path, version.read(root))
 
 
 def outputs(root=ROOT, table=None):
     """path below root -> the text that it must have"""
     root = pathlib.Path(root)
-    registers = read(table or root / TABLE)
+    registers = read(root, table)
     preamble = (root / PREAMBLE).read_text(encoding="utf-8")
     return {
         "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
         "api/include/hwffd/registers.h": register_texts.header_text(registers),
         "docs/registers.md": register_texts.docs_text(registers, preamble),
+        version.HEADER: version.header_text(version.read(root)),
     }
 
 
@@ -214,7 +216,7 @@ def stale(root=ROOT):
     if not (root / TABLE).is_file():
         return []
     return [
-        f"{name}: not what the table says: run scripts/registers.py write"
+        f"{name}: not what table and {version.FILE} say: run scripts/registers.py write"
         for name, text in outputs(root).items()
         if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text
     ]
@@ -226,13 +228,13 @@ def main(arguments=None):
     parser.add_argument("--table", help="default: rtl/bus/registers.csv of the checkout")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     commands.add_parser("list", help="print offset, register, fields")
-    commands.add_parser("write", help="write RTL, C header and document, where they differ")
+    commands.add_parser("write", help="write RTL, C headers and document, where they differ")
     commands.add_parser("check", help="fail where one of them is not what the table says")
     options = parser.parse_args(arguments)
 
     try:
         if options.command == "list":
-            for register in read(options.table or options.root / TABLE):
+            for register in read(options.root, options.table):
                 words = " ".join(f"{field.name}({field.access})" for field in register.fields)
                 print(f"0x{register.offset:03X} {register.name} {words}")
         elif options.command == "write":

@@ -11,6 +11,7 @@
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/version.h"
 
 namespace py = pybind11;
 using namespace hwffd;

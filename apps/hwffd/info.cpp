@@ -11,6 +11,7 @@
 #include "hwffd/device/device.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/version.h"
 #include "report.hpp"
 
 namespace hwffd::command {

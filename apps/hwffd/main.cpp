@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "hwffd/version.h"
 #include "program.hpp"
 
 namespace {

@@ -497,7 +497,7 @@ module ffd_axil_registers (
     read_error = 1'b0;
     case (read_word)
       10'h000: read_data = 32'h48464644;
-      10'h001: read_data = {16'h0, 8'h1, 8'h0};
+      10'h001: read_data = {16'h0, 8'h2, 8'h0};
       10'h002: read_data = {2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i,
         config_n_i, config_org_i};
       10'h003: read_data = {8'h0, limits_points_axis_i, limits_in_flight_i};

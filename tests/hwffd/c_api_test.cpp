@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hwffd/hwffd.h"
+#include "hwffd/registers.h"
 
 namespace {
 
@@ -142,7 +143,19 @@ TEST(CApi, FailuresSayWhy) {
   EXPECT_EQ(hwffd_evaluate(lattice.get(), &where, 1, out), HWFFD_ERROR);
   where = {{0, 0, 0}, HWFFD_INSIDE, {0, nan, 0}, 0};
   EXPECT_EQ(hwffd_evaluate(lattice.get(), &where, 1, out), HWFFD_ERROR);
+}
+
+TEST(CApi, VersionOfLibraryHeadersRegistersAndProjectIsOne) {
+  const std::string headers = std::to_string(HWFFD_VERSION_MAJOR) + "." +
+                              std::to_string(HWFFD_VERSION_MINOR) + "." +
+                              std::to_string(HWFFD_VERSION_PATCH);
+  const std::string registers = std::to_string(HWFFD_VERSION_MAJOR_RESET) + "." +
+                                std::to_string(HWFFD_VERSION_MINOR_RESET) + "." +
+                                std::to_string(HWFFD_VERSION_PATCH_RESET);
+  EXPECT_EQ(headers, HWFFD_VERSION);
+  EXPECT_EQ(registers, HWFFD_VERSION);
   EXPECT_STREQ(hwffd_version(), HWFFD_VERSION);
+  EXPECT_STREQ(hwffd_version(), PROJECT_VERSION);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ class CoreFile(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             shutil.copytree(ROOT / "rtl", root / "rtl")
-            shutil.copy(ROOT / "hwffd.core", root)
+            for name in ("hwffd.core", "VERSION"):
+                shutil.copy(ROOT / name, root)
             self.assertEqual(core_file.stale(root), [])
             top = root / "rtl/top/hwffd_axi.v"
             source = top.read_text()

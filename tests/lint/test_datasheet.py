@@ -18,6 +18,7 @@ import datasheet  # noqa: E402
 import module_header  # noqa: E402
 import reports  # noqa: E402
 import rtl  # noqa: E402
+import version  # noqa: E402
 
 REPORT = {"rows": [
     {"name": "basic-fx18-overlapped", "top": "a", "target": "ecp5", "lut": 1234, "fmax_mhz": 80.25},
@@ -78,6 +79,7 @@ class Made(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         shutil.copytree(ROOT / "rtl", self.root / "rtl")
+        shutil.copy(ROOT / "VERSION", self.root)
         self.put(datasheet.TEMPLATE, TEMPLATE)
         self.put("build/reports/synth.json", json.dumps(REPORT))
 
@@ -98,7 +100,7 @@ class Made(unittest.TestCase):
     def test_figures_and_tables(self):
         status, complaints, text = self.run_it("write")
         self.assertEqual((status, complaints), (0, []))
-        for line in ("# 0.1.0", "1,234 LUTs, 80.2 MHz, -,", "247 times.",
+        for line in (f"# {version.read(ROOT)}", "1,234 LUTs, 80.2 MHz, -,", "247 times.",
                      "| row | N | LUT |", "| --- | --: | --: |", "| basic-fx18-overlapped | 1 | 5 |",
                      "| `aclk` | input | 1 | clock |", "| `aresetn` | input | 1 | reset |",
                      "| `m_axis_tdata` | output | 128 | out |",
@@ -110,7 +112,8 @@ class Made(unittest.TestCase):
     def test_a_change_of_the_sources_makes_it_stale(self):
         self.run_it("write")
         changes = {"rtl/top/hwffd_stream.v": ("[31:0]  event_beat_o", "[15:0]  event_beat_o"),
-                   "rtl/bus/registers.csv": ("minor,15:8,const,1", "minor,15:8,const,2"),
+                   "rtl/bus/registers.csv": ("ID,value,", "ID,letters,"),
+                   "VERSION": ("0.", "7."),
                    datasheet.TEMPLATE: ("times.", "times as many.")}
         for name, (before, after) in changes.items():
             with self.subTest(name):

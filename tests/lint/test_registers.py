@@ -16,9 +16,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import registers  # noqa: E402
+import version  # noqa: E402
 
 TEXT = (ROOT / registers.TABLE).read_text()
-MADE = ("rtl/bus/ffd_axil_registers.v", "api/include/hwffd/registers.h", "docs/registers.md")
+OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "api/include/hwffd/registers.h", "docs/registers.md")
+MADE = (*OF_TABLE, version.HEADER)
 
 # what -> (text of the table, its replacement, words of the message)
 FAULTS = {
@@ -55,6 +57,7 @@ FAULTS = {
     "a refusal without a bit": (" refused:STATUS.start_refused", "",
                                 "unless and needs want refused"),
     "a hole in the events": ("packet_long,2,event", "packet_long,20,event", "events take"),
+    "a version that the field is no part of": ("3:0,rw,0", "3:0,rw,version", "reset 'version'"),
     "no record": ("ERROR_PACKET", "ERROR_PLACE", "no ERROR_PACKET.value"),
     "another interrupt": ("IRQ_ENABLE,refused", "IRQ_ENABLE,denied", "fields of IRQ_STATE"),
 }
@@ -72,7 +75,7 @@ class Registers(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        for name in (registers.TABLE, registers.PREAMBLE, *MADE):
+        for name in (registers.TABLE, registers.PREAMBLE, version.FILE, *MADE):
             (self.root / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, self.root / name)
 
@@ -116,9 +119,9 @@ class Registers(unittest.TestCase):
 
     def test_a_change_of_the_table_reaches_all(self):
         (self.root / registers.TABLE).write_text(TEXT.replace("value,3:0,rw,0", "value,4:0,rw,5"))
-        self.assertEqual(len(registers.stale(self.root)), 3)
+        self.assertEqual(len(registers.stale(self.root)), len(OF_TABLE))
         self.assertEqual(run("--root", self.root, "write"), (0, []))
-        for name, words in zip(MADE, ("ring_log2_size_o <= 5'h5;",
+        for name, words in zip(OF_TABLE, ("ring_log2_size_o <= 5'h5;",
                                "RING_LOG2_SIZE_MASK 0x0000001Fu",
                                       "| 4:0 | `value` | rw | 0x5 |")):
             self.assertIn(words, (self.root / name).read_text())

@@ -15,6 +15,8 @@
 
 #include <stddef.h>
 
+#include "hwffd/version.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -27,7 +29,7 @@ enum {
 
 typedef struct hwffd_lattice hwffd_lattice;
 
-/** "0.1.0" */
+/** HWFFD_VERSION of the library that runs, "1.2.3"; the macros are those of the headers. */
 const char* hwffd_version(void);
 
 /** Why the last call of this thread failed; "" if none did. Valid until the next failure. */
