@@ -21,7 +21,8 @@ function(hwffd_netlist id target)
     OUTPUT ${netlist}
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist.py
             ${HWFFD_CONFIGURATION_NAME_${id}} ${target} ${netlist}
-    DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv ${netlist_steps}
+    DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
+            ${HWFFD_RTL_DIR}/organizations.csv ${netlist_steps}
             ${netlist_scripts}/netlist.py ${netlist_scripts}/synthesis.py ${netlist_scripts}/rtl.py
     COMMENT "Synthesizing the netlist of ${id} for ${target}"
     VERBATIM)
