@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,6 +27,15 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// A number, nothing, or "version": the part of it that the field is named after.
+std::uint32_t reset_of(const std::string& cell, const std::string& name) {
+  static const std::map<std::string, std::uint32_t> version = {{"major", PROJECT_VERSION_MAJOR},
+                                                               {"minor", PROJECT_VERSION_MINOR},
+                                                               {"patch", PROJECT_VERSION_PATCH}};
+  if (cell == "version") return version.at(name);
+  return cell.empty() ? 0 : static_cast<std::uint32_t>(std::stoul(cell, nullptr, 0));
 }
 
 void name_port(RegisterField& field) {
@@ -67,8 +77,7 @@ std::vector<RegisterField> read_register_table(const std::string& path) {
                     : static_cast<unsigned>(std::stoul(cells[3].substr(colon + 1)));
     field.width = high - field.low + 1;
     field.access = cells[4];
-    field.reset =
-        cells[5].empty() ? 0 : static_cast<std::uint32_t>(std::stoul(cells[5], nullptr, 0));
+    field.reset = reset_of(cells[5], field.name);
     field.path = field.reg + "." + field.name;
     std::istringstream links(cells[6]);
     for (std::string word; links >> word;) {
