@@ -15,6 +15,7 @@ bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
+bus/ffd_dma_watch.v
 bus/ffd_dma_write.v
 stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v

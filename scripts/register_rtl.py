@@ -264,6 +264,7 @@ _BUS = """\
   input  wire        s_axil_awvalid,
   output wire        s_axil_awready,
   input  wire [11:0] s_axil_awaddr,
+  input  wire [2:0]  s_axil_awprot,
   input  wire        s_axil_wvalid,
   output wire        s_axil_wready,
   input  wire [31:0] s_axil_wdata,
@@ -274,6 +275,7 @@ _BUS = """\
   input  wire        s_axil_arvalid,
   output wire        s_axil_arready,
   input  wire [11:0] s_axil_araddr,
+  input  wire [2:0]  s_axil_arprot,
   output wire        s_axil_rvalid,
   input  wire        s_axil_rready,
   output wire [31:0] s_axil_rdata,
@@ -293,6 +295,7 @@ _HEADER = """\
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
+// Parameters: SECURE_ONLY as in ffd_axil_slave.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """
@@ -308,7 +311,8 @@ _SLAVE = """\
   reg         read_error;
 
   ffd_axil_slave #(
-    .ADDRESS_W(12)
+    .ADDRESS_W  (12),
+    .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
 {connections}
   );
@@ -357,7 +361,9 @@ def rtl_text(registers):
     counters = "\n\n".join(rtl.counters)
     return f"""{_HEADER.format(generated=GENERATED)}`default_nettype none
 
-module ffd_axil_registers (
+module ffd_axil_registers #(
+  parameter SECURE_ONLY = 0
+) (
 {_BUS}{ports}
 );
 {_SLAVE.format(connections=_slave_connections())}

@@ -73,9 +73,9 @@ bool Driver::windows_locked() {
 }
 
 void Driver::set_ring(const DescriptorRing& ring) {
-  if (ring.log2_size > HWFFD_RING_LOG2_SIZE_MASK) {
+  if (ring.log2_size < 1 || ring.log2_size > HWFFD_RING_LOG2_SIZE_MASK) {
     throw DriverError("a ring of 2^" + std::to_string(ring.log2_size) +
-                      " descriptors: at most 2^15 are possible");
+                      " descriptors: 2^1 to 2^15 are possible");
   }
   const unsigned size = 1u << ring.log2_size;
   if (ring.base % (kDescriptorBytes * size) != 0) {

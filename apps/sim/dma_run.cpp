@@ -75,9 +75,10 @@ std::string registers_against_model(Driver& driver, const model::StreamModel& mo
   if (errors.status != status) {
     text += fmt::format("ERROR_STATUS is {:05x}, the model's {:05x}\n", errors.status, status);
   }
-  if (driver.result_count() != results || driver.counters().vertices != results) {
-    text += fmt::format("{} results in memory, {} vertices counted, {} expected\n",
-                        driver.result_count(), driver.counters().vertices, results);
+  const std::uint64_t vertices = driver.counters().vertices;
+  if (driver.result_count() != results || vertices != model.vertices()) {
+    text += fmt::format("{} results in memory, {} expected; {} vertices counted, {} expected\n",
+                        driver.result_count(), results, vertices, model.vertices());
   }
   return text;
 }

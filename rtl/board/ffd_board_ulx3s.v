@@ -39,6 +39,7 @@ module ffd_board_ulx3s #(
   wire [9:0]   events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
+  wire         vertex;
   wire         idle;
 
   ffd_board_reset u_reset (
@@ -90,10 +91,11 @@ module ffd_board_ulx3s #(
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
+    .vertex_o      (vertex),
     .idle_o        (idle)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, idle};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, idle};
 endmodule
 
 `default_nettype wire

@@ -11,16 +11,20 @@
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
+// Parameters: SECURE_ONLY as in ffd_axil_slave.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_axil_registers (
+module ffd_axil_registers #(
+  parameter SECURE_ONLY = 0
+) (
   input  wire        clk,
   input  wire        rst,
   input  wire        s_axil_awvalid,
   output wire        s_axil_awready,
   input  wire [11:0] s_axil_awaddr,
+  input  wire [2:0]  s_axil_awprot,
   input  wire        s_axil_wvalid,
   output wire        s_axil_wready,
   input  wire [31:0] s_axil_wdata,
@@ -31,6 +35,7 @@ module ffd_axil_registers (
   input  wire        s_axil_arvalid,
   output wire        s_axil_arready,
   input  wire [11:0] s_axil_araddr,
+  input  wire [2:0]  s_axil_arprot,
   output wire        s_axil_rvalid,
   input  wire        s_axil_rready,
   output wire [31:0] s_axil_rdata,
@@ -65,7 +70,7 @@ module ffd_axil_registers (
   input  wire        counter_vertices_event_i,
   input  wire        counter_stalls_event_i,
   input  wire        counter_busy_event_i,
-  input  wire [17:0] error_event_i,
+  input  wire [23:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
   input  wire        error_address_valid_i,
@@ -86,13 +91,15 @@ module ffd_axil_registers (
   reg         read_error;
 
   ffd_axil_slave #(
-    .ADDRESS_W(12)
+    .ADDRESS_W  (12),
+    .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
     .clk           (clk),
     .rst           (rst),
     .s_axil_awvalid(s_axil_awvalid),
     .s_axil_awready(s_axil_awready),
     .s_axil_awaddr (s_axil_awaddr),
+    .s_axil_awprot (s_axil_awprot),
     .s_axil_wvalid (s_axil_wvalid),
     .s_axil_wready (s_axil_wready),
     .s_axil_wdata  (s_axil_wdata),
@@ -103,6 +110,7 @@ module ffd_axil_registers (
     .s_axil_arvalid(s_axil_arvalid),
     .s_axil_arready(s_axil_arready),
     .s_axil_araddr (s_axil_araddr),
+    .s_axil_arprot (s_axil_arprot),
     .s_axil_rvalid (s_axil_rvalid),
     .s_axil_rready (s_axil_rready),
     .s_axil_rdata  (s_axil_rdata),
@@ -149,7 +157,7 @@ module ffd_axil_registers (
   wire [63:0] counter_vertices;
   wire [63:0] counter_stalls;
   wire [63:0] counter_busy;
-  reg [17:0] error_status_q;
+  reg [23:0] error_status_q;
   reg error_first_valid_q;
   reg irq_state_done_q;
   reg irq_state_error_q;
@@ -163,7 +171,7 @@ module ffd_axil_registers (
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
   wire error_any = |error_event_i;
-  wire [17:0] error_status_held = error_status_q & ~(ones[17:0] & {18 {write_error_status}});
+  wire [23:0] error_status_held = error_status_q & ~(ones[23:0] & {24 {write_error_status}});
   wire error_first_valid_set = error_any;
   wire error_first_valid_held = error_first_valid_q && !(write_error_first && ones[31]);
   wire irq_state_done_set = status_done_set || (write_irq_test && ones[0]);
@@ -180,7 +188,7 @@ module ffd_axil_registers (
   wire [63:0] log_address;
 
   ffd_axil_errors #(
-    .CODES(18)
+    .CODES(24)
   ) u_errors (
     .clk            (clk),
     .rst            (rst),
@@ -429,7 +437,7 @@ module ffd_axil_registers (
   // 0x100 ERROR_STATUS
   always @(posedge clk) begin
     if (rst) begin
-      error_status_q <= 18'h0;
+      error_status_q <= 24'h0;
     end else begin
       error_status_q <= error_event_i | error_status_held;
     end
@@ -528,7 +536,7 @@ module ffd_axil_registers (
       10'h033: read_data = counter_stalls[63:32];
       10'h034: read_data = counter_busy[31:0];
       10'h035: read_data = counter_busy[63:32];
-      10'h040: read_data = {14'h0, error_status_q};
+      10'h040: read_data = {8'h0, error_status_q};
       10'h041: read_data = log_count;
       10'h042: read_data = {error_first_valid_q, 26'h0, log_code};
       10'h043: read_data = log_packet;

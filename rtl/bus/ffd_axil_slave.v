@@ -6,26 +6,31 @@
 // response appear at the same edge. Address and data of a write come in any order. Writes and reads
 // do not wait for each other; in the same clock a read sees what was there before the write.
 //
-// Responses:  OKAY, or SLVERR where the port says error; the data of such a read is 0.
+// Responses:  OKAY, or SLVERR where the port says error; the data of such a read is 0. With
+//             SECURE_ONLY an access that is not secure (bit 1 of its *prot) is not handed on and
+//             answered in the same way.
 // Pipeline:   2 clocks from the later of address and data to the response, II 1. One response a
 //             request, in order. Ready is 0 in reset and in the first clock after it.
 // Freezes:    a channel whose response is not taken; up to two requests wait in each channel.
 // Cuts:       every output to the bus leaves a register. write_o and read_o do not: they follow
 //             s_axil_bready and s_axil_rready.
-// Not checked: the two low bits of an address (every access is a word; strobes name the bytes).
-// Parameters: ADDRESS_W 3 to 64, the bits of a byte address.
+// Not checked: the two low bits of an address (every access is a word; strobes name the bytes); the
+//             other bits of *prot.
+// Parameters: ADDRESS_W 3 to 64, the bits of a byte address; SECURE_ONLY 0 or 1.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_axil_slave #(
-  parameter ADDRESS_W = 12
+  parameter ADDRESS_W   = 12,
+  parameter SECURE_ONLY = 0
 ) (
   input  wire                 clk,
   input  wire                 rst,
   input  wire                 s_axil_awvalid,
   output wire                 s_axil_awready,
   input  wire [ADDRESS_W-1:0] s_axil_awaddr,
+  input  wire [2:0]           s_axil_awprot,
   input  wire                 s_axil_wvalid,
   output wire                 s_axil_wready,
   input  wire [31:0]          s_axil_wdata,
@@ -36,6 +41,7 @@ module ffd_axil_slave #(
   input  wire                 s_axil_arvalid,
   output wire                 s_axil_arready,
   input  wire [ADDRESS_W-1:0] s_axil_araddr,
+  input  wire [2:0]           s_axil_arprot,
   output reg                  s_axil_rvalid,
   input  wire                 s_axil_rready,
   output reg  [31:0]          s_axil_rdata,
@@ -54,29 +60,37 @@ module ffd_axil_slave #(
     if (ADDRESS_W < 3 || ADDRESS_W > 64) begin : gen_bad_address
       ERROR_ffd_axil_slave_address_w_must_be_3_to_64 u_error ();
     end
+    if (SECURE_ONLY != 0 && SECURE_ONLY != 1) begin : gen_bad_secure_only
+      ERROR_ffd_axil_slave_secure_only_must_be_0_or_1 u_error ();
+    end
   endgenerate
 
   wire       aw_valid;
   wire       w_valid;
   wire       ar_valid;
+  wire       aw_refused;
+  wire       ar_refused;
   wire [3:0] strobe;
   reg        write_error_q;
   reg        read_error_q;
 
-  assign write_o = aw_valid && w_valid && (!s_axil_bvalid || s_axil_bready);
-  assign read_o  = ar_valid && (!s_axil_rvalid || s_axil_rready);
+  wire write = aw_valid && w_valid && (!s_axil_bvalid || s_axil_bready);
+  wire read  = ar_valid && (!s_axil_rvalid || s_axil_rready);
+
+  assign write_o = write && !aw_refused;
+  assign read_o  = read && !ar_refused;
 
   ffd_stream_skid #(
-    .WIDTH(ADDRESS_W - 2)
+    .WIDTH(ADDRESS_W - 1)
   ) u_aw (
     .clk         (clk),
     .rst         (rst),
     .s_beat_valid(s_axil_awvalid),
     .s_beat_ready(s_axil_awready),
-    .s_beat_data (s_axil_awaddr[ADDRESS_W-1:2]),
+    .s_beat_data ({s_axil_awprot[1] && SECURE_ONLY != 0, s_axil_awaddr[ADDRESS_W-1:2]}),
     .m_beat_valid(aw_valid),
-    .m_beat_ready(write_o),
-    .m_beat_data (write_word_o)
+    .m_beat_ready(write),
+    .m_beat_data ({aw_refused, write_word_o})
   );
 
   ffd_stream_skid #(
@@ -88,21 +102,21 @@ module ffd_axil_slave #(
     .s_beat_ready(s_axil_wready),
     .s_beat_data ({s_axil_wstrb, s_axil_wdata}),
     .m_beat_valid(w_valid),
-    .m_beat_ready(write_o),
+    .m_beat_ready(write),
     .m_beat_data ({strobe, write_data_o})
   );
 
   ffd_stream_skid #(
-    .WIDTH(ADDRESS_W - 2)
+    .WIDTH(ADDRESS_W - 1)
   ) u_ar (
     .clk         (clk),
     .rst         (rst),
     .s_beat_valid(s_axil_arvalid),
     .s_beat_ready(s_axil_arready),
-    .s_beat_data (s_axil_araddr[ADDRESS_W-1:2]),
+    .s_beat_data ({s_axil_arprot[1] && SECURE_ONLY != 0, s_axil_araddr[ADDRESS_W-1:2]}),
     .m_beat_valid(ar_valid),
-    .m_beat_ready(read_o),
-    .m_beat_data (read_word_o)
+    .m_beat_ready(read),
+    .m_beat_data ({ar_refused, read_word_o})
   );
 
   assign write_mask_o = {{8{strobe[3]}}, {8{strobe[2]}}, {8{strobe[1]}}, {8{strobe[0]}}};
@@ -114,20 +128,20 @@ module ffd_axil_slave #(
       s_axil_bvalid <= 1'b0;
       s_axil_rvalid <= 1'b0;
     end else begin
-      s_axil_bvalid <= write_o || (s_axil_bvalid && !s_axil_bready);
-      s_axil_rvalid <= read_o || (s_axil_rvalid && !s_axil_rready);
+      s_axil_bvalid <= write || (s_axil_bvalid && !s_axil_bready);
+      s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);
     end
   end
 
   always @(posedge clk) begin
-    if (write_o) write_error_q <= write_error_i;
-    if (read_o) begin
-      read_error_q <= read_error_i;
-      s_axil_rdata <= read_error_i ? 32'd0 : read_data_i;
+    if (write) write_error_q <= write_error_i || aw_refused;
+    if (read) begin
+      read_error_q <= read_error_i || ar_refused;
+      s_axil_rdata <= read_error_i || ar_refused ? 32'd0 : read_data_i;
     end
   end
 
-  wire unused_ok = &{1'b0, s_axil_awaddr[1:0], s_axil_araddr[1:0]};
+  wire unused_ok = &{1'b0, s_axil_awaddr[1:0], s_axil_araddr[1:0], s_axil_awprot, s_axil_arprot};
 endmodule
 
 `default_nettype wire

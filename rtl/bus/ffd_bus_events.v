@@ -2,7 +2,8 @@
 //
 // Bits 0 to 9 are the core's events (ffd_stream.vh), 10 to 14 the DMA's refusals (its codes 1 to 5,
 // of either half), 15 and 16 the bus's answer to a read and to a write (codes 6 and 7), 17 a result
-// that the area has no room for, once a run. rtl/bus/registers.csv names them. Packet and beat are
+// that the area has no room for, once a run, 18 a ring refused for its size or head (code 8), 19 to
+// 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and beat are
 // the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 //
 // Pipeline:   none.  Freezes: never.
@@ -17,28 +18,30 @@ module ffd_bus_events (
   input  wire [31:0] core_packet_i,
   input  wire [31:0] core_beat_i,
   input  wire        read_error_i,
-  input  wire [2:0]  read_error_code_i,
+  input  wire [3:0]  read_error_code_i,
   input  wire [63:0] read_error_address_i,
   input  wire        write_error_i,
   input  wire [2:0]  write_error_code_i,
   input  wire [63:0] write_error_address_i,
   input  wire        result_overflow_i,
-  output wire [17:0] error_event_o,
+  input  wire [4:0]  timeout_i,
+  output wire [23:0] error_event_o,
   output wire [31:0] error_packet_o,
   output wire [31:0] error_beat_o,
   output wire        error_address_valid_o,
   output wire [63:0] error_address_o
 );
   localparam [2:0] SLAVE_ERROR = 3'd6;
+  localparam [3:0] RING = 4'd8;
 
   // Bit c: an error of code c.
-  wire [7:0] read_codes  = read_error_i ? 8'd1 << read_error_code_i : 8'd0;
+  wire [8:0] read_codes  = read_error_i ? 9'd1 << read_error_code_i : 9'd0;
   wire [7:0] write_codes = write_error_i ? 8'd1 << write_error_code_i : 8'd0;
   wire [4:0] refusals    = read_codes[5:1] | write_codes[5:1];
   wire       core        = |core_event_i;
-  wire       write_first = write_error_i && (!read_error_i
+  wire       write_first = write_error_i && (!read_error_i || read_error_code_i == RING
                            || (write_error_code_i < SLAVE_ERROR
-                               && write_error_code_i < read_error_code_i));
+                               && {1'b0, write_error_code_i} < read_error_code_i));
   reg        overflow_q;
 
   always @(posedge clk) begin
@@ -46,8 +49,8 @@ module ffd_bus_events (
     else overflow_q <= result_overflow_i;
   end
 
-  assign error_event_o = {result_overflow_i && !overflow_q, |write_codes[7:6], |read_codes[7:6],
-                          refusals, core_event_i};
+  assign error_event_o = {timeout_i, read_codes[8], result_overflow_i && !overflow_q,
+                          |write_codes[7:6], |read_codes[7:6], refusals, core_event_i};
   assign error_packet_o  = core ? core_packet_i : 32'd0;
   assign error_beat_o    = core ? core_beat_i : 32'd0;
   assign error_address_valid_o = read_error_i || write_error_i;

@@ -3,13 +3,15 @@
 // Between registers (ffd_axil_registers), DMA engine (ffd_dma_engine) and core (hwffd_stream).
 // CHECK: the result area is offered to the DMA, which may refuse it; then the run ends. RUN: the
 // ring is started, ring_head_o follows ring_head_i. The run ends when DMA and core have been idle
-// for 8 clocks; after a bus error (stopped_o), when the DMA has been halted that long and no burst
-// of results is open. Between runs the ring sees no new head. Base and size of the ring are taken
-// by the start that finds it stopped, so that software cannot change them under it.
+// for 8 clocks; after a fault of the bus (stopped_o), when the DMA has been halted that long.
+// Between runs the ring sees no new head. Base and size of the ring are taken by the start that
+// finds it stopped, so that software cannot change them under it.
 // soft_reset_i ends a run without done_o and clears stopped_o; core_rst_o follows while the DMA
-// clears. It wins over start_i.
+// clears. It wins over start_i. In rst the core is in reset at the same edges as all else, so that
+// none of its results outlives an rst of one clock.
 //
-// Pipeline:   start_i to result_start_o 1 clock, to ring_start_o 9; the end to done_o 9.
+// Pipeline:   start_i to result_start_o 0 clocks, so that the DMA takes the area as it was when
+//             start_i was given; to ring_start_o 9; the end to done_o 9.
 // Not checked: start_i while busy_o or stopped_o is 1 (the registers refuse it).
 // Needs:      the DMA refuses an area at most 7 clocks after result_start_o; an idle DMA or core
 //             that has something handed to it shows it at most 7 clocks later.
@@ -35,31 +37,27 @@ module ffd_bus_run (
   output reg  [63:0] ring_base_o,
   output reg  [3:0]  ring_entries_log2_o,
   output reg  [15:0] ring_head_o,
-  output reg         result_start_o,
+  output wire        result_start_o,
   input  wire        ring_running_i,
-  input  wire        result_busy_i,
-  input  wire        read_error_i,
-  input  wire [2:0]  read_error_code_i,
   input  wire        write_error_i,
-  input  wire [2:0]  write_error_code_i,
+  input  wire        dma_fault_i,
   input  wire        dma_clearing_i,
   input  wire        dma_halted_i,
   input  wire        dma_idle_i,
   // core
-  output reg         core_rst_o,
+  output wire        core_rst_o,
   input  wire        core_idle_i
 );
   localparam [1:0] IDLE  = 2'd0;
   localparam [1:0] CHECK = 2'd1;
   localparam [1:0] RUN   = 2'd2;
-  localparam [2:0] SLAVE_ERROR = 3'd6;    // and above: the bus's answer, not a refusal
 
   reg  [1:0] state_q;
   reg  [2:0] count_q;
   reg        stopped_q;
+  reg        clear_q;
   wire       clear   = soft_reset_i || dma_clearing_i;
-  wire       quiet   = stopped_q ? dma_halted_i && !result_busy_i
-                              : dma_idle_i && core_idle_i;
+  wire       quiet   = stopped_q ? dma_halted_i : dma_idle_i && core_idle_i;
   wire       settled = count_q == 3'd7;
   wire       accept  = state_q == IDLE && start_i && !clear;
   wire       checked = state_q == CHECK && settled && !write_error_i && !clear;
@@ -69,6 +67,8 @@ module ffd_bus_run (
   assign busy_o    = state_q != IDLE || clear;
   assign idle_o    = dma_idle_i && core_idle_i && !clear;
   assign stopped_o = stopped_q;
+  assign result_start_o = accept;
+  assign core_rst_o     = rst || clear_q;
 
   always @(posedge clk) begin
     if (rst || clear) state_q <= IDLE;
@@ -83,25 +83,18 @@ module ffd_bus_run (
   end
 
   always @(posedge clk) begin
-    if (rst || clear) begin
-      stopped_q <= 1'b0;
-    end else begin
-      stopped_q <= stopped_q || (read_error_i && read_error_code_i >= SLAVE_ERROR)
-                || (write_error_i && write_error_code_i >= SLAVE_ERROR);
-    end
+    stopped_q <= !rst && !clear && (stopped_q || dma_fault_i);
   end
 
   always @(posedge clk) begin
     if (rst) begin
-      done_o         <= 1'b0;
-      ring_start_o   <= 1'b0;
-      result_start_o <= 1'b0;
-      core_rst_o     <= 1'b1;
+      done_o       <= 1'b0;
+      ring_start_o <= 1'b0;
+      clear_q      <= 1'b0;
     end else begin
-      done_o         <= refused || ended;
-      ring_start_o   <= checked;
-      result_start_o <= accept;
-      core_rst_o     <= clear;
+      done_o       <= refused || ended;
+      ring_start_o <= checked;
+      clear_q      <= clear;
     end
   end
 

@@ -7,15 +7,21 @@
 //
 // A bus error on either half raises no further address on both: the half that failed stops, the
 // other is held, with nothing lost, until the half that failed is started again. halted_o: the half
-// that failed has ended, no read is open, and such a start is waited for.
+// that failed has ended, no burst is open, and such a start is waited for.
+// A channel that waits TIMEOUT clocks for the slave (timeout_o, a pulse a channel: bit 0 AR, 1 R,
+// 2 AW, 3 W, 4 B) stops both halves, too, and only a soft reset ends that; halted_o does not wait
+// for bursts whose channel is late. fault_o: a bus error or a time-out.
 // soft_reset_i, a pulse: addresses already on the bus get their data and answers, data read is
 // dropped, results not in a burst too; then all is as after rst, windows apart, which are inputs.
+// A half with a channel that is late is given up: its valids fall unanswered, and an answer that
+// comes later is ignored where no burst is open, and else taken for that burst's.
 // clearing_o is 1 meanwhile: packets end without `last` and results are not taken, so whoever uses
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
 // Pipeline:   see the halves; read and write at one beat a clock each.
-// Parameters: as in the halves; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2.
+// Parameters: as in the halves; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2; TIMEOUT
+//             as in ffd_dma_watch.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -27,7 +33,8 @@ module ffd_dma_engine #(
   parameter READ_OUTSTANDING  = 8,
   parameter WRITE_OUTSTANDING = 8,
   parameter DESCRIPTORS       = 4,
-  parameter FLUSH_CLOCKS      = 16
+  parameter FLUSH_CLOCKS      = 16,
+  parameter TIMEOUT           = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -35,6 +42,8 @@ module ffd_dma_engine #(
   output wire         clearing_o,
   output wire         idle_o,
   output wire         halted_o,
+  output wire         fault_o,
+  output wire [4:0]   timeout_o,
 
   input  wire [63:0]  read_first_i,
   input  wire [63:0]  read_last_i,
@@ -45,7 +54,7 @@ module ffd_dma_engine #(
   output wire [15:0]  ring_tail_o,
   output wire         ring_running_o,
   output wire         read_error_o,
-  output wire [2:0]   read_error_code_o,
+  output wire [3:0]   read_error_code_o,
   output wire [63:0]  read_error_address_o,
 
   input  wire [63:0]  write_first_i,
@@ -104,10 +113,11 @@ module ffd_dma_engine #(
   assign m_axi_awburst = 2'b01;
   assign m_axi_wstrb   = 16'hFFFF;
 
-  // ---- soft reset, and holding one half while the other is in error
+  // ---- soft reset, and holding one half while the other is in error, or both after a time-out
   reg  soft_q;
   reg  hold_read_q;
   reg  hold_write_q;
+  reg  late_q;
   wire read_quiet;
   wire read_open;
   wire read_empty;
@@ -118,7 +128,12 @@ module ffd_dma_engine #(
   wire write_started;
   wire ring_empty;
   wire ring_started;
-  wire cleared  = soft_q && read_quiet && !write_busy;
+  wire [4:0] late;
+  wire read_late  = |late[1:0];
+  wire write_late = |late[4:2];
+  wire read_ends  = read_quiet || read_late;
+  wire write_ends = !write_busy || write_late;
+  wire cleared  = soft_q && read_ends && write_ends;
   wire half_rst = rst || cleared;
 
   always @(posedge clk) begin
@@ -126,17 +141,21 @@ module ffd_dma_engine #(
       soft_q       <= soft_reset_i && !rst;
       hold_read_q  <= 1'b0;
       hold_write_q <= 1'b0;
+      late_q       <= 1'b0;
     end else begin
       soft_q       <= soft_q || soft_reset_i;
       hold_read_q  <= write_fault || (hold_read_q && !write_started);
       hold_write_q <= read_fault || (hold_write_q && !ring_started);
+      late_q       <= late_q || late != 5'd0;
     end
   end
 
   assign clearing_o    = soft_q;
   assign result_busy_o = write_busy;
-  assign halted_o      = !read_open && ((hold_write_q && !ring_running_o)
-                                        || (hold_read_q && !result_running_o));
+  assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
+  assign halted_o      = (!read_open || read_late) && write_ends
+                      && (late_q || (hold_write_q && !ring_running_o)
+                          || (hold_read_q && !result_running_o));
   assign idle_o = !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
 
   // ---- the ring
@@ -151,14 +170,14 @@ module ffd_dma_engine #(
   wire [127:0] fetched_data;
   wire         finished;
   wire         ring_error;
-  wire [2:0]   ring_error_code;
+  wire [3:0]   ring_error_code;
   wire [63:0]  ring_error_address;
   wire         bus_error;
   wire [2:0]   bus_error_code;
   wire [63:0]  bus_error_address;
 
   assign read_error_o         = ring_error || bus_error;
-  assign read_error_code_o    = bus_error ? bus_error_code : ring_error_code;
+  assign read_error_code_o    = bus_error ? {1'b0, bus_error_code} : ring_error_code;
   assign read_error_address_o = bus_error ? bus_error_address : ring_error_address;
 
   ffd_dma_ring #(
@@ -203,7 +222,7 @@ module ffd_dma_engine #(
     .rst              (half_rst),
     .start_i          (ring_started),
     .soft_i           (soft_q),
-    .hold_i           (hold_read_q || write_fault),
+    .hold_i           (hold_read_q || late_q || write_fault),
     .window_first_i   (read_first_i),
     .window_last_i    (read_last_i),
     .s_request_valid  (request_valid),
@@ -248,7 +267,7 @@ module ffd_dma_engine #(
     .rst            (half_rst),
     .start_i        (result_start_i),
     .soft_i         (soft_q),
-    .hold_i         (hold_write_q || read_fault),
+    .hold_i         (hold_write_q || late_q || read_fault),
     .window_first_i (write_first_i),
     .window_last_i  (write_last_i),
     .base_i         (result_base_i),
@@ -278,6 +297,29 @@ module ffd_dma_engine #(
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),
     .error_address_o(write_error_address_o)
+  );
+
+  ffd_dma_watch #(
+    .TIMEOUT(TIMEOUT),
+    .READS  (READ_OUTSTANDING),
+    .WRITES (WRITE_OUTSTANDING)
+  ) u_watch (
+    .clk      (clk),
+    .rst      (half_rst),
+    .arvalid_i(m_axi_arvalid),
+    .arready_i(m_axi_arready),
+    .rvalid_i (m_axi_rvalid),
+    .rready_i (m_axi_rready),
+    .rlast_i  (m_axi_rlast),
+    .awvalid_i(m_axi_awvalid),
+    .awready_i(m_axi_awready),
+    .wvalid_i (m_axi_wvalid),
+    .wready_i (m_axi_wready),
+    .wlast_i  (m_axi_wlast),
+    .bvalid_i (m_axi_bvalid),
+    .bready_i (m_axi_bready),
+    .late_o   (late),
+    .timeout_o(timeout_o)
   );
 endmodule
 

@@ -2,15 +2,17 @@
 //
 // A descriptor is 16 bytes, little-endian: {flags[31:0], length[31:0], address[63:0]}, flags 0.
 // Entry k lies at base_i + 16 k; base_i is a multiple of the ring's size, so that no address needs
-// an adder and none wraps. The ring is empty where head_i == tail_o: one entry stays unused.
+// an adder and none wraps. The ring is empty where head_i == tail_o: one entry stays unused, so a
+// ring of one entry would hold nothing.
 // Descriptors from tail to head are fetched, DESCRIPTORS ahead at most, and asked for in order.
 //
-// A start is refused, with code and base_i, where base_i is not aligned (2) or the ring is not
-// wholly inside the window (4). Later the first fault stops it: a request refused (refused_i),
-// flags that are not 0 (code 5), a bus error (stop_i). error_o is a pulse with code and address of
-// the descriptor for all but the last, which the reader reports. Earlier packets end as they
-// should, then running_o falls. start_i begins at tail_o; it is taken where nothing runs or nothing
-// is left, checks base and size anew, and is ignored else. Only rst sets tail_o to 0.
+// A start is refused, with code and base_i, where base_i is not aligned (2), the ring is not wholly
+// inside the window (4), has one entry only, or head_i is none of its entries (8). Later the first
+// fault stops it: a request refused (refused_i), flags that are not 0 (code 5), a head_i that is
+// none of the entries (8, with base_i), a bus error (stop_i). error_o is a pulse with code and
+// address of the descriptor for all but the last, which the reader reports. Earlier packets end as
+// they should, then running_o falls. start_i begins at tail_o; it is taken where nothing runs or
+// nothing is left, checks ring and head anew, and is ignored else. Only rst sets tail_o to 0.
 //
 // Pipeline:   a request every five clocks, fetches included.
 // Parameters: DESCRIPTORS a power of two, 2 to 256: those fetched and not yet requested.
@@ -48,7 +50,7 @@ module ffd_dma_ring #(
   input  wire         quiet_i,
   output wire         started_o,
   output reg          error_o,
-  output reg  [2:0]   error_code_o,
+  output reg  [3:0]   error_code_o,
   output reg  [63:0]  error_address_o
 );
   generate
@@ -57,9 +59,10 @@ module ffd_dma_ring #(
     end
   endgenerate
 
-  localparam [2:0] MISALIGNED = 3'd2;
-  localparam [2:0] OUTSIDE = 3'd4;
-  localparam [2:0] FLAGS = 3'd5;
+  localparam [3:0] MISALIGNED = 4'd2;
+  localparam [3:0] OUTSIDE = 4'd4;
+  localparam [3:0] FLAGS = 4'd5;
+  localparam [3:0] RING = 4'd8;
   localparam DESCRIPTOR_W = 64 + 32 + 1;
 
   reg         running_q;
@@ -69,11 +72,13 @@ module ffd_dma_ring #(
   reg  [14:0] tail_q;     // next to be finished
   reg  [14:0] asked_q;    // the descriptor of the request that was asked last
 
-  wire [14:0] mask       = ~(15'h7FFF << entries_log2_i);
+  wire [15:0] above      = 16'hFFFF << entries_log2_i;    // bits that no entry's number has
+  wire [14:0] mask       = ~above[14:0];
+  wire        beyond     = (head_i & above) != 16'd0;
   wire        misaligned = (base_i[18:0] & {mask, 4'hF}) != 19'd0;
   wire [63:0] ring_last  = {base_i[63:19], base_i[18:0] | {mask, 4'hF}};
   wire        outside    = base_i < window_first_i || ring_last > window_last_i;
-  wire        legal      = !misaligned && !outside;
+  wire        legal      = !misaligned && !outside && !beyond && entries_log2_i != 4'd0;
   wire        over       = empty_o && !stop_q && quiet_i && !m_request_valid;
   wire        accept     = start_i && (!running_q || over);
 
@@ -107,7 +112,7 @@ module ffd_dma_ring #(
   // What to ask next: descriptors first, since packets wait for them.
   wire [14:0] ahead     = (fetch_q - next_q) & mask;
   wire        fetch     = fetch_q != (head_i[14:0] & mask) && {1'b0, ahead} < DESCRIPTORS[15:0];
-  wire        allowed   = running_q && !stop_q && !refused_i && !stop_i;
+  wire        allowed   = running_q && !stop_q && !refused_i && !stop_i && !beyond;
   wire        free      = !m_request_valid || m_request_ready;
   wire        bad_head  = head_valid && head_bad;
   // Not before the reader is done with the request before: that one is still to be read.
@@ -126,7 +131,7 @@ module ffd_dma_ring #(
       stop_q    <= 1'b0;
     end else begin
       if (stop_q && quiet_i && !m_request_valid) running_q <= 1'b0;
-      if (running_q && (refused_i || stop_i || bad_flags)) stop_q <= 1'b1;
+      if (running_q && (refused_i || stop_i || bad_flags || beyond)) stop_q <= 1'b1;
     end
   end
 
@@ -163,17 +168,18 @@ module ffd_dma_ring #(
     end
   end
 
-  wire [14:0] guilty = accept ? 15'd0 : (refused_i ? asked_q & mask : next_q);
+  wire [14:0] guilty = accept ? 15'd0 : refused_i ? asked_q & mask : beyond ? 15'd0 : next_q;
 
   always @(posedge clk) begin
     error_o <= !rst && ((accept && !legal)
-                        || (running_q && !stop_q && !stop_i && (refused_i || bad_flags)));
-    error_code_o    <= accept ? (misaligned ? MISALIGNED : OUTSIDE)
-                              : (refused_i ? refused_code_i : FLAGS);
+                        || (running_q && !stop_q && !stop_i
+                            && (refused_i || bad_flags || beyond)));
+    error_code_o    <= accept ? (misaligned ? MISALIGNED : outside ? OUTSIDE : RING)
+                              : refused_i ? {1'b0, refused_code_i} : beyond ? RING : FLAGS;
     error_address_o <= {base_i[63:19], base_i[18:0] | {guilty, 4'd0}};
   end
 
-  wire unused_ok = &{1'b0, head_i[15], queue_ready};
+  wire unused_ok = &{1'b0, queue_ready};
 endmodule
 
 `default_nettype wire

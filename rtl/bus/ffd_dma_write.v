@@ -17,7 +17,7 @@
 // Pipeline:   a beat takes 4 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             FLUSH_CLOCKS 1 to 255, MAX_BURST as in ffd_dma_address.
+//             FLUSH_CLOCKS 1 to 65535, MAX_BURST as in ffd_dma_address.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -70,12 +70,13 @@ module ffd_dma_write #(
     if (OUTSTANDING < 2) begin : gen_bad_outstanding
       ERROR_ffd_dma_write_outstanding_must_be_at_least_2 u_error ();
     end
-    if (FLUSH_CLOCKS < 1 || FLUSH_CLOCKS > 255) begin : gen_bad_flush
-      ERROR_ffd_dma_write_flush_clocks_must_be_1_to_255 u_error ();
+    if (FLUSH_CLOCKS < 1 || FLUSH_CLOCKS > 65535) begin : gen_bad_flush
+      ERROR_ffd_dma_write_flush_clocks_must_be_1_to_65535 u_error ();
     end
   endgenerate
 
   localparam COUNT_W = FIFO_DEPTH < 256 ? 9 : $clog2(FIFO_DEPTH) + 1;  // and a burst's length
+  localparam QUIET_W = $clog2(FLUSH_CLOCKS + 1);
   localparam [2:0] SLAVE_ERROR = 3'd6;
   localparam [2:0] DECODE_ERROR = 3'd7;
 
@@ -176,11 +177,11 @@ module ffd_dma_write #(
   localparam [COUNT_W-1:0] ONE = {{(COUNT_W - 1) {1'b0}}, 1'b1};
   reg  [COUNT_W-1:0] pending_q;
   reg                flush_q;
-  reg  [7:0]         quiet_q;     // clocks without a beat
+  reg  [QUIET_W-1:0] quiet_q;     // clocks without a beat
   wire [COUNT_W-1:0] burst_beats = {{(COUNT_W - 8) {1'b0}}, burst_len} + ONE;
   wire [COUNT_W-1:0] less_one    = pending_q - ONE;
   wire               whole       = less_one >= {{(COUNT_W - 8) {1'b0}}, offer};
-  wire               late        = quiet_q == FLUSH_CLOCKS[7:0] && pending_q != NONE;
+  wire               late        = quiet_q == FLUSH_CLOCKS[QUIET_W-1:0] && pending_q != NONE;
 
   assign limit = |less_one[COUNT_W-1:8] ? 8'hFF : less_one[7:0];
 
@@ -196,8 +197,8 @@ module ffd_dma_write #(
   end
 
   always @(posedge clk) begin
-    if (push || pending_q == NONE) quiet_q <= 8'd0;
-    else if (!late) quiet_q <= quiet_q + 8'd1;
+    if (push || pending_q == NONE) quiet_q <= {QUIET_W {1'b0}};
+    else if (!late) quiet_q <= quiet_q + 1'b1;
   end
 
   // ---- bursts: address channel, lengths for the data channel, outstanding ones

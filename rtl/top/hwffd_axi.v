@@ -7,9 +7,12 @@
 // Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
-// Not checked: nothing on a bus can hang it but a slave that does not answer.
+// Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
+//             BUS_TIMEOUT clocks.
 // Parameters: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS); MAX_BURST to
-//             WRITE_OUTSTANDING as in ffd_dma_engine.
+//             FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch; AXI_PROT and AXI_CACHE, what the master drives on *prot (010: not
+//             secure) and *cache (0010: normal, not cacheable, not bufferable); SECURE_ONLY as in
+//             ffd_axil_slave.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -31,7 +34,12 @@ module hwffd_axi #(
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
   parameter READ_OUTSTANDING  = 8,
-  parameter WRITE_OUTSTANDING = 8
+  parameter WRITE_OUTSTANDING = 8,
+  parameter FLUSH_CLOCKS      = 16,
+  parameter BUS_TIMEOUT       = 1048576,
+  parameter AXI_PROT          = 2,
+  parameter AXI_CACHE         = 2,
+  parameter SECURE_ONLY       = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -40,6 +48,7 @@ module hwffd_axi #(
   input  wire         s_axil_awvalid,
   output wire         s_axil_awready,
   input  wire [11:0]  s_axil_awaddr,
+  input  wire [2:0]   s_axil_awprot,
   input  wire         s_axil_wvalid,
   output wire         s_axil_wready,
   input  wire [31:0]  s_axil_wdata,
@@ -50,6 +59,7 @@ module hwffd_axi #(
   input  wire         s_axil_arvalid,
   output wire         s_axil_arready,
   input  wire [11:0]  s_axil_araddr,
+  input  wire [2:0]   s_axil_arprot,
   output wire         s_axil_rvalid,
   input  wire         s_axil_rready,
   output wire [31:0]  s_axil_rdata,
@@ -89,6 +99,14 @@ module hwffd_axi #(
     if (IN_FLIGHT >= 65536) begin : gen_bad_in_flight
       ERROR_hwffd_axi_in_flight_must_be_below_65536 u_error ();
     end
+    if (AXI_PROT < 0 || AXI_PROT > 7) begin : gen_bad_prot
+      ERROR_hwffd_axi_axi_prot_must_be_0_to_7 u_error ();
+    end
+    // To allocate in a cache, a transfer must be modifiable.
+    if (AXI_CACHE < 0 || AXI_CACHE > 15 || (AXI_CACHE > 3 && AXI_CACHE / 2 % 2 == 0))
+    begin : gen_bad_cache
+      ERROR_hwffd_axi_axi_cache_must_be_a_memory_type_of_axi u_error ();
+    end
   endgenerate
 
   // A parameter that is set from outside has 32 bits.
@@ -99,11 +117,13 @@ module hwffd_axi #(
   localparam [31:0] EVALUATOR_WORD = EVALUATOR;
   localparam [31:0] IN_FLIGHT_WORD = IN_FLIGHT;
   localparam [31:0] AXIS_WORD      = AXIS;
+  localparam [31:0] PROT_WORD      = AXI_PROT;
+  localparam [31:0] CACHE_WORD     = AXI_CACHE;
 
-  assign m_axi_arcache = 4'b0011;  // normal, not cacheable, bufferable
-  assign m_axi_awcache = 4'b0011;
-  assign m_axi_arprot  = 3'b000;   // unprivileged, secure, data
-  assign m_axi_awprot  = 3'b000;
+  assign m_axi_arcache = CACHE_WORD[3:0];
+  assign m_axi_awcache = CACHE_WORD[3:0];
+  assign m_axi_arprot  = PROT_WORD[2:0];
+  assign m_axi_awprot  = PROT_WORD[2:0];
 
   wire clk = aclk;
   wire rst = !aresetn;
@@ -130,7 +150,7 @@ module hwffd_axi #(
   wire [63:0]  write_last;
   wire         vertex;
   wire         stall;
-  wire [17:0]  error_event;
+  wire [23:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -139,12 +159,15 @@ module hwffd_axi #(
   wire         locked;
   wire [2:0]   irq_enable;
 
-  ffd_axil_registers u_registers (
+  ffd_axil_registers #(
+    .SECURE_ONLY(SECURE_ONLY)
+  ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
     .s_axil_awvalid          (s_axil_awvalid),
     .s_axil_awready          (s_axil_awready),
     .s_axil_awaddr           (s_axil_awaddr),
+    .s_axil_awprot           (s_axil_awprot),
     .s_axil_wvalid           (s_axil_wvalid),
     .s_axil_wready           (s_axil_wready),
     .s_axil_wdata            (s_axil_wdata),
@@ -155,6 +178,7 @@ module hwffd_axi #(
     .s_axil_arvalid          (s_axil_arvalid),
     .s_axil_arready          (s_axil_arready),
     .s_axil_araddr           (s_axil_araddr),
+    .s_axil_arprot           (s_axil_arprot),
     .s_axil_rvalid           (s_axil_rvalid),
     .s_axil_rready           (s_axil_rready),
     .s_axil_rdata            (s_axil_rdata),
@@ -211,13 +235,15 @@ module hwffd_axi #(
   wire        result_running;
   wire        result_overflow;
   wire        read_error;
-  wire [2:0]  read_error_code;
+  wire [3:0]  read_error_code;
   wire [63:0] read_error_address;
   wire        write_error;
   wire [2:0]  write_error_code;
   wire [63:0] write_error_address;
   wire        clearing;
   wire        halted;
+  wire        fault;
+  wire [4:0]  timeout;
   wire        dma_idle;
   wire        core_rst;
   wire        core_idle;
@@ -243,11 +269,8 @@ module hwffd_axi #(
     .ring_head_o        (dma_ring_head),
     .result_start_o     (dma_result_start),
     .ring_running_i     (ring_running),
-    .result_busy_i      (result_busy),
-    .read_error_i       (read_error),
-    .read_error_code_i  (read_error_code),
     .write_error_i      (write_error),
-    .write_error_code_i (write_error_code),
+    .dma_fault_i        (fault),
     .dma_clearing_i     (clearing),
     .dma_halted_i       (halted),
     .dma_idle_i         (dma_idle),
@@ -268,6 +291,7 @@ module hwffd_axi #(
     .write_error_code_i   (write_error_code),
     .write_error_address_i(write_error_address),
     .result_overflow_i    (result_overflow),
+    .timeout_i            (timeout),
     .error_event_o        (error_event),
     .error_packet_o       (error_packet),
     .error_beat_o         (error_beat),
@@ -291,13 +315,17 @@ module hwffd_axi #(
     .READ_DEPTH       (READ_DEPTH),
     .WRITE_DEPTH      (WRITE_DEPTH),
     .READ_OUTSTANDING (READ_OUTSTANDING),
-    .WRITE_OUTSTANDING(WRITE_OUTSTANDING)
+    .WRITE_OUTSTANDING(WRITE_OUTSTANDING),
+    .FLUSH_CLOCKS     (FLUSH_CLOCKS),
+    .TIMEOUT          (BUS_TIMEOUT)
   ) u_dma (
     .clk                  (clk),
     .rst                  (rst),
     .soft_reset_i         (soft_reset),
     .clearing_o           (clearing),
     .halted_o             (halted),
+    .fault_o              (fault),
+    .timeout_o            (timeout),
     .idle_o               (dma_idle),
     .read_first_i         (read_first),
     .read_last_i          (read_last),
@@ -385,13 +413,13 @@ module hwffd_axi #(
     .event_o       (core_event),
     .event_packet_o(core_packet),
     .event_beat_o  (core_beat),
+    .vertex_o      (vertex),
     .idle_o        (core_idle)
   );
 
-  assign vertex = result_valid && result_ready;
   assign stall  = result_valid && !result_ready;
 
-  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running};
+  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running, result_busy};
 endmodule
 
 `default_nettype wire

@@ -9,8 +9,9 @@
 // Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
 // Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
-//             event_o has a pulse for each kind (ffd_stream.vh), for registers; idle_o is 1 when no
-//             packet is under way and no vertex inside.
+//             event_o has a pulse for each kind (ffd_stream.vh), for registers, vertex_o one for
+//             each vertex, a clock after its last result has left the evaluator; idle_o is 1 when
+//             no packet is under way and no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
 //             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -46,6 +47,7 @@ module hwffd_stream #(
   output wire [9:0]   event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
+  output wire         vertex_o,
   output wire         idle_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
@@ -333,6 +335,7 @@ module hwffd_stream #(
   );
 
   assign event_o[`FFD_EVENT_SATURATED] = leave && result_flags[0] && !result_user[22];
+  assign vertex_o = retire_q;
   assign idle_o = decoder_idle && !in_valid && !m_axis_tvalid;
 
   wire unused_ok = &{1'b0, read};

@@ -9,7 +9,8 @@ namespace hwffd::tb {
 namespace {
 
 bool same(const AxiAddressChannel& a, const AxiAddressChannel& b) {
-  return a.address == b.address && a.len == b.len && a.size == b.size && a.burst == b.burst;
+  return a.address == b.address && a.len == b.len && a.size == b.size && a.burst == b.burst &&
+         a.cache == b.cache && a.prot == b.prot;
 }
 bool same(const AxiReadChannel& a, const AxiReadChannel& b) {
   return a.data == b.data && a.response == b.response && a.last == b.last;

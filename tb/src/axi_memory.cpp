@@ -17,9 +17,14 @@ void AxiMemory::fail_read_at(std::uint64_t address, std::uint64_t beat, AxiRespo
   failing_reads_.push_back({true, address, beat, response});
 }
 
+void AxiMemory::misplace_last(std::uint64_t burst, std::uint64_t beat) {
+  misplaced_[reads_.size() + burst] = beat;
+}
+
 void AxiMemory::fail_nothing() {
   failing_reads_.clear();
   failing_writes_.clear();
+  misplaced_.clear();
 }
 
 void AxiMemory::answer_unasked(AxiResponse response, bool last) {
@@ -104,7 +109,7 @@ void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
     const Open& open = read_queue_.front();
     r_.valid = true;
     r_.data = beat(open.address + open.done * kAxiBeatBytes);
-    r_.last = open.done + 1 == open.beats;
+    r_.last = open.done == open.marked;
     r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{kAxiOkay};
   }
   if (!r_.valid && read_queue_.empty() && !unasked_queue_.empty()) {
@@ -133,14 +138,15 @@ void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
 
 AxiMemory::Open AxiMemory::open(const AxiAddressChannel& channel, std::uint64_t cycle,
                                 std::vector<Burst>& log, std::vector<Failure>& failures) {
-  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, kAxiOkay};
+  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, kAxiOkay,
+            channel.len};
   for (const Failure& failure : failures) {
     if (failure.burst == (failure.by_address ? open.address : log.size())) {
       open.failing_beat = failure.beat;
       open.response = failure.response;
     }
   }
-  log.push_back({open.address, open.beats, cycle});
+  log.push_back({open.address, open.beats, cycle, channel.cache, channel.prot});
   return open;
 }
 
@@ -172,7 +178,9 @@ void AxiMemory::observe(const AxiPins& pins, std::uint64_t cycle) {
     answer_queue_.pop_front();
   }
   if (pins.ar.valid && pins.ar.ready) {
+    const auto misplaced = misplaced_.find(reads_.size());
     read_queue_.push_back(open(pins.ar, cycle, reads_, failing_reads_));
+    if (misplaced != misplaced_.end()) read_queue_.back().marked = misplaced->second;
   }
   if (pins.aw.valid && pins.aw.ready) {
     write_queue_.push_back(open(pins.aw, cycle, writes_, failing_writes_));

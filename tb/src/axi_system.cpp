@@ -42,6 +42,11 @@ void AxiSystem::reset(unsigned clocks) {
   run(2);
 }
 
+void AxiSystem::forget_bus() {
+  memory.forget_open();
+  bus_checker.forget();
+}
+
 void AxiSystem::run(std::uint64_t clocks) {
   for (std::uint64_t i = 0; i < clocks; ++i) step();
 }
@@ -84,7 +89,7 @@ const AxiLiteResponse& AxiSystem::answer(const Responses& responses, std::size_t
 }
 
 std::uint32_t AxiSystem::read32(std::uint32_t offset) {
-  const std::size_t number = registers_.read_responses().size();
+  const std::size_t number = registers_.reads().size();
   registers_.read(offset);
   const AxiLiteResponse response = answer(registers_.read_responses(), number);
   if (response.code != kOkay) throw RegisterError(fmt::format("read of {:03x} refused", offset));
@@ -98,13 +103,17 @@ std::uint32_t AxiSystem::read32(std::uint32_t offset) {
   return response.data;
 }
 
+void AxiSystem::post_write(std::uint32_t offset, std::uint32_t value) {
+  registers_.write({offset, value, 0xF});
+}
+
 std::uint8_t AxiSystem::try_write(std::uint32_t offset, std::uint32_t value) {
   if (offset == HWFFD_CONTROL_OFFSET && (value & HWFFD_CONTROL_SOFT_RESET_MASK) != 0) {
     clearing_ = true;
     bus_checker.allow_ready_to_fall(true);
   }
-  const std::size_t number = registers_.write_responses().size();
-  registers_.write({offset, value, 0xF});
+  const std::size_t number = registers_.writes().size();
+  post_write(offset, value);
   return answer(registers_.write_responses(), number).code;
 }
 

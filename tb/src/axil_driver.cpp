@@ -20,7 +20,9 @@ void AxiLiteDriver::clear() {
   written_.clear();
   read_.clear();
   next_aw_ = next_w_ = next_ar_ = 0;
+  const std::uint8_t prot = pins_.awprot;
   pins_ = {};
+  protect(prot);
 }
 
 const AxiLiteMasterPins& AxiLiteDriver::drive() {

@@ -1,4 +1,4 @@
-// hwffd_axi_ids: hwffd_axi with the signals that cocotbext-axi wants of a bus: IDs, protection
+// hwffd_axi_ids: hwffd_axi with the signals that cocotbext-axi wants of a bus: IDs
 //
 // IDs are 0 and answers' are not looked at.
 //
@@ -81,6 +81,7 @@ module hwffd_axi_ids (
     .s_axil_awvalid(s_axil_awvalid),
     .s_axil_awready(s_axil_awready),
     .s_axil_awaddr (s_axil_awaddr),
+    .s_axil_awprot (s_axil_awprot),
     .s_axil_wvalid (s_axil_wvalid),
     .s_axil_wready (s_axil_wready),
     .s_axil_wdata  (s_axil_wdata),
@@ -91,6 +92,7 @@ module hwffd_axi_ids (
     .s_axil_arvalid(s_axil_arvalid),
     .s_axil_arready(s_axil_arready),
     .s_axil_araddr (s_axil_araddr),
+    .s_axil_arprot (s_axil_arprot),
     .s_axil_rvalid (s_axil_rvalid),
     .s_axil_rready (s_axil_rready),
     .s_axil_rdata  (s_axil_rdata),
@@ -126,7 +128,7 @@ module hwffd_axi_ids (
     .m_axi_bresp   (m_axi_bresp)
   );
 
-  wire unused_ok = &{1'b0, s_axil_awprot, s_axil_arprot, m_axi_rid, m_axi_bid};
+  wire unused_ok = &{1'b0, m_axi_rid, m_axi_bid};
 endmodule
 
 `default_nettype wire

@@ -6,7 +6,7 @@
 `default_nettype none
 
 module formal_axil_registers #(
-  parameter ERRORS = 18
+  parameter ERRORS = 24
 ) (
   input wire        clk,
   input wire        rst,

@@ -38,8 +38,8 @@ struct AddressWindow {
   std::uint64_t limit = 0;
 };
 
-/// 2^log2_size descriptors of 16 bytes from base on, a multiple of the ring's size; one stays
-/// unused.
+/// 2^log2_size descriptors of 16 bytes, 2 to 2^15, from base on, a multiple of the ring's size; one
+/// stays unused.
 struct DescriptorRing {
   std::uint64_t base = 0;
   unsigned log2_size = 0;
@@ -99,8 +99,8 @@ class Driver {
   void lock_windows();
   bool windows_locked();
 
-  /// Step 3: an empty ring. Throws DriverError for more than 2^15 descriptors, a base that is no
-  /// multiple of the ring's size, or while another is in use (soft_reset ends that).
+  /// Step 3: an empty ring. Throws DriverError for one descriptor or more than 2^15, a base that is
+  /// no multiple of the ring's size, or while another is in use (soft_reset ends that).
   void set_ring(const DescriptorRing& ring);
 
   /// Step 4. The next start takes it. Throws DriverError where base or bytes is no multiple of 16,
@@ -122,17 +122,18 @@ class Driver {
   bool wait_done(std::uint64_t polls);
   /// Results in memory since the last start.
   std::uint32_t result_count();
-  /// A bus error stopped the DMA: only soft_reset helps.
+  /// A bus error or a time-out of the bus stopped the DMA: only soft_reset helps.
   bool stopped();
 
   /// Step 8: the errors so far, which are cleared; ERROR_COUNT is not.
   CoreErrors take_errors();
 
   /// Step 9; the ring is empty then, and has to be set again. False: still not idle after reading
-  /// STATUS `polls` times.
+  /// STATUS `polls` times. A bus that has stopped to answer ends it after the core's time-out; its
+  /// slave is to be reset then, too, before the next start.
   bool soft_reset(std::uint64_t polls);
 
-  /// Clocks and vertices since they were last cleared. Each is one number, but not of one clock.
+  /// Clocks and vertices, each once however many results it has, since they were last cleared. Each is one number, but not of one clock.
   CoreCounters counters();
   /// Sets the counters and ERROR_COUNT to 0.
   void clear_counters();

@@ -16,6 +16,7 @@ void StreamModel::reset() {
   lattice_.clear();
   results_.clear();
   events_ = {};
+  vertices_ = 0;
 }
 
 std::vector<Beat> StreamModel::run(const std::vector<Beat>& beats) {
@@ -195,6 +196,7 @@ void StreamModel::points(const Beat& beat) {
 
 void StreamModel::finish_vertex(bool truncated, bool last) {
   --vertices_left_;
+  ++vertices_;
   const bool no_lattice = resident_ && lattice_.empty();
   const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
   const bool unloaded = no_functions || no_lattice;

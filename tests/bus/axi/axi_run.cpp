@@ -33,10 +33,14 @@ std::string axi_test_name(const Configuration& row) {
 }
 
 AxiRun::AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles)
+    : AxiRun(row, tb::make_axi_core(row, seed), seed, throttles) {}
+
+AxiRun::AxiRun(const Configuration& row, std::unique_ptr<tb::AxiCore> core, std::uint64_t seed,
+               const std::string& throttles)
     : row_(row),
       codec_(row.format),
       random_(tb::derive_seed(seed, 11)),
-      core_(tb::make_axi_core(row, seed)),
+      core_(std::move(core)),
       system_(std::make_unique<tb::AxiSystem>(*core_, seed)),
       driver_(*system_),
       ring_(system_->memory, driver_, kRing, kBuffers),
@@ -73,7 +77,7 @@ void AxiRun::send(const std::vector<Beat>& packets) {
 
 void AxiRun::send_bspline() { send(coefficients_packet(watertight_bspline(codec_), codec_)); }
 
-void AxiRun::start(std::optional<std::uint64_t> results) {
+void AxiRun::choose_area(std::optional<std::uint64_t> results) {
   area_results_ = std::max<std::uint64_t>(1, results.value_or(expected_.size()));
   const std::uint64_t bytes = area_results_ * kBeat;
   if (next_area_ + bytes > kWriteWindow.limit) next_area_ = kWriteWindow.base;
@@ -81,7 +85,18 @@ void AxiRun::start(std::optional<std::uint64_t> results) {
   next_area_ += bytes + kGuardBytes;
   areas_.push_back({area_, area_ + bytes - 1});
   driver_.set_results({area_, static_cast<std::uint32_t>(bytes)});
+}
+
+void AxiRun::start(std::optional<std::uint64_t> results) {
+  choose_area(results);
   driver_.start();
+}
+
+void AxiRun::start(std::optional<std::uint64_t> results, const std::function<void()>& behind) {
+  choose_area(results);
+  system_->write32(HWFFD_STATUS_OFFSET, HWFFD_STATUS_DONE_MASK);
+  system_->post_write(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK);
+  behind();
 }
 
 AssertionResult AxiRun::wait() {

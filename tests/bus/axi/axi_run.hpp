@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -46,7 +47,13 @@ enum ErrorCode : unsigned {
   kDmaDescriptor,
   kDmaReadResponse,
   kDmaWriteResponse,
-  kResultOverflow
+  kResultOverflow,
+  kDmaRing,
+  kTimeoutAr,
+  kTimeoutR,
+  kTimeoutAw,
+  kTimeoutW,
+  kTimeoutB
 };
 
 /// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
@@ -62,12 +69,17 @@ class AxiRun {
  public:
   /// Out of reset, windows set and locked, the ring open, all interrupts enabled.
   AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles = "always");
+  /// The same with a core of that row that is there already.
+  AxiRun(const Configuration& row, std::unique_ptr<tb::AxiCore> core, std::uint64_t seed,
+         const std::string& throttles = "always");
 
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& packets);
   void send_bspline();
   /// An area of that many results, or as many as are expected, behind the last one; then a start.
   void start(std::optional<std::uint64_t> results = {});
+  /// The same, but the start is only on its way to the registers when `behind` is called.
+  void start(std::optional<std::uint64_t> results, const std::function<void()>& behind);
   /// Waits for the end; compares the count and every word in memory. What lies behind them is guard
   /// bytes for `clean`, even in the area.
   ::testing::AssertionResult finish();
@@ -103,6 +115,7 @@ class AxiRun {
 
  private:
   void set_up();
+  void choose_area(std::optional<std::uint64_t> results);
 
   Configuration row_;
   WordCodec codec_;

@@ -179,6 +179,7 @@ TEST_F(DriverClass, RunsTheWholeSequence) {
 }
 
 TEST_F(DriverClass, KeepsTheRingFromOverflowing) {
+  EXPECT_THROW(driver_.set_ring({0, 0}), DriverError);  // one entry, which stays unused
   EXPECT_THROW(driver_.set_ring({0, 16}), DriverError);
   EXPECT_THROW(driver_.set_ring({0x120, 2}), DriverError);  // not a multiple of 64
   EXPECT_THROW(driver_.push(1), DriverError);               // no ring yet

@@ -50,12 +50,14 @@ void RegisterBench::drive(const AxiLiteMasterPins& pins) {
   dut.rst = in_reset_ ? 1 : 0;
   dut.s_axil_awvalid = pins.awvalid;
   dut.s_axil_awaddr = pins.awaddr & 0xFFF;
+  dut.s_axil_awprot = pins.awprot;
   dut.s_axil_wvalid = pins.wvalid;
   dut.s_axil_wdata = pins.wdata;
   dut.s_axil_wstrb = pins.wstrb;
   dut.s_axil_bready = pins.bready;
   dut.s_axil_arvalid = pins.arvalid;
   dut.s_axil_araddr = pins.araddr & 0xFFF;
+  dut.s_axil_arprot = pins.arprot;
   dut.s_axil_rready = pins.rready;
   for (const auto& [name, port] : hardware_inputs()) port.drive(dut, inputs_.at(name));
   dut.eval();

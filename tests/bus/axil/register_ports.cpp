@@ -52,7 +52,7 @@ const std::map<std::string, InputPort>& hardware_inputs() {
        {1, [](Dut& dut,
               std::uint64_t value) { dut.counter_busy_event_i = static_cast<CData>(value); }}},
       {"error_event_i",
-       {18, [](Dut& dut, std::uint64_t value) { dut.error_event_i = static_cast<IData>(value); }}},
+       {24, [](Dut& dut, std::uint64_t value) { dut.error_event_i = static_cast<IData>(value); }}},
       {"error_packet_i",
        {32, [](Dut& dut, std::uint64_t value) { dut.error_packet_i = static_cast<IData>(value); }}},
       {"error_beat_i",

@@ -22,8 +22,8 @@ class RunBench {
   explicit RunBench(std::uint64_t seed = 1) : sim_(seed, 1'000'000) {
     auto& dut = sim_.dut();
     dut.rst = 1;
-    dut.start_i = dut.soft_reset_i = dut.read_error_i = dut.write_error_i = 0;
-    dut.ring_running_i = dut.result_busy_i = dut.dma_clearing_i = dut.dma_halted_i = 0;
+    dut.start_i = dut.soft_reset_i = dut.dma_fault_i = dut.write_error_i = 0;
+    dut.ring_running_i = dut.dma_clearing_i = dut.dma_halted_i = 0;
     dut.dma_idle_i = dut.core_idle_i = 1;
     dut.ring_base_i = 0x4000;
     dut.ring_log2_size_i = 4;
@@ -43,7 +43,7 @@ class RunBench {
     result_starts += result_start ? 1 : 0;
     sim_.tick();
     done += dut.done_o;
-    dut.start_i = dut.soft_reset_i = dut.read_error_i = dut.write_error_i = 0;
+    dut.start_i = dut.soft_reset_i = dut.dma_fault_i = dut.write_error_i = 0;
     if (soft_reset) {
       left_ = drain_left_ = halts_ = 0;
       dut.dma_halted_i = 0;
@@ -53,14 +53,13 @@ class RunBench {
     } else if (clearing_ > 0) {
       --clearing_;
     } else {
-      if (result_start && refuse != 0) fail_at_ = 3;
-      if (fail_at_ > 0 && --fail_at_ == 0) error(false, refuse);
+      if (result_start && refuse) fail_at_ = 3;
+      if (fail_at_ > 0 && --fail_at_ == 0) refuse_area();
       if (halts_ > 0 && --halts_ == 0) dut.dma_halted_i = 1;
       if (ring_start) dut.ring_running_i = 1;
       work_off();
     }
     dut.dma_clearing_i = clearing_ > 0 ? 1 : 0;
-    dut.result_busy_i = drain_left_ > 0 ? 1 : 0;
     dut.dma_idle_i = clearing_ == 0 && left_ == 0 && drain_left_ == 0 && !ring_has_work() ? 1 : 0;
     dut.core_idle_i = core_stuck ? 0 : 1;
     dut.eval();
@@ -85,17 +84,19 @@ class RunBench {
     }
     return false;
   }
-  void error(bool read, unsigned code) {
-    auto& dut = sim_.dut();
-    (read ? dut.read_error_i : dut.write_error_i) = 1;
-    (read ? dut.read_error_code_i : dut.write_error_code_i) = static_cast<CData>(code);
-    if (code >= 6) halts_ = kHalt;
-    dut.eval();
+  void refuse_area() {
+    sim_.dut().write_error_i = 1;
+    sim_.dut().eval();
+  }
+  void fault() {
+    sim_.dut().dma_fault_i = 1;
+    halts_ = kHalt;
+    sim_.dut().eval();
   }
   Vbus_run& dut() { return sim_.dut(); }
 
   unsigned work = 10, drain = 15;
-  unsigned refuse = 0;  ///< code with which the result area is refused
+  bool refuse = false;  ///< the result area
   bool core_stuck = false;
   unsigned done = 0, ring_starts = 0, result_starts = 0;
   unsigned tail = 0;
@@ -204,40 +205,35 @@ TEST(Run, ARingInUseKeepsItsPlace) {
 
 TEST(Run, ARefusedAreaStartsNoRing) {
   RunBench bench;
-  bench.refuse = 4;
+  bench.refuse = true;
   bench.dut().ring_head_i = 2;
   bench.start();
   ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
   EXPECT_EQ(bench.done, 1u);
   EXPECT_EQ(bench.ring_starts, 0u);
   EXPECT_EQ(bench.dut().stopped_o, 0);  // a refusal is not a bus error
-  bench.refuse = 0;
+  bench.refuse = false;
   bench.start();
   ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
   EXPECT_EQ(bench.tail, 2u);
 }
 
-TEST(Run, ABusErrorEndsItAndASoftResetTheStop) {
-  for (const bool read : {true, false}) {
-    for (const unsigned code : {6u, 7u}) {
-      RunBench bench;
-      bench.core_stuck = true;  // results are held back: never idle
-      bench.dut().ring_head_i = 1;
-      bench.start();
-      bench.steps(22);
-      bench.error(read, code);
-      ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
-      EXPECT_EQ(bench.dut().result_busy_i, 0);  // open bursts were waited for
-      EXPECT_EQ(bench.dut().dma_halted_i, 1);
-      EXPECT_EQ(bench.done, 1u);
-      EXPECT_EQ(bench.dut().stopped_o, 1);
-      bench.core_stuck = false;
-      bench.soft_reset();
-      EXPECT_EQ(bench.dut().stopped_o, 0);
-      ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
-      EXPECT_EQ(bench.done, 1u);
-    }
-  }
+TEST(Run, AFaultOfTheBusEndsItAndASoftResetTheStop) {
+  RunBench bench;
+  bench.core_stuck = true;  // results are held back: never idle
+  bench.dut().ring_head_i = 1;
+  bench.start();
+  bench.steps(22);
+  bench.fault();
+  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  EXPECT_EQ(bench.dut().dma_halted_i, 1);  // it was waited for
+  EXPECT_EQ(bench.done, 1u);
+  EXPECT_EQ(bench.dut().stopped_o, 1);
+  bench.core_stuck = false;
+  bench.soft_reset();
+  EXPECT_EQ(bench.dut().stopped_o, 0);
+  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  EXPECT_EQ(bench.done, 1u);
 }
 
 TEST(Run, ARefusalInItIsNoStop) {
@@ -245,9 +241,29 @@ TEST(Run, ARefusalInItIsNoStop) {
   bench.dut().ring_head_i = 3;
   bench.start();
   bench.steps(30);
-  bench.error(true, 5);
+  bench.refuse_area();
   ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
   EXPECT_EQ(bench.dut().stopped_o, 0);
+}
+
+/// The DMA takes the area in the clock of the start; the core is reset at every edge of rst.
+TEST(Run, StartAndResetReachTheOthersInTheSameClock) {
+  RunBench bench;
+  auto& dut = bench.dut();
+  dut.start_i = 1;
+  dut.eval();
+  EXPECT_EQ(dut.result_start_o, 1);
+  bench.step();
+  EXPECT_EQ(dut.result_start_o, 0);
+  EXPECT_EQ(dut.core_rst_o, 0);
+  dut.rst = 1;
+  dut.eval();
+  EXPECT_EQ(dut.core_rst_o, 1);
+  bench.step();
+  dut.rst = 0;
+  dut.eval();
+  EXPECT_EQ(dut.core_rst_o, 0);
+  EXPECT_EQ(dut.busy_o, 0);
 }
 
 TEST(Run, ASoftResetAtAnyClockEndsIt) {
@@ -298,7 +314,8 @@ class EventBench {
     dut.rst = 0;
   }
   /// Code 0: none.
-  Raised raise(unsigned core, unsigned read, unsigned write, bool overflow = false) {
+  Raised raise(unsigned core, unsigned read, unsigned write, bool overflow = false,
+               unsigned timeout = 0) {
     auto& dut = sim_.dut();
     dut.core_event_i = static_cast<SData>(core);
     dut.read_error_i = read != 0;
@@ -306,6 +323,7 @@ class EventBench {
     dut.write_error_i = write != 0;
     dut.write_error_code_i = static_cast<CData>(write);
     dut.result_overflow_i = overflow;
+    dut.timeout_i = static_cast<CData>(timeout);
     dut.eval();
     const Raised raised{dut.error_event_o, dut.error_packet_o, dut.error_beat_o,
                         dut.error_address_valid_o != 0, dut.error_address_o};
@@ -334,6 +352,8 @@ std::uint32_t named(unsigned code, bool read) {
     case 7:
       return read ? HWFFD_ERROR_STATUS_DMA_READ_RESPONSE_MASK
                   : HWFFD_ERROR_STATUS_DMA_WRITE_RESPONSE_MASK;
+    case 8:
+      return HWFFD_ERROR_STATUS_DMA_RING_MASK;
     default:
       return 0;
   }
@@ -355,7 +375,7 @@ TEST(Events, TheCoresKeepTheirPlaces) {
 
 TEST(Events, TheDmasHaveTheirNamesAndTheAddressOfTheLowest) {
   EventBench bench;
-  for (unsigned read = 0; read < 8; ++read) {
+  for (unsigned read = 0; read <= 8; ++read) {
     for (unsigned write = 0; write < 8; ++write) {
       const Raised raised = bench.raise(0, read, write);
       const std::uint32_t of_read = named(read, true);
@@ -374,6 +394,19 @@ TEST(Events, TheDmasHaveTheirNamesAndTheAddressOfTheLowest) {
       EXPECT_EQ(with_core.packet, 11u);
       EXPECT_EQ(with_core.located, any);
     }
+  }
+}
+
+TEST(Events, EachChannelThatIsLateHasItsBit) {
+  EventBench bench;
+  const std::uint32_t masks[] = {
+      HWFFD_ERROR_STATUS_TIMEOUT_AR_MASK, HWFFD_ERROR_STATUS_TIMEOUT_R_MASK,
+      HWFFD_ERROR_STATUS_TIMEOUT_AW_MASK, HWFFD_ERROR_STATUS_TIMEOUT_W_MASK,
+      HWFFD_ERROR_STATUS_TIMEOUT_B_MASK};
+  for (unsigned channel = 0; channel < 5; ++channel) {
+    const Raised raised = bench.raise(0, 0, 0, false, 1u << channel);
+    EXPECT_EQ(raised.events, masks[channel]);
+    EXPECT_FALSE(raised.located);
   }
 }
 

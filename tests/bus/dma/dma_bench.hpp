@@ -24,7 +24,8 @@ enum DmaCode : unsigned {
   kOutside = 4,
   kFlags = 5,
   kSlaveError = 6,
-  kDecodeError = 7
+  kDecodeError = 7,
+  kBadRing = 8
 };
 
 struct Descriptor {
@@ -51,6 +52,8 @@ class DmaBench {
   const DmaSize& size() const { return size_; }
   std::uint64_t cycle() const { return cycle_; }
   tb::Random& random() { return random_; }
+  /// The bus as it was in the last clock.
+  const tb::AxiPins& bus() const { return bus_; }
 
   /// One throttle for each of the five channels, by name.
   void set_bus_throttle(const std::string& name);

@@ -6,6 +6,7 @@
 #include "Vdma_medium.h"
 #include "Vdma_pair.h"
 #include "Vdma_small.h"
+#include "Vdma_watched.h"
 #include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
@@ -74,6 +75,7 @@ class VerilatedDmaCore : public DmaCore {
     status.clearing = dut.clearing_o;
     status.idle = dut.idle_o;
     status.halted = dut.halted_o;
+    status.timeout = dut.timeout_o;
     status.ring_tail = dut.ring_tail_o;
     status.ring_running = dut.ring_running_o;
     status.result_running = dut.result_running_o;
@@ -116,11 +118,17 @@ const std::vector<DmaSize>& dma_sizes() {
   return sizes;
 }
 
+const DmaSize& watched_dma_size() {
+  static const DmaSize size{"watched", 16, 64, 4, 100};
+  return size;
+}
+
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed) {
   if (name == "large") return std::make_unique<VerilatedDmaCore<Vdma_large>>(seed);
   if (name == "medium") return std::make_unique<VerilatedDmaCore<Vdma_medium>>(seed);
   if (name == "pair") return std::make_unique<VerilatedDmaCore<Vdma_pair>>(seed);
   if (name == "small") return std::make_unique<VerilatedDmaCore<Vdma_small>>(seed);
+  if (name == "watched") return std::make_unique<VerilatedDmaCore<Vdma_watched>>(seed);
   throw std::invalid_argument("make_dma_core: no size \"" + name + "\"");
 }
 

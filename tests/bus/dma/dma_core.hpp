@@ -35,6 +35,7 @@ struct DmaError {
 /// Outputs of `ffd_dma_engine` that go to registers.
 struct DmaStatus {
   bool clearing = false, idle = false, halted = false;
+  unsigned timeout = 0;  ///< a bit a channel: AR, R, AW, W, B
   std::uint16_t ring_tail = 0;
   bool ring_running = false, result_running = false, result_busy = false, result_overflow = false;
   std::uint32_t result_count = 0;
@@ -63,9 +64,12 @@ class DmaCore {
 struct DmaSize {
   std::string name;
   std::uint64_t max_burst, depth, outstanding;
+  std::uint64_t timeout = 0;
 };
 inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
 const std::vector<DmaSize>& dma_sizes();
+/// The one with a time-out.
+const DmaSize& watched_dma_size();
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed);
 
 }  // namespace hwffd::test

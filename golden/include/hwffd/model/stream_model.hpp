@@ -42,10 +42,12 @@ class StreamModel {
   std::vector<Beat> run(const std::vector<Beat>& beats);
   /// The results so far that were not yet taken.
   std::vector<Beat> take_results();
-  /// As aresetn: forgets the packet under way, what is loaded, and the events.
+  /// As aresetn: forgets the packet under way, what is loaded, the events and how many vertices.
   void reset();
 
   const StreamEvents& events() const { return events_; }
+  /// Vertices that have given their results, each once however many those are.
+  std::uint64_t vertices() const { return vertices_; }
 
  private:
   enum class State { kHeader, kCoefficients, kLattice, kVertex, kPoints, kDone, kDrop };
@@ -67,6 +69,7 @@ class StreamModel {
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::vector<Beat> results_;
   StreamEvents events_;
+  std::uint64_t vertices_ = 0;
   State state_ = State::kHeader;
   Beat header_;
   int beat_ = 0;

@@ -52,6 +52,12 @@ class AxiChecker {
   void observe(const AxiPins& pins, std::uint64_t cycle, bool in_reset);
   /// After the last cycle: everything has been answered.
   void finish(std::uint64_t cycle);
+  /// Begins anew, limits apart: after a rule was broken on purpose.
+  void forget() {
+    const Limits limits = limits_;
+    *this = {};
+    limits_ = limits;
+  }
   /// Addresses may be raised again after an error response.
   void restarted() { error_seen_ = false; }
   /// From now on both readies may fall (soft reset).

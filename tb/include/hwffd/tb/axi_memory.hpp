@@ -39,6 +39,7 @@ class AxiMemory {
     std::uint64_t address;
     std::uint64_t beats;
     std::uint64_t cycle;
+    std::uint8_t cache, prot;
   };
   /// First and last byte.
   using Range = std::pair<std::uint64_t, std::uint64_t>;
@@ -56,6 +57,9 @@ class AxiMemory {
   void fail_write(std::uint64_t burst, AxiResponse response);
   /// Beat `beat` of every read burst at that address fails.
   void fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response);
+  /// RLAST of the read burst accepted as number `burst` from now comes with beat `beat`, not with
+  /// its last one; beyond that: with none.
+  void misplace_last(std::uint64_t burst, std::uint64_t beat);
   void fail_nothing();
   /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
   /// open.
@@ -93,6 +97,7 @@ class AxiMemory {
     std::uint64_t due;  ///< cycle of the first answer
     std::uint64_t failing_beat;
     std::uint8_t response;
+    std::uint64_t marked;  ///< the beat with RLAST
     std::uint64_t done = 0;
   };
   struct Failure {
@@ -115,6 +120,7 @@ class AxiMemory {
   Throttles throttles_;
   std::size_t outstanding_ = 64;
   std::vector<Failure> failing_reads_, failing_writes_;
+  std::unordered_map<std::uint64_t, std::uint64_t> misplaced_;  // of bursts by number
   std::unordered_map<std::uint64_t, std::array<std::uint8_t, kPage>> pages_;
 
   std::deque<Open> read_queue_;

@@ -20,6 +20,8 @@ struct AxiAddressChannel {
   std::uint8_t len = 0;    ///< beats - 1
   std::uint8_t size = 4;   ///< log2 of the bytes of a beat
   std::uint8_t burst = 1;  ///< 1 is INCR
+  std::uint8_t cache = 0;
+  std::uint8_t prot = 0;
 };
 
 /// R.

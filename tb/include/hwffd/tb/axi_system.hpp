@@ -56,18 +56,27 @@ class AxiSystem final : public RegisterPort {
   void write32(std::uint32_t offset, std::uint32_t value) override;
   /// The response code of such an access.
   std::uint8_t try_write(std::uint32_t offset, std::uint32_t value);
+  /// Puts a write on its way, behind those before it, without waiting for its response.
+  void post_write(std::uint32_t offset, std::uint32_t value);
 
   /// What the checker lets through: what software put into the registers.
   void allow(const AddressWindow& read, const AddressWindow& write);
+  /// awprot and arprot of the accesses that follow.
+  void protect(std::uint8_t prot) { registers_.protect(prot); }
   /// One throttle for each of the ten channels, by name; "mixed" draws a name for each.
   void set_throttles(const std::string& name);
 
-  /// aresetn low for that many clocks, at least 2: on both sides nothing is left.
+  /// aresetn low for that many edges: on both sides nothing is left.
   void reset(unsigned clocks = 4);
   void run(std::uint64_t clocks);
+  /// Memory and checker forget what is open, and what was reported: after a slave that did not do
+  /// as it should, and the soft reset that gave it up.
+  void forget_bus();
   bool interrupt() const { return core_.interrupt(); }
   std::uint64_t cycle() const { return cycle_; }
   const BusUtilisation& utilisation() const { return utilisation_; }
+  /// The bus as it was last sampled.
+  const AxiPins& bus() const { return bus_; }
 
   /// Empty if no rule was broken on either bus and nothing is open, else the reports.
   std::string faults();

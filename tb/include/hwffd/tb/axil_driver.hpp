@@ -52,6 +52,8 @@ class AxiLiteDriver {
   void write(const AxiLiteWrite& request) { writes_.push_back(request); }
   void read(std::uint32_t address) { reads_.push_back(address); }
   void throttle(const AxiLiteThrottles& throttles) { throttles_ = throttles; }
+  /// awprot and arprot of what is offered from now on.
+  void protect(std::uint8_t prot) { pins_.awprot = pins_.arprot = prot; }
   /// Drops queues, offers and responses, as a reset does.
   void clear();
 

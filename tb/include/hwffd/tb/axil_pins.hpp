@@ -8,12 +8,14 @@ namespace hwffd::tb {
 struct AxiLiteMasterPins {
   bool awvalid = false;
   std::uint32_t awaddr = 0;
+  std::uint8_t awprot = 0;
   bool wvalid = false;
   std::uint32_t wdata = 0;
   std::uint8_t wstrb = 0;
   bool bready = false;
   bool arvalid = false;
   std::uint32_t araddr = 0;
+  std::uint8_t arprot = 0;
   bool rready = false;
 };
 

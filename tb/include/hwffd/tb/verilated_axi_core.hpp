@@ -55,12 +55,14 @@ class VerilatedAxiCore final : public AxiCore {
   void drive(const AxiLiteMasterPins& pins) {
     dut_->s_axil_awvalid = pins.awvalid;
     dut_->s_axil_awaddr = pins.awaddr & kAddressMask;
+    dut_->s_axil_awprot = pins.awprot;
     dut_->s_axil_wvalid = pins.wvalid;
     dut_->s_axil_wdata = pins.wdata;
     dut_->s_axil_wstrb = pins.wstrb;
     dut_->s_axil_bready = pins.bready;
     dut_->s_axil_arvalid = pins.arvalid;
     dut_->s_axil_araddr = pins.araddr & kAddressMask;
+    dut_->s_axil_arprot = pins.arprot;
     dut_->s_axil_rready = pins.rready;
   }
   void drive(const AxiPins& bus) {
@@ -91,12 +93,16 @@ class VerilatedAxiCore final : public AxiCore {
     bus.ar.len = dut_->m_axi_arlen;
     bus.ar.size = dut_->m_axi_arsize;
     bus.ar.burst = dut_->m_axi_arburst;
+    bus.ar.cache = dut_->m_axi_arcache;
+    bus.ar.prot = dut_->m_axi_arprot;
     bus.r.ready = dut_->m_axi_rready != 0;
     bus.aw.valid = dut_->m_axi_awvalid != 0;
     bus.aw.address = dut_->m_axi_awaddr;
     bus.aw.len = dut_->m_axi_awlen;
     bus.aw.size = dut_->m_axi_awsize;
     bus.aw.burst = dut_->m_axi_awburst;
+    bus.aw.cache = dut_->m_axi_awcache;
+    bus.aw.prot = dut_->m_axi_awprot;
     bus.w.valid = dut_->m_axi_wvalid != 0;
     for (std::size_t i = 0; i < bus.w.data.size(); ++i) bus.w.data[i] = dut_->m_axi_wdata[i];
     bus.w.strobe = dut_->m_axi_wstrb;

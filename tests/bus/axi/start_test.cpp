@@ -1,0 +1,101 @@
+// What a start takes with it, and what it refuses: writes that follow it at once belong to the next
+// run, a ring is one that its head fits.
+#include <gtest/gtest.h>
+
+#include "axi_run.hpp"
+
+namespace hwffd::test {
+namespace {
+
+class AxiStart : public PerAxiConfiguration {
+ protected:
+  void prepare(AxiRun& run) {
+    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
+    run.send_bspline();
+    run.send(lattice_packet(lattice));
+    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 12)));
+  }
+};
+
+/// A write takes effect at its response, so one whose response comes after that of the start does
+/// not touch the run that the start began, however close it follows.
+TEST_P(AxiStart, AWriteBehindItDoesNotMoveTheResults) {
+  struct Write {
+    std::uint32_t offset, value;
+  };
+  const std::vector<std::vector<Write>> behind = {
+      {{HWFFD_RESULT_BASE_LO_OFFSET, static_cast<std::uint32_t>(kWriteWindow.base + 0x8000)}},
+      {{HWFFD_RESULT_BASE_HI_OFFSET, 0x7}},
+      {{HWFFD_RESULT_SIZE_OFFSET, 0}},
+      {{HWFFD_RESULT_BASE_HI_OFFSET, 0x7}, {HWFFD_RESULT_BASE_LO_OFFSET, 0x40}}};
+  for (const std::vector<Write>& writes : behind) {
+    AxiRun run(GetParam(), 1);
+    for (std::uint64_t clocks = 0; clocks <= 8; ++clocks) {
+      prepare(run);
+      run.start({}, [&] {
+        run.system().run(clocks);
+        for (const Write& write : writes) run.system().post_write(write.offset, write.value);
+      });
+      ASSERT_TRUE(run.finish()) << std::hex << writes[0].offset << ", " << clocks << " clocks";
+      EXPECT_EQ(run.driver().take_errors().status, 0U) << clocks;
+    }
+    EXPECT_TRUE(run.clean());
+  }
+}
+
+/// Head 16 of 16 is none of its entries, and a ring of one entry, which stays unused, has none.
+TEST_P(AxiStart, ARingWithoutItsHeadIsRefused) {
+  struct Ring {
+    unsigned log2_size, head;
+  };
+  AxiRun run(GetParam(), 2);
+  ASSERT_TRUE(run.good_run());
+  for (const Ring& ring : {Ring{4, 16}, {3, 8}, {3, 12}, {5, 0x8001}, {1, 2}, {0, 0}, {0, 1}}) {
+    SCOPED_TRACE(testing::Message() << ring.head << " of 2^" << ring.log2_size);
+    ASSERT_TRUE(run.soft_reset());
+    run.system().write32(HWFFD_RING_LOG2_SIZE_OFFSET, ring.log2_size);
+    run.system().write32(HWFFD_RING_HEAD_OFFSET, ring.head);
+    const std::size_t reads = run.system().memory.reads().size();
+    run.start(1);
+    ASSERT_TRUE(run.wait());
+    const CoreErrors errors = run.driver().take_errors();
+    EXPECT_EQ(errors.status, 1U << kDmaRing);
+    ASSERT_TRUE(errors.first.has_value());
+    EXPECT_EQ(errors.first->code, static_cast<unsigned>(kDmaRing));
+    EXPECT_EQ(errors.first->address, kRing.base);
+    EXPECT_FALSE(run.driver().stopped());
+    EXPECT_EQ(run.system().memory.reads().size(), reads);
+    EXPECT_EQ(run.driver().result_count(), 0U);
+    ASSERT_TRUE(run.soft_reset());
+    ASSERT_TRUE(run.good_run());
+  }
+  EXPECT_TRUE(run.clean());
+}
+
+/// What was in the ring before its head went wrong is worked off.
+TEST_P(AxiStart, AHeadThatGoesWrongEndsTheRun) {
+  unsigned refused = 0;
+  for (std::uint64_t clocks = 1; clocks < 2000; clocks += 1 + clocks / 2) {
+    AxiRun run(GetParam(), clocks);
+    prepare(run);
+    run.start();
+    run.system().run(clocks);
+    const std::uint32_t head = run.system().read32(HWFFD_RING_HEAD_OFFSET);
+    run.system().write32(HWFFD_RING_HEAD_OFFSET, head + (1U << kRing.log2_size) + 2);
+    ASSERT_TRUE(run.wait());
+    const std::uint32_t status = run.driver().take_errors().status;
+    const bool late = run.results_in_memory() == run.expected().size();
+    EXPECT_TRUE(status == 1U << kDmaRing || (status == 0 && late)) << status;
+    EXPECT_GE(run.results_in_memory(), run.driver().result_count());
+    refused += status != 0 ? 1 : 0;
+    ASSERT_TRUE(run.soft_reset());
+    EXPECT_TRUE(run.good_run()) << clocks;
+    EXPECT_TRUE(run.clean()) << clocks;
+  }
+  EXPECT_GT(refused, 5U);
+}
+
+HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiStart);
+
+}  // namespace
+}  // namespace hwffd::test

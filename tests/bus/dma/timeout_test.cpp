@@ -1,0 +1,203 @@
+// A memory that stops to answer on one channel: the time-out is exact to the clock and says which
+// channel it was, a soft reset ends, and the next transfer is exact.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "dma_bench.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint64_t kRing = 0x7000;
+constexpr std::uint64_t kPackets = 0x100000;
+constexpr std::uint64_t kArea = 0x900000;
+constexpr std::uint64_t kResults = 40;
+constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
+
+enum Channel : unsigned { kAr, kR, kAw, kW, kB, kChannels };
+
+/// Throttles of which one is shut after some clocks, for that many.
+tb::AxiMemory::Throttles shut(Channel channel, std::uint64_t after, std::uint64_t clocks) {
+  tb::AxiMemory::Throttles throttles;
+  tb::Throttle* const one[] = {&throttles.ar, &throttles.r, &throttles.aw, &throttles.w,
+                               &throttles.b};
+  *one[channel] = tb::Throttle::runs({after + 1, after + 1}, {clocks, clocks}, 1);
+  return throttles;
+}
+
+/// What ffd_dma_watch counts, from the pins.
+class Watch {
+ public:
+  /// The clocks that each channel has waited by the end of this one.
+  const std::array<std::uint64_t, kChannels>& clock(const tb::AxiPins& pins) {
+    const bool waits[] = {pins.ar.valid && !pins.ar.ready, reads_ != 0 && !pins.r.valid,
+                          pins.aw.valid && !pins.aw.ready, pins.w.valid && !pins.w.ready,
+                          addresses_ != 0 && bursts_ != 0 && !pins.b.valid};
+    for (unsigned channel = 0; channel < kChannels; ++channel) {
+      waited_[channel] = waits[channel] ? waited_[channel] + 1 : 0;
+    }
+    reads_ += pins.ar.valid && pins.ar.ready ? 1 : 0;
+    reads_ -= pins.r.valid && pins.r.ready && pins.r.last ? 1 : 0;
+    addresses_ += pins.aw.valid && pins.aw.ready ? 1 : 0;
+    bursts_ += pins.w.valid && pins.w.ready && pins.w.last ? 1 : 0;
+    if (pins.b.valid && pins.b.ready) {
+      --addresses_;
+      --bursts_;
+    }
+    return waited_;
+  }
+
+ private:
+  std::array<std::uint64_t, kChannels> waited_{};
+  std::uint64_t reads_ = 0, addresses_ = 0, bursts_ = 0;
+};
+
+class Timeout : public testing::TestWithParam<Channel> {
+ protected:
+  /// Both halves at work: packets of 30 beats, results into the area at `area`.
+  static void start(DmaBench& bench, std::uint64_t area) {
+    bench.place_ring(kRing, 3);
+    for (std::uint64_t packet = 0; packet < 4; ++packet) {
+      bench.put_packet(kPackets + packet * 0x1000, 30);
+    }
+    bench.offer_results(kResults, 7);
+    bench.controls.result_base = area;
+    bench.controls.result_size = kResults * kBeat;
+    bench.controls.result_start = true;
+    bench.start_ring();
+  }
+  static bool done(const DmaBench& bench) {
+    return bench.status.idle && bench.results_waiting() == 0 &&
+           bench.status.result_count == kResults && bench.packets().size() == 120;
+  }
+  /// After a soft reset has ended: the memory is as new, the next transfer whole.
+  static void expect_next(DmaBench& bench) {
+    bench.memory.forget_open();
+    bench.memory.set_throttles({});
+    bench.checker.forget();
+    bench.set_windows({0, ~std::uint64_t{0}}, {0, ~std::uint64_t{0}});
+    bench.forget_packets();
+    bench.forget_results();
+    start(bench, kArea + 0x1000);
+    EXPECT_TRUE(bench.run_until([&] { return done(bench); }, 3000));
+    EXPECT_EQ(bench.packet_difference(), "");
+    EXPECT_EQ(bench.results_in_memory(kArea + 0x1000, 0, kResults), kResults);
+    EXPECT_EQ(bench.faults(), "");
+  }
+};
+std::string channel_name(const testing::TestParamInfo<Channel>& channel) {
+  static const char* const kNames[] = {"AR", "R", "AW", "W", "B"};
+  return kNames[channel.param];
+}
+INSTANTIATE_TEST_SUITE_P(Dma, Timeout, testing::Values(kAr, kR, kAw, kW, kB), channel_name);
+
+/// The pulse comes in the clock after the last of so many, once, and not for one clock fewer.
+TEST_P(Timeout, IsExactToTheClock) {
+  const std::uint64_t limit = watched_dma_size().timeout;
+  unsigned timeouts = 0;
+  for (std::uint64_t after = 0; after < 60; after += 3) {
+    for (const std::uint64_t clocks : {limit / 2, limit + 60}) {
+      SCOPED_TRACE(testing::Message() << "shut after " << after << " for " << clocks);
+      DmaBench bench(watched_dma_size(), after);
+      bench.memory.set_throttles(shut(GetParam(), after, clocks));
+      start(bench, kArea);
+      Watch watch;
+      unsigned expected = 0;
+      for (int clock = 0; clock < 600; ++clock) {
+        ASSERT_EQ(bench.status.timeout, expected) << "clock " << bench.cycle();
+        const auto& waited = watch.clock(bench.bus());
+        expected = 0;
+        for (unsigned channel = 0; channel < kChannels; ++channel) {
+          expected |= waited[channel] == limit ? 1U << channel : 0U;
+        }
+        timeouts += expected >> GetParam() & 1;
+        bench.step();
+      }
+      bench.memory.set_throttles({});
+      bench.run(300);
+      EXPECT_EQ(bench.faults(), "") << "what waits stays";
+    }
+  }
+  EXPECT_GE(timeouts, 10U);
+}
+
+/// After it no address is raised, and the engine counts as halted although a burst is open.
+TEST_P(Timeout, HoldsBothHalves) {
+  DmaBench bench(watched_dma_size(), 5);
+  bench.memory.set_throttles(shut(GetParam(), 25, kNever));
+  start(bench, kArea);
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
+  EXPECT_EQ(bench.status.timeout, 1U << GetParam());
+  EXPECT_TRUE(bench.run_until([&] { return bench.status.halted; }, 200));
+  const std::size_t reads = bench.memory.reads().size(), writes = bench.memory.writes().size();
+  bench.run(300);
+  EXPECT_LE(bench.memory.reads().size(), reads + 1);
+  EXPECT_LE(bench.memory.writes().size(), writes + 1);
+  EXPECT_TRUE(bench.status.halted);
+}
+
+/// A soft reset ends, whether it comes before the time-out or after it, and at once then.
+TEST_P(Timeout, LetsASoftResetEnd) {
+  const std::uint64_t limit = watched_dma_size().timeout;
+  for (std::uint64_t after = 0; after < 50; after += 2) {
+    for (const std::uint64_t wait : {std::uint64_t{0}, limit / 2, 3 * limit}) {
+      SCOPED_TRACE(testing::Message() << "shut after " << after << ", reset after " << wait);
+      DmaBench bench(watched_dma_size(), after + wait);
+      bench.memory.set_throttles(shut(GetParam(), after, kNever));
+      start(bench, kArea);
+      bench.run(after + wait);
+      bench.controls.soft_reset = true;
+      bench.step();
+      bench.forget_results();
+      bench.step();  // clearing_o is seen
+      ASSERT_TRUE(
+          bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 2 * limit));
+      EXPECT_EQ(bench.status.ring_tail, 0);
+      EXPECT_EQ(bench.status.result_count, 0U);
+      expect_next(bench);
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+}
+
+/// What the memory answers after it was given up is ignored while nothing is open.
+TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
+  DmaBench bench(watched_dma_size(), 9);
+  bench.memory.set_throttles(shut(GetParam(), 20, kNever));
+  start(bench, kArea);
+  bench.run(400);
+  bench.controls.soft_reset = true;
+  bench.step();
+  bench.forget_results();
+  bench.step();
+  bench.forget_packets();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 200));
+  bench.memory.set_throttles({});
+  bench.run(300);
+  EXPECT_TRUE(bench.packets().empty());
+  EXPECT_TRUE(bench.status.idle);
+  EXPECT_EQ(bench.status.result_count, 0U);
+  expect_next(bench);
+}
+
+/// A channel that wakes up in time gets its soft reset as if it had not slept.
+TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
+  DmaBench bench(watched_dma_size(), 3);
+  bench.memory.set_throttles(shut(GetParam(), 25, kNever));
+  start(bench, kArea);
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
+  bench.memory.set_throttles({});
+  bench.run(3);
+  bench.controls.soft_reset = true;
+  bench.step();
+  bench.forget_results();
+  bench.step();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 500));
+  EXPECT_TRUE(bench.memory.quiet()) << "open bursts are completed";
+  EXPECT_EQ(bench.faults(), "");
+  expect_next(bench);
+}
+
+}  // namespace
+}  // namespace hwffd::test
