@@ -84,6 +84,8 @@ module formal_dma_ring #(
   (* hierconn *) wire [$clog2(DESCRIPTORS):0] \u_dut.u_queue.read_q ;
   wire [$clog2(DESCRIPTORS):0] queued = \u_dut.u_queue.write_q - \u_dut.u_queue.read_q ;
 
+  wire        beyond = (head >> entries_log2) != 0;
+  reg         beyond_q;        // seen since the last start
   wire        gone = \u_dut.stop_q && forget;    // the reader drops what is left after an error
   reg         first_q = 1'b1;
   reg  [63:0] base_q;
@@ -100,6 +102,7 @@ module formal_dma_ring #(
     base_q         <= base;
     entries_log2_q <= entries_log2;
     head_q         <= head[14:0];
+    beyond_q       <= !rst && !started && (beyond_q || (running && beyond));
     if (rst) begin
       taken_q   <= 1'b0;
       fetches_q <= 0;
@@ -138,6 +141,8 @@ module formal_dma_ring #(
 
   always @* if (!first_q && !rst) begin
     range: assert (ordered && between);
+    size: assert (!running || entries_log2_q != 0);
+    head_fits: assert (!beyond_q || ((!running || \u_dut.stop_q ) && !valid));
     room: assert (ordered && (!fetched || \u_dut.queue_ready ));
   end
 endmodule

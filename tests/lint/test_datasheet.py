@@ -42,6 +42,7 @@ s_axis_*: in
 m_axis_t*: out
 event_o: event
 event_*: where
+vertex_o: vertex
 idle_o: idle
 }}
 

@@ -56,7 +56,7 @@ FAULTS = {
                                   "IRQ_ENABLE: one lock"),
     "a refusal without a bit": (" refused:STATUS.start_refused", "",
                                 "unless and needs want refused"),
-    "a hole in the events": ("packet_long,2,event", "packet_long,20,event", "events take"),
+    "a hole in the events": ("packet_long,2,event", "packet_long,31,event", "events take"),
     "a version that the field is no part of": ("3:0,rw,0", "3:0,rw,version", "reset 'version'"),
     "no record": ("ERROR_PACKET", "ERROR_PLACE", "no ERROR_PACKET.value"),
     "another interrupt": ("IRQ_ENABLE,refused", "IRQ_ENABLE,denied", "fields of IRQ_STATE"),

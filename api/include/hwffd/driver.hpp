@@ -133,7 +133,8 @@ class Driver {
   /// slave is to be reset then, too, before the next start.
   bool soft_reset(std::uint64_t polls);
 
-  /// Clocks and vertices, each once however many results it has, since they were last cleared. Each is one number, but not of one clock.
+  /// Clocks and vertices, each once however many results it has, since they were last cleared. Each
+  /// is one number, but not of one clock.
   CoreCounters counters();
   /// Sets the counters and ERROR_COUNT to 0.
   void clear_counters();

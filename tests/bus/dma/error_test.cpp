@@ -86,6 +86,7 @@ TEST_P(BusError, ReadErrorOnEveryBeatOfTheLongestBurst) {
 }
 
 TEST_P(BusError, DescriptorFetchFails) {
+  unsigned earlier = 0;
   for (unsigned index = 0; index < 5; ++index) {
     DmaBench bench(GetParam(), index);
     bench.memory.set_latency({1, 10});
@@ -99,6 +100,7 @@ TEST_P(BusError, DescriptorFetchFails) {
     EXPECT_EQ(bench.read_errors()[0].code, kDecodeError);
     EXPECT_EQ(bench.read_errors()[0].address, bench.descriptor_address(index));
     EXPECT_LE(bench.status.ring_tail, index);
+    earlier += bench.status.ring_tail < index ? 1 : 0;
     EXPECT_EQ(bench.packets().size(), 7u * bench.status.ring_tail);
     bench.memory.fail_nothing();
     bench.start_ring();
@@ -107,6 +109,7 @@ TEST_P(BusError, DescriptorFetchFails) {
     EXPECT_EQ(bench.status.ring_tail, 5);
     EXPECT_EQ(bench.faults(), "");
   }
+  EXPECT_GT(earlier, 0u) << "descriptors are fetched ahead of packets";
 }
 
 TEST_P(BusError, WriteErrorOnEveryBurst) {

@@ -233,6 +233,23 @@ TEST_P(Sized, FullBurstsWhileResultsKeepComing) {
   EXPECT_EQ(bench.faults(), "");
 }
 
+/// A slave that takes no address sees all data of the bursts that may be open; nothing is lost.
+TEST_P(Sized, WriteDataMayComeBeforeItsAddress) {
+  DmaBench bench(GetParam(), 14);
+  tb::AxiMemory::Throttles throttles;
+  throttles.aw = tb::Throttle::runs({1, 1}, {400, 400}, 1);  // willing in the first clock only
+  bench.memory.set_throttles(throttles);
+  bench.start_results(0x20000, 1 << 16);
+  bench.offer_results(8, 4);
+  bench.run(100);
+  EXPECT_TRUE(bench.memory.writes().empty());
+  EXPECT_EQ(bench.memory.write_beats(), 4u) << "all of the burst whose address waits";
+  bench.memory.set_throttles({});
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.result_count == 8; }));
+  EXPECT_EQ(bench.results_in_memory(0x20000, 0, 8), 8u);
+  EXPECT_EQ(bench.faults(), "");
+}
+
 TEST_P(Sized, NoResultStaysBehind) {
   DmaBench bench(GetParam(), 6);
   bench.start_results(0x10000, 1 << 16);

@@ -1,0 +1,116 @@
+// formal_bus_run: ffd_bus_run behind the registers, with any software and any DMA and core
+//
+// What the DMA takes with a start is compared with what the registers held in the clock in which
+// the start was written.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+
+module formal_bus_run (
+  input wire        clk,
+  input wire        rst,
+  input wire        awvalid,
+  input wire [11:0] awaddr,
+  input wire        wvalid,
+  input wire [31:0] wdata,
+  input wire [3:0]  wstrb,
+  input wire        bready,
+  input wire        ring_running,
+  input wire        write_error,
+  input wire        fault,
+  input wire        clearing,
+  input wire        halted,
+  input wire        dma_idle,
+  input wire        core_idle
+);
+  wire        start;
+  wire        soft_reset;
+  wire        busy;
+  wire        stopped;
+  wire [63:0] result_base;
+  wire [31:0] result_size;
+  wire        result_start;
+  wire        core_rst;
+
+  ffd_axil_registers u_registers (
+    .clk                     (clk),
+    .rst                     (rst),
+    .s_axil_awvalid          (awvalid),
+    .s_axil_awaddr           (awaddr),
+    .s_axil_awprot           (3'd0),
+    .s_axil_wvalid           (wvalid),
+    .s_axil_wdata            (wdata),
+    .s_axil_wstrb            (wstrb),
+    .s_axil_bready           (bready),
+    .s_axil_arvalid          (1'b0),
+    .s_axil_araddr           (12'd0),
+    .s_axil_arprot           (3'd0),
+    .s_axil_rready           (1'b1),
+    .config_org_i            (8'd0),
+    .config_n_i              (8'd0),
+    .config_format_i         (8'd0),
+    .config_schedule_i       (1'b0),
+    .config_evaluator_i      (2'd0),
+    .limits_in_flight_i      (16'd0),
+    .limits_points_axis_i    (8'd0),
+    .control_start_o         (start),
+    .control_soft_reset_o    (soft_reset),
+    .status_busy_i           (busy),
+    .status_idle_i           (1'b0),
+    .status_stopped_i        (stopped),
+    .status_ring_running_i   (1'b0),
+    .status_done_set_i       (1'b0),
+    .ring_tail_i             (16'd0),
+    .result_base_o           (result_base),
+    .result_size_o           (result_size),
+    .result_count_i          (32'd0),
+    .counter_vertices_event_i(1'b0),
+    .counter_stalls_event_i  (1'b0),
+    .counter_busy_event_i    (1'b0),
+    .error_event_i           (24'd0),
+    .error_packet_i          (32'd0),
+    .error_beat_i            (32'd0),
+    .error_address_valid_i   (1'b0),
+    .error_address_i         (64'd0)
+  );
+
+  ffd_bus_run u_run (
+    .clk             (clk),
+    .rst             (rst),
+    .start_i         (start),
+    .soft_reset_i    (soft_reset),
+    .ring_base_i     (64'd0),
+    .ring_log2_size_i(4'd0),
+    .ring_head_i     (16'd0),
+    .busy_o          (busy),
+    .stopped_o       (stopped),
+    .result_start_o  (result_start),
+    .ring_running_i  (ring_running),
+    .write_error_i   (write_error),
+    .dma_fault_i     (fault),
+    .dma_clearing_i  (clearing),
+    .dma_halted_i    (halted),
+    .dma_idle_i      (dma_idle),
+    .core_rst_o      (core_rst),
+    .core_idle_i     (core_idle)
+  );
+
+  (* hierconn *) wire \u_registers.control_start_asked ;
+
+  reg         first_q = 1'b1;
+  reg         clear_q;       // the DMA cleared in the clock before, or a soft reset came
+  reg  [95:0] area_q;        // base and size when a start was last written
+  always @(posedge clk) begin
+    first_q <= 1'b0;
+    clear_q <= (clearing || soft_reset) && !rst;
+    if (\u_registers.control_start_asked ) area_q <= {result_base, result_size};
+  end
+  always @* if (first_q) assume (rst);
+
+  always @* if (!first_q) begin
+    reset: assert (!rst || core_rst);
+    cleared: assert (!clear_q || core_rst);
+    area: assert (rst || !result_start || {result_base, result_size} == area_q);
+  end
+endmodule
+
+`default_nettype wire
