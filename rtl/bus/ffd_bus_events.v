@@ -7,7 +7,7 @@
 // the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 //
 // Pipeline:   none.  Freezes: never.
-// Model:      none.  Test: tests/bus/axil/run_test.cpp.
+// Model:      none.  Test: tests/bus/axil/events_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
