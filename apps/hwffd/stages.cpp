@@ -124,8 +124,8 @@ Lattice rest_lattice(const StageText& text, const Points& points) {
   if (!is_shape(text.lattice)) return read_lattice(text.lattice);
   const Index3 dims = text.dims.empty() ? usual_dims(text.lattice)
                                         : parse_dims(text.dims, "--dims " + excerpt(text.dims));
-  return lattice_around(text.lattice, text.region.empty() ? points : parse_region(text.region),
-                        dims);
+  if (text.region.empty()) return lattice_around(text.lattice, points, dims);
+  return lattice_around(text.lattice, parse_region(text.region), dims, 0.0);
 }
 
 Lattice deformed_lattice(const StageText& text, const Lattice& rest) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "hwffd/error.hpp"
 #include "hwffd/numerics/binary32.hpp"
 #include "hwffd/numerics/fixed.hpp"
 
@@ -37,6 +38,15 @@ TEST(WordCodec, CoordinatesComeBack) {
   for (const double step : {-0x1p-31, 0x1p-31, 1 - 0x1p-31, 1 + 0x1p-31}) {
     EXPECT_EQ(codec.decode_coordinate(codec.coordinate(step)), step);
   }
+}
+
+TEST(WordCodec, FixedPointHasNoWordForNan) {
+  const WordCodec codec("fx18");
+  EXPECT_THROW(codec.point(NAN), Error);
+  EXPECT_THROW(codec.coordinate(NAN), Error);
+  EXPECT_THROW(codec.coefficient(NAN, 0), Error);
+  EXPECT_EQ(codec.point(HUGE_VAL), 0x7FFFFFFFU);
+  EXPECT_EQ(WordCodec("fp32").point(NAN) & 0x7F800000U, 0x7F800000U);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "geometry.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/outside.hpp"
 #include "program.hpp"
@@ -75,10 +76,20 @@ void read_stages(const std::string& input) {
   }
 }
 
+/// Points, and their places in a box and in a ball.
 void read_text_of_points(const std::string& input) {
+  static const Points corners = (Points(2, 3) << -1, -1, -1, 1, 1, 1).finished();
+  static const Embedder embedders[] = {Embedder(lattice_around("box", corners, {4, 5, 6})),
+                                       Embedder(lattice_around("sphere", corners, {4, 5, 6}))};
   std::istringstream in(input);
   const Points points = command::read_points(in, "points");
   expect(points.rows() > 0 && points.allFinite(), "points that are not finite");
+  for (const Embedder& embedder : embedders) {
+    for (const Embedding& e : embedder.embed(points)) {
+      expect(e.at.local.allFinite() && !std::isnan(e.residual), "a place that is no number");
+      embedder.lattice().support(e.at.cell);
+    }
+  }
 }
 
 }  // namespace

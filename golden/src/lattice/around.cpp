@@ -12,14 +12,16 @@ namespace hwffd {
 namespace {
 
 template <class Shape>
-Lattice around(const Points& points, const Index3& dims) {
-  return Shape::around(points).lattice(dims);
+Lattice around(const Points& points, const Index3& dims, double part) {
+  const Point room =
+      points.rows() == 0 ? Point::Zero() : Point(part * points.cwiseAbs().colwise().maxCoeff());
+  return Shape::around(points, room).lattice(dims);
 }
 
 struct Entry {
   const char* name;
   Index3 dims;
-  Lattice (*around)(const Points&, const Index3&);
+  Lattice (*around)(const Points&, const Index3&, double);
 };
 const std::array<Entry, 3> kShapes{{{"box", {4, 4, 4}, around<Box>},
                                     {"cylinder", {4, 4, 9}, around<Cylinder>},
@@ -45,8 +47,9 @@ const std::vector<std::string>& shape_names() {
 
 Index3 usual_dims(const std::string& shape) { return find(shape).dims; }
 
-Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims) {
-  return find(shape).around(points, dims);
+Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims,
+                       double room) {
+  return find(shape).around(points, dims, room);
 }
 
 }  // namespace hwffd

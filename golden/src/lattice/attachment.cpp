@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/lattice/nearest_place.hpp"
 #include "same_dims.hpp"
 
@@ -16,13 +17,6 @@ namespace hwffd {
 namespace {
 
 constexpr double kSingular = 1e-9;  // of the largest pivot
-
-void check_finite(const Points& points) {
-  for (Eigen::Index row = 0; row < points.rows(); ++row) {
-    if (points.row(row).allFinite()) continue;
-    throw Error(fmt::format("point {} is not finite; give finite coordinates", row));
-  }
-}
 
 /// J_deformed J_rest^-1 at a place; NaN where J_rest is singular.
 Eigen::Matrix3d jacobian_at(const Embedded& place, const Lattice& lattice) {
@@ -43,7 +37,7 @@ Eigen::Matrix3d gradient_at(const Embedded& place, const Lattice& rest,
 
 Attachment::Attachment(const Lattice& rest, const Points& points, const Outside& outside)
     : rest_(rest), points_(points), outside_(outside) {
-  check_finite(points);
+  check_coordinates("point", points);
   embeddings_ = Embedder(rest).embed(points);
   summary_ = summarize(embeddings_);
   std::optional<NearestPlace> nearest;

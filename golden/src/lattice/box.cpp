@@ -26,7 +26,7 @@ Box::Box(const Point& origin, const Eigen::Matrix3d& edges)
   check_frame("box", origin, edges);
 }
 
-Box Box::around(const Points& points) {
+Box Box::around(const Points& points, const Point& room) {
   if (points.rows() == 0 || !points.allFinite()) {
     throw Error("box lattice: no bounding box; give at least one point, all finite");
   }
@@ -41,7 +41,7 @@ Box Box::around(const Points& points) {
     size[a] = largest;
     origin[a] = low[a] + extent[a] / 2 - largest / 2;
   }
-  return Box(origin, size.asDiagonal());
+  return Box(origin - room, (size + 2 * room).asDiagonal());
 }
 
 std::optional<Box> Box::of(const Lattice& lattice) {
@@ -79,7 +79,8 @@ Embedded Box::embed(const Index3& dims, const Point& point) const {
     const int cells = dims[axis] - 3;
     const double x = snap(at[a]);
     result.inside = result.inside && x >= 0.0 && x <= 1.0;
-    const double cell = std::clamp(std::floor(x * cells), 0.0, cells - 1.0);
+    // So written, what is no number is in the first cell.
+    const double cell = std::max(0.0, std::min(std::floor(x * cells), cells - 1.0));
     result.cell[axis] = static_cast<int>(cell);
     result.local[a] = x * cells - cell;
   }

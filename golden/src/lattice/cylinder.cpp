@@ -13,8 +13,8 @@ Cylinder::Cylinder(const Point& base, const Eigen::Matrix3d& edges, double inner
   check_inner("cylinder", inner);
 }
 
-Cylinder Cylinder::around(const Points& points) {
-  const Surround s = surround(points);
+Cylinder Cylinder::around(const Points& points, const Point& room) {
+  const Surround s = surround(points, room);
   const Point base = s.centre - Point(0, s.half[1], 0);
   return Cylinder(base,
                   Point(s.horizontal_radius, 2 * s.half[1], s.horizontal_radius).asDiagonal());

@@ -23,7 +23,7 @@ Lattice lattice_from(const std::string& file, const Index3& dims) {
 Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure) {
   const Index3& d = lattice.dims();
   for (std::size_t a = 0; a < 3; ++a) {
-    if (place[a] >= d[a]) {
+    if (place[a] < 0 || place[a] >= d[a]) {
       throw Error(
           fmt::format("deformation move: no point {},{},{} in a lattice of {} x {} x {} "
                       "points; count from 0",

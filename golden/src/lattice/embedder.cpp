@@ -1,10 +1,13 @@
 #include "hwffd/lattice/embedder.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
 #include "bounds.hpp"
 #include "cell_search.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 #include "newton.hpp"
 
 namespace hwffd {
@@ -12,12 +15,22 @@ namespace {
 
 constexpr double kDone = 1e-14;       // residual at which Newton stops, of the size
 constexpr double kTolerance = 1e-12;  // residual that counts as inside, of the size
+constexpr double kFlat = 1e-9;        // least extent of a lattice, of its largest
 constexpr std::size_t kNearCells = 4;
+
+/// Throws Error if points lie in one plane: nothing could be embedded among them.
+void check_volume(const Points& points) {
+  Eigen::ColPivHouseholderQR<Points> arms(points.rowwise() - points.colwise().mean());
+  arms.setThreshold(kFlat);
+  if (arms.rank() == 3) return;
+  throw Error("lattice at rest: its points lie in one plane and span no volume; give others");
+}
 
 }  // namespace
 
 Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of(lattice_)) {
   const Points& points = lattice_.points();
+  check_volume(points);
   centre_ = (points.colwise().minCoeff() + points.colwise().maxCoeff()) / 2;
   const Index3 count = lattice_.cells();
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
@@ -110,8 +123,10 @@ Embedding Embedder::embed_by_newton(const Point& point) const {
 }
 
 Embedding Embedder::embed(const Point& point) const {
-  if (!box_) return embed_by_newton(point - centre_);
   Embedding result;
+  result.residual = std::numeric_limits<double>::infinity();
+  if (!has_coordinates(point)) return result;
+  if (!box_) return embed_by_newton(point - centre_);
   result.at = box_->embed(lattice_.dims(), point);
   result.status = result.at.inside ? EmbeddingStatus::kInside : EmbeddingStatus::kOutside;
   result.residual = (this->point(result.at) - point).norm();

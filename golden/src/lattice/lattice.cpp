@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 
 namespace hwffd {
 
@@ -21,10 +22,7 @@ Lattice::Lattice(const Index3& dims, Points points) : dims_(dims), points_(std::
     throw Error(fmt::format("lattice of {} x {} x {} points: {} points given; give {}", dims[0],
                             dims[1], dims[2], points_.rows(), expected));
   }
-  for (Eigen::Index i = 0; i < points_.rows(); ++i) {
-    if (points_.row(i).allFinite()) continue;
-    throw Error(fmt::format("lattice point {} is not finite; give finite coordinates", i));
-  }
+  check_coordinates("lattice point", points_);
 }
 
 Support Lattice::support(const Index3& cell) const {

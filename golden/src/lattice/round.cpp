@@ -15,20 +15,21 @@ double round_radius(double step) {
   return 24.0 / (23.0 * std::cos(step / 2) + std::cos(3 * step / 2));
 }
 
-Surround surround(const Points& points) {
-  const Box box = Box::around(points);
+Surround surround(const Points& points, const Point& room) {
+  const Box box = Box::around(points, room);
   Surround result;
   result.half = box.edges().diagonal() / 2;
   result.centre = box.origin() + result.half;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Point arm = Point(points.row(i)) - result.centre;
+    const Point arm = (Point(points.row(i)) - result.centre).cwiseAbs() + room;
     result.radius = std::max(result.radius, arm.norm());
     result.horizontal_radius = std::max(result.horizontal_radius, std::hypot(arm[0], arm[2]));
   }
-  // Points on a vertical line, or one point: any radius holds them.
+  // Points on a vertical line, or one point: any radius holds them that holds the room.
   const double least = result.half.minCoeff();
-  if (result.radius < 1e-9 * least) result.radius = least;
-  if (result.horizontal_radius < 1e-9 * least) result.horizontal_radius = least;
+  if (result.radius < room.norm() + 1e-9 * least) result.radius = least;
+  const double horizontal_room = std::hypot(room[0], room[2]);
+  if (result.horizontal_radius < horizontal_room + 1e-9 * least) result.horizontal_radius = least;
   return result;
 }
 

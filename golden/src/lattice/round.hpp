@@ -23,8 +23,9 @@ struct Surround {
   double horizontal_radius = 0.0;  ///< from the vertical line through the centre
 };
 
+/// @param room  left free beyond the points along x, y, z
 /// @throws Error if there is no point or one is not finite
-Surround surround(const Points& points);
+Surround surround(const Points& points, const Point& room);
 
 /// Throws Error unless inner is in [0, 1).
 void check_inner(const char* shape, double inner);

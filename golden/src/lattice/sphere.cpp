@@ -13,8 +13,8 @@ Sphere::Sphere(const Point& centre, const Eigen::Matrix3d& edges, double inner)
   check_inner("sphere", inner);
 }
 
-Sphere Sphere::around(const Points& points) {
-  const Surround s = surround(points);
+Sphere Sphere::around(const Points& points, const Point& room) {
+  const Surround s = surround(points, room);
   return Sphere(s.centre, Eigen::Matrix3d::Identity() * s.radius);
 }
 

@@ -10,6 +10,7 @@ namespace hwffd {
 namespace {
 
 std::uint32_t rounded(double value, double low, double high) {
+  if (std::isnan(value)) throw Error("a number that is none has no word in fixed point");
   return static_cast<std::uint32_t>(
       static_cast<std::int64_t>(std::clamp(std::nearbyint(value), low, high)));
 }

@@ -14,9 +14,15 @@ const std::vector<std::string>& shape_names();
 /// @throws UsageError for an unknown shape, which lists those that are known
 Index3 usual_dims(const std::string& shape);
 
+/// Twice what rounding to binary32 can move a coordinate, in parts of it.
+constexpr double kBinary32Room = 0x1p-23;
+
 /// The upright lattice of a shape whose cells hold all points (Box, Cylinder, Sphere::around).
 /// @param points  n x 3, n > 0
+/// @param room    beyond the points, in parts of the largest coordinate along each axis; by default
+///                so that they are inside as floats as well
 /// @throws UsageError for an unknown shape, Error for dims or points that the shape refuses
-Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims);
+Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims,
+                       double room = kBinary32Room);
 
 }  // namespace hwffd

@@ -18,8 +18,9 @@ namespace hwffd {
 class Attachment {
  public:
   /// @param points n x 3
-  /// @throws Error that names the row of a point that is not finite, or that can neither be
-  ///   embedded nor proved to be outside
+  /// @throws Error that names the row of a point that is not finite or beyond kLargestCoordinate,
+  /// or
+  ///   that can neither be embedded nor proved to be outside; and what Embedder throws
   Attachment(const Lattice& rest, const Points& points, const Outside& outside);
 
   /// The places to evaluate, in the order of their points; local coordinates in [0, 1].

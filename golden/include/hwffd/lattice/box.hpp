@@ -19,8 +19,9 @@ class Box {
 
   /// The bounding box of points (n x 3, n > 0), s along x, t along y (up), u along z. An axis
   /// without extent gets the largest extent of the others, or 1, so that flat models embed too.
+  /// @param room  left free beyond the points along x, y, z
   /// @throws Error if there is no point or one is not finite
-  static Box around(const Points& points);
+  static Box around(const Points& points, const Point& room = Point::Zero());
 
   /// The box whose lattice() this is, to within 1e-12 of its size; nothing for another shape.
   static std::optional<Box> of(const Lattice& lattice);
@@ -36,7 +37,7 @@ class Box {
 
   /// Cell and local coordinates of a point in lattice(dims). A point on a face between cells
   /// belongs to the upper one (local coordinate 0), on the last face to the last cell (1). A point
-  /// within 1e-12 of the box's size outside counts as on the face.
+  /// within 1e-12 of the box's size outside counts as on the face. A NaN is outside.
   Embedded embed(const Index3& dims, const Point& point) const;
 
   /// embed() for every row of points, n x 3.

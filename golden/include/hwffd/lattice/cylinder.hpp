@@ -29,8 +29,9 @@ class Cylinder {
   Cylinder(const Point& base, const Eigen::Matrix3d& edges, double inner = 0.0);
 
   /// The vertical cylinder around the bounding box's centre that holds all points (n x 3, n > 0).
+  /// @param room  left free beyond the points along x, y, z
   /// @throws Error if there is no point or one is not finite
-  static Cylinder around(const Points& points);
+  static Cylinder around(const Points& points, const Point& room = Point::Zero());
 
   /// @param dims  points an axis, 4 to 16; along u at least 6
   /// @throws Error for dims out of range

@@ -40,6 +40,7 @@ struct Embedding {
 /// distance as residual.
 class Embedder {
  public:
+  /// @throws Error if the points lie in one plane, to within 1e-9 of their extent
   explicit Embedder(Lattice lattice);
 
   const Lattice& lattice() const { return lattice_; }
@@ -48,6 +49,7 @@ class Embedder {
   /// The largest extent along x, y or z of the cells, as their Bernstein coefficients bound them.
   double size() const { return size_; }
 
+  /// A point that is not finite or beyond kLargestCoordinate is outside, its residual infinite.
   Embedding embed(const Point& point) const;
   /// embed() for every row of points, n x 3.
   std::vector<Embedding> embed(const Points& points) const;

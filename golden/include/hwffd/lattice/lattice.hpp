@@ -21,7 +21,7 @@ class Lattice {
   /// @param dims points an axis, each 4 to 16
   /// @param points dims[0]*dims[1]*dims[2] x 3, in the order above
   /// @throws Error for dimensions out of range, a wrong number of points, or a point that is not
-  ///   finite
+  ///   finite or beyond kLargestCoordinate
   Lattice(const Index3& dims, Points points);
 
   /// Throws the Error of the constructor if dims is out of range.

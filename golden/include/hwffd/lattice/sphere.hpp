@@ -24,8 +24,9 @@ class Sphere {
   Sphere(const Point& centre, const Eigen::Matrix3d& edges, double inner = 0.0);
 
   /// The ball around the bounding box's centre that holds all points (n x 3, n > 0).
+  /// @param room  left free beyond the points along x, y, z
   /// @throws Error if there is no point or one is not finite
-  static Sphere around(const Points& points);
+  static Sphere around(const Points& points, const Point& room = Point::Zero());
 
   /// @param dims  points an axis, 4 to 16; along t at least 5, along u at least 6
   /// @throws Error for dims out of range

@@ -8,7 +8,8 @@ namespace hwffd {
 /// Doubles to stream words of one number format and back (docs/interface.md section 3).
 ///
 /// Encoding rounds to nearest (ties to even), and clamps to what the word can hold; whether that
-/// matters is the caller's to prevent (see `Normalization`).
+/// matters is the caller's to prevent (see `Normalization`). A NaN has a word in binary32 alone:
+/// fixed point throws Error.
 class WordCodec {
  public:
   /// @param format  "fp32", "bfp32", or "fx" and the width of a word
