@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "embed/samples.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/embedder.hpp"
 
 namespace hwffd {
 namespace {
@@ -140,6 +142,49 @@ TEST(Device, BlendingFunctionsOfTheCallersOwn) {
   const Points got = make_device({})->evaluate(scene.lattice, scene.vertices, blending);
   EXPECT_LT(largest(got - exact), 4e-6);
   EXPECT_GT(largest(got - make_device({})->evaluate(scene.lattice, scene.vertices)), 1e-2);
+}
+
+/// Half a unit in the last place of a number in binary32.
+double half_ulp(double value) {
+  const auto word = static_cast<float>(std::abs(value));
+  return (static_cast<double>(std::nextafter(word, HUGE_VALF)) - word) / 2;
+}
+
+TEST(Device, IdentityFarFromTheOrigin) {
+  Points points = Points::Random(300, 3);
+  points.rowwise() += Eigen::RowVector3d(1e6, -3e5, 1e6);
+  points = points.cast<float>().cast<double>().eval();
+  const Lattice lattice = lattice_around("box", points, {5, 6, 4});
+  const std::vector<Embedding> embeddings = Embedder(lattice).embed(points);
+  std::vector<Embedded> vertices;
+  for (const Embedding& embedding : embeddings) {
+    vertices.push_back(embedding.at);
+    vertices.back().local = vertices.back().local.cwiseMax(0.0).cwiseMin(1.0);
+  }
+  for (const char* format : {"fp32", "bfp32", "fx32"}) {
+    const Points got = make_device({"model", "basic", format})->evaluate(lattice, vertices);
+    for (Eigen::Index row = 0; row < points.rows(); ++row) {
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_LE(std::abs(got(row, axis) - points(row, axis)), half_ulp(points(row, axis)))
+            << format << ", vertex " << row << ", axis " << axis;
+      }
+    }
+  }
+}
+
+TEST(Device, VerticesWithSupportsAndFunctionsThatDoNotSumToOne) {
+  const Oracle::Coefficients hermite = Oracle::hermite();
+  const Device::Blending blending{hermite, Oracle::uniform_bspline(), hermite};
+  std::vector<SupportedVertex> vertices(50);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    vertices[v].local = Eigen::Vector3d::Constant(static_cast<double>(v) / 50);
+    vertices[v].support = Support::Random().array() / 4 + 10;
+  }
+  const Points exact = make_device({"reference", "", ""})->evaluate(vertices, blending);
+  for (const auto& [format, step] : {std::pair{"fp32", 1e-5}, std::pair{"bfp32", 1e-4}}) {
+    const Points got = make_device({"model", "basic", format})->evaluate(vertices, blending);
+    EXPECT_LT(largest(got - exact), step) << format;
+  }
 }
 
 TEST(Device, ProgressEndsAtOne) {

@@ -1,16 +1,12 @@
 #include "weighted_sum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hwffd::gl {
 namespace {
 
 constexpr int kSamples = 64;  // of a function on [0, 1]
-
-bool sum_to_one(const Oracle::Coefficients& functions) {
-  const Eigen::RowVector4d sum = functions.colwise().sum();
-  return (sum - Eigen::RowVector4d(1, 0, 0, 0)).cwiseAbs().maxCoeff() < 1e-6;
-}
 
 /// The power of two that the sum of the functions' magnitudes stays below.
 double scale_of(const Oracle::Coefficients& functions) {
@@ -31,7 +27,7 @@ std::vector<Embedded> clamped(std::vector<Embedded> vertices) {
 }
 
 bool all_sum_to_one(const Device::Blending& blending) {
-  return sum_to_one(blending[0]) && sum_to_one(blending[1]) && sum_to_one(blending[2]);
+  return std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
 }
 
 /// What a device can evaluate in place of functions that do not sum to 1.
@@ -44,7 +40,7 @@ struct Centred {
   Centred(const Lattice& from, const Device::Blending& functions)
       : lattice(from), blending(functions) {
     for (Oracle::Coefficients& axis : blending) {
-      const double by = sum_to_one(axis) ? 1.0 : scale_of(axis);
+      const double by = Oracle::sum_to_one(axis) ? 1.0 : scale_of(axis);
       axis /= by;
       scale *= by;
     }

@@ -19,6 +19,12 @@ bool is_there(const std::string& kind, const Configuration& row) {
   return kind == "model" || (kind == "rtl" && tb::has_stream_core(row));
 }
 
+void check(const Device::Blending& blending) {
+  for (const Oracle::Coefficients& axis : blending) {
+    if (!axis.allFinite()) throw Error("a coefficient of blending functions is not finite");
+  }
+}
+
 /// @throws Error for a vertex that the lattice has no place for
 void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   const Index3 cells = lattice.cells();
@@ -37,6 +43,13 @@ void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   }
 }
 
+[[noreturn]] void throw_not_finite(std::size_t vertex, const std::string& device) {
+  throw Error(
+      fmt::format("vertex {}: the result is not finite; the control points are too large for "
+                  "device {}: scale them, or take device reference",
+                  vertex, device));
+}
+
 Device::Blending all_bspline() {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   return {bspline, bspline, bspline};
@@ -46,10 +59,11 @@ Device::Blending all_bspline() {
 
 Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
                         const Blending& blending) {
+  check(blending);
   check(lattice, vertices);
   counts_.vertices += vertices.size();
   if (vertices.empty()) return Points(0, 3);
-  return run(lattice, vertices, blending);
+  return finite(run(lattice, vertices, blending));
 }
 
 Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices) {
@@ -58,10 +72,16 @@ Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& ver
 
 Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                                   const Blending& blending) {
+  check(blending);
   check(lattice, vertices);
   counts_.vertices += vertices.size();
   if (vertices.empty()) return {Points(0, 3), {}};
-  return run_tangents(lattice, vertices, blending);
+  Tangents tangents = run_tangents(lattice, vertices, blending);
+  tangents.positions = finite(std::move(tangents.positions));
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (!tangents.jacobians[v].allFinite()) throw_not_finite(v, name());
+  }
+  return tangents;
 }
 
 Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices) {
@@ -69,6 +89,7 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
 }
 
 Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending) {
+  check(blending);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v].local.allFinite() && vertices[v].support.allFinite()) continue;
     throw Error(
@@ -76,7 +97,14 @@ Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blen
   }
   counts_.vertices += vertices.size();
   if (vertices.empty()) return Points(0, 3);
-  return run(vertices, blending);
+  return finite(run(vertices, blending));
+}
+
+Points Device::finite(Points positions) const {
+  for (Eigen::Index row = 0; row < positions.rows(); ++row) {
+    if (!positions.row(row).allFinite()) throw_not_finite(static_cast<std::size_t>(row), name());
+  }
+  return positions;
 }
 
 const std::vector<std::string>& device_kinds() {

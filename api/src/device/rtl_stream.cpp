@@ -14,6 +14,10 @@ class RtlStream final : public CommandStream {
  public:
   explicit RtlStream(const Configuration& row)
       : name_(row.name), core_(tb::make_stream_core(row, kSeed)) {
+    reset();
+  }
+
+  void reset() override {
     core_->drive_reset(true);
     core_->drive_input(false, {});
     core_->drive_output_ready(true);
@@ -31,13 +35,16 @@ class RtlStream final : public CommandStream {
     const std::size_t step = results / 100 + 1;
     std::size_t next = 0;
     std::uint64_t moved = clocks_;
-    while (next < commands.size() || out.size() < results) {
+    for (;;) {
       core_->drive_input(next < commands.size(), next < commands.size() ? commands[next] : Beat{});
       core_->settle();
+      // Until it is idle, for results that nobody waits for.
+      if (next == commands.size() && out.size() >= results && core_->idle()) break;
       const bool accepted = next < commands.size() && core_->input_ready();
       if (core_->output_valid()) {
         out.push_back(core_->output());
-        if (out.size() % step == 0) progress(static_cast<double>(out.size()) / results);
+        if (out.size() % step == 0 && out.size() <= results)
+          progress(static_cast<double>(out.size()) / results);
         moved = clocks_;
       }
       clock();
@@ -52,7 +59,6 @@ class RtlStream final : public CommandStream {
                         name_, out.size(), results, kPatience));
       }
     }
-    core_->drive_input(false, {});
     progress(1);
     return out;
   }

@@ -1,7 +1,11 @@
 #include "device/stream_device.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
+#include "hwffd/error.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/interleave.hpp"
@@ -25,6 +29,11 @@ std::array<AxisWords, 3> axes_of(const Device::Blending& blending, const WordCod
           encode(blending_words(blending[2], codec), codec)};
 }
 
+Normalization::Origin origin_for(const Device::Blending& blending) {
+  const bool one = std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
+  return one ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
+}
+
 class ModelStream final : public CommandStream {
  public:
   explicit ModelStream(const Configuration& row) : model_(row) {}
@@ -43,6 +52,8 @@ class ModelStream final : public CommandStream {
     return out;
   }
 
+  void reset() override { model_.reset(); }
+
  private:
   model::StreamModel model_;
 };
@@ -57,13 +68,38 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name), format_(row.format), stream_(std::move(stream)) {}
 
-std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, std::size_t results) {
-  std::vector<Beat> beats = stream_->run(commands, results, [&](double done) { show(done); });
+std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, std::size_t vertices,
+                                       std::size_t each) {
+  std::vector<Beat> beats;
+  try {
+    beats = stream_->run(commands, vertices * each, [&](double done) { show(done); });
+    check(beats, vertices, each);
+  } catch (...) {
+    stream_->reset();
+    throw;
+  }
   for (const Beat& beat : beats) {
     if ((beat.words[3] & kStatusSaturated) != 0) ++counts_.saturated;
   }
   counts_.clocks = stream_->clocks();
   return beats;
+}
+
+void StreamDevice::check(const std::vector<Beat>& beats, std::size_t vertices,
+                         std::size_t each) const {
+  const auto expected = [&](std::size_t b) {
+    const std::size_t vertex = b / each;
+    const bool ends = (vertex + 1) % kPacketVertices == 0 || vertex + 1 == vertices;
+    return (beats[b].words[3] & kTagMask) == (vertex & kTagMask) &&
+           beats[b].last == (ends && b % each == each - 1);
+  };
+  std::size_t good = 0;
+  while (good < std::min(beats.size(), vertices * each) && expected(good)) ++good;
+  if (good == vertices * each && good == beats.size()) return;
+  throw Error(
+      fmt::format("{}: {} results for {} vertices, {} of them asked for before the first that was "
+                  "not; this is a fault of the hardware: please report it",
+                  name_, beats.size(), vertices, good));
 }
 
 std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
@@ -74,13 +110,13 @@ std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
       coefficients_packet(axes, derivatives ? Functions::kDerivativesToo : Functions::kBlending);
   append(commands, lattice_packet(lattice));
   append(commands, vertices_packets(vertices, results));
-  return answer(commands, results_of(results) * vertices.size());
+  return answer(commands, vertices.size(), results_of(results));
 }
 
 Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& vertices,
                          const Device::Blending& blending) {
   const WordCodec codec(format_);
-  const Normalization normalization = Normalization::of(lattice, codec);
+  const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
   return positions_of(answer(axes_of(blending, codec), lattice_words(lattice, codec, normalization),
                              vertex_beats(vertices, codec), Results::kPosition),
                       codec, normalization);
@@ -90,7 +126,7 @@ Device::Tangents StreamDevice::run_tangents(const Lattice& lattice,
                                             const std::vector<Embedded>& vertices,
                                             const Device::Blending& blending) {
   const WordCodec codec(format_);
-  const Normalization normalization = Normalization::of(lattice, codec);
+  const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
   const std::array<AxisWords, 3> axes = axes_of(blending, codec);
   const std::vector<Beat> beats = answer(axes, lattice_words(lattice, codec, normalization),
                                          vertex_beats(vertices, codec), Results::kDerivatives);
@@ -115,10 +151,10 @@ Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     points.middleRows<64>(64 * static_cast<Eigen::Index>(v)) = vertices[v].support;
   }
-  const Normalization normalization = Normalization::of(points, codec);
+  const Normalization normalization = Normalization::of(points, codec, origin_for(blending));
   std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
   append(commands, interleaved_packets(interleave(vertices, codec, normalization)));
-  return positions_of(answer(commands, vertices.size()), codec, normalization);
+  return positions_of(answer(commands, vertices.size(), 1), codec, normalization);
 }
 
 }  // namespace hwffd

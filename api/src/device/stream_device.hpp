@@ -12,10 +12,14 @@ namespace hwffd {
 class CommandStream {
  public:
   virtual ~CommandStream() = default;
-  /// @param results  how many beats come back
-  /// @throws Error if they do not
+  /// All that comes back.
+  /// @param results  how many beats that should be
+  /// @throws Error if nothing comes any more before there are as many, and what progress throws
   virtual std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
                                 const Progress& progress) = 0;
+  /// Forgets the packet under way and what is loaded: ready for the first beat of a packet,
+  /// whatever became of the last run.
+  virtual void reset() = 0;
   /// Clocks so far; 0 where there are none.
   virtual std::uint64_t clocks() const { return 0; }
 };
@@ -41,8 +45,11 @@ class StreamDevice final : public Device {
                         const Blending& blending) override;
 
  private:
-  /// Sends the commands and reads so many results.
-  std::vector<Beat> answer(const std::vector<Beat>& commands, std::size_t results);
+  /// Sends the commands, which end with the packets of so many vertices, and reads the results.
+  std::vector<Beat> answer(const std::vector<Beat>& commands, std::size_t vertices,
+                           std::size_t each);
+  /// Throws Error unless these are the results of the vertices, in their order.
+  void check(const std::vector<Beat>& beats, std::size_t vertices, std::size_t each) const;
   /// Coefficients, the lattice and its vertices.
   std::vector<Beat> answer(const std::array<AxisWords, 3>& axes, const LatticeWords& lattice,
                            const std::vector<VertexBeat>& vertices, Results results);

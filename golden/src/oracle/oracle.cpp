@@ -67,6 +67,11 @@ Oracle::Coefficients Oracle::family(const std::string& name) {
                    "': one of bspline, bernstein, hermite, catmull-rom, linear, constant");
 }
 
+bool Oracle::sum_to_one(const Coefficients& functions) {
+  const Eigen::RowVector4d sum = functions.colwise().sum();
+  return (sum - Eigen::RowVector4d(1, 0, 0, 0)).cwiseAbs().maxCoeff() < 1e-6;
+}
+
 Oracle::Oracle() : Oracle(uniform_bspline()) {}
 
 Oracle::Oracle(const Coefficients& all) : Oracle(all, all, all) {}

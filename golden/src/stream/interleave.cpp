@@ -12,9 +12,9 @@ Point centre_of(const Points& points) {
   return (low + high) / 2;
 }
 
-double scale_of(const Points& points) {
-  const Points offset = points.rowwise() - centre_of(points).transpose();
-  const double largest = offset.cwiseAbs().maxCoeff();
+/// The power of two that just exceeds the distances of points from a centre along x, y and z.
+double scale_of(const Points& points, const Point& centre) {
+  const double largest = (points.rowwise() - centre.transpose()).cwiseAbs().maxCoeff();
   int exponent = 0;
   std::frexp(largest, &exponent);  // largest < 2^exponent
   return largest > 0 ? std::ldexp(1.0, exponent) : 1.0;
@@ -48,18 +48,22 @@ int block_exponent(const Points& points) {
   return exponent;
 }
 
-double lattice_scale(const Lattice& lattice) { return scale_of(lattice.points()); }
-
-Normalization Normalization::of(const Lattice& lattice, const WordCodec& codec) {
-  return of(lattice.points(), codec);
+double lattice_scale(const Lattice& lattice) {
+  return scale_of(lattice.points(), centre_of(lattice.points()));
 }
 
-Normalization Normalization::of(const Points& points, const WordCodec& codec) {
+Normalization Normalization::of(const Lattice& lattice, const WordCodec& codec, Origin origin) {
+  return of(lattice.points(), codec, origin);
+}
+
+Normalization Normalization::of(const Points& points, const WordCodec& codec, Origin origin) {
   Normalization normalization;
-  if (codec.is_block()) normalization.exponent_ = block_exponent(points);
-  if (codec.is_float()) return normalization;
-  normalization.centre_ = centre_of(points);
-  normalization.scale_ = scale_of(points);
+  if (codec.is_block()) {
+    normalization.exponent_ = block_exponent(points);
+    return normalization;
+  }
+  if (origin == Origin::kCentre) normalization.centre_ = centre_of(points);
+  if (!codec.is_float()) normalization.scale_ = scale_of(points, normalization.centre_);
   return normalization;
 }
 

@@ -44,8 +44,9 @@ class Device {
   /// Positions of vertices in a lattice, n x 3, in their order.
   /// @param vertices  local coordinates in [0, 1]; hardware clamps others
   /// @param blending  the uniform B-spline is loaded in its watertight form (numerics.md section 5)
-  /// @throws Error for a cell that the lattice does not have, a coordinate that is not finite, or
-  ///   hardware that does not answer
+  /// @throws Error for a cell that the lattice does not have, a coordinate or coefficient that is
+  ///   not finite, a result that is not (control points too large for the format), or hardware that
+  ///   does not answer what it was asked. After any exception the device is as ready as before.
   Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
                   const Blending& blending);
   /// The same with the uniform B-spline along all axes.
@@ -58,9 +59,10 @@ class Device {
   Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices);
 
   /// Positions of vertices that bring their control points, n x 3, in their order (paper, fig. 3).
-  /// @throws Error for a number that is not finite, or hardware that does not answer
+  /// @throws Error for a number that is not finite, and as evaluate() of a lattice
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
 
+  /// What it throws ends the evaluation.
   void on_progress(Progress progress) { progress_ = std::move(progress); }
   const Counts& counts() const { return counts_; }
 
@@ -77,6 +79,9 @@ class Device {
   Counts counts_;
 
  private:
+  /// @throws Error for a result that is not finite
+  Points finite(Points positions) const;
+
   Progress progress_;
 };
 

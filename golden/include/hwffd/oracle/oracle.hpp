@@ -34,6 +34,10 @@ class Oracle {
   /// them.
   static Coefficients family(const std::string& name);
 
+  /// Whether functions sum to 1 everywhere, to within the rounding of coefficients in binary32: a
+  /// sum of points weighted by them moves with the points.
+  static bool sum_to_one(const Coefficients& functions);
+
   /// Uniform cubic B-spline along all axes.
   Oracle();
   /// The same coefficients along all axes.

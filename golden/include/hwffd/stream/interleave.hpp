@@ -10,15 +10,22 @@ namespace hwffd {
 
 /// World coordinates to those of the stream and back: stream = (world - centre) / scale.
 ///
-/// Fixed point wants every control point inside [-1, 1): the centre is that of the lattice's
-/// bounding box, the scale a power of two. binary32 takes world coordinates as they are, and block
-/// floating point too, with the exponent of the largest.
+/// The centre is that of the control points' bounding box, so that what is far from the world's
+/// origin loses no digits in binary32. Fixed point wants every control point inside [-1, 1) as
+/// well: its scale is a power of two. Block floating point takes world coordinates as they are,
+/// with the exponent of the largest: it rounds them no more than the results are.
 class Normalization {
  public:
+  /// Where the stream's origin lies. What was taken away from the points is added to their weighted
+  /// sum, so functions that do not sum to 1 want kWorld.
+  enum class Origin { kCentre, kWorld };
+
   /// For control points of a lattice in the format of the codec.
-  static Normalization of(const Lattice& lattice, const WordCodec& codec);
+  static Normalization of(const Lattice& lattice, const WordCodec& codec,
+                          Origin origin = Origin::kCentre);
   /// For any control points, n x 3.
-  static Normalization of(const Points& points, const WordCodec& codec);
+  static Normalization of(const Points& points, const WordCodec& codec,
+                          Origin origin = Origin::kCentre);
 
   Point to_stream(const Point& world) const { return (world - centre_) / scale_; }
   Point to_world(const Point& stream) const { return stream * scale_ + centre_; }

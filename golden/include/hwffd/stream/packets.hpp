@@ -48,6 +48,8 @@ constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
 /// Vertices a packet where many go to the core; tags of 16 bits stay unique within one.
 constexpr std::size_t kPacketVertices = 1024;
 
+constexpr std::uint32_t kTagMask = 0xFFFF;  ///< of a vertex and of its results, in word 3
+
 // Status bits of a result, in its word 3.
 constexpr std::uint32_t kStatusSaturated = 1U << 16;
 constexpr std::uint32_t kStatusClamped = 1U << 17;
