@@ -1,10 +1,13 @@
 // The Python module hwffd: DeformableLattice over NumPy arrays.
 
 #include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "hwffd/device/deformable_lattice.hpp"
 #include "hwffd/error.hpp"
@@ -43,7 +46,31 @@ py::tuple embed(const DeformableLattice& lattice, const Points& points) {
   return py::make_tuple(cells, local, residual, inside);
 }
 
-Points evaluate(DeformableLattice& lattice, const Cells& cells, const Points& local) {
+/// Numbers of cells, n x 3, of any kind of integer: NumPy's own conversion cuts off fractions and
+/// high bits without a word.
+Cells whole_numbers(const py::object& numbers) {
+  const auto cells = py::array::ensure(numbers);
+  const char kind = cells ? cells.dtype().kind() : '-';
+  if ((kind != 'i' && kind != 'u') || cells.ndim() != 2 || cells.shape(1) != 3) {
+    throw UsageError("evaluate: cells are integers, n x 3; give them as embed() does");
+  }
+  Cells result(cells.shape(0), 3);
+  const auto wide = py::array_t<std::int64_t>::ensure(cells);
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const std::int64_t number = wide.at(i, axis);
+      if (number < 0 || number >= Lattice::kMaxPoints) {
+        throw UsageError("evaluate: cell " + std::to_string(number) + " in row " +
+                         std::to_string(i) + "; no lattice has it");
+      }
+      result(i, axis) = static_cast<int>(number);
+    }
+  }
+  return result;
+}
+
+Points evaluate(DeformableLattice& lattice, const py::object& numbers, const Points& local) {
+  const Cells cells = whole_numbers(numbers);
   if (cells.rows() != local.rows()) {
     throw UsageError("evaluate: as many cells as local coordinates; give a row each");
   }
@@ -54,6 +81,25 @@ Points evaluate(DeformableLattice& lattice, const Cells& cells, const Points& lo
     vertex.local = local.row(i);
   }
   return lattice.evaluate(std::move(vertices));
+}
+
+/// A copy that NumPy refuses to write to: what was written there would be lost.
+py::array read_only(const Points& points) {
+  py::array array = py::cast(points);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+Points deform(DeformableLattice& lattice, const Points& points) {
+  Points carried = lattice.carry(points);
+  const EmbeddingSummary& summary = lattice.summary();
+  if (summary.outside > 0 && lattice.outside().kind() == Outside::Kind::kKeep) {
+    const std::string text = std::to_string(summary.outside) + " of " +
+                             std::to_string(summary.points) +
+                             " points are outside the lattice and stayed; see set_outside";
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  }
+  return carried;
 }
 
 void set_device(DeformableLattice& lattice, const std::string& device, const std::string& org,
@@ -67,8 +113,9 @@ PYBIND11_MODULE(hwffd, module) {
   module.doc() = "Free-form deformation on simulated hardware, its bit-true model or in double";
   module.attr("__version__") = HWFFD_VERSION;
   // The one registered last is tried first.
-  py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
-  py::register_exception<UsageError>(module, "UsageError", PyExc_ValueError);
+  const py::object error = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
+  py::register_exception<UsageError>(module, "UsageError",
+                                     py::make_tuple(error, py::handle(PyExc_ValueError)));
   py::class_<DeformableLattice>(module, "Lattice")
       .def(py::init([](const Index3& dims, const Points& points) {
              return DeformableLattice(Lattice(dims, points));
@@ -82,10 +129,13 @@ PYBIND11_MODULE(hwffd, module) {
       .def_property_readonly("dims",
                              [](const DeformableLattice& lattice) { return lattice.rest().dims(); })
       .def_property_readonly(
-          "rest", [](const DeformableLattice& lattice) { return lattice.rest().points(); })
+          "rest",
+          [](const DeformableLattice& lattice) { return read_only(lattice.rest().points()); })
       .def_property(
-          "points", [](const DeformableLattice& lattice) { return lattice.deformed().points(); },
-          &DeformableLattice::move, "control points as deformed, n x 3")
+          "points",
+          [](const DeformableLattice& lattice) { return read_only(lattice.deformed().points()); },
+          &DeformableLattice::move,
+          "control points as deformed, n x 3; a copy, not to be written to: set all of them")
       .def("deform", &DeformableLattice::deform, "move the control points, as in \"twist:90\"")
       .def("folds",
            [](const DeformableLattice& lattice) { return check_folds(lattice.deformed()).text(); })
@@ -93,9 +143,10 @@ PYBIND11_MODULE(hwffd, module) {
            py::arg("format") = "fp32", "model, rtl or reference")
       .def("set_outside", &DeformableLattice::set_outside, "keep, clamp or fade:WIDTH")
       .def("embed", &embed, "(cells, local, residual, inside) of points, n x 3")
-      .def("evaluate", &evaluate, py::arg("cells"), py::arg("local"));
-  module.def(
-      "deform",
-      [](DeformableLattice& lattice, const Points& points) { return lattice.carry(points); },
-      py::arg("lattice"), py::arg("points"), "points, n x 3, as the deformed lattice carries them");
+      .def("evaluate", &evaluate, py::arg("cells"), py::arg("local"))
+      .def_property_readonly(
+          "outside", [](const DeformableLattice& lattice) { return lattice.summary().outside; },
+          "how many points of the last deform() lay outside the cells");
+  module.def("deform", &deform, py::arg("lattice"), py::arg("points"),
+             "points, n x 3, as the deformed lattice carries them");
 }

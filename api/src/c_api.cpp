@@ -195,4 +195,8 @@ int hwffd_deform(hwffd_lattice* lattice, const double* points, size_t n, double*
   });
 }
 
+size_t hwffd_outside(const hwffd_lattice* lattice) {
+  return lattice == nullptr ? 0 : lattice->summary().outside;
+}
+
 }  // extern "C"

@@ -112,6 +112,50 @@ TEST(CApi, PointsOutside) {
   EXPECT_EQ(where.status, HWFFD_OUTSIDE);
 }
 
+TEST(CApi, PointsOutsideAreCounted) {
+  const Lattice lattice = ball();
+  EXPECT_EQ(hwffd_outside(lattice.get()), 0u) << "before any point was deformed";
+  const double points[9] = {10, 0, 0, 0.1, 0.2, 0.3, 0, -5, 0};
+  double out[9];
+  for (const char* outside : {"keep", "clamp"}) {
+    ASSERT_EQ(hwffd_lattice_outside(lattice.get(), outside), HWFFD_OK);
+    ASSERT_EQ(hwffd_deform(lattice.get(), points, 3, out), HWFFD_OK);
+    EXPECT_EQ(hwffd_outside(lattice.get()), 2u) << outside;
+  }
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, out), HWFFD_OK);
+  EXPECT_EQ(hwffd_outside(lattice.get()), 0u);
+  EXPECT_EQ(hwffd_outside(nullptr), 0u);
+}
+
+TEST(CApi, NumbersThatAreNoResultsAreFailures) {
+  const int dims[3] = {4, 4, 4};
+  std::vector<double> points;
+  for (int i = 0; i < 64; ++i) points.insert(points.end(), {i / 16 * 1e39, i / 4 % 4 * 1e39, 0});
+  EXPECT_EQ(hwffd_lattice_new(dims, points.data()), nullptr);
+  EXPECT_TRUE(says("volume")) << hwffd_error();
+  for (int i = 0; i < 64; ++i) points[static_cast<std::size_t>(3 * i + 2)] = i % 4 * 1e39;
+  const Lattice lattice(hwffd_lattice_new(dims, points.data()));
+  ASSERT_TRUE(lattice) << hwffd_error();
+  const double point[3] = {1.5e39, 1.5e39, 1.5e39};
+  double out[3] = {7, 7, 7};
+  EXPECT_EQ(hwffd_deform(lattice.get(), point, 1, out), HWFFD_ERROR);
+  EXPECT_TRUE(says("not finite")) << hwffd_error();
+  EXPECT_EQ(out[0], 7);
+  const double nowhere[3] = {0, std::numeric_limits<double>::quiet_NaN(), 0};
+  hwffd_embedding where;
+  for (const char* shape : {"box", "sphere"}) {
+    const Lattice lattice(hwffd_lattice_around(shape, nullptr, kCorners, 2));
+    ASSERT_EQ(hwffd_embed(lattice.get(), nowhere, 1, &where), HWFFD_OK);
+    EXPECT_EQ(where.status, HWFFD_OUTSIDE) << shape;
+    EXPECT_EQ(where.cell[1], 0) << shape;
+    EXPECT_EQ(where.residual, HUGE_VAL) << shape;
+  }
+  const double far[3] = {1e160, 0, 0};
+  const Lattice round = ball();
+  ASSERT_EQ(hwffd_lattice_outside(round.get(), "clamp"), HWFFD_OK);
+  EXPECT_EQ(hwffd_deform(round.get(), far, 1, out), HWFFD_ERROR);
+}
+
 TEST(CApi, FailuresSayWhy) {
   const int bad_dims[3] = {4, 3, 4};
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -27,6 +27,8 @@ add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::hwffd)
 add_executable(deform_cpp deform.cpp)
 target_link_libraries(deform_cpp PRIVATE hwffd::hwffd)
+add_executable(drive drive.cpp)
+target_link_libraries(drive PRIVATE hwffd::hwffd)
 add_executable(glffd glffd.c)
 target_link_libraries(glffd PRIVATE hwffd::gl m)
 """
@@ -38,6 +40,24 @@ int main() {
   hwffd::DeformableLattice lattice(hwffd::lattice_around("box", points, {4, 4, 4}));
   lattice.deform("scale:3");
   std::printf("%g\\n", lattice.carry(points)(1, 0));
+}
+"""
+DRIVE = """#include <hwffd/driver.hpp>
+#include <hwffd/error.hpp>
+#include <hwffd/registers.h>
+#include <cstdio>
+struct Nothing : hwffd::RegisterPort {  // a bus with no core
+  std::uint32_t read32(std::uint32_t) override { return 0; }
+  void write32(std::uint32_t, std::uint32_t) override {}
+};
+int main() {
+  Nothing port;
+  hwffd::Driver driver(port);
+  try {
+    driver.probe();
+  } catch (const hwffd::Error& error) {
+    std::puts(error.what());
+  }
 }
 """
 HORSE = pathlib.Path("/usr/share/glmark2/models/horse.3ds")
@@ -79,11 +99,13 @@ class Install(unittest.TestCase):
         source.mkdir()
         (source / "CMakeLists.txt").write_text(PROJECT)
         (source / "deform.cpp").write_text(PROGRAM)
+        (source / "drive.cpp").write_text(DRIVE)
         for example in ("deform.c", "glffd.c"):
             (source / example).write_text((EXAMPLES / example).read_text())
         run(CMAKE, "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         run(CMAKE, "--build", source / "build")
         self.assertEqual(run(source / "build" / "deform_cpp"), "2\n")
+        self.assertEqual(run(source / "build" / "drive"), "no hwffd here: ID reads 0\n")
         self.assertNotEqual(run(source / "build" / "glffd"), "")
         lines = run(source / "build" / "deform_c").splitlines()
         self.assertEqual(len(lines), 3)

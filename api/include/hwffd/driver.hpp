@@ -2,16 +2,16 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 
+#include "hwffd/error.hpp"
 #include "hwffd/register_port.hpp"
 
 namespace hwffd {
 
 /// What went wrong between driver and core, in one line.
-class DriverError : public std::runtime_error {
+class DriverError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// The bus answered an access with an error response. For implementations of RegisterPort.

@@ -36,7 +36,7 @@ const char* hwffd_version(void);
 const char* hwffd_error(void);
 
 /**
- * A lattice from its control points.
+ * A lattice from its control points, which must span a volume.
  * @param dims    points along s, t, u, each 4 to 16
  * @param points  dims[0]*dims[1]*dims[2] points, copied
  */
@@ -46,7 +46,7 @@ hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points);
 hwffd_lattice* hwffd_lattice_read(const char* path);
 
 /**
- * An upright shape whose cells hold n points.
+ * An upright shape whose cells hold n points, also as floats (docs/lattice.md section 1).
  * @param shape  "box", "cylinder" or "sphere"
  * @param dims   control points an axis; NULL: what suits the shape
  */
@@ -105,6 +105,12 @@ int hwffd_evaluate(hwffd_lattice* lattice, const hwffd_embedding* embeddings, si
  * @param out  n points; may be `points`
  */
 int hwffd_deform(hwffd_lattice* lattice, const double* points, size_t n, double* out);
+
+/**
+ * How many points of the last hwffd_deform() that succeeded lay outside the cells; with "keep" they
+ * stayed where they were. 0 before, and for NULL.
+ */
+size_t hwffd_outside(const hwffd_lattice* lattice);
 
 #ifdef __cplusplus
 }

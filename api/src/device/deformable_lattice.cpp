@@ -29,7 +29,9 @@ Points DeformableLattice::evaluate(std::vector<Embedded> vertices) {
 
 Points DeformableLattice::carry(const Points& points) {
   const Attachment attachment(rest(), points, outside_);
-  return attachment.follow(device_->evaluate(deformed_, attachment.places()));
+  Points carried = attachment.follow(device_->evaluate(deformed_, attachment.places()));
+  summary_ = attachment.summary();
+  return carried;
 }
 
 }  // namespace hwffd

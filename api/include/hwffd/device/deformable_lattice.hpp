@@ -15,6 +15,7 @@ namespace hwffd {
 class DeformableLattice {
  public:
   /// Not deformed yet, on the model, points outside stay.
+  /// @throws Error if the lattice spans no volume (Embedder)
   explicit DeformableLattice(Lattice rest);
 
   const Lattice& rest() const { return embedder_.lattice(); }
@@ -29,6 +30,7 @@ class DeformableLattice {
   void set_device(const DeviceChoice& choice) { device_ = make_device(choice); }
   const Device& device() const { return *device_; }
   void set_outside(const std::string& text) { outside_ = Outside::parse(text); }
+  const Outside& outside() const { return outside_; }
 
   /// Where points lie in the lattice at rest (paper, eq. (2)).
   std::vector<Embedding> embed(const Points& points) const { return embedder_.embed(points); }
@@ -36,11 +38,14 @@ class DeformableLattice {
   Points evaluate(std::vector<Embedded> vertices);
   /// Where the deformation takes points of the space at rest, n x 3 (Attachment).
   Points carry(const Points& points);
+  /// Of the points that carry() took last; before, of none.
+  const EmbeddingSummary& summary() const { return summary_; }
 
  private:
   Embedder embedder_;
   Lattice deformed_;
   Outside outside_;
+  EmbeddingSummary summary_;
   std::unique_ptr<Device> device_;
 };
 
