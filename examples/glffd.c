@@ -2,6 +2,7 @@
  * calls and their callbacks, so that no window and no OpenGL context are needed. With a context,
  * leave out GLU_FFD_MODE and the triangles are drawn. HWFFD_DEVICE=rtl lets the simulated hardware
  * evaluate them. */
+#define HWFFD_GL_NAMES
 #include <hwffd/glffd.h>
 #include <math.h>
 #include <stdio.h>

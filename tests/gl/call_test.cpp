@@ -18,7 +18,7 @@ TEST(Calls, EachOfTheHeaderIsChecked) {
   std::stringstream text;
   text << file.rdbuf();
   const std::string header = text.str();
-  const std::regex declaration(R"(\n[A-Za-z][^\n(]*?\*?\b(glu?[A-Z]\w*)\()");
+  const std::regex declaration(R"(\n[A-Za-z][^\n(]*?\*?\bhwffd_(glu?[A-Z]\w*)\()");
   std::set<std::string> declared;
   for (std::sregex_iterator it(header.begin(), header.end(), declaration), end; it != end; ++it) {
     declared.insert((*it)[1]);

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "context.hpp"
 #include "scene.hpp"
 
 namespace hwffd::gltest {
 namespace {
 
+using glapi::error_of;
 using glapi::Seen;
 
 class Mesh3 : public testing::Test {
@@ -98,6 +101,23 @@ TEST_F(Mesh3, GridCanBeAskedFor) {
   GLdouble segments[3];
   glGetEval3dv(GL_MAP3_GRID_SEGMENTS, segments);
   EXPECT_EQ(Eigen::Vector3d(segments), Eigen::Vector3d(4, 2, 5));
+}
+
+TEST_F(Mesh3, NumbersUpToTheLargest) {
+  constexpr GLint kMost = std::numeric_limits<GLint>::max();
+  constexpr GLint kLeast = std::numeric_limits<GLint>::min();
+  for (const GLenum mode : {GLenum{GL_POINT}, GLenum{GL_LINE}}) {
+    EXPECT_EQ(error_of([&] { glEvalMesh3(mode, kMost, kMost, kMost, kMost, kMost, kMost); }),
+              GLenum{GL_NO_ERROR});
+    EXPECT_EQ(error_of([&] { glEvalMesh3(mode, kMost - 2, kMost, 0, 1, kLeast, kLeast + 1); }),
+              GLenum{GL_NO_ERROR});
+    for (const GLint first : {0, kLeast}) {
+      EXPECT_EQ(error_of([&] { glEvalMesh3(mode, first, kMost, first, kMost, first, kMost); }),
+                GLenum{GL_INVALID_OPERATION});
+    }
+    EXPECT_EQ(error_of([&] { glEvalMesh3(mode, kLeast, kMost, 0, 0, 0, 0); }),
+              GLenum{GL_INVALID_OPERATION});
+  }
 }
 
 TEST_F(Mesh3, MapsAreSwitchedOnAndOff) {

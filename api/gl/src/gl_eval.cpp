@@ -1,6 +1,10 @@
 // glEvalCoord3, and the grid of glMapGrid3 that glEvalPoint3 and glEvalMesh3 walk.
 
+#include <cstdint>
+#include <limits>
+
 #include "gl_error.hpp"
+#include "hwffd/error.hpp"
 #include "hwffd/glffd.h"
 #include "map_evaluator.hpp"
 
@@ -25,30 +29,50 @@ struct MeshRange {
   Index3 last;
 
   bool is_empty() const { return first[0] > last[0] || first[1] > last[1] || first[2] > last[2]; }
-  GLuint count(int axis) const { return static_cast<GLuint>(last[axis] - first[axis]) + 1; }
+  std::uint64_t count(int axis) const {
+    return static_cast<std::uint64_t>(std::int64_t{last[axis]} - first[axis] + 1);
+  }
+  /// Of all axes.
+  /// @throws Error for more points than GLuint has numbers
+  GLuint count() const {
+    constexpr std::uint64_t kMost = std::numeric_limits<GLuint>::max();
+    std::uint64_t all = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (count(axis) > kMost / all) throw Error("a mesh of more points than can be numbered");
+      all *= count(axis);
+    }
+    return static_cast<GLuint>(all);
+  }
+  /// Point number n: the axes in their order, the first runs fastest.
+  Index3 point(GLuint n) const {
+    Index3 at = first;
+    std::uint64_t rest = n;
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis] = static_cast<int>(at[axis] + static_cast<std::int64_t>(rest % count(axis)));
+      rest /= count(axis);
+    }
+    return at;
+  }
 };
 
 std::vector<Eigen::Vector3d> mesh_points(const MapGrid3& grid, const MeshRange& range) {
-  std::vector<Eigen::Vector3d> points;
-  for (int k = range.first[2]; k <= range.last[2]; ++k) {
-    for (int j = range.first[1]; j <= range.last[1]; ++j) {
-      for (int i = range.first[0]; i <= range.last[0]; ++i) points.push_back(grid.point({i, j, k}));
-    }
-  }
+  std::vector<Eigen::Vector3d> points(range.count());
+  for (GLuint n = 0; n < points.size(); ++n) points[n] = grid.point(range.point(n));
   return points;
 }
 
 /// The lines along an axis: for each pair of numbers along the other two, the higher axis
 /// outermost, a strip.
 void add_lines(VertexBatch::Primitives& strips, const MeshRange& range, int axis) {
-  const std::array<GLuint, 3> step{1, range.count(0), range.count(0) * range.count(1)};
+  const std::array<std::uint64_t, 3> step{1, range.count(0), range.count(0) * range.count(1)};
   const int inner = axis == 0 ? 1 : 0;
   const int outer = axis == 2 ? 1 : 2;
-  for (GLuint o = 0; o < range.count(outer); ++o) {
-    for (GLuint i = 0; i < range.count(inner); ++i) {
+  for (std::uint64_t o = 0; o < range.count(outer); ++o) {
+    for (std::uint64_t i = 0; i < range.count(inner); ++i) {
       std::vector<GLuint>& strip = strips.emplace_back();
-      for (GLuint along = 0; along < range.count(axis); ++along) {
-        strip.push_back(o * step[outer] + i * step[inner] + along * step[axis]);
+      for (std::uint64_t along = 0; along < range.count(axis); ++along) {
+        strip.push_back(
+            static_cast<GLuint>(o * step[outer] + i * step[inner] + along * step[axis]));
       }
     }
   }

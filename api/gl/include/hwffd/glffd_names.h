@@ -1,0 +1,108 @@
+#ifndef HWFFD_GLFFD_NAMES_H_
+#define HWFFD_GLFFD_NAMES_H_
+
+/* The names of docs/opengl.md for the commands, tokens and types of glffd.h, which have a prefix
+ * because Khronos has registered none of them. glffd.h includes this where the program has defined
+ * HWFFD_GL_NAMES. */
+
+/* Commands. */
+#define glMap3f hwffd_glMap3f
+#define glMap3d hwffd_glMap3d
+#define glGetMap3dv hwffd_glGetMap3dv
+#define glGetMap3fv hwffd_glGetMap3fv
+#define glGetMap3iv hwffd_glGetMap3iv
+#define glEnableMap3 hwffd_glEnableMap3
+#define glDisableMap3 hwffd_glDisableMap3
+#define glIsEnabledMap3 hwffd_glIsEnabledMap3
+#define glBlendCoefficientf hwffd_glBlendCoefficientf
+#define glBlendCoefficientd hwffd_glBlendCoefficientd
+#define glGetBlendCoefficientdv hwffd_glGetBlendCoefficientdv
+#define glEvalCoord3f hwffd_glEvalCoord3f
+#define glEvalCoord3d hwffd_glEvalCoord3d
+#define glEvalCoord3fv hwffd_glEvalCoord3fv
+#define glEvalCoord3dv hwffd_glEvalCoord3dv
+#define glMapGrid3f hwffd_glMapGrid3f
+#define glMapGrid3d hwffd_glMapGrid3d
+#define glEvalPoint3 hwffd_glEvalPoint3
+#define glEvalMesh3 hwffd_glEvalMesh3
+#define glGetEval3dv hwffd_glGetEval3dv
+#define glFFD hwffd_glFFD
+#define glFfdDevice hwffd_glFfdDevice
+#define gluNewFfdRenderer hwffd_gluNewFfdRenderer
+#define gluDeleteFfdRenderer hwffd_gluDeleteFfdRenderer
+#define gluFfdProperty hwffd_gluFfdProperty
+#define gluGetFfdProperty hwffd_gluGetFfdProperty
+#define gluFfdDevice hwffd_gluFfdDevice
+#define gluFfdCallback hwffd_gluFfdCallback
+#define gluFfdCallbackData hwffd_gluFfdCallbackData
+#define gluFfdErrorString hwffd_gluFfdErrorString
+#define gluBeginVolume hwffd_gluBeginVolume
+#define gluEndVolume hwffd_gluEndVolume
+#define gluFfdVolume hwffd_gluFfdVolume
+#define gluFfdNormals hwffd_gluFfdNormals
+#define gluFfdElements hwffd_gluFfdElements
+
+/* Types. */
+#define GLUffd hwffd_GLUffd
+#define GLUffdCallback hwffd_GLUffdCallback
+
+/* Tokens. */
+#define GL_MAP3_COLOR_4 HWFFD_GL_MAP3_COLOR_4
+#define GL_MAP3_INDEX HWFFD_GL_MAP3_INDEX
+#define GL_MAP3_NORMAL HWFFD_GL_MAP3_NORMAL
+#define GL_MAP3_TEXTURE_COORD_1 HWFFD_GL_MAP3_TEXTURE_COORD_1
+#define GL_MAP3_TEXTURE_COORD_2 HWFFD_GL_MAP3_TEXTURE_COORD_2
+#define GL_MAP3_TEXTURE_COORD_3 HWFFD_GL_MAP3_TEXTURE_COORD_3
+#define GL_MAP3_TEXTURE_COORD_4 HWFFD_GL_MAP3_TEXTURE_COORD_4
+#define GL_MAP3_VERTEX_3 HWFFD_GL_MAP3_VERTEX_3
+#define GL_MAP3_VERTEX_4 HWFFD_GL_MAP3_VERTEX_4
+#define GL_MAP3_U HWFFD_GL_MAP3_U
+#define GL_MAP3_V HWFFD_GL_MAP3_V
+#define GL_MAP3_W HWFFD_GL_MAP3_W
+#define GL_MAP3_GRID_DOMAIN HWFFD_GL_MAP3_GRID_DOMAIN
+#define GL_MAP3_GRID_SEGMENTS HWFFD_GL_MAP3_GRID_SEGMENTS
+#define GL_MAX_EVAL3_ORDER HWFFD_GL_MAX_EVAL3_ORDER
+#define GLU_FFD_ERROR HWFFD_GLU_FFD_ERROR
+#define GLU_FFD_PROGRESS HWFFD_GLU_FFD_PROGRESS
+#define GLU_FFD_BEGIN HWFFD_GLU_FFD_BEGIN
+#define GLU_FFD_VERTEX HWFFD_GLU_FFD_VERTEX
+#define GLU_FFD_NORMAL HWFFD_GLU_FFD_NORMAL
+#define GLU_FFD_COLOR HWFFD_GLU_FFD_COLOR
+#define GLU_FFD_TEXTURE_COORD HWFFD_GLU_FFD_TEXTURE_COORD
+#define GLU_FFD_END HWFFD_GLU_FFD_END
+#define GLU_FFD_ERROR_DATA HWFFD_GLU_FFD_ERROR_DATA
+#define GLU_FFD_PROGRESS_DATA HWFFD_GLU_FFD_PROGRESS_DATA
+#define GLU_FFD_BEGIN_DATA HWFFD_GLU_FFD_BEGIN_DATA
+#define GLU_FFD_VERTEX_DATA HWFFD_GLU_FFD_VERTEX_DATA
+#define GLU_FFD_NORMAL_DATA HWFFD_GLU_FFD_NORMAL_DATA
+#define GLU_FFD_COLOR_DATA HWFFD_GLU_FFD_COLOR_DATA
+#define GLU_FFD_TEXTURE_COORD_DATA HWFFD_GLU_FFD_TEXTURE_COORD_DATA
+#define GLU_FFD_END_DATA HWFFD_GLU_FFD_END_DATA
+#define GLU_FFD_MODE HWFFD_GLU_FFD_MODE
+#define GLU_FFD_PRIMITIVE HWFFD_GLU_FFD_PRIMITIVE
+#define GLU_FFD_DISPLAY_MODE HWFFD_GLU_FFD_DISPLAY_MODE
+#define GLU_FFD_LINE_WIDTH HWFFD_GLU_FFD_LINE_WIDTH
+#define GLU_FFD_POINT_SIZE HWFFD_GLU_FFD_POINT_SIZE
+#define GLU_FFD_DEVICE HWFFD_GLU_FFD_DEVICE
+#define GLU_FFD_RENDERER HWFFD_GLU_FFD_RENDERER
+#define GLU_FFD_EVALUATOR HWFFD_GLU_FFD_EVALUATOR
+#define GLU_FFD_MODEL HWFFD_GLU_FFD_MODEL
+#define GLU_FFD_RTL HWFFD_GLU_FFD_RTL
+#define GLU_FFD_REFERENCE HWFFD_GLU_FFD_REFERENCE
+#define GLU_FFD_INVALID_ENUM HWFFD_GLU_FFD_INVALID_ENUM
+#define GLU_FFD_INVALID_VALUE HWFFD_GLU_FFD_INVALID_VALUE
+#define GLU_FFD_INVALID_ORDER HWFFD_GLU_FFD_INVALID_ORDER
+#define GLU_FFD_TOO_FEW_KNOTS HWFFD_GLU_FFD_TOO_FEW_KNOTS
+#define GLU_FFD_EMPTY_KNOT_RANGE HWFFD_GLU_FFD_EMPTY_KNOT_RANGE
+#define GLU_FFD_DECREASING_KNOTS HWFFD_GLU_FFD_DECREASING_KNOTS
+#define GLU_FFD_KNOT_MULTIPLICITY HWFFD_GLU_FFD_KNOT_MULTIPLICITY
+#define GLU_FFD_NESTED_VOLUME HWFFD_GLU_FFD_NESTED_VOLUME
+#define GLU_FFD_MISSING_BEGIN HWFFD_GLU_FFD_MISSING_BEGIN
+#define GLU_FFD_INVALID_STRIDE HWFFD_GLU_FFD_INVALID_STRIDE
+#define GLU_FFD_NULL_CONTROL HWFFD_GLU_FFD_NULL_CONTROL
+#define GLU_FFD_INVALID_INDEX HWFFD_GLU_FFD_INVALID_INDEX
+#define GLU_FFD_TOO_MANY_CELLS HWFFD_GLU_FFD_TOO_MANY_CELLS
+#define GLU_FFD_MISSING_DATA HWFFD_GLU_FFD_MISSING_DATA
+#define GLU_FFD_DEVICE_FAILED HWFFD_GLU_FFD_DEVICE_FAILED
+
+#endif /* HWFFD_GLFFD_NAMES_H_ */
