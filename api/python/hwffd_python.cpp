@@ -60,8 +60,8 @@ Cells whole_numbers(const py::object& numbers) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const std::int64_t number = wide.at(i, axis);
       if (number < 0 || number >= Lattice::kMaxPoints) {
-        throw UsageError("evaluate: cell " + std::to_string(number) + " in row " +
-                         std::to_string(i) + "; no lattice has it");
+        throw Error("evaluate: cell " + std::to_string(number) + " in row " + std::to_string(i) +
+                    "; no lattice has it");
       }
       result(i, axis) = static_cast<int>(number);
     }

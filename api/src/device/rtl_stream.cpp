@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "device/stream_device.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/tb/stream_core_factory.hpp"
@@ -35,16 +37,17 @@ class RtlStream final : public CommandStream {
     const std::size_t step = results / 100 + 1;
     std::size_t next = 0;
     std::uint64_t moved = clocks_;
-    for (;;) {
+    // Until it is idle: a result that nobody asked for must not be left for the next run.
+    while (next < commands.size() || out.size() < results ||
+           (out.size() == results && !core_->idle())) {
       core_->drive_input(next < commands.size(), next < commands.size() ? commands[next] : Beat{});
       core_->settle();
-      // Until it is idle, for results that nobody waits for.
-      if (next == commands.size() && out.size() >= results && core_->idle()) break;
       const bool accepted = next < commands.size() && core_->input_ready();
       if (core_->output_valid()) {
         out.push_back(core_->output());
-        if (out.size() % step == 0 && out.size() <= results)
-          progress(static_cast<double>(out.size()) / results);
+        if (out.size() % step == 0) {
+          progress(std::min(1.0, static_cast<double>(out.size()) / results));
+        }
         moved = clocks_;
       }
       clock();
@@ -59,6 +62,7 @@ class RtlStream final : public CommandStream {
                         name_, out.size(), results, kPatience));
       }
     }
+    core_->drive_input(false, {});
     progress(1);
     return out;
   }
