@@ -43,6 +43,18 @@ TEST(Limits, PointsThatAreNoNumbersAreOutside) {
   }
 }
 
+TEST(Limits, PointsFarAwayHavePlacesThatAreNumbers) {
+  for (const std::string& shape : shape_names()) {
+    const Embedder embedder(around_cube(shape));
+    for (const Point& point : {Point(1e40, 3, -2), Point(1e9, 1e99, 3), Point(-1e100, 1e100, 0)}) {
+      const Embedding e = embedder.embed(point);
+      EXPECT_EQ(e.status, EmbeddingStatus::kOutside) << shape << " " << point.transpose();
+      EXPECT_TRUE(e.at.local.allFinite()) << shape << " " << point.transpose();
+      EXPECT_TRUE(std::isfinite(e.residual)) << shape << " " << point.transpose();
+    }
+  }
+}
+
 TEST(Limits, ABoxHasACellForThem) {
   const Embedded nowhere =
       Box(Point(0, 0, 0), Eigen::Matrix3d::Identity()).embed({5, 5, 5}, Point(kNan, 0.7, 9));

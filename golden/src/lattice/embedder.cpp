@@ -128,8 +128,11 @@ Embedding Embedder::embed(const Point& point) const {
   if (!has_coordinates(point)) return result;
   if (!box_) return embed_by_newton(point - centre_);
   result.at = box_->embed(lattice_.dims(), point);
-  result.status = result.at.inside ? EmbeddingStatus::kInside : EmbeddingStatus::kOutside;
-  result.residual = (this->point(result.at) - point).norm();
+  const bool inside = result.at.inside;
+  result.status = inside ? EmbeddingStatus::kInside : EmbeddingStatus::kOutside;
+  // Beyond the cells by the map itself: the powers of coordinates far away overflow in eq. (1).
+  const Point back = inside ? this->point(result.at) : box_->point(lattice_.dims(), result.at);
+  result.residual = (back - point).norm();
   return result;
 }
 
