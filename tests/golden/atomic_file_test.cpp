@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
 
 #include "temp_folder.hpp"
 #include "unprivileged.hpp"
@@ -116,6 +121,118 @@ TEST(AtomicFile, LinkStaysALink) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
   EXPECT_EQ(read_text(folder / "one"), "new one");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"link", "one"}));
+}
+
+TEST(AtomicFile, LinkToNowhereCreatesWhereItLeads) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "far");
+  std::filesystem::create_symlink("far/one", folder / "link");
+  write_files({{folder / "link", "new one"}});
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_text(folder / "far/one"), "new one");
+  std::filesystem::create_symlink("loop", folder / "loop");
+  expect_part(message_of<Error>([&] {
+                write_files({{folder / "loop", "new"}});
+              }),
+              (folder / "loop").string() + ": cannot write: Too many levels of symbolic links");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "loop"));
+}
+
+/// Files with names as long as file systems take.
+TEST(AtomicFile, LongestName) {
+  const TempFolder folder;
+  const std::string name(255, 'n');
+  write_files({{folder / name, "new"}});
+  EXPECT_EQ(folder.files(), (std::set<std::string>{name}));
+}
+
+mode_t mode_of(const std::filesystem::path& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
+  return status.st_mode & 07777;
+}
+
+TEST(AtomicFile, ReplacedFileKeepsItsMode) {
+  const TempFolder folder;
+  const mode_t old_mask = ::umask(027);
+  for (const mode_t mode : {0600, 0644, 0666, 0755}) {
+    folder.write("old", "old");
+    ASSERT_EQ(::chmod((folder / "old").c_str(), mode), 0);
+    write_files({{folder / "old", "replaced"}});
+    EXPECT_EQ(mode_of(folder / "old"), mode);
+    EXPECT_EQ(read_text(folder / "old"), "replaced");
+  }
+  write_files({{folder / "new", ""}});
+  EXPECT_EQ(mode_of(folder / "new"), 0640u);
+  ::umask(old_mask);
+}
+
+/// Whoever took the right to write from a file meant it, be it root who asks.
+TEST(AtomicFile, ReadOnlyFileIsRefused) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  folder.write("two", "old two");
+  ASSERT_EQ(::chmod((folder / "two").c_str(), 0444), 0);
+  const std::string refused =
+      (folder / "two").string() + ": is read-only; make it writable or choose another name";
+  EXPECT_EQ(message_of<Error>([&] {
+              write_files({{folder / "one", "new"}, {folder / "two", "new"}});
+            }),
+            refused);
+  EXPECT_EQ(message_of<Error>([&] { check_writable(folder / "two"); }), refused);
+  EXPECT_EQ(read_text(folder / "one"), "old one");
+  EXPECT_EQ(read_text(folder / "two"), "old two");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"}));
+}
+
+TEST(AtomicFile, PlacesAreCheckedBeforeTheWork) {
+  const TempFolder folder;
+  folder.write("one", "old one");
+  check_writable(folder / "one");
+  check_writable(folder / "new");
+  check_writable("/dev/full");
+  expect_part(message_of<Error>([&] { check_writable(folder / "no/one"); }),
+              "no/one: cannot write: No such file or directory");
+  expect_part(message_of<Error>([&] { check_writable(folder / ""); }),
+              ": cannot write: Is a directory");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
+}
+
+/// Files that somebody laid where a temporary was to be expected keep what they hold.
+TEST(AtomicFile, TemporaryIsNobodyElses) {
+  const TempFolder folder;
+  folder.write("victim", "precious");
+  const std::string expected = ".one." + std::to_string(::getpid()) + ".tmp";
+  std::filesystem::create_hard_link(folder / "victim", folder / expected);
+  write_files({{folder / "one", "new one"}});
+  EXPECT_EQ(read_text(folder / "victim"), "precious");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "victim", expected}));
+}
+
+/// A child process that writes two files, and then waits for its end.
+pid_t start_writing(const TempFolder& folder, const std::string& bytes) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  write_files({{folder / "one", bytes}, {folder / "two", bytes}});
+  for (;;) ::pause();
+}
+
+/// A signal in the middle of writing: no temporary is left, and both files are whole.
+TEST(AtomicFile, SignalsWaitUntilAllIsWritten) {
+  const std::string bytes(std::size_t{1} << 25, 'x');
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    const TempFolder folder;
+    const pid_t child = start_writing(folder, bytes);
+    ASSERT_GT(child, 0);
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (folder.files().empty() && std::chrono::steady_clock::now() < patience) ::usleep(100);
+    ::kill(child, signal);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"})) << ::strsignal(signal);
+    EXPECT_EQ(read_text(folder / "two").size(), bytes.size());
+  }
 }
 
 TEST(AtomicFile, ReadOnlyFolder) {

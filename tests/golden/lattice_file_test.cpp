@@ -75,10 +75,16 @@ struct Bad {
 
 TEST(LatticeFile, RefusesInOneLine) {
   const std::vector<Bad> all{
-      {"", "lattice file: not a JSON object; docs/lattice.md shows the format"},
+      {"", "lattice file: line 1, column 1: no JSON; docs/lattice.md shows the format"},
       {"[1]", "lattice file: not a JSON object; docs/lattice.md shows the format"},
       {R"({"hwffd_lattice": 1,)",
-       "lattice file: not a JSON object; docs/lattice.md shows the format"},
+       "lattice file: line 1, column 21: no JSON; docs/lattice.md shows the format"},
+      {"{\"hwffd_lattice\": 1,\n\n  \"dims\": [4, 4, 4,]}",
+       "lattice file: line 3, column 20: no JSON; docs/lattice.md shows the format"},
+      {"{\"hwffd_lattice\": 1,\n\"dims\": [1e999]}",
+       "lattice file: line 2, column 14: a number too large for double precision"},
+      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "dims": [5, 5, 5]})",
+       "lattice file: 'dims' stands there twice; keep one"},
       {R"({"dims": [4, 4, 4]})",
        "lattice file: no 'hwffd_lattice'; give the version of the format, 1"},
       {R"({"hwffd_lattice": 2})",
@@ -157,7 +163,7 @@ TEST(LatticeFile, RefusesInOneLine) {
   for (const Bad& bad : all) {
     EXPECT_EQ(message_of<Error>([&] { parse_lattice(bad.text); }), bad.message) << bad.text;
   }
-  EXPECT_EQ(all.size(), 33u);
+  EXPECT_EQ(all.size(), 36u);
 }
 
 TEST(LatticeFile, NamesTheFile) {
@@ -189,7 +195,27 @@ TEST(LatticeFile, PointsThatAreNotFinite) {
   std::string text = lattice_text(parse_lattice(kBox));
   text.replace(text.find("[-1, -10, 0]"), 12, "[-1, 1e999, 0]");
   EXPECT_EQ(message_of<Error>([&] { parse_lattice(text); }),
-            "lattice file: not a JSON object; docs/lattice.md shows the format");
+            "lattice file: line 7, column 10: a number too large for double precision");
+}
+
+/// What stands behind the object, whether the parser of JSON looks there or not.
+TEST(LatticeFile, NothingFollowsTheObject) {
+  const std::string text = lattice_text(parse_lattice(kBox));
+  EXPECT_EQ(parse_lattice(text + "\n \t\r\n").points(), parse_lattice(text).points());
+  for (const std::string& junk : {std::string("}"), std::string("{}"), std::string("x")}) {
+    EXPECT_EQ(message_of<Error>([&] { parse_lattice(text + junk); }),
+              "lattice file: line 128, column 1: no JSON; docs/lattice.md shows the format");
+  }
+  for (const std::string& after : {std::string(1, '\0'), std::string("\0junk", 5)}) {
+    EXPECT_EQ(message_of<Error>([&] { parse_lattice(text + after); }),
+              "lattice file: line 128, column 1: a zero byte; is this the right file?");
+  }
+}
+
+/// A file without an end is read no further than a lattice file may reach.
+TEST(LatticeFile, EndlessFile) {
+  EXPECT_EQ(message_of<Error>([] { read_lattice("/dev/zero"); }),
+            "/dev/zero: more than 16777216 bytes; is this the right file?");
 }
 
 TEST(LatticeFile, UnreadableAndUnwritable) {

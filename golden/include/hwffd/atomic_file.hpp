@@ -14,9 +14,18 @@ struct FileContent {
 
 /// Writes all files or none. Each goes to a temporary file beside its target first; only when all
 /// are complete are they renamed, in the order given, so put the file that refers to the others
-/// last. An older file of the same name stays whole until it is replaced. A link is followed. A
-/// device or pipe (/dev/stdout, /dev/null) is not replaced: it gets its bytes before the renaming.
-/// @throws Error if a file cannot be created, written in full or renamed; no temporary is left.
+/// last. An older file of the same name stays whole until it is replaced, and leaves its owner, as
+/// far as the system allows, and its mode to the new one. A link is followed. A device or pipe
+/// (/dev/stdout, /dev/null) is not replaced: it gets its bytes before the files.
+///
+/// Signals that end a program wait, in this thread, while there are temporary files.
+/// @throws Error as check_writable, or if a file cannot be created, written in full or renamed; no
+///   temporary is left.
 void write_files(const std::vector<FileContent>& files);
+
+/// Whether write_files() could begin, for who wants to know before the work.
+/// @throws Error for a folder, a file that is read-only (for root too), a folder that is not there
+///   or takes no files, and a link that leads round in a circle
+void check_writable(const std::filesystem::path& path);
 
 }  // namespace hwffd
