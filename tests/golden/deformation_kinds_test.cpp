@@ -36,13 +36,10 @@ std::vector<Shape> shapes() {
 
 /// One of each kind but none, so mild that nothing should fold.
 const std::vector<std::string>& mild() {
-  static const std::vector<std::string> texts{"twist:30",
-                                              "shear:0.1",
-                                              "bend:30",
-                                              "taper:0.7",
-                                              "scale:1.3",
-                                              "scale:1.2,0.8,1.1",
-                                              "move:2,3,2:0.02,0.03,-0.01"};
+  static const std::vector<std::string> texts{
+      "twist:30",    "twist:20:x", "helix:30",          "helix:30:z",
+      "shear:0.1",   "bend:30",    "bend:20:yz",        "taper:0.7",
+      "taper:0.8:x", "scale:1.3",  "scale:1.2,0.8,1.1", "move:2,3,2:0.02,0.03,-0.01"};
   return texts;
 }
 
@@ -86,33 +83,34 @@ TEST(DeformationKinds, JointsStayAndMildOnesDoNotFold) {
       if (folds.verdict == FoldCheck::Verdict::kProved) ++proved;
     }
   }
-  EXPECT_EQ(proved, 35);
+  EXPECT_EQ(proved, 60);
 }
 
 TEST(DeformationKinds, JointsStayUnderStrongOnes) {
   int checked = 0;
   for (const Shape& shape : shapes()) {
-    for (const std::string text : {"random:3", "twist:170", "bend:300", "taper:0", "scale:-2,3,0.1",
-                                   "move:0,0,0:1,2,3", "move:1,1,8:1,2,3"}) {
+    for (const std::string text :
+         {"random:3", "twist:170", "twist:170:z", "helix:400", "bend:300", "bend:300:zx", "taper:0",
+          "scale:-2,3,0.1", "move:0,0,0:1,2,3", "move:1,1,8:1,2,3"}) {
       if (shape.name == std::string("box") && text == "move:1,1,8:1,2,3") continue;
       expect_joints(shape.lattice, deform(text, shape.lattice), shape.name + (" " + text));
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 34);
+  EXPECT_EQ(checked, 49);
 }
 
 TEST(DeformationKinds, NeutralOnesMoveNothing) {
   int checked = 0;
   for (const Shape& shape : shapes()) {
-    for (const std::string text : {"twist:0", "shear:0", "bend:0", "taper:1", "scale:1",
-                                   "scale:1,1,1", "move:0,0,0:0,0,0"}) {
+    for (const std::string text : {"twist:0", "twist:0:x", "helix:0", "shear:0", "bend:0",
+                                   "taper:1", "scale:1", "scale:1,1,1", "move:0,0,0:0,0,0"}) {
       const Points difference = deform(text, shape.lattice).points() - shape.lattice.points();
       EXPECT_LT(difference.norm(), kTiny) << shape.name << " " << text;
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 35);
+  EXPECT_EQ(checked, 45);
 }
 
 /// In a lattice with joints twist and shear are functions of position: with v the height within the
@@ -163,6 +161,53 @@ TEST(DeformationKinds, KnownTaperScaleAndMove) {
     }
   }
   EXPECT_EQ(checked, 64);
+}
+
+/// The lattice with its axes renamed, in space and in the index: axis a becomes to[a].
+Lattice renamed(const Lattice& lattice, const Index3& to) {
+  const auto axis = [&](int a) {
+    return static_cast<std::size_t>(to[static_cast<std::size_t>(a)]);
+  };
+  const Index3& d = lattice.dims();
+  Index3 dims{};
+  for (int a = 0; a < 3; ++a) dims[axis(a)] = d[static_cast<std::size_t>(a)];
+  Points points(lattice.points().rows(), 3);
+  for (int row = 0; row < d[0] * d[1] * d[2]; ++row) {
+    const Index3 from{row / (d[1] * d[2]), row / d[2] % d[1], row % d[2]};
+    Index3 at{};
+    for (int a = 0; a < 3; ++a) at[axis(a)] = from[static_cast<std::size_t>(a)];
+    const Eigen::Index target = (at[0] * dims[1] + at[1]) * dims[2] + at[2];
+    for (int a = 0; a < 3; ++a)
+      points(target, to[static_cast<std::size_t>(a)]) = lattice.points()(row, a);
+  }
+  return Lattice(dims, points);
+}
+
+/// A deformation about another axis is the one about y with the axes renamed in turn; a bend
+/// towards z instead of x is one in a mirror.
+TEST(DeformationKinds, AxesOnlyChangeTheirNames) {
+  struct Names {
+    const char* axis;
+    Index3 to;  ///< what x, y, z are called
+  };
+  const std::vector<Names> turns{{":y", {0, 1, 2}}, {":z", {1, 2, 0}}, {":x", {2, 0, 1}}};
+  int checked = 0;
+  for (const Shape& shape : shapes()) {
+    for (const std::string text : {"twist:50", "helix:50", "bend:50", "taper:0.5"}) {
+      const Lattice moved = deform(text, shape.lattice);
+      for (const Names& names : turns) {
+        const Lattice got = deform(text + names.axis, renamed(shape.lattice, names.to));
+        EXPECT_LT((got.points() - renamed(moved, names.to).points()).norm(), 1e-12)
+            << shape.name << " " << text << names.axis;
+        ++checked;
+      }
+    }
+    const Index3 mirror{2, 1, 0};
+    const Lattice mirrored = deform("bend:50:yz", renamed(shape.lattice, mirror));
+    const Lattice expected = renamed(deform("bend:50:yx", shape.lattice), mirror);
+    EXPECT_LT((mirrored.points() - expected.points()).norm(), 1e-12) << shape.name;
+  }
+  EXPECT_EQ(checked, 60);
 }
 
 /// Naming a repeated point or the point that it repeats is the same.

@@ -36,6 +36,8 @@ TEST(Deformation, ParsesDefaultsAndArguments) {
   EXPECT_EQ(Deformation::parse("twist").kind(), Kind::kTwist);
   EXPECT_EQ(Deformation::parse("twist").amount(), 90.0);
   EXPECT_EQ(Deformation::parse("twist:-12.5").amount(), -12.5);
+  EXPECT_EQ(Deformation::parse("helix").kind(), Kind::kHelix);
+  EXPECT_EQ(Deformation::parse("helix").amount(), 90.0);
   EXPECT_EQ(Deformation::parse("shear").kind(), Kind::kShear);
   EXPECT_EQ(Deformation::parse("shear").amount(), 0.5);
   EXPECT_EQ(Deformation::parse("shear:1e-1").amount(), 0.1);
@@ -57,10 +59,59 @@ TEST(Deformation, ParsesDefaultsAndArguments) {
   EXPECT_EQ(Deformation::parse("to:a:b.json").arguments().file, "a:b.json");
 }
 
+TEST(Deformation, ParsesAxes) {
+  int checked = 0;
+  for (const std::string kind : {"twist", "helix", "bend", "taper"}) {
+    for (int axis = 0; axis < 3; ++axis, ++checked) {
+      const Deformation one = Deformation::parse(kind + ":-3.5:" + "xyz"[axis]);
+      EXPECT_EQ(one.amount(), -3.5) << kind;
+      EXPECT_EQ(one.arguments().axis, axis) << kind;
+    }
+    EXPECT_EQ(Deformation::parse(kind).arguments().axis, 1);
+    EXPECT_EQ(Deformation::parse(kind + ":1").arguments().axis, 1);
+  }
+  EXPECT_EQ(checked, 12);
+  EXPECT_EQ(Deformation::parse("bend:1").arguments().towards, 0);
+  EXPECT_EQ(Deformation::parse("bend:1:x").arguments().towards, 2);
+  EXPECT_EQ(Deformation::parse("bend:1:yz").arguments().axis, 1);
+  EXPECT_EQ(Deformation::parse("bend:1:yz").arguments().towards, 2);
+  int refused = 0;
+  for (const std::string text :
+       {"twist:90:", "twist:90:w", "twist:90:yz", "twist::y", "twist:y", "twist:90:x:y",
+        "helix:90:Y", "taper:1:xy", "bend:90:yy", "bend:90:xyz", "bend:90:y,", "shear:1:x"}) {
+    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }), "' is not ");
+    ++refused;
+  }
+  EXPECT_EQ(refused, 12);
+}
+
+/// Angles whose own rounding would show, and factors that leave no volume.
+TEST(Deformation, RefusesWhatCannotBeMeant) {
+  for (const std::string kind : {"twist:", "helix:", "bend:"}) {
+    EXPECT_EQ(Deformation::parse(kind + "-1e6").amount(), -1e6);
+    for (const std::string degrees : {"1e308", "-1.1e6"}) {
+      expect_part(message_of<UsageError>([&] { Deformation::parse(kind + degrees); }),
+                  "'" + degrees + "' is not DEGREES, up to 1e6, or DEGREES:AX");
+    }
+  }
+  for (const std::string factors : {"0", "-0.0", "1,0,1"}) {
+    EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse("scale:" + factors); }),
+              start_of("scale:" + factors) + ": '" + factors +
+                  "' is not one finite number other than 0, or three");
+  }
+}
+
+TEST(Deformation, MessagesAreShort) {
+  for (const std::string name :
+       {"", "twist:", "helix:", "shear:", "bend:", "taper:", "scale:", "random:", "move:"}) {
+    const std::string text = name + std::string(300, '?');
+    EXPECT_LT(message_of<UsageError>([&] { Deformation::parse(text); }).size(), 200u) << name;
+  }
+}
+
 TEST(Deformation, UnknownNamesListWhatIsAccepted) {
   const std::string accepted =
-      "accepted are none, twist:DEGREES, shear:AMOUNT, bend:DEGREES, taper:FACTOR, scale:F, "
-      "scale:FX,FY,FZ, random:SEED, move:I,J,K:DX,DY,DZ and to:FILE";
+      "one of none, twist, helix, shear, bend, taper, scale, random, move, to";
   int refused = 0;
   for (const std::string text : {"", "wobble", "twister:3", "Twist", " twist", ":90"}) {
     EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse(text); }),
@@ -69,32 +120,31 @@ TEST(Deformation, UnknownNamesListWhatIsAccepted) {
   }
   EXPECT_EQ(refused, 6);
   EXPECT_EQ(message_of<UsageError>([] { Deformation::parse("none:1"); }),
-            "deformation 'none:1': none takes no argument; " + accepted);
+            "deformation 'none:1': none takes no argument");
 }
 
 TEST(Deformation, ArgumentsMustBeNumbers) {
   int refused = 0;
   for (const std::string argument : {"", "ninety", "90deg", "1,5", "nan", "inf", "1e999", " 1"}) {
     const std::string text = "twist:" + argument;
-    expect_part(
-        message_of<UsageError>([&] { Deformation::parse(text); }),
-        start_of(text).append(": '").append(argument) + "' is not a finite number; accepted");
+    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }),
+                start_of(text).append(": '").append(argument) + "' is not DEGREES, up to 1e6, or ");
     ++refused;
   }
   for (const std::string argument : {"", "1.5", "-1", "x", "18446744073709551616"}) {
     expect_part(message_of<UsageError>([&] { Deformation::parse("random:" + argument); }),
-                "'" + argument + "' is not an integer from 0 to 2^64 - 1; accepted");
+                "'" + argument + "' is not an integer from 0 to 2^64 - 1");
     ++refused;
   }
   for (const std::string argument : {"", "1,2", "1,2,3,4", "1,,3", "x", "1,2,inf"}) {
     expect_part(message_of<UsageError>([&] { Deformation::parse("scale:" + argument); }),
-                "'" + argument + "' is not one finite number or three; accepted");
+                "'" + argument + "' is not one finite number other than 0, or three");
     ++refused;
   }
   for (const std::string argument : {"", "0,0,0", "0,0:1,1,1", "0,0,-1:1,1,1", "0,0,0:1,1",
                                      "0,0,0.5:1,1,1", "0,0,0:1,1,nan", "0,0,0:1,1,1:2"}) {
     expect_part(message_of<UsageError>([&] { Deformation::parse("move:" + argument); }),
-                "'" + argument + "' is not a point and three finite numbers; accepted");
+                "'" + argument + "' is not I,J,K:DX,DY,DZ, a point and three finite numbers");
     ++refused;
   }
   for (const std::string text : {"move", "to", "to:"}) {
@@ -119,12 +169,12 @@ TEST(Deformation, UsageErrorsEndWithStatusTwo) {
 TEST(Deformation, NothingMoves) {
   const Lattice lattice = cube();
   int checked = 0;
-  for (const std::string text :
-       {"none", "twist:0", "shear:0", "bend:0", "taper:1", "scale:1", "move:1,2,3:0,0,0"}) {
+  for (const std::string text : {"none", "twist:0", "helix:0", "shear:0", "bend:0", "taper:1",
+                                 "scale:1", "move:1,2,3:0,0,0"}) {
     EXPECT_LT((deform(text, lattice).points() - lattice.points()).norm(), kTiny) << text;
     ++checked;
   }
-  EXPECT_EQ(checked, 7);
+  EXPECT_EQ(checked, 8);
 }
 
 /// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the
@@ -198,6 +248,30 @@ TEST(Deformation, CentralThirdSees36Point9Degrees) {
   EXPECT_NEAR(degrees(1.0) - degrees(0.0), 36.9, 0.05);
   EXPECT_NEAR(arm(0.0).norm(), 0.5 * std::sqrt(5.0) / 3.0, kTiny);
   EXPECT_NEAR(arm(0.5).norm(), 0.5 * std::sqrt(0.5), kTiny);
+}
+
+/// What the cells hold turns by the whole angle from their bottom to their top. Layers h apart draw
+/// it towards the axis by (2 + cos h) / 3.
+TEST(Deformation, HelixTurnsWhatTheCellsHold) {
+  int checked = 0;
+  for (const int layers : {4, 5, 9, 16}) {
+    const Lattice start =
+        Box(Point(1, 5, 1), Eigen::Vector3d(1, 3, 1).asDiagonal()).lattice({4, layers, 4});
+    for (const double degrees : {90.0, -40.0, 300.0}) {
+      const Lattice turned = deform("helix:" + std::to_string(degrees), start);
+      const double step = degrees / (layers - 3) / kDegreesPerRadian;
+      const double radius = 0.5 * (2.0 + std::cos(step)) / 3.0;
+      for (int face = 0; face < layers - 2; ++face, ++checked) {
+        const int cell = std::min(face, layers - 4);
+        // At rest on the line x = 2, z = 1.5, half a unit from the axis.
+        const Point q = Oracle().evaluate(turned.support({0, cell, 0}), 1.0, face - cell, 0.5);
+        const Point expected(1.5 + radius * std::cos(step * face), 5.0 + 3.0 * face / (layers - 3),
+                             1.5 - radius * std::sin(step * face));
+        expect_point(q, expected);
+      }
+    }
+  }
+  EXPECT_EQ(checked, 3 * (2 + 3 + 7 + 14));
 }
 
 TEST(Deformation, ShearLowersLeftAndLiftsRight) {

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/oracle/oracle.hpp"
 #include "movements.hpp"
 #include "same_dims.hpp"
 
@@ -36,6 +39,24 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
   return place;
 }
 
+/// The lowest and the highest corner of a cell along an axis: what a shape holds is between them.
+std::array<double, 2> reach_of_cells(const Lattice& lattice, int axis) {
+  const Oracle oracle;
+  const Index3 count = lattice.cells();
+  std::array<double, 2> reach{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+  for (int n = 0; n < count[0] * count[1] * count[2]; ++n) {
+    const Index3 cell{n / (count[1] * count[2]), n / count[2] % count[1], n % count[2]};
+    const Support support = lattice.support(cell);
+    for (int corner = 0; corner < 8; ++corner) {
+      const double height =
+          oracle.evaluate(support, corner >> 2 & 1, corner >> 1 & 1, corner & 1)[axis];
+      reach = {std::min(reach[0], height), std::max(reach[1], height)};
+    }
+  }
+  return reach;
+}
+
 }  // namespace
 
 Deformation Deformation::move(const Index3& place, const Eigen::Vector3d& by) {
@@ -46,17 +67,20 @@ Deformation Deformation::move(const Index3& place, const Eigen::Vector3d& by) {
 }
 
 Points Deformation::moved(const Lattice& lattice, const Closure& closure) const {
-  const Frame frame(lattice, closure.joined());
+  const Frame frame(lattice, closure.joined(), arguments_.axis);
   Points points = lattice.points();
   switch (kind_) {
     case Kind::kTwist:
       twist(points, frame, arguments_.amount);
       break;
+    case Kind::kHelix:
+      helix(points, frame, arguments_.amount, reach_of_cells(lattice, arguments_.axis));
+      break;
     case Kind::kShear:
       shear(points, frame, arguments_.amount);
       break;
     case Kind::kBend:
-      bend(points, frame, arguments_.amount);
+      bend(points, frame, arguments_.amount, arguments_.towards);
       break;
     case Kind::kTaper:
       taper(points, frame, arguments_.amount);

@@ -16,8 +16,12 @@ Corners corners_of(const Lattice& lattice) {
   const Index3& d = lattice.dims();
   Corners corners;
   for (int c = 0; c < 8; ++c) {
-    corners.row(c) =
-        lattice.point((c >> 2 & 1) * (d[0] - 1), (c >> 1 & 1) * (d[1] - 1), (c & 1) * (d[2] - 1));
+    Index3 at = d;
+    for (int a = 0; a < 3; ++a) {
+      int& n = at[static_cast<std::size_t>(a)];
+      n = Frame::at_end(c, a) ? n - 1 : 0;
+    }
+    corners.row(c) = lattice.point(at[0], at[1], at[2]);
   }
   return corners;
 }
@@ -35,9 +39,14 @@ Points fractions_by_index(const Index3& dims) {
   return fractions;
 }
 
+Eigen::Matrix3d turn_about(int axis, double degrees) {
+  return Eigen::AngleAxisd(degrees * kRadiansPerDegree, Eigen::Vector3d::Unit(axis))
+      .toRotationMatrix();
+}
+
 }  // namespace
 
-Frame::Frame(const Lattice& lattice, bool joined) : dims_(lattice.dims()) {
+Frame::Frame(const Lattice& lattice, bool joined, int up) : dims_(lattice.dims()), up_(up) {
   if (!joined) {
     corners_ = corners_of(lattice);
     fractions_ = fractions_by_index(dims_);
@@ -46,7 +55,7 @@ Frame::Frame(const Lattice& lattice, bool joined) : dims_(lattice.dims()) {
   const Eigen::RowVector3d low = lattice.points().colwise().minCoeff();
   const Eigen::RowVector3d extent = lattice.points().colwise().maxCoeff() - low;
   for (int c = 0; c < 8; ++c) {
-    const Eigen::RowVector3d end(c >> 2 & 1, c >> 1 & 1, c & 1);
+    const Eigen::RowVector3d end(at_end(c, 0), at_end(c, 1), at_end(c, 2));
     corners_.row(c) = low + end.cwiseProduct(extent);
   }
   // Along an axis without extent all are at the beginning.
@@ -54,10 +63,10 @@ Frame::Frame(const Lattice& lattice, bool joined) : dims_(lattice.dims()) {
   fractions_ = (lattice.points().rowwise() - low).array().rowwise() / divisor.array();
 }
 
-double Frame::level(int top) const {
+double Frame::level(bool top) const {
   double sum = 0.0;
   for (int c = 0; c < 8; ++c) {
-    if ((c >> 1 & 1) == top) sum += corners_(c, 1);
+    if (is_top(c) == top) sum += corners_(c, up_);
   }
   return sum / 4.0;
 }
@@ -66,7 +75,7 @@ Eigen::Matrix3d Frame::spacing() const {
   Eigen::Matrix3d spacing = Eigen::Matrix3d::Zero();
   for (int c = 0; c < 8; ++c) {
     for (int a = 0; a < 3; ++a) {
-      const double sign = (c >> (2 - a) & 1) != 0 ? 1.0 : -1.0;
+      const double sign = at_end(c, a) ? 1.0 : -1.0;
       spacing.row(a) += sign * corners_.row(c) / (4.0 * (dims_[static_cast<std::size_t>(a)] - 1));
     }
   }
@@ -77,22 +86,31 @@ void Frame::interpolate(Points& points, const Corners& displacement) const {
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::RowVector3d at = fractions_.row(i);
     for (int c = 0; c < 8; ++c) {
-      const double weight = ((c >> 2 & 1) != 0 ? at[0] : 1.0 - at[0]) *
-                            ((c >> 1 & 1) != 0 ? at[1] : 1.0 - at[1]) *
-                            ((c & 1) != 0 ? at[2] : 1.0 - at[2]);
+      double weight = 1.0;
+      for (int a = 0; a < 3; ++a) weight *= at_end(c, a) ? at[a] : 1.0 - at[a];
       points.row(i) += weight * displacement.row(c);
     }
+  }
+}
+
+void helix(Points& points, const Frame& frame, double degrees, const std::array<double, 2>& cells) {
+  const Eigen::RowVector3d centre = frame.centre();
+  const double height = cells[1] - cells[0];
+  if (height == 0.0) return;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const double part = (points(i, frame.up()) - cells[0]) / height;
+    const Eigen::RowVector3d arm = points.row(i) - centre;
+    points.row(i) = centre + arm * turn_about(frame.up(), part * degrees).transpose();
   }
 }
 
 void twist(Points& points, const Frame& frame, double degrees) {
   const Corners& corners = frame.corners();
   const Eigen::RowVector3d centre = frame.centre();
-  const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(degrees * kRadiansPerDegree, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const Eigen::Matrix3d turn = turn_about(frame.up(), degrees);
   Corners displacement = Corners::Zero();
   for (int c = 0; c < 8; ++c) {
-    if ((c >> 1 & 1) == 0) continue;
+    if (!frame.is_top(c)) continue;
     const Eigen::RowVector3d arm = corners.row(c) - centre;
     displacement.row(c) = arm * turn.transpose() - arm;
   }
@@ -103,23 +121,24 @@ void shear(Points& points, const Frame& frame, double amount) {
   const double lift = amount * frame.height();
   Corners displacement = Corners::Zero();
   for (int c = 0; c < 8; ++c) {
-    if ((c >> 1 & 1) == 0) displacement(c, 1) = (c >> 2 & 1) != 0 ? lift : -lift;
+    if (!frame.is_top(c)) displacement(c, frame.up()) = Frame::at_end(c, 0) ? lift : -lift;
   }
   frame.interpolate(points, displacement);
 }
 
-void bend(Points& points, const Frame& frame, double degrees) {
+void bend(Points& points, const Frame& frame, double degrees, int towards) {
   const double bottom = frame.bottom();
   const double height = frame.height();
   const double angle = degrees * kRadiansPerDegree;
   if (angle == 0.0 || height == 0.0) return;
   const double radius = height / angle;
-  const double middle = frame.centre()[0];
+  const int up = frame.up();
+  const double middle = frame.centre()[towards];
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const double turn = angle * (points(i, 1) - bottom) / height;
-    const double arm = radius - (points(i, 0) - middle);
-    points(i, 0) = middle + radius - arm * std::cos(turn);
-    points(i, 1) = bottom + arm * std::sin(turn);
+    const double turn = angle * (points(i, up) - bottom) / height;
+    const double arm = radius - (points(i, towards) - middle);
+    points(i, towards) = middle + radius - arm * std::cos(turn);
+    points(i, up) = bottom + arm * std::sin(turn);
   }
 }
 
@@ -129,8 +148,10 @@ void taper(Points& points, const Frame& frame, double factor) {
   const double height = frame.height();
   if (height == 0.0) return;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const double growth = (factor - 1.0) * ((points(i, 1) - bottom) / height);
-    for (const int a : {0, 2}) points(i, a) += growth * (points(i, a) - centre[a]);
+    const double growth = (factor - 1.0) * ((points(i, frame.up()) - bottom) / height);
+    for (int a = 0; a < 3; ++a) {
+      if (a != frame.up()) points(i, a) += growth * (points(i, a) - centre[a]);
+    }
   }
 }
 

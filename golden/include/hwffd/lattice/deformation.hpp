@@ -16,6 +16,9 @@ namespace hwffd {
 /// - `none`: nothing moves
 /// - `twist:DEGREES`: the top 4 corners turn about the vertical line through the lattice's centre,
 ///   counterclockwise seen from above (paper, section 6)
+/// - `helix:DEGREES`: every point turns about that line by an angle that is linear in its height,
+/// so
+///   that what the cells hold turns by DEGREES from their bottom to their top
 /// - `shear:AMOUNT`: the bottom left corners sink, the bottom right corners rise, by AMOUNT times
 ///   the lattice's height (paper, section 6)
 /// - `bend:DEGREES`: the vertical centre line becomes an arc of that angle towards +x; the bottom
@@ -28,6 +31,11 @@ namespace hwffd {
 /// - `move:I,J,K:DX,DY,DZ`: point (I, J, K) moves by DX, DY, DZ in object units
 /// - `to:FILE`: the points become those of a lattice file of the same dimensions, as they are there
 ///
+/// After twist, helix, bend and taper may stand an axis, as in `twist:90:x`: x, y or z, along which
+/// is then up, with bottom and top its first and last layer (along s, t, u). A bend goes from y
+/// towards x, from z towards y, from x towards z, or as two axes say: `bend:90:yz` from y towards
+/// z.
+///
 /// Twist and shear move the 8 corners; all other points follow by trilinear interpolation of the
 /// corners' displacements, which in a box lattice is the paper's interpolation of positions.
 ///
@@ -36,22 +44,26 @@ namespace hwffd {
 /// that points in one place stay together. Its joints are closed again afterwards; a point that
 /// move names takes its repetitions along. to is not touched up.
 ///
-/// Without an argument: twist 90, shear 0.5, bend 90, taper 0.5, scale 1.5, random 1.
+/// Without an argument: twist and helix 90, shear 0.5, bend 90, taper 0.5, scale 1.5, random 1.
 class Deformation {
  public:
-  enum class Kind { kNone, kTwist, kShear, kBend, kTaper, kScale, kRandom, kMove, kTo };
+  enum class Kind { kNone, kTwist, kHelix, kShear, kBend, kTaper, kScale, kRandom, kMove, kTo };
 
   /// What the text after the name gave.
   struct Arguments {
-    double amount = 0.0;  ///< degrees (twist, bend), fraction of the height (shear), factor (taper)
-    std::uint64_t seed = 0;           ///< random
+    /// Degrees (twist, helix, bend), fraction of the height (shear), factor (taper).
+    double amount = 0.0;
+    int axis = 1;            ///< that is up: 0, 1, 2 for x, y, z (twist, helix, bend, taper)
+    int towards = 0;         ///< the axis that up bends to
+    std::uint64_t seed = 0;  ///< random
     Eigen::Vector3d vector{0, 0, 0};  ///< factors (scale) or displacement (move) along x, y, z
     Index3 place{0, 0, 0};            ///< the point that moves
     std::string file;                 ///< to
   };
 
   /// @throws UsageError for an unknown name, an argument that is missing or not of the form above
-  ///   (finite numbers; for random an integer from 0 to 2^64 - 1), or an argument to none
+  ///   (finite numbers, at most a million degrees, factors of scale other than 0; for random an
+  ///   integer from 0 to 2^64 - 1), or an argument to none
   static Deformation parse(std::string_view text);
 
   /// The deformation `move` of a control point, its numbers from 0, by a finite vector.
