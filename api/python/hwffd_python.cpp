@@ -140,7 +140,7 @@ PYBIND11_MODULE(hwffd, module) {
       .def("folds",
            [](const DeformableLattice& lattice) { return check_folds(lattice.deformed()).text(); })
       .def("set_device", &set_device, py::arg("device"), py::arg("org") = "basic",
-           py::arg("format") = "fp32", "model, rtl or reference")
+           py::arg("format") = "", "model, rtl or reference")
       .def("set_outside", &DeformableLattice::set_outside, "keep, clamp or fade:WIDTH")
       .def("embed", &embed, "(cells, local, residual, inside) of points, n x 3")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("local"))

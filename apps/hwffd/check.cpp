@@ -8,6 +8,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "outputs.hpp"
 #include "report.hpp"
 
 namespace hwffd::command {
@@ -26,6 +27,7 @@ struct Options {
 };
 
 int run(const Options& options) {
+  check_outputs({{"--json", options.report}});
   Json lattices = Json::array();
   std::string text;
   bool proved = true;

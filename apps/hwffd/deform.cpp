@@ -11,6 +11,8 @@
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/keyframe.hpp"
+#include "outputs.hpp"
+#include "points_file.hpp"
 #include "program.hpp"
 #include "report.hpp"
 #include "stages.hpp"
@@ -20,8 +22,9 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   hwffd deform horse.3ds --lattice sphere --deform twist:90 -o out.ply
+  hwffd deform cat.3ds --dims 4x8x4 --deform helix:90 --deform bend:30:yz -o cat.ply
   hwffd deform cat.3ds --dims 6x6x6 --deform bend:60 --deform taper:0.5 -o cat.obj
-  hwffd deform cat.3ds --deform twist:90 --device rtl --org parallel --format fx18 -o cat.glb
+  hwffd deform cat.3ds --deform twist:90 --device rtl --org factored/3 --format fx18 -o cat.glb
   hwffd deform chair.obj --lattice box --region 0,0,0,1,2,1 --deform twist:40 --outside fade:0.2
         --lattice box --deform bend:30 -o chair.obj        (local first, then global)
   hwffd deform cat.3ds --deform twist:90 --keyframes 24 -o frame.ply   (frame-0000.ply ...)
@@ -62,25 +65,45 @@ void warn_of(const DeformReport& report) {
   }
 }
 
-int run(const Options& options, const StageOptions& stage_options) {
-  Geometry geometry = Geometry::read(options.input);
-  const std::string output = options.output.empty() && !geometry.is_mesh() ? "-" : options.output;
+/// The files to write, one a frame, checked before there is any work to lose.
+std::vector<std::string> outputs_of(const Options& options) {
+  const bool points = names_points(options.input);
+  const std::string output = options.output.empty() && points ? "-" : options.output;
   if (output.empty()) throw UsageError("--output: name the mesh to write, such as -o out.ply");
   if (options.keyframes > 0 && output == "-") {
     throw UsageError("--keyframes: frames are files; name them by --output");
   }
+  check_format(options.input, output);
+  std::vector<std::string> names;
+  for (int frame = 0; options.keyframes > 0 && frame <= options.keyframes; ++frame) {
+    names.push_back(frame_path(output, frame).string());
+  }
+  if (names.empty()) names.push_back(output);
+  std::vector<Output> all;
+  for (const std::string& name : names) all.push_back({"--output", name});
+  all.push_back({"--json", options.report});
+  check_outputs(all);
+  return names;
+}
+
+int run(const Options& options, const StageOptions& stage_options) {
+  const std::vector<std::string> outputs = outputs_of(options);
   const Outside outside = Outside::parse(options.outside);
   const std::unique_ptr<Device> device = make_device(options.device);
+  Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
   std::vector<Lattice> rest;
-  for (const Stage& stage : stages) rest.push_back(stage.rest);
+  std::vector<FoldCheck> deformed_folds;
+  for (const Stage& stage : stages) {
+    rest.push_back(stage.rest);
+    deformed_folds.push_back(check_folds(stage.deformed));
+  }
   const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
 
   const auto gradients =
       geometry.is_mesh() ? Deformer::Gradients::kAll : Deformer::Gradients::kNone;
 
   const int frames = options.keyframes;
-  std::vector<std::string> written;
   Deformer::Result result;
   for (int frame = 0; frame <= frames; ++frame) {
     const std::string title = frames > 0 ? fmt::format("frame {}/{}", frame, frames) : "deform";
@@ -92,15 +115,12 @@ int run(const Options& options, const StageOptions& stage_options) {
     }
     result = deformer.deform(deformed, *device, gradients);
     geometry.move(result.positions, result.gradients);
-    written.push_back(frames > 0 ? frame_path(output, frame).string() : output);
-    geometry.write(written.back());
+    geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
-  std::vector<FoldCheck> deformed_folds;
-  for (const Stage& stage : stages) deformed_folds.push_back(check_folds(stage.deformed));
-  const DeformReport report{geometry, *device, stages, deformed_folds, result, written};
+  const DeformReport report{geometry, *device, stages, deformed_folds, result, outputs};
   warn_of(report);
   if (!options.report.empty()) write_report(options.report, json_of(report));
-  if (output != "-" && options.report != "-") fmt::print("{}", text_of(report));
+  if (outputs.front() != "-" && options.report != "-") fmt::print("{}", text_of(report));
   return 0;
 }
 
@@ -113,9 +133,10 @@ Action add_deform(CLI::App& app) {
                  "mesh file, name in glmark2's models, points as text (.xyz), - for points from "
                  "standard input")
       ->required();
-  app.add_option("-o,--output", options->output,
-                 "mesh to write (obj, ply, stl, glb, gltf, dae), or points; points go to standard "
-                 "output if left out");
+  app.add_option(
+      "-o,--output", options->output,
+      "mesh to write (obj, ply, stl, glb, gltf, dae), or points (text, or ply), which go to "
+      "standard output if left out");
   app.add_option("--outside", options->outside,
                  "vertices outside a lattice: keep (default), clamp, fade:WIDTH");
   add_device_options(app, options->device);

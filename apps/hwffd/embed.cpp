@@ -8,6 +8,7 @@
 #include "geometry.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/embedder.hpp"
+#include "outputs.hpp"
 #include "report.hpp"
 #include "stages.hpp"
 
@@ -53,12 +54,13 @@ int run(const Options& options, const StageOptions& stage_options) {
   if (!texts.front().deformations.empty()) {
     throw UsageError("--deform: vertices are embedded at rest; use hwffd deform to move them");
   }
+  check_outputs({{"--output", options.output}, {"--json", options.report}});
   const Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(texts, geometry.positions());
   const Embedder embedder(stages.front().rest);
   const std::vector<Embedding> embeddings = embedder.embed(geometry.positions());
   const EmbeddingSummary summary = summarize(embeddings);
-  if (!options.output.empty()) write_files({{options.output, lines(embeddings)}});
+  if (!options.output.empty()) write_output(options.output, lines(embeddings));
   if (!options.report.empty()) {
     Json report{{"input", geometry.name()},
                 {"lattice", stages.front().name},
@@ -67,7 +69,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     report.update(json_of(summary));
     write_report(options.report, report);
   }
-  if (options.report != "-") {
+  if (options.report != "-" && options.output != "-") {
     fmt::print("{} {}: {}\n", stages.front().name, dims_text(stages.front().rest.dims()),
                text_of(summary));
   }
@@ -87,7 +89,8 @@ Action add_embed(CLI::App& app) {
   const auto stages = std::make_shared<StageOptions>(app);
   app.add_option("input", options->input, "mesh, points as text (.xyz), - for standard input")
       ->required();
-  app.add_option("-o,--output", options->output, "text file for the places, one a line");
+  app.add_option("-o,--output", options->output,
+                 "text file for the places, one a line; - for standard output");
   app.add_option("--json", options->report, "report to write; - for standard output");
   app.footer(kExamples);
   return [=] { return run(*options, *stages); };

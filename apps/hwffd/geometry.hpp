@@ -1,27 +1,18 @@
 #pragma once
 
-#include <filesystem>
-#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/mesh/mesh.hpp"
 
 namespace hwffd::command {
 
-/// Points as text, one "x y z" a line, n x 3. Blank lines and what follows a # are skipped; commas
-/// and semicolons count as blanks.
-/// @param name  of the text, for messages
-/// @throws Error for a line that is not three finite numbers, and for no points
-Points read_points(std::istream& in, const std::string& name);
-
 /// What a command moves: a mesh, or bare points.
 class Geometry {
  public:
-  /// @param name  a mesh file or a name in glmark2's models (find_model); a file that ends in .xyz,
-  ///              or "-" for standard input: read_points
+  /// @param name  points where names_points(), else a mesh file or a name in glmark2's models
+  ///              (find_model)
   /// @throws Error for what is no mesh or no points
   static Geometry read(const std::string& name);
 
@@ -35,15 +26,20 @@ class Geometry {
   /// Moves a mesh's vertices and turns its normals, or the points (Mesh::set_positions).
   void move(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients);
 
-  /// Writes the mesh in the format of the extension, or the points as text; "-" is standard output,
-  /// for points only. Whole or not at all.
-  /// @throws UsageError for a mesh to standard output, Error for what cannot be written
-  void write(const std::filesystem::path& path) const;
+  /// Writes the mesh in the format of the extension, or the points (points_text); "-" is standard
+  /// output, for points only. Whole or not at all.
+  /// @param path  in a format that check_format() passes
+  /// @throws Error for what cannot be written
+  void write(const std::string& path) const;
 
  private:
   std::string name_;
   std::optional<Mesh> mesh_;
   Points points_;
 };
+
+/// Whether what Geometry::read makes of one name can be written under another, before it is read.
+/// @throws UsageError for a format that is unknown or does not hold it, and for a mesh to "-"
+void check_format(const std::string& input, const std::string& output);
 
 }  // namespace hwffd::command

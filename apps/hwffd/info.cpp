@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +10,9 @@
 #include "hwffd/device/device.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/mesh/extension.hpp"
 #include "hwffd/version.h"
+#include "outputs.hpp"
 #include "report.hpp"
 
 namespace hwffd::command {
@@ -85,7 +86,8 @@ std::string text_of(const Json& info) {
 }
 
 int run(const Options& options) {
-  const bool lattice = std::filesystem::path(options.file).extension() == ".json";
+  check_outputs({{"--json", options.report}});
+  const bool lattice = extension_of(options.file) == ".json";
   const Json info = options.file.empty() ? build_info()
                     : lattice            ? lattice_info(options.file)
                                          : geometry_info(options.file);

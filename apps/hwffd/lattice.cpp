@@ -7,6 +7,7 @@
 #include "geometry.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "outputs.hpp"
 #include "report.hpp"
 #include "stages.hpp"
 
@@ -27,6 +28,7 @@ struct Options {
 int run(const Options& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: a file holds one lattice; give one");
+  check_outputs({{"--output", options.output}});
   Points points(0, 3);
   if (!options.around.empty()) points = Geometry::read(options.around).positions();
   if (points.rows() == 0 && texts.front().region.empty()) {
@@ -34,10 +36,8 @@ int run(const Options& options, const StageOptions& stage_options) {
   }
   const Lattice rest = rest_lattice(texts.front(), points);
   const Lattice deformed = deformed_lattice(texts.front(), rest);
-  if (options.output == "-") {
-    fmt::print("{}", lattice_text(deformed));
-  } else {
-    write_lattice(options.output, deformed);
+  write_output(options.output, lattice_text(deformed));
+  if (options.output != "-") {
     fmt::print("wrote {}: {} points\n", options.output, dims_text(deformed.dims()));
   }
   return 0;

@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "hwffd/error.hpp"
+#include "outputs.hpp"
 
 namespace hwffd::command {
 
 void write_report(const std::string& path, const Json& report) {
-  const std::string text = report.dump(2) + "\n";
-  if (path != "-") {
-    write_files({{path, text}});
-  } else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-             std::fflush(stdout) != 0) {
-    throw Error("standard output: cannot be written");
-  }
+  write_output(path, report.dump(2) + "\n");
 }
 
 std::string dims_text(const Index3& dims) {

@@ -56,7 +56,13 @@ Points parse_region(const std::string& text) {
     }
     at = last ? next : next + 1;
   }
-  return Eigen::Map<const Points>(values.data(), 2, 3);
+  const Points corners = Eigen::Map<const Points>(values.data(), 2, 3);
+  if ((corners.row(0).array() == corners.row(1).array()).any()) {
+    throw UsageError(
+        fmt::format("--region {}: spans no volume; give two corners that differ along x, y and z",
+                    excerpt(text)));
+  }
+  return corners;
 }
 
 /// Checks what embedding needs of a lattice at rest.
@@ -91,8 +97,10 @@ StageOptions::StageOptions(CLI::App& app) : app_(app) {
       add("--dims", "IxJxK", "control points an axis (box 4x4x4, cylinder 4x4x9, sphere 4x6x9)");
   region_ = add("--region", "X0,Y0,Z0,X1,Y1,Z1", "what a shape holds (default: all vertices)");
   deform_ = add("--deform", "KIND:ARGUMENT",
-                "none, twist:90, shear:0.5, bend:90, taper:0.5, scale:2 or scale:X,Y,Z, "
-                "move:I,J,K:DX,DY,DZ, random:SEED, to:FILE; again for more, in order");
+                "none, twist:90 (turns the corners of the lattice), helix:90 (turns what it "
+                "holds by that angle), shear:0.5, bend:90, taper:0.5, scale:2 or scale:X,Y,Z, "
+                "move:I,J,K:DX,DY,DZ, random:SEED, to:FILE; twist, helix, bend and taper take an "
+                "axis, as twist:90:x; again for more, in order");
 }
 
 std::vector<StageText> StageOptions::texts() const {

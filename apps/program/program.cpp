@@ -1,9 +1,11 @@
 #include "program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string_view>
@@ -15,6 +17,27 @@ namespace hwffd {
 namespace {
 
 constexpr std::size_t kLongestWord = 4096;  // as a path; CLI11 recurses over brackets
+constexpr std::size_t kLongestReason = 160;
+
+/// Sees that all which was printed has left, as nobody does after main().
+void flush_standard_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw Error("standard output: cannot be written; check that it is open and has room");
+}
+
+/// Puts something in the place of standard streams that are closed, so that no file opened later
+/// gets their numbers and their text. It is open in the other direction: writing still fails.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+/// One line on standard error, which may be closed.
+void complain(const std::string& name, const char* what) {
+  std::fputs(fmt::format("{}: {}\n", name, what).c_str(), stderr);
+}
 
 }  // namespace
 
@@ -28,20 +51,30 @@ void parse_command_line(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
-    std::exit(app.exit(asked));
+    const int status = app.exit(asked);
+    flush_standard_output();
+    std::exit(status);
   } catch (const CLI::ParseError& error) {
-    throw UsageError(excerpt(error.what(), 200) + "; see --help");
+    throw UsageError(excerpt(error.what(), kLongestReason) + "; see --help");
   }
 }
 
+void write_standard_output(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  flush_standard_output();
+}
+
 int run_program(const std::string& name, const std::function<int()>& body) {
+  hold_standard_streams();
   try {
-    return body();
+    const int status = body();
+    flush_standard_output();
+    return status;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
+    complain(name, error.what());
     return error.exit_status();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
+    complain(name, error.what());
     return 1;
   }
 }

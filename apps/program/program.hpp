@@ -15,8 +15,13 @@ namespace hwffd {
 /// @throws UsageError for what CLI11 refuses
 void parse_command_line(CLI::App& app, int argc, char** argv);
 
+/// Writes text to standard output.
+/// @throws Error if it cannot be written, whole
+void write_standard_output(const std::string& text);
+
 /// What main() returns: the body's exit status, or after an exception that of the Error, else 1,
-/// with one line on standard error that begins with the program's name.
+/// with one line on standard error that begins with the program's name. Output that standard output
+/// does not take is an Error too.
 int run_program(const std::string& name, const std::function<int()>& body);
 
 /// "[done/all] rows" on one line of standard error, where that is a terminal; gone when all are

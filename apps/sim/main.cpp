@@ -31,8 +31,9 @@ void print_scene(const Options& options, const Scene& scene) {
   for (const std::string& text : options.deformations) {
     const Deformation deformation = Deformation::parse(text);
     if (deformation.kind() != Deformation::Kind::kTwist) continue;
+    const int layers = dims[static_cast<std::size_t>(deformation.arguments().axis)];
     fmt::print("{}: corners move on chords, so the cells see {:.1f} of the {} degrees\n", text,
-               twist_of_cells(deformation.amount(), dims[1]), deformation.amount());
+               twist_of_cells(deformation.amount(), layers), deformation.amount());
   }
   fmt::print("errors are against eq. (1) in double, in units of 2^k > half the lattice's size\n\n");
 }

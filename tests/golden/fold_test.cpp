@@ -140,18 +140,6 @@ TEST(Fold, FlatIsUndecided) {
   EXPECT_EQ(check_folds(Lattice({4, 4, 4}, points), 2).verdict, Verdict::kUndecided);
 }
 
-/// Volumes beyond what double precision holds are no flat lattices.
-TEST(Fold, TooLargeForItsVolume) {
-  const Points points = box({4, 4, 4}).points();
-  EXPECT_EQ(check_folds(Lattice({4, 4, 4}, points * 1e98)).text(), "proved");
-  EXPECT_EQ(message_of<Error>([&] {
-              check_folds(Lattice({4, 4, 4}, points * 1e154));
-            }),
-            "lattice of size 1.2e+155: double precision holds volumes up to size 1e+100; scale it "
-            "down");
-  EXPECT_THROW(check_folds(Lattice({4, 4, 4}, points * 1e307)), Error);
-}
-
 /// Points of a ball moved one by one tear its centre and poles; closed again it is proved.
 TEST(Fold, TornJointsFoldClosedOnesDoNot) {
   const Lattice ball = Sphere(Point::Zero(), kUnit).lattice({7, 9, 12});

@@ -71,6 +71,12 @@ TEST(Lattice, RefusesPoints) {
               Lattice({4, 4, 4}, points);
             }),
             "lattice point 17 is not finite; give finite coordinates");
+  points(17, 2) = 0;
+  points(17, 1) = -1e154;
+  EXPECT_EQ(message_of<Error>([&] {
+              Lattice({4, 4, 4}, points);
+            }),
+            "lattice point 17 has a coordinate beyond 1e+100; give smaller ones");
 }
 
 TEST(Lattice, RefusesCells) {

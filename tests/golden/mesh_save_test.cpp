@@ -155,10 +155,15 @@ TEST(MeshSave, UnknownExtensionListsTheKnownOnes) {
   const TempFolder folder;
   const Mesh mesh = Mesh::procedural();
   const std::string list = "; use the extension obj, ply, stl, glb, gltf or dae";
-  EXPECT_EQ(message_of<Error>([&] { mesh.save(folder / "a.xyz"); }),
+  EXPECT_EQ(message_of<UsageError>([&] { mesh.save(folder / "a.xyz"); }),
             (folder / "a.xyz").string() + ": cannot write .xyz meshes" + list);
-  EXPECT_EQ(message_of<Error>([&] { mesh.save(folder / "a"); }),
+  EXPECT_EQ(message_of<UsageError>([&] { mesh.save(folder / "a"); }),
             (folder / "a").string() + ": cannot write without an extension" + list);
+  EXPECT_EQ(message_of<UsageError>([] { Mesh::check_format("a.xyz"); }),
+            "a.xyz: cannot write .xyz meshes" + list);
+  Mesh::check_format("a.PLY");
+  EXPECT_TRUE(Mesh::can_save("a.PLY"));
+  EXPECT_FALSE(Mesh::can_save("a.json"));
   EXPECT_TRUE(folder.files().empty());
 }
 

@@ -215,6 +215,20 @@ TEST(Device, RefusesWhatItCannotIndex) {
   EXPECT_THROW(device->evaluate(scene.lattice, {{{0, 0, 0}, {0, nan, 0}, true}}), Error);
 }
 
+TEST(Device, EveryRowCanBeChosen) {
+  std::size_t checked = 0;
+  for (const std::string& row : device_rows("model")) {
+    EXPECT_EQ(make_device({"model", row})->name(), "model " + row);
+    ++checked;
+  }
+  EXPECT_GE(checked, 70u);
+  EXPECT_EQ(make_device({"model", "factored/3", "fx18"})->name(),
+            "model factored3-fx18-overlapped");
+  EXPECT_EQ(make_device({"model", "tree 8", "fx18"})->name(), "model tree8-fx18-overlapped");
+  EXPECT_EQ(make_device({"model", "basic-fx18-overlapped-bspline", "fx18"})->name(),
+            "model basic-fx18-overlapped-bspline");
+}
+
 TEST(Device, UnknownNamesAreListed) {
   const auto message = [](const DeviceChoice& choice) -> std::string {
     try {
@@ -224,9 +238,23 @@ TEST(Device, UnknownNamesAreListed) {
     }
     return "";
   };
+  const auto expect = [&](const DeviceChoice& choice, const std::string& expected) {
+    EXPECT_EQ(message(choice), expected);
+    EXPECT_LT(expected.size(), 200u);
+  };
+  expect({"model", std::string(100, 'x'), "fp32"},
+         "device model: no organization '" + std::string(27, 'x') +
+             "...' here; one of basic, cg1, cg2, cg3, tree1, tree2, tree4, tree8, tree16, tree32, "
+             "parallel, factored, factored3, nested, nested3");
+  expect({"model", "nested/3", "bfp32"},
+         "device model: no 'nested/3' in format 'bfp32' here; it has fp32, fx18, fx32");
+  expect({"model", "basic-fx18-overlapped", "fp32"},
+         "row basic-fx18-overlapped is in format fx18, not 'fp32'; leave the format out");
+  expect({"model", "basic-fp32-paper", ""},
+         "device model: no row 'basic-fp32-paper' here; hwffd info lists them");
   EXPECT_NE(message({"fpga", "basic", "fp32"}).find("model, rtl, reference"), std::string::npos);
-  EXPECT_NE(message({"model", "cg9", "fp32"}).find("cg3-fp32-overlapped"), std::string::npos);
-  EXPECT_NE(message({"rtl", "basic", "fx99"}).find("basic-fx18-overlapped"), std::string::npos);
+  EXPECT_NE(message({"model", "cg9", "fp32"}).find("cg3, "), std::string::npos);
+  EXPECT_NE(message({"rtl", "basic", "fx99"}).find("fx18"), std::string::npos);
 }
 
 }  // namespace

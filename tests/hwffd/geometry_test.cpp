@@ -46,9 +46,21 @@ TEST_F(Text, PointsAndComments) {
   EXPECT_FALSE(geometry.is_mesh());
 }
 
+/// The mark before UTF-8, and only there.
+TEST_F(Text, ByteOrderMark) {
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "1,2,3\n4,5,6\n")
+                .positions(),
+            (Points(2, 3) << 1, 2, 3, 4, 5, 6).finished());
+  EXPECT_NE(refused("1 2 3\n\xEF\xBB\xBF"
+                    "4 5 6\n")
+                .find("line 2 "),
+            std::string::npos);
+}
+
 TEST_F(Text, EveryDigitComesBack) {
   Geometry geometry = read("0.1 1e-300 3.141592653589793\n");
-  geometry.write(path_);
+  geometry.write(path_.string());
   EXPECT_EQ(Geometry::read(path_.string()).positions(), geometry.positions());
 }
 
@@ -91,8 +103,8 @@ TEST(Stages, WhatDoesNotBelongIsRefused) {
   EXPECT_THROW(stages_of({"--dims", "4x4x4", "--dims", "5x5x5"}), UsageError);
   EXPECT_THROW(stages_of({"--lattice", "file.json", "--dims", "4x4x4"}), UsageError);
   const Points unit = (Points(2, 3) << 0, 0, 0, 1, 1, 1).finished();
-  for (const char* region :
-       {"", "1", "0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,1,1,nan", "0 0 0 1 1 1"}) {
+  for (const char* region : {"", "1", "0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,1,1,nan", "0 0 0 1 1 1",
+                             "0,0,0,0,0,0", "0,0,2,1,1,2"}) {
     StageText text;
     text.region = region;
     if (*region == '\0') {

@@ -8,6 +8,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -45,6 +46,11 @@ FOLDED = {"hwffd_lattice": 1, "dims": [4, 4, 4],
 FLAT = {"hwffd_lattice": 1, "dims": [4, 4, 4],
         "points": [[i, j, 0] for i in range(4) for j in range(4) for _ in range(4)]}
 
+HUGE = {"hwffd_lattice": 1, "dims": [4, 4, 4],
+        "points": [[i * 1e154, j * 1e154, k * 1e154]
+                   for i in range(4) for j in range(4) for k in range(4)]}
+LONGEST_MESSAGE = 200
+
 # Command line -> exit status and words of the one line on standard error. Nothing is written.
 REFUSED = {
     "": (USAGE, "subcommand"),
@@ -57,27 +63,54 @@ REFUSED = {
     "deform words.obj -o out.ply": (FAILURE, "words.obj"),
     "deform nan.obj -o out.ply": (FAILURE, "nan.obj"),
     "deform bad.xyz -o out.xyz": (FAILURE, "bad.xyz", "line 2"),
-    "deform solid.obj -o out.txt": (FAILURE, "out.txt", "ply"),
-    "deform solid.obj -o out": (FAILURE, "out", "extension"),
+    "deform solid.obj -o out.txt": (USAGE, "out.txt", "ply"),
+    "deform solid.obj -o out": (USAGE, "out", "extension"),
+    "deform none.obj -o out.txt": (USAGE, "out.txt"),  # before any work
+    "deform none.obj -o none/out.ply": (FAILURE, "none/out.ply"),
+    "deform solid.obj -o read-only.obj": (FAILURE, "read-only.obj: is read-only"),
+    "deform points.xyz -o out.obj": (USAGE, "out.obj", "ply"),
+    "deform points.xyz -o out.glb": (USAGE, "out.glb", "ply"),
+    "deform points.xyz --json -": (USAGE, "--json -", "--output"),
+    "deform points.xyz -o same --json same": (USAGE, "--json same", "--output"),
+    "deform solid.obj -o same.ply --json folder/../same.ply": (USAGE, "--json", "--output"),
+    "deform solid.obj -o f.ply --keyframes 3 --json f-0002.ply": (USAGE, "--json", "--output"),
+    "embed solid.obj -o same --json same": (USAGE, "--json same", "--output"),
+    "embed none.obj -o none/places": (FAILURE, "none/places"),
+    "check none.json --json none/report": (FAILURE, "none/report"),
+    "info none.obj --json none/report": (FAILURE, "none/report"),
     "deform solid.obj -o none/out.ply": (FAILURE, "none"),
     "deform solid.obj -o -": (USAGE, "standard output"),
     "deform solid.obj -o out.ply --twist 90": (USAGE, "--twist", "--help"),
-    "deform solid.obj -o out.ply --deform twirl": (USAGE, "twirl", "twist:DEGREES"),
+    "deform solid.obj -o out.ply --deform twirl": (USAGE, "twirl", "twist", "helix"),
     "deform solid.obj -o out.ply --deform twist:x": (USAGE, "twist:x"),
+    "deform solid.obj -o out.ply --deform twist:1e308": (USAGE, "twist:1e308", "1e6"),
+    "deform solid.obj -o out.ply --deform twist:90:w": (USAGE, "90:w", "x, y or z"),
+    "deform solid.obj -o out.ply --deform scale:0": (USAGE, "scale:0", "other than 0"),
     "deform solid.obj -o out.ply --deform move:9,0,0:1,1,1": (FAILURE, "9,0,0", "4 x 4 x 4"),
     "deform solid.obj -o out.ply --deform to:none.json": (FAILURE, "none.json"),
     "deform solid.obj -o out.ply --lattice pyramid": (FAILURE, "pyramid"),
-    "deform solid.obj -o out.ply --lattice broken.json": (FAILURE, "broken.json"),
+    "deform solid.obj -o out.ply --lattice broken.json":
+        (FAILURE, "broken.json", "line 1, column 35"),
+    "deform solid.obj -o out.ply --lattice twice.json": (FAILURE, "twice.json", "'dims'", "twice"),
+    "deform solid.obj -o out.ply --lattice junk.json": (FAILURE, "junk.json", "line 1, column"),
+    "deform solid.obj -o out.ply --lattice /dev/zero": (FAILURE, "/dev/zero", "bytes"),
+    "deform solid.obj -o out.ply --lattice huge.json": (FAILURE, "huge.json", "1e+100"),
+    "check huge.json": (FAILURE, "huge.json", "1e+100"),
     "deform solid.obj -o out.ply --lattice folded.json": (FAILURE, "folded.json", "folded at"),
     "deform solid.obj -o out.ply --lattice flat.json": (FAILURE, "flat.json", "volume"),
     "deform solid.obj -o out.ply --dims 4x4": (USAGE, "--dims 4x4"),
     "deform solid.obj -o out.ply --dims 4x4x17": (USAGE, "4 to 16"),
     "deform solid.obj -o out.ply --lattice sphere --dims 4x4x4": (FAILURE, "4"),
     "deform solid.obj -o out.ply --region 0,0,0": (USAGE, "--region"),
+    "deform solid.obj -o out.ply --region 0,0,0,0,0,0": (USAGE, "--region", "no volume"),
+    "deform solid.obj -o out.ply --region 0,0,2,1,1,2": (USAGE, "--region", "no volume"),
     "deform solid.obj -o out.ply --outside away": (USAGE, "away", "fade"),
     "deform solid.obj -o out.ply --device fpga": (USAGE, "fpga", "rtl"),
-    "deform solid.obj -o out.ply --org cg9": (USAGE, "cg9", "basic-fp32"),
-    "deform solid.obj -o out.ply --format fp64": (USAGE, "fp64"),
+    "deform solid.obj -o out.ply --org cg9": (USAGE, "cg9", "basic", "cg3", "nested3"),
+    "deform solid.obj -o out.ply --format fp64": (USAGE, "fp64", "fx18"),
+    "deform solid.obj -o out.ply --org basic-fp32-overlapped-fma": (USAGE, "fma", "hwffd info"),
+    "deform solid.obj -o out.ply --org basic-fx18-overlapped --format fp32": (USAGE, "fx18"),
+    "deform solid.obj -o out.ply --org factored/3 --device rtl --format fx99": (USAGE, "factored"),
     "deform solid.obj -o out.ply --keyframes 0": (USAGE, "--keyframes"),
     "deform points.xyz --keyframes 3": (USAGE, "--keyframes", "--output"),
     "embed solid.obj --deform twist": (USAGE, "--deform"),
@@ -106,9 +139,13 @@ class Command(unittest.TestCase):
                  "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
                  "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
                  "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4',
+                 "twice.json": json.dumps(FLAT).replace("{", '{"dims": [5, 5, 5], ', 1),
+                 "junk.json": json.dumps(FLAT) + "\0junk", "huge.json": json.dumps(HUGE),
+                 "read-only.obj": MESH,
                  "folded.json": json.dumps(FOLDED), "flat.json": json.dumps(FLAT)}
         for name, text in files.items():
             (self.folder / name).write_text(text)
+        (self.folder / "read-only.obj").chmod(0o444)
         (self.folder / "folder").mkdir()
         self.given = self.files()
 
@@ -135,6 +172,7 @@ class Command(unittest.TestCase):
                     (self.folder / name).unlink()
                 self.assertEqual((done.stdout, written), ("", set()))
                 self.assertRegex(done.stderr, r"\Ahwffd: [^\n]+\n\Z")
+                self.assertLess(len(done.stderr), LONGEST_MESSAGE)
                 self.assertEqual(done.returncode, status)
                 for word in words:
                     self.assertIn(word, done.stderr)
@@ -200,6 +238,65 @@ class Command(unittest.TestCase):
         self.assertEqual(len(moved), 3)
         self.good("deform", "points.xyz", "--deform", "none", "-o", "out.xyz")
         self.assertEqual(len((self.folder / "out.xyz").read_text().splitlines()), 3)
+
+    def test_points_in_other_spellings(self):
+        (self.folder / "plain.xyz").write_text("1 2 3\n4 5 6\n7 9 8\n")
+        (self.folder / "marked.XYZ").write_text("\ufeff1,2,3\r\n4, 5, 6\r\n7;9;8\r\n")
+        options = ("--deform", "bend:40", "--device", "reference")
+        wanted = self.good("deform", "plain.xyz", *options)
+        self.assertEqual(self.good("deform", "marked.XYZ", *options), wanted)
+        self.good("deform", "marked.XYZ", *options, "-o", "out.PLY")
+        head, points = (self.folder / "out.PLY").read_text().split("end_header\n")
+        self.assertEqual(points, wanted)
+        self.assertEqual(head, "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                               "property double y\nproperty double z\n")
+
+    def test_rows(self):
+        for words, row in {
+                ("factored/3", "--format", "fx18"): "factored3-fx18-overlapped",
+                ("tree 8",): "tree8-fp32-overlapped",
+                ("nested3", "--format", "fx32"): "nested3-fx32-overlapped",
+                ("basic-fp32-overlapped-fmac",): "basic-fp32-overlapped-fmac",
+                ("basic-fp32-overlapped-deep", "--format", "fp32"): "basic-fp32-overlapped-deep",
+                ("basic-fx32-overlapped-iterative",): "basic-fx32-overlapped-iterative",
+                ("basic-fx18-overlapped-bspline",): "basic-fx18-overlapped-bspline"}.items():
+            self.good("deform", "points.xyz", "-o", "out.xyz", "--json", "r.json", "--org", *words)
+            report = json.loads((self.folder / "r.json").read_text())
+            self.assertEqual(report["device"], f"model {row}")
+
+    def test_standard_output_that_takes_nothing(self):
+        self.good("lattice", "-o", "rest.json")
+        lines = ("lattice", "lattice -o l.json", "info", "info solid.obj", "info --json -",
+                 "check rest.json", "check rest.json --json -", "embed solid.obj",
+                 "embed solid.obj -o -", "deform points.xyz", "deform solid.obj -o out.obj",
+                 "deform points.xyz -o out.xyz --json -", "--help", "deform --help", "--version")
+        for line in lines:
+            for closed in (False, True):
+                with self.subTest(line=line, closed=closed), open("/dev/full", "wb") as full:
+                    done = subprocess.run([HWFFD, *line.split()], cwd=self.folder, stdout=full,
+                                          stderr=subprocess.PIPE, text=True, check=False,
+                                          preexec_fn=(lambda: os.close(1)) if closed else None)
+                    self.assertEqual(done.returncode, FAILURE)
+                    self.assertRegex(done.stderr, r"\Ahwffd: standard output: [^\n]+\n\Z")
+        print(f"hwffd: {len(lines)} command lines see that their output is lost")
+
+    def test_output_closed_does_not_reach_files(self):
+        """A file opened in the place of the closed standard output does not get its text."""
+        wanted = self.good("lattice")
+        subprocess.run([HWFFD, "lattice", "-o", "out.json"], cwd=self.folder, check=False,
+                       stderr=subprocess.DEVNULL, preexec_fn=lambda: os.close(1))
+        self.assertEqual((self.folder / "out.json").read_text(), wanted)
+
+    def test_axes_and_what_a_helix_turns(self):
+        (self.folder / "p.xyz").write_text("0 1 0\n2 1 2\n")
+        out = self.good("deform", "p.xyz", "--region", "0,0,0,2,1,2", "--dims", "4x16x4",
+                        "--device", "reference", "--deform", "helix:90")
+        arm = [float(x) for x in out.splitlines()[1].split()]
+        self.assertAlmostEqual(arm[0], 2, places=2)
+        self.assertAlmostEqual(arm[2], 0, places=2)
+        out = self.good("deform", "p.xyz", "--region", "0,0,0,2,1,2", "--device", "reference",
+                        "--deform", "taper:0.5:x")
+        self.assertNotEqual(out.split()[2], out.split()[5])
 
     def test_keyframes(self):
         self.good("deform", "solid.obj", "--deform", "shear:1", "--keyframes", "4", "-o", "f.obj")

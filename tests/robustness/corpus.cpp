@@ -51,19 +51,10 @@ std::vector<std::string> lattice_corpus() {
 }
 
 std::vector<std::string> deformation_corpus() {
-  return {"none",
-          "twist",
-          "twist:90",
-          "shear:-0.5",
-          "bend:1e2",
-          "taper:0.5",
-          "scale:2",
-          "scale:1,2,3",
-          "move:1,2,3:0.5,-1,0",
-          "random:123",
-          "bend:-90.",
-          "to:a.json",
-          "random:18446744073709551615"};
+  return {"none",       "twist",      "twist:90",    "twist:45:x",
+          "helix:30",   "bend:40:yz", "shear:-0.5",  "bend:1e2",
+          "taper:0.5",  "scale:2",    "scale:1,2,3", "move:1,2,3:0.5,-1,0",
+          "random:123", "bend:-90.",  "to:a.json",   "random:18446744073709551615"};
 }
 
 std::vector<std::string> outside_corpus() { return {"keep", "clamp", "fade:0.5", "fade:1e-3"}; }
@@ -75,7 +66,9 @@ std::vector<std::string> stages_corpus() {
 }
 
 std::vector<std::string> points_corpus() {
-  return {"# a comment\n0 0 0\n1.5,-2e3;+4\n\n\t7 8 9 # end\r\n", "1 2 3"};
+  return {"# a comment\n0 0 0\n1.5,-2e3;+4\n\n\t7 8 9 # end\r\n", "1 2 3",
+          "\xEF\xBB\xBF"
+          "1,2,3\n4,5,6\n"};
 }
 
 std::vector<std::string> obj_corpus() { return {kObj}; }

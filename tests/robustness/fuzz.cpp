@@ -13,7 +13,7 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kLongestMessage = 500;
+constexpr std::size_t kLongestMessage = 200;
 constexpr std::size_t kMostFailures = 20;
 
 /// What is wrong with an error's text; empty if nothing.

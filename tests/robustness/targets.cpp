@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "corpus.hpp"
-#include "geometry.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/outside.hpp"
+#include "points_file.hpp"
 #include "program.hpp"
 #include "stages.hpp"
 

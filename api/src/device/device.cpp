@@ -50,6 +50,67 @@ void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
                   vertex, device));
 }
 
+/// The first part of a row's name, "factored3" of factored3-fx18-overlapped.
+std::string organization_of(const Configuration& row) {
+  const std::string name = row.name;
+  return name.substr(0, name.find('-'));
+}
+
+/// An organization as rows' names have it: tables write factored/3 and tree 8.
+std::string as_in_names(std::string organization) {
+  const auto mark = [](char c) { return c == '/' || c == ' '; };
+  organization.erase(std::remove_if(organization.begin(), organization.end(), mark),
+                     organization.end());
+  return organization;
+}
+
+/// The words, each once, in their order.
+std::vector<std::string> distinct(const std::vector<std::string>& words) {
+  std::vector<std::string> once;
+  for (const std::string& word : words) {
+    if (std::find(once.begin(), once.end(), word) == once.end()) once.push_back(word);
+  }
+  return once;
+}
+
+[[noreturn]] void refuse(const DeviceChoice& choice) {
+  constexpr std::size_t kQuoted = 30;
+  const std::string start = fmt::format("device {}: no", choice.device);
+  const std::string org = excerpt(choice.org, kQuoted);
+  if (choice.org.find('-') != std::string::npos) {
+    throw UsageError(fmt::format("{} row '{}' here; hwffd info lists them", start, org));
+  }
+  std::vector<std::string> organizations;
+  std::vector<std::string> formats;
+  for (const Configuration& row : configurations()) {
+    if (!is_there(choice.device, row)) continue;
+    organizations.push_back(organization_of(row));
+    if (organizations.back() == as_in_names(choice.org)) formats.emplace_back(row.format);
+  }
+  if (formats.empty()) {
+    throw UsageError(fmt::format("{} organization '{}' here; one of {}", start, org,
+                                 fmt::join(distinct(organizations), ", ")));
+  }
+  throw UsageError(fmt::format("{} '{}' in format '{}' here; it has {}", start, org,
+                               excerpt(choice.format, kQuoted),
+                               fmt::join(distinct(formats), ", ")));
+}
+
+/// The row of a model or of the RTL that is meant.
+const Configuration& row_of(const DeviceChoice& choice) {
+  const std::string name = fmt::format("{}-{}-overlapped", as_in_names(choice.org),
+                                       choice.format.empty() ? "fp32" : choice.format);
+  for (const Configuration& row : configurations()) {
+    if (!is_there(choice.device, row)) continue;
+    if (row.name == name) return row;
+    if (row.name != choice.org) continue;
+    if (choice.format.empty() || choice.format == row.format) return row;
+    throw UsageError(fmt::format("row {} is in format {}, not '{}'; leave the format out", row.name,
+                                 row.format, excerpt(choice.format)));
+  }
+  refuse(choice);
+}
+
 Device::Blending all_bspline() {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   return {bspline, bspline, bspline};
@@ -127,15 +188,9 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
                                  fmt::join(kinds, ", ")));
   }
   if (choice.device == "reference") return std::make_unique<ReferenceDevice>();
-  const std::string name = fmt::format("{}-{}-overlapped", choice.org, choice.format);
-  for (const Configuration& row : configurations()) {
-    if (row.name != name || !is_there(choice.device, row)) continue;
-    return std::make_unique<StreamDevice>(
-        choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row));
-  }
-  throw UsageError(fmt::format("device {}: no organization '{}' in format '{}' here; there are {}",
-                               choice.device, excerpt(choice.org), excerpt(choice.format),
-                               fmt::join(device_rows(choice.device), ", ")));
+  const Configuration& row = row_of(choice);
+  return std::make_unique<StreamDevice>(
+      choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row));
 }
 
 }  // namespace hwffd

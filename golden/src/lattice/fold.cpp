@@ -5,13 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "hwffd/error.hpp"
 #include "hwffd/lattice/bezier_volume.hpp"
 
 namespace hwffd {
 namespace {
 
-constexpr double kLargest = 1e100;       // size whose volume double precision holds
 constexpr double kSame = 1e-12;          // of the lattice's size
 constexpr double kRounding = 1e-12;      // of the product of the largest derivatives
 constexpr std::size_t kMaxParts = 4000;  // of all cells together, left undecided at a level
@@ -56,11 +54,6 @@ class Check {
     const Point high = points.colwise().maxCoeff();
     const Point centre = (low + high) / 2;
     size_ = (high - low).maxCoeff();
-    if (!(size_ <= kLargest)) {
-      throw Error(fmt::format(
-          "lattice of size {:.3g}: double precision holds volumes up to size {:g}; scale it down",
-          size_, kLargest));
-    }
     const Index3 count = lattice.cells();
     for (int i = 0; i < count[0]; ++i) {
       for (int j = 0; j < count[1]; ++j) {

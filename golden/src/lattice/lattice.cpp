@@ -6,7 +6,6 @@
 #include "hwffd/lattice/coordinates.hpp"
 
 namespace hwffd {
-
 void Lattice::check_dims(const Index3& dims) {
   for (const int n : dims) {
     if (n >= kMinPoints && n <= kMaxPoints) continue;

@@ -9,7 +9,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "mesh/extension.hpp"
+#include "hwffd/mesh/extension.hpp"
 #include "mesh/ply_check.hpp"
 #include "mesh/scene.hpp"
 #include "read_file.hpp"
@@ -29,7 +29,7 @@ std::string reason_of(const Assimp::Importer& importer) {
     text.pop_back();
   }
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return excerpt(text, 200);
+  return excerpt(text);
 }
 
 Error not_a_mesh(const std::string& file, const std::string& reason) {

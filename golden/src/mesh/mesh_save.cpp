@@ -10,8 +10,8 @@
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/mesh/extension.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "mesh/extension.hpp"
 #include "mesh/memory_io.hpp"
 #include "mesh/scene.hpp"
 
@@ -20,15 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Assimp's exporter for the path's extension.
-std::string exporter_for(const fs::path& path) {
+/// Assimp's exporters by extension.
+const std::map<std::string, std::string>& exporters() {
   static const std::map<std::string, std::string> kExporters = {
       {".obj", "obj"},  {".ply", "plyb"},   {".stl", "stlb"},
       {".glb", "glb2"}, {".gltf", "gltf2"}, {".dae", "collada"}};
-  const auto entry = kExporters.find(extension_of(path));
-  if (entry != kExporters.end()) return entry->second;
+  return kExporters;
+}
+
+std::string exporter_for(const fs::path& path) {
+  const auto entry = exporters().find(extension_of(path));
+  if (entry != exporters().end()) return entry->second;
   const std::string extension = path.extension().string();
-  throw Error(fmt::format(
+  throw UsageError(fmt::format(
       "{}: cannot write {}; use the extension obj, ply, stl, glb, gltf "
       "or dae",
       path.string(), extension.empty() ? "without an extension" : extension + " meshes"));
@@ -90,6 +94,10 @@ std::unique_ptr<aiScene> changed_copy(const aiScene& scene, void (*change)(aiSce
 }
 
 }  // namespace
+
+bool Mesh::can_save(const fs::path& path) { return exporters().count(extension_of(path)) != 0; }
+
+void Mesh::check_format(const fs::path& path) { exporter_for(path); }
 
 void Mesh::save(const fs::path& path) const {
   const Export how = export_for(path, *scene_);

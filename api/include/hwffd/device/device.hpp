@@ -88,8 +88,11 @@ class Device {
 /// Which device is wanted, in words.
 struct DeviceChoice {
   std::string device = "model";  ///< "model", "rtl" or "reference"
-  std::string org = "basic";     ///< of model and rtl: basic, cg1, tree4, parallel, ...
-  std::string format = "fp32";   ///< of model and rtl
+  /// Of model and rtl: an organization, basic, cg1, tree4, factored/3, ..., or the name of one of
+  /// device_rows(), such as basic-fp32-overlapped-fmac.
+  std::string org = "basic";
+  /// Of model and rtl: fp32, bfp32, fx18 or fx32; empty for fp32, or what a row named by `org` has.
+  std::string format = "";
 };
 
 /// The names that DeviceChoice::device takes.
@@ -99,8 +102,8 @@ const std::vector<std::string>& device_kinds();
 /// the verilated ones with streams for the RTL, none for the reference.
 std::vector<std::string> device_rows(const std::string& kind);
 
-/// @throws UsageError for an unknown device, and for an organization and a format that it does not
-///   have; it lists what there is
+/// @throws UsageError for an unknown device, and for an organization, format or row that it does
+///   not have; it lists the devices, organizations or formats that there are
 std::unique_ptr<Device> make_device(const DeviceChoice& choice);
 
 }  // namespace hwffd

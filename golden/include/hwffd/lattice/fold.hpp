@@ -36,7 +36,6 @@ struct FoldCheck {
 ///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
-/// @throws Error for points more than 1e100 apart, whose volume would overflow
 FoldCheck check_folds(const Lattice& lattice, int max_depth = 6);
 
 }  // namespace hwffd

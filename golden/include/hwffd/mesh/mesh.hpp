@@ -39,6 +39,11 @@ class Mesh {
   /// no file.
   static Mesh procedural();
 
+  /// Whether save() knows the format that the extension names.
+  static bool can_save(const std::filesystem::path& path);
+  /// @throws UsageError, which lists the formats, if it does not
+  static void check_format(const std::filesystem::path& path);
+
   /// What build() makes a mesh of: triangles of one material.
   struct Part {
     std::string name;             ///< of part and material
