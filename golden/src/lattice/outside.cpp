@@ -23,8 +23,9 @@ Outside Outside::parse(std::string_view text) {
   const std::string_view argument = text.substr(kFade.size());
   double width = 0.0;
   if (read_number(argument, width) && width > 0.0) return Outside(Kind::kFade, width);
+  constexpr std::size_t kQuoted = 40;  // of what is quoted twice
   throw UsageError(fmt::format("outside '{}': '{}' is not a finite number above 0; {}",
-                               excerpt(text), excerpt(argument), kAccepted));
+                               excerpt(text, kQuoted), excerpt(argument, kQuoted), kAccepted));
 }
 
 double Outside::weight(double distance) const {

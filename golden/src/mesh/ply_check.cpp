@@ -15,6 +15,8 @@
 namespace hwffd {
 namespace {
 
+constexpr std::size_t kQuoted = 30;  // characters of the file in a message, which is one line
+
 struct Type {
   std::size_t size;  ///< bytes of the binary form; 0: no such type
   bool is_integer;
@@ -51,7 +53,8 @@ Type type_of(const std::string& name) {
       {"float", {4, false}},  {"float32", {4, false}}, {"double", {8, false}},
       {"float64", {8, false}}};
   const auto found = kTypes.find(name);
-  if (found == kTypes.end()) throw Fault{"unknown type '" + excerpt(name) + "' in the header"};
+  if (found == kTypes.end())
+    throw Fault{"unknown type '" + excerpt(name, kQuoted) + "' in the header"};
   return found->second;
 }
 
@@ -60,7 +63,7 @@ T number_in(std::string_view text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size()) return value;
-  throw Fault{"'" + excerpt(text) + "' is not a number of rows or corners"};
+  throw Fault{"'" + excerpt(text, kQuoted) + "' is not a number of rows or corners"};
 }
 
 Property property_in(std::istringstream& words) {
@@ -110,7 +113,7 @@ class Data {
         is_text_(header.format == "ascii"),
         is_little_(header.format == "binary_little_endian") {
     if (!is_text_ && !is_little_ && header.format != "binary_big_endian") {
-      throw Fault{"unknown format '" + excerpt(header.format) + "'"};
+      throw Fault{"unknown format '" + excerpt(header.format, kQuoted) + "'"};
     }
   }
 
@@ -162,7 +165,7 @@ std::string fault_of_ply(const std::string& bytes) {
     Data data(bytes, header);
     for (const Element& element : header.elements) {
       if (element.properties.empty() && element.rows > 0) {
-        throw Fault{"element '" + excerpt(element.name) + "' has no properties"};
+        throw Fault{"element '" + excerpt(element.name, kQuoted) + "' has no properties"};
       }
       for (std::uint64_t row = 0; row < element.rows; ++row) {
         for (const Property& property : element.properties) data.skip(property);
