@@ -8,8 +8,8 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
-#include "hwffd/mesh/mesh.hpp"
 #include "hwffd/mesh/extension.hpp"
+#include "hwffd/mesh/mesh.hpp"
 #include "mesh/ply_check.hpp"
 #include "mesh/scene.hpp"
 #include "read_file.hpp"
