@@ -86,8 +86,9 @@ class DriverClass : public testing::Test {
 
 TEST_F(DriverClass, KnowsTheCore) {
   const CoreIdentity core = driver_.probe();
-  EXPECT_EQ(core.version_major, 0u);
-  EXPECT_EQ(core.version_minor, 1u);
+  EXPECT_EQ(core.version_major, unsigned{PROJECT_VERSION_MAJOR});
+  EXPECT_EQ(core.version_minor, unsigned{PROJECT_VERSION_MINOR});
+  EXPECT_EQ(core.version_patch, unsigned{PROJECT_VERSION_PATCH});
   EXPECT_EQ(core.org, 4u);
   EXPECT_EQ(core.n, 8u);
   EXPECT_EQ(core.format, 18u);
@@ -101,7 +102,7 @@ TEST_F(DriverClass, KnowsTheCore) {
 class ConstantPort final : public RegisterPort {
  public:
   std::uint32_t value = 0;
-  std::uint32_t version = 0;
+  std::uint32_t version = HWFFD_VERSION_MAJOR_RESET << HWFFD_VERSION_MAJOR_SHIFT;
   std::uint32_t read32(std::uint32_t offset) override {
     return offset == HWFFD_VERSION_OFFSET ? version : value;
   }
@@ -114,7 +115,7 @@ TEST(DriverProbe, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(driver.probe(), DriverError);
   port.value = HWFFD_ID_RESET;
   EXPECT_NO_THROW(driver.probe());
-  port.version = 1u << HWFFD_VERSION_MAJOR_SHIFT;
+  port.version += 1u << HWFFD_VERSION_MAJOR_SHIFT;
   EXPECT_THROW(driver.probe(), DriverError);
 }
 
