@@ -11,8 +11,8 @@
 //             BUS_TIMEOUT clocks.
 // Parameters: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS); MAX_BURST to
 //             FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch; AXI_PROT and
-//             AXI_CACHE, what the master drives on *prot (010: not secure) and *cache (0010: normal,
-//             not cacheable, not bufferable); SECURE_ONLY as in ffd_axil_slave.
+//             AXI_CACHE, what the master drives on *prot (010: not secure) and *cache (0010:
+//             normal, not cacheable, not bufferable); SECURE_ONLY as in ffd_axil_slave.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
