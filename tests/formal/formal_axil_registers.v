@@ -22,7 +22,8 @@ module formal_axil_registers #(
   input wire        busy,
   input wire        stopped,
   input wire        done,
-  input wire [ERRORS-1:0] error
+  input wire [ERRORS-1:0] error,
+  input wire [2:0]  count
 );
   localparam [9:0] CONTROL = 10'h004;
   localparam [9:0] STATUS = 10'h005;
@@ -93,9 +94,9 @@ module formal_axil_registers #(
     .write_window_base_o     (write_base),
     .write_window_limit_o    (write_limit),
     .window_lock_windows_o   (lock),
-    .counter_vertices_event_i(1'b0),
-    .counter_stalls_event_i  (1'b0),
-    .counter_busy_event_i    (1'b0),
+    .counter_vertices_event_i(count[0]),
+    .counter_stalls_event_i  (count[1]),
+    .counter_busy_event_i    (count[2]),
     .error_event_i           (error),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),
