@@ -40,7 +40,7 @@ int run(const Options& options) {
   std::filesystem::create_directories(folder);
   write_files({{folder / "bfp.json", json_report(results, agreements)}});
   fmt::print("\nwrote {}/bfp.json\n", folder.string());
-  return identical(agreements) && within_bounds(results) ? 0 : 1;
+  return conclude(faults(results, agreements));
 }
 
 }  // namespace

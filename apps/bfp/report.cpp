@@ -14,14 +14,24 @@ double largest_error(const std::vector<Result>& results) {
   return largest;
 }
 
-}  // namespace
+/// Whether every row gave the model's bits, and those of the other rows of its form.
+bool identical(const Agreement& a) {
+  return a.vertices > 0 && a.mismatches == 0 && a.disagreements == 0;
+}
 
 bool identical(const std::vector<Agreement>& agreements) {
-  return !agreements.empty() &&
-         std::all_of(agreements.begin(), agreements.end(), [](const Agreement& a) {
-           return a.vertices > 0 && a.mismatches == 0 && a.disagreements == 0;
-         });
+  return !agreements.empty() && std::all_of(agreements.begin(), agreements.end(),
+                                            [](const Agreement& a) { return identical(a); });
 }
+
+std::string text_of(const Agreement& a) {
+  return fmt::format(
+      "{} rows in the {} form, {} vertices each: {} results differ from the model's, {} from "
+      "those of {}",
+      a.rows.size(), a.form, a.vertices, a.mismatches, a.disagreements, a.rows.front());
+}
+
+}  // namespace
 
 std::string table(const std::vector<Result>& results, const std::vector<Agreement>& agreements) {
   std::string text = fmt::format("{:<24} {:<9} {:>11} {:>11} {:>7} {:>9}\n", "control points",
@@ -32,10 +42,7 @@ std::string table(const std::vector<Result>& results, const std::vector<Agreemen
                         r.of_lattice, r.of_support, r.bound, r.vertices);
   }
   for (const Agreement& a : agreements) {
-    text += fmt::format(
-        "\n{} rows in the {} form, {} vertices each: {} results differ from the model's, {} from "
-        "those of {}",
-        a.rows.size(), a.form, a.vertices, a.mismatches, a.disagreements, a.rows.front());
+    text += "\n" + text_of(a);
   }
   return text + "\n";
 }
@@ -66,6 +73,20 @@ std::string json_report(const std::vector<Result>& results,
                                 {"organizations", std::move(forms)}}
              .dump(2) +
          "\n";
+}
+
+std::string faults(const std::vector<Result>& results, const std::vector<Agreement>& agreements) {
+  std::string text;
+  for (const Result& r : results) {
+    if (r.vertices > 0 && r.of_lattice <= r.bound) continue;
+    text += fmt::format("{}, {}: error {} ulp over {} vertices, {} is proved\n", r.points, r.form,
+                        r.of_lattice, r.vertices, r.bound);
+  }
+  if (agreements.empty()) text += "no rows compared\n";
+  for (const Agreement& a : agreements) {
+    if (!identical(a)) text += text_of(a) + "\n";
+  }
+  return text;
 }
 
 }  // namespace hwffd::bfp

@@ -8,8 +8,9 @@
 
 namespace hwffd::bfp {
 
-/// Whether every row gave the model's bits, and those of the other rows of its form.
-bool identical(const std::vector<Agreement>& agreements);
+/// A line for each error above the bound that is proved of it, and for each form whose rows differ;
+/// empty if all is well.
+std::string faults(const std::vector<Result>& results, const std::vector<Agreement>& agreements);
 
 /// Both tables, as text.
 std::string table(const std::vector<Result>& results, const std::vector<Agreement>& agreements);

@@ -10,6 +10,7 @@
 #include "hwffd/model/org_cg.hpp"
 #include "hwffd/model/org_factored.hpp"
 #include "hwffd/numerics/block.hpp"
+#include "hwffd/numerics/largest_error.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/interleave.hpp"
 #include "on_threads.hpp"
@@ -69,14 +70,16 @@ Lattice draw_lattice(const Distribution& distribution, Engine& engine) {
 struct Errors {
   std::array<double, kForms> of_lattice{};
   std::array<double, kForms> of_support{};
-
-  void raise_to(const Errors& other) {
-    for (int form = 0; form < kForms; ++form) {
-      of_lattice[form] = std::max(of_lattice[form], other.of_lattice[form]);
-      of_support[form] = std::max(of_support[form], other.of_support[form]);
-    }
-  }
 };
+
+using hwffd::raise_to;
+
+void raise_to(Errors& largest, const Errors& other) {
+  for (int form = 0; form < kForms; ++form) {
+    raise_to(largest.of_lattice[form], other.of_lattice[form]);
+    raise_to(largest.of_support[form], other.of_support[form]);
+  }
+}
 
 /// Vertices of one lattice in both forms.
 class Measurement {
@@ -111,10 +114,8 @@ class Measurement {
       for (int c = 0; c < 3; ++c) {
         const double got = float_of_bits(Block32::out(sums[form][c], exponent_).word);
         const double error = std::abs(got - exact[c]);
-        double& of_lattice = errors.of_lattice[form];
-        double& of_support = errors.of_support[form];
-        of_lattice = std::max(of_lattice, std::ldexp(error, 24 - exponent_));
-        of_support = std::max(of_support, std::ldexp(error, 24 - support_exponent));
+        raise_to(errors.of_lattice[form], std::ldexp(error, 24 - exponent_));
+        raise_to(errors.of_support[form], std::ldexp(error, 24 - support_exponent));
       }
     }
   }
@@ -168,18 +169,13 @@ std::vector<Result> study(std::int64_t vertices, std::uint64_t seed, const Progr
   std::vector<Result> results;
   for (std::size_t d = 0; d < distributions().size(); ++d) {
     Errors worst;
-    for (std::size_t p = 0; p < each; ++p) worst.raise_to(parts[d * each + p]);
+    for (std::size_t p = 0; p < each; ++p) raise_to(worst, parts[d * each + p]);
     for (int form = 0; form < kForms; ++form) {
       results.push_back({distributions()[d].name, form == 0 ? "product" : "factored",
                          worst.of_lattice[form], worst.of_support[form], bounds[form], vertices});
     }
   }
   return results;
-}
-
-bool within_bounds(const std::vector<Result>& results) {
-  return std::all_of(results.begin(), results.end(),
-                     [](const Result& result) { return result.of_lattice <= result.bound; });
 }
 
 }  // namespace hwffd::bfp

@@ -19,9 +19,6 @@ struct Result {
   std::int64_t vertices = 0;
 };
 
-/// Whether no error exceeds the bound that is proved of it.
-bool within_bounds(const std::vector<Result>& results);
-
 /// Called with the done part of the work, 0 to 1, by one thread at a time.
 using Progress = std::function<void(double)>;
 

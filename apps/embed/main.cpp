@@ -40,7 +40,7 @@ int run(const Options& options) {
   std::filesystem::create_directories(folder);
   write_files({{folder / "embed.json", json_report(rows)}});
   fmt::print("\nwrote {}/embed.json\n", folder.string());
-  return 0;
+  return conclude(faults(rows));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct Row {
   EmbeddingSummary summary;
   double size = 0.0;  ///< of the lattice (Embedder::size)
   FoldCheck folds;
+  bool holds_all = true;  ///< whether the lattice is one that holds every point
 
   /// The worst residual of the points inside, in parts of the lattice's size.
   double max_residual_relative() const { return summary.worst_residual / size; }

@@ -2,13 +2,10 @@
 // Mesa makes of the same mistake.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <string>
+#include <vector>
 
 #include "call_checks.hpp"
 #include "context.hpp"
@@ -16,99 +13,46 @@
 #include "glu_error_cases.hpp"
 #include "hwffd/atomic_file.hpp"
 #include "program.hpp"
+#include "report.hpp"
 
 namespace {
 
 using namespace hwffd;
 using namespace hwffd::glapi;
 
-/// A line of the table: what was tried of a command.
-struct Row {
-  int cases = 0;
-  int compared = 0;
-  int failed = 0;
-};
-
-using Table = std::map<std::string, Row>;
-
-std::string command_of(const std::string& case_name) {
-  return case_name.substr(0, case_name.find(':'));
+void try_calls(Report& report) {
+  for (const CallCheck& check : call_checks()) report.add_check(check.calls, check.passes());
 }
 
-/// Counts a case, and says what is wrong with it.
-void count(Row& row, const std::string& name, bool right) {
-  ++row.cases;
-  if (right) return;
-  ++row.failed;
-  fmt::print("FAILED: {}\n", name);
-}
-
-Table gl_errors() {
-  Table table;
+void try_gl_errors(Report& report) {
   for (const ErrorCase& one : gl_error_cases()) {
-    Row& row = table[command_of(one.name)];
+    const bool compared = static_cast<bool>(one.planar);
     const bool expected = error_of(one.call) == one.expected;
-    const bool as_mesa = !one.planar || error_of(one.planar) == one.expected;
-    row.compared += one.planar ? 1 : 0;
-    count(row, one.name, expected && as_mesa);
+    const bool as_mesa = !compared || error_of(one.planar) == one.expected;
+    report.add_error_case(one.name, compared, expected && as_mesa);
   }
-  return table;
 }
 
-Table glu_errors() {
-  Table table;
+void try_glu_errors(Report& report) {
   for (const GluErrorCase& one : glu_error_cases()) {
     std::vector<GLenum> expected;
     if (one.expected != GL_NO_ERROR) expected.push_back(one.expected);
-    count(table[command_of(one.name)], one.name, errors_of(one) == expected);
-  }
-  return table;
-}
-
-Row total(const Table& table) {
-  Row sum;
-  for (const auto& [command, row] : table) {
-    sum.cases += row.cases;
-    sum.compared += row.compared;
-    sum.failed += row.failed;
-  }
-  return sum;
-}
-
-void print(const Table& table) {
-  for (const auto& [command, row] : table) {
-    fmt::print("{:<28} {:>11} {:>18} {:>7}\n", command, row.cases, row.compared, row.failed);
+    report.add_error_case(one.name, false, errors_of(one) == expected);
   }
 }
 
 int run(const std::filesystem::path& output) {
   const Context context;
-  int calls = 0;
-  int failed = 0;
-  for (const CallCheck& check : call_checks()) {
-    calls += static_cast<int>(check.calls.size());
-    if (check.passes()) continue;
-    ++failed;
-    fmt::print("FAILED: {}\n", fmt::join(check.calls, ", "));
-  }
-  fmt::print("{} calls checked by their values, {} checks failed\n\n", calls, failed);
-  Table table = gl_errors();
-  table.merge(glu_errors());
-  fmt::print("{:<28} {:>11} {:>18} {:>7}\n", "error table of", "error cases", "compared with Mesa",
-             "failed");
-  print(table);
-  const Row sum = total(table);
-  print({{"all", sum}});
-  failed += sum.failed;
-  const nlohmann::ordered_json report{{"calls", calls},
-                                      {"error_cases", sum.cases},
-                                      {"compared_with_mesa", sum.compared},
-                                      {"failed", failed}};
+  Report report;
+  try_calls(report);
+  try_gl_errors(report);
+  try_glu_errors(report);
+  fmt::print("{}", report.table());
   const std::filesystem::path file = output / "reports" / "glapi.json";
   std::filesystem::create_directories(file.parent_path());
-  write_files({{file, report.dump(2) + "\n"}});
+  write_files({{file, report.json()}});
   fmt::print("\nwrote {}\n", file.string());
-  return failed == 0 ? 0 : 1;
+  return conclude(report.faults());
 }
 
 }  // namespace

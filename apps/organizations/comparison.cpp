@@ -9,6 +9,7 @@
 #include "hwffd/model/schedule.hpp"
 #include "on_threads.hpp"
 #include "reference.hpp"
+#include "simulation_speed.hpp"
 
 namespace hwffd::organizations {
 namespace {
@@ -79,10 +80,25 @@ std::optional<bool> Comparison::equal(const Row& row) const {
   return clocks == formula(row) && paper->measured.interval == clocks;
 }
 
+const Row* Comparison::overlapped(const Row& row) const {
+  return overlaps(*row.configuration) ? &row : partner(row, "overlapped");
+}
+
 std::optional<double> Comparison::overlapped_interval(const Row& row) const {
-  const Row* overlapped = overlaps(*row.configuration) ? &row : partner(row, "overlapped");
-  if (overlapped == nullptr) return std::nullopt;
-  return overlapped->measured.interval;
+  const Row* found = overlapped(row);
+  if (found == nullptr) return std::nullopt;
+  return found->measured.interval;
+}
+
+std::optional<double> Comparison::overlapped_formula(const Row& row) const {
+  const Row* found = overlapped(row);
+  if (found == nullptr) return std::nullopt;
+  return hwffd::overlapped_interval(*found->configuration);
+}
+
+std::optional<bool> Comparison::overlapped_equal(const Row& row) const {
+  if (overlapped(row) == nullptr) return std::nullopt;
+  return overlapped_interval(row) == overlapped_formula(row);
 }
 
 std::string short_name(const Configuration& row) {
@@ -109,8 +125,6 @@ Comparison compare(const std::vector<const Configuration*>& rows,
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(*rows[a]) > cost(*rows[b]); });
-  constexpr std::size_t kReferenceVertices = 500'000;
-  const double reference = reference_vertices_per_s(kReferenceVertices, effort.seed);
   std::vector<std::optional<Row>> measured(rows.size());
   on_threads(
       rows.size(),
@@ -125,8 +139,12 @@ Comparison compare(const std::vector<const Configuration*>& rows,
       },
       [&](std::size_t done) { progress(done, rows.size()); });
   std::vector<Row> all;
-  for (std::optional<Row>& row : measured) all.push_back(std::move(*row));
-  return Comparison(std::move(all), reference);
+  for (std::optional<Row>& row : measured) {
+    row->vertices_per_s = simulated_vertices_per_s(*row->configuration, effort.seed);
+    all.push_back(std::move(*row));
+  }
+  constexpr std::size_t kReferenceVertices = 500'000;
+  return Comparison(std::move(all), reference_vertices_per_s(kReferenceVertices, effort.seed));
 }
 
 }  // namespace hwffd::organizations

@@ -17,6 +17,7 @@ struct Row {
   const Configuration* configuration;
   Measurement measured;
   OperatorCount count;
+  double vertices_per_s = 0;  ///< simulated, timed alone
 };
 
 /// The rows of this build, measured, and which of them are one organization at two schedules.
@@ -39,8 +40,14 @@ class Comparison {
   std::optional<bool> equal(const Row& row) const;
   /// Clocks between vertices: of an overlapped row its own, else its partner's.
   std::optional<double> overlapped_interval(const Row& row) const;
+  /// Those of the formula.
+  std::optional<double> overlapped_formula(const Row& row) const;
+  /// Whether both are equal.
+  std::optional<bool> overlapped_equal(const Row& row) const;
 
  private:
+  const Row* overlapped(const Row& row) const;
+
   std::vector<Row> rows_;
   double reference_vertices_per_s_;
 };
@@ -53,7 +60,8 @@ std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& a
 
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Times the reference, then measures rows, several at a time; those with most units first.
+/// Measures rows, several at a time, those with most units first; then times the reference and each
+/// row, one after the other on one thread.
 Comparison compare(const std::vector<const Configuration*>& rows,
                    const std::map<std::string, OperatorCount>& operators, const Effort& effort,
                    const Progress& progress);

@@ -63,9 +63,7 @@ int run(const Options& options) {
   write_files(files);
   fmt::print("\nwrote {0}/organizations.json, {0}/organizations.svg{1} and {0}/timeline-*.svg\n",
              folder.string(), areas.empty() ? "" : fmt::format(", {}/pareto.svg", folder.string()));
-  const std::string wrong = faults(comparison);
-  fmt::print(stderr, "{}", wrong);
-  return wrong.empty() ? 0 : 1;
+  return conclude(faults(comparison));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/model/seam_bound.hpp"
+#include "hwffd/numerics/largest_error.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
@@ -35,7 +36,7 @@ double largest_error(const tb::EvaluatorStimulus& stimulus,
     const Point exact = oracle.evaluate(support, local[0], local[1], local[2]);
     for (int c = 0; c < 3; ++c) {
       const double error = codec.decode_point(results[v].words[c]) - exact[c];
-      largest = std::max(largest, std::ldexp(std::abs(error), -words.exponent));
+      raise_to(largest, std::ldexp(std::abs(error), -words.exponent));
     }
   }
   return largest;
@@ -84,7 +85,7 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
   const AxisWords bspline = encode(watertight_bspline(codec), codec);
   tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
-  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, 0, tb::ScheduleRecorder(*core)};
+  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
   const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
 
   bench.run(tb::random_stimulus(codec, kRecorded, effort.seed, together), tb::Throttle::always(),
@@ -94,11 +95,8 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   }
 
   auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
-  const double recorded_seconds = bench.simulation_seconds();
   bench.run(random);
   measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
-  measured.vertices_per_s =
-      static_cast<double>(effort.vertices) / (bench.simulation_seconds() - recorded_seconds);
   if (keeps_cell(row)) {  // the error of a single cell says little
     random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
     bench.run(random);

@@ -36,7 +36,6 @@ struct Measurement {
   std::size_t seam_values = 0;
   std::size_t seam_differences = 0;
   double seam_largest = 0;        ///< of the differences, in units of seam_unit(row)
-  double vertices_per_s = 0;      ///< simulated, of those between which the interval is
   tb::ScheduleRecorder schedule;  ///< of the first vertices, from a core at rest
 };
 

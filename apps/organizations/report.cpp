@@ -44,31 +44,32 @@ Json targets_of(const Row& row, const std::vector<Throughput>& areas) {
 Json json_of(const Comparison& comparison, const Row& row) {
   const Configuration& c = *row.configuration;
   const std::optional<VertexClocks> paper = comparison.paper_clocks(row);
-  return {
-      {"name", c.name},
-      {"org", c.org},
-      {"n", c.n},
-      {"format", c.format},
-      {"schedule", c.schedule},
-      {"evaluator", c.evaluator},
-      {"fmac", c.fma_latency > 0},
-      {"formula", json_or_null(comparison.formula(row))},
-      {"clocks_paper", paper ? Json(paper->clocks) : Json()},
-      {"equal", json_or_null(comparison.equal(row))},
-      {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
-      {"interval_overlapped", json_or_null(comparison.overlapped_interval(row))},
-      {"mismatches", row.measured.mismatches},
-      {"checked", row.measured.checked},
-      {"max_error", row.measured.max_error},
-      {"seam_values", row.measured.seam_values},
-      {"seam_differences", row.measured.seam_differences},
-      {"seam_largest_units", row.measured.seam_largest},
-      {"seam_bound_units", seam_bound(c)},
-      {"operators", json_of(row.count.built)},
-      {"operators_drawn", json_of(row.count.drawn)},
-      {"evaluators", row.count.evaluators},
-      {"simulation_vertices_per_s", row.measured.vertices_per_s},
-      {"simulation_share", row.measured.vertices_per_s / comparison.reference_vertices_per_s()}};
+  return {{"name", c.name},
+          {"org", c.org},
+          {"n", c.n},
+          {"format", c.format},
+          {"schedule", c.schedule},
+          {"evaluator", c.evaluator},
+          {"fmac", c.fma_latency > 0},
+          {"formula", json_or_null(comparison.formula(row))},
+          {"clocks_paper", paper ? Json(paper->clocks) : Json()},
+          {"equal", json_or_null(comparison.equal(row))},
+          {"final_accumulation", paper ? Json(paper->final_accumulation) : Json()},
+          {"formula_overlapped", json_or_null(comparison.overlapped_formula(row))},
+          {"interval_overlapped", json_or_null(comparison.overlapped_interval(row))},
+          {"equal_overlapped", json_or_null(comparison.overlapped_equal(row))},
+          {"mismatches", row.measured.mismatches},
+          {"checked", row.measured.checked},
+          {"max_error", row.measured.max_error},
+          {"seam_values", row.measured.seam_values},
+          {"seam_differences", row.measured.seam_differences},
+          {"seam_largest_units", row.measured.seam_largest},
+          {"seam_bound_units", seam_bound(c)},
+          {"operators", json_of(row.count.built)},
+          {"operators_drawn", json_of(row.count.drawn)},
+          {"evaluators", row.count.evaluators},
+          {"simulation_vertices_per_s", row.vertices_per_s},
+          {"simulation_share", row.vertices_per_s / comparison.reference_vertices_per_s()}};
 }
 
 std::string text_of(const Operators& operators) {
@@ -84,6 +85,11 @@ std::vector<const Row*> lines(const Comparison& comparison) {
     }
   }
   return lines;
+}
+
+const char* verdict(const std::optional<bool>& equal) {
+  if (!equal) return "-";
+  return *equal ? "yes" : "NO";
 }
 
 std::string variant(const Configuration& row) {
@@ -104,20 +110,17 @@ std::string line(const Comparison& comparison, const Row& row) {
   const std::optional<double> interval = comparison.overlapped_interval(row);
   if (paper == &row) paper = nullptr;
   return fmt::format(
-      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} "
+      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>5} {:>11} {:>11} "
       "{:>9.2e} {:>5} {:>4} {:>8.0f} {:>8.4f}\n",
       c.org, c.n, c.format, variant(c), formula ? fmt::format("{}", *formula) : "-",
-      clocks ? std::to_string(clocks->clocks) : "-",
-      comparison.equal(row).value_or(false) ? "yes"
-      : clocks                              ? "NO"
-                                            : "-",
+      clocks ? std::to_string(clocks->clocks) : "-", verdict(comparison.equal(row)),
       clocks ? std::to_string(clocks->final_accumulation) : "-",
       paper != nullptr ? text_of(paper->count.built) : "-",
       paper != nullptr ? text_of(paper->count.drawn) : "-",
-      interval ? fmt::format("{:.2f}", *interval) : "-", text_of(row.count.built),
-      text_of(row.count.drawn), row.measured.max_error, sum(row, paper, &Measurement::mismatches),
-      sum(row, paper, &Measurement::seam_differences), row.measured.vertices_per_s,
-      row.measured.vertices_per_s / comparison.reference_vertices_per_s());
+      interval ? fmt::format("{:.2f}", *interval) : "-", verdict(comparison.overlapped_equal(row)),
+      text_of(row.count.built), text_of(row.count.drawn), row.measured.max_error,
+      sum(row, paper, &Measurement::mismatches), sum(row, paper, &Measurement::seam_differences),
+      row.vertices_per_s, row.vertices_per_s / comparison.reference_vertices_per_s());
 }
 
 }  // namespace
@@ -125,16 +128,17 @@ std::string line(const Comparison& comparison, const Row& row) {
 std::string table(const Comparison& comparison) {
   std::string text = fmt::format(
       "{:<35} {:<51} {:<8}\n"
-      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>11} {:>11} {:>9} "
-      "{:>5} {:>4} {:>8} {:>8}\n",
+      "{:<10} {:>2} {:<5} {:<15} {:>7} {:>6} {:>5} {:>5} {:>11} {:>11} {:>8} {:>5} {:>11} {:>11} "
+      "{:>9} {:>5} {:>4} {:>8} {:>8}\n",
       "", "the paper's schedule", "overlapped", "org", "n", "format", "evaluator", "formula",
-      "clocks", "equal", "final", "operators", "as drawn", "interval", "operators", "as drawn",
-      "max error", "wrong", "seam", "vertex/s", "of C++");
+      "clocks", "equal", "final", "operators", "as drawn", "interval", "equal", "operators",
+      "as drawn", "max error", "wrong", "seam", "vertex/s", "of C++");
   for (const Row* row : lines(comparison)) text += line(comparison, *row);
   text += fmt::format(
-      "\nvertex/s is of the simulation, on one core; C++, eq. (1) in double by three loops, does "
-      "{:.0f}\n",
-      comparison.reference_vertices_per_s());
+      "\nvertex/s is of the simulation; C++, eq. (1) in double by three loops, does {:.0f}; each "
+      "is "
+      "timed alone on one thread, compiled with {}\n",
+      comparison.reference_vertices_per_s(), HWFFD_TIMED_OPTIONS);
   return text;
 }
 
@@ -149,6 +153,7 @@ std::string json_report(const Comparison& comparison, const std::vector<Throughp
     rows.back()["org"] = "tree";
   }
   return Json{{"reference_vertices_per_s", comparison.reference_vertices_per_s()},
+              {"compiler_options", HWFFD_TIMED_OPTIONS},
               {"rows", std::move(rows)}}
              .dump(2) +
          "\n";
@@ -168,7 +173,12 @@ std::string faults(const Comparison& comparison) {
                           name, row.measured.seam_differences, row.measured.seam_values,
                           row.measured.seam_largest, bound);
     }
-    if (!overlaps(*row.configuration) && !comparison.equal(row).value_or(false)) {
+    if (row.measured.checked == 0) text += fmt::format("{}: no result checked\n", name);
+    if (overlaps(*row.configuration)) {
+      if (comparison.overlapped_equal(row).value()) continue;
+      text += fmt::format("{}: {} clocks between vertices, the formula says {}\n", name,
+                          row.measured.interval, comparison.overlapped_formula(row).value());
+    } else if (!comparison.equal(row).value()) {
       text += fmt::format("{}: {} clocks a vertex and {} between vertices, the formula says {}\n",
                           name, row.measured.vertex.clocks, row.measured.interval,
                           comparison.formula(row).value());

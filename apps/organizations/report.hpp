@@ -14,7 +14,7 @@ std::string table(const Comparison& comparison);
 std::string json_report(const Comparison& comparison, const std::vector<Throughput>& areas = {});
 
 /// Lines for what is wrong: a bit that differs from the model, a seam that cracks, a formula that
-/// does not hold. Empty if nothing is.
+/// does not hold at either schedule. Empty if nothing is.
 std::string faults(const Comparison& comparison);
 
 }  // namespace hwffd::organizations

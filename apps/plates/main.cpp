@@ -47,10 +47,8 @@ int run(const Options& options) {
   device->on_progress([&](double done) { show_progress(device->name(), done); });
   fmt::print("{}, compared with {}\n\n{}\n", device->name(), model->name(), table_header());
   std::vector<Plate> plates;
-  std::size_t mismatches = 0;
   for (Subject& subject : subjects()) {
     for (Plate& plate : plates_of(std::move(subject), *device, *model, renderer)) {
-      mismatches += plate.mismatches;
       plates.push_back(std::move(plate));
       fmt::print("{}\n", table_line(plates.size(), plates.back()));
     }
@@ -61,9 +59,9 @@ int run(const Options& options) {
   fmt::print(
       "\nwrote {0}/plates/plate01.png to {1}, {0}/plates/plates.png (all), {0}/reports/{2}\n",
       folder, file_name(plates.size()), "plates.json");
-  if (mismatches == 0) return 0;
-  throw Error(fmt::format("{} results differ from the model; see {}/reports/plates.json",
-                          mismatches, folder));
+  const std::string wrong = faults(plates);
+  if (wrong.empty()) return 0;
+  throw Error(fmt::format("{}; see {}/reports/plates.json", wrong, folder));
 }
 
 }  // namespace

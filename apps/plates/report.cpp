@@ -54,6 +54,17 @@ std::string json_report(const std::vector<Plate>& plates) {
   return Json{{"plates", std::move(entries)}}.dump(2) + "\n";
 }
 
+std::string faults(const std::vector<Plate>& plates) {
+  std::size_t mismatches = 0;
+  bool complete = !plates.empty();
+  for (const Plate& plate : plates) {
+    mismatches += plate.mismatches;
+    complete = complete && plate.vertices > 0;
+  }
+  if (mismatches > 0) return fmt::format("{} results differ from the model", mismatches);
+  return complete ? "" : "a plate without vertices";
+}
+
 void write_plates(const fs::path& folder, const std::vector<Plate>& plates) {
   make_folder(folder / "plates");
   make_folder(folder / "reports");

@@ -18,6 +18,9 @@ std::string table_line(std::size_t number, const Plate& plate);
 /// build/reports/plates.json: {"plates": [{"file", "vertices", "mismatches"}]}.
 std::string json_report(const std::vector<Plate>& plates);
 
+/// One line if results differ from the model or a plate has none; empty if all is well.
+std::string faults(const std::vector<Plate>& plates);
+
 /// Writes pictures and report below a folder, all or none: plates/plate01.png and so on;
 /// plates/plates.png, all of them an eighth as wide on one sheet; reports/plates.json.
 /// @param plates  of one size, its sides multiples of 8

@@ -79,6 +79,12 @@ int run_program(const std::string& name, const std::function<int()>& body) {
   }
 }
 
+int conclude(const std::string& faults) {
+  std::fflush(stdout);  // the report first
+  fmt::print(stderr, "{}", faults);
+  return faults.empty() ? 0 : 1;
+}
+
 void show_rows_done(std::size_t done, std::size_t all) {
   if (isatty(fileno(stderr)) == 0) return;
   fmt::print(stderr, "\r\033[K[{}/{}] rows", done, all);

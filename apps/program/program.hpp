@@ -24,6 +24,10 @@ void write_standard_output(const std::string& text);
 /// does not take is an Error too.
 int run_program(const std::string& name, const std::function<int()>& body);
 
+/// What a program that reports ends with: status 0 where nothing is wrong, else 1, and what is
+/// wrong, a line each, on standard error.
+int conclude(const std::string& faults);
+
 /// "[done/all] rows" on one line of standard error, where that is a terminal; gone when all are
 /// done.
 void show_rows_done(std::size_t done, std::size_t all);

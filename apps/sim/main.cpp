@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -67,7 +68,7 @@ int simulate(const Options& options) {
   print_scene(options, scene);
   fmt::print("{}\n", table_header());
   std::vector<RunResult> results;
-  bool ok = true;
+  int status = 0;
   for (const Configuration& row : options.rows) {
     for (const std::string& text : options.deformations) {
       const std::string waveform = options.trace ? output.waveform(text, row.name).string() : "";
@@ -75,14 +76,10 @@ int simulate(const Options& options) {
       fmt::print("{}\n", table_line(results.back(), options.stream));
       if (results.back().bus) fmt::print("{}\n", bus_line(*results.back().bus));
       if (options.trace) fmt::print("  first {} clocks in {}\n", tb::kTracedClocks, waveform);
-      std::fflush(stdout);
-      if (!results.back().ok()) {
-        fmt::print(stderr, "{}\n", results.back().failure);
-        ok = false;
-      }
+      status = std::max(status, conclude(faults(results.back())));
     }
   }
-  if (!ok) return 1;
+  if (status != 0) return status;
   write_results(options, output, scene, results);
   return 0;
 }

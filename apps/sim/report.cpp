@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace hwffd::sim {
@@ -23,6 +24,17 @@ std::string bus_line(const tb::BusUtilisation& bus) {
       "  bus: {:.1f} % used: {} beats read ({:.1f} %), {} written ({:.1f} %) in {} clocks",
       100 * bus.both(), bus.read_beats, 100 * bus.read(), bus.write_beats, 100 * bus.write(),
       bus.clocks());
+}
+
+std::string faults(const RunResult& r) {
+  if (!r.failure.empty()) return r.failure + "\n";
+  const std::string name = fmt::format("{} {}", r.row.name, r.deform);
+  if (r.checked == 0 || r.mismatches > 0) {
+    return fmt::format("{}: {} of {} results differ from the model\n", name, r.mismatches,
+                       r.checked);
+  }
+  if (!std::isfinite(r.max_error)) return fmt::format("{}: positions are no numbers\n", name);
+  return "";
 }
 
 std::string json_report(const Scene& scene, const Options& options,

@@ -70,7 +70,7 @@ RunResult run(const Options& options, const Configuration& row, const Scene& sce
   result.positions = positions_of(results, codec, normalization);
   if (result.positions.rows() == deformed.exact.rows()) {
     const Points error = (result.positions - deformed.exact) / lattice_scale(deformed.lattice);
-    result.max_error = error.cwiseAbs().maxCoeff();
+    result.max_error = error.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
     result.rms_error = std::sqrt(error.squaredNorm() / static_cast<double>(error.size()));
   }
   return result;

@@ -23,8 +23,6 @@ struct RunResult {
   std::string failure;           ///< the bench's report where something failed
   std::optional<tb::BusUtilisation> bus;  ///< STREAM=dma only
   Points positions;  ///< n x 3, what came out of the hardware, world coordinates
-
-  bool ok() const { return failure.empty(); }
 };
 
 /// Sends all vertices through the Verilated core, by its streams or from memory to memory, and

@@ -16,13 +16,15 @@ namespace {
 using namespace hwffd;
 using namespace hwffd::streams;
 
-/// The models found; a built-in mesh if there are none.
-std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models) {
+/// The models, those that the user asked for or of the others those that are installed; a built-in
+/// mesh if there are none.
+std::vector<NamedMesh> meshes_of(const Options& options) {
   std::vector<NamedMesh> meshes;
-  for (const std::string& model : models) {
+  for (const std::string& model : options.models) {
     try {
       meshes.push_back({model, Mesh::load(find_model(model))});
     } catch (const Error& error) {
+      if (options.models_given) throw;
       fmt::print(stderr, "hwffd-streams: left out: {}\n", error.what());
     }
   }
@@ -31,16 +33,14 @@ std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models) {
 }
 
 int run(const Options& options) {
-  const std::vector<Row> rows = study(meshes_of(options.models), options.lattices,
+  const std::vector<Row> rows = study(meshes_of(options), options.lattices,
                                       find_configuration("basic-fx18-overlapped"), show_rows_done);
   fmt::print("words moved to the core, a vertex\n\n{}", table(rows));
   const std::filesystem::path folder = options.output / "reports";
   std::filesystem::create_directories(folder);
   write_files({{folder / "streams.svg", plot(rows)}, {folder / "streams.json", json_report(rows)}});
   fmt::print("\nwrote {0}/streams.json and {0}/streams.svg\n", folder.string());
-  const std::string wrong = faults(rows);
-  fmt::print(stderr, "{}", wrong);
-  return wrong.empty() ? 0 : 1;
+  return conclude(faults(rows));
 }
 
 }  // namespace

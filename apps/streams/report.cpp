@@ -6,6 +6,17 @@
 #include <set>
 
 namespace hwffd::streams {
+namespace {
+
+/// Whether the RTL took as many beats as predicted, where it has the arrangement.
+bool is_as_predicted(const Row& row) { return !row.counted || *row.counted == row.predicted; }
+
+/// Whether rows differ in the lattice only.
+bool share_a_line(const Row& a, const Row& b) {
+  return a.mesh == b.mesh && a.arrangement == b.arrangement && a.order == b.order;
+}
+
+}  // namespace
 
 std::string table(const std::vector<Row>& rows) {
   std::set<int> lattices;
@@ -16,13 +27,19 @@ std::string table(const std::vector<Row>& rows) {
     text += fmt::format(" {:>9}", fmt::format("{0}x{0}x{0}", points));
   for (const Row& first : rows) {
     if (first.points != *lattices.begin()) continue;
-    text += fmt::format("\n{:<14} {:>8} {:<15} {:<6} {:<10}", first.mesh, first.vertices,
-                        first.arrangement, first.order, first.counted ? "equal" : "not built");
+    bool equal = true;
+    std::string words;
     for (const Row& row : rows) {
-      const bool same = row.mesh == first.mesh && row.arrangement == first.arrangement &&
-                        row.order == first.order;
-      if (same) text += fmt::format(" {:>9.2f}", row.words_per_vertex());
+      if (!share_a_line(row, first)) continue;
+      equal = equal && is_as_predicted(row);
+      words += fmt::format(" {:>9.2f}", row.words_per_vertex());
     }
+    text += fmt::format("\n{:<14} {:>8} {:<15} {:<6} {:<10}", first.mesh, first.vertices,
+                        first.arrangement, first.order,
+                        !first.counted ? "not built"
+                        : equal        ? "equal"
+                                       : "NOT EQUAL") +
+            words;
   }
   return text + "\n";
 }
@@ -51,7 +68,7 @@ std::string faults(const std::vector<Row>& rows) {
                                          row.points, row.arrangement, row.order);
     if (row.mismatches > 0)
       text += fmt::format("{}: {} results differ from the model\n", name, row.mismatches);
-    if (row.counted && *row.counted != row.predicted) {
+    if (!is_as_predicted(row)) {
       text +=
           fmt::format("{}: {} beats predicted, {} counted\n", name, row.predicted, *row.counted);
     }

@@ -68,4 +68,27 @@ std::string json_report(const std::vector<RowResult>& rows) {
   return report.dump(2) + "\n";
 }
 
+std::string faults(const RowResult& r) {
+  std::string text;
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) text += fmt::format("{}: {}\n", r.row.name, what);
+  };
+  require(r.failure.empty(), r.failure);
+  require(r.mismatches == 0, fmt::format("{} results differ from the model", r.mismatches));
+  require(r.max_error <= r.bound,
+          fmt::format("error of a derivative {:.2e}, bound {:.0e}", r.max_error, r.bound));
+  require(r.finite_difference_ok(),
+          fmt::format("{:.2e} from central differences", r.max_difference));
+  require(r.max_determinant_error <= r.determinant_bound,
+          fmt::format("error of det J {:.2e}, bound {:.0e}", r.max_determinant_error,
+                      r.determinant_bound));
+  require(r.wrong_flags == 0, fmt::format("{} wrong fold flags", r.wrong_flags));
+  require(r.seam_differences == 0,
+          fmt::format("{} of {} values differ on seams", r.seam_differences, r.seam_values));
+  require(r.seam_values >= kSeamValues && r.upright > 0 && r.folded > 0,
+          fmt::format("too little tried: {} vertices upright, {} folded, {} values on seams",
+                      r.upright, r.folded, r.seam_values));
+  return text;
+}
+
 }  // namespace hwffd::tangents

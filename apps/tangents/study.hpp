@@ -8,6 +8,12 @@
 
 namespace hwffd::tangents {
 
+/// Components of derivatives that seams have, at least.
+inline constexpr std::size_t kSeamValues = 60000;
+
+/// Of central differences: their own error, h^2 q''' / 6 and rounding in double.
+inline constexpr double kDifferenceError = 1e-6;
+
 /// What a row's RTL made of vertices with their derivatives. Errors are of components of dq/ds,
 /// dq/dt, dq/du in units of 2^k > half the lattice's size, and of det J in that unit cubed.
 struct RowResult {
@@ -27,8 +33,7 @@ struct RowResult {
   std::size_t seam_differences = 0;  ///< of them, not the bits of the cell next to it
   double clocks_per_vertex = 0;      ///< with derivatives, resident lattice
 
-  bool finite_difference_ok() const;
-  bool ok() const;
+  bool finite_difference_ok() const { return max_difference <= bound + kDifferenceError; }
 };
 
 /// Runs the row's RTL: vertices of a twisted and of a folded lattice with their derivatives, and

@@ -32,7 +32,7 @@ int run(const Options& options) {
   write_files(
       {{folder / "words.svg", plot(results)}, {folder / "words.json", json_report(results)}});
   fmt::print("\nwrote {0}/words.json and {0}/words.svg\n", folder.string());
-  return 0;
+  return conclude(faults(results));
 }
 
 }  // namespace

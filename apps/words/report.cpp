@@ -80,4 +80,14 @@ std::string json_report(const std::vector<Result>& results) {
   return nlohmann::ordered_json{{"rows", std::move(rows)}}.dump(2) + "\n";
 }
 
+std::string faults(const std::vector<Result>& results) {
+  std::string text;
+  for (const Result& r : results) {
+    if (r.vertices > 0 && r.max_error <= r.bound) continue;
+    text += fmt::format("{} {}: error {:.3e} over {} vertices, {:.3e} is proved\n", r.form,
+                        r.format, r.max_error, r.vertices, r.bound);
+  }
+  return text;
+}
+
 }  // namespace hwffd::words

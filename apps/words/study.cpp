@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hwffd/numerics/largest_error.hpp"
 #include "on_threads.hpp"
 
 namespace hwffd::words {
@@ -21,7 +22,7 @@ void measure_block(const Rows& rows, const std::vector<Sample>& block,
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (const Sample& sample : block) {
       const Point error = rows[r]->evaluate(sample) - sample.exact;
-      tallies[r].largest = std::max(tallies[r].largest, error.cwiseAbs().maxCoeff());
+      raise_to(tallies[r].largest, error.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
       tallies[r].squares += error.squaredNorm();
     }
   }

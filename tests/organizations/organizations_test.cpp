@@ -83,6 +83,8 @@ TEST(Comparison, JsonHasEveryField) {
     EXPECT_EQ(row.at("equal"), true);
     EXPECT_EQ(row.at("final_accumulation"), 1);
     EXPECT_EQ(row.at("interval_overlapped"), 8);
+    EXPECT_EQ(row.at("formula_overlapped"), 8);
+    EXPECT_EQ(row.at("equal_overlapped"), true);
     EXPECT_EQ(row.at("fmac"), false);
     EXPECT_EQ(row.at("operators"), (nlohmann::json{{"mul", 41}, {"add", 31}, {"fma", 0}}));
     for (const char* field :
@@ -101,7 +103,9 @@ TEST(Comparison, WithoutPartnerFieldsAreNull) {
   EXPECT_TRUE(overlapped.at("equal").is_null());
   const auto paper =
       nlohmann::json::parse(json_report(Comparison({rows[0]}, 1e6))).at("rows").at(0);
-  EXPECT_TRUE(paper.at("interval_overlapped").is_null());
+  for (const char* field : {"formula_overlapped", "interval_overlapped", "equal_overlapped"}) {
+    EXPECT_TRUE(paper.at(field).is_null()) << field;
+  }
   EXPECT_EQ(paper.at("simulation_share").get<double>(),
             paper.at("simulation_vertices_per_s").get<double>() / 1e6);
   EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
@@ -137,6 +141,7 @@ TEST(Comparison, BeyondThePaperThereIsNoFormula) {
   EXPECT_TRUE(json.at("equal").is_null());
   EXPECT_EQ(faults(comparison), "");
   EXPECT_NE(table(comparison).find("factored/3"), std::string::npos);
+  EXPECT_GT(comparison.rows().front().vertices_per_s, 0);
 }
 
 // Seams that may differ are counted and bounded, and the report says so.
@@ -154,18 +159,22 @@ TEST(Comparison, BoundedSeamsAreNoFault) {
   EXPECT_NE(faults(Comparison(rows, 1e6)), "");
 }
 
+// Of rows[0] at the paper's schedule and of rows[1], overlapped.
 TEST(Comparison, FaultsAreSaid) {
   const std::vector<Row> good = small_comparison().rows();
   EXPECT_EQ(faults(Comparison(good, 1e6)), "");
-  const auto spoiled = [&](auto change) {
+  const auto spoiled = [&](auto change, std::size_t row = 0) {
     std::vector<Row> rows = good;
-    change(rows[0].measured);
+    change(rows[row].measured);
     return faults(Comparison(rows, 1e6));
   };
   EXPECT_NE(spoiled([](Measurement& m) { m.mismatches = 1; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.seam_largest = 1; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.vertex.clocks = 97; }), "");
   EXPECT_NE(spoiled([](Measurement& m) { m.interval = 97; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.checked = 0; }), "");
+  EXPECT_EQ(spoiled([](Measurement& m) { m.interval = 8.5; }, 1),
+            "tree8-fx18-overlapped: 8.5 clocks between vertices, the formula says 8\n");
 }
 
 TEST(Comparison, OperatorsMustBeCounted) {

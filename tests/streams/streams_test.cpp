@@ -143,8 +143,12 @@ TEST(Study, FaultsAreNamed) {
   row.predicted = 80;
   row.counted = 80;
   EXPECT_EQ(faults({row}), "");
-  row.counted = 81;
-  EXPECT_NE(faults({row}).find("80 beats predicted, 81 counted"), std::string::npos);
+  EXPECT_EQ(table({row}).find("NOT EQUAL"), std::string::npos);
+  Row larger = row;
+  larger.points = 6;
+  larger.counted = 81;
+  EXPECT_NE(faults({row, larger}).find("80 beats predicted, 81 counted"), std::string::npos);
+  EXPECT_NE(table({row, larger}).find("NOT EQUAL"), std::string::npos);
   row.counted.reset();
   EXPECT_EQ(faults({row}), "");
   row.mismatches = 2;
