@@ -22,6 +22,10 @@ target_compile_options(verilated_runtime PRIVATE -w -O2)
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/tb/rtl/ffd_bench.vlt)
 option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 
+# How models are compiled, and those that stay on this machine; so is what is timed beside them.
+set(HWFFD_MODEL_OPTIONS "-O2 -fno-tree-pre -fno-code-hoisting")
+set(HWFFD_NATIVE_OPTIONS "-march=native")
+
 # hwffd_verilate(<target> [NETLIST] [NATIVE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...]
 #                [LIBRARY <file>])
 #
@@ -51,7 +55,7 @@ function(hwffd_verilate target)
     -DFFD_SIMULATION -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir})
   list(TRANSFORM HWFFD_RTL_INCLUDES PREPEND -I OUTPUT_VARIABLE includes)
   list(APPEND flags ${includes})
-  set(optimize "-O2 -fno-tree-pre -fno-code-hoisting")
+  set(optimize ${HWFFD_MODEL_OPTIONS})
   if(ARG_NETLIST)
     list(APPEND flags -Wno-lint -Wno-fatal)
     set(optimize -O0)
@@ -62,7 +66,7 @@ function(hwffd_verilate target)
     list(APPEND flags -DNO_INCLUDES -v ${ARG_LIBRARY})
   endif()
   if(ARG_NATIVE)
-    list(APPEND flags -CFLAGS -march=native)
+    list(APPEND flags -CFLAGS ${HWFFD_NATIVE_OPTIONS})
   endif()
   # From 16 float units on, Verilator's optimization of gates makes a build four times as long and
   # the simulation no faster. (`nested` has many whatever its N.)

@@ -1,0 +1,62 @@
+"""Speeds that are compared are those of code compiled alike: the models of the evaluators and eq. (1)
+in C++ beside them have the same options of optimization and processor, and no threads.
+
+Called with the build folder and the name of a model.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import unittest
+
+BUILD, MODEL = pathlib.Path(sys.argv[1]), sys.argv[2]
+REFERENCE = "organizations/reference.cpp"
+DEFAULTS = {"-ffp-contract": "fast"}  # of the compiler
+WITHOUT_EFFECT = ("-fPIC", "-fmacro", "-fdebug")  # on speed, here
+
+
+def effective(words):
+    """What of a compiler's options decides on speed; of several of a kind the last counts."""
+    options = dict(DEFAULTS)
+    for word in words:
+        if re.match("-[Ofm]", word) and not word.startswith(WITHOUT_EFFECT):
+            name, _, value = word.partition("=")
+            options["-O" if name.startswith("-O") else name] = value or name
+    return options
+
+
+def reference_options():
+    commands = json.loads((BUILD / "compile_commands.json").read_text())
+    (command,) = (entry["command"] for entry in commands if entry["file"].endswith(REFERENCE))
+    return effective(shlex.split(command))
+
+
+def model_command():
+    """How a model is made from the RTL: Verilator's words and then make's."""
+    done = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", f"{MODEL}_verilate"],
+                          stdout=subprocess.PIPE, text=True, check=True)
+    (line,) = (line for line in done.stdout.splitlines() if f"--prefix V{MODEL} " in line)
+    return shlex.split(line)
+
+
+def model_options(words):
+    options = [words[i + 1] for i, word in enumerate(words) if word == "-CFLAGS"]
+    (fast,) = (word.partition("=")[2] for word in words if word.startswith("OPT_FAST="))
+    return effective(options + fast.split())
+
+
+class TimingOptions(unittest.TestCase):
+    def test_same_for_model_and_reference(self):
+        self.assertEqual(reference_options(), model_options(model_command()))
+
+    def test_models_have_one_thread(self):
+        self.assertNotIn("--threads", model_command())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
