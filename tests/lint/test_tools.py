@@ -4,6 +4,7 @@ faults planted in a small copy of the tree are reported under the right tool and
 SPDX-License-Identifier: Apache-2.0
 """
 
+import json
 import pathlib
 import shutil
 import subprocess
@@ -15,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import configurations  # noqa: E402
+import tidy  # noqa: E402
 
 MODULE = """\
 // SPDX-License-Identifier: Apache-2.0
@@ -117,6 +119,8 @@ PLANTED = {
          "verilator hwffd_stream (all parameters given, AXIS=4):", "WIDTH"),
     "unformatted C++":
         ({"golden/src/x.cpp": "int  x;\n"}, "clang-format:", "x.cpp:1"),
+    "a pointer that is 0, by clang-tidy":
+        ({"golden/src/x.cpp": "int* x = 0;\n"}, "clang-tidy:", "modernize-use-nullptr"),
 }
 
 
@@ -126,13 +130,32 @@ class Tools(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
 
-    def lint(self, files):
-        shutil.rmtree(self.root)
-        for name, text in {**CLEAN, **files}.items():
+    def write(self, files):
+        for name, text in files.items():
             path = self.root / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
-        shutil.copy(ROOT / ".clang-format", self.root)
+
+    def compile_commands(self):
+        entry = {"directory": str(self.root), "file": str(self.root / "golden/src/x.cpp"),
+                 "command": "c++ -c golden/src/x.cpp"}
+        return {tidy.COMMANDS: json.dumps([entry])}
+
+    def git(self, *words):
+        subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",
+                        *words], check=True)
+
+    def lint(self, files):
+        """(exit status, lines) of scripts/lint, these files changed since the last commit."""
+        shutil.rmtree(self.root)
+        self.write({**CLEAN, **self.compile_commands()})
+        for name in (".clang-format", ".clang-tidy"):
+            shutil.copy(ROOT / name, self.root)
+        self.git("init", "--quiet")
+        for message in ("parent", "empty"):
+            self.git("add", "--all")
+            self.git("commit", "--quiet", "--allow-empty", "--message", message)
+        self.write(files)
         done = subprocess.run(
             [sys.executable, "-B", str(ROOT / "scripts" / "lint"), "--root", str(self.root)],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
