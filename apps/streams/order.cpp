@@ -11,7 +11,9 @@ constexpr unsigned kBits = 4;  // of an index
 constexpr int kAxes = 3;
 
 std::size_t place_by_cell(const Index3& cell) {
-  return static_cast<std::size_t>((cell[0] * 16 + cell[1]) * 16 + cell[2]);
+  std::size_t place = 0;
+  for (const int index : cell) place = 16 * place + static_cast<std::size_t>(index);
+  return place;
 }
 
 }  // namespace

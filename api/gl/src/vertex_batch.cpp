@@ -36,7 +36,8 @@ class Buffers {
     glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(used_), static_cast<GLsizeiptr>(bytes),
                     attribute.values.data());
     glEnableClientState(client_state);
-    point_at(attribute.size, reinterpret_cast<const void*>(used_));
+    const char* const start = nullptr;  // of the buffer, as OpenGL has it
+    point_at(attribute.size, start + used_);
     used_ += bytes;
   }
 

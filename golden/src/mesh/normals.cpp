@@ -18,7 +18,7 @@ constexpr double kSingular = 1e-9;      // of the volume that the columns could 
 Eigen::Matrix3d known(const Eigen::Matrix3d& gradient) {
   const double largest = gradient.allFinite() ? gradient.cwiseAbs().maxCoeff() : 0.0;
   if (largest == 0.0) return Eigen::Matrix3d::Zero();
-  const Eigen::Matrix3d scaled = gradient / largest;
+  Eigen::Matrix3d scaled = gradient / largest;
   const double volume = scaled.colwise().norm().prod();
   if (!(std::abs(scaled.determinant()) > kSingular * volume)) return Eigen::Matrix3d::Zero();
   return scaled;
