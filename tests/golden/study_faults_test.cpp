@@ -8,6 +8,7 @@
 #include "bfp/report.hpp"
 #include "embed/report.hpp"
 #include "hwffd/numerics/largest_error.hpp"
+#include "program.hpp"
 #include "words/report.hpp"
 
 namespace hwffd {
@@ -15,6 +16,15 @@ namespace {
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+TEST(Conclude, WhatIsWrongIsSaidAndEndsWithOne) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(conclude(""), 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(conclude("a row: wrong\n"), 1);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "a row: wrong\n");
 }
 
 TEST(LargestError, WhatIsNoNumberIsInfinite) {
