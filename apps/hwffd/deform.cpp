@@ -9,6 +9,7 @@
 #include "geometry.hpp"
 #include "hwffd/device/deformer.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/keyframe.hpp"
 #include "outputs.hpp"
@@ -45,7 +46,22 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
          fmt::format("{}-{:04}{}", path.stem().string(), frame, path.extension().string());
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", text); }
+void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", one_line(text)); }
+
+/// One line that names what a file lost on its way; none for nothing.
+void warn_of_losses(const std::string& file, const std::vector<std::string>& losses) {
+  constexpr std::size_t kLongest = 120;
+  std::string list;
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    const std::string next = (i == 0 ? "" : ", ") + losses[i];
+    if (list.size() + next.size() > kLongest) {
+      list += fmt::format(" and {} more", losses.size() - i);
+      break;
+    }
+    list += next;
+  }
+  if (!list.empty()) warn(fmt::format("{}: dropped: {}", file, list));
+}
 
 void warn_of(const DeformReport& report) {
   for (std::size_t i = 0; i < report.stages.size(); ++i) {
@@ -104,6 +120,7 @@ int run(const Options& options, const StageOptions& stage_options) {
       geometry.is_mesh() ? Deformer::Gradients::kAll : Deformer::Gradients::kNone;
 
   const int frames = options.keyframes;
+  std::vector<std::string> losses;
   Deformer::Result result;
   for (int frame = 0; frame <= frames; ++frame) {
     const std::string title = frames > 0 ? fmt::format("frame {}/{}", frame, frames) : "deform";
@@ -115,9 +132,11 @@ int run(const Options& options, const StageOptions& stage_options) {
     }
     result = deformer.deform(deformed, *device, gradients);
     geometry.move(result.positions, result.gradients);
-    geometry.write(outputs[static_cast<std::size_t>(frame)]);
+    losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
   const DeformReport report{geometry, *device, stages, deformed_folds, result, outputs};
+  if (geometry.is_mesh()) warn_of_losses(geometry.name(), geometry.mesh().dropped());
+  warn_of_losses(outputs.front(), losses);
   warn_of(report);
   if (!options.report.empty()) write_report(options.report, json_of(report));
   if (outputs.front() != "-" && options.report != "-") fmt::print("{}", text_of(report));
@@ -135,7 +154,7 @@ Action add_deform(CLI::App& app) {
       ->required();
   app.add_option(
       "-o,--output", options->output,
-      "mesh to write (obj, ply, stl, glb, gltf, dae), or points (text, or ply), which go to "
+      "mesh to write (obj, ply, off, stl, glb, gltf, dae), or points (text, or ply), which go to "
       "standard output if left out");
   app.add_option("--outside", options->outside,
                  "vertices outside a lattice: keep (default), clamp, fade:WIDTH");

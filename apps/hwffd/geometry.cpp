@@ -42,12 +42,10 @@ void Geometry::move(const Points& positions, const std::vector<Eigen::Matrix3d>&
   }
 }
 
-void Geometry::write(const std::string& path) const {
-  if (is_mesh()) {
-    mesh_->save(path);
-  } else {
-    write_output(path, points_text(points_, path));
-  }
+std::vector<std::string> Geometry::write(const std::string& path) const {
+  if (is_mesh()) return mesh_->save(path);
+  write_output(path, points_text(points_, path));
+  return {};
 }
 
 void check_format(const std::string& input, const std::string& output) {

@@ -29,8 +29,9 @@ class Geometry {
   /// Writes the mesh in the format of the extension, or the points (points_text); "-" is standard
   /// output, for points only. Whole or not at all.
   /// @param path  in a format that check_format() passes
+  /// @return what of the mesh the format does not hold (Mesh::save)
   /// @throws Error for what cannot be written
-  void write(const std::string& path) const;
+  std::vector<std::string> write(const std::string& path) const;
 
  private:
   std::string name_;

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "geometry.hpp"
 #include "hwffd/device/device.hpp"
+#include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/mesh/extension.hpp"
@@ -61,8 +62,10 @@ Json geometry_info(const std::string& name) {
   Json info{{geometry.is_mesh() ? "mesh" : "points", geometry.name()},
             {"vertices", geometry.positions().rows()}};
   if (geometry.is_mesh()) {
-    info["vertices_before_welding"] = geometry.mesh().vertex_count_read();
-    info["triangles"] = geometry.mesh().triangles().size();
+    const Mesh& mesh = geometry.mesh();
+    info["vertices_before_welding"] = mesh.vertex_count_read();
+    info["triangles"] = mesh.triangles().size();
+    if (!mesh.dropped().empty()) info["dropped"] = mesh.dropped();
   }
   info.update(extent(geometry.positions()));
   return info;
@@ -79,7 +82,7 @@ std::string text_of(const Json& info) {
       }
     } else {
       text += fmt::format("{:<24} {}\n", name,
-                          value.is_string() ? value.get<std::string>() : value.dump());
+                          one_line(value.is_string() ? value.get<std::string>() : value.dump()));
     }
   }
   return text;

@@ -4,12 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hwffd/excerpt.hpp"
 #include "outputs.hpp"
 
 namespace hwffd::command {
 
 void write_report(const std::string& path, const Json& report) {
-  write_output(path, report.dump(2) + "\n");
+  write_output(path, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::string dims_text(const Index3& dims) {
@@ -66,8 +67,8 @@ std::string text_of(const DeformReport& report) {
     text += fmt::format(": {} vertices in {} clocks", report.device.counts().vertices,
                         report.device.counts().clocks);
   }
-  text += fmt::format("\nwrote {}", report.written.front());
-  if (report.written.size() > 1) text += " to " + report.written.back();
+  text += fmt::format("\nwrote {}", one_line(report.written.front()));
+  if (report.written.size() > 1) text += " to " + one_line(report.written.back());
   return text + "\n";
 }
 

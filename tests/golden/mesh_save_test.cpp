@@ -154,7 +154,7 @@ TEST(MeshSave, FailedWriteLeavesOldFiles) {
 TEST(MeshSave, UnknownExtensionListsTheKnownOnes) {
   const TempFolder folder;
   const Mesh mesh = Mesh::procedural();
-  const std::string list = "; use the extension obj, ply, stl, glb, gltf or dae";
+  const std::string list = "; use the extension obj, ply, off, stl, glb, gltf or dae";
   EXPECT_EQ(message_of<UsageError>([&] { mesh.save(folder / "a.xyz"); }),
             (folder / "a.xyz").string() + ": cannot write .xyz meshes" + list);
   EXPECT_EQ(message_of<UsageError>([&] { mesh.save(folder / "a"); }),

@@ -158,9 +158,10 @@ class Command(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                               check=False)
 
-    def good(self, *words, given=None):
+    def good(self, *words, given=None, warning=""):
         done = self.hwffd(*words, given=given)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+        stderr = f"hwffd: warning: {warning}\n" if warning else ""
+        self.assertEqual((done.returncode, done.stderr), (0, stderr), words)
         return done.stdout
 
     def test_bad_input(self):
@@ -202,20 +203,51 @@ class Command(unittest.TestCase):
         self.assertNotEqual(sorted(vertices(read["model"])), sorted(vertices(MESH)))
 
     def test_formats_and_what_they_keep(self):
-        for extension in ("obj", "ply", "stl", "glb", "gltf"):
-            self.good("deform", "solid.obj", "--deform", "none", "-o", f"out.{extension}")
+        order = "order of vertices"
+        lost = {"obj": "", "ply": f"{order}, materials, part names", "glb": order, "gltf": order,
+                "off": "texture coordinates, materials, part names",
+                "stl": f"{order}, texture coordinates, materials, part names"}
+        for extension, losses in lost.items():
+            self.good("deform", "solid.obj", "--deform", "none", "-o", f"out.{extension}",
+                      warning=losses and f"out.{extension}: dropped: {losses}")
             info = json.loads(self.good("info", f"out.{extension}", "--json", "-"))
             self.assertEqual((info["vertices"], info["triangles"]), (6, 6), extension)
         text = (self.folder / "out.obj").read_text()
         for word in ("red", "vt 1 0", "lower", "upper"):
             self.assertIn(word, text + (self.folder / "out.mtl").read_text())
 
+    def test_points_vertices_and_names(self):
+        (self.folder / "dust.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 2 1\n")
+        self.good("deform", "dust.obj", "--deform", "none", "-o", "dust.ply")
+        info = json.loads(self.good("info", "dust.ply", "--json", "-"))
+        self.assertEqual([info[key] for key in ("vertices", "vertices_before_welding",
+                                                "triangles")], [3, 4, 0])
+        self.good("deform", "dust.ply", "--deform", "none", "-o", "again.obj")
+        again, dust = (vertices((self.folder / f"{name}.obj").read_text())
+                       for name in ("again", "dust"))
+        self.assertEqual([[round(x, 6) for x in v] for v in again], [list(v) for v in dust])
+        quality = ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                   "property float y\nproperty float z\nproperty float quality\nend_header\n"
+                   "1 2 3 4\n")
+        (self.folder / "new\nline.ply").write_text(quality)
+        out = self.good("deform", "new\nline.ply", "--deform", "none", "-o", "a\nb.ply",
+                        warning="new\\x0aline.ply: dropped: property quality of vertex")
+        self.assertIn("wrote a\\x0ab.ply\n", out)
+
+    def test_a_reader_that_crashes(self):
+        (self.folder / "a.raw").write_text("0 0 0 1 0 0 1 1 0\nroof\n0 0 1 1 0 1 1 1 1\n")
+        for command in (("info", "a.raw"), ("deform", "a.raw", "-o", "out.ply")):
+            done = self.hwffd(*command)
+            self.assertEqual((done.returncode, done.stdout), (FAILURE, ""))
+            self.assertRegex(done.stderr, r"\Ahwffd: a.raw: not a mesh [^\n]* crashed[^\n]*\n\Z")
+        self.assertFalse((self.folder / "out.ply").exists())
+
     def test_report(self):
-        self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.ply", "--json", "r.json")
+        self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json", "r.json")
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(report["vertices"], 6)
         self.assertEqual(report["device"], "model basic-fp32-overlapped")
-        self.assertEqual(report["written"], ["out.ply"])
+        self.assertEqual(report["written"], ["out.obj"])
         (stage,) = report["stages"]
         self.assertEqual((stage["lattice"], stage["dims"]), ("box", [4, 4, 4]))
         self.assertEqual(stage["embedding"]["inside"], 6)

@@ -1,5 +1,14 @@
 #include "corpus.hpp"
 
+#include <assimp/camera.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
+#include <memory>
+#include <stdexcept>
+
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "temp_folder.hpp"
@@ -44,6 +53,11 @@ std::string converted(const std::string& extension) {
   return read_text(folder / ("b" + extension));
 }
 
+const char* const kOff =
+    "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1e-3\n4 0 1 2 3\n3 0 1 4\n";
+
+const char* const kRaw = "0 0 0 1 0 0 1 1 0\n0 0 0 1 1 0 0 1 0\n0 0 1 1 0 1 1 1 1\n";
+
 }  // namespace
 
 std::vector<std::string> lattice_corpus() {
@@ -76,5 +90,39 @@ std::vector<std::string> obj_corpus() { return {kObj}; }
 std::vector<std::string> ply_corpus() { return {kPly, converted(".ply")}; }
 
 std::vector<std::string> stl_corpus() { return {kStl, converted(".stl")}; }
+
+std::vector<std::string> off_corpus() { return {kOff}; }
+
+std::vector<std::string> raw_corpus() { return {kRaw}; }
+
+const TempFolder& mesh_folder() {
+  static const TempFolder folder;
+  return folder;
+}
+
+std::vector<std::string> exported_corpus(const std::vector<std::string>& exporters) {
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.ReadFileFromMemory(
+      kObj, std::string(kObj).size(),
+      aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices, "obj");
+  const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+  if (scene == nullptr) throw std::logic_error(importer.GetErrorString());
+  scene->mRootNode->mChildren[0]->mTransformation.a4 = 1;
+  scene->mCameras = new aiCamera* [1] { new aiCamera() };
+  scene->mNumCameras = 1;
+  scene->mCameras[0]->mName = scene->mRootNode->mChildren[0]->mName;
+  std::vector<std::string> corpus;
+  for (const std::string& name : exporters) {
+    Assimp::Exporter exporter;
+    const std::filesystem::path path = mesh_folder() / name;
+    if (exporter.Export(scene.get(), name, path.string()) != aiReturn_SUCCESS) {
+      throw std::logic_error(name + ": " + exporter.GetErrorString());
+    }
+    corpus.push_back(read_text(path));
+  }
+  return corpus;
+}
 
 }  // namespace hwffd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -10,11 +11,11 @@ namespace hwffd {
 /// A reader of text from outside.
 struct Target {
   const char* name;
-  std::uint64_t inputs;  ///< how many it gets in a run
+  std::uint64_t inputs;  ///< how many it gets in a run; HWFFD_FUZZ_TIMES multiplies them
   std::vector<std::string> corpus;
   /// Reads the input. Returns if it is valid, after a check of what it means (expect()); throws
   /// hwffd::Error if not.
-  void (*read)(const std::string& input);
+  std::function<void(const std::string& input)> read;
 };
 
 /// For the names of tests.

@@ -1,6 +1,10 @@
 #include <sys/resource.h>
 
+#include <functional>
+#include <utility>
+
 #include "corpus.hpp"
+#include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "targets.hpp"
 #include "temp_folder.hpp"
@@ -24,26 +28,67 @@ bool limit_memory() {
   return ::setrlimit(RLIMIT_AS, &limit) == 0;
 }
 
-void read_mesh(const char* name, const std::string& input) {
+/// One of the formats that are written, the same for the same input.
+std::string output_for(const std::string& input) {
+  static const std::vector<std::string> kNames{"out.obj", "out.ply",  "out.off", "out.stl",
+                                               "out.glb", "out.gltf", "out.dae"};
+  return kNames[std::hash<std::string>{}(input) % kNames.size()];
+}
+
+/// Saves the mesh in a folder of its own: all of its files are there afterwards, or none.
+void save(const Mesh& mesh, const std::string& name) {
+  const TempFolder folder;
+  try {
+    mesh.save(folder / name);
+  } catch (const Error&) {
+    expect(folder.files().empty(), "a file half written");
+    throw;
+  }
+  expect(folder.files().count(name) == 1, "no file written");
+  for (const std::string& file : folder.files()) expect(file[0] != '.', "a temporary file is left");
+  if (name == "out.dae") return;  // whose exporter takes any name, and whose reader does not
+  const Mesh again = Mesh::load(folder / name);
+  if (name != "out.stl") {
+    const std::string text = "another number of vertices in " + name;
+    expect(again.vertex_count() == mesh.vertex_count(), text.c_str());
+  }
+}
+
+void read_mesh(const std::string& name, const std::string& input) {
   static const bool limited = limit_memory();
-  static const TempFolder folder;
   expect(limited, "no limit of memory");
-  Mesh mesh = Mesh::load(folder.write(name, input));
+  Mesh mesh = Mesh::load(mesh_folder().write(name, input));
   expect_valid(mesh);
   const std::size_t vertices = mesh.vertex_count();
   mesh.set_positions(0.5 * mesh.positions(),
                      std::vector<Eigen::Matrix3d>(vertices, -0.5 * Eigen::Matrix3d::Identity()));
   expect_valid(mesh);
-  mesh.save(folder / "out.obj");
+  save(mesh, output_for(input));
+}
+
+Target target(const char* format, std::uint64_t inputs, std::vector<std::string> corpus) {
+  const std::string name = std::string("a.") + format;
+  return {format, inputs, std::move(corpus),
+          [name](const std::string& input) { read_mesh(name, input); }};
 }
 
 }  // namespace
 
 const std::vector<Target>& targets() {
-  static const std::vector<Target> all{
-      {"obj", 2000, obj_corpus(), [](const std::string& input) { read_mesh("a.obj", input); }},
-      {"ply", 2000, ply_corpus(), [](const std::string& input) { read_mesh("a.ply", input); }},
-      {"stl", 2000, stl_corpus(), [](const std::string& input) { read_mesh("a.stl", input); }}};
+  static const std::vector<Target> all{target("obj", 2000, obj_corpus()),
+                                       target("ply", 2000, ply_corpus()),
+                                       target("stl", 2000, stl_corpus()),
+                                       target("off", 50, off_corpus()),
+                                       target("raw", 50, raw_corpus()),
+                                       target("gltf", 50, exported_corpus({"gltf2"})),
+                                       target("glb", 50, exported_corpus({"glb2"})),
+                                       target("dae", 50, exported_corpus({"collada"})),
+                                       target("fbx", 50, exported_corpus({"fbxa"})),
+                                       target("3ds", 50, exported_corpus({"3ds"})),
+                                       target("3mf", 50, exported_corpus({"3mf"})),
+                                       target("x", 50, exported_corpus({"x"})),
+                                       target("x3d", 50, exported_corpus({"x3d"})),
+                                       target("assbin", 50, exported_corpus({"assbin"}))};
   return all;
 }
 

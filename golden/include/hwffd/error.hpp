@@ -1,14 +1,17 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "hwffd/excerpt.hpp"
 
 namespace hwffd {
 
-/// A failure that the user can cure. what() is one line that names the thing and the cure; a
-/// command prints it and ends with exit_status().
+/// A failure that the user can cure. what() is one line (one_line()) that names the thing and the
+/// cure; a command prints it and ends with exit_status().
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& text) : std::runtime_error(one_line(text)) {}
   virtual int exit_status() const { return 1; }
 };
 

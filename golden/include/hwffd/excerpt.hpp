@@ -11,4 +11,8 @@ namespace hwffd {
 /// @param limit at least 8
 std::string excerpt(std::string_view text, std::size_t limit = 60);
 
+/// The text with control characters, such as the newline in a file's name, as \xNN: a message stays
+/// one line. Everything else stays, whatever its encoding.
+std::string one_line(std::string_view text);
+
 }  // namespace hwffd

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <unordered_map>
 
 #include "hwffd/error.hpp"
 #include "mesh/normals.hpp"
+#include "mesh/read_scene.hpp"
 #include "mesh/scene.hpp"
 
 namespace hwffd {
@@ -46,8 +48,22 @@ Mesh::~Mesh() = default;
 
 Mesh::Mesh(ScenePtr scene, std::string name) : scene_(std::move(scene)), name_(std::move(name)) {
   weld();
+  numbers_ = weld_;
+  read_count_ = weld_.size();
   find_triangles();
   normals_ = std::make_unique<SceneNormals>(*scene_, weld_);
+}
+
+Mesh::Mesh(ReadScene read, const std::filesystem::path& path)
+    : Mesh(ScenePtr(read.scene.release()), path.filename().string()) {
+  if (!read.numbers.empty()) {
+    is_numbered_ = true;
+    numbers_ = std::move(read.numbers);
+    read_count_ = std::size_t{*std::max_element(numbers_.begin(), numbers_.end())} + 1;
+  }
+  dropped_ = std::move(read.dropped);
+  folder_ = std::filesystem::absolute(path).parent_path();
+  unit_ = read.unit;
 }
 
 void Mesh::weld() {

@@ -2,16 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <cmath>
+#include <cstring>
 #include <system_error>
 
+#include "child.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/excerpt.hpp"
-#include "hwffd/mesh/extension.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "mesh/ply_check.hpp"
-#include "mesh/scene.hpp"
+#include "mesh/read_scene.hpp"
 #include "read_file.hpp"
 
 namespace hwffd {
@@ -19,51 +16,68 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kAccepted =
-    "accepted are obj, ply, stl, 3ds, glb, gltf, dae and what else Assimp reads";
-
-/// What Assimp says, which may quote a line of the file.
-std::string reason_of(const Assimp::Importer& importer) {
-  std::string text = importer.GetErrorString();
-  while (!text.empty() && (text.back() == ' ' || text.back() == '.' || text.back() == '\n')) {
-    text.pop_back();
-  }
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return excerpt(text);
+/// Far more than a good file takes: Assimp needs up to 40 bytes a byte, and reads some MB a second.
+ChildLimits limits_for(std::size_t bytes) {
+  return {(std::uint64_t{1} << 30) + std::uint64_t{200} * bytes,
+          10 + static_cast<unsigned>(bytes >> 17)};
 }
 
-Error not_a_mesh(const std::string& file, const std::string& reason) {
-  return Error(fmt::format("{}: not a mesh that can be read ({}); {}", file, reason, kAccepted));
+/// Whether the property has the bytes that its type needs; Assimp does not look, or ends the
+/// program.
+bool is_whole(const aiMaterialProperty& property) {
+  switch (property.mType) {
+    case aiPTI_Buffer:
+      return true;
+    case aiPTI_Float:
+    case aiPTI_Integer:
+      return property.mDataLength >= sizeof(float);
+    case aiPTI_Double:
+      return property.mDataLength >= sizeof(double);
+    case aiPTI_String:
+      break;
+    default:
+      return false;
+  }
+  ai_uint32 length = 0;  // before the characters and a zero
+  if (property.mDataLength < sizeof(length) + 1) return false;
+  std::memcpy(&length, property.mData, sizeof(length));
+  return property.mDataLength == sizeof(length) + std::uint64_t{length} + 1 && length < MAXLEN &&
+         property.mData[property.mDataLength - 1] == '\0';
 }
 
-void check_part(const std::string& file, const aiMesh& mesh) {
-  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-    const aiVector3D& p = mesh.mVertices[v];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw Error(
-          fmt::format("{}: vertex {} has a coordinate that is not a finite binary32 "
-                      "number; repair or scale the mesh",
-                      file, v));
-    }
-  }
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    for (unsigned c = 0; c < face.mNumIndices; ++c) {
-      if (face.mIndices[c] < mesh.mNumVertices) continue;
-      throw Error(fmt::format("{}: face {} refers to vertex {} of {}; repair the mesh", file, f,
-                              face.mIndices[c], mesh.mNumVertices));
-    }
-  }
-}
-
-void check_scene(const std::string& file, const aiScene& scene) {
+/// Consistent as far as whoever walks over the scene relies on it.
+void check_references(const ReadScene& read) {
+  const aiScene& scene = *read.scene;
   std::size_t vertices = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    check_part(file, *scene.mMeshes[m]);
     vertices += scene.mMeshes[m]->mNumVertices;
+    if (scene.mMeshes[m]->mMaterialIndex < std::max(1u, scene.mNumMaterials)) continue;
+    throw not_a_mesh(fmt::format("part {} refers to material {} of {}", m,
+                                 scene.mMeshes[m]->mMaterialIndex, scene.mNumMaterials));
   }
-  if (vertices == 0 || scene.mRootNode == nullptr) {
-    throw Error(fmt::format("{}: holds no vertices; {}", file, kAccepted));
+  for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+    const aiMaterial& material = *scene.mMaterials[m];
+    for (unsigned p = 0; p < material.mNumProperties; ++p) {
+      if (!is_whole(*material.mProperties[p])) {
+        throw not_a_mesh(fmt::format("material {} is broken", m));
+      }
+    }
+  }
+  if (!read.numbers.empty() && read.numbers.size() != vertices) throw not_a_mesh("lost vertices");
+}
+
+ReadScene read_apart(const fs::path& path) {
+  const std::string bytes = read_file(path);
+  try {
+    ReadScene read = unpack(
+        run_in_child([&] { return pack(read_scene(path, bytes)); }, limits_for(bytes.size())));
+    check_scene(*read.scene);
+    check_references(read);
+    return read;
+  } catch (const ChildFailure& failure) {
+    throw Error(fmt::format("{}: {}", path.string(), not_a_mesh(failure.what()).what()));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 
@@ -72,25 +86,12 @@ void check_scene(const std::string& file, const aiScene& scene) {
 Mesh Mesh::load(const fs::path& path) {
   const std::string file = path.string();
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) {
-    throw Error(fmt::format("{}: no such file; give the path of a mesh: {}", file, kAccepted));
-  }
-  if (!fs::is_regular_file(path, ignored)) {
-    throw Error(fmt::format("{}: not a file; give the path of a mesh: {}", file, kAccepted));
-  }
-  const std::string bytes = read_file(path);
-  const std::string fault = extension_of(path) == ".ply" ? fault_of_ply(bytes) : "";
-  if (!fault.empty()) throw not_a_mesh(file, fault);
-  Assimp::Importer importer;
-  if (importer.ReadFile(file, 0) == nullptr) throw not_a_mesh(file, reason_of(importer));
-  ScenePtr scene(importer.GetOrphanedScene());
-  check_scene(file, *scene);
-  strip_scene(*scene);
-  if (extension_of(path) == ".3ds") undo_3ds_turn(*scene);
-  join_corners(*scene);
-  bake_transforms(*scene);
-  check_scene(file, *scene);  // a transform may overflow, and parts that no node shows are gone
-  return Mesh(std::move(scene), path.filename().string());
+  const auto refuse = [&](const char* what) {
+    throw Error(fmt::format("{}: {}; give the path of a mesh: {}", file, what, kAcceptedMeshes));
+  };
+  if (!fs::exists(path, ignored)) refuse("no such file");
+  if (!fs::is_regular_file(path, ignored)) refuse("not a file");
+  return Mesh(read_apart(path), path);
 }
 
 }  // namespace hwffd

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,7 @@ struct Type {
 };
 
 struct Property {
+  std::string name;
   Type count{0, false};  ///< of a list; size 0 otherwise
   Type value{0, false};
 };
@@ -77,6 +79,7 @@ Property property_in(std::istringstream& words) {
     words >> word;
   }
   property.value = type_of(word);
+  words >> property.name;
   return property;
 }
 
@@ -175,6 +178,52 @@ std::string fault_of_ply(const std::string& bytes) {
     return fault.text;
   }
   return "";
+}
+
+std::vector<std::string> unread_of_ply(const std::string& bytes) {
+  static const std::map<std::string, std::set<std::string>> kRead = {
+      {"vertex",
+       {"x",
+        "y",
+        "z",
+        "nx",
+        "ny",
+        "nz",
+        "red",
+        "green",
+        "blue",
+        "alpha",
+        "r",
+        "g",
+        "b",
+        "diffuse_red",
+        "diffuse_green",
+        "diffuse_blue",
+        "diffuse_alpha",
+        "s",
+        "t",
+        "u",
+        "v",
+        "tx",
+        "ty",
+        "texture_u",
+        "texture_v"}},
+      {"face", {"vertex_index", "vertex_indices", "texcoord", "material_index"}},
+      {"tristrips", {"vertex_index", "vertex_indices"}}};
+  std::vector<std::string> unread;
+  for (const Element& element : header_of(bytes).elements) {
+    const auto known = kRead.find(element.name);
+    if (known == kRead.end() && element.name != "material") {
+      unread.push_back(fmt::format("element {}", excerpt(element.name, kQuoted)));
+    }
+    if (known == kRead.end()) continue;
+    for (const Property& property : element.properties) {
+      if (known->second.count(property.name) != 0) continue;
+      unread.push_back(
+          fmt::format("property {} of {}", excerpt(property.name, kQuoted), element.name));
+    }
+  }
+  return unread;
 }
 
 }  // namespace hwffd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hwffd {
 
@@ -9,5 +10,8 @@ namespace hwffd {
 /// @param bytes the whole file
 /// @return what is wrong, in a few words; empty if header and data belong together
 std::string fault_of_ply(const std::string& bytes);
+
+/// What a ply file without a fault holds that is not read: "property quality of vertex".
+std::vector<std::string> unread_of_ply(const std::string& bytes);
 
 }  // namespace hwffd

@@ -1,8 +1,10 @@
 #include "mesh/scene.hpp"
 
 #include <assimp/SceneCombiner.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -37,25 +39,35 @@ std::vector<Attribute> attributes(aiMesh& mesh) {
   return list;
 }
 
+/// Keeps these vertices in this order.
+/// @param index  old vertex -> new vertex, for the faces
+void select(aiMesh& mesh, const std::vector<unsigned>& order, const std::vector<unsigned>& index) {
+  std::string kept;
+  for (const Attribute& a : attributes(mesh)) {
+    kept.clear();
+    for (const unsigned v : order) kept.append(a.data + v * a.size, a.size);
+    std::copy(kept.begin(), kept.end(), a.data);
+  }
+  mesh.mNumVertices = static_cast<unsigned>(order.size());
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    aiFace& face = mesh.mFaces[f];
+    for (unsigned c = 0; c < face.mNumIndices; ++c) face.mIndices[c] = index[face.mIndices[c]];
+  }
+}
+
 void join_corners(aiMesh& mesh) {
   const std::vector<Attribute> list = attributes(mesh);
   std::unordered_map<std::string, unsigned> seen;
   std::vector<unsigned> index(mesh.mNumVertices);
+  std::vector<unsigned> order;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     std::string key;
     for (const Attribute& a : list) key.append(a.data + v * a.size, a.size);
     const auto [entry, is_new] = seen.emplace(std::move(key), static_cast<unsigned>(seen.size()));
     index[v] = entry->second;
-    if (!is_new || index[v] == v) continue;
-    for (const Attribute& a : list) {
-      std::copy_n(a.data + v * a.size, a.size, a.data + index[v] * a.size);
-    }
+    if (is_new) order.push_back(v);
   }
-  mesh.mNumVertices = static_cast<unsigned>(seen.size());
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    aiFace& face = mesh.mFaces[f];
-    for (unsigned c = 0; c < face.mNumIndices; ++c) face.mIndices[c] = index[face.mIndices[c]];
-  }
+  select(mesh, order, index);
 }
 
 void transform(aiMesh& mesh, const aiMatrix4x4& matrix) {
@@ -131,7 +143,28 @@ void turn_faces(aiMesh& mesh) {
   }
 }
 
-void strip_scene(aiScene& scene) {
+void reorder(aiMesh& mesh, const std::vector<unsigned>& order) {
+  std::vector<unsigned> index(order.size());
+  for (unsigned v = 0; v < order.size(); ++v) index[order[v]] = v;
+  select(mesh, order, index);
+}
+
+std::vector<std::string> strip_scene(aiScene& scene) {
+  unsigned bones = 0;
+  unsigned targets = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    bones += scene.mMeshes[m]->mNumBones;
+    targets += scene.mMeshes[m]->mNumAnimMeshes;
+  }
+  std::vector<std::string> dropped;
+  const auto name = [&](unsigned count, const char* what) {
+    if (count > 0) dropped.push_back(fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"));
+  };
+  name(scene.mNumAnimations, "animation");
+  name(bones, "bone");
+  name(targets, "morph target");
+  name(scene.mNumCameras, "camera");
+  name(scene.mNumLights, "light");
   drop(scene.mAnimations, scene.mNumAnimations);
   drop(scene.mCameras, scene.mNumCameras);
   drop(scene.mLights, scene.mNumLights);
@@ -144,6 +177,7 @@ void strip_scene(aiScene& scene) {
     mesh.mTangents = nullptr;
     mesh.mBitangents = nullptr;
   }
+  return dropped;
 }
 
 void join_corners(aiScene& scene) {
@@ -155,6 +189,16 @@ void bake_transforms(aiScene& scene) { Baker{scene}; }
 void undo_3ds_turn(aiScene& scene) {
   const aiMatrix4x4 back(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
   scene.mRootNode->mTransformation = back * scene.mRootNode->mTransformation;
+}
+
+double take_unit(aiScene& scene) {
+  aiMatrix4x4& matrix = scene.mRootNode->mTransformation;
+  const float unit = aiVector3D(matrix.a1, matrix.b1, matrix.c1).Length();
+  if (!std::isfinite(unit) || unit <= 0) return 1;
+  for (unsigned row = 0; row < 3; ++row) {
+    for (unsigned column = 0; column < 4; ++column) matrix[row][column] /= unit;
+  }
+  return std::stod(fmt::format("{}", unit));  // the decimal number that the file has
 }
 
 void name_parts_after_nodes(aiScene& scene) {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace hwffd {
 
@@ -24,11 +26,16 @@ void turn_faces(aiMesh& mesh);
 
 /// Drops what does not follow a deformation: animations, bones, morph targets, cameras, lights,
 /// tangents.
-void strip_scene(aiScene& scene);
+/// @return what that was, but for tangents: "2 animations"
+std::vector<std::string> strip_scene(aiScene& scene);
 
 /// Makes corners of a part that agree in every attribute, bit for bit, one vertex, in the order of
 /// their first appearance. (Assimp's own step also joins vertices that are merely close.)
 void join_corners(aiScene& scene);
+
+/// Puts the vertices of a part in another order.
+/// @param order  old numbers of the vertices, each once
+void reorder(aiMesh& mesh, const std::vector<unsigned>& order);
 
 /// Applies every node's transform to the parts below it, gives each instance a part of its own,
 /// turns faces of mirrored parts round, and drops parts that no node shows.
@@ -37,6 +44,10 @@ void bake_transforms(aiScene& scene);
 /// Takes back the turn (x, y, z) -> (x, z, -y) that Assimp's reader puts on the root of 3ds files:
 /// coordinates are then those in the file.
 void undo_3ds_turn(aiScene& scene);
+
+/// Takes the unit of a dae file, in metres, out of the root's transform, where Assimp's reader puts
+/// it: coordinates are then those in the file.
+double take_unit(aiScene& scene);
 
 /// Calls each part as the node that shows it, if that has a name and is not the root: the name of a
 /// group or object, where readers call parts after materials or give them numbers.

@@ -14,23 +14,26 @@ struct aiScene;
 namespace hwffd {
 
 class SceneNormals;
+struct ReadScene;
 
-/// A polygon mesh whose vertices can be moved. It keeps the whole scene of the file (faces, texture
-/// coordinates, colours, materials, groups) and shows each distinct position once: vertices that
-/// a file repeats along smoothing groups or texture seams are welded by exact equality, over all
-/// parts of the scene.
+/// A polygon mesh, or a cloud of points, whose vertices can be moved. It keeps the whole scene of
+/// the file (faces, texture coordinates, colours, materials, groups) and shows each distinct
+/// position once: vertices that a file repeats along smoothing groups or texture seams are welded
+/// by exact equality, over all parts of the scene. Welding is for those who move vertices: files
+/// are written with the vertices that were read, in their order.
 ///
 /// Coordinates are those of the scene with its node transforms applied. A 3ds file is taken as
-/// written, y up, without the turn that Assimp puts on its root. Node transforms end as identity
-/// and an instanced part becomes one part an instance; animations, bones, morph targets, cameras
-/// and lights are dropped, since they do not follow the deformation.
+/// written, y up, without the turn that Assimp puts on its root, and a dae file in its own unit.
+/// Node transforms end as identity and an instanced part becomes one part an instance; animations,
+/// bones, morph targets, cameras and lights are dropped, since they do not follow the deformation.
 class Mesh {
  public:
   /// Vertex indices of one triangle, counterclockwise seen from outside.
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// Reads a mesh file in any format that Assimp knows. Of a 3ds file without keyframes the names
-  /// of objects are lost.
+  /// of objects are lost. Files are read in a child process, with limits of memory and time that
+  /// grow with the file: a reader that crashes or does not end is an Error as any other.
   /// @throws Error: file missing or unreadable, not a mesh, no vertices, a coordinate that is not
   ///   finite, or a face that refers to a vertex that is not there.
   static Mesh load(const std::filesystem::path& path);
@@ -68,9 +71,13 @@ class Mesh {
   /// Number of welded vertices: rows of positions().
   std::size_t vertex_count() const { return static_cast<std::size_t>(positions_.rows()); }
 
-  /// Number of vertices before welding: distinct combinations of position, normal, texture
-  /// coordinates and colour in each part.
-  std::size_t vertex_count_read() const { return weld_.size(); }
+  /// Number of vertices before welding. Of obj, ply, off, glb and gltf those in the file, whether a
+  /// face uses them or not; else distinct combinations of position, normal, texture coordinates and
+  /// colour in each part.
+  std::size_t vertex_count_read() const { return read_count_; }
+
+  /// What the file held and this mesh does not: "2 animations", "property quality of vertex".
+  const std::vector<std::string>& dropped() const { return dropped_; }
 
   /// Welded positions, vertex_count() x 3. Every value is a binary32 number.
   const Points& positions() const { return positions_; }
@@ -105,25 +112,31 @@ class Mesh {
   /// area; (0, 1, 0) where the faces give no direction.
   Points smooth_normals() const;
 
-  /// Writes the mesh; the extension chooses the format (obj, ply, stl, glb, gltf, dae). Files that
-  /// belong to it (mtl, bin) go beside it; texture files are named as they were, not copied.
-  /// Written whole or not at all, see write_files(). Positions and faces always stay; lost are
+  /// Writes the mesh; the extension chooses the format (obj, ply, off, stl, glb, gltf, dae). Files
+  /// that belong to it (mtl, bin) go beside it; texture files are named so that they are found from
+  /// there, not copied. Written whole or not at all, see write_files().
   ///
-  /// - obj: the names of objects (groups stay); textures inside the file
-  /// - ply: parts become one; their names, materials and all but one texture's name; binary without
-  ///   colours, else text and colours of 8 bits; with a face of over 255 corners all are cut into
-  ///   triangles
+  /// Vertices come in the order and number in which they were read, also those without faces,
+  /// unless the format has one normal or texture coordinate a vertex and the mesh several.
+  /// Otherwise lost are
+  ///
+  /// - obj: textures inside the file
+  /// - ply: parts become one; their names, materials and all but one texture's name
+  /// - off: all but positions and faces
   /// - stl: all but triangles and their flat normals
   /// - glb, gltf: polygons are cut into triangles; objects of an obj file are empty nodes
-  /// - dae: part names get a suffix, blanks in names become letters; materials may change order
-  /// @throws Error for an unknown extension (lists the known ones), a mesh without faces as stl, or
-  ///   a failed write.
-  void save(const std::filesystem::path& path) const;
+  /// - dae: points; part names get a suffix, blanks in names become letters; materials may change
+  ///   order
+  /// @return what of this mesh is lost, a few words each
+  /// @throws UsageError for an unknown extension (check_format()), Error for a mesh without faces
+  /// as stl or
+  ///   dae, or a failed write.
+  std::vector<std::string> save(const std::filesystem::path& path) const;
 
   /// The scene as it stands now, for a renderer that wants materials or texture coordinates.
   const aiScene& scene() const { return *scene_; }
 
-  /// The welded vertex of every vertex of scene(), parts in order: vertex_count_read() of them.
+  /// The welded vertex of every vertex of scene(), parts in order.
   const std::vector<std::uint32_t>& welded() const { return weld_; }
 
  private:
@@ -133,6 +146,7 @@ class Mesh {
   using ScenePtr = std::unique_ptr<aiScene, SceneDeleter>;
 
   Mesh(ScenePtr scene, std::string name);
+  Mesh(ReadScene read, const std::filesystem::path& path);
   void weld();
   void find_triangles();
   void orient_faces(bool turned);
@@ -141,7 +155,13 @@ class Mesh {
   std::string name_;
   Points positions_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> weld_;  ///< scene vertex (parts in order) -> welded vertex
+  std::vector<std::uint32_t> weld_;     ///< scene vertex (parts in order) -> welded vertex
+  std::vector<std::uint32_t> numbers_;  ///< scene vertex -> vertex in the file; or as weld_
+  bool is_numbered_ = false;            ///< whether numbers_ are the file's
+  std::size_t read_count_ = 0;
+  std::vector<std::string> dropped_;
+  std::filesystem::path folder_;  ///< that names of textures start from; empty: none
+  double unit_ = 1;               ///< of positions, in metres
   std::unique_ptr<SceneNormals> normals_;
   bool turned_ = false;  ///< whether faces are turned round from how they were read
 };

@@ -1,0 +1,155 @@
+#include "mesh/assimp_export.hpp"
+
+#include <assimp/SceneCombiner.h>
+#include <assimp/material.h>
+#include <fmt/format.h>
+
+#include <assimp/Exporter.hpp>
+#include <cstring>
+#include <system_error>
+
+#include "hwffd/error.hpp"
+#include "mesh/memory_io.hpp"
+#include "mesh/scene.hpp"
+#include "mesh/utf8.hpp"
+
+namespace hwffd {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name of a texture file for who looks from the output's folder. Textures inside the file
+/// (*0), absolute paths and addresses stay.
+std::string relocated(const std::string& name, const Output& output) {
+  const fs::path file(name);
+  const bool stays = name.empty() || name[0] == '*' || file.is_absolute() ||
+                     name.find(':') != name.npos || output.texture_folder.empty();
+  if (stays) return name;
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(output.path).parent_path(), error);
+  const fs::path from = fs::weakly_canonical(output.texture_folder, error);
+  if (error || folder == from) return name;
+  const fs::path relative = (from / file).lexically_relative(folder);
+  return relative.empty() ? name : relative.string();
+}
+
+/// As aiString, which drops what does not fit, but cut.
+void set(aiString& text, std::string value) {
+  constexpr std::size_t kLongest = MAXLEN - 1;
+  if (value.size() > kLongest) {
+    value.resize(kLongest);
+    while (!value.empty() && (static_cast<unsigned char>(value.back()) & 0xc0) == 0x80) {
+      value.pop_back();
+    }
+    if (!value.empty() && static_cast<unsigned char>(value.back()) >= 0xc0) value.pop_back();
+  }
+  text.Set(value);
+}
+
+void adapt(aiMaterial& material, const Output& output, bool is_utf8) {
+  // Without a name each exporter invents another.
+  aiString name;
+  material.Get(AI_MATKEY_NAME, name);
+  if (name.length == 0) name = AI_DEFAULT_MATERIAL_NAME;
+  material.AddProperty(&name, AI_MATKEY_NAME);
+  struct Text {
+    std::string key;
+    unsigned semantic;
+    unsigned index;
+    aiString value;
+  };
+  std::vector<Text> texts;
+  for (unsigned p = 0; p < material.mNumProperties; ++p) {
+    const aiMaterialProperty& property = *material.mProperties[p];
+    aiString value;
+    if (property.mType != aiPTI_String) continue;
+    if (material.Get(property.mKey.C_Str(), property.mSemantic, property.mIndex, value) !=
+        aiReturn_SUCCESS) {
+      continue;
+    }
+    const bool is_texture = std::strcmp(property.mKey.C_Str(), _AI_MATKEY_TEXTURE_BASE) == 0;
+    std::string text(value.C_Str());
+    if (is_texture) text = relocated(text, output);
+    if (is_utf8) text = utf8_of(text);
+    set(value, text);
+    texts.push_back({property.mKey.C_Str(), property.mSemantic, property.mIndex, value});
+  }
+  for (const Text& text : texts) {
+    material.AddProperty(&text.value, text.key.c_str(), text.semantic, text.index);
+  }
+}
+
+void make_utf8(aiNode& node) {
+  set(node.mName, utf8_of(node.mName.C_Str()));
+  for (unsigned c = 0; c < node.mNumChildren; ++c) make_utf8(*node.mChildren[c]);
+}
+
+aiMesh* one_triangle() {
+  auto* mesh = new aiMesh();
+  mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  mesh->mNumVertices = 3;
+  mesh->mVertices = new aiVector3D[3]{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh->mNumFaces = 1;
+  mesh->mFaces = new aiFace[1];
+  mesh->mFaces[0].mNumIndices = 3;
+  mesh->mFaces[0].mIndices = new unsigned[3]{0, 1, 2};
+  return mesh;
+}
+
+template <typename T>
+void copy_all(T**& items, unsigned& count, T* const* from, unsigned number) {
+  items = new T* [number] {};
+  for (; count < number; ++count) Assimp::SceneCombiner::Copy(&items[count], from[count]);
+}
+
+}  // namespace
+
+Files assimp_export(const aiScene& scene, const std::string& exporter_name,
+                    const std::string& name) {
+  Assimp::Exporter exporter;
+  auto* memory = new MemoryIo();  // owned by the exporter
+  exporter.SetIOHandler(memory);
+  if (exporter.Export(&scene, exporter_name, name) != aiReturn_SUCCESS) {
+    throw Error(
+        fmt::format("cannot write the mesh ({}); try another format", exporter.GetErrorString()));
+  }
+  Files files;
+  for (const auto& [file, bytes] : memory->files()) {
+    files[fs::path(file).filename().string()] = bytes;
+  }
+  return files;
+}
+
+std::unique_ptr<aiScene> materials_of(const Output& output, bool is_utf8) {
+  auto result = std::make_unique<aiScene>();
+  result->mRootNode = new aiNode("root");
+  result->mRootNode->mNumMeshes = 1;
+  result->mRootNode->mMeshes = new unsigned[1]{0};
+  result->mMeshes = new aiMesh* [1] { one_triangle() };
+  result->mNumMeshes = 1;
+  const aiScene& scene = output.scene;
+  copy_all(result->mMaterials, result->mNumMaterials, scene.mMaterials, scene.mNumMaterials);
+  copy_all(result->mTextures, result->mNumTextures, scene.mTextures, scene.mNumTextures);
+  for (unsigned m = 0; m < result->mNumMaterials; ++m) {
+    adapt(*result->mMaterials[m], output, is_utf8);
+  }
+  return result;
+}
+
+std::unique_ptr<aiScene> copy_of(const Output& output, bool is_utf8) {
+  aiScene* copy = nullptr;
+  Assimp::SceneCombiner::CopyScene(&copy, &output.scene);
+  std::unique_ptr<aiScene> result(copy);
+  for (unsigned m = 0; m < result->mNumMaterials; ++m) {
+    adapt(*result->mMaterials[m], output, is_utf8);
+  }
+  if (!is_utf8) return result;
+  make_utf8(*result->mRootNode);
+  for (unsigned m = 0; m < result->mNumMeshes; ++m) {
+    aiString& name = result->mMeshes[m]->mName;
+    set(name, utf8_of(name.C_Str()));
+  }
+  return result;
+}
+
+}  // namespace hwffd

@@ -1,0 +1,137 @@
+// Names, units and paths on their way through formats, and what is dropped.
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hwffd/mesh/mesh.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+const char* const kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+
+TEST(MeshNames, Latin1BecomesUtf8) {
+  const TempFolder folder;
+  folder.write("a.mtl", "newmtl gr\xfcn\nKd 0 1 0\nmap_Kd b\xe4r.png\n");
+  const Mesh mesh = Mesh::load(
+      folder.write("a.obj", std::string("mtllib a.mtl\ng t\xfcr\nusemtl gr\xfcn\n") + kTriangle));
+  mesh.save(folder / "b.gltf");
+  const nlohmann::json file = nlohmann::json::parse(read_text(folder / "b.gltf"));
+  EXPECT_EQ(file["materials"].back()["name"], "gr\u00fcn");
+  EXPECT_EQ(file["images"][0]["uri"], "b\u00e4r.png");
+  mesh.save(folder / "b.glb");
+  mesh.save(folder / "b.dae");
+  const std::string dae = read_text(folder / "b.dae");
+  expect_part(dae, "gr\u00fcn");
+  expect_part(dae, "b%c3%a4r.png");
+  EXPECT_EQ(dae.find('\xfc'), std::string::npos) << "a byte of Latin-1";
+  int checked = 0;
+  for (const std::string name : {"b.gltf", "b.glb", "b.dae"}) {
+    EXPECT_EQ(Mesh::load(folder / name).vertex_count(), 3u) << name;
+    ++checked;
+  }
+  EXPECT_EQ(checked, 3);
+  mesh.save(folder / "b.obj");  // which has no encoding: as it was
+  expect_part(read_text(folder / "b.obj"), "g t\xfcr\n");
+}
+
+TEST(MeshNames, Utf8Stays) {
+  const TempFolder folder;
+  const Mesh mesh =
+      Mesh::load(folder.write("a.obj", std::string("g t\u00fcr \u6728\n") + kTriangle));
+  mesh.save(folder / "b.gltf");
+  expect_part(read_text(folder / "b.gltf"), "\"t\u00fcr \u6728\"");
+}
+
+TEST(MeshNames, MessagesAreOneLine) {
+  EXPECT_STREQ(Error("a\nb\x7f: caf\u00e9").what(), "a\\x0ab\\x7f: caf\u00e9");
+  const TempFolder folder;
+  EXPECT_EQ(message_of<Error>([] { Mesh::load("no\nsuch.obj"); }).rfind("no\\x0asuch.obj: ", 0),
+            0u);
+}
+
+TEST(MeshNames, TexturesAreFoundFromAnotherFolder) {
+  const TempFolder folder;
+  for (const char* name : {"in", "in/skin", "out"})
+    std::filesystem::create_directory(folder / name);
+  folder.write("in/skin/red.png", "x");
+  folder.write("in/a.mtl", "newmtl red\nmap_Kd skin/red.png\nnewmtl far\nmap_Kd /abs/far.png\n");
+  const Mesh mesh = Mesh::load(folder.write(
+      "in/a.obj", std::string("mtllib a.mtl\nusemtl red\n") + kTriangle + "usemtl far\nf 1 3 2\n"));
+  mesh.save(folder / "in/b.obj");
+  expect_part(read_text(folder / "in/b.mtl"), "map_Kd skin/red.png\n");
+  mesh.save(folder / "out/b.obj");
+  expect_part(read_text(folder / "out/b.mtl"), "map_Kd ../in/skin/red.png\n");
+  expect_part(read_text(folder / "out/b.mtl"), "map_Kd /abs/far.png\n");
+  mesh.save(folder / "out/b.gltf");
+  expect_part(read_text(folder / "out/b.gltf"), "\"../in/skin/red.png\"");
+  mesh.save(folder / "out/b.ply");
+  expect_part(read_text(folder / "out/b.ply"), "comment TextureFile ../in/skin/red.png\n");
+}
+
+/// A triangle of 300, 0, 0 and so on in this unit, as Assimp writes it but for the unit.
+std::filesystem::path dae_file(const TempFolder& folder, const std::string& unit) {
+  Mesh::load(folder.write("a.obj", "v 0 0 0\nv 300 0 0\nv 0 1.7 0\nf 1 2 3\n"))
+      .save(folder / "a.dae");
+  std::string text = read_text(folder / "a.dae");
+  const std::string metre = "<unit name=\"meter\" meter=\"1\" />";
+  EXPECT_NE(text.find(metre), std::string::npos) << text;
+  text.replace(text.find(metre), metre.size(), unit);
+  return folder.write("a.dae", text);
+}
+
+TEST(MeshNames, UnitOfDaeIsKept) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(dae_file(folder, "<unit name=\"centimeter\" meter=\"0.01\" />"));
+  EXPECT_EQ(mesh.positions()(1, 0), 300);
+  mesh.save(folder / "b.dae");
+  expect_part(read_text(folder / "b.dae"), "meter=\"0.01\"");
+  const Mesh again = Mesh::load(folder / "b.dae");
+  EXPECT_EQ(again.positions(), mesh.positions());
+  mesh.save(folder / "b.obj");
+  EXPECT_EQ(Mesh::load(folder / "b.obj").positions(), mesh.positions());
+  mesh.save(folder / "b.glb");  // metres by definition
+  EXPECT_FLOAT_EQ(static_cast<float>(Mesh::load(folder / "b.glb").positions()(1, 0)), 3.0f);
+}
+
+TEST(MeshNames, DroppedPropertiesOfPly) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                   "property float z\nproperty float quality\nelement face 1\n"
+                   "property list uchar int vertex_indices\nproperty uchar red\nelement edge 1\n"
+                   "property int vertex1\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n1\n"));
+  EXPECT_EQ(mesh.dropped(), (std::vector<std::string>{"property quality of vertex",
+                                                      "property red of face", "element edge"}));
+}
+
+TEST(MeshNames, DroppedAnimationsAndCameras) {
+  const TempFolder folder;
+  Mesh::load(folder.write("a.obj", kTriangle)).save(folder / "a.gltf");
+  nlohmann::json file = nlohmann::json::parse(read_text(folder / "a.gltf"));
+  file["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+  file["nodes"].push_back({{"name", "eye"}, {"camera", 0}});
+  file["nodes"][0]["children"].push_back(file["nodes"].size() - 1);
+  file["animations"] = {
+      {{"samplers", {{{"input", 2}, {"output", 0}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  const Mesh mesh = Mesh::load(folder.write("b.gltf", file.dump()));
+  EXPECT_EQ(mesh.dropped(), (std::vector<std::string>{"1 animation", "1 camera"}));
+}
+
+TEST(MeshNames, ObjectNamesThatObjDrops) {
+  const TempFolder folder;
+  const Mesh mesh = Mesh::load(
+      folder.write("a.obj", std::string("o car\ng wheel\n") + kTriangle + "g wheel 2\nf 1 3 2\n"));
+  EXPECT_EQ(mesh.save(folder / "b.obj"), std::vector<std::string>{"names of empty objects"});
+  // A vertex of the file is one in each of the two parts.
+  EXPECT_EQ(mesh.save(folder / "b.glb"), std::vector<std::string>{"order of vertices"});
+}
+
+}  // namespace
+}  // namespace hwffd
