@@ -77,7 +77,8 @@ std::string text_of(const Json& info) {
   for (const auto& [name, value] : info.items()) {
     if (value.is_object()) {
       for (const auto& [device, rows] : value.items()) {
-        text += fmt::format("{:<24} {}\n", name + "." + device, rows.size() == 0 ? "-" : "");
+        text +=
+            fmt::format("{:<24} {}\n", fmt::format("{}.{}", name, device), rows.empty() ? "-" : "");
         for (const Json& row : rows) text += fmt::format("  {}\n", row.get<std::string>());
       }
     } else {

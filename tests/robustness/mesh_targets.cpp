@@ -60,8 +60,9 @@ void read_mesh(const std::string& name, const std::string& input) {
   Mesh mesh = Mesh::load(mesh_folder().write(name, input));
   expect_valid(mesh);
   const std::size_t vertices = mesh.vertex_count();
-  mesh.set_positions(0.5 * mesh.positions(),
-                     std::vector<Eigen::Matrix3d>(vertices, -0.5 * Eigen::Matrix3d::Identity()));
+  // A mirror about the origin: exact, so different places stay different.
+  mesh.set_positions(-mesh.positions(),
+                     std::vector<Eigen::Matrix3d>(vertices, -Eigen::Matrix3d::Identity()));
   expect_valid(mesh);
   save(mesh, output_for(input));
 }

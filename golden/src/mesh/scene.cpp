@@ -81,6 +81,14 @@ void transform(aiMesh& mesh, const aiMatrix4x4& matrix) {
   if (matrix.Determinant() < 0) turn_faces(mesh);
 }
 
+/// Drops faces of fewer corners.
+void drop_faces_below(aiMesh& mesh, unsigned corners) {
+  aiFace* const end =
+      std::remove_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                     [&](const aiFace& face) { return face.mNumIndices < corners; });
+  mesh.mNumFaces = static_cast<unsigned>(end - mesh.mFaces);
+}
+
 /// Walks the nodes and collects one part for each place where a part is shown.
 class Baker {
  public:
@@ -172,6 +180,7 @@ std::vector<std::string> strip_scene(aiScene& scene) {
     aiMesh& mesh = *scene.mMeshes[m];
     drop(mesh.mBones, mesh.mNumBones);
     drop(mesh.mAnimMeshes, mesh.mNumAnimMeshes);
+    drop_faces_below(mesh, 1);
     delete[] mesh.mTangents;
     delete[] mesh.mBitangents;
     mesh.mTangents = nullptr;
@@ -208,11 +217,9 @@ void name_parts_after_nodes(aiScene& scene) {
 
 void drop_points_and_lines(aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    aiMesh& mesh = *scene.mMeshes[m];
-    aiFace* const end = std::remove_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
-                                       [](const aiFace& face) { return face.mNumIndices < 3; });
-    mesh.mNumFaces = static_cast<unsigned>(end - mesh.mFaces);
-    mesh.mPrimitiveTypes &= ~static_cast<unsigned>(aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    drop_faces_below(*scene.mMeshes[m], 3);
+    scene.mMeshes[m]->mPrimitiveTypes &=
+        ~static_cast<unsigned>(aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   }
 }
 

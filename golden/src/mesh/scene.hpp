@@ -25,8 +25,8 @@ void each_part(const aiScene& scene, F f) {
 void turn_faces(aiMesh& mesh);
 
 /// Drops what does not follow a deformation: animations, bones, morph targets, cameras, lights,
-/// tangents.
-/// @return what that was, but for tangents: "2 animations"
+/// tangents; and faces without corners.
+/// @return what that was, but for tangents and such faces: "2 animations"
 std::vector<std::string> strip_scene(aiScene& scene);
 
 /// Makes corners of a part that agree in every attribute, bit for bit, one vertex, in the order of
