@@ -24,7 +24,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 PROJECT = """cmake_minimum_required(VERSION 3.18)
 project(stranger LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
-find_package(hwffd 0.1 REQUIRED)
+find_package(hwffd 0.2 REQUIRED)
 add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::hwffd)
 add_executable(deform_cpp deform.cpp)

@@ -173,12 +173,14 @@ class View(unittest.TestCase):
         self.assertEqual(self.close(), ("wrote lattice.json\n", ""))
 
     def test_a_lattice_that_cannot_be_saved_is_one_line_and_the_window_stays(self):
-        before = self.open("-o", "none/lattice.json")
+        (self.folder / "gone").mkdir()
+        before = self.open("-o", "gone/lattice.json")
+        (self.folder / "gone").rmdir()
         self.screen.do("key", "s")
         self.assertNotEqual(before, self.drag(1, leftmost_control_point(before), (60, 40)))
         out, err = self.close()
         self.assertEqual(out, "")
-        self.assertRegex(err, r"\Ahwffd: .*none.*\n\Z")
+        self.assertRegex(err, r"\Ahwffd: .*gone.*\n\Z")
 
     def test_refusals_are_one_line(self):
         for words, status, part in (("solid.obj", 1, "DISPLAY"),
