@@ -69,8 +69,8 @@ int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation);
 
 /**
  * What evaluates: "model" (at first), "rtl" or "reference".
- * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`; NULL:
- *                      as at first
+ * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`;
+ * NULL: as at first
  * @param format        "fp32" (at first), "bfp32", "fx18", "fx32"; NULL: as at first, or as the row
  */
 int hwffd_lattice_device(hwffd_lattice* lattice, const char* device, const char* organization,
