@@ -91,7 +91,7 @@ std::vector<Seen> seen_normals(const std::function<void()>& draw) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glEnable(GL_TEXTURE_2D);
-  const std::vector<Seen> vertices = seen(draw);
+  std::vector<Seen> vertices = seen(draw);
   glPopAttrib();
   return vertices;
 }

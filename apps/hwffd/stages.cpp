@@ -56,7 +56,7 @@ Points parse_region(const std::string& text) {
     }
     at = last ? next : next + 1;
   }
-  const Points corners = Eigen::Map<const Points>(values.data(), 2, 3);
+  Points corners = Eigen::Map<const Points>(values.data(), 2, 3);
   if ((corners.row(0).array() == corners.row(1).array()).any()) {
     throw UsageError(
         fmt::format("--region {}: spans no volume; give two corners that differ along x, y and z",
@@ -67,7 +67,7 @@ Points parse_region(const std::string& text) {
 
 /// Checks what embedding needs of a lattice at rest.
 FoldCheck check_rest(const std::string& name, const Lattice& rest) {
-  const FoldCheck check = check_folds(rest);
+  FoldCheck check = check_folds(rest);
   const Point extent = rest.points().colwise().maxCoeff() - rest.points().colwise().minCoeff();
   if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
     throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -168,9 +169,8 @@ TEST_P(AxiSoak, GoodAndBadTraffic) {
     cycles += traffic.cycles();
     if (HasFailure()) break;
     if (isatty(fileno(stderr)) != 0) {
-      std::fprintf(stderr, "\r%s: seed %llu of %llu", GetParam().name,
-                   static_cast<unsigned long long>(seed - first + 1),
-                   static_cast<unsigned long long>(count));
+      std::fprintf(stderr, "\r%s: seed %" PRIu64 " of %" PRIu64, GetParam().name, seed - first + 1,
+                   count);
     }
   }
   if (isatty(fileno(stderr)) != 0) std::fprintf(stderr, "\r%60s\r", "");

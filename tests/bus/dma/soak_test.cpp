@@ -16,7 +16,7 @@ constexpr std::uint64_t kAreaStep = 0x8000;
 class Soak {
  public:
   Soak(const DmaSize& size, std::uint64_t seed) : bench_(size, seed) {
-    const auto names = tb::throttle_names();
+    const auto& names = tb::throttle_names();
     const auto any = [&] { return names[bench_.random().below(names.size())]; };
     set_all_throttles(bench_, any(), any());
     bench_.memory.set_latency({1, bench_.random().between(1, 60)});
