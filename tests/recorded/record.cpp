@@ -22,11 +22,12 @@ constexpr std::size_t kReadPortVertices = 48;
 /// Each kind of packet and vertex in every mode, then any packets in any order, some of them bad.
 std::vector<Beat> command_stream(const WordCodec& codec) {
   tb::Random random(kSeed);
-  std::vector<Beat> beats;
+  std::vector<Beat> beats = vertices_packet(random_vertices(codec, random, {4, 4, 4}, 2));
   append(beats, coefficients_packet(watertight_bspline(codec), codec, Functions::kDerivativesToo));
   for (const std::string& name : stimulus_names()) {
     append(beats, interleaved_packet(make_stimulus(name, codec, 4, kSeed)));
   }
+  append(beats, vertices_packet(random_vertices(codec, random, {4, 4, 4}, 2)));
   const LatticeWords lattice = random_lattice(codec, random, {9, 5, 7});
   append(beats, lattice_packet(lattice));
   for (const auto mode : {OutsideMode::kClamp, OutsideMode::kPass, OutsideMode::kBlank}) {
