@@ -134,7 +134,7 @@ mass-spring: install
 glapi: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-glapi
-	@$(BUILD)/apps/glapi/hwffd-glapi
+	@$(BUILD)/studies/glapi/hwffd-glapi
 
 synth: install
 	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)

@@ -19,7 +19,7 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 target_compile_options(verilated_runtime PRIVATE -w -O2)
 
-set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/tb/rtl/ffd_bench.vlt)
+set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/cores/rtl/ffd_bench.vlt)
 option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 
 # How models are compiled, and those that stay on this machine; so is what is timed beside them.

@@ -218,13 +218,13 @@ def table_text(configurations):
 _FACTORY = """\
 // {generated}
 {includes}
-#include "hwffd/tb/{core}_core_factory.hpp"
-#include "hwffd/tb/verilated_{core}_core.hpp"
+#include "hwffd/cores/{core}_core_factory.hpp"
+#include "hwffd/cores/verilated_{core}_core.hpp"
 {more_includes}
 #include <stdexcept>
 #include <string>
 
-namespace hwffd::tb {{
+namespace hwffd::cores {{
 namespace {{
 
 using Make = std::unique_ptr<{Core}Core> (*)(std::uint64_t{types});
@@ -257,7 +257,7 @@ bool has_{core}_core(const Configuration& configuration) {{
   return make_it(seed{arguments});
 }}
 
-}}  // namespace hwffd::tb
+}}  // namespace hwffd::cores
 """
 _TRACED = {
     "more_includes": "",
@@ -270,7 +270,7 @@ _TRACED = {
 _CORES = {
     "stream": {
         **_TRACED,
-        "more_includes": '#include "hwffd/tb/waveform.hpp"\n',
+        "more_includes": '#include "hwffd/cores/waveform.hpp"\n',
         "more": "bool stream_cores_can_trace() { return Waveform::kAvailable; }\n\n",
     },
     "axi": _TRACED,

@@ -18,10 +18,10 @@ import version
 NAME = "hwffd.core"
 GENERATED = "Made by scripts/core_file.py write; changes here are lost."
 TOPS = ("hwffd_stream", "hwffd_axi")
-EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/stream/packets.cpp",
-                   "golden/src/stream/word_codec.cpp")
+EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/excerpt.cpp",
+                   "golden/src/stream/packets.cpp", "golden/src/stream/word_codec.cpp")
 EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/packets.hpp", "stream/word_codec.hpp", "error.hpp",
-                   "numerics/bits.hpp")
+                   "excerpt.hpp", "numerics/bits.hpp")
 GOLDEN = "golden/include"
 
 _TEXT = """\

@@ -12,8 +12,8 @@ from hierarchy import FIELDS
 # Folder of rtl/ -> colour of its modules: box, ink.
 COLOURS = {
     "top": ("#e3e5e8", "#24292f"), "bus": ("#fde2c8", "#7a3b00"), "stream": ("#d8e8fb", "#0b3d7a"),
-    "cache": ("#f9dbe6", "#7d1544"), "evaluator": ("#d9f0dc", "#0d5220"),
-    "number": ("#e9e0fa", "#45207f"),
+    "cache": ("#f9dbe6", "#7d1544"), "common": ("#eef0c8", "#4d4f00"),
+    "evaluator": ("#d9f0dc", "#0d5220"), "number": ("#e9e0fa", "#45207f"),
 }
 HEADS = {"lut": "LUT", "ff": "FF", "dsp": "MULT18", "bram": "DP16KD"}
 LINE, TOP, LEFT, STEP = 24, 84, 16, 22

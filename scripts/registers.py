@@ -204,7 +204,7 @@ def outputs(root=ROOT, table=None):
     preamble = (root / PREAMBLE).read_text(encoding="utf-8")
     return {
         "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
-        "api/include/hwffd/registers.h": register_texts.header_text(registers),
+        "driver/include/hwffd/registers.h": register_texts.header_text(registers),
         "docs/registers.md": register_texts.docs_text(registers, preamble),
         version.HEADER: version.header_text(version.read(root)),
     }

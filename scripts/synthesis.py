@@ -21,7 +21,7 @@ import timing
 from processes import Processes
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
-# The rows in which the DMA and the registers are built around the core, as in tb/CMakeLists.txt.
+# The rows in which the DMA and the registers are built around the core, as in cores/CMakeLists.txt.
 SYSTEM_ROWS = ("basic-fx18-overlapped", "basic-fp32-overlapped", "basic-bfp32-overlapped",
                "factored-fx18-overlapped")
 TARGETS = mapped.TARGETS

@@ -6,11 +6,12 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 
+import rooms
 from rtl import read_file_list, read_include_folders, strip_comments
 
 WIDTH = 100
 OPERATORS = tuple("+-*/%&|^~<>=!?:")
-CPP_FOLDERS = ("golden", "tb", "tests", "apps", "api", "examples")
+CPP_FOLDERS = (*rooms.ROOMS, rooms.TESTS)
 CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".c")
 TEXT_FOLDERS = CPP_FOLDERS + ("rtl", "scripts", "cmake", "synth", "docs", ".ci")
 TEXT_SUFFIXES = CPP_SUFFIXES + (
@@ -399,7 +400,7 @@ PER_FILE = {
     "reason": (lambda tree: tree.all, unexplained_todo),
     "trailing-blank": (lambda tree: tree.all, trailing_blanks),
 }
-WHOLE_TREE = {"file-list": file_list, "empty-waivers": empty_waivers}
+WHOLE_TREE = {"file-list": file_list, "empty-waivers": empty_waivers, "one-way": rooms.arrows}
 
 
 def check(root):

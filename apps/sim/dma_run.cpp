@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <exception>
 
+#include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/driver.hpp"
 #include "hwffd/model/stream_model.hpp"
-#include "hwffd/tb/axi_core_factory.hpp"
 #include "hwffd/tb/packet_ring.hpp"
 #include "hwffd/tb/scoreboard.hpp"
 
@@ -33,8 +33,8 @@ unsigned ring_log2_size(const std::vector<Beat>& packets) {
 void prepare(tb::AxiSystem& system, Driver& driver, const std::vector<Beat>& packets,
              std::uint64_t results) {
   const DescriptorRing ring{kRing, ring_log2_size(packets)};
-  const AddressWindow buffers{kPackets, kPackets + packets.size() * tb::kAxiBeatBytes - 1};
-  const auto bytes = static_cast<std::uint32_t>(results * tb::kAxiBeatBytes);
+  const AddressWindow buffers{kPackets, kPackets + packets.size() * cores::kAxiBeatBytes - 1};
+  const auto bytes = static_cast<std::uint32_t>(results * cores::kAxiBeatBytes);
   const AddressWindow read{kRing, buffers.limit}, write{kResults, kResults + bytes - 1};
   driver.probe();
   driver.set_windows(read, write);
@@ -88,7 +88,8 @@ void compare(DmaRun& run, const tb::AxiSystem& system, const std::vector<Beat>& 
   tb::Scoreboard scoreboard(test);
   scoreboard.expect(expected);
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    run.results.push_back({system.memory.beat(kResults + i * tb::kAxiBeatBytes), expected[i].last});
+    run.results.push_back(
+        {system.memory.beat(kResults + i * cores::kAxiBeatBytes), expected[i].last});
     scoreboard.receive(run.results.back(), system.cycle());
   }
   scoreboard.finish();
@@ -104,7 +105,7 @@ DmaRun run_dma(const Configuration& row, const std::vector<Beat>& packets,
                const std::function<void(double)>& progress) {
   model::StreamModel model(row);
   const std::vector<Beat> expected = model.run(packets);
-  const auto core = tb::make_axi_core(row, test.seed, waveform);
+  const auto core = cores::make_axi_core(row, test.seed, waveform);
   tb::AxiSystem system(*core, test.seed);
   system.memory.set_latency({kMemoryLatency, kMemoryLatency});
   Driver driver(system);

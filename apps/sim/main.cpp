@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hwffd/atomic_file.hpp"
-#include "hwffd/tb/waveform.hpp"
+#include "hwffd/cores/waveform.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "picture/before_after.hpp"
@@ -75,7 +75,7 @@ int simulate(const Options& options) {
       results.push_back(run(options, row, scene, deform(scene, text), waveform));
       fmt::print("{}\n", table_line(results.back(), options.stream));
       if (results.back().bus) fmt::print("{}\n", bus_line(*results.back().bus));
-      if (options.trace) fmt::print("  first {} clocks in {}\n", tb::kTracedClocks, waveform);
+      if (options.trace) fmt::print("  first {} clocks in {}\n", cores::kTracedClocks, waveform);
       status = std::max(status, conclude(faults(results.back())));
     }
   }

@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "dims.hpp"
+#include "hwffd/cores/axi_core_factory.hpp"
+#include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/tb/axi_core_factory.hpp"
-#include "hwffd/tb/stream_core_factory.hpp"
 #include "program.hpp"
 
 namespace hwffd::sim {
@@ -65,7 +65,7 @@ std::vector<Configuration> rows_of(const Text& text) {
   for (const Configuration& row : configurations()) {
     // Without a wish beyond them, the rows of tier sim; with one, whatever this build has of it.
     const bool wanted = more || in_tier_sim(row);
-    if (wanted && tb::has_stream_core(row)) rows.push_back(row);
+    if (wanted && cores::has_stream_core(row)) rows.push_back(row);
   }
   keep(rows, "ORG", text.org, [](const Configuration& row) { return row.org; });
   keep(rows, "FORMAT", text.format, [](const Configuration& row) { return row.format; });
@@ -76,11 +76,11 @@ std::vector<Configuration> rows_of(const Text& text) {
 /// Those that this build has with their buses.
 std::vector<Configuration> dma_rows_of(const std::vector<Configuration>& rows) {
   std::vector<Configuration> kept;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), tb::has_axi_core);
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), cores::has_axi_core);
   if (!kept.empty()) return kept;
   std::set<std::string> built;
   for (const Configuration& row : configurations()) {
-    if (tb::has_axi_core(row)) built.insert(row.name);
+    if (cores::has_axi_core(row)) built.insert(row.name);
   }
   throw UsageError(
       fmt::format("STREAM={}: not built for what ORG, FORMAT and SCHEDULE name; "
@@ -121,7 +121,7 @@ Options parse_options(int argc, char** argv) {
     throw UsageError(fmt::format("STREAM={}: unknown; known here: {}", options.stream,
                                  joined({streams.begin(), streams.end()})));
   }
-  if (options.trace && !tb::stream_cores_can_trace()) {
+  if (options.trace && !cores::stream_cores_can_trace()) {
     throw UsageError(
         "--trace: this build writes no waveforms; use make sim TRACE=1, or configure with "
         "-DHWFFD_TRACE=ON");

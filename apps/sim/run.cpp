@@ -8,10 +8,10 @@
 
 #include "arrangement.hpp"
 #include "dma_run.hpp"
+#include "hwffd/cores/stream_core_factory.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/model/stream_model.hpp"
-#include "hwffd/stream/interleave.hpp"
 #include "hwffd/tb/stream_bench.hpp"
-#include "hwffd/tb/stream_core_factory.hpp"
 #include "program.hpp"
 
 namespace hwffd::sim {
@@ -20,7 +20,7 @@ namespace {
 /// By the core's streams. Fills the result and returns what came.
 std::vector<Beat> run_streams(RunResult& result, const std::vector<Beat>& beats,
                               const tb::TestIdentity& test, const std::string& waveform) {
-  const auto core = tb::make_stream_core(result.row, test.seed, waveform);
+  const auto core = cores::make_stream_core(result.row, test.seed, waveform);
   tb::StreamBenchOptions bench_options;
   bench_options.test = test;
   tb::StreamBench bench(*core, bench_options);

@@ -1,8 +1,14 @@
 #include "hwffd/excerpt.hpp"
 
-#include <fmt/format.h>
-
 namespace hwffd {
+namespace {
+
+std::string hexadecimal(unsigned char byte) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+}
+
+}  // namespace
 
 std::string excerpt(std::string_view text, std::size_t limit) {
   constexpr std::string_view kCut = "...";
@@ -11,7 +17,7 @@ std::string excerpt(std::string_view text, std::size_t limit) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool printable = byte >= 0x20 && byte < 0x7f;
-    result += printable ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+    result += printable ? std::string(1, c) : hexadecimal(byte);
     if (result.size() > limit) return result.substr(0, fits).append(kCut);
     if (result.size() + kCut.size() <= limit) fits = result.size();
   }
@@ -23,7 +29,7 @@ std::string one_line(std::string_view text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_control = byte < 0x20 || byte == 0x7f;
-    result += is_control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    result += is_control ? hexadecimal(byte) : std::string(1, c);
   }
   return result;
 }

@@ -8,17 +8,17 @@
 namespace hwffd::tb {
 namespace {
 
-bool same(const AxiAddressChannel& a, const AxiAddressChannel& b) {
+bool same(const cores::AxiAddressChannel& a, const cores::AxiAddressChannel& b) {
   return a.address == b.address && a.len == b.len && a.size == b.size && a.burst == b.burst &&
          a.cache == b.cache && a.prot == b.prot;
 }
-bool same(const AxiReadChannel& a, const AxiReadChannel& b) {
+bool same(const cores::AxiReadChannel& a, const cores::AxiReadChannel& b) {
   return a.data == b.data && a.response == b.response && a.last == b.last;
 }
-bool same(const AxiWriteChannel& a, const AxiWriteChannel& b) {
+bool same(const cores::AxiWriteChannel& a, const cores::AxiWriteChannel& b) {
   return a.data == b.data && a.strobe == b.strobe && a.last == b.last;
 }
-bool same(const AxiResponseChannel& a, const AxiResponseChannel& b) {
+bool same(const cores::AxiResponseChannel& a, const cores::AxiResponseChannel& b) {
   return a.response == b.response;
 }
 
@@ -29,7 +29,7 @@ bool moved(const Channel& before, const Channel& now) {
 }
 
 /// Whether an address is new in this cycle.
-bool raised(const AxiAddressChannel& before, const AxiAddressChannel& now) {
+bool raised(const cores::AxiAddressChannel& before, const cores::AxiAddressChannel& now) {
   return now.valid && (!before.valid || before.ready);
 }
 
@@ -54,7 +54,7 @@ void AxiChecker::report(AxiRule rule, std::uint64_t cycle, const std::string& wh
   }
 }
 
-void AxiChecker::check_reset(const AxiPins& pins, std::uint64_t cycle, bool in_reset) {
+void AxiChecker::check_reset(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset) {
   if (pins.ar.valid || pins.aw.valid || pins.w.valid) {
     report(AxiRule::kReset, cycle, "ARVALID, AWVALID or WVALID");
   }
@@ -63,7 +63,7 @@ void AxiChecker::check_reset(const AxiPins& pins, std::uint64_t cycle, bool in_r
   }
 }
 
-void AxiChecker::check_stable(const AxiPins& pins, std::uint64_t cycle) {
+void AxiChecker::check_stable(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (moved(before_.ar, pins.ar)) report(AxiRule::kStable, cycle, "AR");
   if (moved(before_.aw, pins.aw)) report(AxiRule::kStable, cycle, "AW");
   if (moved(before_.w, pins.w)) report(AxiRule::kStable, cycle, "W");
@@ -73,13 +73,14 @@ void AxiChecker::check_stable(const AxiPins& pins, std::uint64_t cycle) {
   if (fell && !ready_may_fall_) report(AxiRule::kReadyFell, cycle, "RREADY or BREADY");
 }
 
-void AxiChecker::check_address(const AxiAddressChannel& channel, bool read, std::uint64_t cycle) {
-  const std::uint64_t bytes = (channel.len + std::uint64_t{1}) * kAxiBeatBytes;
+void AxiChecker::check_address(const cores::AxiAddressChannel& channel, bool read,
+                               std::uint64_t cycle) {
+  const std::uint64_t bytes = (channel.len + std::uint64_t{1}) * cores::kAxiBeatBytes;
   const std::uint64_t last = channel.address + (bytes - 1);
   const std::string what =
       fmt::format("{} {:#x}, {} beats", read ? "read" : "write", channel.address, channel.len + 1);
   if (channel.size != 4 || channel.burst != 1) report(AxiRule::kShape, cycle, what);
-  if (channel.address % kAxiBeatBytes != 0) report(AxiRule::kAligned, cycle, what);
+  if (channel.address % cores::kAxiBeatBytes != 0) report(AxiRule::kAligned, cycle, what);
   if (channel.address / 4096 != last / 4096) report(AxiRule::kBoundary, cycle, what);
   if (channel.len >= limits_.burst) report(AxiRule::kLength, cycle, what);
   const std::uint64_t first_legal = read ? limits_.read_first : limits_.write_first;
@@ -89,16 +90,17 @@ void AxiChecker::check_address(const AxiAddressChannel& channel, bool read, std:
   }
 }
 
-void AxiChecker::check_errors(const AxiPins& pins, std::uint64_t cycle) {
+void AxiChecker::check_errors(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (error_seen_) {
     if (raised(before_.ar, pins.ar)) report(AxiRule::kAfterError, cycle, "AR");
     if (raised(before_.aw, pins.aw)) report(AxiRule::kAfterError, cycle, "AW");
   }
-  error_seen_ = error_seen_ || (pins.r.valid && pins.r.ready && pins.r.response != kAxiOkay) ||
-                (pins.b.valid && pins.b.ready && pins.b.response != kAxiOkay);
+  error_seen_ = error_seen_ ||
+                (pins.r.valid && pins.r.ready && pins.r.response != cores::kAxiOkay) ||
+                (pins.b.valid && pins.b.ready && pins.b.response != cores::kAxiOkay);
 }
 
-void AxiChecker::observe_reads(const AxiPins& pins, std::uint64_t cycle) {
+void AxiChecker::observe_reads(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (pins.r.valid && reads_.empty()) {
     report(AxiRule::kUnasked, cycle, "read data");
   } else if (pins.r.valid && pins.r.ready) {
@@ -126,7 +128,7 @@ void AxiChecker::pair_writes(std::uint64_t cycle) {
   }
 }
 
-void AxiChecker::observe_writes(const AxiPins& pins, std::uint64_t cycle) {
+void AxiChecker::observe_writes(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (pins.b.valid && unanswered_ == 0) {
     report(AxiRule::kUnasked, cycle, "write response");
   } else if (pins.b.valid && pins.b.ready) {
@@ -151,7 +153,7 @@ void AxiChecker::observe_writes(const AxiPins& pins, std::uint64_t cycle) {
   if (open > limits_.writes) report(AxiRule::kOutstanding, cycle, "writes");
 }
 
-void AxiChecker::observe(const AxiPins& pins, std::uint64_t cycle, bool in_reset) {
+void AxiChecker::observe(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset) {
   if (in_reset || was_in_reset_) {
     // The first edge in reset clears; what the pins show before it is no fault.
     if (was_in_reset_) check_reset(pins, cycle, in_reset);

@@ -5,15 +5,16 @@
 
 namespace hwffd::tb {
 
-void AxiMemory::fail_read(std::uint64_t burst, std::uint64_t beat, AxiResponse response) {
+void AxiMemory::fail_read(std::uint64_t burst, std::uint64_t beat, cores::AxiResponse response) {
   failing_reads_.push_back({false, reads_.size() + burst, beat, response});
 }
 
-void AxiMemory::fail_write(std::uint64_t burst, AxiResponse response) {
+void AxiMemory::fail_write(std::uint64_t burst, cores::AxiResponse response) {
   failing_writes_.push_back({false, writes_.size() + burst, 0, response});
 }
 
-void AxiMemory::fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response) {
+void AxiMemory::fail_read_at(std::uint64_t address, std::uint64_t beat,
+                             cores::AxiResponse response) {
   failing_reads_.push_back({true, address, beat, response});
 }
 
@@ -27,8 +28,8 @@ void AxiMemory::fail_nothing() {
   misplaced_.clear();
 }
 
-void AxiMemory::answer_unasked(AxiResponse response, bool last) {
-  AxiReadChannel beat;
+void AxiMemory::answer_unasked(cores::AxiResponse response, bool last) {
+  cores::AxiReadChannel beat;
   beat.valid = true;
   for (std::uint32_t& word : beat.data) word = random_.word();
   beat.response = response;
@@ -65,16 +66,16 @@ void AxiMemory::set_byte(std::uint64_t address, std::uint8_t value) {
   page->second[address % kPage] = value;
 }
 
-AxiData AxiMemory::beat(std::uint64_t address) const {
-  AxiData data{};
-  for (unsigned i = 0; i < kAxiBeatBytes; ++i) {
+cores::AxiData AxiMemory::beat(std::uint64_t address) const {
+  cores::AxiData data{};
+  for (unsigned i = 0; i < cores::kAxiBeatBytes; ++i) {
     data[i / 4] |= std::uint32_t{byte(address + i)} << (8 * (i % 4));
   }
   return data;
 }
 
-void AxiMemory::set_beat(std::uint64_t address, const AxiData& data) {
-  for (unsigned i = 0; i < kAxiBeatBytes; ++i) {
+void AxiMemory::set_beat(std::uint64_t address, const cores::AxiData& data) {
+  for (unsigned i = 0; i < cores::kAxiBeatBytes; ++i) {
     set_byte(address + i, static_cast<std::uint8_t>(data[i / 4] >> (8 * (i % 4))));
   }
 }
@@ -98,7 +99,7 @@ bool AxiMemory::quiet() const {
          data_queue_.empty();
 }
 
-void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
+void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
   pins.ar.ready = throttles_.ar.willing() && read_queue_.size() < outstanding_;
   pins.aw.ready =
       throttles_.aw.willing() && write_queue_.size() + answer_queue_.size() < outstanding_;
@@ -108,9 +109,9 @@ void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
   if (!r_.valid && read_willing && !read_queue_.empty() && read_queue_.front().due <= cycle) {
     const Open& open = read_queue_.front();
     r_.valid = true;
-    r_.data = beat(open.address + open.done * kAxiBeatBytes);
+    r_.data = beat(open.address + open.done * cores::kAxiBeatBytes);
     r_.last = open.done == open.marked;
-    r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{kAxiOkay};
+    r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{cores::kAxiOkay};
   }
   if (!r_.valid && read_queue_.empty() && !unasked_queue_.empty()) {
     r_ = unasked_queue_.front();
@@ -136,9 +137,9 @@ void AxiMemory::drive(AxiPins& pins, std::uint64_t cycle) {
   pins.b.ready = bready;
 }
 
-AxiMemory::Open AxiMemory::open(const AxiAddressChannel& channel, std::uint64_t cycle,
+AxiMemory::Open AxiMemory::open(const cores::AxiAddressChannel& channel, std::uint64_t cycle,
                                 std::vector<Burst>& log, std::vector<Failure>& failures) {
-  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, kAxiOkay,
+  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, cores::kAxiOkay,
             channel.len};
   for (const Failure& failure : failures) {
     if (failure.burst == (failure.by_address ? open.address : log.size())) {
@@ -155,8 +156,8 @@ void AxiMemory::commit(std::uint64_t cycle) {
     Open open = write_queue_.front();
     write_queue_.pop_front();
     for (std::uint64_t i = 0; i < open.beats; ++i) {
-      if (open.response == kAxiOkay) {
-        set_beat(open.address + i * kAxiBeatBytes, data_queue_.front().first);
+      if (open.response == cores::kAxiOkay) {
+        set_beat(open.address + i * cores::kAxiBeatBytes, data_queue_.front().first);
       }
       data_queue_.pop_front();
     }
@@ -165,7 +166,7 @@ void AxiMemory::commit(std::uint64_t cycle) {
   }
 }
 
-void AxiMemory::observe(const AxiPins& pins, std::uint64_t cycle) {
+void AxiMemory::observe(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (pins.r.valid && pins.r.ready) {
     r_.valid = false;
     if (!std::exchange(unasked_, false)) {

@@ -8,7 +8,7 @@
 
 namespace hwffd::tb {
 
-AxiSystem::AxiSystem(AxiCore& core, std::uint64_t seed)
+AxiSystem::AxiSystem(cores::AxiCore& core, std::uint64_t seed)
     : memory(derive_seed(seed, 1)),
       core_(core),
       random_(derive_seed(seed, 2)),
@@ -92,7 +92,8 @@ std::uint32_t AxiSystem::read32(std::uint32_t offset) {
   const std::size_t number = registers_.reads().size();
   registers_.read(offset);
   const AxiLiteResponse response = answer(registers_.read_responses(), number);
-  if (response.code != kOkay) throw RegisterError(fmt::format("read of {:03x} refused", offset));
+  if (response.code != cores::kOkay)
+    throw RegisterError(fmt::format("read of {:03x} refused", offset));
   if (clearing_ && offset == HWFFD_STATUS_OFFSET &&
       (response.data & (HWFFD_STATUS_IDLE_MASK | HWFFD_STATUS_BUSY_MASK)) ==
           HWFFD_STATUS_IDLE_MASK) {
@@ -118,7 +119,7 @@ std::uint8_t AxiSystem::try_write(std::uint32_t offset, std::uint32_t value) {
 }
 
 void AxiSystem::write32(std::uint32_t offset, std::uint32_t value) {
-  if (try_write(offset, value) != kOkay) {
+  if (try_write(offset, value) != cores::kOkay) {
     throw RegisterError(fmt::format("write of {:03x} refused", offset));
   }
 }

@@ -8,7 +8,7 @@ void AxiLiteChecker::report(std::uint64_t cycle, const std::string& what) {
   if (++violations_ <= kMaxReports) reports_.push_back(fmt::format("cycle {}: {}", cycle, what));
 }
 
-void AxiLiteChecker::observe(const AxiLitePins& pins, std::uint64_t cycle) {
+void AxiLiteChecker::observe(const cores::AxiLitePins& pins, std::uint64_t cycle) {
   if (pins.in_reset || in_reset_) observe_reset(pins, cycle);
   in_reset_ = pins.in_reset;
   if (pins.in_reset) {
@@ -18,8 +18,8 @@ void AxiLiteChecker::observe(const AxiLitePins& pins, std::uint64_t cycle) {
     waits_b_ = waits_r_ = false;
     return;
   }
-  const AxiLiteMasterPins& m = pins.master;
-  const AxiLiteSlavePins& s = pins.slave;
+  const cores::AxiLiteMasterPins& m = pins.master;
+  const cores::AxiLiteSlavePins& s = pins.slave;
   const Channel channels[] = {
       {"aw", m.awvalid, s.awready, m.awaddr},
       {"w", m.wvalid, s.wready, std::uint64_t{m.wstrb} << 32 | m.wdata},
@@ -40,9 +40,9 @@ void AxiLiteChecker::observe(const AxiLitePins& pins, std::uint64_t cycle) {
   observe_order(pins, cycle);
 }
 
-void AxiLiteChecker::observe_reset(const AxiLitePins& pins, std::uint64_t cycle) {
-  const AxiLiteMasterPins& m = pins.master;
-  const AxiLiteSlavePins& s = pins.slave;
+void AxiLiteChecker::observe_reset(const cores::AxiLitePins& pins, std::uint64_t cycle) {
+  const cores::AxiLiteMasterPins& m = pins.master;
+  const cores::AxiLiteSlavePins& s = pins.slave;
   const char* when = pins.in_reset ? "in reset" : "in the first cycle after reset";
   const auto low = [&](const char* name, bool level) {
     if (level) report(cycle, fmt::format("{} is high {}", name, when));
@@ -60,17 +60,17 @@ void AxiLiteChecker::observe_reset(const AxiLitePins& pins, std::uint64_t cycle)
   low("arready", s.arready);
 }
 
-void AxiLiteChecker::observe_order(const AxiLitePins& pins, std::uint64_t cycle) {
-  const AxiLiteMasterPins& m = pins.master;
-  const AxiLiteSlavePins& s = pins.slave;
+void AxiLiteChecker::observe_order(const cores::AxiLitePins& pins, std::uint64_t cycle) {
+  const cores::AxiLiteMasterPins& m = pins.master;
+  const cores::AxiLiteSlavePins& s = pins.slave;
   if (s.bvalid && !waits_b_) {
     if (open_aw_ == 0) report(cycle, "bvalid without an accepted address");
     if (open_w_ == 0) report(cycle, "bvalid without accepted data");
-    if (s.bresp == kExOkay) report(cycle, "bresp is EXOKAY");
+    if (s.bresp == cores::kExOkay) report(cycle, "bresp is EXOKAY");
   }
   if (s.rvalid && !waits_r_) {
     if (open_ar_ == 0) report(cycle, "rvalid without an accepted address");
-    if (s.rresp == kExOkay) report(cycle, "rresp is EXOKAY");
+    if (s.rresp == cores::kExOkay) report(cycle, "rresp is EXOKAY");
   }
   waits_b_ = s.bvalid && !m.bready;
   waits_r_ = s.rvalid && !m.rready;

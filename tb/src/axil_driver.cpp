@@ -25,7 +25,7 @@ void AxiLiteDriver::clear() {
   protect(prot);
 }
 
-const AxiLiteMasterPins& AxiLiteDriver::drive() {
+const cores::AxiLiteMasterPins& AxiLiteDriver::drive() {
   // A throttle is asked in every cycle, and heard where nothing is on offer yet.
   const bool aw = throttles_.aw.willing();
   const bool w = throttles_.w.willing();
@@ -48,7 +48,7 @@ const AxiLiteMasterPins& AxiLiteDriver::drive() {
   return pins_;
 }
 
-void AxiLiteDriver::accept(const AxiLiteSlavePins& slave, std::uint64_t cycle) {
+void AxiLiteDriver::accept(const cores::AxiLiteSlavePins& slave, std::uint64_t cycle) {
   if (pins_.awvalid && slave.awready) {
     pins_.awvalid = false;
     ++next_aw_;

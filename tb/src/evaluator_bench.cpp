@@ -14,9 +14,9 @@ constexpr unsigned kDerivative = 2;             // of an axis's {derivative, ban
 constexpr int kDerivativeAddress = 8;           // of {derivative, bank, function}
 constexpr int kBankAddress = 4;
 
-EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t index) {
+cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t index) {
   const EvaluatorVertex& vertex = stimulus.vertices[index];
-  EvaluatorCore::Vertex pins;
+  cores::EvaluatorCore::Vertex pins;
   pins.words = vertex.local;
   for (int axis = 0; axis < 3; ++axis) {
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
@@ -33,12 +33,12 @@ EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::size_t ind
 }
 
 /// As a planted fault sees it.
-Beat beat_of(const EvaluatorCore::Result& result) {
+Beat beat_of(const cores::EvaluatorCore::Result& result) {
   const std::uint32_t flags = (result.nan ? 2U : 0U) | (result.saturated ? 1U : 0U);
   return {{result.words[0], result.words[1], result.words[2], flags << 16 | result.tag}, false};
 }
 
-EvaluatorCore::Result result_of(const Beat& beat) {
+cores::EvaluatorCore::Result result_of(const Beat& beat) {
   const std::uint32_t user = beat.words[3];
   return {{beat.words[0], beat.words[1], beat.words[2]},
           (user >> 16 & 1) != 0,
@@ -48,7 +48,8 @@ EvaluatorCore::Result result_of(const Beat& beat) {
 
 }  // namespace
 
-EvaluatorBench::EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const Bank& bank)
+EvaluatorBench::EvaluatorBench(cores::EvaluatorCore& core, model::EvaluatorModel& model,
+                               const Bank& bank)
     : core_(core), model_(model) {
   core_.drive_reset(true);
   core_.drive_vertex(false, {});
@@ -104,7 +105,7 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
   while (results_.size() < first + vertices) {
     offered = sent < vertices && (offered || source.willing());
     const bool ready = sink.willing();
-    core_.drive_vertex(offered, offered ? pins_of(stimulus, sent) : EvaluatorCore::Vertex{});
+    core_.drive_vertex(offered, offered ? pins_of(stimulus, sent) : cores::EvaluatorCore::Vertex{});
     core_.drive_result_ready(ready);
     core_.settle();
     if (recorder != nullptr) recorder->sample(clock_);
@@ -126,7 +127,7 @@ void EvaluatorBench::simulate(const EvaluatorStimulus& stimulus, Throttle& sourc
   core_.drive_vertex(false, {});
 }
 
-void EvaluatorBench::take(const EvaluatorCore::Result& result) {
+void EvaluatorBench::take(const cores::EvaluatorCore::Result& result) {
   Beat beat = beat_of(result);
   for (unsigned copies = fault_.pass(beat); copies > 0; --copies) {
     results_.push_back(result_of(beat));
@@ -137,7 +138,7 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t firs
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
     const SupportWords& support = stimulus.supports[vertex.support];
-    const EvaluatorCore::Result& got = results_[first + v];
+    const cores::EvaluatorCore::Result& got = results_[first + v];
     model::VertexWords words{vertex.local, vertex.cell, support.points};
     words.derivative = vertex.derivative;
     words.exponent = support.exponent;

@@ -14,11 +14,11 @@ void PacketRing::open() {
 }
 
 std::uint64_t PacketRing::next_descriptor() const {
-  return ring_.base + driver_.next_entry() * kAxiBeatBytes;
+  return ring_.base + driver_.next_entry() * cores::kAxiBeatBytes;
 }
 
 AxiMemory::Range PacketRing::ring_range() const {
-  return {ring_.base, ring_.base + (kAxiBeatBytes << ring_.log2_size) - 1};
+  return {ring_.base, ring_.base + (cores::kAxiBeatBytes << ring_.log2_size) - 1};
 }
 
 void PacketRing::put(const std::vector<Beat>& packets) {
@@ -31,10 +31,10 @@ void PacketRing::put(const std::vector<Beat>& packets) {
 }
 
 void PacketRing::put_packet(const Beat* beats, std::size_t count) {
-  const std::uint64_t bytes = count * kAxiBeatBytes;
+  const std::uint64_t bytes = count * cores::kAxiBeatBytes;
   if (bytes > buffers_.limit - next_ + 1) throw std::length_error("PacketRing: buffers are full");
   for (std::size_t i = 0; i < count; ++i) {
-    memory_.set_beat(next_ + i * kAxiBeatBytes, beats[i].words);
+    memory_.set_beat(next_ + i * cores::kAxiBeatBytes, beats[i].words);
   }
   put_descriptor(next_, static_cast<std::uint32_t>(bytes));
   next_ += bytes;

@@ -4,8 +4,8 @@
 
 namespace hwffd::tb {
 
-ScheduleRecorder::ScheduleRecorder(const EvaluatorCore& core) {
-  for (const Probe& probe : core.probes()) {
+ScheduleRecorder::ScheduleRecorder(const cores::EvaluatorCore& core) {
+  for (const cores::Probe& probe : core.probes()) {
     if (probe.signal == "step_valid_o") {
       sequencers_.push_back({probe.instance, {}});
       sequencer_values_.push_back(probe.value);
@@ -23,7 +23,7 @@ ScheduleRecorder::ScheduleRecorder(const EvaluatorCore& core) {
   }
   if (sequencers_.empty() || sequencers_.size() > 2 || step_ == nullptr || first_ == nullptr ||
       sum_ == nullptr || result_ == nullptr) {
-    throw std::invalid_argument("an evaluator without the probes of tb/rtl/ffd_bench.vlt");
+    throw std::invalid_argument("an evaluator without the probes of cores/rtl/ffd_bench.vlt");
   }
 }
 

@@ -21,7 +21,7 @@ Beat inverted(Beat beat) {
 
 }  // namespace
 
-StreamBench::StreamBench(StreamCore& core, StreamBenchOptions options)
+StreamBench::StreamBench(cores::StreamCore& core, StreamBenchOptions options)
     : core_(core),
       options_(std::move(options)),
       source_(
@@ -96,7 +96,7 @@ bool StreamBench::step(SinkMode mode) {
 
 void StreamBench::count_events() {
   const std::uint32_t pulses = core_.events();
-  for (int event = 0; event < kStreamEvents && pulses != 0; ++event) {
+  for (int event = 0; event < cores::kStreamEvents && pulses != 0; ++event) {
     events_[event] += pulses >> event & 1;
   }
 }

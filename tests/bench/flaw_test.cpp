@@ -129,7 +129,7 @@ TEST(Watchdog, AllowsARunThatEndsAtTheLimit) {
 }
 
 /// Offers one and the same beat for ever, and takes any.
-class ChatteringCore : public StreamCore {
+class ChatteringCore : public cores::StreamCore {
  public:
   void drive_reset(bool asserted) override { reset_ = asserted; }
   void drive_input(bool, const Beat&) override {}

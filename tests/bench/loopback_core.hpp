@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "hwffd/cores/stream_core.hpp"
 #include "hwffd/tb/random.hpp"
-#include "hwffd/tb/stream_core.hpp"
 
 namespace hwffd::tb {
 
@@ -38,7 +38,7 @@ enum class Flaw {
 
 /// A first-in, first-out loop-back with registered outputs: a beat accepted at clock c can be
 /// offered at clock c + latency at the soonest. Holds up to `kDepth` beats.
-class LoopbackCore : public StreamCore {
+class LoopbackCore : public cores::StreamCore {
  public:
   static constexpr std::size_t kDepth = 64;
   static constexpr std::uint64_t kFlawedBeat = 10;

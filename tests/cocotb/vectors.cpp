@@ -8,10 +8,10 @@
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
-#include "hwffd/stream/interleave.hpp"
 
 namespace {
 

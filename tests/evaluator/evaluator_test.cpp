@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
-#include "hwffd/tb/evaluator_core_factory.hpp"
 #include "hwffd/tb/random.hpp"
 
 namespace hwffd {
@@ -25,7 +25,7 @@ namespace {
 std::vector<Configuration> cell_rows() {
   std::vector<Configuration> built;
   for (const Configuration& row : configurations()) {
-    if (keeps_cell(row) && tb::has_evaluator_core(row)) built.push_back(row);
+    if (keeps_cell(row) && cores::has_evaluator_core(row)) built.push_back(row);
   }
   return built;
 }
@@ -35,7 +35,7 @@ std::vector<Configuration> built_rows(const std::string& schedule = "") {
   std::vector<Configuration> built;
   for (const Configuration& row : configurations()) {
     if (!schedule.empty() && row.schedule != schedule) continue;
-    if (tb::has_evaluator_core(row)) built.push_back(row);
+    if (cores::has_evaluator_core(row)) built.push_back(row);
   }
   return built;
 }
@@ -56,7 +56,7 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
  protected:
   Evaluator()
       : codec_(GetParam().format),
-        core_(tb::make_evaluator_core(GetParam(), tb::seed_from_environment(1))),
+        core_(cores::make_evaluator_core(GetParam(), tb::seed_from_environment(1))),
         model_(model::make_evaluator_model(GetParam())),
         bench_(*core_, *model_, families(codec_, 0)) {
     bench_.load(1, families(codec_, 1));
@@ -80,7 +80,7 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
   }
 
   WordCodec codec_;
-  std::unique_ptr<tb::EvaluatorCore> core_;
+  std::unique_ptr<cores::EvaluatorCore> core_;
   std::unique_ptr<model::EvaluatorModel> model_;
   tb::EvaluatorBench bench_;
 };

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "bfp/study.hpp"
-#include "hwffd/stream/interleave.hpp"
+#include "hwffd/lattice/interleave.hpp"
 
 namespace hwffd {
 namespace {

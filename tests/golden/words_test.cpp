@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "axis_error.hpp"
-#include "bound.hpp"
+#include "hwffd/bounds/axis_error.hpp"
+#include "hwffd/bounds/bound.hpp"
 #include "hwffd/model/org_factored.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "plot.hpp"
@@ -51,9 +51,9 @@ INSTANTIATE_TEST_SUITE_P(, WordBound,
 
 // What is propagated must cover what looking at every coordinate finds, and not by far.
 TEST(WordAxis, PropagatedErrorCoversTheExhaustiveOne) {
-  const AxisError all = exhaustive_axis_error<16>();
-  const AxisError propagated = propagated_axis_error(16);
-  for (int i = 0; i < kPieces; ++i) {
+  const bounds::AxisError all = bounds::exhaustive_axis_error<16>();
+  const bounds::AxisError propagated = bounds::propagated_axis_error(16);
+  for (int i = 0; i < bounds::kPieces; ++i) {
     EXPECT_LE(all[i].error, propagated[i].error) << "piece " << i;
     EXPECT_GE(3 * all[i].error, propagated[i].error) << "piece " << i;
     for (int l = 0; l < 4; ++l) EXPECT_LE(all[i].weight[l], propagated[i].weight[l] + 1e-15);
@@ -67,9 +67,9 @@ TEST(WordAxis, BlendingFunctionsAndSlopes) {
     const double x = i / 100.0;
     const Eigen::Vector4d exact = oracle.blending(Oracle::kS, x);
     for (int l = 0; l < 4; ++l) {
-      EXPECT_NEAR(bspline(x)[l], exact[l], 1e-15);
-      const double slope = (bspline(x + 1e-6)[l] - bspline(x - 1e-6)[l]) / 2e-6;
-      EXPECT_NEAR(bspline_slope(x)[l], slope, 1e-8);
+      EXPECT_NEAR(bounds::bspline(x)[l], exact[l], 1e-15);
+      const double slope = (bounds::bspline(x + 1e-6)[l] - bounds::bspline(x - 1e-6)[l]) / 2e-6;
+      EXPECT_NEAR(bounds::bspline_slope(x)[l], slope, 1e-8);
     }
   }
 }
@@ -79,7 +79,7 @@ template <int W>
 double factored_error(int vertices) {
   const std::string format = "fx" + std::to_string(W);
   const WordCodec codec(format);
-  const auto bank = bspline_bank<Fixed<W>>(format.c_str());
+  const auto bank = bounds::bspline_bank<Fixed<W>>(format.c_str());
   const Configuration configuration{};
   const model::OrgFactored<Fixed<W>> factored(configuration);
   double largest = 0;
@@ -100,9 +100,9 @@ double factored_error(int vertices) {
 }
 
 template <int W>
-void expect_factored_bound(const AxisError& axis, double factor) {
+void expect_factored_bound(const bounds::AxisError& axis, double factor) {
   const double largest = factored_error<W>(50000);
-  const double bound = fixed_factored_bound(W, axis);
+  const double bound = bounds::fixed_factored_bound(W, axis);
   std::printf("fx%d: largest %.3g, bound %.3g\n", W, largest, bound);
   EXPECT_LE(largest, bound);
   EXPECT_LE(bound, factor * largest);
@@ -110,14 +110,14 @@ void expect_factored_bound(const AxisError& axis, double factor) {
 
 // At 32 bits the errors of an axis are propagated, which doubles the bound.
 TEST(WordBoundFactored, HoldsAndSaysSomething) {
-  expect_factored_bound<12>(exhaustive_axis_error<12>(), 8);
-  expect_factored_bound<18>(exhaustive_axis_error<18>(), 8);
-  expect_factored_bound<32>(propagated_axis_error(32), 12);
+  expect_factored_bound<12>(bounds::exhaustive_axis_error<12>(), 8);
+  expect_factored_bound<18>(bounds::exhaustive_axis_error<18>(), 8);
+  expect_factored_bound<32>(bounds::propagated_axis_error(32), 12);
 }
 
 // Signs of the points that go with the signs of the weights' errors, all 64: no bound may be less.
 TEST(WordBoundWorst, AlignedErrorsOfFx18StayWithinIt) {
-  const auto bank = bspline_bank<Fixed<18>>("fx18");
+  const auto bank = bounds::bspline_bank<Fixed<18>>("fx18");
   const Samples samples;
   double largest = 0;
   for (const Sample& sample : samples.draw(7, 20000)) {
@@ -125,7 +125,7 @@ TEST(WordBoundWorst, AlignedErrorsOfFx18StayWithinIt) {
     std::array<std::array<double, 4>, 3> exact;
     for (int a = 0; a < 3; ++a) {
       vertex.local[a] = Fixed<18>::coordinate(sample.fixed.local[a]);
-      exact[a] = bspline(std::ldexp(sample.fixed.local[a], -31));
+      exact[a] = bounds::bspline(std::ldexp(sample.fixed.local[a], -31));
     }
     const auto factors = model::factors_of<Fixed<18>>(vertex, {}, bank);
     double sum = 0;
@@ -135,7 +135,7 @@ TEST(WordBoundWorst, AlignedErrorsOfFx18StayWithinIt) {
     }
     largest = std::max(largest, sum);
   }
-  const double bound = fixed_product_bound(18, exhaustive_axis_error<18>());
+  const double bound = bounds::fixed_product_bound(18, bounds::exhaustive_axis_error<18>());
   std::printf("fx18, aligned: largest %.3g, bound %.3g\n", largest, bound);
   EXPECT_LE(largest, bound);
   EXPECT_GE(3 * largest, bound);
@@ -147,16 +147,16 @@ TEST(WordBoundWorst, HandValue) {
   constexpr double kUnit = 0x1p-16;
   constexpr double kError = 0x1p-12;
   constexpr double kSmall = 0x1p-18;  // a quarter of a unit
-  AxisError axis;
-  for (AxisPiece& piece : axis) piece = {kError, {0.5, 0.5, 0, 0}};
+  bounds::AxisError axis;
+  for (bounds::AxisPiece& piece : axis) piece = {kError, {0.5, 0.5, 0, 0}};
   const double weights = std::pow(1 + kError, 3) - 1 + 2 * kUnit * (1 + kError) + 4 * kUnit;
   const double bound = weights + (1 + weights) * kUnit / 2 + 0x1p-31;
-  EXPECT_NEAR(fixed_product_bound(18, axis), bound, 1e-12);
+  EXPECT_NEAR(bounds::fixed_product_bound(18, axis), bound, 1e-12);
   // A third weight below half a unit: its 5 products of two are rounded to 0, and so are the 4 of
   // three that have it as their last.
-  for (AxisPiece& piece : axis) piece.weight[2] = kSmall;
+  for (bounds::AxisPiece& piece : axis) piece.weight[2] = kSmall;
   const double more = (4 * kSmall / 2 + kSmall * kSmall) * (1 + kError) + 4 * kSmall * 0.25;
-  EXPECT_NEAR(fixed_product_bound(18, axis), bound + more * (1 + kUnit / 2), 1e-9);
+  EXPECT_NEAR(bounds::fixed_product_bound(18, axis), bound + more * (1 + kUnit / 2), 1e-9);
 }
 
 // The same vertices whatever else is measured: the study is repeatable.

@@ -19,7 +19,7 @@ import registers  # noqa: E402
 import version  # noqa: E402
 
 TEXT = (ROOT / registers.TABLE).read_text()
-OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "api/include/hwffd/registers.h", "docs/registers.md")
+OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "driver/include/hwffd/registers.h", "docs/registers.md")
 MADE = (*OF_TABLE, version.HEADER)
 
 # what -> (text of the table, its replacement, words of the message)

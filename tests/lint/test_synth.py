@@ -357,7 +357,7 @@ class Table(unittest.TestCase):
         self.assertEqual({subject.target for subject in found}, set(synthesis.TARGETS))
         self.assertEqual({subject.top for subject in found}, {
             synthesis.ORGANIZATION, synthesis.CORE, synthesis.SYSTEM, *synthesis.FLOAT_UNITS})
-        built = re.search(r"set\(axi_rows ([^)]+)\)", (ROOT / "tb/CMakeLists.txt").read_text())
+        built = re.search(r"set\(axi_rows ([^)]+)\)", (ROOT / "cores/CMakeLists.txt").read_text())
         self.assertEqual({subject.row.name for subject in found if subject.top == synthesis.SYSTEM},
                          set(built.group(1).split()))
         wired = [subject for subject in found if subject.name.split(".")[0].endswith("-bspline")]

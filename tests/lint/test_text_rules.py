@@ -169,6 +169,12 @@ PLANTED = [
     ("empty-waivers", "a waiver",
      {"rtl/lint/hwffd.vlt": WAIVERS + 'lint_off -rule WIDTH -file "*.v"\n'}),
     ("empty-waivers", "no file", {"rtl/lint/hwffd.vlt": None}),
+    ("one-way", "the golden reference includes geometry",
+     {"geometry/include/hwffd/mesh.hpp": "", "golden/src/x.cpp": '#include "hwffd/mesh.hpp"\n'}),
+    ("one-way", "the library includes the bench",
+     {"tb/include/hwffd/tb/bench.hpp": "", "api/src/x.cpp": '#include "hwffd/tb/bench.hpp"\n'}),
+    ("one-way", "a folder without include/",
+     {"apps/picture/png.hpp": "", "studies/words/x.cpp": '#include "picture/png.hpp"\n'}),
 ]
 
 # what must pass -> files
@@ -183,6 +189,9 @@ PASSES = {
     "a reason": inserted(f"  // {MARK}: share the adder once the schedule is fixed"),
     "words inside words": inserted("  wire [3:0] INFORMATION_q = 4'd1 == 4'd2;"),
     "a comment about FORMAT == 0": inserted("  // FORMAT == 0, DSP48E1, begin"),
+    "the bench includes a core's interface":
+        {"cores/include/hwffd/cores/core.hpp": "",
+         "tb/src/x.cpp": '#include "hwffd/cores/core.hpp"\n'},
     "an anonymous begin in always":
         inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
 }

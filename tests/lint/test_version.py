@@ -45,7 +45,7 @@ class Version(unittest.TestCase):
         self.assertEqual(self.stale(), [])
         for name, words in ((version.HEADER, '#define HWFFD_VERSION "3.41.59"'),
                             (version.HEADER, "#define HWFFD_VERSION_MINOR 41"),
-                            ("api/include/hwffd/registers.h", "HWFFD_VERSION_MAJOR_RESET 0x3u"),
+                            ("driver/include/hwffd/registers.h", "HWFFD_VERSION_MAJOR_RESET 0x3u"),
                             ("rtl/bus/ffd_axil_registers.v", "{16'h3, 8'h29, 8'h3b}"),
                             (core_file.NAME, 'name: "hwffd:ip:hwffd:3.41.59"')):
             self.assertIn(words, (self.root / name).read_text())

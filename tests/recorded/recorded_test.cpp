@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
-#include "hwffd/tb/evaluator_core_factory.hpp"
 #include "replay.hpp"
 #include "system_run.hpp"
 
@@ -46,8 +46,8 @@ TEST_P(Recorded, ModelAnswersAtItsReadPortAsEver) {
 }
 
 TEST_P(Recorded, CoreAnswersAtItsReadPortAsEver) {
-  if (!tb::has_evaluator_core(GetParam())) GTEST_SKIP() << "not Verilated in this build";
-  const auto core = tb::make_evaluator_core(GetParam(), 1);
+  if (!cores::has_evaluator_core(GetParam())) GTEST_SKIP() << "not Verilated in this build";
+  const auto core = cores::make_evaluator_core(GetParam(), 1);
   const auto model = model::make_evaluator_model(GetParam());
   const ReadPortRecording recording = read_port_recording(stream("read_port"));
   tb::EvaluatorBench bench(*core, *model, recording.banks[0]);

@@ -24,7 +24,7 @@ Recording model_answers(const Configuration& row, const std::vector<Beat>& comma
 }
 
 Recording answers_of(const Configuration& row,
-                     const std::vector<tb::EvaluatorCore::Result>& results) {
+                     const std::vector<cores::EvaluatorCore::Result>& results) {
   std::vector<Beat> beats;
   for (const auto& result : results) {
     const std::uint32_t flags = (result.saturated ? 1U : 0U) | (result.nan ? 2U : 0U);
@@ -47,7 +47,7 @@ Recording model_answers_at_read_port(const Configuration& row, const std::vector
     }
   }
   const tb::EvaluatorStimulus& stimulus = recording.stimulus;
-  std::vector<tb::EvaluatorCore::Result> results;
+  std::vector<cores::EvaluatorCore::Result> results;
   for (const tb::EvaluatorVertex& vertex : stimulus.vertices) {
     const tb::SupportWords& support = stimulus.supports[vertex.support];
     model::VertexWords words{vertex.local, vertex.cell, support.points};

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hwffd/tb/evaluator_core.hpp"
+#include "hwffd/cores/evaluator_core.hpp"
 #include "recording.hpp"
 
 namespace hwffd::test {
@@ -15,6 +15,6 @@ Recording model_answers_at_read_port(const Configuration& row, const std::vector
 
 /// The same of results that an evaluator gave.
 Recording answers_of(const Configuration& row,
-                     const std::vector<tb::EvaluatorCore::Result>& results);
+                     const std::vector<cores::EvaluatorCore::Result>& results);
 
 }  // namespace hwffd::test

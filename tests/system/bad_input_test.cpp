@@ -43,7 +43,7 @@ class BadInput : public PerConfiguration {
     run.send(lattice_packet(lattice_));
     run.send(vertices_packet(vertices(3)));
     ASSERT_TRUE(run.run());
-    for (int e = 0; e < tb::kStreamEvents; ++e) {
+    for (int e = 0; e < cores::kStreamEvents; ++e) {
       EXPECT_EQ(run.bench().events()[e], e == event ? count : 0) << "event " << e;
     }
     results_ = run.bench().results();

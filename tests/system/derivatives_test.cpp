@@ -9,10 +9,10 @@
 
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/model/determinant.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "hwffd/stream/interleave.hpp"
 #include "system_run.hpp"
 
 namespace hwffd::test {

@@ -6,9 +6,9 @@
 
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "hwffd/model/schedule.hpp"
-#include "hwffd/stream/interleave.hpp"
 #include "system_run.hpp"
 
 namespace hwffd::test {

@@ -6,8 +6,8 @@
 
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "hwffd/stream/interleave.hpp"
 
 namespace hwffd::test {
 namespace {

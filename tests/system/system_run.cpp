@@ -9,7 +9,7 @@ namespace hwffd::test {
 std::vector<Configuration> built_configurations() {
   std::vector<Configuration> built;
   for (const Configuration& row : configurations()) {
-    if (tb::has_stream_core(row)) built.push_back(row);
+    if (cores::has_stream_core(row)) built.push_back(row);
   }
   return built;
 }
@@ -38,7 +38,7 @@ std::string test_name(const Configuration& row) {
 
 SystemRun::SystemRun(const Configuration& row, std::uint64_t seed, const std::string& source,
                      const std::string& sink)
-    : row_(row), codec_(row.format), core_(tb::make_stream_core(row, seed)), model_(row) {
+    : row_(row), codec_(row.format), core_(cores::make_stream_core(row, seed)), model_(row) {
   tb::StreamBenchOptions options;
   options.test.name = std::string(row.name) + " " + source + " " + sink;
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/stream_bench.hpp"
-#include "hwffd/tb/stream_core_factory.hpp"
 #include "stimulus.hpp"
 
 namespace hwffd {
@@ -54,14 +54,16 @@ class SystemRun {
   const Configuration& row() const { return row_; }
   const WordCodec& codec() const { return codec_; }
   tb::StreamBench& bench() { return *bench_; }
-  const tb::StreamCore& core() const { return *core_; }
+  const cores::StreamCore& core() const { return *core_; }
   /// What the model says of the events so far.
-  std::array<std::uint64_t, tb::kStreamEvents> events() const { return model_.events().counts(); }
+  std::array<std::uint64_t, cores::kStreamEvents> events() const {
+    return model_.events().counts();
+  }
 
  private:
   Configuration row_;
   WordCodec codec_;
-  std::unique_ptr<tb::StreamCore> core_;
+  std::unique_ptr<cores::StreamCore> core_;
   model::StreamModel model_;
   std::unique_ptr<tb::StreamBench> bench_;
 };

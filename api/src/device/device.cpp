@@ -7,16 +7,16 @@
 
 #include "device/reference_device.hpp"
 #include "device/stream_device.hpp"
+#include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
-#include "hwffd/tb/stream_core_factory.hpp"
 
 namespace hwffd {
 namespace {
 
 bool is_there(const std::string& kind, const Configuration& row) {
   if (!overlaps(row)) return false;
-  return kind == "model" || (kind == "rtl" && tb::has_stream_core(row));
+  return kind == "model" || (kind == "rtl" && cores::has_stream_core(row));
 }
 
 void check(const Device::Blending& blending) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "device/stream_device.hpp"
+#include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/tb/stream_core_factory.hpp"
 
 namespace hwffd {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint64_t kPatience = 1'000'000;  // clocks without a beat
 class RtlStream final : public CommandStream {
  public:
   explicit RtlStream(const Configuration& row)
-      : name_(row.name), core_(tb::make_stream_core(row, kSeed)) {
+      : name_(row.name), core_(cores::make_stream_core(row, kSeed)) {
     reset();
   }
 
@@ -76,7 +76,7 @@ class RtlStream final : public CommandStream {
   }
 
   std::string name_;
-  std::unique_ptr<tb::StreamCore> core_;
+  std::unique_ptr<cores::StreamCore> core_;
   std::uint64_t clocks_ = 0;
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
-#include "hwffd/stream/interleave.hpp"
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd {

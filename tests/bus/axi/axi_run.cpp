@@ -14,14 +14,14 @@ using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
 namespace {
-constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 constexpr std::uint64_t kGuardBytes = 3 * kBeat;  // between two areas
 }  // namespace
 
 std::vector<Configuration> axi_configurations() {
   std::vector<Configuration> built;
   for (const Configuration& row : configurations()) {
-    if (tb::has_axi_core(row)) built.push_back(row);
+    if (cores::has_axi_core(row)) built.push_back(row);
   }
   return built;
 }
@@ -33,9 +33,9 @@ std::string axi_test_name(const Configuration& row) {
 }
 
 AxiRun::AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles)
-    : AxiRun(row, tb::make_axi_core(row, seed), seed, throttles) {}
+    : AxiRun(row, cores::make_axi_core(row, seed), seed, throttles) {}
 
-AxiRun::AxiRun(const Configuration& row, std::unique_ptr<tb::AxiCore> core, std::uint64_t seed,
+AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, std::uint64_t seed,
                const std::string& throttles)
     : row_(row),
       codec_(row.format),

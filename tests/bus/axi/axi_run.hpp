@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/driver.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/registers.h"
 #include "hwffd/stream/word_codec.hpp"
-#include "hwffd/tb/axi_core_factory.hpp"
 #include "hwffd/tb/axi_system.hpp"
 #include "hwffd/tb/packet_ring.hpp"
 #include "stimulus.hpp"
@@ -70,7 +70,7 @@ class AxiRun {
   /// Out of reset, windows set and locked, the ring open, all interrupts enabled.
   AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles = "always");
   /// The same with a core of that row that is there already.
-  AxiRun(const Configuration& row, std::unique_ptr<tb::AxiCore> core, std::uint64_t seed,
+  AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, std::uint64_t seed,
          const std::string& throttles = "always");
 
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
@@ -120,7 +120,7 @@ class AxiRun {
   Configuration row_;
   WordCodec codec_;
   tb::Random random_;
-  std::unique_ptr<tb::AxiCore> core_;
+  std::unique_ptr<cores::AxiCore> core_;
   std::unique_ptr<tb::AxiSystem> system_;
   Driver driver_;
   tb::PacketRing ring_;

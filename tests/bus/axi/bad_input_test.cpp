@@ -9,7 +9,7 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 
 struct Record {
   std::uint32_t packet = 0;
@@ -222,10 +222,10 @@ TEST_P(AxiBadInput, ReloadedWhileVerticesAreInFlight) {
 TEST_P(AxiBadInput, RegisterUnmappedReadOnlyOrLocked) {
   tb::AxiSystem& port = run_.system();
   EXPECT_THROW(port.read32(0xFFC), RegisterError);
-  EXPECT_EQ(port.try_write(0xFFC, ~0U), tb::kSlvErr);
-  EXPECT_EQ(port.try_write(HWFFD_RING_TAIL_OFFSET, 5), tb::kSlvErr);
+  EXPECT_EQ(port.try_write(0xFFC, ~0U), cores::kSlvErr);
+  EXPECT_EQ(port.try_write(HWFFD_RING_TAIL_OFFSET, 5), cores::kSlvErr);
   const std::uint32_t limit = port.read32(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET);
-  EXPECT_EQ(port.try_write(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET, 0), tb::kSlvErr);
+  EXPECT_EQ(port.try_write(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET, 0), cores::kSlvErr);
   EXPECT_EQ(port.read32(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET), limit);
   EXPECT_EQ(run_.driver().take_errors().status, 0U);
   expect_good_run();

@@ -7,7 +7,7 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 
 class AxiBusError : public PerAxiConfiguration {
  protected:
@@ -64,7 +64,7 @@ TEST_P(AxiBusError, OnEveryBeatOfAPacket) {
     const Prepared prepared = prepare(run);
     const bool slave = beat % 2 == 0;
     run.system().memory.fail_read_at(prepared.packet, beat,
-                                     slave ? tb::kAxiSlverr : tb::kAxiDecerr);
+                                     slave ? cores::kAxiSlverr : cores::kAxiDecerr);
     run.start();
     expect_stopped(run, kDmaReadResponse, prepared.packet);
     // No more results than vertices before the error; those that are counted are right.
@@ -80,7 +80,7 @@ TEST_P(AxiBusError, OnEveryBeatOfAPacket) {
 TEST_P(AxiBusError, OnADescriptor) {
   AxiRun run(GetParam(), 2, "bernoulli");
   const Prepared prepared = prepare(run);
-  run.system().memory.fail_read_at(prepared.descriptor, 0, tb::kAxiDecerr);
+  run.system().memory.fail_read_at(prepared.descriptor, 0, cores::kAxiDecerr);
   run.start();
   expect_stopped(run, kDmaReadResponse, prepared.descriptor);
   EXPECT_LE(run.driver().result_count(), prepared.results_before);
@@ -96,7 +96,7 @@ TEST_P(AxiBusError, OnEveryBurstOfResults) {
   for (std::uint64_t burst = 0; burst < 3; ++burst) {  // a burst a packet at least
     prepare(run);
     const std::size_t first = run.system().memory.writes().size();
-    run.system().memory.fail_write(burst, burst == 1 ? tb::kAxiDecerr : tb::kAxiSlverr);
+    run.system().memory.fail_write(burst, burst == 1 ? cores::kAxiDecerr : cores::kAxiSlverr);
     run.start();
     ASSERT_TRUE(run.wait());
     const auto& writes = run.system().memory.writes();
@@ -125,7 +125,7 @@ TEST_P(AxiBusError, OnAWriteWhileReadsAreOpen) {
   for (int packet = 0; packet < 3; ++packet) {
     run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 150)));
   }
-  run.system().memory.fail_write(0, tb::kAxiSlverr);
+  run.system().memory.fail_write(0, cores::kAxiSlverr);
   run.start();
   ASSERT_TRUE(run.wait());
   EXPECT_TRUE(run.driver().stopped());
@@ -139,8 +139,8 @@ TEST_P(AxiBusError, InBothDirections) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     AxiRun run(GetParam(), seed, "mixed");
     prepare(run);
-    run.system().memory.fail_read(run.random().below(8), 0, tb::kAxiSlverr);
-    run.system().memory.fail_write(run.random().below(2), tb::kAxiDecerr);
+    run.system().memory.fail_read(run.random().below(8), 0, cores::kAxiSlverr);
+    run.system().memory.fail_write(run.random().below(2), cores::kAxiDecerr);
     run.start();
     ASSERT_TRUE(run.wait()) << seed;
     EXPECT_TRUE(run.driver().stopped()) << seed;

@@ -5,7 +5,7 @@
 
 #include "Vaxi_guarded.h"
 #include "axi_run.hpp"
-#include "hwffd/tb/verilated_axi_core.hpp"
+#include "hwffd/cores/verilated_axi_core.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -20,7 +20,7 @@ const Configuration& guarded_row() { return find_configuration("basic-fx18-overl
 class Guarded {
  public:
   explicit Guarded(std::uint64_t seed)
-      : run_(guarded_row(), std::make_unique<tb::VerilatedAxiCore<Vaxi_guarded>>(seed), seed) {}
+      : run_(guarded_row(), std::make_unique<cores::VerilatedAxiCore<Vaxi_guarded>>(seed), seed) {}
   AxiRun* operator->() { return &run_; }
   AxiRun& operator*() { return run_; }
 
@@ -74,9 +74,9 @@ TEST(AxiGuard, OrOnlyASecureAccess) {
   for (const std::uint8_t prot : {2, 3, 6, 7}) {
     port.protect(prot);
     EXPECT_THROW(port.read32(HWFFD_ID_OFFSET), RegisterError) << unsigned{prot};
-    EXPECT_EQ(port.try_write(HWFFD_RING_HEAD_OFFSET, head + 1), tb::kSlvErr);
-    EXPECT_EQ(port.try_write(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK), tb::kSlvErr);
-    EXPECT_EQ(port.try_write(HWFFD_STATUS_OFFSET, HWFFD_STATUS_DONE_MASK), tb::kSlvErr);
+    EXPECT_EQ(port.try_write(HWFFD_RING_HEAD_OFFSET, head + 1), cores::kSlvErr);
+    EXPECT_EQ(port.try_write(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK), cores::kSlvErr);
+    EXPECT_EQ(port.try_write(HWFFD_STATUS_OFFSET, HWFFD_STATUS_DONE_MASK), cores::kSlvErr);
   }
   port.protect(kSecure);
   const std::uint32_t status = port.read32(HWFFD_STATUS_OFFSET);
@@ -87,7 +87,7 @@ TEST(AxiGuard, OrOnlyASecureAccess) {
   for (int i = 0; i < 20; ++i) {
     port.protect(i % 3 == 0 ? kNotSecure : kSecure);
     EXPECT_EQ(port.try_write(HWFFD_RESULT_SIZE_OFFSET, 16U * (i + 1)),
-              i % 3 == 0 ? tb::kSlvErr : tb::kOkay);
+              i % 3 == 0 ? cores::kSlvErr : cores::kOkay);
   }
   for (const std::uint8_t prot : {0, 1, 4, 5}) {
     port.protect(prot);

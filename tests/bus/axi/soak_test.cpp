@@ -82,7 +82,7 @@ class Traffic {
     EXPECT_EQ(run_.driver().take_errors().count, total(after) - total(before));
   }
   void bus_error() {
-    const auto answer = [&] { return run_.random().pick({tb::kAxiSlverr, tb::kAxiDecerr}); };
+    const auto answer = [&] { return run_.random().pick({cores::kAxiSlverr, cores::kAxiDecerr}); };
     send_any();
     if (run_.random().chance(0.7)) {
       run_.system().memory.fail_read(run_.random().below(20), run_.random().below(4), answer());
@@ -145,9 +145,9 @@ class Traffic {
     run_.start();
     for (int access = 0; access < 10; ++access) {
       EXPECT_EQ(system.try_write(0x200 + 4 * run_.random().below(64), run_.random().word()),
-                tb::kSlvErr);
+                cores::kSlvErr);
       EXPECT_THROW(system.read32(0x800), RegisterError);
-      EXPECT_EQ(system.try_write(HWFFD_WRITE_WINDOW_BASE_LO_OFFSET, 0), tb::kSlvErr);
+      EXPECT_EQ(system.try_write(HWFFD_WRITE_WINDOW_BASE_LO_OFFSET, 0), cores::kSlvErr);
     }
     EXPECT_TRUE(run_.finish());
   }

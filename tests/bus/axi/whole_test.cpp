@@ -188,7 +188,7 @@ TEST_P(Axi, PlantedFaultsAreFound) {
   run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, 1)));
   run.start();
   ASSERT_TRUE(run.wait());
-  const std::uint64_t last_byte = run.area() + 3 * tb::kAxiBeatBytes - 1;
+  const std::uint64_t last_byte = run.area() + 3 * cores::kAxiBeatBytes - 1;
   flip(last_byte);
   EXPECT_FALSE(run.finish()) << "a flipped bit";
   flip(last_byte);
@@ -203,7 +203,7 @@ TEST_P(Axi, PlantedFaultsAreFound) {
   run.start(2);
   EXPECT_FALSE(run.finish()) << "a result is missing";
   run.forget_expected();
-  run.system().allow(kReadWindow, {kWriteWindow.base, run.area() + tb::kAxiBeatBytes});
+  run.system().allow(kReadWindow, {kWriteWindow.base, run.area() + cores::kAxiBeatBytes});
   run.send(interleaved_packet(make_stimulus("random", run.codec(), 3, 1)));
   ASSERT_TRUE(run.go());
   EXPECT_FALSE(run.clean()) << "an address outside the window";

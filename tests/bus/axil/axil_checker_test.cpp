@@ -10,7 +10,7 @@
 namespace hwffd::tb {
 namespace {
 
-using Trace = std::vector<AxiLitePins>;
+using Trace = std::vector<cores::AxiLitePins>;
 
 /// Two clocks of reset, one of rest, a write and a read whose requests and responses wait a clock
 /// each, a rest. Clock 4: address and read offered; 5: accepted, data too; 6: responses; 7: taken.
@@ -28,7 +28,7 @@ Trace clean() {
   for (const unsigned clock : {6u, 7u}) {
     trace[clock].slave.bvalid = trace[clock].slave.rvalid = true;
     trace[clock].slave.rdata = 0x5678;
-    trace[clock].slave.bresp = trace[clock].slave.rresp = kSlvErr;
+    trace[clock].slave.bresp = trace[clock].slave.rresp = cores::kSlvErr;
   }
   trace[7].master.bready = trace[7].master.rready = true;
   return trace;
@@ -71,7 +71,7 @@ void drop(Trace& trace, unsigned clock) { trace.erase(trace.begin() + clock); }
 const Flaw kFlaws[] = {
     {"aw_falls",
      [](Trace& t) {
-       t.insert(t.begin() + 5, AxiLitePins{false, {}, {}});
+       t.insert(t.begin() + 5, cores::AxiLitePins{false, {}, {}});
        t[5].master = t[4].master;
        t[5].master.awvalid = false;
      },
@@ -108,11 +108,11 @@ const Flaw kFlaws[] = {
      "cycle 5: w changed while it waited, from f00001234 to 100001234"},
     {"ar_changes", [](Trace& t) { t[5].master.araddr = 0; },
      "cycle 5: ar changed while it waited, from 40 to 0"},
-    {"b_changes", [](Trace& t) { t[7].slave.bresp = kOkay; },
+    {"b_changes", [](Trace& t) { t[7].slave.bresp = cores::kOkay; },
      "cycle 7: b changed while it waited, from 2 to 0"},
     {"r_data_changes", [](Trace& t) { t[7].slave.rdata = 1; },
      "cycle 7: r changed while it waited, from 200005678 to 200000001"},
-    {"r_code_changes", [](Trace& t) { t[7].slave.rresp = kOkay; },
+    {"r_code_changes", [](Trace& t) { t[7].slave.rresp = cores::kOkay; },
      "cycle 7: r changed while it waited, from 200005678 to 5678"},
     {"b_before_address",
      [](Trace& t) {
@@ -156,9 +156,9 @@ const Flaw kFlaws[] = {
      "cycle 9: reads without a response: 1"},
     {"address_without_data", [](Trace& t) { t[8].master.awvalid = t[8].slave.awready = true; },
      "cycle 9: writes without a response: 1 addresses, 0 data"},
-    {"b_exokay", [](Trace& t) { t[6].slave.bresp = t[7].slave.bresp = kExOkay; },
+    {"b_exokay", [](Trace& t) { t[6].slave.bresp = t[7].slave.bresp = cores::kExOkay; },
      "cycle 6: bresp is EXOKAY"},
-    {"r_exokay", [](Trace& t) { t[6].slave.rresp = t[7].slave.rresp = kExOkay; },
+    {"r_exokay", [](Trace& t) { t[6].slave.rresp = t[7].slave.rresp = cores::kExOkay; },
      "cycle 6: rresp is EXOKAY"},
     {"bvalid_in_reset", [](Trace& t) { t[1].slave.bvalid = true; },
      "cycle 1: bvalid is high in reset"},

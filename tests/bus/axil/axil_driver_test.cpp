@@ -16,7 +16,7 @@ class EasySlave {
  public:
   explicit EasySlave(std::uint64_t seed) : random_(seed) {}
 
-  AxiLiteSlavePins drive() {
+  cores::AxiLiteSlavePins drive() {
     pins_.awready = random_.chance(0.5);
     pins_.wready = random_.chance(0.5);
     pins_.arready = random_.chance(0.5);
@@ -25,7 +25,7 @@ class EasySlave {
     pins_.rdata = pins_.rvalid ? reads_[r_] : 0;
     return pins_;
   }
-  void accept(const AxiLiteMasterPins& master) {
+  void accept(const cores::AxiLiteMasterPins& master) {
     b_ += pins_.bvalid && master.bready ? 1 : 0;
     r_ += pins_.rvalid && master.rready ? 1 : 0;
     aw_ += master.awvalid && pins_.awready ? 1 : 0;
@@ -44,7 +44,7 @@ class EasySlave {
 
  private:
   Random random_;
-  AxiLiteSlavePins pins_;
+  cores::AxiLiteSlavePins pins_;
   std::vector<std::uint32_t> reads_;
   std::uint64_t aw_ = 0, w_ = 0, b_ = 0, r_ = 0;
 };
@@ -68,8 +68,8 @@ TEST_P(DriverThrottle, SendsAllInOrderAndKeepsTheRules) {
   std::set<std::uint32_t> idle;
   std::uint64_t cycle = 2;
   for (; !driver.idle() && cycle < 100'000; ++cycle) {
-    const AxiLiteMasterPins master = driver.drive();
-    const AxiLiteSlavePins pins = slave.drive();
+    const cores::AxiLiteMasterPins master = driver.drive();
+    const cores::AxiLiteSlavePins pins = slave.drive();
     checker.observe({false, master, pins}, cycle);
     if (!master.awvalid) idle.insert(master.awaddr);
     slave.accept(master);
@@ -96,7 +96,7 @@ TEST(AxiLiteDriver, ForgetsAllWhenCleared) {
   EXPECT_TRUE(driver.drive().awvalid);
   driver.clear();
   EXPECT_TRUE(driver.idle());
-  const AxiLiteMasterPins pins = driver.drive();
+  const cores::AxiLiteMasterPins pins = driver.drive();
   EXPECT_FALSE(pins.awvalid || pins.wvalid || pins.arvalid);
 }
 

@@ -31,7 +31,7 @@ TEST(Pulse, NeedsItsStrobe) {
   RegisterBench bench(2);
   bench.set("WINDOW_LOCK", 1);
   for (const std::uint8_t strobe : {0, 2, 4, 8, 14}) {
-    EXPECT_EQ(bench.write(offset_of("CONTROL.start"), ~0u, strobe), tb::kOkay);
+    EXPECT_EQ(bench.write(offset_of("CONTROL.start"), ~0u, strobe), cores::kOkay);
   }
   bench.steps(3);
   EXPECT_EQ(bench.high_clocks("control_start_o"), 0u);

@@ -5,8 +5,8 @@
 
 namespace hwffd::test {
 
-using tb::AxiLiteMasterPins;
-using tb::AxiLiteSlavePins;
+using cores::AxiLiteMasterPins;
+using cores::AxiLiteSlavePins;
 
 namespace {
 constexpr std::size_t kMaxFailures = 20;
@@ -156,13 +156,13 @@ void RegisterBench::run(std::uint64_t limit) {
 std::uint8_t RegisterBench::write(std::uint32_t address, std::uint32_t data, std::uint8_t strobe) {
   driver_.write({address, data, strobe});
   run();
-  return driver_.write_responses().empty() ? tb::kDecErr : driver_.write_responses().back().code;
+  return driver_.write_responses().empty() ? cores::kDecErr : driver_.write_responses().back().code;
 }
 
 RegisterModel::Answer RegisterBench::read(std::uint32_t address) {
   driver_.read(address);
   run();
-  if (driver_.read_responses().empty()) return {tb::kDecErr, 0};
+  if (driver_.read_responses().empty()) return {cores::kDecErr, 0};
   return {driver_.read_responses().back().code, driver_.read_responses().back().data};
 }
 
@@ -170,7 +170,7 @@ std::uint32_t RegisterBench::get(const std::string& reg) {
   for (const RegisterField& field : register_table()) {
     if (field.reg != reg) continue;
     const auto answer = read(field.offset);
-    EXPECT_EQ(answer.code, tb::kOkay) << reg;
+    EXPECT_EQ(answer.code, cores::kOkay) << reg;
     return answer.data;
   }
   throw std::out_of_range("no register " + reg);
@@ -179,7 +179,7 @@ std::uint32_t RegisterBench::get(const std::string& reg) {
 void RegisterBench::set(const std::string& reg, std::uint32_t data) {
   for (const RegisterField& field : register_table()) {
     if (field.reg != reg) continue;
-    EXPECT_EQ(write(field.offset, data), tb::kOkay) << reg;
+    EXPECT_EQ(write(field.offset, data), cores::kOkay) << reg;
     return;
   }
   throw std::out_of_range("no register " + reg);
@@ -202,12 +202,13 @@ std::uint64_t RegisterBench::output(const std::string& port) {
 
 std::uint32_t BenchPort::read32(std::uint32_t offset) {
   const auto answer = bench_.read(offset);
-  if (answer.code != tb::kOkay) throw RegisterError(fmt::format("read of {:03x} refused", offset));
+  if (answer.code != cores::kOkay)
+    throw RegisterError(fmt::format("read of {:03x} refused", offset));
   return answer.data;
 }
 
 void BenchPort::write32(std::uint32_t offset, std::uint32_t value) {
-  if (bench_.write(offset, value) != tb::kOkay) {
+  if (bench_.write(offset, value) != cores::kOkay) {
     throw RegisterError(fmt::format("write of {:03x} refused", offset));
   }
 }

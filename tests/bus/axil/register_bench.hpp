@@ -60,9 +60,9 @@ class RegisterBench {
   const std::vector<std::string>& failures() const { return failures_; }
 
  private:
-  void drive(const tb::AxiLiteMasterPins& pins);
-  tb::AxiLiteSlavePins sample();
-  void follow(const tb::AxiLiteSlavePins& slave);
+  void drive(const cores::AxiLiteMasterPins& pins);
+  cores::AxiLiteSlavePins sample();
+  void follow(const cores::AxiLiteSlavePins& slave);
   void compare_outputs();
   void fail(const std::string& what);
 
@@ -78,8 +78,8 @@ class RegisterBench {
   bool known_ = false;  // it was in reset, or after one
   bool was_in_reset_ = false;
   PortValues was_inputs_;
-  tb::AxiLiteSlavePins was_slave_;
-  tb::AxiLiteMasterPins was_master_;
+  cores::AxiLiteSlavePins was_slave_;
+  cores::AxiLiteMasterPins was_master_;
   std::vector<tb::AxiLiteWrite> dropped_writes_;
   std::vector<std::uint32_t> dropped_reads_;
   std::size_t acted_writes_ = 0;

@@ -41,10 +41,10 @@ std::uint32_t RegisterModel::field_value(const PortValues& inputs,
 }
 
 RegisterModel::Answer RegisterModel::do_read(const PortValues& inputs, std::uint32_t address) {
-  Answer answer{tb::kSlvErr, 0};
+  Answer answer{cores::kSlvErr, 0};
   for (const RegisterField& field : register_table()) {
     if (field.offset != (address & ~3u)) continue;
-    answer.code = tb::kOkay;
+    answer.code = cores::kOkay;
     answer.data |= field_value(inputs, field) << field.low;
     if (field.access == "counter" && field.port_low == 0) {
       Counter& counter = counters_.at(field.port);
@@ -62,7 +62,7 @@ std::uint8_t RegisterModel::code_of(const tb::AxiLiteWrite& write) const {
     writable = writable || field.writable();
     for (const std::string& lock : field.linked("locked")) locked = locked || fields_.at(lock) != 0;
   }
-  return writable && !locked ? tb::kOkay : tb::kSlvErr;
+  return writable && !locked ? cores::kOkay : cores::kSlvErr;
 }
 
 bool RegisterModel::blocked(const PortValues& inputs, const RegisterField& start) const {
@@ -145,7 +145,7 @@ RegisterModel::Answers RegisterModel::clock(const PortValues& inputs,
     refused[field.path] = !field.linked("refused").empty() && blocked(inputs, field);
     fields_.at(field.path) = 0;
   }
-  if (write && answers.write.code == tb::kOkay) store(*write);
+  if (write && answers.write.code == cores::kOkay) store(*write);
   for (const RegisterField& field : register_table()) {
     if (field.access != "w1" || fields_.at(field.path) == 0) continue;
     for (const std::string& target : field.linked("sets")) set.insert(target);

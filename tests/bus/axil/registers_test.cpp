@@ -94,7 +94,7 @@ TEST_P(EachRegister, KeepsWhatIsWritten) {
   const std::uint32_t others = bench.read(reg.offset).data & ~stored;
   for (unsigned bit = 0; bit < 32; ++bit) {
     for (const std::uint32_t data : {1u << bit, ~(1u << bit)}) {
-      EXPECT_EQ(bench.write(reg.offset, data), reg.writable() ? tb::kOkay : tb::kSlvErr);
+      EXPECT_EQ(bench.write(reg.offset, data), reg.writable() ? cores::kOkay : cores::kSlvErr);
       const std::uint32_t read = bench.read(reg.offset).data;
       EXPECT_EQ(read & stored, data & stored) << reg.name << " bit " << bit;
       if (!reg.writable()) {
@@ -114,7 +114,7 @@ TEST_P(EachRegister, IsWrittenByBytes) {
     for (const std::uint32_t before : {0u, ~0u, 0xA5A5A5A5u}) {
       bench.write(reg.offset, before);
       const auto code = bench.write(reg.offset, ~before, static_cast<std::uint8_t>(strobe));
-      EXPECT_EQ(code, reg.writable() ? tb::kOkay : tb::kSlvErr) << strobe;
+      EXPECT_EQ(code, reg.writable() ? cores::kOkay : cores::kSlvErr) << strobe;
       const std::uint32_t expected = ((before & ~mask) | (~before & mask)) & stored;
       EXPECT_EQ(bench.read(reg.offset).data & stored, expected) << reg.name << " strobe " << strobe;
     }
@@ -148,7 +148,7 @@ TEST_P(EachRegister, ObeysItsLock) {
   bench.write(reg.offset, 0x12345678);
   bench.set("WINDOW_LOCK", 0);  // writes nothing
   EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);
-  EXPECT_EQ(bench.write(register_field("WINDOW_LOCK.windows").offset, ~0u, 0xE), tb::kOkay);
+  EXPECT_EQ(bench.write(register_field("WINDOW_LOCK.windows").offset, ~0u, 0xE), cores::kOkay);
   EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);  // the bit is in byte 0
   bench.set("WINDOW_LOCK", 1);
   bench.set("WINDOW_LOCK", 0);
@@ -158,14 +158,14 @@ TEST_P(EachRegister, ObeysItsLock) {
   EXPECT_EQ(bench.get("WINDOW_LOCK"), 1u);
   for (const std::uint8_t strobe : {0, 1, 8, 15}) {
     const bool refused = reg.locked_by_something() || !reg.writable();
-    EXPECT_EQ(bench.write(reg.offset, ~0u, strobe), refused ? tb::kSlvErr : tb::kOkay);
+    EXPECT_EQ(bench.write(reg.offset, ~0u, strobe), refused ? cores::kSlvErr : cores::kOkay);
     if (reg.locked_by_something()) {
       EXPECT_EQ(bench.read(reg.offset).data, 0x12345678u);
     }
   }
   bench.reset();
   EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);
-  EXPECT_EQ(bench.write(reg.offset, 3), reg.writable() ? tb::kOkay : tb::kSlvErr);
+  EXPECT_EQ(bench.write(reg.offset, 3), reg.writable() ? cores::kOkay : cores::kSlvErr);
 }
 
 TEST(Table, TheLockIsOnTheWindowsAndNothingElse) {
@@ -213,9 +213,9 @@ TEST(Unmapped, IsRefusedWithoutSideEffect) {
   for (std::uint32_t word = 0; word < kWords; ++word) {
     if (mapped.count(4 * word) != 0) continue;
     const auto answer = bench.read(4 * word);
-    EXPECT_EQ(answer.code, tb::kSlvErr) << word;
+    EXPECT_EQ(answer.code, cores::kSlvErr) << word;
     EXPECT_EQ(answer.data, 0u) << word;
-    EXPECT_EQ(bench.write(4 * word, ~0u), tb::kSlvErr) << word;
+    EXPECT_EQ(bench.write(4 * word, ~0u), cores::kSlvErr) << word;
     ++refused;
   }
   EXPECT_EQ(refused, kWords - mapped.size());
@@ -233,7 +233,7 @@ TEST(ReadOnly, WritesAreRefusedWithoutSideEffect) {
   for (const Register& reg : all_registers()) {
     if (reg.writable()) continue;
     for (const std::uint32_t data : {0u, ~0u}) {
-      EXPECT_EQ(bench.write(reg.offset, data), tb::kSlvErr) << reg.name;
+      EXPECT_EQ(bench.write(reg.offset, data), cores::kSlvErr) << reg.name;
     }
     ++refused;
   }

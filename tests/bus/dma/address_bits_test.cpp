@@ -119,7 +119,7 @@ struct Wrong {
 
 void expect_read_error(const DmaSize& size, const Wrong& wrong) {
   DmaBench bench(size, wrong.ring);
-  bench.memory.fail_read_at(wrong.failing, 0, tb::kAxiSlverr);
+  bench.memory.fail_read_at(wrong.failing, 0, cores::kAxiSlverr);
   bench.place_ring(wrong.ring, 4);
   bench.put_descriptor(wrong.descriptor);
   bench.start_ring();
@@ -150,7 +150,7 @@ TEST_P(AddressBits, EachIsReportedOfAWrite) {
     for (const bool refused : {false, true}) {
       SCOPED_TRACE(testing::Message() << "at " << std::hex << place.base);
       DmaBench bench(GetParam(), place.base);
-      bench.memory.fail_write(0, tb::kAxiSlverr);
+      bench.memory.fail_write(0, cores::kAxiSlverr);
       bench.start_results(place.area(), refused ? 0 : 256);
       bench.offer_results(16, 16);
       ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }, 500));

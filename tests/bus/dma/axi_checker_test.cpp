@@ -10,9 +10,9 @@ namespace hwffd::tb {
 namespace {
 
 /// A conversation, a cycle an entry: one read of 2 beats, one write of 2 beats.
-std::vector<AxiPins> good_traffic() {
-  std::vector<AxiPins> cycles(10);
-  for (AxiPins& pins : cycles) pins.r.ready = pins.b.ready = true;
+std::vector<cores::AxiPins> good_traffic() {
+  std::vector<cores::AxiPins> cycles(10);
+  for (cores::AxiPins& pins : cycles) pins.r.ready = pins.b.ready = true;
   for (std::size_t i : {1, 2}) {  // waits a cycle
     cycles[i].ar = {true, i == 2, 0x1fe0, 1};
     cycles[i].aw = {true, i == 2, 0x2fe0, 1};
@@ -31,7 +31,7 @@ std::vector<AxiPins> good_traffic() {
   return cycles;
 }
 
-AxiChecker check(const std::vector<AxiPins>& cycles, const AxiChecker::Limits& limits = {}) {
+AxiChecker check(const std::vector<cores::AxiPins>& cycles, const AxiChecker::Limits& limits = {}) {
   AxiChecker checker;
   checker.set_limits(limits);
   for (std::size_t i = 0; i < cycles.size(); ++i) checker.observe(cycles[i], i, false);
@@ -42,11 +42,11 @@ AxiChecker check(const std::vector<AxiPins>& cycles, const AxiChecker::Limits& l
 struct Flaw {
   const char* name;
   AxiRule rule;
-  std::function<void(std::vector<AxiPins>&)> plant;
+  std::function<void(std::vector<cores::AxiPins>&)> plant;
 };
 
 const std::vector<Flaw>& flaws() {
-  using Cycles = std::vector<AxiPins>;
+  using Cycles = std::vector<cores::AxiPins>;
   static const std::vector<Flaw> list = {
       {"ArFalls", AxiRule::kStable,
        [](Cycles& c) {
@@ -65,7 +65,7 @@ const std::vector<Flaw>& flaws() {
        }},
       {"BFalls", AxiRule::kStable,
        [](Cycles& c) {
-         for (AxiPins& pins : c) pins.b.ready = false;
+         for (cores::AxiPins& pins : c) pins.b.ready = false;
          c[9].b.ready = c[9].b.valid = true;
        }},
       {"NarrowRead", AxiRule::kShape, [](Cycles& c) { c[1].ar.size = c[2].ar.size = 3; }},
@@ -109,13 +109,13 @@ const std::vector<Flaw>& flaws() {
       {"ReadyFalls", AxiRule::kReadyFell, [](Cycles& c) { c[9].r.ready = false; }},
       {"AddressAfterError", AxiRule::kAfterError,
        [](Cycles& c) {
-         c[6].r.response = kAxiSlverr;
+         c[6].r.response = cores::kAxiSlverr;
          c[7].ar = {true, false, 0x100, 0};
          c[8].ar = c[9].ar = c[7].ar;
        }},
       {"WriteAfterError", AxiRule::kAfterError,
        [](Cycles& c) {
-         c[7].b.response = kAxiDecerr;
+         c[7].b.response = cores::kAxiDecerr;
          c[8].aw = c[9].aw = {true, false, 0x100, 0};
        }},
   };
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Axi, Checker, testing::Range(std::size_t{0}, flaws().si
 
 TEST_P(Checker, FindsTheFlaw) {
   const Flaw& flaw = flaws()[GetParam()];
-  std::vector<AxiPins> cycles = good_traffic();
+  std::vector<cores::AxiPins> cycles = good_traffic();
   flaw.plant(cycles);
   const AxiChecker checker = check(cycles);
   EXPECT_GE(checker.violations(flaw.rule), 1u);
@@ -161,23 +161,24 @@ TEST(AxiChecker, LimitsAreExact) {
 }
 
 TEST(AxiChecker, ResetValues) {
-  const auto count = [](const AxiPins& pins, bool in_reset) {
+  const auto count = [](const cores::AxiPins& pins, bool in_reset) {
     AxiChecker checker;
-    checker.observe(AxiPins{}, 0, true);
+    checker.observe(cores::AxiPins{}, 0, true);
     checker.observe(pins, 1, in_reset);
     return checker.violations(AxiRule::kReset);
   };
-  EXPECT_EQ(count(AxiPins{}, true), 0u);
-  for (AxiAddressChannel AxiPins::*channel : {&AxiPins::ar, &AxiPins::aw}) {
-    AxiPins pins;
+  EXPECT_EQ(count(cores::AxiPins{}, true), 0u);
+  for (cores::AxiAddressChannel cores::AxiPins::*channel :
+       {&cores::AxiPins::ar, &cores::AxiPins::aw}) {
+    cores::AxiPins pins;
     (pins.*channel).valid = true;
     EXPECT_EQ(count(pins, true), 1u);
     EXPECT_EQ(count(pins, false), 1u);
   }
-  AxiPins data;
+  cores::AxiPins data;
   data.w.valid = true;
   EXPECT_EQ(count(data, false), 1u);
-  AxiPins ready;
+  cores::AxiPins ready;
   ready.r.ready = true;
   EXPECT_EQ(count(ready, true), 1u);
 }

@@ -14,7 +14,7 @@
 
 namespace hwffd::test {
 
-constexpr std::uint64_t kBeat = tb::kAxiBeatBytes;
+constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 
 /// Codes of errors (docs/interface.md).
 enum DmaCode : unsigned {
@@ -53,7 +53,7 @@ class DmaBench {
   std::uint64_t cycle() const { return cycle_; }
   tb::Random& random() { return random_; }
   /// The bus as it was in the last clock.
-  const tb::AxiPins& bus() const { return bus_; }
+  const cores::AxiPins& bus() const { return bus_; }
 
   /// One throttle for each of the five channels, by name.
   void set_bus_throttle(const std::string& name);
@@ -123,7 +123,7 @@ class DmaBench {
   tb::Random random_;
   std::unique_ptr<DmaCore> core_;
   std::uint64_t cycle_ = 0;
-  tb::AxiPins bus_;
+  cores::AxiPins bus_;
   DmaStream packet_pins_, result_pins_;
   bool was_clearing_ = false;
   bool packet_waits_ = false;

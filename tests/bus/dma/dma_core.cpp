@@ -26,7 +26,7 @@ class VerilatedDmaCore : public DmaCore {
  public:
   explicit VerilatedDmaCore(std::uint64_t seed) : sim_(seed) {}
 
-  void exchange(const DmaControls& controls, DmaStatus& status, tb::AxiPins& bus,
+  void exchange(const DmaControls& controls, DmaStatus& status, cores::AxiPins& bus,
                 DmaStream& packets, DmaStream& results) override {
     drive(controls, bus);
     VDut& dut = sim_.dut();
@@ -44,7 +44,7 @@ class VerilatedDmaCore : public DmaCore {
   void clock() override { sim_.tick(); }
 
  private:
-  void drive(const DmaControls& controls, const tb::AxiPins& bus) {
+  void drive(const DmaControls& controls, const cores::AxiPins& bus) {
     VDut& dut = sim_.dut();
     dut.rst = controls.rst;
     dut.soft_reset_i = controls.soft_reset;
@@ -87,7 +87,7 @@ class VerilatedDmaCore : public DmaCore {
                           dut.write_error_address_o};
   }
 
-  void sample(tb::AxiPins& bus) {
+  void sample(cores::AxiPins& bus) {
     const VDut& dut = sim_.dut();
     bus.ar.valid = dut.m_axi_arvalid;
     bus.ar.address = dut.m_axi_araddr;

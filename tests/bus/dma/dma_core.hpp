@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/cores/axi_pins.hpp"
 #include "hwffd/stream/beat.hpp"
-#include "hwffd/tb/axi_pins.hpp"
 
 namespace hwffd::test {
 
@@ -55,7 +55,7 @@ class DmaCore {
   virtual ~DmaCore() = default;
   /// Drives the controls, the bus's slave side, the results and ready of the packets; settles;
   /// reads the rest into the same structures.
-  virtual void exchange(const DmaControls& controls, DmaStatus& status, tb::AxiPins& bus,
+  virtual void exchange(const DmaControls& controls, DmaStatus& status, cores::AxiPins& bus,
                         DmaStream& packets, DmaStream& results) = 0;
   virtual void clock() = 0;
 };

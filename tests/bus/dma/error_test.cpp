@@ -27,7 +27,7 @@ std::uint64_t burst_of(const DmaBench& bench, std::uint64_t beat) {
 
 /// Three packets; the read that brings beat `failing` of the second one, of `second` beats, fails.
 void fail_beat(const DmaSize& size, std::uint64_t second, std::uint64_t failing,
-               tb::AxiResponse response, const std::string& throttle) {
+               cores::AxiResponse response, const std::string& throttle) {
   constexpr std::uint64_t kFirst = 5, kThird = 9;
   SCOPED_TRACE(testing::Message() << "beat " << failing << " " << throttle);
   DmaBench bench(size, failing + response);
@@ -47,7 +47,8 @@ void fail_beat(const DmaSize& size, std::uint64_t second, std::uint64_t failing,
   ASSERT_TRUE(bench.run_until_idle());
   bench.run(30);
   ASSERT_EQ(bench.read_errors().size(), 1u);
-  EXPECT_EQ(bench.read_errors()[0].code, response == tb::kAxiDecerr ? kDecodeError : kSlaveError);
+  EXPECT_EQ(bench.read_errors()[0].code,
+            response == cores::kAxiDecerr ? kDecodeError : kSlaveError);
   EXPECT_EQ(bench.read_errors()[0].address, burst_of(bench, failing));
   EXPECT_EQ(bench.status.ring_tail, 1);
   // The first packet, and of the second what came before the error, ended by `last`.
@@ -72,16 +73,16 @@ void fail_beat(const DmaSize& size, std::uint64_t second, std::uint64_t failing,
 
 TEST_P(BusError, ReadErrorOnEveryBeat) {
   for (std::uint64_t beat = 0; beat < 38; ++beat) {
-    fail_beat(GetParam(), 38, beat, tb::kAxiSlverr, "always");
-    fail_beat(GetParam(), 38, beat, tb::kAxiDecerr, "bernoulli");
-    fail_beat(GetParam(), 38, beat, tb::kAxiExOkay, "bursts");
+    fail_beat(GetParam(), 38, beat, cores::kAxiSlverr, "always");
+    fail_beat(GetParam(), 38, beat, cores::kAxiDecerr, "bernoulli");
+    fail_beat(GetParam(), 38, beat, cores::kAxiExOkay, "bursts");
   }
 }
 
 TEST_P(BusError, ReadErrorOnEveryBeatOfTheLongestBurst) {
   const std::uint64_t longest = GetParam().max_burst;
   for (std::uint64_t beat = 0; beat < longest; ++beat) {
-    fail_beat(GetParam(), longest, beat, tb::kAxiSlverr, "bernoulli");
+    fail_beat(GetParam(), longest, beat, cores::kAxiSlverr, "bernoulli");
   }
 }
 
@@ -92,7 +93,7 @@ TEST_P(BusError, DescriptorFetchFails) {
     bench.memory.set_latency({1, 10});
     bench.place_ring(kRing, 3);
     for (int i = 0; i < 5; ++i) bench.put_packet(kPackets + 0x1000u * i, 7);
-    bench.memory.fail_read_at(bench.descriptor_address(index), 0, tb::kAxiDecerr);
+    bench.memory.fail_read_at(bench.descriptor_address(index), 0, cores::kAxiDecerr);
     bench.start_ring();
     ASSERT_TRUE(bench.run_until([&] { return bench.read_errors().size() == 1; }, 3000));
     ASSERT_TRUE(bench.run_until_idle());
@@ -119,7 +120,7 @@ TEST_P(BusError, WriteErrorOnEveryBurst) {
       const std::uint64_t burst = bench.size().max_burst, results = 8 * burst;
       set_all_throttles(bench, throttle, throttle);
       bench.memory.set_latency({1, 30});
-      bench.memory.fail_write(failing, failing % 2 ? tb::kAxiDecerr : tb::kAxiSlverr);
+      bench.memory.fail_write(failing, failing % 2 ? cores::kAxiDecerr : cores::kAxiSlverr);
       bench.start_results(kArea, 1 << 20);
       bench.offer_results(results, burst);
       ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }));
@@ -153,7 +154,7 @@ TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
   DmaBench bench(GetParam(), 3);
   bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, 30);
-  bench.memory.fail_read_at(kPackets, 2, tb::kAxiSlverr);
+  bench.memory.fail_read_at(kPackets, 2, cores::kAxiSlverr);
   bench.start_results(kArea, 1 << 16);
   bench.start_ring();
   ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }));
@@ -176,7 +177,7 @@ TEST_P(BusError, AWriteErrorHoldsTheReaderUntilResultsAreStarted) {
   bench.memory.set_latency({3, 3});
   bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, 1000);
-  bench.memory.fail_write(0, tb::kAxiSlverr);
+  bench.memory.fail_write(0, cores::kAxiSlverr);
   bench.start_results(kArea, 1 << 16);
   bench.offer_results(1, 1);
   bench.start_ring();

@@ -43,7 +43,7 @@ TEST_P(ResultArea, ResultsBehindAFailedLastBurstWait) {
   for (std::uint64_t bursts = 1; bursts <= 3; ++bursts) {
     DmaBench bench(GetParam(), bursts);
     const std::uint64_t capacity = bursts * burst;
-    bench.memory.fail_write(bursts - 1, tb::kAxiSlverr);
+    bench.memory.fail_write(bursts - 1, cores::kAxiSlverr);
     bench.start_results(kArea, static_cast<std::uint32_t>(capacity * kBeat));
     bench.offer_results(capacity, burst);
     ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }, 5000));

@@ -72,7 +72,7 @@ class Soak {
   void plant() {
     tb::Random& random = bench_.random();
     const auto response = [&] {
-      return static_cast<tb::AxiResponse>(random.between(tb::kAxiExOkay, tb::kAxiDecerr));
+      return static_cast<cores::AxiResponse>(random.between(cores::kAxiExOkay, cores::kAxiDecerr));
     };
     for (std::uint64_t i = random.below(4); i > 0; --i) {
       bench_.memory.fail_read(random.below(50), random.below(20), response());

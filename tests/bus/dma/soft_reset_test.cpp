@@ -95,8 +95,8 @@ TEST_P(SoftReset, AfterAnErrorAndWhileHeld) {
     DmaBench bench(GetParam(), wait);
     bench.memory.set_latency({8, 8});
     start(bench, kArea);
-    bench.memory.fail_read_at(kPackets, 2, tb::kAxiSlverr);
-    bench.memory.fail_write(0, tb::kAxiSlverr);
+    bench.memory.fail_read_at(kPackets, 2, cores::kAxiSlverr);
+    bench.memory.fail_write(0, cores::kAxiSlverr);
     bench.run(wait);
     bench.memory.fail_nothing();
     bench.controls.soft_reset = true;

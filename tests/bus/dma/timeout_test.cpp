@@ -30,7 +30,7 @@ tb::AxiMemory::Throttles shut(Channel channel, std::uint64_t after, std::uint64_
 class Watch {
  public:
   /// The clocks that each channel has waited by the end of this one.
-  const std::array<std::uint64_t, kChannels>& clock(const tb::AxiPins& pins) {
+  const std::array<std::uint64_t, kChannels>& clock(const cores::AxiPins& pins) {
     const bool waits[] = {pins.ar.valid && !pins.ar.ready, reads_ != 0 && !pins.r.valid,
                           pins.aw.valid && !pins.aw.ready, pins.w.valid && !pins.w.ready,
                           addresses_ != 0 && bursts_ != 0 && !pins.b.valid};

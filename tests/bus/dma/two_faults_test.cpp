@@ -90,7 +90,7 @@ Meeting meet(const DmaSize& size, const Case& bad, std::uint64_t failing, std::u
   bench.put_descriptor(bad.descriptor);
   const std::uint64_t beat = kStart + failing * kBeat;
   const std::uint64_t failed = std::max(kStart, beat - beat % (size.max_burst * kBeat));
-  bench.memory.fail_read_at(failed, (beat - failed) / kBeat, tb::kAxiSlverr);
+  bench.memory.fail_read_at(failed, (beat - failed) / kBeat, cores::kAxiSlverr);
   bench.start_ring();
   EXPECT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }, 500));
   const std::uint64_t first = bench.cycle();

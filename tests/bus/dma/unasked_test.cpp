@@ -17,7 +17,8 @@ constexpr std::uint64_t kKinds = 8;
 
 /// A beat of every response, last and not; nothing comes of them.
 void expect_ignored(DmaBench& bench) {
-  for (const auto response : {tb::kAxiOkay, tb::kAxiExOkay, tb::kAxiSlverr, tb::kAxiDecerr}) {
+  for (const auto response :
+       {cores::kAxiOkay, cores::kAxiExOkay, cores::kAxiSlverr, cores::kAxiDecerr}) {
     for (const bool last : {false, true}) bench.memory.answer_unasked(response, last);
   }
   const std::size_t packets = bench.packets().size(), reads = bench.memory.reads().size();

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/lattice/interleave.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "hwffd/stream/interleave.hpp"
 
 namespace hwffd {
 

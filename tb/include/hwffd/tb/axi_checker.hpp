@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hwffd/tb/axi_pins.hpp"
+#include "hwffd/cores/axi_pins.hpp"
 
 namespace hwffd::tb {
 
@@ -49,7 +49,7 @@ class AxiChecker {
   void set_limits(const Limits& limits) { limits_ = limits; }
 
   /// One cycle. In reset nothing but kReset is looked at; outstanding bursts are forgotten.
-  void observe(const AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  void observe(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset);
   /// After the last cycle: everything has been answered.
   void finish(std::uint64_t cycle);
   /// Begins anew, limits apart: after a rule was broken on purpose.
@@ -71,18 +71,18 @@ class AxiChecker {
 
  private:
   void report(AxiRule rule, std::uint64_t cycle, const std::string& what);
-  void check_reset(const AxiPins& pins, std::uint64_t cycle, bool in_reset);
-  void check_stable(const AxiPins& pins, std::uint64_t cycle);
-  void check_address(const AxiAddressChannel& channel, bool read, std::uint64_t cycle);
-  void check_errors(const AxiPins& pins, std::uint64_t cycle);
-  void observe_reads(const AxiPins& pins, std::uint64_t cycle);
-  void observe_writes(const AxiPins& pins, std::uint64_t cycle);
+  void check_reset(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  void check_stable(const cores::AxiPins& pins, std::uint64_t cycle);
+  void check_address(const cores::AxiAddressChannel& channel, bool read, std::uint64_t cycle);
+  void check_errors(const cores::AxiPins& pins, std::uint64_t cycle);
+  void observe_reads(const cores::AxiPins& pins, std::uint64_t cycle);
+  void observe_writes(const cores::AxiPins& pins, std::uint64_t cycle);
   void pair_writes(std::uint64_t cycle);
 
   Limits limits_;
   bool was_in_reset_ = false;
   bool before_known_ = false;
-  AxiPins before_;
+  cores::AxiPins before_;
   bool ready_may_fall_ = false;
   bool error_seen_ = false;
   std::deque<std::uint64_t> reads_;   // beats still to come, a burst each

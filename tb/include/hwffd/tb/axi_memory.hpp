@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "hwffd/tb/axi_pins.hpp"
+#include "hwffd/cores/axi_pins.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/throttle.hpp"
 
@@ -52,34 +52,34 @@ class AxiMemory {
   void set_outstanding(std::size_t most) { outstanding_ = most; }
 
   /// Beat `beat` of the read burst accepted as number `burst` from now (0 the next) fails.
-  void fail_read(std::uint64_t burst, std::uint64_t beat, AxiResponse response);
+  void fail_read(std::uint64_t burst, std::uint64_t beat, cores::AxiResponse response);
   /// The write burst accepted as number `burst` from now fails; its data is not written.
-  void fail_write(std::uint64_t burst, AxiResponse response);
+  void fail_write(std::uint64_t burst, cores::AxiResponse response);
   /// Beat `beat` of every read burst at that address fails.
-  void fail_read_at(std::uint64_t address, std::uint64_t beat, AxiResponse response);
+  void fail_read_at(std::uint64_t address, std::uint64_t beat, cores::AxiResponse response);
   /// RLAST of the read burst accepted as number `burst` from now comes with beat `beat`, not with
   /// its last one; beyond that: with none.
   void misplace_last(std::uint64_t burst, std::uint64_t beat);
   void fail_nothing();
   /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
   /// open.
-  void answer_unasked(AxiResponse response, bool last);
+  void answer_unasked(cores::AxiResponse response, bool last);
   /// As aresetn of the whole bus: what is open is forgotten, write data without its last beat too.
   void forget_open();
 
   std::uint8_t byte(std::uint64_t address) const;
   void set_byte(std::uint64_t address, std::uint8_t value);
-  AxiData beat(std::uint64_t address) const;
-  void set_beat(std::uint64_t address, const AxiData& data);
+  cores::AxiData beat(std::uint64_t address) const;
+  void set_beat(std::uint64_t address, const cores::AxiData& data);
   /// The guard byte of that address.
   std::uint8_t guard(std::uint64_t address) const;
   /// How many bytes differ from their guard bytes outside all ranges.
   std::uint64_t changed_outside(const std::vector<Range>& ranges) const;
 
   /// Drives ready of AR, AW, W and all of R and B.
-  void drive(AxiPins& pins, std::uint64_t cycle);
+  void drive(cores::AxiPins& pins, std::uint64_t cycle);
   /// The pins just before the rising edge.
-  void observe(const AxiPins& pins, std::uint64_t cycle);
+  void observe(const cores::AxiPins& pins, std::uint64_t cycle);
 
   const std::vector<Burst>& reads() const { return reads_; }
   const std::vector<Burst>& writes() const { return writes_; }
@@ -104,13 +104,13 @@ class AxiMemory {
     bool by_address;
     std::uint64_t burst;  ///< its number, or its address
     std::uint64_t beat;
-    AxiResponse response;
+    cores::AxiResponse response;
   };
 
   std::uint64_t due(std::uint64_t cycle) {
     return cycle + random_.between(latency_.least, latency_.most);
   }
-  Open open(const AxiAddressChannel& channel, std::uint64_t cycle, std::vector<Burst>& log,
+  Open open(const cores::AxiAddressChannel& channel, std::uint64_t cycle, std::vector<Burst>& log,
             std::vector<Failure>& failures);
   void commit(std::uint64_t cycle);
 
@@ -126,11 +126,11 @@ class AxiMemory {
   std::deque<Open> read_queue_;
   std::deque<Open> write_queue_;   // waiting for data
   std::deque<Open> answer_queue_;  // waiting for their response
-  std::deque<std::pair<AxiData, bool>> data_queue_;
-  std::deque<AxiReadChannel> unasked_queue_;
+  std::deque<std::pair<cores::AxiData, bool>> data_queue_;
+  std::deque<cores::AxiReadChannel> unasked_queue_;
   bool unasked_ = false;  // what R shows
-  AxiReadChannel r_;
-  AxiResponseChannel b_;
+  cores::AxiReadChannel r_;
+  cores::AxiResponseChannel b_;
   std::vector<Burst> reads_, writes_;
   std::uint64_t read_beats_ = 0, write_beats_ = 0;
 };

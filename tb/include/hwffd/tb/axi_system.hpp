@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string>
 
+#include "hwffd/cores/axi_core.hpp"
 #include "hwffd/driver.hpp"
 #include "hwffd/register_port.hpp"
 #include "hwffd/tb/axi_checker.hpp"
-#include "hwffd/tb/axi_core.hpp"
 #include "hwffd/tb/axi_memory.hpp"
 #include "hwffd/tb/axil_checker.hpp"
 #include "hwffd/tb/axil_driver.hpp"
@@ -45,7 +45,7 @@ class AxiSystem final : public RegisterPort {
   static constexpr std::uint64_t kAccessLimit = 100'000;
 
   /// Comes up out of reset. The core must outlive the system.
-  AxiSystem(AxiCore& core, std::uint64_t seed);
+  AxiSystem(cores::AxiCore& core, std::uint64_t seed);
 
   AxiMemory memory;
   AxiChecker bus_checker;
@@ -76,7 +76,7 @@ class AxiSystem final : public RegisterPort {
   std::uint64_t cycle() const { return cycle_; }
   const BusUtilisation& utilisation() const { return utilisation_; }
   /// The bus as it was last sampled.
-  const AxiPins& bus() const { return bus_; }
+  const cores::AxiPins& bus() const { return bus_; }
 
   /// Empty if no rule was broken on either bus and nothing is open, else the reports.
   std::string faults();
@@ -87,11 +87,11 @@ class AxiSystem final : public RegisterPort {
   template <class Responses>
   const AxiLiteResponse& answer(const Responses& responses, std::size_t number);
 
-  AxiCore& core_;
+  cores::AxiCore& core_;
   Random random_;
   AxiLiteDriver registers_;
-  AxiLitePins register_pins_;
-  AxiPins bus_;
+  cores::AxiLitePins register_pins_;
+  cores::AxiPins bus_;
   bool in_reset_ = false;
   bool clearing_ = false;  // from a soft reset until STATUS says that it is over
   std::uint64_t cycle_ = 0;

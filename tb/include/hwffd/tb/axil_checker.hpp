@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hwffd/tb/axil_pins.hpp"
+#include "hwffd/cores/axil_pins.hpp"
 
 namespace hwffd::tb {
 
@@ -26,7 +26,7 @@ class AxiLiteChecker {
   static constexpr std::size_t kMaxReports = 20;
 
   /// One cycle's samples.
-  void observe(const AxiLitePins& pins, std::uint64_t cycle);
+  void observe(const cores::AxiLitePins& pins, std::uint64_t cycle);
   /// Ends the test: every request must have been answered.
   void finish(std::uint64_t cycle);
 
@@ -51,8 +51,8 @@ class AxiLiteChecker {
   };
 
   void report(std::uint64_t cycle, const std::string& what);
-  void observe_reset(const AxiLitePins& pins, std::uint64_t cycle);
-  void observe_order(const AxiLitePins& pins, std::uint64_t cycle);
+  void observe_reset(const cores::AxiLitePins& pins, std::uint64_t cycle);
+  void observe_order(const cores::AxiLitePins& pins, std::uint64_t cycle);
 
   bool cleared_ = false;   // an edge in reset was seen
   bool in_reset_ = false;  // in the cycle before

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hwffd/tb/axil_pins.hpp"
+#include "hwffd/cores/axil_pins.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/throttle.hpp"
 
@@ -18,7 +18,7 @@ struct AxiLiteWrite {
 };
 
 struct AxiLiteResponse {
-  std::uint8_t code = kOkay;
+  std::uint8_t code = cores::kOkay;
   std::uint32_t data = 0;   ///< 0 for a write
   std::uint64_t cycle = 0;  ///< in which it was taken
 };
@@ -58,9 +58,9 @@ class AxiLiteDriver {
   void clear();
 
   /// Decides the pins of this cycle.
-  const AxiLiteMasterPins& drive();
+  const cores::AxiLiteMasterPins& drive();
   /// Ends the cycle.
-  void accept(const AxiLiteSlavePins& slave, std::uint64_t cycle);
+  void accept(const cores::AxiLiteSlavePins& slave, std::uint64_t cycle);
 
   /// Everything was sent and answered.
   bool idle() const;
@@ -80,7 +80,7 @@ class AxiLiteDriver {
   std::size_t next_aw_ = 0;
   std::size_t next_w_ = 0;
   std::size_t next_ar_ = 0;
-  AxiLiteMasterPins pins_;
+  cores::AxiLiteMasterPins pins_;
 };
 
 }  // namespace hwffd::tb

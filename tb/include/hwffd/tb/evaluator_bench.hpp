@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/cores/evaluator_core.hpp"
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/stream/packets.hpp"
-#include "hwffd/tb/evaluator_core.hpp"
 #include "hwffd/tb/evaluator_stimulus.hpp"
 #include "hwffd/tb/fault.hpp"
 #include "hwffd/tb/schedule_recorder.hpp"
@@ -23,7 +23,7 @@ class EvaluatorBench {
   using Bank = std::array<AxisWords, 3>;
 
   /// Resets the core and loads bank 0. Core and model must outlive the bench.
-  EvaluatorBench(EvaluatorCore& core, model::EvaluatorModel& model, const Bank& bank);
+  EvaluatorBench(cores::EvaluatorCore& core, model::EvaluatorModel& model, const Bank& bank);
 
   /// Loads a bank, 0 or 1, between runs.
   void load(int number, const Bank& bank);
@@ -43,7 +43,7 @@ class EvaluatorBench {
   /// Of the runs so far, in order.
   const std::vector<std::uint64_t>& start_clocks() const { return starts_; }
   const std::vector<std::uint64_t>& result_clocks() const { return result_clocks_; }
-  const std::vector<EvaluatorCore::Result>& results() const { return results_; }
+  const std::vector<cores::EvaluatorCore::Result>& results() const { return results_; }
   /// Time in the simulated core, supports and comparison left out.
   double simulation_seconds() const { return seconds_; }
 
@@ -51,10 +51,10 @@ class EvaluatorBench {
   void write_supports(const std::vector<SupportWords>& supports);
   void simulate(const EvaluatorStimulus& stimulus, Throttle& source, Throttle& sink,
                 ScheduleRecorder* recorder);
-  void take(const EvaluatorCore::Result& result);
+  void take(const cores::EvaluatorCore::Result& result);
   void compare(const EvaluatorStimulus& stimulus, std::size_t first);
 
-  EvaluatorCore& core_;
+  cores::EvaluatorCore& core_;
   model::EvaluatorModel& model_;
   FaultInjector fault_;
   std::uint64_t clock_ = 0;
@@ -64,7 +64,7 @@ class EvaluatorBench {
   std::string first_mismatch_;
   std::vector<std::uint64_t> starts_;
   std::vector<std::uint64_t> result_clocks_;
-  std::vector<EvaluatorCore::Result> results_;
+  std::vector<cores::EvaluatorCore::Result> results_;
 };
 
 /// Clocks between events `first` and the last one, divided by their distance.

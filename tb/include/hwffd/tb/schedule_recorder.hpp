@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "hwffd/tb/evaluator_core.hpp"
+#include "hwffd/cores/evaluator_core.hpp"
 
 namespace hwffd::tb {
 
@@ -19,7 +19,7 @@ class ScheduleRecorder {
   };
 
   /// Throws std::invalid_argument where the core lacks a probe that every organization has.
-  explicit ScheduleRecorder(const EvaluatorCore& core);
+  explicit ScheduleRecorder(const cores::EvaluatorCore& core);
 
   /// Looks at the probes; once a clock, when the core has settled.
   void sample(std::uint64_t clock);

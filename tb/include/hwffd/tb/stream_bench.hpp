@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "hwffd/cores/stream_core.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/tb/fault.hpp"
 #include "hwffd/tb/protocol_checker.hpp"
 #include "hwffd/tb/scoreboard.hpp"
-#include "hwffd/tb/stream_core.hpp"
 #include "hwffd/tb/stream_driver.hpp"
 #include "hwffd/tb/stream_monitor.hpp"
 #include "hwffd/tb/test_identity.hpp"
@@ -43,7 +43,7 @@ struct StreamBenchOptions {
 class StreamBench {
  public:
   /// The core must outlive the bench. Throws std::invalid_argument for an unknown throttle.
-  StreamBench(StreamCore& core, StreamBenchOptions options);
+  StreamBench(cores::StreamCore& core, StreamBenchOptions options);
 
   /// Holds reset for that many cycles, at least 1, with random data on the idle input. What was
   /// sent or expected and has not come is dropped, and so are the recorded results and clocks:
@@ -80,7 +80,7 @@ class StreamBench {
   /// The results since the last reset.
   const std::vector<Beat>& results() const { return monitor_.beats(); }
   /// Pulses of each event since the last reset.
-  const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
+  const std::array<std::uint64_t, cores::kStreamEvents>& events() const { return events_; }
   /// Clocks between results `first` and `last`, divided by their distance. Throws
   /// std::out_of_range when they are not two recorded results in order.
   double clocks_per_result(std::size_t first, std::size_t last) const;
@@ -118,7 +118,7 @@ class StreamBench {
   void fail(const std::string& what);
   void fail_hanging(const std::string& what);
 
-  StreamCore& core_;
+  cores::StreamCore& core_;
   StreamBenchOptions options_;
   Throttle source_;
   Throttle sink_;
@@ -130,7 +130,7 @@ class StreamBench {
   std::function<void(double)> progress_;
   StreamPins pins_;
   StreamPins probed_;
-  std::array<std::uint64_t, kStreamEvents> events_{};
+  std::array<std::uint64_t, cores::kStreamEvents> events_{};
   std::uint64_t cycle_ = 0;
   bool was_reset_ = false;
   bool first_cycle_ = false;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hwffd/stream/beat.hpp"
+
+namespace hwffd::cores {
+
+constexpr int kStreamEvents = 10;  ///< kinds (FFD_EVENT_* in rtl/stream/ffd_stream.vh)
+
+/// The pins of a Verilated `hwffd_stream`, whatever its configuration.
+///
+/// A cycle is: drive the inputs, `settle`, read ready and valid, `clock`.
+class StreamCore {
+ public:
+  virtual ~StreamCore() = default;
+
+  /// Drives aresetn (asserted = low).
+  virtual void drive_reset(bool asserted) = 0;
+  /// Drives s_axis_tvalid, _tdata and _tlast.
+  virtual void drive_input(bool valid, const Beat& beat) = 0;
+  /// Drives m_axis_tready.
+  virtual void drive_output_ready(bool ready) = 0;
+
+  /// Lowers aclk and settles the combinational paths.
+  virtual void settle() = 0;
+  /// One rising edge of aclk. The falling edge is the next `settle`, or the next `clock`.
+  virtual void clock() = 0;
+
+  virtual bool input_ready() const = 0;   ///< s_axis_tready
+  virtual bool output_valid() const = 0;  ///< m_axis_tvalid
+  virtual Beat output() const = 0;        ///< m_axis_tdata and _tlast
+  /// event_o: bit n is a pulse of event n. A core without events has none.
+  virtual std::uint32_t events() const { return 0; }
+  /// idle_o.
+  virtual bool idle() const { return true; }
+};
+
+}  // namespace hwffd::cores

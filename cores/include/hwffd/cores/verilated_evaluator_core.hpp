@@ -1,0 +1,110 @@
+#pragma once
+
+#include <verilated.h>
+#include <verilated_syms.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hwffd/cores/evaluator_core.hpp"
+
+namespace hwffd::cores {
+
+/// `EvaluatorCore` over any Verilated `ffd_bench_evaluator`.
+template <class VDut>
+class VerilatedEvaluatorCore final : public EvaluatorCore {
+ public:
+  /// @param seed  start values of the registers, so that a missing reset shows
+  explicit VerilatedEvaluatorCore(std::uint64_t seed)
+      : context_(std::make_unique<VerilatedContext>()) {
+    context_->randReset(2);
+    context_->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
+    dut_ = std::make_unique<VDut>(context_.get());
+    dut_->rst = 1;
+    dut_->load_i = 0;
+    dut_->write_i = 0;
+    dut_->s_vertex_valid = 0;
+    dut_->m_result_ready = 0;
+  }
+  ~VerilatedEvaluatorCore() override {
+    Verilated::threadContextp(context_.get());  // final() uses the last one made
+    dut_->final();
+  }
+  VerilatedEvaluatorCore(const VerilatedEvaluatorCore&) = delete;
+  VerilatedEvaluatorCore& operator=(const VerilatedEvaluatorCore&) = delete;
+
+  void drive_reset(bool asserted) override { dut_->rst = asserted ? 1 : 0; }
+
+  void load(int axis, int address, int shift, const std::array<std::uint32_t, 4>& words) override {
+    dut_->load_i = 1;
+    dut_->load_axis_i = static_cast<CData>(axis);
+    dut_->load_address_i = static_cast<CData>(address);
+    dut_->load_shift_i = static_cast<CData>(shift);
+    for (int i = 0; i < 4; ++i) dut_->load_words_i[i] = words[i];
+    settle();
+    clock();
+    dut_->load_i = 0;
+  }
+  void write(std::uint8_t support, int index, const std::uint32_t* xyz, int exponent) override {
+    dut_->write_i = 1;
+    dut_->write_support_i = support;
+    dut_->write_index_i = static_cast<CData>(index);
+    for (int i = 0; i < 3; ++i) dut_->write_words_i[i] = xyz[i];
+    dut_->write_exponent_i = static_cast<SData>(exponent & 0x3FF);
+    settle();
+    clock();
+    dut_->write_i = 0;
+  }
+
+  void drive_vertex(bool valid, const Vertex& vertex) override {
+    dut_->s_vertex_valid = valid ? 1 : 0;
+    for (int i = 0; i < 3; ++i) dut_->s_vertex_words[i] = vertex.words[i];
+    dut_->s_vertex_cell = vertex.cell;
+    dut_->s_vertex_support = vertex.support;
+    dut_->s_vertex_bank = vertex.bank;
+    dut_->s_vertex_changed = vertex.changed ? 1 : 0;
+    dut_->s_vertex_exponent = static_cast<SData>(vertex.exponent & 0x3FF);
+    dut_->s_vertex_tag = vertex.tag;
+  }
+  void drive_result_ready(bool ready) override { dut_->m_result_ready = ready ? 1 : 0; }
+
+  void settle() override {
+    dut_->clk = 0;
+    dut_->eval();
+  }
+  void clock() override {
+    if (dut_->clk != 0) settle();
+    dut_->clk = 1;
+    dut_->eval();
+  }
+
+  bool vertex_ready() const override { return dut_->s_vertex_ready != 0; }
+  bool result_valid() const override { return dut_->m_result_valid != 0; }
+  Result result() const override {
+    Result result;
+    for (int i = 0; i < 3; ++i) result.words[i] = dut_->m_result_words[i];
+    result.saturated = (dut_->m_result_flags & 1) != 0;
+    result.nan = (dut_->m_result_flags & 2) != 0;
+    result.tag = dut_->m_result_tag;
+    return result;
+  }
+
+  std::vector<Probe> probes() const override {
+    std::vector<Probe> probes;
+    for (const auto& [name, scope] : *context_->scopeNameMap()) {
+      if (scope->varsp() == nullptr) continue;
+      for (const auto& [signal, variable] : *scope->varsp()) {
+        if (variable.vltype() != VLVT_UINT8) continue;
+        probes.push_back({name, signal, static_cast<const std::uint8_t*>(variable.datap())});
+      }
+    }
+    return probes;
+  }
+
+ private:
+  std::unique_ptr<VerilatedContext> context_;
+  std::unique_ptr<VDut> dut_;
+};
+
+}  // namespace hwffd::cores

@@ -1,0 +1,118 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "hwffd/cores/evaluator_core_factory.hpp"
+#include "hwffd/model/schedule.hpp"
+#include "hwffd/model/seam_bound.hpp"
+#include "hwffd/numerics/largest_error.hpp"
+#include "hwffd/oracle/oracle.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/evaluator_bench.hpp"
+
+namespace hwffd::organizations {
+namespace {
+
+constexpr std::size_t kRecorded = 8;  // vertices whose schedule is kept
+constexpr std::size_t kWarmUp = 40;   // results before the interval is counted
+constexpr std::size_t kInACell = 4;   // vertices of the error, where a cell is kept
+
+double largest_error(const tb::EvaluatorStimulus& stimulus,
+                     const std::vector<cores::EvaluatorCore::Result>& results,
+                     const WordCodec& codec) {
+  const Oracle oracle;
+  double largest = 0;
+  for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
+    const tb::EvaluatorVertex& vertex = stimulus.vertices[v];
+    const tb::SupportWords& words = stimulus.supports[vertex.support];
+    Support support;
+    for (int i = 0; i < 192; ++i) {
+      support.data()[i] = codec.decode_point(words.points[i]);
+    }
+    std::array<double, 3> local{};
+    for (int a = 0; a < 3; ++a) local[a] = codec.decode_coordinate(vertex.local[a]);
+    const Point exact = oracle.evaluate(support, local[0], local[1], local[2]);
+    for (int c = 0; c < 3; ++c) {
+      const double error = codec.decode_point(results[v].words[c]) - exact[c];
+      raise_to(largest, std::ldexp(std::abs(error), -words.exponent));
+    }
+  }
+  return largest;
+}
+
+/// Counts components that differ from those of their group's first vertex, and by how much. The
+/// results of the seams are the last ones.
+void compare_seams(const tb::SeamStimulus& seams,
+                   const std::vector<cores::EvaluatorCore::Result>& results,
+                   const Configuration& row, Measurement& measured) {
+  const WordCodec codec(row.format);
+  const std::size_t offset = results.size() - seams.vertices.size();
+  std::size_t first = 0;
+  for (std::size_t v = 0; v < seams.vertices.size(); ++v) {
+    if (seams.group[v] != seams.group[first]) first = v;
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t one = results[offset + first].words[c];
+      const std::uint32_t other = results[offset + v].words[c];
+      if (one == other) continue;
+      ++measured.seam_differences;
+      const double apart = std::abs(codec.decode_point(other) - codec.decode_point(one));
+      measured.seam_largest = std::max(measured.seam_largest, apart / seam_unit(row));
+    }
+  }
+  measured.seam_values = 3 * seams.vertices.size();
+}
+
+}  // namespace
+
+VertexClocks vertex_clocks(const tb::ScheduleRecorder& schedule, std::size_t index) {
+  const std::size_t vertices = schedule.results().size();
+  const auto& polynomials = schedule.polynomials().starts;
+  const std::size_t starts = polynomials.size() / vertices;
+  const std::size_t sums = schedule.sums().size() / vertices;
+  const std::uint64_t start = polynomials.at(starts * index);
+  const std::uint64_t next = polynomials.at(starts * (index + 1));
+  const std::uint64_t tree = schedule.sums().at(sums * (index + 1) - 1);
+  const std::uint64_t result = schedule.results().at(index);
+  const std::uint64_t end = next >= result ? result : tree;
+  return {end - start, result - end};
+}
+
+Measurement measure(const Configuration& row, const Effort& effort) {
+  const WordCodec codec(row.format);
+  const std::unique_ptr<cores::EvaluatorCore> core = cores::make_evaluator_core(row, effort.seed);
+  const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
+  const AxisWords bspline = encode(watertight_bspline(codec), codec);
+  tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
+  Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
+  const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
+
+  bench.run(tb::random_stimulus(codec, kRecorded, effort.seed, together), tb::Throttle::always(),
+            tb::Throttle::always(), &measured.schedule);
+  if (!overlaps(row)) {
+    measured.vertex = vertex_clocks(measured.schedule, kRecorded / 2);
+  }
+
+  auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
+  bench.run(random);
+  measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
+  if (keeps_cell(row)) {  // the error of a single cell says little
+    random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
+    bench.run(random);
+  }
+  const auto last = static_cast<std::ptrdiff_t>(effort.vertices);
+  measured.max_error =
+      largest_error(random, {bench.results().end() - last, bench.results().end()}, codec);
+
+  const auto seams = tb::seam_stimulus(codec, effort.seam_values, effort.seed + 2);
+  bench.run(seams);
+  compare_seams(seams, bench.results(), row, measured);
+
+  measured.checked = bench.checked();
+  measured.mismatches = bench.mismatches();
+  measured.first_mismatch = bench.first_mismatch();
+  return measured;
+}
+
+}  // namespace hwffd::organizations

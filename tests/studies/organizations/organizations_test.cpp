@@ -1,0 +1,188 @@
+// The comparison of organizations: clocks of a vertex counted in the RTL against the formulas, what
+// the report says, and that it says what is wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+#include "comparison.hpp"
+#include "hwffd/cores/evaluator_core_factory.hpp"
+#include "hwffd/model/schedule.hpp"
+#include "hwffd/model/seam_bound.hpp"
+#include "report.hpp"
+#include "timeline.hpp"
+
+namespace hwffd {
+
+inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
+
+namespace organizations {
+namespace {
+
+const Effort kLittle{161, 900, 1};
+
+std::vector<Configuration> built_rows() {
+  std::vector<Configuration> built;
+  for (const Configuration& row : configurations()) {
+    if (cores::has_evaluator_core(row)) built.push_back(row);
+  }
+  return built;
+}
+
+std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class EachRow : public ::testing::TestWithParam<Configuration> {};
+
+// The clocks between the probes are those of the row's latencies, or lanes_of throws; they add up
+// to the formula, and at the paper's schedule vertices follow each other at that distance.
+TEST_P(EachRow, ClocksBetweenTheProbes) {
+  const Configuration& row = GetParam();
+  const Measurement measured = measure(row, kLittle);
+  EXPECT_EQ(measured.mismatches, 0U) << measured.first_mismatch;
+  const std::size_t runs = keeps_cell(row) ? 2 : 1;
+  EXPECT_EQ(measured.checked, 8 + runs * kLittle.vertices + measured.seam_values / 3);
+  EXPECT_GE(measured.seam_values, kLittle.seam_values);
+  EXPECT_LE(measured.seam_largest, seam_bound(row));
+  EXPECT_EQ(measured.seam_differences > 0, seam_bound(row) > 0);
+  EXPECT_EQ(measured.interval, expected_interval(row));
+  EXPECT_GT(measured.max_error, 0);
+  const std::vector<Lane> lanes = lanes_of({&row, measured, {}});
+  for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % 8, 0U) << lane.name;
+  if (overlaps(row)) return;
+  EXPECT_EQ(static_cast<double>(measured.vertex.clocks), paper_clocks(row));
+  const bool hidden = std::string(row.org) == "tree" && !(row.n == 1 && row.fma_latency > 0);
+  EXPECT_EQ(measured.vertex.final_accumulation, hidden ? 1U : 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(, EachRow, ::testing::ValuesIn(built_rows()), name_of);
+
+/// tree8 of fx18 at both schedules.
+Comparison small_comparison() {
+  std::vector<const Configuration*> rows = {&find_configuration("tree8-fx18-paper"),
+                                            &find_configuration("tree8-fx18-overlapped")};
+  const OperatorCount count{{41, 31, 0}, {64, 48, 0}, 7};
+  return compare(rows, {{rows[0]->name, count}, {rows[1]->name, count}}, kLittle,
+                 [](std::size_t, std::size_t) {});
+}
+
+TEST(Comparison, JsonHasEveryField) {
+  const auto json = nlohmann::json::parse(json_report(small_comparison()));
+  ASSERT_EQ(json.at("rows").size(), 2U);
+  for (const auto& row : json.at("rows")) {
+    EXPECT_EQ(row.at("org"), "tree");
+    EXPECT_EQ(row.at("n"), 8);
+    EXPECT_EQ(row.at("formula"), 96);
+    EXPECT_EQ(row.at("clocks_paper"), 96);
+    EXPECT_EQ(row.at("equal"), true);
+    EXPECT_EQ(row.at("final_accumulation"), 1);
+    EXPECT_EQ(row.at("interval_overlapped"), 8);
+    EXPECT_EQ(row.at("formula_overlapped"), 8);
+    EXPECT_EQ(row.at("equal_overlapped"), true);
+    EXPECT_EQ(row.at("fmac"), false);
+    EXPECT_EQ(row.at("operators"), (nlohmann::json{{"mul", 41}, {"add", 31}, {"fma", 0}}));
+    for (const char* field :
+         {"format", "schedule", "evaluator", "mismatches", "checked", "max_error",
+          "seam_differences", "simulation_vertices_per_s", "simulation_share"}) {
+      EXPECT_TRUE(row.contains(field)) << field;
+    }
+  }
+}
+
+TEST(Comparison, WithoutPartnerFieldsAreNull) {
+  std::vector<Row> rows = small_comparison().rows();
+  const auto overlapped =
+      nlohmann::json::parse(json_report(Comparison({rows[1]}, 1e6))).at("rows").at(0);
+  EXPECT_TRUE(overlapped.at("clocks_paper").is_null());
+  EXPECT_TRUE(overlapped.at("equal").is_null());
+  const auto paper =
+      nlohmann::json::parse(json_report(Comparison({rows[0]}, 1e6))).at("rows").at(0);
+  for (const char* field : {"formula_overlapped", "interval_overlapped", "equal_overlapped"}) {
+    EXPECT_TRUE(paper.at(field).is_null()) << field;
+  }
+  EXPECT_EQ(paper.at("simulation_share").get<double>(),
+            paper.at("simulation_vertices_per_s").get<double>() / 1e6);
+  EXPECT_FALSE(timeline(&rows[0], nullptr).empty());
+}
+
+// A rate for each target on which the overlapped row has been mapped; none for the paper's.
+TEST(Comparison, ThroughputsOfOverlappedRowsThatHaveBeenMapped) {
+  const Area area{"ecp5", "LUTs", 2779, 55, 120};
+  const Areas areas = {{"tree8-fx18-paper", {area}}, {"tree8-fx18-overlapped", {area, area}}};
+  const std::vector<Throughput> found = throughputs(small_comparison(), areas);
+  ASSERT_EQ(found.size(), 2U);
+  for (const Throughput& each : found) {
+    EXPECT_EQ(each.name, "tree8-fx18-overlapped");
+    EXPECT_EQ(each.org, "tree 8");
+    EXPECT_EQ(each.format, "fx18");
+    EXPECT_EQ(each.area.size, 2779);
+    EXPECT_EQ(each.interval, 8);
+  }
+  EXPECT_TRUE(throughputs(small_comparison(), {}).empty());
+}
+
+// An organization that the paper lacks has no formula, and that is no fault.
+TEST(Comparison, BeyondThePaperThereIsNoFormula) {
+  const Configuration& row = find_configuration("factored3-fx18-overlapped");
+  const OperatorCount count{{96, 75, 0}, {96, 75, 0}, 4};
+  const Comparison comparison =
+      compare({&row}, {{row.name, count}}, kLittle, [](std::size_t, std::size_t) {});
+  const auto json = nlohmann::json::parse(json_report(comparison)).at("rows").at(0);
+  EXPECT_EQ(json.at("org"), "factored/3");
+  EXPECT_EQ(json.at("interval_overlapped"), 3);
+  EXPECT_EQ(json.at("mismatches"), 0);
+  EXPECT_TRUE(json.at("formula").is_null());
+  EXPECT_TRUE(json.at("equal").is_null());
+  EXPECT_EQ(faults(comparison), "");
+  EXPECT_NE(table(comparison).find("factored/3"), std::string::npos);
+  EXPECT_GT(comparison.rows().front().vertices_per_s, 0);
+}
+
+// Seams that may differ are counted and bounded, and the report says so.
+TEST(Comparison, BoundedSeamsAreNoFault) {
+  const Configuration& row = find_configuration("nested-fx18-overlapped");
+  const OperatorCount count{{201, 201, 0}, {201, 201, 0}, 0};
+  std::vector<Row> rows =
+      compare({&row}, {{row.name, count}}, kLittle, [](std::size_t, std::size_t) {}).rows();
+  const auto json = nlohmann::json::parse(json_report(Comparison(rows, 1e6))).at("rows").at(0);
+  EXPECT_EQ(json.at("interval_overlapped"), 1);
+  EXPECT_GT(json.at("seam_differences"), 0);
+  EXPECT_LE(json.at("seam_largest_units"), json.at("seam_bound_units"));
+  EXPECT_EQ(faults(Comparison(rows, 1e6)), "");
+  rows[0].measured.seam_largest = seam_bound(row) + 1;
+  EXPECT_NE(faults(Comparison(rows, 1e6)), "");
+}
+
+// Of rows[0] at the paper's schedule and of rows[1], overlapped.
+TEST(Comparison, FaultsAreSaid) {
+  const std::vector<Row> good = small_comparison().rows();
+  EXPECT_EQ(faults(Comparison(good, 1e6)), "");
+  const auto spoiled = [&](auto change, std::size_t row = 0) {
+    std::vector<Row> rows = good;
+    change(rows[row].measured);
+    return faults(Comparison(rows, 1e6));
+  };
+  EXPECT_NE(spoiled([](Measurement& m) { m.mismatches = 1; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.seam_largest = 1; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.vertex.clocks = 97; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.interval = 97; }), "");
+  EXPECT_NE(spoiled([](Measurement& m) { m.checked = 0; }), "");
+  EXPECT_EQ(spoiled([](Measurement& m) { m.interval = 8.5; }, 1),
+            "tree8-fx18-overlapped: 8.5 clocks between vertices, the formula says 8\n");
+}
+
+TEST(Comparison, OperatorsMustBeCounted) {
+  EXPECT_THROW(compare({&find_configuration("tree8-fx18-paper")}, {}, kLittle,
+                       [](std::size_t, std::size_t) {}),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace organizations
+}  // namespace hwffd
