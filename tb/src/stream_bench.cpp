@@ -23,6 +23,7 @@ Beat inverted(Beat beat) {
 
 StreamBench::StreamBench(cores::StreamCore& core, StreamBenchOptions options)
     : core_(core),
+      loop_(core),
       options_(std::move(options)),
       source_(
           make_throttle(options_.source_throttle, derive_seed(options_.test.seed, kSourceSeed))),
@@ -39,11 +40,9 @@ void StreamBench::reset(std::uint64_t cycles) {
   driver_.clear();
   monitor_.clear();
   scoreboard_.restart();
-  pins_.in_reset = true;
-  core_.drive_reset(true);
+  loop_.reset(true);
   for (std::uint64_t i = 0; i < cycles; ++i) step(SinkMode::kThrottled);
-  pins_.in_reset = false;
-  core_.drive_reset(false);
+  loop_.reset(false);
   events_ = {};
   was_reset_ = true;
   first_cycle_ = true;
@@ -62,35 +61,33 @@ bool StreamBench::step(SinkMode mode) {
   // other.
   const bool source_willing = source_.willing();
   const bool sink_willing = sink_.willing();
-  driver_.drive(!pins_.in_reset && (source_willing || (first_cycle_ && options_.offer_at_once)));
+  const bool in_reset = loop_.pins().in_reset;
+  const std::uint64_t cycle = loop_.clocks();
+  driver_.drive(!in_reset && (source_willing || (first_cycle_ && options_.offer_at_once)));
   first_cycle_ = false;
-  pins_.input_valid = driver_.valid();
-  pins_.output_ready = mode == SinkMode::kThrottled ? sink_willing : mode == SinkMode::kReady;
+  const bool ready = mode == SinkMode::kThrottled ? sink_willing : mode == SinkMode::kReady;
 
-  if (options_.probe_edges) probe(pins_.input_valid, pins_.output_ready);
-  core_.drive_input(pins_.input_valid, driver_.beat());
-  core_.drive_output_ready(pins_.output_ready);
-  core_.settle();
-  pins_.input_ready = core_.input_ready();
-  pins_.output_valid = core_.output_valid();
-  if (pins_.output_valid) pins_.output = core_.output();
-  if (options_.probe_edges) compare_with_probe();
+  StreamPins probed;
+  if (options_.probe_edges) {
+    probed = loop_.drive(!driver_.valid(), inverted(driver_.beat()), !ready);
+  }
+  const StreamPins& pins = loop_.drive(driver_.valid(), driver_.beat(), ready);
+  if (options_.probe_edges) compare(probed, pins);
 
-  checker_.observe(pins_, cycle_);
+  checker_.observe(pins, cycle);
   bool moved = false;
-  if (!pins_.in_reset) {
+  if (!in_reset) {
     count_events();
-    moved = driver_.accept(pins_.input_ready, cycle_);
-    if (monitor_.observe(pins_.output_valid, pins_.output_ready, pins_.output, cycle_)) {
+    moved = driver_.accept(pins.input_ready, cycle);
+    if (monitor_.observe(pins.output_valid, pins.output_ready, pins.output, cycle)) {
       moved = true;
-      Beat got = pins_.output;
+      Beat got = pins.output;
       for (unsigned copies = fault_.pass(got); copies != 0; --copies) {
-        scoreboard_.receive(got, cycle_);
+        scoreboard_.receive(got, cycle);
       }
     }
   }
-  core_.clock();
-  ++cycle_;
+  loop_.clock();
   return moved;
 }
 
@@ -101,68 +98,50 @@ void StreamBench::count_events() {
   }
 }
 
-void StreamBench::probe(bool valid, bool ready) {
-  core_.drive_input(!valid, inverted(driver_.beat()));
-  core_.drive_output_ready(!ready);
-  core_.settle();
-  probed_.input_ready = core_.input_ready();
-  probed_.output_valid = core_.output_valid();
-  if (probed_.output_valid) probed_.output = core_.output();
-}
-
-void StreamBench::compare_with_probe() {
-  if (probed_.input_ready != pins_.input_ready) {
-    checker_.report(cycle_, "input ready depends on an input of the same cycle");
+void StreamBench::compare(const StreamPins& probed, const StreamPins& pins) {
+  const std::uint64_t cycle = loop_.clocks();
+  if (probed.input_ready != pins.input_ready) {
+    checker_.report(cycle, "input ready depends on an input of the same cycle");
   }
-  if (probed_.output_valid != pins_.output_valid) {
-    checker_.report(cycle_, "output valid depends on an input of the same cycle");
-  } else if (pins_.output_valid && probed_.output != pins_.output) {
-    checker_.report(cycle_, "output data depends on an input of the same cycle");
+  if (probed.output_valid != pins.output_valid) {
+    checker_.report(cycle, "output valid depends on an input of the same cycle");
+  } else if (pins.output_valid && probed.output != pins.output) {
+    checker_.report(cycle, "output data depends on an input of the same cycle");
   }
 }
 
 bool StreamBench::run() {
   if (!was_reset_) throw std::logic_error("StreamBench: run before the first reset");
   if (hung_) return false;
-  const std::uint64_t start = cycle_;
-  const std::uint64_t total = driver_.waiting() + scoreboard_.outstanding();
-  const std::uint64_t progress_step = total / 100 + 1;
-  std::uint64_t next_progress = progress_step;
-  std::uint64_t last_moved = cycle_;
-
-  for (std::uint64_t left = total; left != 0;) {
-    if (full()) return false;
-    if (step(SinkMode::kThrottled)) {
-      last_moved = cycle_;
-      left = driver_.waiting() + scoreboard_.outstanding();
-      if (progress_ && (total - left >= next_progress || left == 0)) {
-        next_progress = total - left + progress_step;
-        progress_(static_cast<double>(total - left) / static_cast<double>(total));
+  switch (loop_.run(*this, {options_.stall_limit, options_.cycle_limit}, progress_)) {
+    case cores::StreamEnd::kDone:
+      // With ready high, a beat that appears is taken, and the scoreboard calls it unexpected.
+      for (std::uint64_t i = 0; i < options_.quiet_cycles && !stopped(); ++i) {
+        step(SinkMode::kReady);
       }
-    } else if (cycle_ - last_moved >= options_.stall_limit) {
+      return ok();
+    case cores::StreamEnd::kStalled:
       fail_hanging(fmt::format("no beat moved for {} cycles", options_.stall_limit));
-      return false;
-    }
-    if (left != 0 && cycle_ - start >= options_.cycle_limit) {
+      break;
+    case cores::StreamEnd::kLate:
       fail_hanging(fmt::format("no end after {} cycles", options_.cycle_limit));
-      return false;
-    }
+      break;
+    case cores::StreamEnd::kStopped:
+      break;
   }
-  // With ready high, a beat that appears is taken, and the scoreboard calls it unexpected.
-  for (std::uint64_t i = 0; i < options_.quiet_cycles && !full(); ++i) step(SinkMode::kReady);
-  return ok();
+  return false;
 }
 
 void StreamBench::run_for(std::uint64_t cycles) {
   if (!was_reset_) throw std::logic_error("StreamBench: run before the first reset");
-  for (std::uint64_t i = 0; i < cycles && !full(); ++i) step(SinkMode::kThrottled);
+  for (std::uint64_t i = 0; i < cycles && !stopped(); ++i) step(SinkMode::kThrottled);
 }
 
 bool StreamBench::raises_valid_without_ready(std::uint64_t limit, std::uint64_t hold) {
   if (!was_reset_) throw std::logic_error("StreamBench: run before the first reset");
   for (std::uint64_t i = 0; i < limit; ++i) {
     step(SinkMode::kStalled);
-    if (!pins_.output_valid) continue;
+    if (!loop_.pins().output_valid) continue;
     for (std::uint64_t j = 0; j < hold; ++j) step(SinkMode::kStalled);
     return true;
   }
@@ -170,21 +149,22 @@ bool StreamBench::raises_valid_without_ready(std::uint64_t limit, std::uint64_t 
   return false;
 }
 
-bool StreamBench::full() const {
+bool StreamBench::stopped() const {
   return scoreboard_.full() || checker_.violations() >= ProtocolChecker::kMaxReports;
 }
 
 void StreamBench::fail(const std::string& what) {
-  failures_.push_back(fmt::format("cycle {}: {}", cycle_, what));
+  failures_.push_back(fmt::format("cycle {}: {}", loop_.clocks(), what));
 }
 
 void StreamBench::fail_hanging(const std::string& what) {
+  const StreamPins& pins = loop_.pins();
   hung_ = true;
   fail(fmt::format(
       "watchdog: {}; input beats accepted {}, waiting {}; results received {}, outstanding {}; "
       "pins: input valid {:d} ready {:d}, output valid {:d} ready {:d}",
       what, driver_.accepted(), driver_.waiting(), monitor_.count(), scoreboard_.outstanding(),
-      pins_.input_valid, pins_.input_ready, pins_.output_valid, pins_.output_ready));
+      pins.input_valid, pins.input_ready, pins.output_valid, pins.output_ready));
 }
 
 bool StreamBench::finish() {
@@ -208,7 +188,7 @@ std::string StreamBench::report() const {
       "{} cycles\n",
       test.name, test.seed, options_.source_throttle, options_.sink_throttle, scoreboard_.checked(),
       scoreboard_.expected(), scoreboard_.mismatches(), scoreboard_.extra(), checker_.violations(),
-      cycle_);
+      loop_.clocks());
   for (const auto* list : {&checker_.reports(), &failures_, &end_failures_}) {
     for (const std::string& line : *list) text += line + "\n";
   }

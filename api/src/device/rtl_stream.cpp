@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "device/stream_device.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
+#include "hwffd/cores/stream_loop.hpp"
 #include "hwffd/error.hpp"
 
 namespace hwffd {
@@ -11,73 +10,81 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;              // of the registers before reset
 constexpr std::uint64_t kPatience = 1'000'000;  // clocks without a beat
+constexpr int kResetClocks = 4;
+
+// Offers the commands one after the other and takes every result at once.
+class Conversation final : public cores::StreamParty {
+ public:
+  Conversation(cores::StreamLoop& loop, const cores::StreamCore& core,
+               const std::vector<Beat>& commands, std::size_t results)
+      : loop_(loop), core_(core), commands_(commands), results_(results) {
+    out_.reserve(results);
+  }
+
+  bool one_cycle() override {
+    const bool offered = next_ < commands_.size();
+    const cores::StreamPins& pins = loop_.drive(offered, offered ? commands_[next_] : Beat{}, true);
+    const bool accepted = offered && pins.input_ready;
+    if (accepted) ++next_;
+    if (pins.output_valid) out_.push_back(pins.output);
+    const bool moved = accepted || pins.output_valid;
+    loop_.clock();
+    return moved;
+  }
+  // Until it is idle: a result that nobody asked for must not be left for the next run.
+  std::uint64_t left() const override {
+    const std::size_t missing = out_.size() < results_ ? results_ - out_.size() : 0;
+    const std::size_t beats = commands_.size() - next_ + missing;
+    return beats != 0 || out_.size() > results_ || core_.idle() ? beats : 1;
+  }
+
+  std::vector<Beat> take() { return std::move(out_); }
+  std::size_t came() const { return out_.size(); }
+
+ private:
+  cores::StreamLoop& loop_;
+  const cores::StreamCore& core_;
+  const std::vector<Beat>& commands_;
+  std::size_t results_;
+  std::size_t next_ = 0;
+  std::vector<Beat> out_;
+};
 
 class RtlStream final : public CommandStream {
  public:
   explicit RtlStream(const Configuration& row)
-      : name_(row.name), core_(cores::make_stream_core(row, kSeed)) {
+      : name_(row.name), core_(cores::make_stream_core(row, kSeed)), loop_(*core_) {
     reset();
   }
 
   void reset() override {
-    core_->drive_reset(true);
-    core_->drive_input(false, {});
-    core_->drive_output_ready(true);
-    for (int edge = 0; edge < 4; ++edge) {
-      core_->settle();
-      clock();
+    loop_.reset(true);
+    for (int edge = 0; edge < kResetClocks; ++edge) {
+      loop_.drive(false, {}, true);
+      loop_.clock();
     }
-    core_->drive_reset(false);
+    loop_.reset(false);
   }
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
                         const Progress& progress) override {
-    std::vector<Beat> out;
-    out.reserve(results);
-    const std::size_t step = results / 100 + 1;
-    std::size_t next = 0;
-    std::uint64_t moved = clocks_;
-    // Until it is idle: a result that nobody asked for must not be left for the next run.
-    while (next < commands.size() || out.size() < results ||
-           (out.size() == results && !core_->idle())) {
-      core_->drive_input(next < commands.size(), next < commands.size() ? commands[next] : Beat{});
-      core_->settle();
-      const bool accepted = next < commands.size() && core_->input_ready();
-      if (core_->output_valid()) {
-        out.push_back(core_->output());
-        if (out.size() % step == 0) {
-          progress(std::min(1.0, static_cast<double>(out.size()) / results));
-        }
-        moved = clocks_;
-      }
-      clock();
-      if (accepted) {
-        ++next;
-        moved = clocks_;
-      }
-      if (clocks_ - moved > kPatience) {
-        throw Error(
-            fmt::format("{}: {} of {} results came, then none for {} clocks; this is a "
-                        "fault of the hardware: please report it",
-                        name_, out.size(), results, kPatience));
-      }
+    Conversation conversation(loop_, *core_, commands, results);
+    if (loop_.run(conversation, {kPatience}, progress) == cores::StreamEnd::kStalled) {
+      throw Error(
+          fmt::format("{}: {} of {} results came, then none for {} clocks; this is a "
+                      "fault of the hardware: please report it",
+                      name_, conversation.came(), results, kPatience));
     }
-    core_->drive_input(false, {});
     progress(1);
-    return out;
+    return conversation.take();
   }
 
-  std::uint64_t clocks() const override { return clocks_; }
+  std::uint64_t clocks() const override { return loop_.clocks(); }
 
  private:
-  void clock() {
-    core_->clock();
-    ++clocks_;
-  }
-
   std::string name_;
   std::unique_ptr<cores::StreamCore> core_;
-  std::uint64_t clocks_ = 0;
+  cores::StreamLoop loop_;
 };
 
 }  // namespace

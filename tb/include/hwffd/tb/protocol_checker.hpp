@@ -5,19 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/cores/stream_loop.hpp"
 #include "hwffd/stream/beat.hpp"
 
 namespace hwffd::tb {
 
-/// The pins of a core in one cycle, sampled just before the rising edge.
-struct StreamPins {
-  bool in_reset = false;
-  bool input_valid = false;
-  bool input_ready = false;
-  bool output_valid = false;
-  bool output_ready = false;
-  Beat output;  ///< Read only where output_valid is set.
-};
+using cores::StreamPins;
 
 /// The rules of AXI4-Stream on the core's side of both streams:
 /// * a valid output stays valid, with the same data and last, until it is accepted;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hwffd/cores/stream_core.hpp"
+#include "hwffd/cores/stream_loop.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/tb/fault.hpp"
 #include "hwffd/tb/protocol_checker.hpp"
@@ -40,7 +41,7 @@ struct StreamBenchOptions {
 /// A cycle is: drive the inputs, settle, sample ready and valid, clock. Nothing throws because the
 /// core is wrong: failures are collected, `finish` tells the verdict and `report` the reasons. A
 /// missing `reset`, or an unknown throttle, is the caller's fault and throws.
-class StreamBench {
+class StreamBench : private cores::StreamParty {
  public:
   /// The core must outlive the bench. Throws std::invalid_argument for an unknown throttle.
   StreamBench(cores::StreamCore& core, StreamBenchOptions options);
@@ -87,7 +88,7 @@ class StreamBench {
   /// The same over all results since the last reset.
   double clocks_per_result() const;
   /// Clocks since construction, those in reset included.
-  std::uint64_t cycle() const { return cycle_; }
+  std::uint64_t cycle() const { return loop_.clocks(); }
 
   /// Called by `run` with the fraction done, in steps of at least 1 %, the last one 1.
   void on_progress(std::function<void(double)> callback) { progress_ = std::move(callback); }
@@ -110,15 +111,18 @@ class StreamBench {
  private:
   enum class SinkMode { kThrottled, kReady, kStalled };
 
+  bool one_cycle() override { return step(SinkMode::kThrottled); }
+  std::uint64_t left() const override { return driver_.waiting() + scoreboard_.outstanding(); }
+  bool stopped() const override;
+
   bool step(SinkMode mode);
-  void probe(bool valid, bool ready);
   void count_events();
-  void compare_with_probe();
-  bool full() const;
+  void compare(const StreamPins& probed, const StreamPins& pins);
   void fail(const std::string& what);
   void fail_hanging(const std::string& what);
 
   cores::StreamCore& core_;
+  cores::StreamLoop loop_;
   StreamBenchOptions options_;
   Throttle source_;
   Throttle sink_;
@@ -128,10 +132,7 @@ class StreamBench {
   Scoreboard scoreboard_;
   FaultInjector fault_;
   std::function<void(double)> progress_;
-  StreamPins pins_;
-  StreamPins probed_;
   std::array<std::uint64_t, cores::kStreamEvents> events_{};
-  std::uint64_t cycle_ = 0;
   bool was_reset_ = false;
   bool first_cycle_ = false;
   bool hung_ = false;
