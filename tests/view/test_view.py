@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -120,12 +121,16 @@ class View(unittest.TestCase):
             return None
 
     def drag(self, button, begin, way):
+        """The picture that follows. The viewer, as on a busy machine, sees the events all at once
+        when the mouse is at its end already."""
         do, seen = self.screen.do, self.screen.pixels()
+        self.viewer.send_signal(signal.SIGSTOP)
         do("mousemove", *begin)
         do("mousedown", button)
         do("mousemove", begin[0] + way[0] // 2, begin[1] + way[1] // 2)
         do("mousemove", begin[0] + way[0], begin[1] + way[1])
         do("mouseup", button)
+        self.viewer.send_signal(signal.SIGCONT)
         wait_for("another picture", lambda: self.screen.pixels() != seen)
         return self.screen.still()
 

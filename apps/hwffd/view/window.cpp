@@ -38,17 +38,13 @@ struct Window::Listener {
     }
   }
 
-  static Pixels mouse(GLFWwindow* handle) {
-    Pixels at;
-    glfwGetCursorPos(handle, &at.x(), &at.y());
-    return at;
-  }
-
   static void on_button(GLFWwindow* handle, int which, int action, int) {
     const Button button = which == GLFW_MOUSE_BUTTON_LEFT ? Button::kFirst : Button::kOther;
+    // Where the mouse was by then: by now, which GLFW could say, it may be elsewhere.
+    const Pixels mouse = static_cast<Window*>(glfwGetWindowUserPointer(handle))->mouse_;
     tell(handle, [&](Input& input) {
       if (action == GLFW_PRESS) {
-        input.press(button, mouse(handle));
+        input.press(button, mouse);
       } else {
         input.release(button);
       }
@@ -63,6 +59,7 @@ struct Window::Listener {
   }
 
   static void on_move(GLFWwindow* handle, double x, double y) {
+    static_cast<Window*>(glfwGetWindowUserPointer(handle))->mouse_ = Pixels(x, y);
     tell(handle, [&](Input& input) { input.move(Pixels(x, y)); });
   }
 

@@ -37,8 +37,9 @@ class Window {
   void listen(Input& input, void (*events)());
 
   GLFWwindow* window_ = nullptr;
-  Input* input_ = nullptr;      ///< while it listens
-  std::exception_ptr failure_;  ///< of the input; it may not pass through C
+  Pixels mouse_ = Pixels::Zero();  ///< where the last event had it
+  Input* input_ = nullptr;         ///< while it listens
+  std::exception_ptr failure_;     ///< of the input; it may not pass through C
 };
 
 }  // namespace hwffd::view
