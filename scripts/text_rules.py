@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 
+import links
 import rooms
 from rtl import read_file_list, read_include_folders, strip_comments
 
@@ -52,6 +53,7 @@ class Tree:
         self.headers = sorted(rtl.rglob("*.vh")) + sorted(rtl.rglob("*.svh"))
         self.cpp = self._find(CPP_FOLDERS, CPP_SUFFIXES)
         self.all = self._find(TEXT_FOLDERS, TEXT_SUFFIXES) + self._scripts()
+        self.markdown = [path for path in self.all if path.suffix == ".md"]
 
     def _find(self, folders, suffixes):
         return [
@@ -399,6 +401,8 @@ PER_FILE = {
     "generate-arm": (lambda tree: tree.verilog, generate_arms),
     "reason": (lambda tree: tree.all, unexplained_todo),
     "trailing-blank": (lambda tree: tree.all, trailing_blanks),
+    "link": (lambda tree: tree.markdown, links.dead_links),
+    "section": (lambda tree: tree.all, links.missing_sections),
 }
 WHOLE_TREE = {"file-list": file_list, "empty-waivers": empty_waivers, "one-way": rooms.arrows}
 
