@@ -51,7 +51,7 @@ help:
 	@echo '  make tangents       derivatives and fold flags out of the simulated hardware'
 	@echo '  make streams        how many words must be moved for each vertex'
 	@echo '  make embed          meshes in box, cylinder, sphere and custom lattices'
-	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
+	@echo '  make docs           draw all pictures, fill all figures of the texts from the reports'
 	@echo 'Check it'
 	@echo '  make test           build everything and run the tests'
 	@echo '  make test-all       every configuration, and the long tests'
