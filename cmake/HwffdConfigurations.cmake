@@ -4,8 +4,10 @@
 #   HWFFD_CONFIGURATION_IDENTIFIERS       all rows
 #   HWFFD_TIER_IDENTIFIERS                those of this build's tier
 #   HWFFD_STREAM_IDENTIFIERS              those of them that are verilated with their streams
+#   HWFFD_AXI_IDENTIFIERS                 those of them that are verilated with their buses, too
 #   HWFFD_SELECTED_IDENTIFIERS            those that hwffd-organizations compares
 #   HWFFD_CONFIGURATION_PARAMETERS_<id>   a row's parameters, NAME=value
+#   HWFFD_CONFIGURATION_OPTIONS_<id>      what hwffd_verilate has to know of it besides
 # and, in HWFFD_GENERATED_DIR, the C++ that follows from it: the table, the models, the cores.
 
 set(HWFFD_TIER test CACHE STRING "configurations to verilate: sim, test or all")
@@ -27,8 +29,11 @@ set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
-  ${table} ${script} ${CMAKE_SOURCE_DIR}/scripts/organizations.py ${CMAKE_SOURCE_DIR}/scripts/tables.py
-  ${HWFFD_RTL_DIR}/hwffd.f)
+  ${table} ${HWFFD_RTL_DIR}/hwffd.f)
+foreach(module configurations configuration_texts formulas organizations organization_rtl rtl tables)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${CMAKE_SOURCE_DIR}/scripts/${module}.py)
+endforeach()
 
 function(hwffd_generate)
   execute_process(COMMAND ${Python3_EXECUTABLE} -B ${script} ${ARGN} RESULT_VARIABLE failed)
@@ -41,6 +46,8 @@ hwffd_generate(select ${HWFFD_RTL_DIR}/evaluator/ffd_org_select.v)
 hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
 hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
 hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})
+hwffd_generate(factory ${HWFFD_GENERATED_DIR}/axi_core_factory.cpp --tier ${HWFFD_TIER}
+  --core axi --suffix _axi)
 hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/evaluator_core_factory.cpp --tier ${HWFFD_TIER})
 hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/selected_core_factory.cpp ${HWFFD_SELECTION})
 hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER} ${HWFFD_SELECTION})

@@ -26,7 +26,7 @@ option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 set(HWFFD_MODEL_OPTIONS "-O2 -fno-tree-pre -fno-code-hoisting")
 set(HWFFD_NATIVE_OPTIONS "-march=native")
 
-# hwffd_verilate(<target> [NETLIST] [NATIVE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...]
+# hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...]
 #                [LIBRARY <file>])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
@@ -45,10 +45,13 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # LIBRARY is a file for the modules that the sources lack; of those that both have, it is the sources' that
 # count. (NO_INCLUDES is how yosys' files of cells are told to stay alone.)
 #
+# WIDE says that many float units work side by side: Verilator's optimization of gates would make the
+# build four times as long and the simulation no faster.
+#
 # NATIVE says that the model stays on this machine and may use all of its processor: a third faster
 # where many units move side by side.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "NETLIST;NATIVE" "TOP;LIBRARY" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY" "SOURCES;PARAMETERS" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
@@ -68,9 +71,7 @@ function(hwffd_verilate target)
   if(ARG_NATIVE)
     list(APPEND flags -CFLAGS ${HWFFD_NATIVE_OPTIONS})
   endif()
-  # From 16 float units on, Verilator's optimization of gates makes a build four times as long and
-  # the simulation no faster. (`nested` has many whatever its N.)
-  if(ARG_PARAMETERS MATCHES "N=(16|32|64);FORMAT=0;" OR target MATCHES "^nested.*_fp32")
+  if(ARG_WIDE)
     list(APPEND flags -fno-gate)
   endif()
   foreach(parameter IN LISTS ARG_PARAMETERS)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The table of configurations, rtl/configurations.csv, for every program that needs it.
 
-One row is one build of hwffd_stream: an organization, a number format, a schedule, the latencies of
-the units, and the smallest tier (sim, test, all) in which it is verilated. This module is the one
+One row is one build of the core: an organization, a number format, a schedule, the latencies of the
+units, the largest top and the smallest tier (sim, test, all) in which it is verilated. This module is the one
 place that knows which parameter of the RTL each column sets and how its words are numbered.
 
 SPDX-License-Identifier: Apache-2.0
@@ -14,9 +14,11 @@ import re
 import sys
 from dataclasses import dataclass
 
+import configuration_texts as texts
 import organizations
 import tables
-from organizations import GENERATED, models_text, select_text
+from organization_rtl import select_text
+from organizations import Organization
 from tables import TableError
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -29,13 +31,16 @@ EVALUATORS = ("pipelined", "iterative", "bspline")
 
 # A tier includes those before it.
 TIERS = ("sim", "test", "all")
+# So does a top: the read port of the evaluator, the core with its streams, the core on its buses.
+TOPS = ("evaluator", "stream", "axi")
 
 COLUMNS = (
     "name", "org", "n", "format", "schedule", "evaluator", "mul_latency", "add_latency",
-    "fma_latency", "convert_latency", "stream", "tier",
+    "fma_latency", "convert_latency", "top", "tier",
 )
-NUMBERS = {"n": (1, 64), "mul_latency": (1, 99), "add_latency": (1, 99),
-           "fma_latency": (0, 99), "convert_latency": (0, 99), "stream": (0, 1)}
+NUMBERS = {"n": range(1, 65), "mul_latency": range(1, 100), "add_latency": range(1, 100),
+           "fma_latency": range(100), "convert_latency": range(100)}
+WORDS = {"schedule": SCHEDULES, "evaluator": EVALUATORS, "top": TOPS, "tier": TIERS}
 FIXED_WIDTHS = range(12, 33)
 BLOCK_WIDTH = 35  # of the words inside bfp32 (docs/numerics.md)
 
@@ -52,9 +57,9 @@ class Configuration:
     add_latency: int
     fma_latency: int
     convert_latency: int
-    stream: int
+    top: str
     tier: str
-    org_number: int
+    organization: Organization
 
     @property
     def identifier(self):
@@ -62,10 +67,20 @@ class Configuration:
         return self.name.replace("-", "_")
 
     @property
+    def stream(self):
+        """Whether it is verilated with its streams."""
+        return self.top in TOPS[1:]
+
+    @property
+    def wide(self):
+        """Whether so many float units work side by side that they want another way of building."""
+        return self.format == "fp32" and (self.organization.units or self.n) >= 16
+
+    @property
     def parameters(self):
         """Parameter of hwffd_stream -> value."""
         return {
-            "ORG": self.org_number,
+            "ORG": self.organization.number,
             "N": self.n,
             "FORMAT": format_number(self.format),
             "SCHEDULE": SCHEDULES.index(self.schedule),
@@ -94,26 +109,18 @@ def format_number(word):
 def _read_row(fields, where, known):
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
-    if fields["org"] not in known:
-        raise TableError(f"{where}: unknown org '{fields['org']}': one of {', '.join(known)}")
-    for column, words in (("schedule", SCHEDULES), ("evaluator", EVALUATORS), ("tier", TIERS)):
-        if fields[column] not in words:
-            raise TableError(
-                f"{where}: unknown {column} '{fields[column]}': one of {', '.join(words)}")
+    organization = known[tables.word(fields, "org", where, known)]
+    for column, words in WORDS.items():
+        tables.word(fields, column, where, words)
     if format_number(fields["format"]) is None:
         raise TableError(f"{where}: unknown format '{fields['format']}': fp32, bfp32 or "
                          f"fx{FIXED_WIDTHS[0]} to fx{FIXED_WIDTHS[-1]}")
-    for column, (low, high) in NUMBERS.items():
-        if not re.fullmatch(r"[0-9]{1,4}", fields[column]):
-            raise TableError(f"{where}: {column} is '{fields[column]}', a number wanted")
-        fields[column] = int(fields[column])
-        if not low <= fields[column] <= high:
-            raise TableError(f"{where}: {column} is {fields[column]}, {low} to {high} wanted")
-    organization = known[fields["org"]]
+    for column, allowed in NUMBERS.items():
+        fields[column] = tables.number(fields, column, where, allowed)
     if organization.n not in (None, fields["n"]):
         raise TableError(f"{where}: n is {fields['n']}, that of {organization.name} is "
                          f"{organization.n}")
-    return Configuration(**fields, org_number=organization.number)
+    return Configuration(**fields, organization=organization)
 
 
 def read(path=TABLE):
@@ -122,8 +129,7 @@ def read(path=TABLE):
     found = {}
     for where, fields in tables.read(path, COLUMNS):
         configuration = _read_row(fields, where, known)
-        if configuration.name in found:
-            raise TableError(f"{where}: '{configuration.name}' is there twice")
+        tables.unique(found, configuration.name, "name", where)
         found[configuration.name] = configuration
     if not found:
         raise TableError(f"{path}: no configurations")
@@ -156,142 +162,6 @@ def select(configurations, org="", n="", fmt=""):
     return configurations
 
 
-def cmake_text(configurations, tier, selected):
-    """All rows; the lists name those of a tier and those selected."""
-    tiered = of_tier(configurations, tier)
-    lists = {
-        "CONFIGURATION": configurations,
-        "TIER": tiered,
-        "STREAM": [c for c in tiered if c.stream],
-        "SELECTED": selected,
-    }
-    lines = [f"# {GENERATED}"]
-    for name, rows in lists.items():
-        identifiers = " ".join(c.identifier for c in rows)
-        lines.append(f"set(HWFFD_{name}_IDENTIFIERS {identifiers})")
-    for c in configurations:
-        lines.append(f"set(HWFFD_CONFIGURATION_NAME_{c.identifier} {c.name})")
-        lines.append(
-            f"set(HWFFD_CONFIGURATION_PARAMETERS_{c.identifier} {' '.join(c.assignments())})")
-    return "\n".join(lines) + "\n"
-
-
-def table_text(configurations):
-    lines = [
-        f"// {GENERATED}",
-        '#include "hwffd/model/configuration.hpp"',
-        "",
-        "#include <stdexcept>",
-        "",
-        "namespace hwffd {",
-        "",
-        "const std::vector<Configuration>& configurations() {",
-        "  static const std::vector<Configuration> table = {",
-    ]
-    for c in configurations:
-        lines.append(
-            f'      {{"{c.name}", "{c.org}", {c.n}, "{c.format}", "{c.schedule}", "{c.evaluator}",'
-            f' {c.mul_latency}, {c.add_latency}, {c.fma_latency}, {c.convert_latency},'
-            f' "{c.tier}"}},')
-    lines += [
-        "  };",
-        "  return table;",
-        "}",
-        "",
-        "const Configuration& find_configuration(const std::string& name) {",
-        "  for (const Configuration& configuration : configurations()) {",
-        "    if (name == configuration.name) return configuration;",
-        "  }",
-        "  std::string names;",
-        "  for (const Configuration& configuration : configurations()) {",
-        '    names += (names.empty() ? "" : ", ") + std::string(configuration.name);',
-        "  }",
-        "  throw std::invalid_argument(\"no configuration named '\" + name +",
-        "                              \"': one of \" + names);",
-        "}",
-        "",
-        "}  // namespace hwffd",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-_FACTORY = """\
-// {generated}
-{includes}
-#include "hwffd/cores/{core}_core_factory.hpp"
-#include "hwffd/cores/verilated_{core}_core.hpp"
-{more_includes}
-#include <stdexcept>
-#include <string>
-
-namespace hwffd::cores {{
-namespace {{
-
-using Make = std::unique_ptr<{Core}Core> (*)(std::uint64_t{types});
-
-template <class VDut>
-std::unique_ptr<{Core}Core> make(std::uint64_t seed{parameters}) {{
-  auto core = std::make_unique<Verilated{Core}Core<VDut>>(seed);
-{prepare}  return core;
-}}
-
-Make find(const Configuration& configuration) {{
-  const std::string name = configuration.name;
-{rows}
-  return nullptr;
-}}
-
-}}  // namespace
-
-bool has_{core}_core(const Configuration& configuration) {{
-  return find(configuration) != nullptr;
-}}
-
-{more}std::unique_ptr<{Core}Core> make_{core}_core(const Configuration& configuration,
-                                             std::uint64_t seed{parameters}) {{
-  const Make make_it = find(configuration);
-  if (make_it == nullptr) {{
-    throw std::invalid_argument(std::string("configuration '") + configuration.name +
-                                "' is not in this build: configure with -DHWFFD_TIER=all");
-  }}
-  return make_it(seed{arguments});
-}}
-
-}}  // namespace hwffd::cores
-"""
-_TRACED = {
-    "more_includes": "",
-    "types": ", const std::string&",
-    "parameters": ", const std::string& trace",
-    "arguments": ", trace",
-    "prepare": "  if (!trace.empty()) core->trace(trace);\n",
-    "more": "",
-}
-_CORES = {
-    "stream": {
-        **_TRACED,
-        "more_includes": '#include "hwffd/cores/waveform.hpp"\n',
-        "more": "bool stream_cores_can_trace() { return Waveform::kAvailable; }\n\n",
-    },
-    "axi": _TRACED,
-    "evaluator": {
-        "more_includes": "", "types": "", "parameters": "", "arguments": "", "prepare": "",
-        "more": "",
-    },
-}
-
-
-def factory_text(configurations, core, suffix=""):
-    """Cores ("stream", "axi" or "evaluator") of these rows; a row's class is V<identifier><suffix>."""
-    classes = {c.name: f"V{c.identifier}{suffix}" for c in configurations}
-    return _FACTORY.format(
-        generated=GENERATED,
-        includes="\n".join(f'#include "{made}.h"' for made in classes.values()),
-        rows="\n".join(
-            f'  if (name == "{name}") return make<{made}>;' for name, made in classes.items()),
-        core=core, Core=core.capitalize(), **_CORES[core])
-
-
 def add_selection(parser):
     """The options that `selected` reads."""
     for column in ("org", "n", "format"):
@@ -309,6 +179,24 @@ def write_if_changed(path, text):
         return
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
+
+
+def text_of(options, rows):
+    """What a command that generates is to write. Raises TableError."""
+    if options.command == "cpp":
+        return texts.table_text(rows, organizations.read())
+    if options.command == "models":
+        return texts.models_text(rows)
+    if options.command == "factory":
+        least = TOPS[TOPS.index(options.core):]
+        built = [c for c in of_tier(rows, options.tier) if c.top in least]
+        if options.rows:
+            built = [find(rows, name) for name in options.rows]
+        return texts.factory_text(built, options.core, options.suffix)
+    tiered, wanted = of_tier(rows, options.tier), selected(rows, options)
+    if options.command == "cmake":
+        return texts.cmake_text(rows, tiered, wanted)
+    return texts.factory_text([c for c in wanted if c in tiered], "evaluator", "_evaluator")
 
 
 def main(arguments=None):
@@ -334,7 +222,7 @@ def main(arguments=None):
     for command in (cmake, cpp, factory, models, select, evaluators):
         command.add_argument("out")
     factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
-    factory.add_argument("--core", choices=("stream", "axi"), default="stream",
+    factory.add_argument("--core", choices=TOPS[1:], default="stream",
                          help="hwffd_stream or hwffd_axi (stream)")
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, cmake, factory, evaluators):
@@ -351,23 +239,10 @@ def main(arguments=None):
         elif options.command == "parameters":
             assignments = find(rows, options.name).assignments()
             print(" ".join(options.prefix + word for word in assignments))
-        elif options.command == "cmake":
-            text = cmake_text(rows, options.tier, selected(rows, options))
-            write_if_changed(options.out, text)
-        elif options.command == "cpp":
-            write_if_changed(options.out, table_text(rows))
-        elif options.command == "models":
-            write_if_changed(options.out, models_text(rows))
         elif options.command == "select":
             write_if_changed(options.out, select_text(ROOT / "rtl"))
-        elif options.command == "evaluators":
-            built = of_tier(selected(rows, options), options.tier)
-            text = factory_text(built, "evaluator", "_evaluator")
-            write_if_changed(options.out, text)
         else:
-            named = [find(rows, name) for name in options.rows or ()]
-            built = named or [c for c in of_tier(rows, options.tier) if c.stream]
-            write_if_changed(options.out, factory_text(built, options.core, options.suffix))
+            write_if_changed(options.out, text_of(options, rows))
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)
         return 1

@@ -21,9 +21,6 @@ import timing
 from processes import Processes
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
-# The rows in which the DMA and the registers are built around the core, as in cores/CMakeLists.txt.
-SYSTEM_ROWS = ("basic-fx18-overlapped", "basic-fp32-overlapped", "basic-bfp32-overlapped",
-               "factored-fx18-overlapped")
 TARGETS = mapped.TARGETS
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")
@@ -97,21 +94,18 @@ class Subject:
 
 def makes_sense(row, target):
     """Whether an organization is mapped on a target: on ECP5 every one; on iCE40 those of one unit
-    in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere `basic` in every
-    form, and in fx18 those folded and the others of up to eight units but `nested`. A tree of one
-    unit is `basic`.
+    in fixed point, on HX8K, which has no multipliers, in 16 bits only; elsewhere as the table of
+    organizations says, where also stands of how many units at all.
     """
+    organization = row.organization
     if target == "ecp5":
         return True
-    if row.org == "tree" and row.n == 1:
+    if row.n not in organization.mapped_n:
         return False
     if target in ICE40:
         wide = target == "up5k" and row.n == 1 and row.format in ("fx18", "fx32")
         return wide or row.format == "fx16"
-    if row.org == "basic":
-        return True
-    few = row.org.endswith("/3") or (row.n <= 8 and row.org != "nested")
-    return row.format == "fx18" and few
+    return organization.mapped in ("every", row.format)
 
 
 def subjects(rows):
@@ -125,9 +119,9 @@ def subjects(rows):
     for row in overlapped:
         found += [Subject(row, ORGANIZATION, target) for target in TARGETS
                   if makes_sense(row, target)]
-        if row.stream and (row.format.startswith("fx") or row.org == "basic"):
+        if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every"):
             found.append(Subject(row, CORE, "ecp5"))
-        if row.stream and row.name in SYSTEM_ROWS:
+        if row.top == "axi":
             found.append(Subject(row, SYSTEM, "ecp5"))
     return found + units(overlapped)
 

@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import csv
 import pathlib
+import re
 
 
 class TableError(Exception):
@@ -38,3 +39,24 @@ def read_text(path):
 def read(path, columns):
     """The same of a file. Raises TableError."""
     return parse(read_text(path), path, columns)
+
+
+def word(cells, column, where, words):
+    """A cell that must be one of these words. Raises TableError."""
+    if cells[column] not in words:
+        raise TableError(f"{where}: unknown {column} '{cells[column]}': one of {', '.join(words)}")
+    return cells[column]
+
+
+def number(cells, column, where, allowed):
+    """A cell that must be a number of that range. Raises TableError."""
+    text = cells[column]
+    if not re.fullmatch(r"[0-9]{1,4}", text) or int(text) not in allowed:
+        raise TableError(f"{where}: {column} is '{text}', {allowed[0]} to {allowed[-1]} wanted")
+    return int(text)
+
+
+def unique(found, name, column, where):
+    """Raises TableError where the rows found before have one of that name."""
+    if name in found:
+        raise TableError(f"{where}: {column} '{name}' is there twice")

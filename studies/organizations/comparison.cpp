@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "hwffd/error.hpp"
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "on_threads.hpp"
 #include "reference.hpp"
@@ -102,7 +103,7 @@ std::optional<bool> Comparison::overlapped_equal(const Row& row) const {
 }
 
 std::string short_name(const Configuration& row) {
-  return std::string(row.org) == "tree" ? fmt::format("tree {}", row.n) : row.org;
+  return organization_of(row).n == 0 ? fmt::format("{} {}", row.org, row.n) : row.org;
 }
 
 std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas) {

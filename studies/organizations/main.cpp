@@ -39,7 +39,8 @@ void add_timelines(std::vector<FileContent>& files, const std::filesystem::path&
     for (const Row& row : comparison.rows()) {
       const Configuration& c = *row.configuration;
       if (*format != '\0' && std::string(c.format) != format) continue;
-      std::string name = std::string(c.org) == "tree" ? fmt::format("tree{}", c.n) : c.org;
+      std::string name = short_name(c);
+      name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
       std::replace(name.begin(), name.end(), '/', '-');
       if (!drawn.insert(name).second) continue;
       files.push_back(

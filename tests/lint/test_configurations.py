@@ -16,7 +16,7 @@ sys.path.insert(0, str(SCRIPT.parent))
 import configurations  # noqa: E402
 
 HEADER = ",".join(configurations.COLUMNS)
-GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,1,test"
+GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test"
 
 # what is wrong -> (table, line of the fault or None, word of the message)
 BAD = {
@@ -40,7 +40,7 @@ FIELDS = {
     "add_latency": ("", "-1", "1 "),
     "fma_latency": ("", "-1", "x"),
     "convert_latency": ("", "-1", "0x1"),
-    "stream": ("", "2", "yes"),
+    "top": ("", "1", "stream axi"),
     "tier": ("", "test-all", "nightly"),
 }
 for column, values in FIELDS.items():
@@ -97,9 +97,9 @@ class Refused(Folder):
 class Accepted(Folder):
     ROWS = (
         f"{HEADER}\n"
-        "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,1,sim\n"
-        "good-row,tree,4,fx18,paper,iterative,5,4,3,0,1,test\n"
-        "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,0,all\n"
+        "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim\n"
+        "good-row,tree,4,fx18,paper,iterative,5,4,3,0,axi,test\n"
+        "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all\n"
     )
 
     def test_committed_table(self):
@@ -136,6 +136,16 @@ class Accepted(Folder):
         self.assertIn("set(HWFFD_TIER_IDENTIFIERS small good_row)\n", text)
         self.assertIn("set(HWFFD_SELECTED_IDENTIFIERS small good_row large)\n", text)
         self.assertIn("set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 ", text)
+        self.assertIn("set(HWFFD_STREAM_IDENTIFIERS small good_row)\n", text)
+        self.assertIn("set(HWFFD_AXI_IDENTIFIERS good_row)\n", text)
+
+    def test_many_float_units_are_wide(self):
+        wide = {row.name: row.wide for row in configurations.read()}
+        for name in ("tree16-fp32-overlapped", "nested3-fp32-overlapped", "factored-fp32-overlapped",
+                     "parallel-fp32-paper-fmac"):
+            self.assertTrue(wide[name], name)
+        for name in ("tree8-fp32-overlapped", "cg3-fp32-paper", "nested-fx18-overlapped"):
+            self.assertFalse(wide[name], name)
 
     def test_selection(self):
         wanted = self.run_script("list", "--n", "4", "--format", "fx18", text=self.ROWS)
@@ -154,6 +164,9 @@ class Accepted(Folder):
         self.assertIn('"large"', table.read_text())
         self.assertIn('#include "Vgood_row.h"', factory.read_text())
         self.assertNotIn("large", factory.read_text())
+        self.run_script("factory", str(factory), "--core", "axi", "--suffix", "_axi")
+        self.assertIn('#include "Vgood_row_axi.h"', factory.read_text())
+        self.assertNotIn("Vsmall", factory.read_text())
 
     def test_output_is_written_only_when_changed(self):
         for command in ("cmake", "cpp", "factory"):

@@ -1,56 +1,48 @@
 #include "hwffd/model/schedule.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <string>
+
+#include "hwffd/model/organizations.hpp"
 
 namespace hwffd {
 namespace {
 
-/// Polynomial evaluators of a combination generator; 0 for other organizations.
-int generator_evaluators(const Configuration& row) {
-  const std::string org = row.org;
-  return org.rfind("cg", 0) == 0 ? std::atoi(org.c_str() + 2) : 0;
+ClockTerms terms_of(const Configuration& row) {
+  const bool fused = row.fma_latency > 0;
+  ClockTerms terms{};
+  terms.n = row.n;
+  terms.poly = fused ? 3 : 6;
+  terms.add = fused ? 0 : 1;
+  terms.start = std::string(row.evaluator) == "iterative" ? 6 : 1;
+  terms.read = 2;
+  const int sum = fused ? row.fma_latency + row.add_latency : 2 * row.add_latency;
+  terms.contract = row.mul_latency + sum + row.convert_latency;
+  return terms;
 }
 
-bool is_a(const Configuration& row, const char* organization) {
-  return std::string(row.org).rfind(organization, 0) == 0;
-}
-
-double steps(const Configuration& row) {
-  return (keeps_cell(row) ? 1 : std::ceil(64.0 / row.n)) * folds(row);
+std::optional<double> clocks(const Configuration& row, Organization::Clocks formula) {
+  if (formula == nullptr) return std::nullopt;
+  return formula(terms_of(row));
 }
 
 }  // namespace
 
-bool contracts(const Configuration& row) { return is_a(row, "factored"); }
+bool contracts(const Configuration& row) { return organization_of(row).form == Form::kFactored; }
 
-bool keeps_cell(const Configuration& row) { return is_a(row, "nested"); }
+bool keeps_cell(const Configuration& row) { return organization_of(row).formed != nullptr; }
 
-int folds(const Configuration& row) {
-  const std::string org = row.org;
-  const std::size_t stroke = org.find('/');
-  return stroke == std::string::npos ? 1 : std::atoi(org.c_str() + stroke + 1);
-}
+int folds(const Configuration& row) { return organization_of(row).fold; }
 
 std::optional<double> paper_clocks(const Configuration& row) {
-  if (contracts(row) || keeps_cell(row)) return std::nullopt;
-  const bool fused = row.fma_latency > 0;
-  const double polynomial = fused ? 3 : 6;
-  if (const int evaluators = generator_evaluators(row)) {
-    return 12.0 / evaluators * polynomial + 64 * (fused ? 4 : 5);
-  }
-  if (std::string(row.org) == "basic") return fused ? 384 : 640;
-  return (polynomial + 3 + std::log2(row.n)) * steps(row);
+  return clocks(row, organization_of(row).paper);
+}
+
+std::optional<double> last_accumulation(const Configuration& row) {
+  return clocks(row, organization_of(row).last);
 }
 
 double overlapped_interval(const Configuration& row) {
-  const double polynomial = std::string(row.evaluator) == "iterative" ? 6 : 1;
-  if (const int evaluators = generator_evaluators(row)) {
-    return std::max(64.0, 12.0 / evaluators * polynomial);
-  }
-  return steps(row) * polynomial;
+  return organization_of(row).overlapped(terms_of(row));
 }
 
 double expected_interval(const Configuration& row) {
@@ -58,12 +50,7 @@ double expected_interval(const Configuration& row) {
 }
 
 double scattered_interval(const Configuration& row) {
-  if (!keeps_cell(row)) return expected_interval(row);
-  constexpr int kReadLatency = 2;
-  constexpr int kSteps = 16 + 3 * 64;  // of ffd_eval_former, whose four phases drain
-  const int sum = row.fma_latency > 0 ? row.mul_latency + row.fma_latency + row.add_latency
-                                      : row.mul_latency + 2 * row.add_latency;
-  return kSteps + 4 * (kReadLatency + sum + row.convert_latency) + 2;
+  return clocks(row, organization_of(row).formed).value_or(expected_interval(row));
 }
 
 }  // namespace hwffd

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hwffd/model/schedule.hpp"
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
 namespace hwffd {
@@ -17,8 +17,8 @@ double seam_unit(const Configuration& row) {
 }
 
 double seam_bound(const Configuration& row) {
-  if (!keeps_cell(row)) return 0;
-  return is_float(row) ? 8 : 32;
+  const Organization& organization = organization_of(row);
+  return is_float(row) ? organization.seam_float : organization.seam_fixed;
 }
 
 }  // namespace hwffd

@@ -57,8 +57,7 @@ TEST_P(EachRow, ClocksBetweenTheProbes) {
   for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % 8, 0U) << lane.name;
   if (overlaps(row)) return;
   EXPECT_EQ(static_cast<double>(measured.vertex.clocks), paper_clocks(row));
-  const bool hidden = std::string(row.org) == "tree" && !(row.n == 1 && row.fma_latency > 0);
-  EXPECT_EQ(measured.vertex.final_accumulation, hidden ? 1U : 0U);
+  EXPECT_EQ(static_cast<double>(measured.vertex.final_accumulation), last_accumulation(row));
 }
 
 INSTANTIATE_TEST_SUITE_P(, EachRow, ::testing::ValuesIn(built_rows()), name_of);

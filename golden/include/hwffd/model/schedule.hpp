@@ -6,26 +6,26 @@
 
 namespace hwffd {
 
-/// Whether an organization contracts one axis at a time: `factored`, folded or not.
+// Clocks are the formulas of rtl/organizations.csv; docs/architecture.md section 4 derives them.
+
+/// Whether an organization contracts one axis at a time.
 bool contracts(const Configuration& row);
 
-/// Whether an organization works from coefficients of a cell, formed when its first vertex comes:
-/// `nested`, folded or not.
+/// Whether an organization works from coefficients of a cell, formed when its first vertex comes.
 bool keeps_cell(const Configuration& row);
 
-/// How often the units of an organization are used for one vertex: 3 for `factored/3` and
-/// `nested/3`, else 1.
+/// How often the units of an organization are used for one vertex.
 int folds(const Configuration& row);
 
-/// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4): 640 for `basic`, 72/E + 320
-/// for `cg` with E evaluators, (9 + log2 N) ceil(64/N) for a tree of N units, 15 for `parallel`;
-/// with fused multiply-add 384, 36/E + 256, (6 + log2 N) ceil(64/N) and 12. Nothing for an
-/// organization that the paper does not have.
+/// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
+/// that the paper does not have.
 std::optional<double> paper_clocks(const Configuration& row);
 
-/// Clocks between vertices when steps overlap: one step a clock, or one every 6 clocks with the
-/// iterative evaluator; `cg` no faster than its evaluators fill 12 weights; `factored` and
-/// `nested` 1, `factored/3` and `nested/3` 3. Where an organization keeps a cell, between those of
+/// Clocks of a vertex's last accumulation, which `paper_clocks` does not count since it is hidden
+/// under the next vertex. Nothing where that has nothing.
+std::optional<double> last_accumulation(const Configuration& row);
+
+/// Clocks between vertices when steps overlap; where an organization keeps a cell, between those of
 /// one.
 double overlapped_interval(const Configuration& row);
 

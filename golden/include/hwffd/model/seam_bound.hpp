@@ -9,8 +9,8 @@ namespace hwffd {
 double seam_unit(const Configuration& row);
 
 /// How many units a vertex on a face, edge or corner may differ between the cells that share it,
-/// with the watertight B-spline and finite points: 0 but where an organization keeps a cell
-/// (docs/numerics.md section 5).
+/// with the watertight B-spline and finite points: 0 where the organization is watertight
+/// (rtl/organizations.csv, docs/numerics.md section 5).
 double seam_bound(const Configuration& row);
 
 }  // namespace hwffd

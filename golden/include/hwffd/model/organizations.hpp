@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "hwffd/model/configuration.hpp"
+
+namespace hwffd {
+
+/// How an organization computes eq. (1), which decides what it rounds.
+enum class Form {
+  kProduct,   ///< the sum of ((B_l B_m) B_n) P
+  kFactored,  ///< one axis after the other
+  kNested,    ///< a polynomial of the cell, formed when its first vertex comes
+};
+
+/// What the formulas of rtl/organizations.csv name, in clocks but for `n`.
+struct ClockTerms {
+  double n;         ///< control points a step
+  double poly;      ///< of a polynomial in the paper's unit times: 6, with fused units 3
+  double add;       ///< of an addition behind a multiplication in these: 1, with fused units 0
+  double start;     ///< between polynomials of one evaluator: 1, iterative 6
+  double read;      ///< from a read to its points
+  double contract;  ///< of a sum of four products, narrowed
+};
+
+/// One row of rtl/organizations.csv. A formula may be missing: a null pointer.
+struct Organization {
+  using Clocks = double (*)(const ClockTerms&);
+
+  const char* name;
+  int number;          ///< in the register CONFIG
+  const char* module;  ///< RTL, with the parameters that make it this organization
+  int n;               ///< the one N that it has; 0: the rows choose
+  Form form;
+  int fold;           ///< how often its units are used for one vertex
+  Clocks paper;       ///< of a vertex at the paper's schedule
+  Clocks last;        ///< of the last accumulation, which that formula does not count
+  Clocks overlapped;  ///< between vertices when steps overlap; of one cell, if it keeps one
+  Clocks formed;      ///< between vertices of different cells, if it keeps one
+  double seam_float;  ///< units that cells may differ at seams (`seam_bound`), in binary32
+  double seam_fixed;  ///< the same in other formats
+};
+
+/// Every row of the table, in its order.
+const std::vector<Organization>& organization_table();
+
+/// That of a row. Throws std::invalid_argument where there is none of its name.
+const Organization& organization_of(const Configuration& row);
+
+}  // namespace hwffd

@@ -1,0 +1,30 @@
+#include "hwffd/model/configuration.hpp"
+
+#include <stdexcept>
+
+#include "hwffd/model/organizations.hpp"
+
+namespace hwffd {
+namespace {
+
+template <class Row>
+const Row& find(const std::vector<Row>& rows, const std::string& name, const std::string& what) {
+  std::string names;
+  for (const Row& row : rows) {
+    if (name == row.name) return row;
+    names += (names.empty() ? "" : ", ") + std::string(row.name);
+  }
+  throw std::invalid_argument("no " + what + " named '" + name + "': one of " + names);
+}
+
+}  // namespace
+
+const Configuration& find_configuration(const std::string& name) {
+  return find(configurations(), name, "configuration");
+}
+
+const Organization& organization_of(const Configuration& row) {
+  return find(organization_table(), row.org, "organization");
+}
+
+}  // namespace hwffd
