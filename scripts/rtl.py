@@ -28,6 +28,11 @@ def strip_comments(text):
     return _COMMENT.sub(blank, text)
 
 
+def line_of(text, offset):
+    """Number of the line in which a character stands."""
+    return text.count("\n", 0, offset) + 1
+
+
 def _entries(path):
     """What a file list says, one a line; // comments and blank lines are allowed."""
     lines = (line.split("//")[0].strip() for line in path.read_text().splitlines())

@@ -97,6 +97,11 @@ MARK = "TO" "DO"
 LIST = f"// list\nevaluator/{NAME}.v\n"
 
 
+def lines(count, form="int x{};"):
+    """So many lines, no two of them equal."""
+    return "".join(form.format(number) + "\n" for number in range(count))
+
+
 def replaced(old, new):
     assert old in CLEAN, old
     return {FILE: CLEAN.replace(old, new, 1)}
@@ -184,6 +189,28 @@ PLANTED = [
      {"tb/include/hwffd/tb/bench.hpp": "", "api/src/x.cpp": '#include "hwffd/tb/bench.hpp"\n'}),
     ("one-way", "a folder without include/",
      {"apps/picture/png.hpp": "", "studies/words/x.cpp": '#include "picture/png.hpp"\n'}),
+    ("long-file", "C++", {"golden/src/x.cpp": lines(401)}),
+    ("long-file", "a script", {"scripts/x": "#!/usr/bin/env python3\n" + lines(400, "x = {}")}),
+    ("long-function", "C++", {"tests/x.cpp": f"int f(\n  int x) {{\n{lines(58)}}}\n"}),
+    ("long-function", "a member",
+     {"api/x.hpp": f"namespace x {{\nclass X : Y {{\n  X() : x(0) {{\n{lines(59)}  }}\n}};\n}}\n"}),
+    ("long-function", "Python",
+     {"scripts/x.py": f"class X:\n  def f():\n{lines(60, '    x = {}')}\n"}),
+    ("long-function", "CMake",
+     {"cmake/x.cmake": f"function(x)\n{lines(60, '  x({})')}endfunction()\n"}),
+    ("long-function", "Verilog", inserted(
+        f"  function f;\n    input x;\n    begin\n{lines(60, '  f = {};')}    end\n  endfunction")),
+    ("equal-lines", "two files", {"api/x.cpp": lines(6), "tests/y.cpp": lines(6)}),
+    ("equal-lines", "one file", {"api/x.cpp": lines(6) + "int y;\n" + lines(6)}),
+    ("equal-lines", "between other lines, comments and blanks",
+     {"api/x.cpp": "int y;\n" + lines(6),
+      "tb/x.cpp": lines(6, "  int  x{0};  // {0}\n") + "int z;\n"}),
+    ("equal-lines", "Python",
+     {"scripts/x.py": lines(6, "x = {}"), "tests/y.py": lines(6, "x = {}")}),
+    ("equal-lines", "CMake",
+     {"api/CMakeLists.txt": lines(6, "x({})"), "cmake/y.cmake": lines(6, "x({})")}),
+    ("equal-lines", "Verilog",
+     inserted(lines(6, "  wire x{} = 1;") + "  wire y = 1;\n" + lines(6, "  wire x{} = 1;")[:-1])),
 ]
 
 # what must pass -> files
@@ -206,6 +233,21 @@ PASSES = {
          "tb/src/x.cpp": '#include "hwffd/cores/core.hpp"\n'},
     "an anonymous begin in always":
         inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
+    "400 lines": {"golden/src/x.cpp": lines(400)},
+    "a long file that is generated":
+        {"driver/x.h": "/* Made from x by y */\n" + lines(500)},
+    "60 lines of a function, and long data and namespaces":
+        {"tests/x.cpp": f"namespace x {{\nvoid f(int x) {{\n{lines(58)}}}\n"
+                        f"const char* y = \"(){{\";\nX z[] = {{\n{lines(61, 'w{},')}}};\n}}\n"},
+    "five equal lines": {"api/x.cpp": lines(5), "tests/y.cpp": lines(5)},
+    "equal comments and brackets":
+        {"api/x.cpp": lines(9, "// {}") + "}\n" * 7, "tests/y.cpp": lines(9, "// {}") + "}\n" * 7},
+    "equal includes":
+        {"api/x.cpp": lines(7, "#include <{}>"), "api/y.cpp": lines(7, "#include <{}>")},
+    "equal ports and connections":
+        {"tests/x.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),"),
+         "tests/y.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),")},
+    "the same line many times": {"api/x.cpp": "x(y,\n" * 11},
 }
 
 
