@@ -6,6 +6,7 @@
 
 #include "hwffd/tb/stream_bench.hpp"
 #include "loopback_core.hpp"
+#include "named.hpp"
 
 namespace hwffd::tb {
 namespace {
@@ -99,8 +100,7 @@ const Case kCases[] = {
      "beat 0, cycle"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Flaws, PlantedFlaw, testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Flaws, PlantedFlaw, testing::ValuesIn(kCases), test::by_name);
 
 TEST(Watchdog, LimitsTheWholeRun) {
   LoopbackCore core(5);

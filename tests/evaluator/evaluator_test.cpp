@@ -13,21 +13,15 @@
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
 #include "hwffd/tb/random.hpp"
+#include "named.hpp"
 
-namespace hwffd {
-
-inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
-
-namespace test {
+namespace hwffd::test {
 namespace {
 
 /// The rows that this build has and that keep a cell.
 std::vector<Configuration> cell_rows() {
-  std::vector<Configuration> built;
-  for (const Configuration& row : configurations()) {
-    if (keeps_cell(row) && cores::has_evaluator_core(row)) built.push_back(row);
-  }
-  return built;
+  return rows_where(
+      [](const Configuration& row) { return keeps_cell(row) && cores::has_evaluator_core(row); });
 }
 
 /// The rows that this build has, or those of one schedule.
@@ -203,16 +197,9 @@ TEST_P(PaperSchedule, DoesNotOverlap) {
   }
 }
 
-std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), name_of);
-INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), name_of);
-INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), name_of);
+INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), by_name);
 
 }  // namespace
-}  // namespace test
-}  // namespace hwffd
+}  // namespace hwffd::test

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "mass_spring/scenario.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd::mass_spring {
 namespace {
@@ -40,14 +40,11 @@ TEST(MassSpring, EnergyIsThatOfTheSprings) {
   const Point moved = box().point(0, 0, 0) - Point(0.5, 0, 0);
   body.hold(box().index(0, 0, 0), moved);
   double expected = 0.0;
-  int springs = 0;
   for (int n = 1; n < 8; ++n) {  // the neighbours of a corner, those of diagonals included
     const Point to = box().point(n >> 2 & 1, n >> 1 & 1, n & 1);
     const double longer = (to - moved).norm() - (to - box().point(0, 0, 0)).norm();
     expected += 100.0 * longer * longer / 2;
-    ++springs;
   }
-  EXPECT_EQ(springs, 7);
   EXPECT_NEAR(body.elastic_energy(), expected, 1e-12 * expected);
   EXPECT_EQ(body.kinetic_energy(), 0.0);
 }
@@ -69,7 +66,6 @@ TEST(MassSpring, WithDampingEnergyOnlyFallsAndMomentumStaysZero) {
   const double before = body.energy();
   double energy = before;
   double fastest = 0.0;
-  int checked = 0;
   for (int i = 0; i < 1000; ++i) {
     body.step(kStep);
     ASSERT_LE(body.energy(), energy) << i;
@@ -77,9 +73,7 @@ TEST(MassSpring, WithDampingEnergyOnlyFallsAndMomentumStaysZero) {
     fastest = std::max(fastest, body.kinetic_energy());
     ASSERT_LE(body.momentum().norm(), 1e-9) << i;
     ASSERT_LE(body.angular_momentum().norm(), 1e-9) << i;
-    ++checked;
   }
-  EXPECT_EQ(checked, 1000);
   EXPECT_LT(energy, 0.01 * before);
   EXPECT_GT(fastest, 0.1 * before) << "it did move";
 }
@@ -147,8 +141,8 @@ TEST_F(PullAndRelease, TheTopIsPulledAsideAndSwingsBeyondItsPlace) {
 
 TEST(PullAndReleaseErrors, TooLittleIsRefused) {
   const Lattice low = Box(Point(0, 0, 0), Point(1, 1, 1).asDiagonal()).lattice({5, 4, 5});
-  expect_part(message_of<Error>([&] { pull_and_release(low, 24); }), "5 points along t");
-  expect_part(message_of<Error>([] { pull_and_release(box(), 3); }), "4 frames");
+  EXPECT_ERROR_PART(pull_and_release(low, 24), "5 points along t");
+  EXPECT_ERROR_PART(pull_and_release(box(), 3), "4 frames");
 }
 
 }  // namespace

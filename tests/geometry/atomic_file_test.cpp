@@ -9,6 +9,7 @@
 
 #include <chrono>
 
+#include "errors.hpp"
 #include "temp_folder.hpp"
 #include "unprivileged.hpp"
 
@@ -72,17 +73,13 @@ TEST(AtomicFile, FullDiskChangesNothing) {
 
 TEST(AtomicFile, MissingFolderAndFolderAsTarget) {
   const TempFolder folder;
-  EXPECT_EQ(message_of<Error>([&] {
-              write_files({{folder / "no/one", "new"}});
-            }),
-            (folder / "no/one").string() +
-                ": cannot write: No such file or directory; check that "
-                "the folder exists, is writable and has room");
+  EXPECT_ERROR(write_files({{folder / "no/one", "new"}}),
+               (folder / "no/one").string() +
+                   ": cannot write: No such file or directory; check that "
+                   "the folder exists, is writable and has room");
   std::filesystem::create_directory(folder / "two");
-  expect_part(message_of<Error>([&] {
-                write_files({{folder / "one", "new"}, {folder / "two", "new"}});
-              }),
-              (folder / "two").string() + ": cannot write: Is a directory");
+  EXPECT_ERROR_PART(write_files({{folder / "one", "new"}, {folder / "two", "new"}}),
+                    (folder / "two").string() + ": cannot write: Is a directory");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"two"}));
 }
 
@@ -102,12 +99,10 @@ TEST(AtomicFile, FullDeviceChangesNothing) {
   const TempFolder folder;
   folder.write("one", "old one");
   std::filesystem::create_symlink("/dev/full", folder / "full");
-  EXPECT_EQ(message_of<Error>([&] {
-              write_files({{folder / "one", "new one"}, {folder / "full", "lost"}});
-            }),
-            (folder / "full").string() +
-                ": cannot write: No space left on device; check that the folder exists, is "
-                "writable and has room");
+  EXPECT_ERROR(write_files({{folder / "one", "new one"}, {folder / "full", "lost"}}),
+               (folder / "full").string() +
+                   ": cannot write: No space left on device; check that the folder exists, is "
+                   "writable and has room");
   EXPECT_EQ(read_text(folder / "one"), "old one");
   EXPECT_TRUE(std::filesystem::is_character_file(folder / "full"));
   EXPECT_EQ(folder.files(), (std::set<std::string>{"full", "one"}));
@@ -131,10 +126,9 @@ TEST(AtomicFile, LinkToNowhereCreatesWhereItLeads) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
   EXPECT_EQ(read_text(folder / "far/one"), "new one");
   std::filesystem::create_symlink("loop", folder / "loop");
-  expect_part(message_of<Error>([&] {
-                write_files({{folder / "loop", "new"}});
-              }),
-              (folder / "loop").string() + ": cannot write: Too many levels of symbolic links");
+  EXPECT_ERROR_PART(
+      write_files({{folder / "loop", "new"}}),
+      (folder / "loop").string() + ": cannot write: Too many levels of symbolic links");
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "loop"));
 }
 
@@ -175,11 +169,8 @@ TEST(AtomicFile, ReadOnlyFileIsRefused) {
   ASSERT_EQ(::chmod((folder / "two").c_str(), 0444), 0);
   const std::string refused =
       (folder / "two").string() + ": is read-only; make it writable or choose another name";
-  EXPECT_EQ(message_of<Error>([&] {
-              write_files({{folder / "one", "new"}, {folder / "two", "new"}});
-            }),
-            refused);
-  EXPECT_EQ(message_of<Error>([&] { check_writable(folder / "two"); }), refused);
+  EXPECT_ERROR(write_files({{folder / "one", "new"}, {folder / "two", "new"}}), refused);
+  EXPECT_ERROR(check_writable(folder / "two"), refused);
   EXPECT_EQ(read_text(folder / "one"), "old one");
   EXPECT_EQ(read_text(folder / "two"), "old two");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"}));
@@ -191,10 +182,9 @@ TEST(AtomicFile, PlacesAreCheckedBeforeTheWork) {
   check_writable(folder / "one");
   check_writable(folder / "new");
   check_writable("/dev/full");
-  expect_part(message_of<Error>([&] { check_writable(folder / "no/one"); }),
-              "no/one: cannot write: No such file or directory");
-  expect_part(message_of<Error>([&] { check_writable(folder / ""); }),
-              ": cannot write: Is a directory");
+  EXPECT_ERROR_PART(check_writable(folder / "no/one"),
+                    "no/one: cannot write: No such file or directory");
+  EXPECT_ERROR_PART(check_writable(folder / ""), ": cannot write: Is a directory");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
 }
 
@@ -242,10 +232,8 @@ TEST(AtomicFile, ReadOnlyFolder) {
   std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
   const Unprivileged nobody;
   if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
-  expect_part(message_of<Error>([&] {
-                write_files({{folder / "one", "new one"}});
-              }),
-              (folder / "one").string() + ": cannot write: Permission denied; check that");
+  EXPECT_ERROR_PART(write_files({{folder / "one", "new one"}}),
+                    (folder / "one").string() + ": cannot write: Permission denied; check that");
   EXPECT_EQ(read_text(folder / "one"), "old one");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
 }

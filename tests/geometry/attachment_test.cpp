@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "embed/samples.hpp"
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "temp_folder.hpp"
+#include "named.hpp"
 
 namespace hwffd {
 namespace {
@@ -76,14 +77,13 @@ TEST(Attachment, OutsideFollowsTheNearestPlace) {
 TEST(Attachment, RefusesWhatItCannotPlace) {
   Points points = four_points();
   const Attachment keep = attached(unit_box(), points, "keep");
-  EXPECT_EQ(message_of<Error>([&] { keep.follow(Points::Zero(3, 3)); }),
-            "3 evaluated places given; give 2, one for each of places()");
+  EXPECT_ERROR(keep.follow(Points::Zero(3, 3)),
+               "3 evaluated places given; give 2, one for each of places()");
   const Lattice other = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
-  EXPECT_EQ(message_of<Error>([&] { keep.gradients(other); }),
-            "deformed lattice has 4 x 4 x 4 points; give 5 x 4 x 4");
+  EXPECT_ERROR(keep.gradients(other), "deformed lattice has 4 x 4 x 4 points; give 5 x 4 x 4");
   points(2, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(message_of<Error>([&] { attached(unit_box(), points, "clamp"); }),
-            "point 2 is not finite; give finite coordinates");
+  EXPECT_ERROR(attached(unit_box(), points, "clamp"),
+               "point 2 is not finite; give finite coordinates");
 }
 
 /// Points a hair inside and outside the faces where a lattice ends.
@@ -202,7 +202,7 @@ TEST_P(AttachmentKind, GradientsAgainstCentralDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AttachmentKind, testing::ValuesIn(embed::lattice_kinds()),
-                         [](const auto& info) { return info.param; });
+                         test::by_name);
 
 TEST(Attachment, GradientsOutside) {
   const Points points = four_points();
@@ -227,8 +227,8 @@ TEST(Attachment, GradientsFromDerivativesOfAnother) {
   }
   EXPECT_EQ(attachment.gradients(jacobians), attachment.gradients(deformed));
   jacobians.pop_back();
-  EXPECT_EQ(message_of<Error>([&] { attachment.gradients(jacobians); }),
-            "1 derivatives for 2 places; give one for each place");
+  EXPECT_ERROR(attachment.gradients(jacobians),
+               "1 derivatives for 2 places; give one for each place");
 }
 
 TEST(Attachment, TornEdgesAreCountedOnce) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "errors.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
@@ -46,7 +46,6 @@ TEST(Box, CellsFillTheBox) {
 /// A regular lattice deforms nothing (identity), and point() undoes embed().
 TEST(Box, RegularLatticeIsTheIdentity) {
   const Box box = slanted();
-  int checked = 0;
   for (const Index3& dims : {Index3{4, 4, 4}, Index3{4, 5, 6}, Index3{16, 7, 4}}) {
     const Lattice lattice = box.lattice(dims);
     std::mt19937_64 random(3);
@@ -60,10 +59,8 @@ TEST(Box, RegularLatticeIsTheIdentity) {
       EXPECT_LE(e.local.maxCoeff(), 1.0);
       EXPECT_LT((box.point(dims, e) - p).norm(), 1e-13);
       EXPECT_LT((through_oracle(lattice, e) - p).norm(), 1e-13);
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 1500);
 }
 
 /// A lattice moved by an affine map moves every embedded point by that map.
@@ -77,15 +74,13 @@ TEST(Box, AffineMapMovesEmbeddedPoints) {
   const Points moved = (before.points() * linear.transpose()).rowwise() + shift;
   const Lattice after(dims, moved);
   std::mt19937_64 random(4);
-  int checked = 0;
-  for (; checked < 300; ++checked) {
+  for (int i = 0; i < 300; ++i) {
     Eigen::Vector3d at;
     for (int a = 0; a < 3; ++a) at[a] = static_cast<double>(random() >> 11) * 0x1p-53;
     const Point p = box.origin() + box.edges() * at;
     const Point expected = linear * p + shift.transpose();
     EXPECT_LT((through_oracle(after, box.embed(dims, p)) - expected).norm(), 1e-13);
   }
-  EXPECT_EQ(checked, 300);
 }
 
 TEST(Box, FacesBetweenCellsAndLastFace) {
@@ -175,14 +170,14 @@ TEST(Box, Refuses) {
   flat.col(2) = flat.col(0) + flat.col(1);
   const std::string volume =
       "box lattice: its three edges span no volume; give finite edges in three directions";
-  EXPECT_EQ(message_of<Error>([&] { Box(Point::Zero(), flat); }), volume);
-  EXPECT_EQ(message_of<Error>([&] { Box(Point::Zero(), Eigen::Matrix3d::Zero()); }), volume);
+  EXPECT_ERROR(Box(Point::Zero(), flat), volume);
+  EXPECT_ERROR(Box(Point::Zero(), Eigen::Matrix3d::Zero()), volume);
   const double inf = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(message_of<Error>([&] { Box(Point(inf, 0, 0), Eigen::Matrix3d::Identity()); }), volume);
+  EXPECT_ERROR(Box(Point(inf, 0, 0), Eigen::Matrix3d::Identity()), volume);
   const std::string bounds = "box lattice: no bounding box; give at least one point, all finite";
-  EXPECT_EQ(message_of<Error>([] { Box::around(Points(0, 3)); }), bounds);
-  EXPECT_EQ(message_of<Error>([&] { Box::around(Points::Constant(2, 3, inf)); }), bounds);
-  expect_part(message_of<Error>([] { slanted().lattice({4, 4, 3}); }), "4 to 16 points");
+  EXPECT_ERROR(Box::around(Points(0, 3)), bounds);
+  EXPECT_ERROR(Box::around(Points::Constant(2, 3, inf)), bounds);
+  EXPECT_ERROR_PART(slanted().lattice({4, 4, 3}), "4 to 16 points");
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 #include <random>
 
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/sphere.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
@@ -75,8 +75,8 @@ TEST(Closure, RestoreLeavesTheRestAlone) {
 TEST(Closure, RefusesOtherDimensions) {
   const Lattice tube = Cylinder(Point::Ones(), kUnit).lattice({4, 5, 8});
   const Lattice other = Cylinder(Point::Ones(), kUnit).lattice({5, 5, 8});
-  EXPECT_EQ(message_of<Error>([&] { Closure(tube).restore(other); }),
-            "lattice to close has 5 x 5 x 8 points; give 4 x 5 x 8");
+  EXPECT_ERROR(Closure(tube).restore(other),
+               "lattice to close has 5 x 5 x 8 points; give 4 x 5 x 8");
 }
 
 }  // namespace

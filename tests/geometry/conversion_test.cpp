@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <random>
 
-#include "hwffd/error.hpp"
+#include "errors.hpp"
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
@@ -78,21 +78,15 @@ TEST(Conversion, OnlyTowardsFamiliesThatSpanTheCubics) {
   const auto raised = conversion(Oracle::linear(), Oracle::bernstein());
   EXPECT_NEAR(raised(1, 1), 2.0 / 3, 1e-14);
   EXPECT_NEAR(raised(1, 2), 1.0 / 3, 1e-14);
-  int refused = 0;
   for (const char* name : {"linear", "constant"}) {
-    try {
-      conversion(Oracle::bernstein(), Oracle::family(name));
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("do not span the cubics"), std::string::npos);
-      ++refused;
-    }
+    EXPECT_ERROR_PART(conversion(Oracle::bernstein(), Oracle::family(name)),
+                      "do not span the cubics");
   }
   Oracle::Coefficients twice = Oracle::bernstein();
   twice.row(2) = twice.row(1);
   EXPECT_THROW(conversion(Oracle::bernstein(), twice), Error);
   twice(2, 2) = std::nan("");
   EXPECT_THROW(conversion(Oracle::bernstein(), twice), Error);
-  EXPECT_EQ(refused, 2);
 }
 
 struct Bound {
@@ -159,16 +153,13 @@ TEST(Conversion, OperationsThatTheCoefficientFileSaves) {
   const Operations none = count(conversion(Oracle::bernstein(), Oracle::bernstein()));
   EXPECT_EQ(none.multiplications, 0);
   EXPECT_EQ(none.additions, 0);
-  int printed = 0;
   for (const char* from : kCubics) {
     for (const char* to : kCubics) {
       const Operations o = count(conversion(Oracle::family(from), Oracle::family(to)));
       std::printf("%s -> %s: %d, %d\n", from, to, o.multiplications, o.additions);
       EXPECT_LE(o.multiplications, full.multiplications);
-      ++printed;
     }
   }
-  EXPECT_EQ(printed, 16);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Deformations of every kind on lattices of every shape.
 #include <gtest/gtest.h>
 
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
@@ -71,7 +72,6 @@ void expect_joints(const Lattice& rest, const Lattice& moved, const std::string&
 }
 
 TEST(DeformationKinds, JointsStayAndMildOnesDoNotFold) {
-  int proved = 0;
   for (const Shape& shape : shapes()) {
     for (const std::string& text : mild()) {
       const std::string what = shape.name + (" " + text);
@@ -80,37 +80,29 @@ TEST(DeformationKinds, JointsStayAndMildOnesDoNotFold) {
       expect_joints(shape.lattice, moved, what);
       const FoldCheck folds = check_folds(moved);
       EXPECT_EQ(folds.verdict, FoldCheck::Verdict::kProved) << what << ": " << folds.text();
-      if (folds.verdict == FoldCheck::Verdict::kProved) ++proved;
     }
   }
-  EXPECT_EQ(proved, 60);
 }
 
 TEST(DeformationKinds, JointsStayUnderStrongOnes) {
-  int checked = 0;
   for (const Shape& shape : shapes()) {
     for (const std::string text :
          {"random:3", "twist:170", "twist:170:z", "helix:400", "bend:300", "bend:300:zx", "taper:0",
           "scale:-2,3,0.1", "move:0,0,0:1,2,3", "move:1,1,8:1,2,3"}) {
       if (shape.name == std::string("box") && text == "move:1,1,8:1,2,3") continue;
       expect_joints(shape.lattice, deform(text, shape.lattice), shape.name + (" " + text));
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 49);
 }
 
 TEST(DeformationKinds, NeutralOnesMoveNothing) {
-  int checked = 0;
   for (const Shape& shape : shapes()) {
     for (const std::string text : {"twist:0", "twist:0:x", "helix:0", "shear:0", "bend:0",
                                    "taper:1", "scale:1", "scale:1,1,1", "move:0,0,0:0,0,0"}) {
       const Points difference = deform(text, shape.lattice).points() - shape.lattice.points();
       EXPECT_LT(difference.norm(), kTiny) << shape.name << " " << text;
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 45);
 }
 
 /// In a lattice with joints twist and shear are functions of position: with v the height within the
@@ -146,10 +138,9 @@ TEST(DeformationKinds, KnownTaperScaleAndMove) {
   const Lattice tapered = deform("taper:0.5", cube());
   const Lattice scaled = deform("scale:2,1,-1", cube());
   const Lattice moved = deform("move:1,2,3:0.5,-1,4", cube());
-  int checked = 0;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 4; ++k, ++checked) {
+      for (int k = 0; k < 4; ++k) {
         const double f = 1 - 0.5 * j / 3;
         const Point taper(1.5 + f * (i - 1.5), j, 1.5 + f * (k - 1.5));
         EXPECT_LT((tapered.point(i, j, k) - taper).norm(), kTiny);
@@ -160,7 +151,6 @@ TEST(DeformationKinds, KnownTaperScaleAndMove) {
       }
     }
   }
-  EXPECT_EQ(checked, 64);
 }
 
 /// The lattice with its axes renamed, in space and in the index: axis a becomes to[a].
@@ -191,7 +181,6 @@ TEST(DeformationKinds, AxesOnlyChangeTheirNames) {
     Index3 to;  ///< what x, y, z are called
   };
   const std::vector<Names> turns{{":y", {0, 1, 2}}, {":z", {1, 2, 0}}, {":x", {2, 0, 1}}};
-  int checked = 0;
   for (const Shape& shape : shapes()) {
     for (const std::string text : {"twist:50", "helix:50", "bend:50", "taper:0.5"}) {
       const Lattice moved = deform(text, shape.lattice);
@@ -199,7 +188,6 @@ TEST(DeformationKinds, AxesOnlyChangeTheirNames) {
         const Lattice got = deform(text + names.axis, renamed(shape.lattice, names.to));
         EXPECT_LT((got.points() - renamed(moved, names.to).points()).norm(), 1e-12)
             << shape.name << " " << text << names.axis;
-        ++checked;
       }
     }
     const Index3 mirror{2, 1, 0};
@@ -207,7 +195,6 @@ TEST(DeformationKinds, AxesOnlyChangeTheirNames) {
     const Lattice expected = renamed(deform("bend:50:yx", shape.lattice), mirror);
     EXPECT_LT((mirrored.points() - expected.points()).norm(), 1e-12) << shape.name;
   }
-  EXPECT_EQ(checked, 60);
 }
 
 /// Naming a repeated point or the point that it repeats is the same.
@@ -235,14 +222,12 @@ TEST(DeformationKinds, RefusesWhatDoesNotFit) {
   const TempFolder folder;
   write_lattice(folder / "cube.json", cube());
   const std::string file = (folder / "cube.json").string();
-  EXPECT_EQ(message_of<Error>([&] { deform("to:" + file, shapes()[0].lattice); }),
-            "deformation to:" + file + ": that lattice has 4 x 4 x 4 points; give 5 x 6 x 7");
-  expect_part(message_of<Error>([&] { deform("to:" + (folder / "none.json").string(), cube()); }),
-              "none.json");
-  EXPECT_EQ(message_of<Error>([&] { deform("move:0,4,0:1,0,0", cube()); }),
-            "deformation move: no point 0,4,0 in a lattice of 4 x 4 x 4 points; count from 0");
-  expect_part(message_of<Error>([&] { deform("scale:1e308", deform("scale:9", cube())); }),
-              "is not finite");
+  EXPECT_ERROR(deform("to:" + file, shapes()[0].lattice),
+               "deformation to:" + file + ": that lattice has 4 x 4 x 4 points; give 5 x 6 x 7");
+  EXPECT_ERROR_PART(deform("to:" + (folder / "none.json").string(), cube()), "none.json");
+  EXPECT_ERROR(deform("move:0,4,0:1,0,0", cube()),
+               "deformation move: no point 0,4,0 in a lattice of 4 x 4 x 4 points; count from 0");
+  EXPECT_ERROR_PART(deform("scale:1e308", deform("scale:9", cube())), "is not finite");
 }
 
 TEST(DeformationKinds, OneAfterTheOther) {

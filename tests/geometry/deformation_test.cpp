@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
@@ -60,9 +60,8 @@ TEST(Deformation, ParsesDefaultsAndArguments) {
 }
 
 TEST(Deformation, ParsesAxes) {
-  int checked = 0;
   for (const std::string kind : {"twist", "helix", "bend", "taper"}) {
-    for (int axis = 0; axis < 3; ++axis, ++checked) {
+    for (int axis = 0; axis < 3; ++axis) {
       const Deformation one = Deformation::parse(kind + ":-3.5:" + "xyz"[axis]);
       EXPECT_EQ(one.amount(), -3.5) << kind;
       EXPECT_EQ(one.arguments().axis, axis) << kind;
@@ -70,19 +69,15 @@ TEST(Deformation, ParsesAxes) {
     EXPECT_EQ(Deformation::parse(kind).arguments().axis, 1);
     EXPECT_EQ(Deformation::parse(kind + ":1").arguments().axis, 1);
   }
-  EXPECT_EQ(checked, 12);
   EXPECT_EQ(Deformation::parse("bend:1").arguments().towards, 0);
   EXPECT_EQ(Deformation::parse("bend:1:x").arguments().towards, 2);
   EXPECT_EQ(Deformation::parse("bend:1:yz").arguments().axis, 1);
   EXPECT_EQ(Deformation::parse("bend:1:yz").arguments().towards, 2);
-  int refused = 0;
   for (const std::string text :
        {"twist:90:", "twist:90:w", "twist:90:yz", "twist::y", "twist:y", "twist:90:x:y",
         "helix:90:Y", "taper:1:xy", "bend:90:yy", "bend:90:xyz", "bend:90:y,", "shear:1:x"}) {
-    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }), "' is not ");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(Deformation::parse(text), "' is not ");
   }
-  EXPECT_EQ(refused, 12);
 }
 
 /// Angles whose own rounding would show, and factors that leave no volume.
@@ -90,14 +85,14 @@ TEST(Deformation, RefusesWhatCannotBeMeant) {
   for (const std::string kind : {"twist:", "helix:", "bend:"}) {
     EXPECT_EQ(Deformation::parse(kind + "-1e6").amount(), -1e6);
     for (const std::string degrees : {"1e308", "-1.1e6"}) {
-      expect_part(message_of<UsageError>([&] { Deformation::parse(kind + degrees); }),
-                  "'" + degrees + "' is not DEGREES, up to 1e6, or DEGREES:AX");
+      EXPECT_USAGE_ERROR_PART(Deformation::parse(kind + degrees),
+                              "'" + degrees + "' is not DEGREES, up to 1e6, or DEGREES:AX");
     }
   }
   for (const std::string factors : {"0", "-0.0", "1,0,1"}) {
-    EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse("scale:" + factors); }),
-              start_of("scale:" + factors) + ": '" + factors +
-                  "' is not one finite number other than 0, or three");
+    EXPECT_USAGE_ERROR(Deformation::parse("scale:" + factors),
+                       start_of("scale:" + factors) + ": '" + factors +
+                           "' is not one finite number other than 0, or three");
   }
 }
 
@@ -112,47 +107,36 @@ TEST(Deformation, MessagesAreShort) {
 TEST(Deformation, UnknownNamesListWhatIsAccepted) {
   const std::string accepted =
       "one of none, twist, helix, shear, bend, taper, scale, random, move, to";
-  int refused = 0;
   for (const std::string text : {"", "wobble", "twister:3", "Twist", " twist", ":90"}) {
-    EXPECT_EQ(message_of<UsageError>([&] { Deformation::parse(text); }),
-              start_of(text) + " is unknown; " + accepted);
-    ++refused;
+    EXPECT_USAGE_ERROR(Deformation::parse(text), start_of(text) + " is unknown; " + accepted);
   }
-  EXPECT_EQ(refused, 6);
-  EXPECT_EQ(message_of<UsageError>([] { Deformation::parse("none:1"); }),
-            "deformation 'none:1': none takes no argument");
+  EXPECT_USAGE_ERROR(Deformation::parse("none:1"), "deformation 'none:1': none takes no argument");
 }
 
 TEST(Deformation, ArgumentsMustBeNumbers) {
-  int refused = 0;
   for (const std::string argument : {"", "ninety", "90deg", "1,5", "nan", "inf", "1e999", " 1"}) {
     const std::string text = "twist:" + argument;
-    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }),
-                start_of(text).append(": '").append(argument) + "' is not DEGREES, up to 1e6, or ");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(
+        Deformation::parse(text),
+        start_of(text).append(": '").append(argument) + "' is not DEGREES, up to 1e6, or ");
   }
   for (const std::string argument : {"", "1.5", "-1", "x", "18446744073709551616"}) {
-    expect_part(message_of<UsageError>([&] { Deformation::parse("random:" + argument); }),
-                "'" + argument + "' is not an integer from 0 to 2^64 - 1");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(Deformation::parse("random:" + argument),
+                            "'" + argument + "' is not an integer from 0 to 2^64 - 1");
   }
   for (const std::string argument : {"", "1,2", "1,2,3,4", "1,,3", "x", "1,2,inf"}) {
-    expect_part(message_of<UsageError>([&] { Deformation::parse("scale:" + argument); }),
-                "'" + argument + "' is not one finite number other than 0, or three");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(Deformation::parse("scale:" + argument),
+                            "'" + argument + "' is not one finite number other than 0, or three");
   }
   for (const std::string argument : {"", "0,0,0", "0,0:1,1,1", "0,0,-1:1,1,1", "0,0,0:1,1",
                                      "0,0,0.5:1,1,1", "0,0,0:1,1,nan", "0,0,0:1,1,1:2"}) {
-    expect_part(message_of<UsageError>([&] { Deformation::parse("move:" + argument); }),
-                "'" + argument + "' is not I,J,K:DX,DY,DZ, a point and three finite numbers");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(
+        Deformation::parse("move:" + argument),
+        "'" + argument + "' is not I,J,K:DX,DY,DZ, a point and three finite numbers");
   }
   for (const std::string text : {"move", "to", "to:"}) {
-    expect_part(message_of<UsageError>([&] { Deformation::parse(text); }),
-                start_of(text) + ": '' is not ");
-    ++refused;
+    EXPECT_USAGE_ERROR_PART(Deformation::parse(text), start_of(text) + ": '' is not ");
   }
-  EXPECT_EQ(refused, 30);
 }
 
 TEST(Deformation, UsageErrorsEndWithStatusTwo) {
@@ -168,13 +152,10 @@ TEST(Deformation, UsageErrorsEndWithStatusTwo) {
 
 TEST(Deformation, NothingMoves) {
   const Lattice lattice = cube();
-  int checked = 0;
   for (const std::string text : {"none", "twist:0", "helix:0", "shear:0", "bend:0", "taper:1",
                                  "scale:1", "move:1,2,3:0,0,0"}) {
     EXPECT_LT((deform(text, lattice).points() - lattice.points()).norm(), kTiny) << text;
-    ++checked;
   }
-  EXPECT_EQ(checked, 8);
 }
 
 /// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the
@@ -185,11 +166,9 @@ TEST(Deformation, TwistTurnsTheTopCorners) {
   expect_point(twisted.point(3, 3, 0), Point(0, 3, 0));
   expect_point(twisted.point(3, 3, 3), Point(3, 3, 0));
   expect_point(twisted.point(0, 3, 3), Point(3, 3, 3));
-  int still = 0;
   for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 4; ++k, ++still) expect_point(twisted.point(i, 0, k), Point(i, 0, k));
+    for (int k = 0; k < 4; ++k) expect_point(twisted.point(i, 0, k), Point(i, 0, k));
   }
-  EXPECT_EQ(still, 16);
   // A third of the way up: two thirds of (3, 0) and one third of (0, 0) in x and z.
   expect_point(twisted.point(3, 1, 0), Point(2, 1, 0));
   // Inside the top layer: bilinear between its corners, (1, 2) turned about (1.5, 1.5).
@@ -202,10 +181,9 @@ TEST(Deformation, TwistInterpolatesTheCorners) {
   const Index3 dims{4, 6, 5};
   const Lattice start = Box(Point(-2, 0.5, 3), Eigen::Vector3d(2, 3, 5).asDiagonal()).lattice(dims);
   const Lattice twisted = deform("twist:50", start);
-  int checked = 0;
   for (int i = 0; i < dims[0]; ++i) {
     for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k, ++checked) {
+      for (int k = 0; k < dims[2]; ++k) {
         Point expected = Point::Zero();
         for (int c = 0; c < 8; ++c) {
           const double a = (c & 4) != 0 ? i / 3.0 : 1.0 - i / 3.0;
@@ -219,7 +197,6 @@ TEST(Deformation, TwistInterpolatesTheCorners) {
       }
     }
   }
-  EXPECT_EQ(checked, 120);
   const Point corner = start.point(3, 5, 0) - Point(-1, 0, 5.5);
   const double angle = 50.0 / kDegreesPerRadian;
   expect_point(twisted.point(3, 5, 0) - Point(-1, 0, 5.5),
@@ -253,7 +230,6 @@ TEST(Deformation, CentralThirdSees36Point9Degrees) {
 /// What the cells hold turns by the whole angle from their bottom to their top. Layers h apart draw
 /// it towards the axis by (2 + cos h) / 3.
 TEST(Deformation, HelixTurnsWhatTheCellsHold) {
-  int checked = 0;
   for (const int layers : {4, 5, 9, 16}) {
     const Lattice start =
         Box(Point(1, 5, 1), Eigen::Vector3d(1, 3, 1).asDiagonal()).lattice({4, layers, 4});
@@ -261,7 +237,7 @@ TEST(Deformation, HelixTurnsWhatTheCellsHold) {
       const Lattice turned = deform("helix:" + std::to_string(degrees), start);
       const double step = degrees / (layers - 3) / kDegreesPerRadian;
       const double radius = 0.5 * (2.0 + std::cos(step)) / 3.0;
-      for (int face = 0; face < layers - 2; ++face, ++checked) {
+      for (int face = 0; face < layers - 2; ++face) {
         const int cell = std::min(face, layers - 4);
         // At rest on the line x = 2, z = 1.5, half a unit from the axis.
         const Point q = Oracle().evaluate(turned.support({0, cell, 0}), 1.0, face - cell, 0.5);
@@ -271,21 +247,18 @@ TEST(Deformation, HelixTurnsWhatTheCellsHold) {
       }
     }
   }
-  EXPECT_EQ(checked, 3 * (2 + 3 + 7 + 14));
 }
 
 TEST(Deformation, ShearLowersLeftAndLiftsRight) {
   const Lattice sheared = deform("shear:0.5", cube());
-  int checked = 0;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 4; ++k, ++checked) {
+      for (int k = 0; k < 4; ++k) {
         const double lift = 1.5 * (2.0 * i / 3.0 - 1.0) * (1.0 - j / 3.0);
         expect_point(sheared.point(i, j, k), Point(i, j + lift, k));
       }
     }
   }
-  EXPECT_EQ(checked, 64);
   EXPECT_LT(sheared.point(0, 0, 0).y(), 0.0);
   EXPECT_GT(sheared.point(3, 0, 0).y(), 0.0);
 }
@@ -293,11 +266,9 @@ TEST(Deformation, ShearLowersLeftAndLiftsRight) {
 TEST(Deformation, BendMakesAnArc) {
   const Lattice bent = deform("bend:90", cube());
   const double radius = 3.0 / (90.0 / kDegreesPerRadian);
-  int still = 0;
   for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 4; ++k, ++still) expect_point(bent.point(i, 0, k), Point(i, 0, k));
+    for (int k = 0; k < 4; ++k) expect_point(bent.point(i, 0, k), Point(i, 0, k));
   }
-  EXPECT_EQ(still, 16);
   // The top layer has turned by 90 degrees towards +x: its points lie on a vertical line.
   expect_point(bent.point(0, 3, 1), Point(1.5 + radius, radius + 1.5, 1));
   expect_point(bent.point(3, 3, 1), Point(1.5 + radius, radius - 1.5, 1));

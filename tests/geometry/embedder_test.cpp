@@ -9,12 +9,13 @@
 #include "embed/report.hpp"
 #include "embed/samples.hpp"
 #include "embed/study.hpp"
+#include "errors.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/sphere.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "temp_folder.hpp"
+#include "named.hpp"
 
 namespace hwffd {
 namespace {
@@ -83,8 +84,7 @@ TEST_P(EmbedderKind, MeshesAreEmbedded) {
   if (meshes == 0) GTEST_SKIP() << "no cat.3ds, horse.3ds or bunny.obj; package glmark2-data";
 }
 
-INSTANTIATE_TEST_SUITE_P(, EmbedderKind, testing::ValuesIn(embed::lattice_kinds()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(, EmbedderKind, testing::ValuesIn(embed::lattice_kinds()), test::by_name);
 
 /// Coarse, stretched and far away: three cells around, one along each other axis it allows.
 TEST(Embedder, ExtremeLatticesComeBack) {
@@ -134,7 +134,6 @@ TEST(Embedder, FindsWhatPlainNewtonMisses) {
 
 TEST(Embedder, OutsideIsProvedAndNear) {
   const Embedder ball(Sphere(Point(1, 2, 3), kUnit).lattice({4, 9, 16}));
-  int checked = 0;
   for (int n = 0; n < 400; ++n) {
     const double angle = 0.7 * n;
     const double height = 2.0 * n / 400 - 1;
@@ -145,11 +144,9 @@ TEST(Embedder, OutsideIsProvedAndNear) {
       EXPECT_EQ(e.status, EmbeddingStatus::kOutside);
       EXPECT_FALSE(e.at.inside);
       EXPECT_NEAR(e.residual, distance - 1, 0.005 + 1e-3 * distance);
-      ++checked;
     }
     EXPECT_EQ(ball.embed(Point(Point(1, 2, 3) + 0.9999 * way)).status, EmbeddingStatus::kInside);
   }
-  EXPECT_EQ(checked, 1200);
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(ball.embed(Point(inf, 0, 0)).status, EmbeddingStatus::kOutside);
   EXPECT_EQ(ball.embed(Point(std::nan(""), 0, 0)).status, EmbeddingStatus::kOutside);

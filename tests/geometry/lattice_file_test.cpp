@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
@@ -73,129 +74,125 @@ struct Bad {
   const char* message;
 };
 
-TEST(LatticeFile, RefusesInOneLine) {
-  const std::vector<Bad> all{
-      {"", "lattice file: line 1, column 1: no JSON; docs/lattice.md shows the format"},
-      {"[1]", "lattice file: not a JSON object; docs/lattice.md shows the format"},
-      {R"({"hwffd_lattice": 1,)",
-       "lattice file: line 1, column 21: no JSON; docs/lattice.md shows the format"},
-      {"{\"hwffd_lattice\": 1,\n\n  \"dims\": [4, 4, 4,]}",
-       "lattice file: line 3, column 20: no JSON; docs/lattice.md shows the format"},
-      {"{\"hwffd_lattice\": 1,\n\"dims\": [1e999]}",
-       "lattice file: line 2, column 14: a number too large for double precision"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "dims": [5, 5, 5]})",
-       "lattice file: 'dims' stands there twice; keep one"},
-      {R"({"dims": [4, 4, 4]})",
-       "lattice file: no 'hwffd_lattice'; give the version of the format, 1"},
-      {R"({"hwffd_lattice": 2})",
-       "lattice file: 'hwffd_lattice' is not 1, the version that this program reads"},
-      {R"({"hwffd_lattice": 1})",
-       "lattice file: no 'dims'; give three integers from 4 to 16, points along s, t and u"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4]})",
-       "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4.5, 4]})",
-       "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 1e300, 4]})",
-       "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4294967300, 4]})",
-       "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 17, 4]})",
-       "lattice of 4 x 17 x 4 points: each axis takes 4 to 16 points"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4]})",
-       "lattice file: no 'points'; give [[x, y, z], ...], or a 'shape'"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": 3})",
-       "lattice file: 'points' is not a list; give [[x, y, z], ...]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[1, 2, 3], [1, 2]]})",
-       "lattice file: point 1 is not a point; give [x, y, z]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[1, 2, 3]]})",
-       "lattice of 4 x 4 x 4 points: 1 points given; give 64"},
-      {R"({"hwffd_lattice": 1, "dim": [4, 4, 4]})",
-       "lattice file: unknown 'dim'; known here are hwffd_lattice, order, dims, points"},
-      {R"({"hwffd_lattice": 1, "a\nb": 1})",
-       "lattice file: unknown 'a\\x0ab'; known here are hwffd_lattice, order, dims, points"},
-      {R"({"hwffd_lattice": 1, "order": "s fastest"})",
-       "lattice file: another 'order' of the points; sort them so that point (i, j, k) is number "
-       "(i*n_t + j)*n_u + k"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "cone"})",
-       "lattice file: unknown 'shape'; give box, cylinder or sphere, or 'points' instead"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "points": []})",
-       "lattice file: unknown 'points'; known here are hwffd_lattice, dims, shape, origin, "
-       "edges, "
-       "inner"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": 0})",
-       "lattice file: 'origin' is not a point; give [x, y, z]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
+const Bad kBad[] = {
+    {"", "lattice file: line 1, column 1: no JSON; docs/lattice.md shows the format"},
+    {"[1]", "lattice file: not a JSON object; docs/lattice.md shows the format"},
+    {R"({"hwffd_lattice": 1,)",
+     "lattice file: line 1, column 21: no JSON; docs/lattice.md shows the format"},
+    {"{\"hwffd_lattice\": 1,\n\n  \"dims\": [4, 4, 4,]}",
+     "lattice file: line 3, column 20: no JSON; docs/lattice.md shows the format"},
+    {"{\"hwffd_lattice\": 1,\n\"dims\": [1e999]}",
+     "lattice file: line 2, column 14: a number too large for double precision"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "dims": [5, 5, 5]})",
+     "lattice file: 'dims' stands there twice; keep one"},
+    {R"({"dims": [4, 4, 4]})",
+     "lattice file: no 'hwffd_lattice'; give the version of the format, 1"},
+    {R"({"hwffd_lattice": 2})",
+     "lattice file: 'hwffd_lattice' is not 1, the version that this program reads"},
+    {R"({"hwffd_lattice": 1})",
+     "lattice file: no 'dims'; give three integers from 4 to 16, points along s, t and u"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4]})",
+     "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4.5, 4]})",
+     "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 1e300, 4]})",
+     "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4294967300, 4]})",
+     "lattice file: 'dims' is not three integers from 4 to 16, points along s, t and u"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 17, 4]})",
+     "lattice of 4 x 17 x 4 points: each axis takes 4 to 16 points"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4]})",
+     "lattice file: no 'points'; give [[x, y, z], ...], or a 'shape'"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": 3})",
+     "lattice file: 'points' is not a list; give [[x, y, z], ...]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[1, 2, 3], [1, 2]]})",
+     "lattice file: point 1 is not a point; give [x, y, z]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[1, 2, 3]]})",
+     "lattice of 4 x 4 x 4 points: 1 points given; give 64"},
+    {R"({"hwffd_lattice": 1, "dim": [4, 4, 4]})",
+     "lattice file: unknown 'dim'; known here are hwffd_lattice, order, dims, points"},
+    {R"({"hwffd_lattice": 1, "a\nb": 1})",
+     "lattice file: unknown 'a\\x0ab'; known here are hwffd_lattice, order, dims, points"},
+    {R"({"hwffd_lattice": 1, "order": "s fastest"})",
+     "lattice file: another 'order' of the points; sort them so that point (i, j, k) is number "
+     "(i*n_t + j)*n_u + k"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "cone"})",
+     "lattice file: unknown 'shape'; give box, cylinder or sphere, or 'points' instead"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "points": []})",
+     "lattice file: unknown 'points'; known here are hwffd_lattice, dims, shape, origin, "
+     "edges, "
+     "inner"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": 0})",
+     "lattice file: 'origin' is not a point; give [x, y, z]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
            "edges": [1, 2]})",
-       "lattice file: 'edges' is not a list of three; give [[x, y, z], ...]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
+     "lattice file: 'edges' is not a list of three; give [[x, y, z], ...]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "inner": 0})",
-       "lattice file: a box has no 'inner'; leave it out"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "cylinder", "origin": [0, 0, 0],
+     "lattice file: a box has no 'inner'; leave it out"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "cylinder", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "inner": "x"})",
-       "lattice file: 'inner' is not a number; give 0 (solid) or more, and less than 1"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
+     "lattice file: 'inner' is not a number; give 0 (solid) or more, and less than 1"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]})",
-       "box lattice: its three edges span no volume; give finite edges in three directions"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box"})",
-       "lattice file: no 'origin'; give [x, y, z]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0]})",
-       "lattice file: no 'edges'; give three vectors, along s, t and u of the shape"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
+     "box lattice: its three edges span no volume; give finite edges in three directions"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box"})",
+     "lattice file: no 'origin'; give [x, y, z]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0]})",
+     "lattice file: no 'edges'; give three vectors, along s, t and u of the shape"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], "up", [0, 0, 1]]})",
-       "lattice file: edge 1 is not a point; give [x, y, z]"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
+     "lattice file: edge 1 is not a point; give [x, y, z]"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
            "edges": [[1e308, 1e308, 0], [0, 1, 0], [0, 0, 1]]})",
-       "box lattice: its three edges span no volume; give finite edges in three directions"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [1.7e308, 0, 0],
+     "box lattice: its three edges span no volume; give finite edges in three directions"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [1.7e308, 0, 0],
            "edges": [[1e308, 0, 0], [0, 1e-200, 0], [0, 0, 1e-200]]})",
-       "box lattice: its three edges span no volume; give finite edges in three directions"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "cylinder", "origin": [0, 0, 0],
+     "box lattice: its three edges span no volume; give finite edges in three directions"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "cylinder", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "inner": 1})",
-       "cylinder lattice: inner radius 1 of the outer; give 0 (solid) or more, and less than 1"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 5], "shape": "cylinder", "origin": [0, 0, 0],
+     "cylinder lattice: inner radius 1 of the outer; give 0 (solid) or more, and less than 1"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 5], "shape": "cylinder", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]})",
-       "cylinder lattice: 5 points along u, which goes around; give at least 6, as three of them "
-       "repeat the first three"},
-      {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "sphere", "origin": [0, 0, 0],
+     "cylinder lattice: 5 points along u, which goes around; give at least 6, as three of them "
+     "repeat the first three"},
+    {R"({"hwffd_lattice": 1, "dims": [4, 4, 6], "shape": "sphere", "origin": [0, 0, 0],
            "edges": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]})",
-       "sphere lattice: 4 points along t, which goes around; give at least 5, as three of them lie "
-       "at and beyond the poles"}};
-  for (const Bad& bad : all) {
-    EXPECT_EQ(message_of<Error>([&] { parse_lattice(bad.text); }), bad.message) << bad.text;
+     "sphere lattice: 4 points along t, which goes around; give at least 5, as three of them lie "
+     "at and beyond the poles"}};
+
+TEST(LatticeFile, RefusesInOneLine) {
+  for (const Bad& bad : kBad) {
+    EXPECT_ERROR(parse_lattice(bad.text), bad.message) << bad.text;
   }
-  EXPECT_EQ(all.size(), 36u);
 }
 
 TEST(LatticeFile, NamesTheFile) {
   const TempFolder folder;
-  EXPECT_EQ(message_of<Error>([&] { read_lattice(folder / "none.json"); }),
-            (folder / "none.json").string() +
-                ": cannot read; check that the file exists and is readable");
+  EXPECT_ERROR(read_lattice(folder / "none.json"),
+               (folder / "none.json").string() +
+                   ": cannot read; check that the file exists and is readable");
   const auto path = folder.write("bad.json", "{}");
-  EXPECT_EQ(
-      message_of<Error>([&] { read_lattice(path); }),
+  EXPECT_ERROR(
+      read_lattice(path),
       path.string() + ": lattice file: no 'hwffd_lattice'; give the version of the format, 1");
-  expect_part(message_of<Error>([&] { read_lattice(folder / ""); }),
-              "cannot read; check that the file exists");
-  EXPECT_EQ(message_of<Error>([&] {
-              write_lattice(folder / "no/lattice.json", crooked());
-            }).rfind((folder / "no/lattice.json").string(), 0),
-            0u);
+  EXPECT_ERROR_PART(read_lattice(folder / ""), "cannot read; check that the file exists");
+  EXPECT_ERROR_PART(write_lattice(folder / "no/lattice.json", crooked()),
+                    (folder / "no/lattice.json").string());
   EXPECT_EQ(folder.files(), (std::set<std::string>{"bad.json"}));
 }
 
 TEST(LatticeFile, LongNamesAreCut) {
   const std::string text = R"({"hwffd_lattice": 1, ")" + std::string(1000000, 'x') + R"(": 1})";
-  EXPECT_EQ(message_of<Error>([&] { parse_lattice(text); }),
-            "lattice file: unknown '" + std::string(57, 'x') +
-                "...'; known here are hwffd_lattice, order, dims, points");
+  EXPECT_ERROR(parse_lattice(text), "lattice file: unknown '" + std::string(57, 'x') +
+                                        "...'; known here are hwffd_lattice, order, dims, points");
 }
 
 TEST(LatticeFile, PointsThatAreNotFinite) {
   std::string text = lattice_text(parse_lattice(kBox));
   text.replace(text.find("[-1, -10, 0]"), 12, "[-1, 1e999, 0]");
-  EXPECT_EQ(message_of<Error>([&] { parse_lattice(text); }),
-            "lattice file: line 7, column 10: a number too large for double precision");
+  EXPECT_ERROR(parse_lattice(text),
+               "lattice file: line 7, column 10: a number too large for double precision");
 }
 
 /// What stands behind the object, whether the parser of JSON looks there or not.
@@ -203,19 +200,19 @@ TEST(LatticeFile, NothingFollowsTheObject) {
   const std::string text = lattice_text(parse_lattice(kBox));
   EXPECT_EQ(parse_lattice(text + "\n \t\r\n").points(), parse_lattice(text).points());
   for (const std::string& junk : {std::string("}"), std::string("{}"), std::string("x")}) {
-    EXPECT_EQ(message_of<Error>([&] { parse_lattice(text + junk); }),
-              "lattice file: line 128, column 1: no JSON; docs/lattice.md shows the format");
+    EXPECT_ERROR(parse_lattice(text + junk),
+                 "lattice file: line 128, column 1: no JSON; docs/lattice.md shows the format");
   }
   for (const std::string& after : {std::string(1, '\0'), std::string("\0junk", 5)}) {
-    EXPECT_EQ(message_of<Error>([&] { parse_lattice(text + after); }),
-              "lattice file: line 128, column 1: a zero byte; is this the right file?");
+    EXPECT_ERROR(parse_lattice(text + after),
+                 "lattice file: line 128, column 1: a zero byte; is this the right file?");
   }
 }
 
 /// A file without an end is read no further than a lattice file may reach.
 TEST(LatticeFile, EndlessFile) {
-  EXPECT_EQ(message_of<Error>([] { read_lattice("/dev/zero"); }),
-            "/dev/zero: more than 16777216 bytes; is this the right file?");
+  EXPECT_ERROR(read_lattice("/dev/zero"),
+               "/dev/zero: more than 16777216 bytes; is this the right file?");
 }
 
 TEST(LatticeFile, UnreadableAndUnwritable) {
@@ -224,17 +221,17 @@ TEST(LatticeFile, UnreadableAndUnwritable) {
   std::filesystem::permissions(path, std::filesystem::perms(0));
   folder.open_to_all();
   // A file that opens, but whose first byte cannot be read.
-  expect_part(message_of<Error>([] { read_lattice("/proc/self/mem"); }),
-              "/proc/self/mem: cannot read; check that the file exists and is readable");
+  EXPECT_ERROR_PART(read_lattice("/proc/self/mem"),
+                    "/proc/self/mem: cannot read; check that the file exists and is readable");
   std::filesystem::create_symlink("/dev/full", folder / "full.json");
-  expect_part(message_of<Error>([&] { write_lattice(folder / "full.json", crooked()); }),
-              "full.json: cannot write: No space left on device");
+  EXPECT_ERROR_PART(write_lattice(folder / "full.json", crooked()),
+                    "full.json: cannot write: No space left on device");
   const Unprivileged nobody;
   if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
-  EXPECT_EQ(message_of<Error>([&] { read_lattice(path); }),
-            path.string() + ": cannot read; check that the file exists and is readable");
-  expect_part(message_of<Error>([&] { write_lattice(folder / "new.json", crooked()); }),
-              "new.json: cannot write: Permission denied");
+  EXPECT_ERROR(read_lattice(path),
+               path.string() + ": cannot read; check that the file exists and is readable");
+  EXPECT_ERROR_PART(write_lattice(folder / "new.json", crooked()),
+                    "new.json: cannot write: Permission denied");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"closed.json", "full.json"}));
 }
 

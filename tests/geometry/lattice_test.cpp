@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "temp_folder.hpp"
+#include "errors.hpp"
 
 namespace hwffd {
 namespace {
@@ -61,33 +61,23 @@ TEST(Lattice, RefusesDimensions) {
 }
 
 TEST(Lattice, RefusesPoints) {
-  EXPECT_EQ(message_of<Error>([] {
-              Lattice({4, 4, 5}, Points::Zero(64, 3));
-            }),
-            "lattice of 4 x 4 x 5 points: 64 points given; give 80");
+  EXPECT_ERROR(Lattice({4, 4, 5}, Points::Zero(64, 3)),
+               "lattice of 4 x 4 x 5 points: 64 points given; give 80");
   Points points = Points::Zero(64, 3);
   points(17, 2) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(message_of<Error>([&] {
-              Lattice({4, 4, 4}, points);
-            }),
-            "lattice point 17 is not finite; give finite coordinates");
+  EXPECT_ERROR(Lattice({4, 4, 4}, points),
+               "lattice point 17 is not finite; give finite coordinates");
   points(17, 2) = 0;
   points(17, 1) = -1e154;
-  EXPECT_EQ(message_of<Error>([&] {
-              Lattice({4, 4, 4}, points);
-            }),
-            "lattice point 17 has a coordinate beyond 1e+100; give smaller ones");
+  EXPECT_ERROR(Lattice({4, 4, 4}, points),
+               "lattice point 17 has a coordinate beyond 1e+100; give smaller ones");
 }
 
 TEST(Lattice, RefusesCells) {
   const Lattice lattice = numbered({4, 5, 6});
-  int refused = 0;
   for (const Index3& cell : {Index3{1, 0, 0}, Index3{0, 2, 0}, Index3{0, 0, 3}, Index3{0, 0, -1}}) {
-    expect_part(message_of<Error>([&] { lattice.support(cell); }),
-                "is outside the lattice; it has 1 x 2 x 3 cells");
-    ++refused;
+    EXPECT_ERROR_PART(lattice.support(cell), "is outside the lattice; it has 1 x 2 x 3 cells");
   }
-  EXPECT_EQ(refused, 4);
 }
 
 }  // namespace

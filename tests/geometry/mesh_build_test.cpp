@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "errors.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "temp_folder.hpp"
 
@@ -52,16 +53,14 @@ TEST(MeshBuild, FollowsADeformationAndIsSaved) {
 }
 
 TEST(MeshBuild, RefusesWhatIsNoMesh) {
-  EXPECT_EQ(message_of<Error>([] { Mesh::build("m", {}); }), "m: has no parts; give at least one");
+  EXPECT_ERROR(Mesh::build("m", {}), "m: has no parts; give at least one");
   Mesh::Part part = square("p", 0);
   part.triangles.push_back({0, 1, 4});
-  expect_part(message_of<Error>([&] { Mesh::build("m", {part}); }),
-              "m: part p refers to point 4 of 4");
+  EXPECT_ERROR_PART(Mesh::build("m", {part}), "m: part p refers to point 4 of 4");
   part.triangles.clear();
-  expect_part(message_of<Error>([&] { Mesh::build("m", {part}); }), "part p has no triangles");
+  EXPECT_ERROR_PART(Mesh::build("m", {part}), "part p has no triangles");
   part = square("p", 1e300);
-  expect_part(message_of<Error>([&] { Mesh::build("m", {part}); }),
-              "point 0 that is not a finite binary32 number");
+  EXPECT_ERROR_PART(Mesh::build("m", {part}), "point 0 that is not a finite binary32 number");
 }
 
 }  // namespace

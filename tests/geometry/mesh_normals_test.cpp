@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "errors.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "mesh_volume.hpp"
 #include "temp_folder.hpp"
@@ -242,10 +243,10 @@ TEST(MeshNormals, WrongCountChangesNothing) {
   const Points before = mesh.positions();
   const std::vector<Eigen::Vector3d> normals = normals_of(mesh);
   const std::vector<Eigen::Matrix3d> seven(7, Eigen::Matrix3d::Identity());
-  EXPECT_EQ(message_of<Error>([&] { mesh.set_positions(2.0 * before, seven); }),
-            "a.obj: 7 gradients for 8 vertices; give one for each vertex");
-  EXPECT_EQ(message_of<Error>([&] { mesh.set_positions(before.topRows(7), seven); }),
-            "a.obj: 7 new positions for 8 vertices; give one for each vertex");
+  EXPECT_ERROR(mesh.set_positions(2.0 * before, seven),
+               "a.obj: 7 gradients for 8 vertices; give one for each vertex");
+  EXPECT_ERROR(mesh.set_positions(before.topRows(7), seven),
+               "a.obj: 7 new positions for 8 vertices; give one for each vertex");
   EXPECT_EQ(mesh.positions(), before);
   EXPECT_EQ(normals_of(mesh), normals);
 }

@@ -67,14 +67,13 @@ std::vector<Case> cases() {
 
 /// The place is one of the lattice, and no sampled one is nearer.
 TEST(NearestPlace, NoSampledPlaceIsNearer) {
-  int checked = 0;
   for (const Case& c : cases()) {
     const Embedder embedder(c.lattice);
     const NearestPlace nearest(c.lattice);
     const Points samples = sampled(embedder, 9);
     for (const double reach : {0.6, 3.0}) {
       const Points points = points_outside(embedder, 60, reach, 5);
-      for (Eigen::Index i = 0; i < points.rows(); ++i, ++checked) {
+      for (Eigen::Index i = 0; i < points.rows(); ++i) {
         const Point point = points.row(i);
         const NearestPlace::Result found = nearest.find(point);
         const double least = (samples.rowwise() - point.transpose()).rowwise().norm().minCoeff();
@@ -86,14 +85,12 @@ TEST(NearestPlace, NoSampledPlaceIsNearer) {
       }
     }
   }
-  EXPECT_EQ(checked, 840);
 }
 
 /// Few cells, so curved that Newton's method from the middle of each face misses some places: the
 /// search of their parts finds them.
 TEST(NearestPlace, MiddlesOfFacesAreNotEnough) {
   const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
-  int checked = 0;
   for (const Lattice& lattice : {Sphere(Point::Zero(), kUnit, 0.5).lattice({4, 5, 6}),
                                  Deformation::parse("twist:80").apply(box)}) {
     const Embedder embedder(lattice);
@@ -101,14 +98,13 @@ TEST(NearestPlace, MiddlesOfFacesAreNotEnough) {
     const Points samples = sampled(embedder, 9);
     for (const double reach : {0.7, 2.5}) {
       const Points points = points_outside(embedder, 1000, reach, 3);
-      for (Eigen::Index i = 0; i < points.rows(); ++i, ++checked) {
+      for (Eigen::Index i = 0; i < points.rows(); ++i) {
         const Point point = points.row(i);
         const double least = (samples.rowwise() - point.transpose()).rowwise().norm().minCoeff();
         EXPECT_LE(nearest.find(point).distance, least + 1e-7 * embedder.size()) << i;
       }
     }
   }
-  EXPECT_EQ(checked, 4000);
 }
 
 /// Where the nearest place is known.
@@ -118,15 +114,12 @@ TEST(NearestPlace, KnownPlaces) {
   EXPECT_EQ(box.find(Point(2, 0.25, -3)).at.cell, (Index3{2, 0, 0}));
   EXPECT_EQ(box.find(Point(2, 0.25, -3)).at.local, Eigen::Vector3d(1, 0.5, 0));
   const NearestPlace can(Cylinder(Point(5, 0, 0), kUnit).lattice({4, 6, 11}));
-  int above = 0;
   for (const double x : {4.2, 4.7, 5.0, 5.2, 5.6}) {
     for (const double z : {-0.5, 0.0, 0.3}) {
       const NearestPlace::Result found = can.find(Point(x, 3, z));
       EXPECT_LT((found.point - Point(x, 1, z)).norm(), 1e-7) << found.point.transpose();
-      ++above;
     }
   }
-  EXPECT_EQ(above, 15);
   // Above the pole of a ball; the equator at u = 0 lies in the middle of a cell, touches the ball.
   const NearestPlace ball(Sphere(Point(5, 0, 0), kUnit).lattice({4, 6, 11}));
   EXPECT_NEAR(ball.find(Point(5, 7, 0)).distance, 6.0, 0.02);
@@ -136,13 +129,12 @@ TEST(NearestPlace, KnownPlaces) {
 /// The nearest places of a convex shape are no further apart than the points: also across cells and
 /// poles.
 TEST(NearestPlace, NeighboursHaveNeighbouringPlaces) {
-  int checked = 0;
   for (const char* const kind : {"box", "cylinder", "sphere"}) {
     const Embedder embedder(embed::sample_lattice(kind, embed::corners()));
     const NearestPlace nearest(embedder.lattice());
     const double step = 1e-6 * embedder.size();
     const Points points = points_outside(embedder, 400, 0.8, 7);
-    for (Eigen::Index i = 0; i < points.rows(); ++i, ++checked) {
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
       const Point point = points.row(i);
       const Point place = nearest.find(point).point;
       for (int a = 0; a < 3; ++a) {
@@ -151,7 +143,6 @@ TEST(NearestPlace, NeighboursHaveNeighbouringPlaces) {
       }
     }
   }
-  EXPECT_EQ(checked, 1200);
 }
 
 /// From the middle of a hollow all places of its wall are about as near: the search stays bounded.

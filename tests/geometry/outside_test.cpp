@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "temp_folder.hpp"
+#include "errors.hpp"
 
 namespace hwffd {
 namespace {
@@ -25,14 +25,12 @@ TEST(Outside, FadeFallsSmoothlyFromOneToZero) {
   EXPECT_EQ(fade.weight(1.25), 0.5);
   EXPECT_EQ(fade.weight(2.5), 0.0);
   EXPECT_EQ(fade.weight(3.0), 0.0);
-  int falling = 0;
   double steepest = 0.0;
-  for (int i = 0; i < 1000; ++i, ++falling) {
+  for (int i = 0; i < 1000; ++i) {
     const double drop = fade.weight(i * 0.0025) - fade.weight((i + 1) * 0.0025);
     EXPECT_GT(drop, 0.0) << i;
     steepest = std::max(steepest, drop / 0.0025);
   }
-  EXPECT_EQ(falling, 1000);
   EXPECT_NEAR(steepest, 1.5 / 2.5, 1e-5);
   // The slope is zero at both ends: C1 with the constant weights beyond.
   EXPECT_LT((1.0 - fade.weight(1e-6)) / 1e-6, 1e-5);
@@ -41,20 +39,17 @@ TEST(Outside, FadeFallsSmoothlyFromOneToZero) {
 
 TEST(Outside, RefusesTheRest) {
   const std::string accepted = "; accepted are keep, clamp and fade:WIDTH";
-  int refused = 0;
   for (const std::string text : {"", "fade", "Keep", "keep:1", "clamp:", "drop"}) {
-    EXPECT_EQ(message_of<UsageError>([&] { Outside::parse(text); }),
-              std::string("outside '").append(text).append("' is unknown").append(accepted));
-    ++refused;
+    EXPECT_USAGE_ERROR(
+        Outside::parse(text),
+        std::string("outside '").append(text).append("' is unknown").append(accepted));
   }
   for (const std::string width : {"", "0", "-1", "nan", "inf", "1e999", "x", "1 ", "0x1"}) {
     const std::string message = message_of<UsageError>([&] { Outside::parse("fade:" + width); });
     expect_part(message, "outside 'fade:" + width + "': ");
     const std::string what = "' is not a finite number above 0";
     expect_part(message, std::string("'").append(width).append(what).append(accepted));
-    ++refused;
   }
-  EXPECT_EQ(refused, 15);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <random>
 
+#include "errors.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/sphere.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd {
 namespace {
@@ -144,27 +144,22 @@ TEST(RoundLattice, AroundHoldsItsPoints) {
 }
 
 TEST(RoundLattice, Refuses) {
-  EXPECT_EQ(message_of<Error>([] {
-              Cylinder(Point::Zero(), kUnit).lattice({4, 4, 5});
-            }),
-            "cylinder lattice: 5 points along u, which goes around; give at least 6, as three of "
-            "them repeat the first three");
-  EXPECT_EQ(message_of<Error>([] {
-              Sphere(Point::Zero(), kUnit).lattice({4, 4, 6});
-            }),
-            "sphere lattice: 4 points along t, which goes around; give at least 5, as three of "
-            "them lie at and beyond the poles");
-  expect_part(message_of<Error>([] {
-                Sphere(Point::Zero(), kUnit).lattice({4, 5, 17});
-              }),
-              "each axis takes 4 to 16 points");
-  EXPECT_EQ(message_of<Error>([] { Cylinder(Point::Zero(), kUnit, 1.0); }),
-            "cylinder lattice: inner radius 1 of the outer; give 0 (solid) or more, and less "
-            "than 1");
-  expect_part(message_of<Error>([] { Sphere(Point::Zero(), kUnit, -0.1); }), "inner radius -0.1");
-  expect_part(message_of<Error>([] { Sphere(Point::Zero(), Eigen::Matrix3d::Ones()); }),
-              "sphere lattice: its three edges span no volume");
-  expect_part(message_of<Error>([] { Cylinder::around(Points(0, 3)); }), "at least one point");
+  EXPECT_ERROR(
+      Cylinder(Point::Zero(), kUnit).lattice({4, 4, 5}),
+      "cylinder lattice: 5 points along u, which goes around; give at least 6, as three of "
+      "them repeat the first three");
+  EXPECT_ERROR(Sphere(Point::Zero(), kUnit).lattice({4, 4, 6}),
+               "sphere lattice: 4 points along t, which goes around; give at least 5, as three of "
+               "them lie at and beyond the poles");
+  EXPECT_ERROR_PART(Sphere(Point::Zero(), kUnit).lattice({4, 5, 17}),
+                    "each axis takes 4 to 16 points");
+  EXPECT_ERROR(Cylinder(Point::Zero(), kUnit, 1.0),
+               "cylinder lattice: inner radius 1 of the outer; give 0 (solid) or more, and less "
+               "than 1");
+  EXPECT_ERROR_PART(Sphere(Point::Zero(), kUnit, -0.1), "inner radius -0.1");
+  EXPECT_ERROR_PART(Sphere(Point::Zero(), Eigen::Matrix3d::Ones()),
+                    "sphere lattice: its three edges span no volume");
+  EXPECT_ERROR_PART(Cylinder::around(Points(0, 3)), "at least one point");
 }
 
 }  // namespace

@@ -8,39 +8,14 @@
 #include <cstdio>
 #include <random>
 
-#include "hwffd/model/evaluator.hpp"
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "named.hpp"
+#include "random_vertex.hpp"
 
 namespace hwffd {
 namespace {
-
-double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
-
-/// A vertex as the model takes it, and what it stands for.
-struct Vertex {
-  model::VertexWords words;
-  Support support;
-  Eigen::Vector3d local;
-};
-
-/// Points uniform in [-reach, reach).
-Vertex random_vertex(const WordCodec& codec, double reach, std::mt19937_64& engine) {
-  Vertex vertex;
-  for (int a = 0; a < 3; ++a) {
-    vertex.local[a] = unit(engine);
-    vertex.words.local[a] = codec.coordinate(vertex.local[a]);
-    vertex.words.cell[a] = static_cast<int>(engine() & 15);
-  }
-  for (int p = 0; p < 64; ++p) {
-    for (int c = 0; c < 3; ++c) {
-      vertex.support(p, c) = reach * (2 * unit(engine) - 1);
-      vertex.words.points[3 * p + c] = codec.point(vertex.support(p, c));
-    }
-  }
-  return vertex;
-}
 
 /// The model of a row with one family on all axes.
 class Device {
@@ -49,13 +24,7 @@ class Device {
       : codec_(find_configuration(row).format),
         model_(model::make_evaluator_model(find_configuration(row))),
         axis_(encode(family(name, codec_), codec_)) {
-    const DerivativeWords& derivative = axis_.derivative;
-    for (int a = 0; a < 3; ++a) {
-      for (int l = 0; l < 4; ++l) {
-        model_->load(0, a, l, axis_.degree, axis_.shift, axis_.word[l]);
-        model_->load_derivative(0, a, l, axis_.degree, derivative.shift, derivative.word[l]);
-      }
-    }
+    load(*model_, axis_);
   }
 
   const WordCodec& codec() const { return codec_; }
@@ -87,7 +56,6 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
   const std::vector<std::pair<std::string, int>> exponents{{"bspline", 1}, {"bernstein", 3},
                                                            {"hermite", 2}, {"catmull-rom", 2},
                                                            {"linear", 1},  {"constant", 0}};
-  int words = 0;
   for (const auto& [name, exponent] : exponents) {
     const Oracle::Coefficients functions = Oracle::family(name);
     for (const std::string format : {"fp32", "fx12", "fx18", "fx27", "fx32"}) {
@@ -97,7 +65,7 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
           << name << format;
       EXPECT_EQ(axis.derivative.shift, 0) << name << format;
       for (int l = 0; l < 4; ++l) {
-        for (int power = 0; power < 4; ++power, ++words) {
+        for (int power = 0; power < 4; ++power) {
           const double exact = power < 3 ? (power + 1) * functions(l, power + 1) : 0.0;
           // A point's word is Q1.31, a coefficient's Q2.30.
           const double value = codec.decode_point(axis.derivative.word[l][power]) *
@@ -107,7 +75,6 @@ TEST(DerivativeFunctions, AreExactInEveryFormat) {
       }
     }
   }
-  EXPECT_EQ(words, 6 * 5 * 16);
 }
 
 // A user's functions: the exponent is the smallest that holds the sum of magnitudes.
@@ -119,12 +86,7 @@ TEST(DerivativeFunctions, ExponentOfAUsersFunctions) {
   EXPECT_EQ(derivative_exponent(user_blending({{{7}, {}, {}, {}}})), 0);
 }
 
-struct Bound {
-  const char* row;
-  const char* family;
-  double error;  ///< of dq times 2^-exponent, points in [-1/2, 1/2)
-};
-
+// Of dq times 2^-exponent, points in [-1/2, 1/2).
 class DerivativeAgainstOracle : public ::testing::TestWithParam<Bound> {};
 
 TEST_P(DerivativeAgainstOracle, ErrorIsWithinTheStatedBound) {
@@ -164,14 +126,10 @@ INSTANTIATE_TEST_SUITE_P(, DerivativeAgainstOracle,
                                            Bound{"basic-fp32-overlapped", "catmull-rom", 1.2e-6},
                                            Bound{"basic-fx18-overlapped", "catmull-rom", 7e-5},
                                            Bound{"basic-fx32-overlapped", "catmull-rom", 5e-9}),
-                         [](const auto& info) {
-                           std::string name = std::string(info.param.row) + "_" + info.param.family;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::by_name);
 
 struct RowBounds {
-  const char* row;
+  const char* name;
   double difference;   ///< of dq from central differences
   double determinant;  ///< of the word of det J
 };
@@ -181,13 +139,12 @@ class DerivativeOfRow : public ::testing::TestWithParam<RowBounds> {};
 // Central differences of positions in double; their own error is below 1e-8 here.
 TEST_P(DerivativeOfRow, IsTheFiniteDifference) {
   constexpr double kStep = 1e-4;
-  const Device device(GetParam().row, "bspline");
+  const Device device(GetParam().name, "bspline");
   const Oracle oracle;
   std::mt19937_64 engine(2);
-  int compared = 0;
   for (int v = 0; v < 2000; ++v) {
     const Vertex vertex = random_vertex(device.codec(), 0.5, engine);
-    for (int axis = 0; axis < 3; ++axis, ++compared) {
+    for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
       const Eigen::Vector3d ahead = vertex.local + step;
       const Eigen::Vector3d behind = vertex.local - step;
@@ -201,7 +158,6 @@ TEST_P(DerivativeOfRow, IsTheFiniteDifference) {
           << "vertex " << v << " axis " << axis;
     }
   }
-  EXPECT_EQ(compared, 6000);
 }
 
 /// Points of a lattice at rest of any size to 0.6, moved by up to 0.3; a mirror image if wanted.
@@ -219,7 +175,7 @@ Vertex volume_vertex(const WordCodec& codec, bool mirrored, std::mt19937_64& eng
 
 // det J against the oracle's, and its sign wherever that is beyond the error.
 TEST_P(DerivativeOfRow, DeterminantIsNearTheOracle) {
-  const Device device(GetParam().row, "bspline");
+  const Device device(GetParam().name, "bspline");
   const Oracle oracle;
   const double bound = GetParam().determinant;
   std::mt19937_64 engine(3);
@@ -254,11 +210,7 @@ INSTANTIATE_TEST_SUITE_P(, DerivativeOfRow,
                                            RowBounds{"factored-fp32-overlapped", 3e-7, 6.6e-8},
                                            RowBounds{"factored-fx18-overlapped", 4e-5, 1.1e-6},
                                            RowBounds{"factored-fx32-overlapped", 2e-8, 3.4e-10}),
-                         [](const auto& info) {
-                           std::string name = info.param.row;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::by_name);
 
 // The ends of the range: columns of components plus or minus 1 - u reach |det J| = 4 nearly, and
 // nothing saturates.

@@ -14,53 +14,24 @@
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "named.hpp"
+#include "random_vertex.hpp"
 
 namespace hwffd {
 namespace {
 
-double unit(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
-
-struct Bound {
-  const char* configuration;
-  const char* family;
-  double error;  ///< docs/numerics.md section 6: largest over uniform points in [-1, 1)
-};
+// docs/numerics.md section 6: the largest error over uniform points in [-1, 1).
 
 class ModelAgainstOracle : public ::testing::TestWithParam<Bound> {};
 
 TEST_P(ModelAgainstOracle, ErrorIsWithinTheStatedBound) {
   constexpr int kVertices = 100000;
-  const Configuration& row = find_configuration(GetParam().configuration);
+  const Configuration& row = find_configuration(GetParam().row);
   const WordCodec codec(row.format);
   const auto model = model::make_evaluator_model(row);
-  const AxisWords axis = encode(family(GetParam().family, codec), codec);
-  for (int a = 0; a < 3; ++a) {
-    for (int l = 0; l < 4; ++l) model->load(0, a, l, axis.degree, axis.shift, axis.word[l]);
-  }
+  load(*model, encode(family(GetParam().family, codec), codec));
   const Oracle oracle(Oracle::family(GetParam().family));
-  std::mt19937_64 engine(1);
-  double largest = 0;
-  for (int v = 0; v < kVertices; ++v) {
-    Support support;
-    model::VertexWords words;
-    Eigen::Vector3d local;
-    for (int a = 0; a < 3; ++a) {
-      local[a] = unit(engine);
-      words.local[a] = codec.coordinate(local[a]);
-      words.cell[a] = static_cast<int>(engine() & 15);
-    }
-    for (int p = 0; p < 64; ++p) {
-      for (int c = 0; c < 3; ++c) {
-        support(p, c) = 2 * unit(engine) - 1;
-        words.points[3 * p + c] = codec.point(support(p, c));
-      }
-    }
-    const model::ResultWords result = model->evaluate(0, words);
-    const Eigen::Vector3d exact = oracle.evaluate(support, local[0], local[1], local[2]);
-    for (int c = 0; c < 3; ++c) {
-      largest = std::max(largest, std::abs(codec.decode_point(result.words[c]) - exact[c]));
-    }
-  }
+  const double largest = largest_error(*model, codec, oracle, 1, kVertices);
   std::printf("%d vertices, largest error %.3g, bound %.3g\n", kVertices, largest,
               GetParam().error);
   EXPECT_LE(largest, GetParam().error);
@@ -80,12 +51,7 @@ INSTANTIATE_TEST_SUITE_P(, ModelAgainstOracle,
                                            Bound{"nested-fp32-overlapped", "bernstein", 4.5e-7},
                                            Bound{"nested-fx18-overlapped", "bernstein", 4.3e-4},
                                            Bound{"nested-fx32-overlapped", "bernstein", 3e-8}),
-                         [](const auto& info) {
-                           std::string name =
-                               std::string(info.param.configuration) + "-" + info.param.family;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::by_name);
 
 class Determinism : public ::testing::TestWithParam<const char*> {};
 
@@ -107,9 +73,7 @@ TEST_P(Determinism, OrganizationsAgreeInFixedPoint) {
     if (!in_product_form(row)) continue;
     models.push_back(model::make_evaluator_model(row));
     names.emplace_back(row.name);
-    for (int a = 0; a < 3; ++a) {
-      for (int l = 0; l < 4; ++l) models.back()->load(0, a, l, 3, axis.shift, axis.word[l]);
-    }
+    load(*models.back(), axis);
   }
   if (codec.is_block()) {
     ASSERT_EQ(models.size(), 9U) << "basic, two cg, five trees, parallel";
@@ -136,8 +100,7 @@ TEST_P(Determinism, OrganizationsAgreeInFixedPoint) {
   std::printf("%zu organizations, %d vertices\n", models.size(), kVertices);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Determinism, ::testing::Values("fx18", "fx32", "bfp32"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(, Determinism, ::testing::Values("fx18", "fx32", "bfp32"), test::by_name);
 
 /// All weights of the watertight B-spline in `fxW` at a coordinate.
 template <int W>
@@ -159,13 +122,11 @@ TEST(FixedWeights, PartitionOfUnityOverEveryCoordinateOfFx18) {
   constexpr std::int64_t kOne = 1 << 16;
   std::int64_t lowest = 0;
   std::int64_t off = 0;
-  int coordinates = 0;
-  for (std::int64_t s = 0; s <= kOne; ++s, ++coordinates) {
+  for (std::int64_t s = 0; s <= kOne; ++s) {
     const auto w = weights_at<18>(bank, s);
     lowest = std::min(lowest, *std::min_element(w.begin(), w.end()));
     off = std::max(off, std::abs(w[0] + w[1] + w[2] + w[3] - kOne));
   }
-  EXPECT_EQ(coordinates, 65537);
   EXPECT_GE(lowest, -1);
   EXPECT_LE(off, 2);
   // Exactly 1 at both ends, with the same three weights on either side of a face.

@@ -13,6 +13,7 @@
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "named.hpp"
 
 namespace hwffd {
 namespace {
@@ -29,13 +30,12 @@ double about_centre(const std::array<double, 4>& function, int k) {
 }
 
 struct Case {
+  std::string name() const { return std::string(family) + "_" + format; }
+
   const char* family;
   const char* format;
 };
-
-inline void PrintTo(const Case& tried, std::ostream* out) {
-  *out << tried.family << " " << tried.format;
-}
+inline void PrintTo(const Case& tried, std::ostream* out) { *out << tried.name(); }
 
 /// What a family's cell coefficients should be, and what the model forms.
 template <class F>
@@ -165,11 +165,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(, NestedForms, ::testing::ValuesIn(cases()), [](const auto& info) {
-  std::string name = std::string(info.param.family) + "_" + info.param.format;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(, NestedForms, ::testing::ValuesIn(cases()), test::by_name);
 
 // The B-spline's sixth is rounded, so its coefficients are: half a unit of a weight in each entry
 // of three matrices, of a point in each of three sums; nothing is halved.

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "hwffd/lattice/box.hpp"
+#include "uniform.hpp"
 
 namespace hwffd {
 namespace {
@@ -15,11 +16,7 @@ constexpr double kTiny = 1e-14;
 Support random_support(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Support support;
-  for (int i = 0; i < 64; ++i) {
-    for (int a = 0; a < 3; ++a) {
-      support(i, a) = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
-    }
-  }
+  for (int i = 0; i < 192; ++i) support(i / 3, i % 3) = 2 * unit(random) - 1;
   return support;
 }
 
@@ -47,31 +44,25 @@ TEST(Oracle, PublishedBernsteinValues) {
 }
 
 TEST(Oracle, PartitionOfUnityAndRange) {
-  int checked = 0;
   for (const auto& coefficients : {Oracle::uniform_bspline(), Oracle::bernstein()}) {
     const Oracle oracle(coefficients);
     for (int i = 0; i <= 1000; ++i) {
       const Eigen::Vector4d b = oracle.blending(Oracle::kS, i / 1000.0);
       EXPECT_NEAR(b.sum(), 1.0, kTiny);
       EXPECT_GE(b.minCoeff(), -kTiny);
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 2002);
 }
 
 TEST(Oracle, MirroredCoordinateMirrorsTheWeights) {
-  int checked = 0;
   for (const auto& coefficients : {Oracle::uniform_bspline(), Oracle::bernstein()}) {
     const Oracle oracle(coefficients);
     for (int i = 0; i <= 100; ++i) {
       const Eigen::Vector4d here = oracle.blending(Oracle::kU, i / 100.0);
       const Eigen::Vector4d there = oracle.blending(Oracle::kU, 1.0 - i / 100.0);
       EXPECT_LT((here - there.reverse()).cwiseAbs().maxCoeff(), kTiny);
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 202);
 }
 
 /// One control point is 1 and all others 0: the result is the product of its three weights, so
@@ -81,7 +72,6 @@ TEST(Oracle, EachControlPointHasItsOwnWeight) {
   const double s = 0.125;
   const double t = 0.375;
   const double u = 0.8125;
-  int checked = 0;
   for (int l = 0; l < 4; ++l) {
     for (int m = 0; m < 4; ++m) {
       for (int n = 0; n < 4; ++n) {
@@ -91,11 +81,9 @@ TEST(Oracle, EachControlPointHasItsOwnWeight) {
                               oracle.blending(Oracle::kT, t)[m] * oracle.blending(Oracle::kU, u)[n];
         const Eigen::Vector3d expected = weight * Eigen::Vector3d(1.0, -2.0, 4.0);
         EXPECT_LT((oracle.evaluate(support, s, t, u) - expected).norm(), kTiny);
-        ++checked;
       }
     }
   }
-  EXPECT_EQ(checked, 64);
 }
 
 /// The paper's formulas written out once more, in another form and another order of summation.
@@ -108,20 +96,18 @@ TEST(Oracle, AgreesWithTheFormulasOfThePaper) {
   const Support support = random_support(1);
   const Oracle oracle;
   std::mt19937_64 random(2);
-  int checked = 0;
-  for (; checked < 200; ++checked) {
+  for (int i = 0; i < 200; ++i) {
     Eigen::Vector3d at;
-    for (int a = 0; a < 3; ++a) at[a] = static_cast<double>(random() >> 11) * 0x1p-53;
+    for (double& x : at) x = unit(random);
     const Eigen::Vector4d b_s = paper(at[0]);
     const Eigen::Vector4d b_t = paper(at[1]);
     const Eigen::Vector4d b_u = paper(at[2]);
     Eigen::Vector3d expected = Eigen::Vector3d::Zero();
-    for (int i = 63; i >= 0; --i) {
-      expected += support.row(i).transpose() * b_u[i % 4] * b_t[i / 4 % 4] * b_s[i / 16];
+    for (int p = 63; p >= 0; --p) {
+      expected += support.row(p).transpose() * b_u[p % 4] * b_t[p / 4 % 4] * b_s[p / 16];
     }
     EXPECT_LT((oracle.evaluate(support, at[0], at[1], at[2]) - expected).norm(), kTiny);
   }
-  EXPECT_EQ(checked, 200);
 }
 
 /// Moving all control points by an affine map moves every result by that map.
@@ -130,7 +116,6 @@ TEST(Oracle, AffineMapsGoThrough) {
   linear << 1.5, -0.25, 0.5, 0.125, 0.75, -1.0, 2.0, 0.375, -0.5;
   ASSERT_GT(std::abs(linear.determinant()), 0.1);
   const Eigen::RowVector3d shift(3.0, -7.0, 0.5);
-  int checked = 0;
   for (const auto& coefficients : {Oracle::uniform_bspline(), Oracle::bernstein()}) {
     const Oracle oracle(coefficients);
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
@@ -140,10 +125,8 @@ TEST(Oracle, AffineMapsGoThrough) {
       const Eigen::Vector3d q = oracle.evaluate(before, s, 1.0 - s, s * s);
       const Eigen::Vector3d expected = linear * q + shift.transpose();
       EXPECT_LT((oracle.evaluate(after, s, 1.0 - s, s * s) - expected).norm(), 1e-13);
-      ++checked;
     }
   }
-  EXPECT_EQ(checked, 100);
 }
 
 }  // namespace

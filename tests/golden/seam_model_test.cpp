@@ -8,17 +8,14 @@
 #include <cstdio>
 #include <random>
 
-#include "hwffd/model/evaluator.hpp"
 #include "hwffd/model/seam_bound.hpp"
-#include "hwffd/stream/blending.hpp"
+#include "random_vertex.hpp"
 
 namespace hwffd {
 namespace {
 
 constexpr int kPlaces = 200;
 constexpr std::size_t kSize = 5;  // points an axis: 2 x 2 x 2 cells
-
-double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 /// A place that 2, 4 or 8 cells share, as each of them sees it.
 std::vector<model::VertexWords> shared_place(const WordCodec& codec, std::mt19937_64& random) {
@@ -65,12 +62,7 @@ Seams seams_of(const Configuration& row, const Blending& blending,
   const WordCodec codec(row.format);
   const auto model = model::make_evaluator_model(row);
   const AxisWords axis = encode(blending, codec);
-  for (int a = 0; a < 3; ++a) {
-    for (int l = 0; l < 4; ++l) {
-      model->load(0, a, l, axis.degree, axis.shift, axis.word[l]);
-      model->load_derivative(0, a, l, axis.degree, axis.derivative.shift, axis.derivative.word[l]);
-    }
-  }
+  load(*model, axis);
   std::mt19937_64 random(3);
   Seams seams;
   for (int n = 0; n < places; ++n) {

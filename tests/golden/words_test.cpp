@@ -9,6 +9,7 @@
 #include "hwffd/bounds/bound.hpp"
 #include "hwffd/model/org_factored.hpp"
 #include "hwffd/oracle/oracle.hpp"
+#include "named.hpp"
 #include "plot.hpp"
 #include "report.hpp"
 #include "study.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 /// docs/numerics.md section 7: how many times its measured error a bound may be.
 struct Case {
-  const char* format;
+  const char* name;
   double factor;
 };
 
@@ -27,7 +28,7 @@ class WordBound : public ::testing::TestWithParam<Case> {};
 TEST_P(WordBound, HoldsAndSaysSomething) {
   Rows rows = all_rows();
   rows.erase(std::remove_if(rows.begin(), rows.end(),
-                            [](const auto& row) { return row->format() != GetParam().format; }),
+                            [](const auto& row) { return row->format() != GetParam().name; }),
              rows.end());
   ASSERT_EQ(rows.size(), 1U);
   const Result result = study(rows, 100000, 1, [](double) {}).front();
@@ -43,11 +44,7 @@ INSTANTIATE_TEST_SUITE_P(, WordBound,
                          ::testing::Values(Case{"fx12", 8}, Case{"fx16", 8}, Case{"fx18", 8},
                                            Case{"fx24", 8}, Case{"fx32", 8.5},
                                            Case{"fp32-sequential", 16}, Case{"fp32-tree", 16}),
-                         [](const auto& info) {
-                           std::string name = info.param.format;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::by_name);
 
 // What is propagated must cover what looking at every coordinate finds, and not by far.
 TEST(WordAxis, PropagatedErrorCoversTheExhaustiveOne) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "temp_folder.hpp"
+#include "errors.hpp"
 
 namespace hwffd::picture {
 namespace {
@@ -58,12 +58,10 @@ TEST(Image, ASheetRunsInReadingOrderAndEndsWhite) {
 
 TEST(Image, SheetsRefuseOtherSizesAndNothing) {
   const Image one = plain(2, 2, {0, 0, 0});
-  expect_part(message_of<Error>([&] {
-                contact_sheet({one, plain(2, 3, {0, 0, 0})}, 2);
-              }),
-              "picture 1 is 2x3, the first 2x2");
-  expect_part(message_of<Error>([&] { contact_sheet({one}, 0); }), "1 pictures in 0 columns");
-  expect_part(message_of<Error>([] { strip({}); }), "0 pictures");
+  EXPECT_ERROR_PART(contact_sheet({one, plain(2, 3, {0, 0, 0})}, 2),
+                    "picture 1 is 2x3, the first 2x2");
+  EXPECT_ERROR_PART(contact_sheet({one}, 0), "1 pictures in 0 columns");
+  EXPECT_ERROR_PART(strip({}), "0 pictures");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include "errors.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd::picture {
@@ -47,8 +48,8 @@ TEST(Png, EqualPicturesGiveEqualBytes) {
 }
 
 TEST(Png, ErrorsNameTheThing) {
-  expect_part(message_of<Error>([] { png_bytes({}); }), "picture of 0x0 pixels");
-  expect_part(message_of<Error>([] { write_png("/nowhere/a.png", pattern()); }), "/nowhere/a.png");
+  EXPECT_ERROR_PART(png_bytes({}), "picture of 0x0 pixels");
+  EXPECT_ERROR_PART(write_png("/nowhere/a.png", pattern()), "/nowhere/a.png");
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "colours.hpp"
+#include "errors.hpp"
 #include "picture/opengl.hpp"
-#include "temp_folder.hpp"
 
 namespace hwffd::picture {
 namespace {
@@ -167,8 +167,8 @@ TEST(Renderer, ErrorsOfOpenGlAndBadSizesAreErrors) {
   expect_part(message_of<Error>(
                   [&] { renderer.render(straight(), [] { throw Error("from the drawing"); }); }),
               "from the drawing");
-  expect_part(message_of<Error>([] { Renderer(0, 8); }), "picture of 0x8 pixels: give 1 to");
-  expect_part(message_of<Error>([] { Renderer(8, 1 << 20); }), "give 1 to");
+  EXPECT_ERROR_PART(Renderer(0, 8), "picture of 0x8 pixels: give 1 to");
+  EXPECT_ERROR_PART(Renderer(8, 1 << 20), "give 1 to");
 }
 
 /// In a process of its own: EGL keeps its display as long as a process lives.

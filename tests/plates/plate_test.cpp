@@ -9,6 +9,7 @@
 #include <set>
 
 #include "colours.hpp"
+#include "errors.hpp"
 #include "plates/chairs.hpp"
 #include "plates/report.hpp"
 #include "temp_folder.hpp"
@@ -126,7 +127,7 @@ TEST(PlatesReport, FilesTableAndSheetSayWhatThePlatesAre) {
   }
   EXPECT_EQ(read_text(folder / "new" / "reports" / "plates.json"), json_report(made));
   const auto file = folder.write("file", "");
-  expect_part(message_of<Error>([&] { write_plates(file, made); }), "--output");
+  EXPECT_ERROR_PART(write_plates(file, made), "--output");
 }
 
 }  // namespace

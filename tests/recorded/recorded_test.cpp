@@ -99,8 +99,7 @@ TEST(Recordings, OneBitOfOneResultChangesTheHash) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Recorded, ::testing::ValuesIn(recorded_rows()),
-                         [](const auto& info) { return test_name(info.param); });
+INSTANTIATE_TEST_SUITE_P(, Recorded, ::testing::ValuesIn(recorded_rows()), by_name);
 HWFFD_FOR_EACH_CONFIGURATION(RecordedStream);
 
 }  // namespace

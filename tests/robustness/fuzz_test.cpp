@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hwffd/tb/random.hpp"
+#include "named.hpp"
 #include "targets.hpp"
 
 namespace hwffd {
@@ -36,8 +37,7 @@ TEST_P(Fuzz, EveryInputIsReadOrRefused) {
   EXPECT_GT(tally.refused, target.inputs / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Fuzz, ::testing::ValuesIn(targets()),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(, Fuzz, ::testing::ValuesIn(targets()), test::by_name);
 
 }  // namespace
 }  // namespace hwffd

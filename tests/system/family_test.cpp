@@ -79,7 +79,6 @@ class FamilyOnAxes : public PerConfiguration {};
 TEST_P(FamilyOnAxes, BitsOfTheModelAndValuesOfTheOracle) {
   const bool wired = hard_wired(GetParam());
   std::uint64_t checked = 0;
-  int cases = 0;
   for (const Case& c : kCases) {
     SystemRun run(GetParam(), tb::seed_from_environment(1));
     tb::Random random(tb::seed_from_environment(1));
@@ -111,9 +110,7 @@ TEST_P(FamilyOnAxes, BitsOfTheModelAndValuesOfTheOracle) {
     EXPECT_LE(largest, bound(GetParam())) << c.name;
     EXPECT_GT(largest, 0) << c.name;
     std::printf("%s: %.3g\n", c.name, largest);
-    ++cases;
   }
-  EXPECT_EQ(cases, 6);
   EXPECT_EQ(checked, 6 * kVertices);
 }
 

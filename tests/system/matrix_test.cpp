@@ -42,10 +42,7 @@ TEST_P(Matrix, EveryThrottleAndSeed) {
 INSTANTIATE_TEST_SUITE_P(, Matrix,
                          ::testing::Combine(::testing::ValuesIn(built_configurations()),
                                             ::testing::ValuesIn(stimulus_names())),
-                         [](const auto& info) {
-                           return test_name(std::get<0>(info.param)) + "_" +
-                                  std::get<1>(info.param);
-                         });
+                         by_name);
 
 }  // namespace
 }  // namespace hwffd::test

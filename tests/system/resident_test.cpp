@@ -231,8 +231,7 @@ TEST_P(Sustained, NothingIsLostUnderBackpressure) {
   EXPECT_EQ(checked, 9 * kVertices);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Sustained, ::testing::ValuesIn(fast_configurations()),
-                         [](const auto& info) { return test_name(info.param); });
+INSTANTIATE_TEST_SUITE_P(, Sustained, ::testing::ValuesIn(fast_configurations()), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

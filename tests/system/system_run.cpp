@@ -6,20 +6,12 @@
 
 namespace hwffd::test {
 
-std::vector<Configuration> built_configurations() {
-  std::vector<Configuration> built;
-  for (const Configuration& row : configurations()) {
-    if (cores::has_stream_core(row)) built.push_back(row);
-  }
-  return built;
-}
+std::vector<Configuration> built_configurations() { return rows_where(cores::has_stream_core); }
 
 std::vector<Configuration> built_configurations(const std::string& format) {
-  std::vector<Configuration> built = built_configurations();
-  built.erase(std::remove_if(built.begin(), built.end(),
-                             [&](const Configuration& row) { return row.format != format; }),
-              built.end());
-  return built;
+  return rows_where([&](const Configuration& row) {
+    return cores::has_stream_core(row) && row.format == format;
+  });
 }
 
 std::uint64_t share_of(std::uint64_t count) {
@@ -28,12 +20,6 @@ std::uint64_t share_of(std::uint64_t count) {
   const std::uint64_t divisor = std::strtoull(text, nullptr, 10);
   if (divisor == 0) throw std::invalid_argument("HWFFD_TEST_SHARE: a number from 1 up is wanted");
   return std::max<std::uint64_t>(1, count / divisor);
-}
-
-std::string test_name(const Configuration& row) {
-  std::string name = row.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 SystemRun::SystemRun(const Configuration& row, std::uint64_t seed, const std::string& source,

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,14 +11,8 @@
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/stream_bench.hpp"
+#include "named.hpp"
 #include "stimulus.hpp"
-
-namespace hwffd {
-
-/// How GoogleTest names a configuration in a failure.
-inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
-
-}  // namespace hwffd
 
 namespace hwffd::test {
 
@@ -32,9 +25,6 @@ std::vector<Configuration> built_configurations(const std::string& format);
 /// That share of a test's seeds or values, at least 1, which the environment variable
 /// HWFFD_TEST_SHARE asks for: 4 is a quarter. Without it all of them.
 std::uint64_t share_of(std::uint64_t count);
-
-/// basic-fx18-paper -> basic_fx18_paper, as a test may be called.
-std::string test_name(const Configuration& row);
 
 /// A core of one configuration, its model and the bench between them.
 class SystemRun {
@@ -77,4 +67,4 @@ class PerConfiguration : public ::testing::TestWithParam<Configuration> {};
 #define HWFFD_FOR_EACH_CONFIGURATION(suite, ...)                                                  \
   INSTANTIATE_TEST_SUITE_P(, suite,                                                               \
                            ::testing::ValuesIn(::hwffd::test::built_configurations(__VA_ARGS__)), \
-                           [](const auto& info) { return ::hwffd::test::test_name(info.param); })
+                           ::hwffd::test::by_name)

@@ -18,19 +18,7 @@ constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 constexpr std::uint64_t kGuardBytes = 3 * kBeat;  // between two areas
 }  // namespace
 
-std::vector<Configuration> axi_configurations() {
-  std::vector<Configuration> built;
-  for (const Configuration& row : configurations()) {
-    if (cores::has_axi_core(row)) built.push_back(row);
-  }
-  return built;
-}
-
-std::string axi_test_name(const Configuration& row) {
-  std::string name = row.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
+std::vector<Configuration> axi_configurations() { return rows_where(cores::has_axi_core); }
 
 AxiRun::AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles)
     : AxiRun(row, cores::make_axi_core(row, seed), seed, throttles) {}
@@ -155,9 +143,8 @@ void AxiRun::forget_expected() { expected_.clear(); }
 AssertionResult AxiRun::good_run() {
   const std::uint64_t saturated = model_.events().saturated;
   send_bspline();
-  const LatticeWords lattice = random_lattice(codec_, random_, 6);
-  send(lattice_packet(lattice));
-  send(vertices_packet(random_vertices(codec_, random_, lattice.dims, 5)));
+  send_lattice(6);
+  send_vertices(5);
   send(interleaved_packet(make_stimulus("random", codec_, 2, random_.bits())));
   const AssertionResult ran = go();
   if (!ran) return AssertionFailure() << "good run: " << ran.message();

@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,14 +16,8 @@
 #include "hwffd/stream/word_codec.hpp"
 #include "hwffd/tb/axi_system.hpp"
 #include "hwffd/tb/packet_ring.hpp"
+#include "named.hpp"
 #include "stimulus.hpp"
-
-namespace hwffd {
-
-/// How GoogleTest names a configuration in a failure.
-inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
-
-}  // namespace hwffd
 
 namespace hwffd::test {
 
@@ -76,6 +69,17 @@ class AxiRun {
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& packets);
   void send_bspline();
+  /// A random lattice of 4 to `size` points an axis, or of these, which later vertices lie in.
+  template <class Size>
+  void send_lattice(const Size& size) {
+    lattice_ = random_lattice(codec_, random_, size);
+    send(lattice_packet(lattice_));
+  }
+  /// Random vertices of the last lattice.
+  void send_vertices(std::size_t count) { send(vertices_packet(vertices(count))); }
+  std::vector<VertexBeat> vertices(std::size_t count) {
+    return random_vertices(codec_, random_, lattice_.dims, count);
+  }
   /// An area of that many results, or as many as are expected, behind the last one; then a start.
   void start(std::optional<std::uint64_t> results = {});
   /// The same, but the start is only on its way to the registers when `behind` is called.
@@ -125,6 +129,7 @@ class AxiRun {
   Driver driver_;
   tb::PacketRing ring_;
   model::StreamModel model_;
+  LatticeWords lattice_;
   std::vector<Beat> expected_;
   std::uint64_t next_area_ = kWriteWindow.base;
   std::uint64_t area_ = 0;
@@ -136,15 +141,11 @@ class AxiRun {
 /// The rows of the table whose hwffd_axi this build has.
 std::vector<Configuration> axi_configurations();
 
-/// basic-fx18-overlapped -> basic_fx18_overlapped, as a test may be called.
-std::string axi_test_name(const Configuration& row);
-
 /// For tests over configurations.
 class PerAxiConfiguration : public ::testing::TestWithParam<Configuration> {};
 
 }  // namespace hwffd::test
 
-#define HWFFD_FOR_EACH_AXI_CONFIGURATION(suite)                          \
-  INSTANTIATE_TEST_SUITE_P(                                              \
-      , suite, ::testing::ValuesIn(::hwffd::test::axi_configurations()), \
-      [](const auto& info) { return ::hwffd::test::axi_test_name(info.param); })
+#define HWFFD_FOR_EACH_AXI_CONFIGURATION(suite)                                               \
+  INSTANTIATE_TEST_SUITE_P(, suite, ::testing::ValuesIn(::hwffd::test::axi_configurations()), \
+                           ::hwffd::test::by_name)

@@ -19,10 +19,15 @@ struct Record {
 
 class AxiBadInput : public PerAxiConfiguration {
  protected:
-  AxiBadInput() : lattice_(random_lattice(run_.codec(), run_.random(), 6)) {}
-
   std::vector<VertexBeat> vertices(std::size_t count) {
     return random_vertices(run_.codec(), run_.random(), lattice_.dims, count);
+  }
+
+  /// Coefficients, the lattice and so many vertices.
+  void send_vertices(std::size_t count) {
+    run_.send_bspline();
+    run_.send(lattice_packet(lattice_));
+    run_.send(vertices_packet(vertices(count)));
   }
   /// `count` errors of one code and no other, the first with that record.
   void expect_errors(unsigned code, std::uint32_t count, const Record& record) {
@@ -45,9 +50,7 @@ class AxiBadInput : public PerAxiConfiguration {
   void expect_packet_error(const std::vector<Beat>& packet, unsigned code, std::uint32_t count,
                            std::uint32_t beat) {
     ASSERT_TRUE(run_.soft_reset());  // packets count from 0
-    run_.send_bspline();
-    run_.send(lattice_packet(lattice_));
-    run_.send(vertices_packet(vertices(2)));
+    send_vertices(2);
     run_.send(packet);
     run_.send(vertices_packet(vertices(3)));
     ASSERT_TRUE(run_.go());
@@ -65,9 +68,11 @@ class AxiBadInput : public PerAxiConfiguration {
   /// A descriptor like that after a good packet: the packet gives its results, then the run ends.
   void expect_descriptor_refused(std::uint64_t address, std::uint32_t bytes, std::uint32_t flags,
                                  unsigned code) {
-    run_.send_bspline();
-    run_.send(lattice_packet(lattice_));
-    run_.send(vertices_packet(vertices(4)));
+    send_vertices(4);
+    expect_put_refused(address, bytes, flags, code);
+  }
+  void expect_put_refused(std::uint64_t address, std::uint32_t bytes, std::uint32_t flags,
+                          unsigned code) {
     const std::uint64_t descriptor = run_.ring().next_descriptor();
     run_.ring().put_descriptor(address, bytes, flags);
     ASSERT_TRUE(run_.go());
@@ -87,7 +92,7 @@ class AxiBadInput : public PerAxiConfiguration {
   }
 
   AxiRun run_{GetParam(), 1, "bernoulli"};
-  LatticeWords lattice_;
+  LatticeWords lattice_ = random_lattice(run_.codec(), run_.random(), 6);
 };
 
 TEST_P(AxiBadInput, UnknownOpcode) {
@@ -232,9 +237,7 @@ TEST_P(AxiBadInput, RegisterUnmappedReadOnlyOrLocked) {
 }
 
 TEST_P(AxiBadInput, StartWhileBusy) {
-  run_.send_bspline();
-  run_.send(lattice_packet(lattice_));
-  run_.send(vertices_packet(vertices(200)));
+  send_vertices(200);
   run_.start();
   EXPECT_THROW(run_.driver().start(), DriverError);
   const std::uint32_t irq = run_.driver().take_interrupts();
@@ -286,29 +289,21 @@ TEST_P(AxiBadInput, DescriptorWithFlags) {
 
 /// Packets that wait when the descriptor behind them is seen end as they should.
 TEST_P(AxiBadInput, DescriptorWithFlagsBehindPacketsThatWait) {
-  run_.send_bspline();
-  run_.send(lattice_packet(lattice_));
-  run_.send(vertices_packet(vertices(600)));
+  send_vertices(600);
   run_.send(vertices_packet(vertices(200)));
-  const std::uint64_t descriptor = run_.ring().next_descriptor();
-  run_.ring().put_descriptor(kBuffers.base, 32, 1);
-  ASSERT_TRUE(run_.go());
-  EXPECT_EQ(run_.driver().pending(), 1U);
-  expect_refusal(kDmaDescriptor, descriptor);
+  expect_put_refused(kBuffers.base, 32, 1, kDmaDescriptor);
 }
 
-TEST_P(AxiBadInput, RingOffItsSize) {
-  run_.system().write32(HWFFD_RING_BASE_LO_OFFSET, kRing.base + kBeat);
-  run_.send_bspline();
-  run_.start();
-  expect_refusal(kDmaMisaligned, kRing.base + kBeat);
-}
-
-TEST_P(AxiBadInput, RingOutsideTheWindow) {
-  run_.system().write32(HWFFD_RING_BASE_LO_OFFSET, kRing.base - 0x200);
-  run_.send_bspline();
-  run_.start();
-  expect_refusal(kDmaWindow, kRing.base - 0x200);
+TEST_P(AxiBadInput, RingOffItsSizeOrOutsideTheWindow) {
+  const std::pair<std::uint32_t, unsigned> bad[] = {{kRing.base + kBeat, kDmaMisaligned},
+                                                    {kRing.base - 0x200, kDmaWindow}};
+  for (const auto& [base, code] : bad) {
+    ASSERT_TRUE(run_.soft_reset());
+    run_.system().write32(HWFFD_RING_BASE_LO_OFFSET, base);
+    run_.send_bspline();
+    run_.start();
+    expect_refusal(code, base);
+  }
 }
 
 TEST_P(AxiBadInput, ResultAreaRefused) {
@@ -323,9 +318,7 @@ TEST_P(AxiBadInput, ResultAreaRefused) {
 
 /// Results that the area has no room for are dropped; nothing behind it is touched.
 TEST_P(AxiBadInput, ResultAreaTooSmall) {
-  run_.send_bspline();
-  run_.send(lattice_packet(lattice_));
-  run_.send(vertices_packet(vertices(40)));
+  send_vertices(40);
   run_.start(25);
   ASSERT_TRUE(run_.wait());
   EXPECT_EQ(run_.driver().result_count(), 25U);

@@ -17,19 +17,15 @@ class AxiBusError : public PerAxiConfiguration {
     std::size_t results_before;
   };
   Prepared prepare(AxiRun& run) {
-    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
-    const auto vertices = [&](std::size_t count) {
-      return vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, count));
-    };
     run.send_bspline();
-    run.send(lattice_packet(lattice));
-    run.send(vertices(3));
+    run.send_lattice(4);
+    run.send_vertices(3);
     Prepared prepared{run.ring().next_descriptor(), 0, run.expected().size()};
     const std::uint64_t page = (run.ring().next_buffer() | 0xFFF) + 1;
     run.ring().set_next_buffer(page);  // so that it is one burst
     prepared.packet = page;
-    run.send(vertices(kVertices));
-    run.send(vertices(3));
+    run.send_vertices(kVertices);
+    run.send_vertices(3);
     return prepared;
   }
   /// What every bus error leaves behind.
@@ -92,7 +88,6 @@ TEST_P(AxiBusError, OnADescriptor) {
 
 TEST_P(AxiBusError, OnEveryBurstOfResults) {
   AxiRun run(GetParam(), 3, "bernoulli");
-  std::uint64_t bursts = 0;
   for (std::uint64_t burst = 0; burst < 3; ++burst) {  // a burst a packet at least
     prepare(run);
     const std::size_t first = run.system().memory.writes().size();
@@ -107,9 +102,7 @@ TEST_P(AxiBusError, OnEveryBurstOfResults) {
     EXPECT_EQ(run.driver().result_count(), (address - run.area()) / kBeat);
     EXPECT_GE(run.results_in_memory(), run.driver().result_count());
     expect_restart(run);
-    ++bursts;
   }
-  EXPECT_EQ(bursts, 3U);
   EXPECT_TRUE(run.clean());
 }
 
@@ -119,12 +112,9 @@ TEST_P(AxiBusError, OnAWriteWhileReadsAreOpen) {
   tb::AxiMemory::Throttles slow;
   slow.r = tb::Throttle::runs({40, 40}, {150, 150}, 1);
   run.system().memory.set_throttles(slow);
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
   run.send_bspline();
-  run.send(lattice_packet(lattice));
-  for (int packet = 0; packet < 3; ++packet) {
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 150)));
-  }
+  run.send_lattice(4);
+  for (int packet = 0; packet < 3; ++packet) run.send_vertices(150);
   run.system().memory.fail_write(0, cores::kAxiSlverr);
   run.start();
   ASSERT_TRUE(run.wait());

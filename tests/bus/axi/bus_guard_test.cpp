@@ -29,10 +29,9 @@ class Guarded {
 };
 
 void send_vertices(AxiRun& run, std::size_t count) {
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
   run.send_bspline();
-  run.send(lattice_packet(lattice));
-  run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, count)));
+  run.send_lattice(4);
+  run.send_vertices(count);
 }
 
 /// Every burst has these, each way.
@@ -141,9 +140,7 @@ INSTANTIATE_TEST_SUITE_P(, AxiHang,
                                          Hang{"AW", kTimeoutAw, &tb::AxiMemory::Throttles::aw},
                                          Hang{"W", kTimeoutW, &tb::AxiMemory::Throttles::w},
                                          Hang{"B", kTimeoutB, &tb::AxiMemory::Throttles::b}),
-                         [](const testing::TestParamInfo<Hang>& hang) {
-                           return std::string(hang.param.name);
-                         });
+                         by_name);
 
 /// The run ends, and says which channel it was; a soft reset, too.
 TEST_P(AxiHang, EndsTheRunAndTheSoftReset) {

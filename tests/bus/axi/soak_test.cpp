@@ -1,11 +1,10 @@
 // Good and bad traffic mixed, round after round on one system, under waiting that changes with
 // every round: every result of what went well is exact, every error is survived. The environment
 // variable HWFFD_SOAK is the number of seeds; `make soak` sets it to 100.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cinttypes>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -169,14 +168,11 @@ TEST_P(AxiSoak, GoodAndBadTraffic) {
     cycles += traffic.cycles();
     if (HasFailure()) break;
     if (isatty(fileno(stderr)) != 0) {
-      std::fprintf(stderr, "\r%s: seed %" PRIu64 " of %" PRIu64, GetParam().name, seed - first + 1,
-                   count);
+      fmt::print(stderr, "\r{}: seed {} of {}", GetParam().name, seed - first + 1, count);
     }
   }
   if (isatty(fileno(stderr)) != 0) std::fprintf(stderr, "\r%60s\r", "");
-  std::printf("%s: %llu seeds, %llu results, %llu clocks\n", GetParam().name,
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(checked),
-              static_cast<unsigned long long>(cycles));
+  fmt::print("{}: {} seeds, {} results, {} clocks\n", GetParam().name, count, checked, cycles);
 }
 
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiSoak);

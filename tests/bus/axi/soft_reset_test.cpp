@@ -1,8 +1,7 @@
 // Resets while packets and results are on their way: open bursts are completed, then all is as new
 // and the next run exact.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cstdio>
 
 #include "axi_run.hpp"
 
@@ -13,12 +12,11 @@ class AxiReset : public PerAxiConfiguration {
  protected:
   /// Packets of all kinds, the last of them long.
   void prepare(AxiRun& run) {
-    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
     run.send_bspline();
-    run.send(lattice_packet(lattice));
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 20)));
+    run.send_lattice(4);
+    run.send_vertices(20);
     run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, run.random().bits())));
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 60)));
+    run.send_vertices(60);
   }
   /// The moments, in clocks after the start: dense at first, then over the whole run.
   static std::vector<std::uint64_t> moments() {
@@ -46,8 +44,7 @@ TEST_P(AxiReset, SoftResetAtAnyMoment) {
     EXPECT_TRUE(run.clean());
   }
   EXPECT_GT(busy, 40U);
-  std::printf("%zu soft resets, %llu of them while busy\n", 2 * moments().size(),
-              static_cast<unsigned long long>(busy));
+  fmt::print("{} soft resets, {} of them while busy\n", 2 * moments().size(), busy);
 }
 
 /// Nothing is loaded after a soft reset: neither coefficients nor a lattice.

@@ -10,10 +10,9 @@ namespace {
 class AxiStart : public PerAxiConfiguration {
  protected:
   void prepare(AxiRun& run) {
-    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
     run.send_bspline();
-    run.send(lattice_packet(lattice));
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 12)));
+    run.send_lattice(4);
+    run.send_vertices(12);
   }
 };
 

@@ -1,8 +1,8 @@
 // The whole core behind its buses, worked by the driver class: results in memory are those of the
 // model bit for bit, whatever comes and however the buses wait; counters, interrupts, identity.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <map>
 #include <numeric>
 #include <string>
@@ -54,21 +54,17 @@ TEST_P(Axi, AnyPacketsGiveTheModelsBits) {
     results += run.checked();
     events += total;
   }
-  std::printf("%llu results, %llu events\n", static_cast<unsigned long long>(results),
-              static_cast<unsigned long long>(events));
+  fmt::print("{} results, {} events\n", results, events);
 }
 
 /// Descriptors that come while the core is busy are taken in the same run, or in the next.
 TEST_P(Axi, PacketsAreAddedWhileItRuns) {
   AxiRun run(GetParam(), 3, "mixed");
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 6);
   run.send_bspline();
-  run.send(lattice_packet(lattice));
-  run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 100)));
+  run.send_lattice(6);
+  run.send_vertices(100);
   run.start(1000);
-  for (int packet = 0; packet < 5; ++packet) {
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 20)));
-  }
+  for (int packet = 0; packet < 5; ++packet) run.send_vertices(20);
   ASSERT_TRUE(run.finish());
   EXPECT_EQ(run.driver().pending(), 0U);
   EXPECT_EQ(run.checked(), 200U);
@@ -80,11 +76,8 @@ TEST_P(Axi, TheRingGoesAround) {
   AxiRun run(GetParam(), 4, "gaps");
   run.send_bspline();
   for (int repeat = 0; repeat < 4; ++repeat) {
-    const LatticeWords lattice = random_lattice(run.codec(), run.random(), 5);
-    run.send(lattice_packet(lattice));
-    for (int packet = 0; packet < 20; ++packet) {
-      run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 2)));
-    }
+    run.send_lattice(5);
+    for (int packet = 0; packet < 20; ++packet) run.send_vertices(2);
     ASSERT_TRUE(run.go()) << repeat;
   }
   EXPECT_EQ(run.checked(), 160U);
@@ -112,15 +105,13 @@ TEST_P(Axi, CountersCount) {
 /// A vertex is one, however many results it has; results that share a packet with none too.
 TEST_P(Axi, VerticesAreCountedNotResults) {
   AxiRun run(GetParam(), 10);
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 5);
   run.send(coefficients_packet(watertight_bspline(run.codec()), run.codec(),
                                Functions::kDerivativesToo));
-  run.send(lattice_packet(lattice));
+  run.send_lattice(5);
   std::uint64_t vertices = 0;
   for (const Results results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant}) {
     for (const OutsideMode mode : {OutsideMode::kClamp, OutsideMode::kBlank}) {
-      run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 7), mode,
-                               results));
+      run.send(vertices_packet(run.vertices(7), mode, results));
       vertices += 7;
     }
   }
@@ -136,10 +127,9 @@ TEST_P(Axi, StallsAreCounted) {
   tb::AxiMemory::Throttles closed;
   closed.w = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
   run.system().memory.set_throttles(closed);
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), 4);
   run.send_bspline();
-  run.send(lattice_packet(lattice));
-  run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, 800)));
+  run.send_lattice(4);
+  run.send_vertices(800);
   run.start();
   run.system().run(80'000);
   EXPECT_GT(run.driver().counters().stalls, 1000U);
@@ -217,15 +207,12 @@ TEST_P(Axi, TheBusIsUsedWhereTheEvaluatorKeepsUp) {
   constexpr int kVertices = 4000;  // a packet
   AxiRun run(GetParam(), 8);
   run.system().memory.set_latency({30, 30});
-  const LatticeWords lattice = random_lattice(run.codec(), run.random(), {16, 16, 16});
   run.send_bspline();
-  run.send(lattice_packet(lattice));
-  for (int packet = 0; packet < kPackets; ++packet) {
-    run.send(vertices_packet(random_vertices(run.codec(), run.random(), lattice.dims, kVertices)));
-  }
+  run.send_lattice(std::array<int, 3>{16, 16, 16});
+  for (int packet = 0; packet < kPackets; ++packet) run.send_vertices(kVertices);
   ASSERT_TRUE(run.go());
   const tb::BusUtilisation bus = run.system().utilisation();
-  std::printf("R %.2f %%, W %.2f %%\n", 100 * bus.read(), 100 * bus.write());
+  fmt::print("R {:.2f} %, W {:.2f} %\n", 100 * bus.read(), 100 * bus.write());
   EXPECT_GE(bus.read(), 0.95);
   EXPECT_GE(bus.write(), 0.95);
   EXPECT_GE(bus.write_beats, std::uint64_t{kPackets * kVertices});

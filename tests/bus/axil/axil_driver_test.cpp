@@ -7,6 +7,7 @@
 #include <set>
 
 #include "hwffd/tb/axil_checker.hpp"
+#include "named.hpp"
 
 namespace hwffd::tb {
 namespace {
@@ -53,7 +54,7 @@ class DriverThrottle : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Every, DriverThrottle,
                          testing::Values("always", "gaps", "sparse", "bernoulli", "bursts",
                                          "long_stall", "mixed"),
-                         [](const auto& info) { return info.param; });
+                         test::by_name);
 
 TEST_P(DriverThrottle, SendsAllInOrderAndKeepsTheRules) {
   AxiLiteDriver driver(1, AxiLiteThrottles::make(GetParam(), 2));

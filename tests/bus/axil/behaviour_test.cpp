@@ -41,6 +41,9 @@ TEST(Pulse, NeedsItsStrobe) {
 // ---- sticky bits against a set in the same clock
 
 struct Sticky {
+  std::string name() const {
+    return std::string(path).replace(std::strchr(path, '.') - path, 1, "_");
+  }
   const char* path;
   const char* port;
   std::uint64_t value;
@@ -55,11 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Bits, EachSticky,
                                          Sticky{"ERROR_FIRST.valid", "error_event_i", 0x10},
                                          Sticky{"IRQ_STATE.done", "status_done_set_i", 1},
                                          Sticky{"IRQ_STATE.error", "error_event_i", 2}),
-                         [](const auto& info) {
-                           std::string name = info.param.path;
-                           name.replace(name.find('.'), 1, "_");
-                           return name;
-                         });
+                         test::by_name);
 
 TEST_P(EachSticky, IsSetByTheHardwareAndClearedByOne) {
   const Sticky& sticky = GetParam();

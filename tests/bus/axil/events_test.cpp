@@ -53,26 +53,18 @@ class EventBench {
 
 /// What a code of the DMA is called in the registers.
 std::uint32_t named(unsigned code, bool read) {
-  switch (code) {
-    case 1:
-      return HWFFD_ERROR_STATUS_DMA_ZERO_MASK;
-    case 2:
-      return HWFFD_ERROR_STATUS_DMA_MISALIGNED_MASK;
-    case 3:
-      return HWFFD_ERROR_STATUS_DMA_WRAP_MASK;
-    case 4:
-      return HWFFD_ERROR_STATUS_DMA_WINDOW_MASK;
-    case 5:
-      return HWFFD_ERROR_STATUS_DMA_DESCRIPTOR_MASK;
-    case 6:
-    case 7:
-      return read ? HWFFD_ERROR_STATUS_DMA_READ_RESPONSE_MASK
-                  : HWFFD_ERROR_STATUS_DMA_WRITE_RESPONSE_MASK;
-    case 8:
-      return HWFFD_ERROR_STATUS_DMA_RING_MASK;
-    default:
-      return 0;
-  }
+  const std::uint32_t response =
+      read ? HWFFD_ERROR_STATUS_DMA_READ_RESPONSE_MASK : HWFFD_ERROR_STATUS_DMA_WRITE_RESPONSE_MASK;
+  const std::uint32_t masks[] = {0,
+                                 HWFFD_ERROR_STATUS_DMA_ZERO_MASK,
+                                 HWFFD_ERROR_STATUS_DMA_MISALIGNED_MASK,
+                                 HWFFD_ERROR_STATUS_DMA_WRAP_MASK,
+                                 HWFFD_ERROR_STATUS_DMA_WINDOW_MASK,
+                                 HWFFD_ERROR_STATUS_DMA_DESCRIPTOR_MASK,
+                                 response,
+                                 response,
+                                 HWFFD_ERROR_STATUS_DMA_RING_MASK};
+  return masks[code];
 }
 
 TEST(Events, TheCoresKeepTheirPlaces) {

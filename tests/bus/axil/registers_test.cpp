@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "named.hpp"
 #include "register_bench.hpp"
 
 namespace hwffd::test {
@@ -48,8 +49,7 @@ std::vector<Register> all_registers() {
 const std::set<std::string> kStored = {"rw"};
 
 class EachRegister : public testing::TestWithParam<Register> {};
-INSTANTIATE_TEST_SUITE_P(Table, EachRegister, testing::ValuesIn(all_registers()),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Table, EachRegister, testing::ValuesIn(all_registers()), by_name);
 
 TEST_P(EachRegister, HasItsResetValue) {
   const Register& reg = GetParam();

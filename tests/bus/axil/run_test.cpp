@@ -75,6 +75,14 @@ class RunBench {
     sim_.dut().eval();
     step();
   }
+  /// Until that many runs have ended.
+  bool until_done(unsigned runs, unsigned limit = 10'000) {
+    return until([&] { return done == runs; }, limit);
+  }
+  bool until_idle(unsigned limit = 10'000) {
+    return until([&] { return dut().busy_o == 0; }, limit);
+  }
+
   bool until(const std::function<bool()>& end, unsigned limit = 10'000) {
     for (unsigned i = 0; i < limit; ++i) {
       if (end()) return true;
@@ -124,7 +132,7 @@ TEST(Run, EndsWhenAllIsDone) {
     bench.dut().ring_head_i = static_cast<SData>(descriptors);
     bench.start();
     EXPECT_EQ(bench.dut().busy_o, 1);  // in the clock after the pulse
-    ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+    ASSERT_TRUE(bench.until_idle());
     EXPECT_EQ(bench.done, 1u);
     EXPECT_EQ(bench.tail, descriptors);
     EXPECT_EQ(bench.ring_starts, 1u);
@@ -144,19 +152,19 @@ TEST(Run, WaitsForTheCore) {
   EXPECT_EQ(bench.dut().busy_o, 1);
   EXPECT_EQ(bench.dut().idle_o, 0);
   bench.core_stuck = false;
-  EXPECT_TRUE(bench.until([&] { return bench.done == 1; }, 12));
+  EXPECT_TRUE(bench.until_done(1, 12));
 }
 
 TEST(Run, TheRingSeesNoHeadBetweenRuns) {
   RunBench bench;
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  ASSERT_TRUE(bench.until_done(1));
   bench.dut().ring_head_i = 3;
   bench.steps(100);
   EXPECT_EQ(bench.tail, 0u);
   EXPECT_EQ(bench.dut().ring_head_o, 0);
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  ASSERT_TRUE(bench.until_done(2));
   EXPECT_EQ(bench.tail, 3u);
 }
 
@@ -169,7 +177,7 @@ TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
     bench.start();
     bench.steps(at);
     bench.dut().ring_head_i = 2;
-    ASSERT_TRUE(bench.until([&] { return bench.done == 1 && bench.dut().busy_o == 0; }));
+    ASSERT_TRUE(bench.until_done(1 && bench.dut().busy_o == 0));
     const unsigned tail = bench.tail;
     bench.steps(100);
     EXPECT_EQ(bench.done, 1u);
@@ -177,7 +185,7 @@ TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
     EXPECT_EQ(bench.dut().ring_head_o, tail);
     taken += bench.tail == 2 ? 1 : 0;
     bench.start();
-    ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+    ASSERT_TRUE(bench.until_done(2));
     EXPECT_EQ(bench.tail, 2u);
   }
   EXPECT_GT(taken, 10u);
@@ -187,15 +195,15 @@ TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
 TEST(Run, ARingInUseKeepsItsPlace) {
   RunBench bench;
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  ASSERT_TRUE(bench.until_done(1));
   bench.dut().ring_base_i = 0x9000;
   bench.dut().ring_log2_size_i = 2;
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  ASSERT_TRUE(bench.until_done(2));
   EXPECT_EQ(bench.dut().ring_base_o, 0x4000u);
   EXPECT_EQ(bench.dut().ring_entries_log2_o, 4);
   bench.soft_reset();
-  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  ASSERT_TRUE(bench.until_idle());
   bench.start();
   EXPECT_EQ(bench.dut().ring_base_o, 0x9000u);
   EXPECT_EQ(bench.dut().ring_entries_log2_o, 2);
@@ -206,13 +214,13 @@ TEST(Run, ARefusedAreaStartsNoRing) {
   bench.refuse = true;
   bench.dut().ring_head_i = 2;
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  ASSERT_TRUE(bench.until_idle());
   EXPECT_EQ(bench.done, 1u);
   EXPECT_EQ(bench.ring_starts, 0u);
   EXPECT_EQ(bench.dut().stopped_o, 0);  // a refusal is not a bus error
   bench.refuse = false;
   bench.start();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 2; }));
+  ASSERT_TRUE(bench.until_done(2));
   EXPECT_EQ(bench.tail, 2u);
 }
 
@@ -223,14 +231,14 @@ TEST(Run, AFaultOfTheBusEndsItAndASoftResetTheStop) {
   bench.start();
   bench.steps(22);
   bench.fault();
-  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  ASSERT_TRUE(bench.until_idle());
   EXPECT_EQ(bench.dut().dma_halted_i, 1);  // it was waited for
   EXPECT_EQ(bench.done, 1u);
   EXPECT_EQ(bench.dut().stopped_o, 1);
   bench.core_stuck = false;
   bench.soft_reset();
   EXPECT_EQ(bench.dut().stopped_o, 0);
-  ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }));
+  ASSERT_TRUE(bench.until_idle());
   EXPECT_EQ(bench.done, 1u);
 }
 
@@ -240,7 +248,7 @@ TEST(Run, ARefusalInItIsNoStop) {
   bench.start();
   bench.steps(30);
   bench.refuse_area();
-  ASSERT_TRUE(bench.until([&] { return bench.done == 1; }));
+  ASSERT_TRUE(bench.until_done(1));
   EXPECT_EQ(bench.dut().stopped_o, 0);
 }
 
@@ -279,13 +287,13 @@ TEST(Run, ASoftResetAtAnyClockEndsIt) {
     bench.step();
     EXPECT_EQ(bench.dut().core_rst_o, 1);
     const unsigned starts = bench.ring_starts;
-    ASSERT_TRUE(bench.until([&] { return bench.dut().busy_o == 0; }, kDmaReset + 2));
+    ASSERT_TRUE(bench.until_idle(kDmaReset + 2));
     bench.steps(50);
     EXPECT_EQ(bench.done, before);
     EXPECT_EQ(bench.ring_starts, starts);
     EXPECT_EQ(bench.dut().core_rst_o, 0);
     bench.start();
-    ASSERT_TRUE(bench.until([&] { return bench.done == before + 1; }));
+    ASSERT_TRUE(bench.until_done(before + 1));
     EXPECT_EQ(bench.tail, 2u);
   }
 }

@@ -1,8 +1,8 @@
 // The bus: random traffic of reads and writes at once, reset in its midst, order, rate and latency.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
+#include "named.hpp"
 #include "register_bench.hpp"
 
 namespace hwffd::test {
@@ -51,7 +51,7 @@ class EveryThrottle : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Traffic, EveryThrottle,
                          testing::Values("always", "gaps", "sparse", "bernoulli", "bursts",
                                          "mixed"),
-                         [](const auto& info) { return info.param; });
+                         by_name);
 
 TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
   const std::uint64_t seed = tb::seed_from_environment(1);
@@ -83,9 +83,7 @@ TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
   EXPECT_GE(bench.compared(), kTransactions);
   EXPECT_GT(errors, answered / 20);
   EXPECT_LT(errors, answered * 9 / 20);
-  std::printf("%llu responses compared in %llu clocks\n",
-              static_cast<unsigned long long>(bench.compared()),
-              static_cast<unsigned long long>(bench.clock()));
+  fmt::print("{} responses compared in {} clocks\n", bench.compared(), bench.clock());
 }
 
 TEST(Reset, ARequestInTheFirstClockIsHeldNotLost) {

@@ -10,9 +10,8 @@ constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr tb::AxiMemory::Range kEverywhere{0, kAll};
 constexpr std::uint64_t kRingBytes = 2 * kBeat;  // of the smallest ring
 
-class AddressBits : public testing::TestWithParam<DmaSize> {};
-INSTANTIATE_TEST_SUITE_P(Dma, AddressBits, testing::ValuesIn(dma_sizes()),
-                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+class AddressBits : public PerDmaSize {};
+HWFFD_FOR_EACH_DMA_SIZE(AddressBits);
 
 std::uint64_t bit(unsigned k) { return std::uint64_t{1} << k; }
 
@@ -125,9 +124,7 @@ void expect_read_error(const DmaSize& size, const Wrong& wrong) {
   bench.start_ring();
   ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }, 500));
   ASSERT_TRUE(bench.run_until_idle());
-  ASSERT_EQ(bench.read_errors().size(), 1u);
-  EXPECT_EQ(bench.read_errors()[0].code, wrong.code);
-  EXPECT_EQ(bench.read_errors()[0].address, wrong.reported);
+  EXPECT_TRUE(only(bench.read_errors(), wrong.code, wrong.reported));
   EXPECT_EQ(bench.faults(), "");
 }
 
@@ -155,9 +152,7 @@ TEST_P(AddressBits, EachIsReportedOfAWrite) {
       bench.offer_results(16, 16);
       ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }, 500));
       bench.run(100);
-      ASSERT_EQ(bench.write_errors().size(), 1u);
-      EXPECT_EQ(bench.write_errors()[0].code, refused ? kZeroLength : kSlaveError);
-      EXPECT_EQ(bench.write_errors()[0].address, place.area());
+      EXPECT_TRUE(only(bench.write_errors(), refused ? kZeroLength : kSlaveError, place.area()));
       EXPECT_EQ(bench.faults(), "");
     }
   }
@@ -179,8 +174,7 @@ TEST_P(AddressBits, EachIsHeldWhileItWaits) {
     bench.set_windows(kEverywhere, {start, start + kBeats * kBeat - 1});
     bench.place_ring(zeros_below(~any, 20), 2);
     bench.put_packet(start, kBeats);
-    bench.start_ring();
-    ASSERT_TRUE(bench.run_until_idle());
+    ASSERT_TRUE(bench.run_ring());
     EXPECT_EQ(bench.packet_difference(), "");
     bench.start_results(start, kBeats * kBeat);
     bench.offer_results(kBeats, kBeats);

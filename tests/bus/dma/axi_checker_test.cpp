@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "named.hpp"
+
 namespace hwffd::tb {
 namespace {
 
@@ -39,97 +41,92 @@ AxiChecker check(const std::vector<cores::AxiPins>& cycles, const AxiChecker::Li
   return checker;
 }
 
+using Cycles = std::vector<cores::AxiPins>;
+
 struct Flaw {
   const char* name;
   AxiRule rule;
-  std::function<void(std::vector<cores::AxiPins>&)> plant;
+  std::function<void(Cycles&)> plant;
 };
 
-const std::vector<Flaw>& flaws() {
-  using Cycles = std::vector<cores::AxiPins>;
-  static const std::vector<Flaw> list = {
-      {"ArFalls", AxiRule::kStable,
-       [](Cycles& c) {
-         c[3].ar = c[2].ar;
-         c[2].ar = {};
-       }},
-      {"ArChanges", AxiRule::kStable, [](Cycles& c) { c[1].ar.address = 0x1fc0; }},
-      {"AwLengthChanges", AxiRule::kStable, [](Cycles& c) { c[1].aw.len = 0; }},
-      {"WChanges", AxiRule::kStable, [](Cycles& c) { c[2].w.data[3] = 1; }},
-      {"RChanges", AxiRule::kStable,
-       [](Cycles& c) {
-         for (std::size_t i : {0, 1, 2, 3, 4}) c[i].r.ready = false;
-         c[5].r = c[4].r;
-         c[5].r.ready = true;
-         c[5].r.data[1] = 1;
-       }},
-      {"BFalls", AxiRule::kStable,
-       [](Cycles& c) {
-         for (cores::AxiPins& pins : c) pins.b.ready = false;
-         c[9].b.ready = c[9].b.valid = true;
-       }},
-      {"NarrowRead", AxiRule::kShape, [](Cycles& c) { c[1].ar.size = c[2].ar.size = 3; }},
-      {"WrappingWrite", AxiRule::kShape, [](Cycles& c) { c[1].aw.burst = c[2].aw.burst = 2; }},
-      {"Strobe", AxiRule::kShape, [](Cycles& c) { c[4].w.strobe = 0x7fff; }},
-      {"Misaligned", AxiRule::kAligned,
-       [](Cycles& c) { c[1].ar.address = c[2].ar.address = 0x1f88; }},
-      {"CrossesReading", AxiRule::kBoundary,
-       [](Cycles& c) { c[1].ar.address = c[2].ar.address = 0x1ff0; }},
-      {"CrossesWriting", AxiRule::kBoundary,
-       [](Cycles& c) { c[1].aw.address = c[2].aw.address = 0x2ff0; }},
-      {"WlastEarly", AxiRule::kWriteLast,
-       [](Cycles& c) {
-         c[2].w.last = c[3].w.last = true;
-         c[4].w = {};
-       }},
-      {"WriteTooLong", AxiRule::kWriteLast,
-       [](Cycles& c) {
-         c[4].w.last = false;
-         c[5].w = {true, true, {}, 0xffff, true};
-       }},
-      {"RlastMissing", AxiRule::kReadLast, [](Cycles& c) { c[6].r.last = false; }},
-      {"RlastEarly", AxiRule::kReadLast, [](Cycles& c) { c[4].r.last = true; }},
-      {"ReadUnasked", AxiRule::kUnasked, [](Cycles& c) { c[8].r = c[6].r; }},
-      {"ResponseUnasked", AxiRule::kUnasked, [](Cycles& c) { c[8].b = c[7].b; }},
-      {"ResponseBeforeData", AxiRule::kUnasked, [](Cycles& c) { c[3].b = c[7].b; }},
-      {"ReadUnanswered", AxiRule::kUnanswered,
-       [](Cycles& c) {
-         c[6].r = {false, true};
-       }},
-      {"WriteUnanswered", AxiRule::kUnanswered, [](Cycles& c) { c[7].b.valid = false; }},
-      {"DataWithoutAddress", AxiRule::kUnanswered,
-       [](Cycles& c) {
-         c[8].w = {true, true, {}, 0xffff, true};
-       }},
-      {"Stall", AxiRule::kStall,
-       [](Cycles& c) {
-         c[5].w = c[4].w;
-         c[4].w = {};
-       }},
-      {"ReadyFalls", AxiRule::kReadyFell, [](Cycles& c) { c[9].r.ready = false; }},
-      {"AddressAfterError", AxiRule::kAfterError,
-       [](Cycles& c) {
-         c[6].r.response = cores::kAxiSlverr;
-         c[7].ar = {true, false, 0x100, 0};
-         c[8].ar = c[9].ar = c[7].ar;
-       }},
-      {"WriteAfterError", AxiRule::kAfterError,
-       [](Cycles& c) {
-         c[7].b.response = cores::kAxiDecerr;
-         c[8].aw = c[9].aw = {true, false, 0x100, 0};
-       }},
-  };
-  return list;
-}
+const Flaw kFlaws[] = {
+    {"ArFalls", AxiRule::kStable,
+     [](Cycles& c) {
+       c[3].ar = c[2].ar;
+       c[2].ar = {};
+     }},
+    {"ArChanges", AxiRule::kStable, [](Cycles& c) { c[1].ar.address = 0x1fc0; }},
+    {"AwLengthChanges", AxiRule::kStable, [](Cycles& c) { c[1].aw.len = 0; }},
+    {"WChanges", AxiRule::kStable, [](Cycles& c) { c[2].w.data[3] = 1; }},
+    {"RChanges", AxiRule::kStable,
+     [](Cycles& c) {
+       for (std::size_t i : {0, 1, 2, 3, 4}) c[i].r.ready = false;
+       c[5].r = c[4].r;
+       c[5].r.ready = true;
+       c[5].r.data[1] = 1;
+     }},
+    {"BFalls", AxiRule::kStable,
+     [](Cycles& c) {
+       for (cores::AxiPins& pins : c) pins.b.ready = false;
+       c[9].b.ready = c[9].b.valid = true;
+     }},
+    {"NarrowRead", AxiRule::kShape, [](Cycles& c) { c[1].ar.size = c[2].ar.size = 3; }},
+    {"WrappingWrite", AxiRule::kShape, [](Cycles& c) { c[1].aw.burst = c[2].aw.burst = 2; }},
+    {"Strobe", AxiRule::kShape, [](Cycles& c) { c[4].w.strobe = 0x7fff; }},
+    {"Misaligned", AxiRule::kAligned,
+     [](Cycles& c) { c[1].ar.address = c[2].ar.address = 0x1f88; }},
+    {"CrossesReading", AxiRule::kBoundary,
+     [](Cycles& c) { c[1].ar.address = c[2].ar.address = 0x1ff0; }},
+    {"CrossesWriting", AxiRule::kBoundary,
+     [](Cycles& c) { c[1].aw.address = c[2].aw.address = 0x2ff0; }},
+    {"WlastEarly", AxiRule::kWriteLast,
+     [](Cycles& c) {
+       c[2].w.last = c[3].w.last = true;
+       c[4].w = {};
+     }},
+    {"WriteTooLong", AxiRule::kWriteLast,
+     [](Cycles& c) {
+       c[4].w.last = false;
+       c[5].w = {true, true, {}, 0xffff, true};
+     }},
+    {"RlastMissing", AxiRule::kReadLast, [](Cycles& c) { c[6].r.last = false; }},
+    {"RlastEarly", AxiRule::kReadLast, [](Cycles& c) { c[4].r.last = true; }},
+    {"ReadUnasked", AxiRule::kUnasked, [](Cycles& c) { c[8].r = c[6].r; }},
+    {"ResponseUnasked", AxiRule::kUnasked, [](Cycles& c) { c[8].b = c[7].b; }},
+    {"ResponseBeforeData", AxiRule::kUnasked, [](Cycles& c) { c[3].b = c[7].b; }},
+    {"ReadUnanswered", AxiRule::kUnanswered,
+     [](Cycles& c) {
+       c[6].r = {false, true};
+     }},
+    {"WriteUnanswered", AxiRule::kUnanswered, [](Cycles& c) { c[7].b.valid = false; }},
+    {"DataWithoutAddress", AxiRule::kUnanswered,
+     [](Cycles& c) {
+       c[8].w = {true, true, {}, 0xffff, true};
+     }},
+    {"Stall", AxiRule::kStall,
+     [](Cycles& c) {
+       c[5].w = c[4].w;
+       c[4].w = {};
+     }},
+    {"ReadyFalls", AxiRule::kReadyFell, [](Cycles& c) { c[9].r.ready = false; }},
+    {"AddressAfterError", AxiRule::kAfterError,
+     [](Cycles& c) {
+       c[6].r.response = cores::kAxiSlverr;
+       c[7].ar = {true, false, 0x100, 0};
+       c[8].ar = c[9].ar = c[7].ar;
+     }},
+    {"WriteAfterError", AxiRule::kAfterError,
+     [](Cycles& c) {
+       c[7].b.response = cores::kAxiDecerr;
+       c[8].aw = c[9].aw = {true, false, 0x100, 0};
+     }},
+};
 
-class Checker : public testing::TestWithParam<std::size_t> {};
-INSTANTIATE_TEST_SUITE_P(Axi, Checker, testing::Range(std::size_t{0}, flaws().size()),
-                         [](const testing::TestParamInfo<std::size_t>& info) {
-                           return flaws()[info.param].name;
-                         });
+class Checker : public testing::TestWithParam<Flaw> {};
+INSTANTIATE_TEST_SUITE_P(Axi, Checker, testing::ValuesIn(kFlaws), test::by_name);
 
 TEST_P(Checker, FindsTheFlaw) {
-  const Flaw& flaw = flaws()[GetParam()];
+  const Flaw& flaw = GetParam();
   std::vector<cores::AxiPins> cycles = good_traffic();
   flaw.plant(cycles);
   const AxiChecker checker = check(cycles);

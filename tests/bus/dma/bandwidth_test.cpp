@@ -1,7 +1,6 @@
 // At least 95 % of the bus, with 30 clocks from an address to its first answer.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cstdio>
 
 #include "dma_bench.hpp"
 
@@ -35,25 +34,30 @@ Rate measure(const DmaSize& size, std::uint64_t packet_beats, std::uint64_t cloc
                   static_cast<double>(bench.memory.write_beats() - results) / span,
                   bench.checker.most_reads(), bench.checker.most_writes()};
   EXPECT_TRUE(bench.checker.reports().empty());
-  std::printf("%s, packets of %llu beats: R %.2f %%, W %.2f %%, at most %llu and %llu bursts\n",
-              size.name.c_str(), static_cast<unsigned long long>(packet_beats), 100 * rate.read,
-              100 * rate.write, static_cast<unsigned long long>(rate.reads),
-              static_cast<unsigned long long>(rate.writes));
+  fmt::print("{}, packets of {} beats: R {:.2f} %, W {:.2f} %, at most {} and {} bursts\n",
+             size.name, packet_beats, 100 * rate.read, 100 * rate.write, rate.reads, rate.writes);
   return rate;
 }
 
-TEST(Bandwidth, LongPackets) {
-  const Rate rate = measure(dma_sizes()[0], 1000);
+struct Case {
+  const char* name;
+  DmaSize size;
+  std::uint64_t packet_beats;
+};
+class FullBandwidth : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(, FullBandwidth,
+                         testing::Values(Case{"LongPackets", dma_sizes()[0], 1000},
+                                         Case{"PacketsOfOneVertexEach", dma_sizes()[0], 50},
+                                         Case{"TwoLongBursts", {"pair", 256, 512, 2}, 1000},
+                                         Case{"FourBurstsOf16", dma_sizes()[1], 1000}),
+                         by_name);
+
+TEST_P(FullBandwidth, OfBothDirections) {
+  const Rate rate = measure(GetParam().size, GetParam().packet_beats);
   EXPECT_GE(rate.read, 0.95);
   EXPECT_GE(rate.write, 0.95);
   EXPECT_GT(rate.reads, 1u);
   EXPECT_GT(rate.writes, 1u);
-}
-
-TEST(Bandwidth, PacketsOfOneVertexEach) {
-  const Rate rate = measure(dma_sizes()[0], 50);
-  EXPECT_GE(rate.read, 0.95);
-  EXPECT_GE(rate.write, 0.95);
 }
 
 /// Two requests of five clocks, and what eight bursts outstanding cannot hide of the latency.
@@ -63,21 +67,13 @@ TEST(Bandwidth, ShortPacketsTakeTwelveClocksAtMost) {
   }
 }
 
-TEST(Bandwidth, TwoLongBurstsAreEnoughForLongPackets) {
-  const Rate rate = measure({"pair", 256, 512, 2}, 1000);
-  EXPECT_GE(rate.read, 0.95);
-  EXPECT_GE(rate.write, 0.95);
-}
+TEST(Bandwidth, TwoBurstsOfFourCannot) { EXPECT_LT(measure(dma_sizes()[2], 1000).read, 0.30); }
 
-TEST(Bandwidth, BurstsOf16AndFourOutstanding) {
-  const Rate rate = measure(dma_sizes()[1], 1000);
-  EXPECT_GE(rate.read, 0.95);
-  EXPECT_GE(rate.write, 0.95);
-}
-
-TEST(Bandwidth, TwoBurstsOfFourCannot) {
-  const Rate rate = measure(dma_sizes()[2], 1000);
-  EXPECT_LT(rate.read, 0.30);
+/// Clocks from `start` to the one in which that holds.
+template <class Condition>
+std::uint64_t clocks_until(DmaBench& bench, std::uint64_t start, Condition condition) {
+  EXPECT_TRUE(bench.run_until(condition, 100));
+  return bench.cycle() - start;
 }
 
 /// Clocks from a start to the first packet beat that is taken, where the memory answers after one.
@@ -86,20 +82,12 @@ TEST(Bandwidth, LatencyOfAnIdleBus) {
     DmaBench bench(dma_sizes()[0], 2);
     bench.place_ring(0x10000, 2);
     bench.put_packet(0x20000, beats);
-    const std::uint64_t start = bench.cycle();
+    const std::uint64_t start = bench.cycle() + 1;
     bench.start_ring();
-    ASSERT_TRUE(bench.run_until([&] { return bench.memory.reads().size() == 1; }, 100));
-    const std::uint64_t descriptor = bench.cycle() - 1 - start;
-    ASSERT_TRUE(bench.run_until([&] { return bench.memory.reads().size() == 2; }, 100));
-    const std::uint64_t data = bench.cycle() - 1 - start;
-    ASSERT_TRUE(bench.run_until([&] { return !bench.packets().empty(); }, 100));
-    const std::uint64_t first = bench.cycle() - 1 - start;
-    std::printf("start to descriptor's address %llu, to data's %llu, to first beat of %llu: %llu\n",
-                static_cast<unsigned long long>(descriptor), static_cast<unsigned long long>(data),
-                static_cast<unsigned long long>(beats), static_cast<unsigned long long>(first));
-    EXPECT_EQ(descriptor, 6u);
-    EXPECT_EQ(data, 14u);
-    EXPECT_EQ(first, 18u);
+    const auto& reads = bench.memory.reads();
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 1; }), 6u) << "descriptor";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 2; }), 14u) << "address";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return !bench.packets().empty(); }), 18u);
   }
 }
 
@@ -109,20 +97,12 @@ TEST(Bandwidth, LatencyOfAResult) {
   bench.start_results(0x20000, 1 << 12);
   bench.run(20);
   bench.offer_results(1, 1);
-  ASSERT_TRUE(bench.run_until([&] { return bench.accepted_results().size() == 1; }, 100));
-  const std::uint64_t taken = bench.cycle();
-  ASSERT_TRUE(bench.run_until([&] { return bench.memory.writes().size() == 1; }, 100));
-  const std::uint64_t address = bench.cycle() - taken;
-  ASSERT_TRUE(bench.run_until([&] { return bench.memory.write_beats() == 1; }, 100));
-  const std::uint64_t data = bench.cycle() - taken;
-  ASSERT_TRUE(bench.run_until([&] { return bench.status.result_count == 1; }, 100));
-  const std::uint64_t count = bench.cycle() - taken;
-  std::printf("result taken to its address %llu, to its data %llu, to its count %llu\n",
-              static_cast<unsigned long long>(address), static_cast<unsigned long long>(data),
-              static_cast<unsigned long long>(count));
-  EXPECT_EQ(address, 2u);
-  EXPECT_EQ(data, 4u);
-  EXPECT_EQ(count, 6u);
+  const std::uint64_t taken =
+      clocks_until(bench, 0, [&] { return bench.accepted_results().size() == 1; });
+  const auto& memory = bench.memory;
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.writes().size() == 1; }), 2u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.write_beats() == 1; }), 4u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return bench.status.result_count == 1; }), 6u);
 }
 
 }  // namespace

@@ -141,15 +141,24 @@ void DmaBench::start_ring() {
   step();
 }
 
+bool DmaBench::run_ring() {
+  start_ring();
+  return run_until_idle();
+}
+
 void DmaBench::forget_packets() {
   packets_.clear();
   expected_.clear();
 }
 
-void DmaBench::start_results(std::uint64_t base, std::uint32_t bytes) {
+void DmaBench::place_area(std::uint64_t base, std::uint32_t bytes) {
   controls.result_base = base;
   controls.result_size = bytes;
   controls.result_start = true;
+}
+
+void DmaBench::start_results(std::uint64_t base, std::uint32_t bytes) {
+  place_area(base, bytes);
   step();
 }
 
@@ -181,6 +190,31 @@ std::string DmaBench::faults() {
   for (const std::string& report : checker.reports()) text += report + "\n";
   if (text.empty() && checker.violations() != 0) text = "violations";
   return text;
+}
+
+testing::AssertionResult DmaBench::exact() {
+  const std::string difference = packet_difference(), broken = faults();
+  if (difference.empty() && broken.empty()) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << difference << "\n" << broken;
+}
+
+void DmaBench::begin_soft_reset() {
+  controls.soft_reset = true;
+  step();
+  forget_results();
+  step();
+}
+
+testing::AssertionResult only(const std::vector<DmaError>& errors, unsigned code,
+                              std::uint64_t address) {
+  auto failure = testing::AssertionFailure();
+  for (const DmaError& error : errors) {
+    if (errors.size() == 1 && error.code == code && error.address == address) {
+      return testing::AssertionSuccess();
+    }
+    failure << fmt::format("code {} at {:#x}; ", error.code, error.address);
+  }
+  return failure << fmt::format("wanted one of code {} at {:#x}", code, address);
 }
 
 void set_all_throttles(DmaBench& bench, const std::string& bus, const std::string& stream) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -11,10 +13,16 @@
 #include "hwffd/tb/axi_memory.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/throttle.hpp"
+#include "named.hpp"
 
 namespace hwffd::test {
 
 constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
+
+/// Where the tests put ring, packets and results, unless they say otherwise.
+constexpr std::uint64_t kRing = 0x7000;
+constexpr std::uint64_t kPackets = 0x100000;
+constexpr std::uint64_t kArea = 0x900000;
 
 /// Codes of errors (docs/interface.md).
 enum DmaCode : unsigned {
@@ -86,6 +94,8 @@ class DmaBench {
   void expect_packet(std::uint64_t address, std::uint64_t beats);
   void ring_doorbell() { controls.ring_head = software_head_; }
   void start_ring();
+  /// The same until all of it has been read; false if it does not end.
+  bool run_ring();
   std::uint16_t software_head() const { return software_head_; }
   void set_software_head(std::uint16_t head) { software_head_ = head; }
   /// Packet beats that have come, and that should.
@@ -97,6 +107,8 @@ class DmaBench {
 
   // ---- results
   void start_results(std::uint64_t base, std::uint32_t bytes);
+  /// The same with the next step.
+  void place_area(std::uint64_t base, std::uint32_t bytes);
   /// Queues results; the last of every `packet` beats is marked, or none where it is 0.
   void offer_results(std::uint64_t count, std::uint64_t packet = 0);
   std::uint64_t results_waiting() const { return results_.size(); }
@@ -115,6 +127,16 @@ class DmaBench {
 
   /// Empty if no rule was broken on the bus and on the packet stream, else the reports.
   std::string faults();
+  /// No difference of packets, no fault.
+  testing::AssertionResult exact();
+
+  // ---- soft reset
+
+  /// Of the engine and of the evaluator, whose results are gone, until clearing_o is seen.
+  void begin_soft_reset();
+  bool end_soft_reset(std::uint64_t limit = 200000) {
+    return run_until([&] { return !status.clearing && status.idle; }, limit);
+  }
 
  private:
   void observe();
@@ -134,6 +156,16 @@ class DmaBench {
   std::deque<Beat> results_;
   std::vector<DmaError> read_errors_, write_errors_;
 };
+
+/// Whether there was one error, with that code and address.
+testing::AssertionResult only(const std::vector<DmaError>& errors, unsigned code,
+                              std::uint64_t address);
+
+/// For tests over the sizes that are built.
+class PerDmaSize : public testing::TestWithParam<DmaSize> {};
+
+#define HWFFD_FOR_EACH_DMA_SIZE(suite) \
+  INSTANTIATE_TEST_SUITE_P(Dma, suite, testing::ValuesIn(dma_sizes()), by_name)
 
 /// The same with memory latency and throttles for all ends by name.
 void set_all_throttles(DmaBench& bench, const std::string& bus, const std::string& stream);

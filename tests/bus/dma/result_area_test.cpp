@@ -6,12 +6,11 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kArea = 0x10000;  // a border of every burst
+constexpr std::uint64_t kFirst = 0x10000;  // a border of every burst
 constexpr std::uint64_t kNext = 0x90000;
 
-class ResultArea : public testing::TestWithParam<DmaSize> {};
-INSTANTIATE_TEST_SUITE_P(Dma, ResultArea, testing::ValuesIn(dma_sizes()),
-                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+class ResultArea : public PerDmaSize {};
+HWFFD_FOR_EACH_DMA_SIZE(ResultArea);
 
 bool counted(DmaBench& bench, std::uint64_t results) {
   return bench.run_until([&] { return bench.status.result_count == results; }, 5000);
@@ -20,16 +19,16 @@ bool counted(DmaBench& bench, std::uint64_t results) {
 TEST_P(ResultArea, TheNextOneBeginsWhereTheOldOneIsPartlyUsed) {
   for (const std::uint64_t used : {0, 1, 3, 17, 63}) {
     DmaBench bench(GetParam(), used);
-    bench.start_results(kArea, 64 * kBeat);
+    bench.start_results(kFirst, 64 * kBeat);
     bench.run(10);
     bench.offer_results(used, used);
     ASSERT_TRUE(counted(bench, used));
     bench.start_results(kNext, 64 * kBeat);
     bench.offer_results(20, 20);
     ASSERT_TRUE(counted(bench, 20));
-    EXPECT_EQ(bench.results_in_memory(kArea, 0, used), used);
+    EXPECT_EQ(bench.results_in_memory(kFirst, 0, used), used);
     EXPECT_EQ(bench.results_in_memory(kNext, used, 20), 20u);
-    EXPECT_EQ(bench.memory.changed_outside({{kArea, kArea + used * kBeat - (used != 0 ? 1 : 0)},
+    EXPECT_EQ(bench.memory.changed_outside({{kFirst, kFirst + used * kBeat - (used != 0 ? 1 : 0)},
                                             {kNext, kNext + 20 * kBeat - 1}}),
               0u);
     EXPECT_FALSE(bench.status.result_overflow);
@@ -44,7 +43,7 @@ TEST_P(ResultArea, ResultsBehindAFailedLastBurstWait) {
     DmaBench bench(GetParam(), bursts);
     const std::uint64_t capacity = bursts * burst;
     bench.memory.fail_write(bursts - 1, cores::kAxiSlverr);
-    bench.start_results(kArea, static_cast<std::uint32_t>(capacity * kBeat));
+    bench.start_results(kFirst, static_cast<std::uint32_t>(capacity * kBeat));
     bench.offer_results(capacity, burst);
     ASSERT_TRUE(bench.run_until([&] { return !bench.write_errors().empty(); }, 5000));
     ASSERT_TRUE(bench.run_until([&] { return !bench.status.result_running; }, 100));
@@ -77,14 +76,14 @@ TEST_P(ResultArea, AFlushEndsWithItsLastBeat) {
     if ((flushed + 1) % burst == 0) continue;  // the beat behind would fill a burst
     SCOPED_TRACE(testing::Message() << flushed << " beats flushed");
     DmaBench bench(GetParam(), flushed);
-    bench.start_results(kArea, 1 << 16);
+    bench.start_results(kFirst, 1 << 16);
     bench.run(10);
     bench.offer_results(flushed, flushed);
     ASSERT_TRUE(counted(bench, flushed));
     bench.offer_results(1);
     EXPECT_EQ(clocks_to_address(bench), kPatience);
     ASSERT_TRUE(counted(bench, flushed + 1));
-    EXPECT_EQ(bench.results_in_memory(kArea, 0, flushed + 1), flushed + 1);
+    EXPECT_EQ(bench.results_in_memory(kFirst, 0, flushed + 1), flushed + 1);
     EXPECT_EQ(bench.faults(), "");
   }
 }
@@ -101,7 +100,7 @@ TEST_P(ResultArea, NoneStartsDuringASoftReset) {
   bench.step();
   bench.step();
   for (int clocks = 0; clocks < 20; ++clocks) {
-    bench.start_results(kArea, 1 << 16);
+    bench.start_results(kFirst, 1 << 16);
     ASSERT_TRUE(bench.status.clearing);
     EXPECT_FALSE(bench.status.result_running || bench.status.result_busy) << clocks;
   }

@@ -8,8 +8,7 @@ namespace hwffd::test {
 namespace {
 
 constexpr unsigned kLargest = 15;  // log2 of the entries
-constexpr std::uint64_t kRing = 0x80000;
-constexpr std::uint64_t kPackets = 0x100000;
+constexpr std::uint64_t kLargeRing = 0x80000;
 
 unsigned in_ring(unsigned index, unsigned entries_log2) {
   return index & ((1u << entries_log2) - 1);
@@ -17,7 +16,7 @@ unsigned in_ring(unsigned index, unsigned entries_log2) {
 
 /// Reads packets of one beat until the tail of the largest ring is `index`.
 void advance(DmaBench& bench, unsigned index) {
-  bench.place_ring(kRing, kLargest);
+  bench.place_ring(kLargeRing, kLargest);
   for (unsigned i = 0; i < index; ++i) {
     bench.put_descriptor({kPackets, kBeat, 0});
     bench.expect_packet(kPackets, 1);
@@ -37,9 +36,7 @@ void expect_refused(DmaBench& bench, unsigned index, const Descriptor& bad, unsi
   bench.start_ring();
   ASSERT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }, 200));
   ASSERT_TRUE(bench.run_until_idle());
-  ASSERT_EQ(bench.read_errors().size(), 1u);
-  EXPECT_EQ(bench.read_errors()[0].code, code);
-  EXPECT_EQ(bench.read_errors()[0].address, bench.descriptor_address(index));
+  EXPECT_TRUE(only(bench.read_errors(), code, bench.descriptor_address(index)));
   EXPECT_EQ(bench.status.ring_tail, index);
 }
 
@@ -47,8 +44,7 @@ void expect_refused(DmaBench& bench, unsigned index, const Descriptor& bad, unsi
 void expect_read(DmaBench& bench, unsigned index) {
   bench.set_software_head(static_cast<std::uint16_t>(index));
   bench.put_packet(kPackets + 0x100, 3);
-  bench.start_ring();
-  ASSERT_TRUE(bench.run_until_idle());
+  ASSERT_TRUE(bench.run_ring());
   EXPECT_EQ(bench.packet_difference(), "");
   EXPECT_EQ(bench.status.ring_tail, bench.software_head());
 }
@@ -59,7 +55,7 @@ void halve_rings(unsigned index, const Descriptor& bad, unsigned code) {
   advance(bench, index);
   for (unsigned log2 = kLargest; log2 > 0; --log2) {
     SCOPED_TRACE(testing::Message() << "index " << index << ", 2^" << log2 << " entries");
-    bench.place_ring(kRing, log2);
+    bench.place_ring(kLargeRing, log2);
     expect_refused(bench, in_ring(index, log2), bad, code);
     ASSERT_FALSE(testing::Test::HasFailure());
   }

@@ -6,10 +6,8 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kRing = 0x7000;
 constexpr unsigned kEntriesLog2 = 4;
-constexpr std::uint64_t kPackets = 0x100000;
-constexpr std::uint64_t kArea = 0x9'0000'0ff0;
+constexpr std::uint64_t kFirstArea = 0x9'0000'0ff0;
 constexpr std::uint64_t kAreaStep = 0x8000;
 
 /// One transfer of 15 packets and some hundred results on a bus that fails now and then.
@@ -20,7 +18,7 @@ class Soak {
     const auto any = [&] { return names[bench_.random().below(names.size())]; };
     set_all_throttles(bench_, any(), any());
     bench_.memory.set_latency({1, bench_.random().between(1, 60)});
-    bench_.set_windows({kRing, kPackets + 0xfffff}, {kArea, kArea + 0xfffff});
+    bench_.set_windows({kRing, kPackets + 0xfffff}, {kFirstArea, kFirstArea + 0xfffff});
     ranges_ = {{kRing, kRing + (kBeat << kEntriesLog2) - 1}};
     place_packets();
     plant();
@@ -103,12 +101,10 @@ class Soak {
   /// The area that takes results from number `first` on.
   void next_area(std::uint64_t first) {
     first_ = first;
-    area_ = kArea + areas_++ * kAreaStep;
+    area_ = kFirstArea + areas_++ * kAreaStep;
     ranges_.push_back({area_, area_ + (results_ - first) * kBeat - 1});
     writes_before_ = bench_.memory.writes().size();
-    bench_.controls.result_base = area_;
-    bench_.controls.result_size = kAreaStep;
-    bench_.controls.result_start = true;
+    bench_.place_area(area_, kAreaStep);
   }
 
   bool finished() const {
@@ -183,11 +179,8 @@ class Soak {
 
   void soft_reset() {
     bench_.run(bench_.random().below(700));
-    bench_.controls.soft_reset = true;
-    bench_.step();
-    bench_.forget_results();
-    bench_.step();
-    ASSERT_TRUE(bench_.run_until([&] { return !bench_.status.clearing && bench_.status.idle; }));
+    bench_.begin_soft_reset();
+    ASSERT_TRUE(bench_.end_soft_reset());
     EXPECT_TRUE(bench_.memory.quiet());
     bench_.forget_packets();
     bench_.forget_results();
@@ -207,9 +200,8 @@ class Soak {
   std::size_t starts_ = 0;
 };
 
-class MixedFaults : public testing::TestWithParam<DmaSize> {};
-INSTANTIATE_TEST_SUITE_P(Dma, MixedFaults, testing::ValuesIn(dma_sizes()),
-                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+class MixedFaults : public PerDmaSize {};
+HWFFD_FOR_EACH_DMA_SIZE(MixedFaults);
 
 TEST_P(MixedFaults, EveryStartGoesOnExactly) {
   std::size_t starts = 0;

@@ -7,14 +7,10 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kRing = 0x7000;
-constexpr std::uint64_t kPackets = 0x100000;
-constexpr std::uint64_t kArea = 0x900000;
 constexpr std::uint64_t kResults = 23;
 
-class SoftReset : public testing::TestWithParam<DmaSize> {};
-INSTANTIATE_TEST_SUITE_P(Dma, SoftReset, testing::ValuesIn(dma_sizes()),
-                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+class SoftReset : public PerDmaSize {};
+HWFFD_FOR_EACH_DMA_SIZE(SoftReset);
 
 /// Starts both halves: packets of 1, 30 and 6 beats, 23 results into the area at `area`.
 void start(DmaBench& bench, std::uint64_t area) {
@@ -25,9 +21,7 @@ void start(DmaBench& bench, std::uint64_t area) {
     at += beats * kBeat;
   }
   bench.offer_results(kResults, 7);
-  bench.controls.result_base = area;
-  bench.controls.result_size = kResults * kBeat;
-  bench.controls.result_start = true;
+  bench.place_area(area, kResults * kBeat);
   bench.start_ring();
 }
 
@@ -41,12 +35,9 @@ bool reset_after(DmaBench& bench, std::uint64_t clocks) {
   start(bench, kArea);
   bench.run(clocks);
   const bool ended = done(bench);
-  bench.controls.soft_reset = true;
-  bench.step();
-  bench.forget_results();  // the evaluator is reset with the engine
-  bench.step();            // clearing_o is seen
+  bench.begin_soft_reset();
   const std::size_t reads = bench.memory.reads().size(), writes = bench.memory.writes().size();
-  EXPECT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 5000));
+  EXPECT_TRUE(bench.end_soft_reset(5000));
   // At most the address that was being raised.
   EXPECT_LE(bench.memory.reads().size(), reads + 2);
   EXPECT_LE(bench.memory.writes().size(), writes + 2);
@@ -99,11 +90,8 @@ TEST_P(SoftReset, AfterAnErrorAndWhileHeld) {
     bench.memory.fail_write(0, cores::kAxiSlverr);
     bench.run(wait);
     bench.memory.fail_nothing();
-    bench.controls.soft_reset = true;
-    bench.step();
-    bench.forget_results();
-    bench.step();
-    ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 2000));
+    bench.begin_soft_reset();
+    ASSERT_TRUE(bench.end_soft_reset(2000));
     bench.forget_packets();
     bench.forget_results();
     bench.checker.restarted();

@@ -9,9 +9,6 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kRing = 0x7000;
-constexpr std::uint64_t kPackets = 0x100000;
-constexpr std::uint64_t kArea = 0x900000;
 constexpr std::uint64_t kResults = 40;
 constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
 
@@ -62,9 +59,7 @@ class Timeout : public testing::TestWithParam<Channel> {
       bench.put_packet(kPackets + packet * 0x1000, 30);
     }
     bench.offer_results(kResults, 7);
-    bench.controls.result_base = area;
-    bench.controls.result_size = kResults * kBeat;
-    bench.controls.result_start = true;
+    bench.place_area(area, kResults * kBeat);
     bench.start_ring();
   }
   static bool done(const DmaBench& bench) {
@@ -147,12 +142,8 @@ TEST_P(Timeout, LetsASoftResetEnd) {
       bench.memory.set_throttles(shut(GetParam(), after, kNever));
       start(bench, kArea);
       bench.run(after + wait);
-      bench.controls.soft_reset = true;
-      bench.step();
-      bench.forget_results();
-      bench.step();  // clearing_o is seen
-      ASSERT_TRUE(
-          bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 2 * limit));
+      bench.begin_soft_reset();
+      ASSERT_TRUE(bench.end_soft_reset(2 * limit));
       EXPECT_EQ(bench.status.ring_tail, 0);
       EXPECT_EQ(bench.status.result_count, 0U);
       expect_next(bench);
@@ -167,12 +158,9 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
   bench.memory.set_throttles(shut(GetParam(), 20, kNever));
   start(bench, kArea);
   bench.run(400);
-  bench.controls.soft_reset = true;
-  bench.step();
-  bench.forget_results();
-  bench.step();
+  bench.begin_soft_reset();
   bench.forget_packets();
-  ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 200));
+  ASSERT_TRUE(bench.end_soft_reset(200));
   bench.memory.set_throttles({});
   bench.run(300);
   EXPECT_TRUE(bench.packets().empty());
@@ -189,11 +177,8 @@ TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   bench.memory.set_throttles({});
   bench.run(3);
-  bench.controls.soft_reset = true;
-  bench.step();
-  bench.forget_results();
-  bench.step();
-  ASSERT_TRUE(bench.run_until([&] { return !bench.status.clearing && bench.status.idle; }, 500));
+  bench.begin_soft_reset();
+  ASSERT_TRUE(bench.end_soft_reset(500));
   EXPECT_TRUE(bench.memory.quiet()) << "open bursts are completed";
   EXPECT_EQ(bench.faults(), "");
   expect_next(bench);

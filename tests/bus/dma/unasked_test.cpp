@@ -6,12 +6,8 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kRing = 0x7000;
-constexpr std::uint64_t kPackets = 0x100000;
-
-class Unasked : public testing::TestWithParam<DmaSize> {};
-INSTANTIATE_TEST_SUITE_P(Dma, Unasked, testing::ValuesIn(dma_sizes()),
-                         [](const testing::TestParamInfo<DmaSize>& i) { return i.param.name; });
+class Unasked : public PerDmaSize {};
+HWFFD_FOR_EACH_DMA_SIZE(Unasked);
 
 constexpr std::uint64_t kKinds = 8;
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <filesystem>
@@ -8,8 +7,6 @@
 #include <iterator>
 #include <set>
 #include <string>
-
-#include "hwffd/error.hpp"
 
 namespace hwffd {
 
@@ -51,27 +48,6 @@ class TempFolder {
 inline std::string read_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The message of the exception of type E that f throws; fails the test if there is none, if it is
-/// of another type, or if it has more than one line.
-template <typename E, typename F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const E& error) {
-    std::string text = error.what();
-    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-    EXPECT_EQ(typeid(error), typeid(E)) << text;
-    return text;
-  }
-  ADD_FAILURE() << "no exception";
-  return "";
-}
-
-/// Checks that text contains part.
-inline void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in '" << text << "'";
 }
 
 }  // namespace hwffd
