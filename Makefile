@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline docs boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -51,7 +51,7 @@ help:
 	@echo '  make tangents       derivatives and fold flags out of the simulated hardware'
 	@echo '  make streams        how many words must be moved for each vertex'
 	@echo '  make embed          meshes in box, cylinder, sphere and custom lattices'
-	@echo '  make docs           draw all pictures, fill all figures of the texts from the reports'
+	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
 	@echo 'Check it'
 	@echo '  make test           build everything and run the tests'
 	@echo '  make test-all       every configuration, and the long tests'
@@ -63,6 +63,7 @@ help:
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
 	@echo '  make synth-check    whether size or depth has grown over synth/baseline.csv'
 	@echo '  make synth-baseline write that file anew'
+	@echo '  make structure      the tops as trees of modules, with the size of each'
 	@echo '  make pnr            clocks after place and route with nextpnr (an hour)'
 	@echo '  make boards         bitstreams for ULX3S and iCEBreaker'
 	@echo
@@ -74,41 +75,32 @@ install:
 sim: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
-	@$(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+	@$(STUDY) --quiet sim -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+
+# A study measures and writes its report; scripts/figures stamps, prints and draws it.
+STUDY = scripts/figures measure
 
 # Only the rows selected are verilated. The names are checked before they reach CMake.
 organizations: install
 	@scripts/configurations.py list $(call arguments,$(ORGANIZATIONS_OPTIONS)) >/dev/null
+	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)")
 	@$(CMAKE_BUILD) --target hwffd-organizations
-	@$(BUILD)/apps/hwffd-organizations
+	@$(STUDY) organizations,timelines -- $(BUILD)/studies/hwffd-organizations
 
 # The same selection, of one format; ORG= and N= narrow it.
 bfp: install
 	@scripts/configurations.py list --format bfp32 $(call arguments,org:ORG n:N) >/dev/null
+	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) $(foreach v,ORG N,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)") -DHWFFD_FORMAT=bfp32
 	@$(CMAKE_BUILD) --target hwffd-bfp
-	@$(BUILD)/apps/hwffd-bfp
+	@$(STUDY) bfp -- $(BUILD)/studies/hwffd-bfp
 
-streams: install
+streams words tangents embed: install
+	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-streams
-	@$(BUILD)/apps/hwffd-streams
-
-words: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-words
-	@$(BUILD)/apps/hwffd-words
-
-tangents: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-tangents
-	@$(BUILD)/apps/hwffd-tangents
-
-embed: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-embed
-	@$(BUILD)/apps/hwffd-embed
+	@$(CMAKE_BUILD) --target hwffd-$@
+	@$(STUDY) $@ -- $(BUILD)/studies/hwffd-$@
 
 hwffd: install
 	@scripts/python_env
@@ -120,7 +112,7 @@ hwffd: install
 plates: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-plates
-	@$(BUILD)/apps/hwffd-plates
+	@$(STUDY) --quiet plates -- $(BUILD)/apps/hwffd-plates
 
 mass-spring: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
@@ -130,10 +122,10 @@ mass-spring: install
 glapi: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-glapi
-	@$(BUILD)/studies/glapi/hwffd-glapi
+	@$(STUDY) glapi -- $(BUILD)/studies/glapi/hwffd-glapi
 
 synth: install
-	@scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
+	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
 synth-check: install
 	@scripts/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
@@ -141,29 +133,35 @@ synth-check: install
 synth-baseline: install
 	@scripts/synth_baseline write -j $(JOBS)
 
-docs: install
-	@scripts/structure -j $(JOBS)
-	@scripts/datasheet.py --keep write
+structure: install
+	@scripts/python_env figures
+	@$(STUDY) structure -- scripts/structure -j $(JOBS)
+
+# Everything that is drawn or filled in from reports.
+figures: install
+	@scripts/python_env figures
+	@scripts/figures
 
 pnr: install
 	@scripts/python_env route
-	@scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+	@$(STUDY) --quiet pnr,synth -- scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 boards: install
 	@scripts/python_env route
-	@scripts/boards $(call arguments,board:BOARD)
+	@$(STUDY) --quiet boards -- scripts/boards $(call arguments,board:BOARD)
 
 formal: install
-	@scripts/formal -j $(JOBS)
+	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS)
 
 test: install
-	@scripts/python_env
+	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
-	@$(CTEST) -L '^test$$'
+	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
 
 test-all: install
 	@scripts/python_env all
+	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

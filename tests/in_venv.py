@@ -1,7 +1,9 @@
 """Runs a test's program by the interpreter of build/venv; skips it where scripts/python_env has not
 installed what it needs.
 
-    in_venv.py PROGRAM ARGUMENT...
+    in_venv.py SET PROGRAM ARGUMENT...
+
+SET is that of scripts/requirements-SET.txt which the test wants.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -15,13 +17,13 @@ SKIPPED = 77  # SKIP_RETURN_CODE of these tests
 
 
 def main():
-    if not (VENV / "requirements-all.txt").is_file():
-        print("skipped: no Python packages of make test-all in build/venv: "
-              "run scripts/python_env all")
+    wanted, *program = sys.argv[1:]
+    if not (VENV / f"requirements-{wanted}.txt").is_file():
+        print(f"skipped: packages are missing in build/venv: run scripts/python_env {wanted}")
         return SKIPPED
     python = str(VENV / "bin" / "python")
     sys.stdout.flush()
-    return os.execv(python, [python, "-B", *sys.argv[1:]])
+    return os.execv(python, [python, "-B", *program])
 
 
 if __name__ == "__main__":

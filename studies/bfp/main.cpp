@@ -1,20 +1,16 @@
 // hwffd-bfp: block floating point. The error of both forms of eq. (1) in the bit-true model, beside
 // the bound that is proved of it, and the bits of every organization that this build has in RTL.
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "agreement.hpp"
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/error.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "report.hpp"
 #include "study.hpp"
+#include "study_program.hpp"
 
 namespace {
 
@@ -30,21 +26,23 @@ std::vector<const Configuration*> built_rows() {
   return rows;
 }
 
-int run(const Options& options) {
-  const std::vector<Agreement> agreements =
-      compare(built_rows(), options.rtl_vertices, options.seed, show_rows_done);
-  const std::vector<Result> results =
-      study(options.vertices, options.seed, [](double done) { show_progress("measured", done); });
-  fmt::print("{}", table(results, agreements));
-  const std::filesystem::path folder = options.output / "reports";
-  std::filesystem::create_directories(folder);
-  write_files({{folder / "bfp.json", json_report(results, agreements)}});
-  fmt::print("\nwrote {}/bfp.json\n", folder.string());
-  return conclude(faults(results, agreements));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hwffd::run_program("hwffd-bfp", [&] { return run(parse_options(argc, argv)); });
+  std::int64_t vertices = 10'000'000;
+  std::int64_t rtl_vertices = 2'000;
+  std::uint64_t seed = 1;
+  StudyProgram program(
+      "hwffd-bfp", "Measures block floating point against eq. (1), and its organizations' bits.");
+  program.number("--vertices", vertices, "vertices of every distribution of control points", 1,
+                 1'000'000'000);
+  program.number("--rtl-vertices", rtl_vertices, "vertices of every row in RTL", 1, 1'000'000);
+  program.seed(seed, "lattices, vertices and registers");
+  return program.run(argc, argv, [&] {
+    const std::vector<Agreement> agreements =
+        compare(built_rows(), static_cast<std::size_t>(rtl_vertices), seed, show_rows_done);
+    const std::vector<Result> results =
+        study(vertices, seed, [](double done) { show_progress("measured", done); });
+    return Findings{{{"bfp", json_report(results, agreements)}}, faults(results, agreements)};
+  });
 }

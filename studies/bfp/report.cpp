@@ -33,20 +33,6 @@ std::string text_of(const Agreement& a) {
 
 }  // namespace
 
-std::string table(const std::vector<Result>& results, const std::vector<Agreement>& agreements) {
-  std::string text = fmt::format("{:<24} {:<9} {:>11} {:>11} {:>7} {:>9}\n", "control points",
-                                 "form", "max, ulp of", "ulp of its", "bound", "vertices") +
-                     fmt::format("{:<24} {:<9} {:>11} {:>11}\n", "", "", "the lattice", "support");
-  for (const Result& r : results) {
-    text += fmt::format("{:<24} {:<9} {:>11.4f} {:>11.3f} {:>7.3f} {:>9}\n", r.points, r.form,
-                        r.of_lattice, r.of_support, r.bound, r.vertices);
-  }
-  for (const Agreement& a : agreements) {
-    text += "\n" + text_of(a);
-  }
-  return text + "\n";
-}
-
 std::string json_report(const std::vector<Result>& results,
                         const std::vector<Agreement>& agreements) {
   nlohmann::ordered_json errors = nlohmann::ordered_json::array();

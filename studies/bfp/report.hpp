@@ -12,9 +12,6 @@ namespace hwffd::bfp {
 /// empty if all is well.
 std::string faults(const std::vector<Result>& results, const std::vector<Agreement>& agreements);
 
-/// Both tables, as text.
-std::string table(const std::vector<Result>& results, const std::vector<Agreement>& agreements);
-
 /// bfp.json: max_error_ulp (of all rows, of the lattice's largest point), vertices (of each
 /// distribution), organizations_identical, and all that the tables say.
 std::string json_report(const std::vector<Result>& results,

@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <CLI/CLI.hpp>
 
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "options.hpp"
-#include "program.hpp"
 #include "report.hpp"
+#include "study_program.hpp"
 
 namespace {
 
@@ -30,21 +28,24 @@ std::vector<Row> rows_of(const std::string& model, bool required) {
   return of_mesh(model);
 }
 
-int run(const Options& options) {
-  std::vector<Row> rows = by_construction(static_cast<std::size_t>(options.points), options.seed);
-  for (const std::string& model : options.models) {
-    for (Row& row : rows_of(model, options.models_given)) rows.push_back(std::move(row));
-  }
-  fmt::print("{}", table(rows));
-  const std::filesystem::path folder = options.output / "reports";
-  std::filesystem::create_directories(folder);
-  write_files({{folder / "embed.json", json_report(rows)}});
-  fmt::print("\nwrote {}/embed.json\n", folder.string());
-  return conclude(faults(rows));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hwffd::run_program("hwffd-embed", [&] { return run(parse_options(argc, argv)); });
+  std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
+  std::int64_t points = 10'000;
+  std::uint64_t seed = 1;
+  StudyProgram program(
+      "hwffd-embed",
+      "Embeds meshes, and points inside by construction, in lattices of every kind.");
+  const CLI::Option* given = program.app().add_option(
+      "--model", models, "meshes (cat.3ds horse.3ds bunny.obj, where present)");
+  program.number("--points", points, "points by construction in each lattice", 1, 10'000'000);
+  program.seed(seed, "these points");
+  return program.run(argc, argv, [&] {
+    std::vector<Row> rows = by_construction(static_cast<std::size_t>(points), seed);
+    for (const std::string& model : models) {
+      for (Row& row : rows_of(model, !given->empty())) rows.push_back(std::move(row));
+    }
+    return Findings{{{"embed", json_report(rows)}}, faults(rows)};
+  });
 }

@@ -11,21 +11,6 @@ constexpr double kLargestResidual = 1e-9;  // in parts of the lattice's size
 
 }  // namespace
 
-std::string table(const std::vector<Row>& rows) {
-  std::string text = fmt::format("{:<15} {:<9} {:>8} {:>7} {:>7} {:>7} {:>13} {:>12} {:>10}  {}\n",
-                                 "mesh", "lattice", "dims", "points", "inside", "outside",
-                                 "not converged", "max residual", "iterations", "folds");
-  for (const Row& row : rows) {
-    const EmbeddingSummary& s = row.summary;
-    text += fmt::format("{:<15} {:<9} {:>8} {:>7} {:>7} {:>7} {:>13} {:>12.2e} {:>10.2f}  {}\n",
-                        row.mesh, row.lattice,
-                        fmt::format("{}x{}x{}", row.dims[0], row.dims[1], row.dims[2]), s.points,
-                        s.inside, s.outside, s.not_converged, row.max_residual_relative(),
-                        s.mean_iterations, row.folds.text());
-  }
-  return text;
-}
-
 std::string json_report(const std::vector<Row>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Row& row : rows) {

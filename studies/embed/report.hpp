@@ -7,9 +7,6 @@
 
 namespace hwffd::embed {
 
-/// A line for each row, below a line of headings.
-std::string table(const std::vector<Row>& rows);
-
 /// build/reports/embed.json.
 std::string json_report(const std::vector<Row>& rows);
 

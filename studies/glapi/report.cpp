@@ -21,36 +21,23 @@ void Report::add_error_case(const std::string& name, bool compared, bool passed)
   failed_cases_.push_back(name);
 }
 
-Report::Row Report::total() const {
+std::string Report::json() const {
   Row sum;
+  auto rows = nlohmann::ordered_json::array();
   for (const auto& [command, row] : commands_) {
     sum.cases += row.cases;
     sum.compared += row.compared;
-    sum.failed += row.failed;
+    rows.push_back({{"command", command},
+                    {"cases", row.cases},
+                    {"compared", row.compared},
+                    {"failed", row.failed}});
   }
-  return sum;
-}
-
-std::string Report::table() const {
-  std::string text = fmt::format(
-      "{} calls checked by their values, {} checks failed\n\n"
-      "{:<28} {:>11} {:>18} {:>7}\n",
-      calls_, failed_checks_.size(), "error table of", "error cases", "compared with Mesa",
-      "failed");
-  const auto add = [&](const std::string& name, const Row& row) {
-    text += fmt::format("{:<28} {:>11} {:>18} {:>7}\n", name, row.cases, row.compared, row.failed);
-  };
-  for (const auto& [command, row] : commands_) add(command, row);
-  add("all", total());
-  return text;
-}
-
-std::string Report::json() const {
-  const Row sum = total();
   return nlohmann::ordered_json{{"calls", calls_},
                                 {"error_cases", sum.cases},
                                 {"compared_with_mesa", sum.compared},
-                                {"failed", failed_checks_.size() + failed_cases_.size()}}
+                                {"failed", failed_checks_.size() + failed_cases_.size()},
+                                {"failed_checks", failed_checks_.size()},
+                                {"commands", std::move(rows)}}
              .dump(2) +
          "\n";
 }

@@ -15,8 +15,6 @@ class Report {
   /// @param compared  whether Mesa made the same mistake beside it
   void add_error_case(const std::string& name, bool compared, bool passed);
 
-  /// A line for the calls, then one for the error table of each command.
-  std::string table() const;
   /// build/reports/glapi.json.
   std::string json() const;
   /// A line for each check and each error case that failed, or that nothing was tried; empty if all
@@ -30,8 +28,6 @@ class Report {
     int compared = 0;
     int failed = 0;
   };
-  Row total() const;
-
   int calls_ = 0;
   std::map<std::string, Row> commands_;
   std::vector<std::string> failed_checks_;

@@ -20,14 +20,6 @@ bool is_same(const Configuration& a, const Configuration& b) {
          (a.fma_latency > 0) == (b.fma_latency > 0);
 }
 
-/// What a row's name has behind its schedule: "basic-fx18-overlapped-bspline" -> " bspline".
-std::string form_of(const Configuration& row) {
-  const std::string name = row.name;
-  std::string form = name.substr(name.find(row.schedule) + std::string(row.schedule).size());
-  std::replace(form.begin(), form.end(), '-', ' ');
-  return form;
-}
-
 /// Rough: what a vertex costs the simulator.
 double cost(const Configuration& row) {
   const double units = row.n + 3;
@@ -100,23 +92,6 @@ std::optional<double> Comparison::overlapped_formula(const Row& row) const {
 std::optional<bool> Comparison::overlapped_equal(const Row& row) const {
   if (overlapped(row) == nullptr) return std::nullopt;
   return overlapped_interval(row) == overlapped_formula(row);
-}
-
-std::string short_name(const Configuration& row) {
-  return organization_of(row).n == 0 ? fmt::format("{} {}", row.org, row.n) : row.org;
-}
-
-std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas) {
-  std::vector<Throughput> found;
-  for (const Row& row : comparison.rows()) {
-    const Configuration& c = *row.configuration;
-    const auto mapped = areas.find(c.name);
-    if (mapped == areas.end() || !overlaps(c)) continue;
-    for (const Area& area : mapped->second) {
-      found.push_back({c.name, short_name(c) + form_of(c), c.format, area, row.measured.interval});
-    }
-  }
-  return found;
 }
 
 Comparison compare(const std::vector<const Configuration*>& rows,

@@ -8,7 +8,6 @@
 
 #include "measure.hpp"
 #include "operators.hpp"
-#include "throughput.hpp"
 
 namespace hwffd::organizations {
 
@@ -51,12 +50,6 @@ class Comparison {
   std::vector<Row> rows_;
   double reference_vertices_per_s_;
 };
-
-/// An organization as pictures call it: "basic", "tree 8".
-std::string short_name(const Configuration& row);
-
-/// The overlapped rows on every target on which they have been mapped.
-std::vector<Throughput> throughputs(const Comparison& comparison, const Areas& areas);
 
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 

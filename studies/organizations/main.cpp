@@ -2,20 +2,15 @@
 // build has runs at its read port: clocks at the paper's schedule against the formula, overlapped
 // interval, operators, error, seams.
 
-#include <fmt/format.h>
-
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <set>
 
-#include "chart.hpp"
 #include "comparison.hpp"
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/cores/evaluator_core_factory.hpp"
-#include "options.hpp"
-#include "pareto.hpp"
+#include "hwffd/error.hpp"
 #include "program.hpp"
 #include "report.hpp"
+#include "study_program.hpp"
 #include "timeline.hpp"
 
 namespace {
@@ -28,47 +23,45 @@ std::vector<const Configuration*> built_rows() {
   for (const Configuration& row : configurations()) {
     if (cores::has_evaluator_core(row)) rows.push_back(&row);
   }
+  if (rows.empty()) throw Error("no row in this build: configure it by make organizations");
   return rows;
 }
 
-/// A timeline for every organization and N, of the first of fx18 or whatever format there is.
-void add_timelines(std::vector<FileContent>& files, const std::filesystem::path& folder,
-                   const Comparison& comparison) {
-  std::set<std::string> drawn;
-  for (const char* format : {"fx18", ""}) {
-    for (const Row& row : comparison.rows()) {
-      const Configuration& c = *row.configuration;
-      if (*format != '\0' && std::string(c.format) != format) continue;
-      std::string name = short_name(c);
-      name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-      std::replace(name.begin(), name.end(), '/', '-');
-      if (!drawn.insert(name).second) continue;
-      files.push_back(
-          {folder / fmt::format("timeline-{}.svg", name),
-           timeline(comparison.partner(row, "paper"), comparison.partner(row, "overlapped"))});
-    }
-  }
-}
-
-int run(const Options& options) {
-  const Comparison comparison =
-      compare(built_rows(), read_operators(options.operators), options.effort, show_rows_done);
-  const std::vector<Throughput> areas = throughputs(comparison, read_areas(options.areas));
-  fmt::print("{}{}", table(comparison), area_table(areas));
-  const std::filesystem::path folder = options.output / "reports";
-  std::filesystem::create_directories(folder);
-  std::vector<FileContent> files = {{folder / "organizations.json", json_report(comparison, areas)},
-                                    {folder / "organizations.svg", tradeoff_chart(comparison)}};
-  if (!areas.empty()) files.push_back({folder / "pareto.svg", pareto_chart(areas)});
-  add_timelines(files, folder, comparison);
-  write_files(files);
-  fmt::print("\nwrote {0}/organizations.json, {0}/organizations.svg{1} and {0}/timeline-*.svg\n",
-             folder.string(), areas.empty() ? "" : fmt::format(", {}/pareto.svg", folder.string()));
-  return conclude(faults(comparison));
+/// The format of the timelines, as all have the same clocks: fx18, or the first that there is.
+std::string timed_format(const std::vector<const Configuration*>& rows) {
+  const bool has = std::any_of(rows.begin(), rows.end(), [](const Configuration* row) {
+    return std::string(row->format) == "fx18";
+  });
+  return has ? "fx18" : rows.front()->format;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hwffd::run_program("hwffd-organizations", [&] { return run(parse_options(argc, argv)); });
+  std::int64_t vertices = 4001;
+  std::int64_t seam_values = 60'000;
+  std::uint64_t seed = 1;
+  std::string operators = "build/generated/operators.json";
+  StudyProgram program(
+      "hwffd-organizations",
+      "Compares organizations at their read port: clocks, operators, errors, seams.");
+  program.number("--vertices", vertices,
+                 "random vertices of every row, 41 and a multiple of 120; slow rows: 1241 at most",
+                 161, 1'000'000);
+  program.number("--seam-values", seam_values,
+                 "components of shared vertices of every row; slow rows: a tenth", 1, 10'000'000);
+  program.seed(seed, "vertices and registers");
+  program.app().add_option("--operators", operators, "what scripts/operators.py wrote");
+  return program.run(argc, argv, [&] {
+    if ((vertices - 41) % 120 != 0) {
+      throw UsageError("--vertices: expected 41 and a multiple of 120");
+    }
+    const auto rows = built_rows();
+    const Effort effort{static_cast<std::size_t>(vertices), static_cast<std::size_t>(seam_values),
+                        seed};
+    const Comparison comparison = compare(rows, read_operators(operators), effort, show_rows_done);
+    return Findings{{{"organizations", json_report(comparison)},
+                     {"timelines", timelines(comparison, timed_format(rows))}},
+                    faults(comparison)};
+  });
 }

@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "hwffd/model/schedule.hpp"
-#include "svg.hpp"
 
 namespace hwffd::organizations {
 namespace {
 
-constexpr double kLeft = 220;
-constexpr double kPlotWidth = 900;
-constexpr double kLaneHeight = 20;
-constexpr double kHead = 34;
-constexpr double kFoot = 40;
-constexpr std::array<const char*, 4> kColours = {"#0060a8", "#e08000", "#2a8000", "#a03060"};
+using Json = nlohmann::ordered_json;
 
 /// ffd_eval.vh, FFD_POLY_LATENCY.
 int polynomial_latency(const Configuration& row) {
@@ -148,57 +142,16 @@ Window window_of(const Row& row, const std::vector<Lane>& lanes) {
   return {begin, end + std::max<std::uint64_t>(4, (end - begin) / 8)};
 }
 
-/// A rectangle for every run of clocks in which the last operation to enter is of one vertex.
-std::string draw_lane(const Lane& lane, const Window& window, double y, double scale) {
-  std::vector<int> busy(window.end - window.begin, -1);
+/// What of a lane lies in a window, in clocks from its beginning.
+Json json_of(const Lane& lane, const Window& window) {
+  Json spans = Json::array();
   for (const Lane::Span& span : lane.spans) {
-    for (std::uint64_t clock = span.begin; clock < std::min(span.end, window.end); ++clock) {
-      if (clock >= window.begin) busy[clock - window.begin] = static_cast<int>(span.vertex);
-    }
+    const std::uint64_t begin = std::max(span.begin, window.begin);
+    const std::uint64_t end = std::min(span.end, window.end);
+    if (begin >= end) continue;
+    spans.push_back({begin - window.begin, end - window.begin, span.vertex});
   }
-  std::string drawing;
-  for (std::size_t from = 0; from < busy.size();) {
-    std::size_t to = from + 1;
-    while (to < busy.size() && busy[to] == busy[from]) ++to;
-    if (busy[from] >= 0) {
-      drawing += svg::rectangle(kLeft + scale * static_cast<double>(from), y + 2,
-                                scale * static_cast<double>(to - from), kLaneHeight - 4,
-                                fmt::format("fill=\"{}\"", kColours[busy[from] % kColours.size()]));
-    }
-    from = to;
-  }
-  return drawing;
-}
-
-double panel_height(std::size_t lanes) {
-  return kHead + kLaneHeight * static_cast<double>(lanes) + kFoot;
-}
-
-std::string panel(const Row& row, const std::vector<Lane>& lanes, double top) {
-  const Window window = window_of(row, lanes);
-  const auto clocks = static_cast<double>(window.end - window.begin);
-  const double scale = kPlotWidth / clocks;
-  const double bottom = top + kHead + kLaneHeight * static_cast<double>(lanes.size());
-  std::string drawing =
-      svg::text(16, top + 20, row.configuration->name, "font-size=\"15\" font-weight=\"bold\"");
-  double tick = 1;
-  while (tick * scale < 40) tick *= tick * scale * 2 < 40 && tick * 5 * scale >= 40 ? 5 : 2;
-  for (double clock = 0; clock <= clocks; clock += tick) {
-    const double x = kLeft + scale * clock;
-    drawing += svg::line(x, top + kHead, x, bottom, "stroke=\"#dddddd\"");
-    drawing += svg::text(x, bottom + 16, fmt::format("{:.0f}", clock), "text-anchor=\"middle\"");
-  }
-  double y = top + kHead;
-  for (const Lane& lane : lanes) {
-    drawing += svg::text(kLeft - 10, y + 14, lane.name, "text-anchor=\"end\"");
-    drawing += draw_lane(lane, window, y, scale);
-    y += kLaneHeight;
-  }
-  const double end =
-      kLeft + scale * static_cast<double>(row.measured.schedule.results().front() - window.begin);
-  drawing += svg::line(end, top + kHead - 6, end, bottom, "stroke=\"black\"");
-  drawing += svg::text(end - 4, top + kHead - 8, "first vertex done", "text-anchor=\"end\"");
-  return drawing;
+  return {{"name", lane.name}, {"spans", std::move(spans)}};
 }
 
 }  // namespace
@@ -228,18 +181,24 @@ std::vector<Lane> lanes_of(const Row& row) {
   return lanes;
 }
 
-std::string timeline(const Row* paper, const Row* overlapped) {
-  std::string drawing;
-  double y = 8;
-  for (const Row* row : {paper, overlapped}) {
-    if (row == nullptr) continue;
-    const std::vector<Lane> lanes = lanes_of(*row);
-    drawing += panel(*row, lanes, y);
-    y += panel_height(lanes.size());
+std::string timelines(const Comparison& comparison, const std::string& format) {
+  Json list = Json::array();
+  for (const Row& row : comparison.rows()) {
+    const Configuration& c = *row.configuration;
+    if (c.format != format) continue;
+    const std::vector<Lane> lanes = lanes_of(row);
+    const Window window = window_of(row, lanes);
+    Json drawn = Json::array();
+    for (const Lane& lane : lanes) drawn.push_back(json_of(lane, window));
+    list.push_back({{"name", c.name},
+                    {"org", c.org},
+                    {"n", c.n},
+                    {"schedule", c.schedule},
+                    {"clocks", window.end - window.begin},
+                    {"first_done", row.measured.schedule.results().front() - window.begin},
+                    {"lanes", std::move(drawn)}});
   }
-  drawing += svg::text(
-      16, y + 6, "clocks from the start of the first vertex; a colour is a vertex, white is idle");
-  return svg::picture(kLeft + kPlotWidth + 30, y + 20, drawing);
+  return Json{{"rows", std::move(list)}}.dump() + "\n";
 }
 
 }  // namespace hwffd::organizations

@@ -23,8 +23,8 @@ struct Lane {
 /// std::logic_error where the clocks between the probes are not what the row's latencies say.
 std::vector<Lane> lanes_of(const Row& row);
 
-/// SVG: which unit is busy in which clock of a vertex, at the paper's schedule and below it
-/// overlapped; either may be null. A colour is a vertex.
-std::string timeline(const Row* paper, const Row* overlapped);
+/// timelines.json: which unit is busy in which clock of the first vertex and a little of what
+/// follows, of each row of a format.
+std::string timelines(const Comparison& comparison, const std::string& format);
 
 }  // namespace hwffd::organizations

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <CLI/CLI.hpp>
+#include <algorithm>
 
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "report.hpp"
+#include "study_program.hpp"
 
 namespace {
 
@@ -18,13 +18,13 @@ using namespace hwffd::streams;
 
 /// The models, those that the user asked for or of the others those that are installed; a built-in
 /// mesh if there are none.
-std::vector<NamedMesh> meshes_of(const Options& options) {
+std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models, bool required) {
   std::vector<NamedMesh> meshes;
-  for (const std::string& model : options.models) {
+  for (const std::string& model : models) {
     try {
       meshes.push_back({model, Mesh::load(find_model(model))});
     } catch (const Error& error) {
-      if (options.models_given) throw;
+      if (required) throw;
       fmt::print(stderr, "hwffd-streams: left out: {}\n", error.what());
     }
   }
@@ -32,19 +32,23 @@ std::vector<NamedMesh> meshes_of(const Options& options) {
   return meshes;
 }
 
-int run(const Options& options) {
-  const std::vector<Row> rows = study(meshes_of(options), options.lattices,
-                                      find_configuration("basic-fx18-overlapped"), show_rows_done);
-  fmt::print("words moved to the core, a vertex\n\n{}", table(rows));
-  const std::filesystem::path folder = options.output / "reports";
-  std::filesystem::create_directories(folder);
-  write_files({{folder / "streams.svg", plot(rows)}, {folder / "streams.json", json_report(rows)}});
-  fmt::print("\nwrote {0}/streams.json and {0}/streams.svg\n", folder.string());
-  return conclude(faults(rows));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hwffd::run_program("hwffd-streams", [&] { return run(parse_options(argc, argv)); });
+  std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
+  std::vector<int> lattices{4, 6, 8, 12, 16};
+  StudyProgram program("hwffd-streams",
+                       "Counts the words that arrangements of the control points move.");
+  const CLI::Option* given =
+      program.app().add_option("--models", models, "meshes (cat.3ds horse.3ds bunny.obj)");
+  program.app()
+      .add_option("--lattices", lattices, "control points an axis (4 6 8 12 16)")
+      ->check(CLI::Range(Lattice::kMinPoints, Lattice::kMaxPoints));
+  return program.run(argc, argv, [&] {
+    std::sort(lattices.begin(), lattices.end());
+    const std::vector<Row> rows =
+        study(meshes_of(models, !given->empty()), lattices,
+              find_configuration("basic-fx18-overlapped"), show_rows_done);
+    return Findings{{{"streams", json_report(rows)}}, faults(rows)};
+  });
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace hwffd::streams {
 namespace {
@@ -11,38 +10,7 @@ namespace {
 /// Whether the RTL took as many beats as predicted, where it has the arrangement.
 bool is_as_predicted(const Row& row) { return !row.counted || *row.counted == row.predicted; }
 
-/// Whether rows differ in the lattice only.
-bool share_a_line(const Row& a, const Row& b) {
-  return a.mesh == b.mesh && a.arrangement == b.arrangement && a.order == b.order;
-}
-
 }  // namespace
-
-std::string table(const std::vector<Row>& rows) {
-  std::set<int> lattices;
-  for (const Row& row : rows) lattices.insert(row.points);
-  std::string text = fmt::format("{:<14} {:>8} {:<15} {:<6} {:<10}", "mesh", "vertices",
-                                 "arrangement", "order", "RTL");
-  for (const int points : lattices)
-    text += fmt::format(" {:>9}", fmt::format("{0}x{0}x{0}", points));
-  for (const Row& first : rows) {
-    if (first.points != *lattices.begin()) continue;
-    bool equal = true;
-    std::string words;
-    for (const Row& row : rows) {
-      if (!share_a_line(row, first)) continue;
-      equal = equal && is_as_predicted(row);
-      words += fmt::format(" {:>9.2f}", row.words_per_vertex());
-    }
-    text += fmt::format("\n{:<14} {:>8} {:<15} {:<6} {:<10}", first.mesh, first.vertices,
-                        first.arrangement, first.order,
-                        !first.counted ? "not built"
-                        : equal        ? "equal"
-                                       : "NOT EQUAL") +
-            words;
-  }
-  return text + "\n";
-}
 
 std::string json_report(const std::vector<Row>& rows) {
   using Json = nlohmann::ordered_json;

@@ -3,39 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
-
-#include "hwffd/atomic_file.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
-#include "hwffd/error.hpp"
 #include "program.hpp"
 #include "report.hpp"
+#include "study_program.hpp"
 
 namespace {
 
 using namespace hwffd;
 using namespace hwffd::tangents;
-
-struct Options {
-  std::filesystem::path output = "build";
-  int vertices = 5000;
-  std::uint64_t seed = 1;
-};
-
-Options parse_options(int argc, char** argv) {
-  Options options;
-  CLI::App app{"Checks derivatives and det J that the RTL evaluates, in each number format."};
-  app.add_option("--vertices", options.vertices, "in each of two lattices (5000)");
-  app.add_option("--seed", options.seed, "seed of vertices and points (1)");
-  app.add_option("--output", options.output, "folder for reports (build)");
-  parse_command_line(app, argc, argv);
-  if (options.vertices < 1 || options.vertices > 1000000) {
-    throw UsageError("--vertices: expected 1 to 1000000");
-  }
-  return options;
-}
 
 /// `basic`, overlapped, in every format that it has in this build: the smallest core that has
 /// streams.
@@ -52,25 +28,25 @@ std::vector<Configuration> rows() {
   return found;
 }
 
-int run_all(const Options& options) {
-  std::vector<RowResult> results;
-  int status = 0;
-  for (const Configuration& row : rows()) {
-    results.push_back(run(row, static_cast<std::size_t>(options.vertices), options.seed,
-                          [&](double done) { show_progress(row.name, done); }));
-    status = std::max(status, conclude(faults(results.back())));
-  }
-  fmt::print("{}\nerrors are in units of 2^k > half the lattice's size, of det J in its cube\n",
-             table(results));
-  const std::filesystem::path folder = options.output / "reports";
-  std::filesystem::create_directories(folder);
-  write_files({{folder / "tangents.json", json_report(results)}});
-  fmt::print("wrote {}/tangents.json\n", folder.string());
-  return status;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("hwffd-tangents", [&] { return run_all(parse_options(argc, argv)); });
+  std::int64_t vertices = 5000;
+  std::uint64_t seed = 1;
+  StudyProgram program(
+      "hwffd-tangents",
+      "Checks derivatives and det J that the RTL evaluates, in each number format.");
+  program.number("--vertices", vertices, "in each of two lattices", 1, 1'000'000);
+  program.seed(seed, "vertices and points");
+  return program.run(argc, argv, [&] {
+    std::vector<RowResult> results;
+    std::string wrong;
+    for (const Configuration& row : rows()) {
+      results.push_back(run(row, static_cast<std::size_t>(vertices), seed,
+                            [&](double done) { show_progress(row.name, done); }));
+      wrong += faults(results.back());
+    }
+    if (results.empty()) wrong = "no row of this build has streams\n";
+    return Findings{{{"tangents", json_report(results)}}, wrong};
+  });
 }

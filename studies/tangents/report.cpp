@@ -7,21 +7,6 @@
 
 namespace hwffd::tangents {
 
-std::string table(const std::vector<RowResult>& rows) {
-  std::string text =
-      fmt::format("{:<22} {:>8} {:>10} {:>13} {:>9} {:>9} {:>9} {:>8} {:>7} {:>6} {:>11} {:>6}\n",
-                  "row", "vertices", "mismatches", "clocks/vertex", "dq error", "- differ.",
-                  "det error", "upright", "folded", "wrong", "seam values", "differ");
-  for (const RowResult& r : rows) {
-    text += fmt::format(
-        "{:<22} {:>8} {:>10} {:>13.2f} {:>9.2e} {:>9.2e} {:>9.2e} {:>8} {:>7} {:>6} {:>11} {:>6}\n",
-        r.row.name, r.vertices, r.mismatches, r.clocks_per_vertex, r.max_error, r.max_difference,
-        r.max_determinant_error, r.upright, r.folded, r.wrong_flags, r.seam_values,
-        r.seam_differences);
-  }
-  return text;
-}
-
 std::string json_report(const std::vector<RowResult>& rows) {
   std::size_t vertices = 0;
   std::uint64_t mismatches = 0;

@@ -1,14 +1,14 @@
-"""Structure pictures: instances and area of a hierarchy, what is folded, what is drawn.
+"""The structure of the tops: instances and area of a hierarchy, what is folded.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
 from importlib.machinery import SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from unittest import mock
@@ -16,16 +16,11 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-import configurations  # noqa: E402
 import hierarchy  # noqa: E402
-import hierarchy_svg  # noqa: E402
-import rtl  # noqa: E402
 
 LOADER = SourceFileLoader("structure", str(ROOT / "scripts" / "structure"))
 structure = module_from_spec(spec_from_loader("structure", LOADER))
 LOADER.exec_module(structure)
-
-SVG = "{http://www.w3.org/2000/svg}"
 
 
 def cells(**numbers):
@@ -75,39 +70,26 @@ class Tree(unittest.TestCase):
                           (1, "ffd_mid_b"), (2, "ffd_leaf_wide")])
         self.assertEqual(self.root.own()["lut"], 2)
 
-    def test_picture(self):
-        text = hierarchy_svg.picture(self.root, ("a title", "more"), lambda module: "number")
-        picture = xml.etree.ElementTree.fromstring(text)
-        words = [element.text for element in picture.iter(f"{SVG}text")]
-        for word in ("a title", "hwffd_top", "ffd_mid_a", "\u00d7 2", "100.0 %", "52.1 %", "192"):
-            self.assertIn(word, words)
-        self.assertEqual(words.count("ffd_leaf_wide"), 2)
-        ground = picture.find(f"{SVG}rect")
-        self.assertEqual(ground.get("fill"), "#ffffff")
-        self.assertGreaterEqual(float(ground.get("width")), float(picture.get("width")) - 1)
 
-
-class Drawing(unittest.TestCase):
+class Measured(unittest.TestCase):
     def test_a_row_of_the_table(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             for name in ("rtl", "synth"):
                 (root / name).symlink_to(ROOT / name)
-            pictures = (("ffd_org_select", "basic-fx18-overlapped", True),)
-            with mock.patch.object(structure, "PICTURES", pictures), \
+            designs = (("ffd_org_select", "basic-fx18-overlapped", True),)
+            with mock.patch.object(structure, "DESIGNS", designs), \
                     mock.patch.object(sys, "argv", ["structure", "--root", folder, "-j", "1"]):
                 self.assertEqual(structure.main(), 0)
-            name = "structure-ffd_org_select-basic-fx18.svg"
-            self.assertEqual(sorted(path.name for path in (root / "build/docs").iterdir()),
-                             ["ffd_org_select-basic-fx18-overlapped.log", name])
-            text = (root / "docs" / name).read_text()
-            self.assertEqual(text, (root / "build/docs" / name).read_text())
-        words = [element.text for element in xml.etree.ElementTree.fromstring(text).iter(
-            f"{SVG}text")]
+            report = json.loads((root / "build/reports/structure.json").read_text())
+        (design,) = report["designs"]
+        self.assertEqual((design["top"], design["shown"]), ("ffd_org_select", True))
+        modules = {module["module"]: module for module in design["modules"]}
         for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
-            self.assertEqual(words[words.index(module) + 1], f"\u00d7 {number}")
+            self.assertEqual(modules[module]["instances"], number)
+        self.assertEqual(modules["ffd_num_step"]["folder"], "number")
         # What scripts/operators.py counts: nine steps, two products of weights, three terms.
-        self.assertEqual(words[words.index("ffd_org_select") + 4], "14")
+        self.assertEqual(modules["ffd_org_select"]["dsp"], 14)
 
     def test_a_fault_is_one_line(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -115,14 +97,6 @@ class Drawing(unittest.TestCase):
                 [sys.executable, "-B", ROOT / "scripts" / "structure", "--root", folder],
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-
-    def test_pictures_that_documents_show_are_there(self):
-        shown = [structure.file_name(top, configurations.find(configurations.read(), name))
-                 for top, name, kept in structure.PICTURES if kept]
-        self.assertGreaterEqual(len(shown), 4)
-        for name in shown:
-            picture = xml.etree.ElementTree.parse(ROOT / "docs" / name)
-            self.assertGreater(len(picture.findall(f"{SVG}text")), 20, name)
 
 
 if __name__ == "__main__":

@@ -133,9 +133,7 @@ TEST(Study, CountedEqualsPredicted) {
     EXPECT_DOUBLE_EQ(row.words_per_vertex(), 4 + 4 * (lattice + packets) / row.vertices);
   }
   EXPECT_EQ(counted, 2 * 4U);
-  EXPECT_NE(table(rows).find("not built"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(json_report(rows)).at("rows").size(), rows.size());
-  EXPECT_NE(plot(rows).find("<svg"), std::string::npos);
 }
 
 TEST(Study, FaultsAreNamed) {
@@ -143,12 +141,10 @@ TEST(Study, FaultsAreNamed) {
   row.predicted = 80;
   row.counted = 80;
   EXPECT_EQ(faults({row}), "");
-  EXPECT_EQ(table({row}).find("NOT EQUAL"), std::string::npos);
   Row larger = row;
   larger.points = 6;
   larger.counted = 81;
   EXPECT_NE(faults({row, larger}).find("80 beats predicted, 81 counted"), std::string::npos);
-  EXPECT_NE(table({row, larger}).find("NOT EQUAL"), std::string::npos);
   row.counted.reset();
   EXPECT_EQ(faults({row}), "");
   row.mismatches = 2;

@@ -1,0 +1,80 @@
+"""The reports: the command that makes each, where its rows are, and what sources it measures.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import importlib
+from dataclasses import dataclass
+
+# Sources, as patterns of files (digest.py says what counts of each kind of file).
+_RTL = ("rtl/**/*.v", "rtl/configurations.csv")
+_MODEL = tuple(f"golden/**/{part}/*.?pp"
+               for part in ("model", "numerics", "bounds", "oracle", "stream"))
+_GEOMETRY = ("geometry/**/lattice/*.?pp", "geometry/**/mesh/*.?pp")
+_SYNTH = (*_RTL, "synth/*.ys", "synth/osu018.*")
+
+
+@dataclass(frozen=True)
+class Report:
+    """A report, by the name of its file."""
+
+    command: str
+    sources: tuple
+    rows: str = "rows"  # the field with its rows
+    # Fields that differ from run to run or between machines: not committed.
+    volatile: tuple = ()
+    selectors: tuple = ()  # fields that narrow its command to the rows in question
+    written: str = ""  # the name under which its command writes it, where that is another
+
+
+REPORTS = {
+    "organizations": Report(
+        "make organizations", (*_RTL, "studies/organizations/*.?pp"),
+        volatile=("simulation_vertices_per_s", "simulation_share", "reference_vertices_per_s",
+                  "compiler_options", "targets"),
+        selectors=("org", "n", "format")),
+    "timelines": Report("make organizations", (*_RTL, "studies/organizations/*.?pp")),
+    "words": Report("make words", (*_MODEL, *_GEOMETRY, "studies/words/*.?pp")),
+    "streams": Report("make streams", (*_RTL, *_GEOMETRY, "studies/streams/*.?pp")),
+    "bfp": Report("make bfp", (*_RTL, *_MODEL, "studies/bfp/*.?pp"), rows="errors"),
+    "tangents": Report("make tangents", (*_RTL, *_GEOMETRY, "studies/tangents/*.?pp")),
+    "embed": Report("make embed", (*_GEOMETRY, "studies/embed/*.?pp")),
+    "glapi": Report("make glapi", ("api/gl/**/*.?pp", "studies/glapi/*.?pp"), rows="commands"),
+    "sim": Report("make sim", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs"),
+    "dma": Report("make sim STREAM=dma", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs",
+                  written="sim"),
+    "synth": Report("make synth", _SYNTH, volatile=("seconds", "kinds"),
+                    selectors=("target", "org", "n", "format")),
+    "pnr": Report("make pnr", (*_SYNTH, "synth/clocks.csv")),
+    "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
+                                     "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
+                     rows="boards"),
+    "plates": Report("make plates", (*_RTL, *_GEOMETRY, "apps/plates/*.?pp"), rows="plates"),
+    "structure": Report("make structure", (*_RTL, "synth/prepare.ys", "synth/ecp5.ys"),
+                        rows="designs"),
+    "formal": Report("make formal", ("rtl/**/*.v", "tests/formal/*.v",
+                                     "tests/formal/properties.csv"),
+                     rows="properties", volatile=("seconds", "control_seconds")),
+    "tests": Report("make test", ("tests/**/*_test.cpp", "tests/**/test_*.py", "tests/**/*.csv",
+                                  "rtl/configurations.csv"), rows="suites"),
+}
+
+# Pictures, a module of charts/ each, and the reports that each is drawn from.
+CHARTS = {
+    "organizations": ("organizations",),
+    "pareto": ("organizations", "synth"),
+    "timeline": ("timelines",),
+    "words": ("words",),
+    "streams": ("streams",),
+    "structure": ("structure",),
+}
+
+# Modules of studies/ without a report of their own: what joins several, what is read off the sources.
+JOINED = ("results", "rtl", "project")
+
+
+def module(name):
+    """The module of a report, with its TABLES and FIGURES; None if it has none."""
+    if name not in REPORTS and name not in JOINED:
+        return None
+    return importlib.import_module(f"figures.studies.{name}")

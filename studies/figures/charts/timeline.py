@@ -1,0 +1,57 @@
+"""Which unit is busy in which clock of a vertex, at both schedules: timeline-ORGANIZATION.svg.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pandas
+from matplotlib import pyplot
+
+from figures.charts import save
+
+COLOURS = ("#0060a8", "#e08000", "#2a8000", "#a03060")  # of vertices that follow each other
+SCHEDULES = ("paper", "overlapped")
+
+
+def runs(lane, clocks):
+    """(first clock, clocks, vertex) of each run in which the last operation to enter is of one
+    vertex.
+    """
+    busy = pandas.Series([-1] * clocks)
+    for begin, end, vertex in lane["spans"]:
+        busy[begin:end] = vertex
+    run = (busy != busy.shift()).cumsum()
+    return [(part.index[0], len(part), int(part.iloc[0])) for _, part in busy.groupby(run)
+            if part.iloc[0] >= 0]
+
+
+def panel(axes, row):
+    lanes = row["lanes"]
+    for line, lane in enumerate(lanes):
+        for first, length, vertex in runs(lane, row["clocks"]):
+            axes.broken_barh([(first, length)], (line - 0.4, 0.8), linewidth=0,
+                             facecolors=COLOURS[vertex % len(COLOURS)])
+    axes.axvline(row["first_done"], color="black", linewidth=1)
+    axes.annotate("first vertex done", (row["first_done"], -0.6), (-3, 2), ha="right",
+                  textcoords="offset points", fontsize=8)
+    axes.set_yticks(range(len(lanes)), [lane["name"] for lane in lanes])
+    axes.set(xlim=(0, row["clocks"]), ylim=(len(lanes) - 0.4, -1.2), title=row["name"])
+    axes.grid(axis="y", visible=False)
+
+
+def draw(reports, folder):
+    kinds = {}
+    for row in reports.rows("timelines"):
+        name = f"tree{row['n']}" if row["org"] == "tree" else row["org"].replace("/", "-")
+        kinds.setdefault(name, {}).setdefault(row["schedule"], row)  # of several the first
+    written = []
+    for name, found in kinds.items():
+        rows = [found[schedule] for schedule in SCHEDULES if schedule in found]
+        heights = [len(row["lanes"]) + 3 for row in rows]
+        figure, grid = pyplot.subplots(len(rows), 1, figsize=(11, 0.22 * sum(heights) + 0.4),
+                                       height_ratios=heights, squeeze=False, layout="constrained")
+        for axes, row in zip(grid.flat, rows):
+            panel(axes, row)
+        grid.flat[-1].set_xlabel("clock cycles from the start of the first vertex; a colour is a "
+                                 "vertex, white is idle")
+        written.append(save(figure, folder / f"timeline-{name}.svg"))
+    return written

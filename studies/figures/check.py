@@ -1,0 +1,65 @@
+"""What `make lint` says of figures in texts: which differ from their reports, which reports are stale.
+
+Needs nothing but Python's own library.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+from collections import Counter
+
+from figures import digest, markers
+from figures.catalogue import REPORTS
+from figures.measure import STAMP
+from figures.reports import Reports, RequestError
+
+PATTERNS = ("*.md", "docs/**/*.md", "synth/**/*.md", "examples/**/*.md", "tests/**/*.md")
+CURE = "make figures"
+
+
+def texts(root):
+    """Every text that may have markers."""
+    return sorted({path for pattern in PATTERNS for path in root.glob(pattern)
+                   if path.name != "CHANGELOG.md"})
+
+
+def _wrong(root, path, reports):
+    """(lines for what is not as the reports say, those for what no report says yet)"""
+    before, name = path.read_text(encoding="utf-8"), path.relative_to(root)
+    after, faults = markers.fill(before, reports)
+    wrong = [f"{name}:{fault.line}: {fault.message}" for fault in faults if not fault.unmeasured]
+    unmeasured = Counter(fault.message for fault in faults if fault.unmeasured)
+    differing = [f"{name}:{line}: not what the report says: '{old.strip()[:60]}', "
+                 f"'{new.strip()[:60]}' wanted: {CURE}"
+                 for line, old, new in markers.differences(before, after)]
+    return wrong + differing, [f"{name}: {message}, in {count} places"
+                               for message, count in unmeasured.items()]
+
+
+def check(root):
+    """(texts looked at, what is wrong in them, what is to be measured again), a line each."""
+    root, reports = pathlib.Path(root), Reports(root)
+    names, wrong, unmeasured = texts(root), [], []
+    for path in names:
+        found, missing = _wrong(root, path, reports)
+        wrong += found
+        unmeasured += missing
+    return len(names), wrong, unmeasured + _stale(root, reports)
+
+
+def _stale(root, reports):
+    """A line for each committed report whose sources have changed since, with what renews it."""
+    lines = []
+    for path in sorted(reports.folder.glob("*.json")):
+        name, where = path.stem, path.relative_to(root)
+        if name not in REPORTS:
+            lines.append(f"{where}: no study has a report of this name")
+            continue
+        try:
+            measured = reports.get(name).get(STAMP, {}).get("sources")
+            if measured != digest.digest(root, REPORTS[name].sources):
+                lines.append(f"{where} is stale: {REPORTS[name].command} && "
+                             f"scripts/figures adopt {name}")
+        except (RequestError, digest.DigestError) as error:
+            lines.append(f"{where}: {error}")
+    return lines

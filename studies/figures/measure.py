@@ -1,0 +1,109 @@
+"""Runs a study and stamps its report; takes a report into the folder that is committed.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import subprocess
+import sys
+
+from figures import digest
+from figures.catalogue import REPORTS, module
+from figures.reports import COMMITTED, FRESH, Reports, RequestError
+
+STAMP = "measured"
+
+
+def dump(report):
+    """JSON with a line for each row."""
+    parts = []
+    for key, value in report.items():
+        if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
+            text = "[\n" + ",\n".join("    " + json.dumps(row) for row in value) + "\n  ]"
+        else:
+            text = json.dumps(value)
+        parts.append(f"  {json.dumps(key)}: {text}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def stamped(report, name, sources):
+    """The report with where it comes from, first."""
+    rest = {key: value for key, value in report.items() if key != STAMP}
+    return {STAMP: {"command": REPORTS[name].command, "sources": sources}, **rest}
+
+
+def _written(path):
+    return path.stat().st_mtime_ns if path.is_file() else None
+
+
+def _sources(root, name):
+    """None where they cannot be hashed: a study runs without that."""
+    try:
+        return digest.digest(root, REPORTS[name].sources)
+    except digest.DigestError as error:
+        print(f"figures: the report gets no stamp: {error}", file=sys.stderr)
+        return None
+
+
+def run(root, names, command):
+    """Runs a command that measures; (its exit status, reports that it wrote). What it wrote is
+    stamped with the sources as they were before, if it ended well.
+    """
+    fresh = Reports(root, FRESH)
+    before = {name: (_written(fresh.path(name)), _sources(root, name)) for name in names}
+    status = subprocess.run(command, check=False).returncode
+    status = status if status >= 0 else 128 - status  # as a shell has it
+    changed = []
+    for name, (written, sources) in before.items():
+        path = fresh.path(name)
+        getattr(module(name), "collect", lambda _: None)(root)
+        if _written(path) in (None, written):
+            continue
+        changed.append(name)
+        if status == 0 and sources:
+            path.write_text(dump(stamped(fresh.get(name), name, sources)), encoding="utf-8")
+    return status, changed
+
+
+def _without(value, volatile):
+    if isinstance(value, dict):
+        return {key: _without(one, volatile) for key, one in value.items() if key not in volatile}
+    if isinstance(value, list):
+        return [_without(one, volatile) for one in value]
+    return value
+
+
+def committed_form(report, name):
+    """What of a report is committed: all but what differs from run to run."""
+    return dump(_without(report, REPORTS[name].volatile))
+
+
+def adopt(root, name):
+    """Takes build/reports/NAME.json into docs/reports/. Raises RequestError where it is not whole or
+    not of the present sources.
+    """
+    if name not in REPORTS:
+        raise RequestError(f"no report '{name}': one of {', '.join(REPORTS)}")
+    fresh = Reports(root, FRESH)
+    path = fresh.path(REPORTS[name].written or name)
+    report, cure = fresh.get(name), REPORTS[name].command
+    if STAMP not in report:
+        raise RequestError(f"{path} is not of a run that ended well: {cure}")
+    if report[STAMP]["sources"] != digest.digest(root, REPORTS[name].sources):
+        raise RequestError(f"{path} is older than its sources: {cure}")
+    missing = module(name).missing(fresh)
+    if missing:
+        raise RequestError(f"{path} is not whole: {missing}: {cure}")
+    kept = Reports(root, COMMITTED).path(name)
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    kept.write_text(committed_form(stamped(report, name, report[STAMP]["sources"]), name),
+                    encoding="utf-8")
+    return kept
+
+
+def show(root, names):
+    """Prints fresh reports as tables."""
+    fresh = Reports(root, FRESH)
+    for name in names:
+        sys.stdout.write(module(name).printed(fresh).rstrip("\n") + "\n\n")
+    sys.stdout.flush()

@@ -1,0 +1,10 @@
+"""A module for each report, with
+
+    TABLES            name -> function of Reports and arguments that makes a Table
+    FIGURES           name -> function of Reports: figures that follow from the report
+    printed(reports)  what its command prints
+    missing(reports)  what a report lacks that shall be committed, '' if nothing
+    collect(root)     where its command writes something else: makes the report of that
+
+SPDX-License-Identifier: Apache-2.0
+"""

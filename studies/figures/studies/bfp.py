@@ -1,0 +1,43 @@
+"""make bfp: block floating point, its error and the bits of its organizations.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from figures.expressions import shown
+from figures.table import Table
+
+
+def errors(reports):
+    """Largest errors of both forms in units in the last place, and what is proved."""
+    rows = reports.rows("bfp")
+    forms = list(dict.fromkeys(row["form"] for row in rows))
+    value = {(row["points"], row["form"]): row["max_error_ulp"] for row in rows}
+    bound = {row["form"]: row["bound_ulp"] for row in rows}
+    lines = [[points, *(shown(value[points, form], ".3f") for form in forms)]
+             for points in dict.fromkeys(row["points"] for row in rows)]
+    return Table(["control points", *(f"{form} form" for form in forms)],
+                 [*lines, ["proved", *(shown(bound[form], ".3f") for form in forms)]])
+
+
+def printed(reports):
+    report = reports.get("bfp")
+    table = Table(["control points", "form", "max, ulp of the lattice", "ulp of its support",
+                   "bound", "vertices"],
+                  [[row["points"], row["form"], shown(row["max_error_ulp"], ".4f"),
+                    shown(row["max_error_ulp_of_support"], ".3f"), shown(row["bound_ulp"], ".3f"),
+                    str(row["vertices"])] for row in report["errors"]])
+    return "\n".join([table.text(), "", *(
+        f"{len(one['rows'])} rows in the {one['form']} form, {one['vertices']} vertices each: "
+        f"{one['mismatches']} results differ from the model's, {one['disagreements']} from those "
+        f"of {one['rows'][0]}" for one in report["organizations"])])
+
+
+def missing(reports):
+    forms = {one["form"] for one in reports.get("bfp")["organizations"]}
+    return "" if forms == {"product", "factored"} else "a form"
+
+
+TABLES = {"errors": errors}
+FIGURES = {"rtl_rows": lambda reports: sum(len(one["rows"])
+                                           for one in reports.get("bfp")["organizations"]),
+           "rtl_vertices": lambda reports: reports.get("bfp")["organizations"][0]["vertices"]}

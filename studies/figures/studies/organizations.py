@@ -1,0 +1,134 @@
+"""make organizations: clocks of every organization counted in the RTL, operators, errors, seams.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import configurations
+from figures.expressions import shown
+from figures.studies import throughput
+from figures.table import Table
+
+FORMATS = ("fp32", "fx18", "fx32")
+
+
+def is_plain(row):
+    """A row that differs from the others of its format by organization, N and schedule only."""
+    return len(row["name"].split("-")) == 3
+
+
+def short_name(row):
+    """An organization as tables and pictures call it: "basic", "tree 8"."""
+    return f"tree {row['n']}" if row["org"] == "tree" else row["org"]
+
+
+def rows(reports, **wanted):
+    """Rows as measured: without the tree of 64 units, which is `parallel`, under its second name."""
+    return [row for row in reports.rows("organizations", **wanted)
+            if (row["org"], row["n"]) != ("tree", 64)]
+
+
+def first(found, **wanted):
+    """The first of the rows with these fields; an empty one if there is none."""
+    return next((row for row in found
+                 if all(row[key] == value for key, value in wanted.items())), {})
+
+
+def _operators(row, field):
+    counted = row.get(field)
+    return f"{counted['mul']} + {counted['add']}" if counted else "-"
+
+
+def clocks(reports):
+    """Section 4 of the paper; operators in fixed point."""
+    everything, lines = rows(reports), []
+    for name in dict.fromkeys(short_name(row) for row in everything):
+        found = [row for row in everything if short_name(row) == name]
+        plain = [row for row in found if is_plain(row)]
+        fixed = [row for row in plain if row["format"] == "fx18"]
+        paper = first(fixed, schedule="paper")
+        overlapped = first(fixed, schedule="overlapped")
+        fused = first(found, schedule="paper", fmac=True)
+        if overlapped:
+            lines.append([
+                f"`{name}`", shown(overlapped["formula"]), shown(paper.get("clocks_paper")),
+                shown(fused.get("clocks_paper")), _operators(paper, "operators"),
+                _operators(paper, "operators_drawn"),
+                shown(overlapped["interval_overlapped"], "g"), _operators(overlapped, "operators"),
+                *(shown(first(plain, schedule="overlapped", format=word).get("max_error"), ".2e")
+                  for word in FORMATS)])
+    return Table(["organization", "formula", "counted", "fused", "multipliers + adders", "as drawn",
+                  "overlapped", "multipliers + adders, overlapped",
+                  *(f"max error `{word}`" for word in FORMATS)], lines)
+
+
+def _sum(row):
+    return "/".join(str(row[kind]) for kind in ("mul", "add", "fma"))
+
+
+def _line(everything, row):
+    """A row of the overlapped schedule with its partner at the paper's, for a terminal."""
+    same = {key: row[key] for key in ("org", "n", "format", "fmac")}
+    paper = first(everything, **same, schedule="paper")
+    both = [one for one in (row, paper if paper is not row else {}) if one]
+    verdict = {None: "-", True: "yes", False: "NO"}
+    return [row["org"], str(row["n"]), row["format"],
+            row["evaluator"] + (" fmac" if row["fmac"] else ""), shown(row["formula"]),
+            shown(row["clocks_paper"]), verdict[row["equal"]], shown(row["final_accumulation"]),
+            _sum(paper["operators"]) if len(both) > 1 else "-",
+            shown(row["interval_overlapped"], ".2f"), verdict[row["equal_overlapped"]],
+            _sum(row["operators"]), _sum(row["operators_drawn"]), shown(row["max_error"], ".2e"),
+            *(str(sum(one[field] for one in both)) for field in ("mismatches", "seam_differences")),
+            shown(row["simulation_vertices_per_s"], ".0f"), shown(row["simulation_share"], ".4f")]
+
+
+def printed(reports):
+    """A line for each overlapped row, and for those of the paper's schedule without a partner."""
+    everything = rows(reports)
+    overlapped = {(row["org"], row["n"], row["format"], row["fmac"])
+                  for row in everything if row["schedule"] == "overlapped"}
+    lines = [_line(everything, row) for row in everything
+             if row["schedule"] == "overlapped"
+             or (row["org"], row["n"], row["format"], row["fmac"]) not in overlapped]
+    report = reports.get("organizations")
+    text = Table(["org", "n", "format", "evaluator", "formula", "clocks", "equal", "final",
+                  "paper's operators", "interval", "equal", "operators", "as drawn", "max error",
+                  "wrong", "seam", "vertex/s", "of C++"], lines).text()
+    text += (f"\n\nvertex/s is of the simulation; C++, eq. (1) in double by three loops, does "
+             f"{report['reference_vertices_per_s']:.0f}; each is timed alone on one thread, "
+             f"compiled with {report['compiler_options']}\n\n")
+    if not reports.has("synth"):
+        return text + "no areas: make synth writes build/reports/synth.json"
+    return text + throughput.table(reports).text()
+
+
+def _total(field, **wanted):
+    return lambda reports: sum(row[field] for row in rows(reports, **wanted))
+
+
+def _watertight(reports):
+    return [row for row in rows(reports) if not row["seam_bound_units"]]
+
+
+def _seam(word):
+    """By how much neighbours differ on a seam where they may, in units of its last place."""
+    return lambda reports: max(row["seam_largest_units"] for row in rows(reports, format=word))
+
+
+def missing(reports):
+    present = {row["name"] for row in rows(reports)}
+    table = configurations.read(reports.root / "rtl" / "configurations.csv")
+    absent = [row.name for row in table if row.name not in present]
+    return f"{len(absent)} rows, the first {absent[0]}" if absent else ""
+
+
+TABLES = {"clocks": clocks}
+FIGURES = {
+    "rows_measured": lambda reports: len(rows(reports)),
+    "results_checked": _total("checked"),
+    "results_wrong": _total("mismatches"),
+    "watertight_rows": lambda reports: len(_watertight(reports)),
+    "watertight_results": lambda reports: sum(row["checked"] for row in _watertight(reports)),
+    "watertight_differences": lambda reports: sum(row["seam_differences"]
+                                                  for row in _watertight(reports)),
+    **{f"nested_seam_{word}": _seam(word) for word in FORMATS},
+}

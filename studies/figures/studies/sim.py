@@ -1,0 +1,41 @@
+"""make sim: a mesh through the simulated core.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from figures.expressions import shown
+from figures.table import Console, Table
+
+DEFAULT = {"model": "cat.3ds", "deform": {"twist:90", "random:1"}, "runs": 12}
+
+
+def runs(reports):
+    return Table(
+        ["org", "format", "schedule", "stream", "deform", "checked", "mismatches", "clocks/vertex",
+         "max error", "rms error"],
+        [[row["org"], row["format"], row["schedule"], row["stream"], row["deform"],
+          str(row["checked"]), str(row["mismatches"]), shown(row["clocks_per_vertex"], ".2f"),
+          shown(row["max_error"], ".2e"), shown(row["rms_error"], ".2e")]
+         for row in reports.rows("sim")])
+
+
+def console(reports):
+    """The same as the program prints it."""
+    form = "{:<10} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13} {:>10} {:>10}"
+    table = runs(reports)
+    return Console([form.format(*line) for line in [table.heads, *table.rows]])
+
+
+def printed(reports):
+    return runs(reports).text()
+
+
+def missing(reports):
+    """What is committed is of `make sim` without variables."""
+    report, rows = reports.get("sim"), reports.rows("sim")
+    default = (report["model"] == DEFAULT["model"] and len(rows) == DEFAULT["runs"]
+               and {row["deform"] for row in rows} == DEFAULT["deform"])
+    return "" if default else "runs of make sim without variables"
+
+
+TABLES = {"runs": runs, "console": console}

@@ -1,0 +1,105 @@
+"""Vertices a second of the overlapped organizations on each target: clocks of `make organizations`
+joined with the areas and clocks of `make synth` and `make pnr`.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from dataclasses import dataclass
+
+from figures.expressions import shown
+from figures.table import Table
+
+# What a target counts first, and the unit of that.
+SIZES = (("lut", "LUTs"), ("area_um2", "um2"), ("cells", "cells"))
+
+
+@dataclass(frozen=True)
+class Throughput:
+    """One row on one target."""
+
+    name: str
+    label: str
+    target: str
+    size: float
+    unit: str
+    multipliers: object  # None where the target counts none
+    clock_mhz: object  # None where the clock is not known
+    interval: float  # clocks from a vertex to the next
+
+    @property
+    def per_second(self):
+        return None if self.clock_mhz is None else self.clock_mhz * 1e6 / self.interval
+
+    @property
+    def rate(self):
+        """Vertices per second, or per clock where the clock is not known."""
+        return 1 / self.interval if self.per_second is None else self.per_second
+
+    @property
+    def per_size(self):
+        return self.rate / self.size
+
+    @property
+    def per_multiplier(self):
+        return self.rate / self.multipliers if self.multipliers else None
+
+    def beats(self, other):
+        """At least as small and as fast, and better in one; with and without a clock are not
+        compared.
+        """
+        if (self.per_second is None) != (other.per_second is None):
+            return False
+        return (self.size <= other.size and self.rate >= other.rate
+                and (self.size < other.size or self.rate > other.rate))
+
+
+def label(row):
+    """Organization, what its name has behind the schedule, and format: "basic bspline fx18"."""
+    org = f"tree {row['n']}" if row["org"] == "tree" else row["org"]
+    more = row["name"].split(row["schedule"], 1)[1].replace("-", " ")
+    return f"{org}{more} {row['format']}"
+
+
+def _size(mapped):
+    """The first size that the target counts; None if it counts none."""
+    return next(((mapped[field], unit) for field, unit in SIZES if mapped.get(field)), None)
+
+
+def throughputs(reports):
+    """One for each overlapped row on each target on which its organization has been mapped."""
+    areas = {}
+    for mapped in reports.rows("synth", top="ffd_org_select"):
+        if _size(mapped):
+            areas.setdefault(mapped["name"], []).append(mapped)
+    found = []
+    for row in reports.rows("organizations", schedule="overlapped"):
+        if (row["org"], row["n"]) == ("tree", 64):  # `parallel` under its second name
+            continue
+        for mapped in areas.get(row["name"], ()):
+            size, unit = _size(mapped)
+            found.append(Throughput(row["name"], label(row), mapped["target"], size, unit,
+                                    mapped.get("dsp"), mapped.get("fmax_mhz"),
+                                    row["interval_overlapped"]))
+    return found
+
+
+def front(found):
+    """Those that no other beats, by size."""
+    best = [one for one in found if not any(other.beats(one) for other in found)]
+    return sorted(best, key=lambda one: one.size)
+
+
+def targets(found):
+    return list(dict.fromkeys(one.target for one in found))
+
+
+def table(reports):
+    found = throughputs(reports)
+    return Table(
+        ["target", "row", "size", "", "multipliers", "MHz", "vertex/clock", "vertex/s",
+         "per size", "per multiplier"],
+        [[one.target, one.name, shown(one.size, ".0f"), one.unit, shown(one.multipliers, "d"),
+          shown(one.clock_mhz, ".1f"), shown(1 / one.interval, ".4f"),
+          shown(one.per_second, ".4g"), shown(one.per_size, ".4g"),
+          shown(one.per_multiplier, ".4g")]
+         for target in targets(found) for one in found if one.target == target])

@@ -1,0 +1,51 @@
+#include "study_program.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <utility>
+
+#include "hwffd/atomic_file.hpp"
+#include "program.hpp"
+
+namespace hwffd {
+namespace {
+
+int conclude_study(const Findings& findings, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::vector<FileContent> files;
+  for (const StudyReport& report : findings.reports) {
+    files.push_back({folder / (report.name + ".json"), report.json});
+  }
+  write_files(files);
+  for (const FileContent& file : files) fmt::print("wrote {}\n", file.path.string());
+  return conclude(findings.faults);
+}
+
+}  // namespace
+
+StudyProgram::StudyProgram(std::string name, const std::string& what)
+    : name_(std::move(name)), app_(std::make_unique<CLI::App>(what)) {
+  app_->add_option("--output", output_, "folder for reports")->capture_default_str();
+}
+
+StudyProgram::~StudyProgram() = default;
+
+void StudyProgram::number(const std::string& option, std::int64_t& value, const std::string& what,
+                          std::int64_t least, std::int64_t most) {
+  app_->add_option(option, value, what)->check(CLI::Range(least, most))->capture_default_str();
+}
+
+void StudyProgram::seed(std::uint64_t& value, const std::string& of_what) {
+  app_->add_option("--seed", value, "seed of " + of_what)->capture_default_str();
+}
+
+int StudyProgram::run(int argc, char** argv, const std::function<Findings()>& measure) {
+  return run_program(name_, [&] {
+    parse_command_line(*app_, argc, argv);
+    return conclude_study(measure(), std::filesystem::path(output_) / "reports");
+  });
+}
+
+}  // namespace hwffd

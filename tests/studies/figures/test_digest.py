@@ -1,0 +1,102 @@
+"""The hash of sources: what changes it, and what does not.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import unittest
+
+from checkout import ROOT, Checkout
+from figures import digest
+from figures.catalogue import REPORTS
+
+MODULE = """`include "m.vh"
+module ffd_a (input wire clk);  // a comment
+  wire [`WIDTH-1:0] a = 0; /* another
+  over lines */
+  wire [7:0] s = "a // b";
+endmodule
+"""
+
+
+class Verilog(Checkout):
+    def setUp(self):
+        super().setUp()
+        self.put("rtl/one/m.vh", "`define WIDTH 8\n`define PORT input wire clk\n")
+        self.put("rtl/one/ffd_a.v", MODULE)
+        self.put("rtl/one/ffd_b.v", "module ffd_b; endmodule\n")
+        self.before = self.digest()
+
+    def digest(self):
+        return digest.digest(self.root, ("rtl/**/*.v",))
+
+    def changed(self, *replaced, name="rtl/one/ffd_a.v", text=MODULE):
+        for before, after in replaced:
+            self.assertIn(before, text)
+            text = text.replace(before, after)
+        self.put(name, text)
+        return self.digest() != self.before
+
+    def test_what_means_the_same(self):
+        for before, after in (("a comment", "other words"), ("  wire [7:0] s", "\n\twire [7:0]  s"),
+                              ("/* another\n  over lines */", ""), ("`WIDTH", "8"),
+                              ("input wire clk", "`PORT")):
+            with self.subTest(after):
+                self.assertFalse(self.changed((before, after)))
+
+    def test_text_moved_into_an_include(self):
+        self.put("rtl/one/body.vh", "  wire [`WIDTH-1:0] a = 0;\n")
+        self.assertFalse(self.changed(
+            ("  wire [`WIDTH-1:0] a = 0; /* another\n  over lines */", '`include "body.vh"')))
+
+    def test_a_module_moved_to_another_folder(self):
+        (self.root / "rtl/two").mkdir()
+        (self.root / "rtl/one/ffd_b.v").rename(self.root / "rtl/two/ffd_b.v")
+        self.assertEqual(self.digest(), self.before)
+
+    def test_what_means_something_else(self):
+        self.assertTrue(self.changed(("a = 0", "a = 1")))
+        self.assertTrue(self.changed(("a // b", "a // c")))
+        self.put("rtl/one/ffd_a.v", MODULE)
+        self.assertEqual(self.digest(), self.before)
+        self.assertTrue(self.changed(("8", "9"), name="rtl/one/m.vh", text="`define WIDTH 8\n"))
+
+    def test_no_such_sources(self):
+        with self.assertRaisesRegex(digest.DigestError, "no sources are rtl/nothing"):
+            digest.digest(self.root, ("rtl/nothing/*.v",))
+
+
+class Others(Checkout):
+    def digest(self, name, text):
+        self.put(name, text)
+        return digest.digest(self.root, (name,))
+
+    def test_cpp(self):
+        before = self.digest("a.cpp", '#include "a.hpp"\nint a = f("// no comment");  // but this\n')
+        for text in ('int a = f("// no comment");\n', 'int a =\n  f("// no comment"); /* x */'):
+            self.assertEqual(self.digest("a.cpp", text), before)
+        self.assertNotEqual(self.digest("a.cpp", 'int a = f("// a comment");\n'), before)
+
+    def test_other_texts_by_their_lines(self):
+        before = self.digest("a.ys", "synth -top a\nabc\n")
+        self.assertEqual(self.digest("a.ys", "\n  synth -top a\n\nabc"), before)
+        self.assertNotEqual(self.digest("a.ys", "synth -top a -flatten\nabc\n"), before)
+
+    def test_of_the_table_what_the_rtl_gets(self):
+        table = (ROOT / "rtl/configurations.csv").read_text(encoding="utf-8")
+        before = self.digest("rtl/configurations.csv", table)
+        self.assertEqual(self.digest("rtl/configurations.csv", table.replace(",sim", ",test")),
+                         before)
+        self.assertNotEqual(self.digest("rtl/configurations.csv",
+                                        table.replace("overlapped,pipelined,4,4,0",
+                                                      "overlapped,pipelined,5,4,0")), before)
+
+
+class Catalogue(unittest.TestCase):
+    def test_every_report_has_sources(self):
+        for name, report in REPORTS.items():
+            with self.subTest(name):
+                self.assertRegex(digest.digest(ROOT, report.sources), "^[0-9a-f]{16}$")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
