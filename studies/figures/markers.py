@@ -28,6 +28,9 @@ _BLOCK = re.compile(r"^(?P<open><!-- figures: (?P<what>[^\n]*?)(?P<lines>\n(?:[^
 _INLINE = re.compile(r"(?P<open><!--= (?P<what>[^\n]*?) -->)(?P<inside>[^\n]*?)(?P<close><!--/-->)")
 # Whatever looks like a marker: one that the forms above do not cover is a fault.
 _ANY = re.compile(r"<!-- figures:|<!-- end figures|<!--=|<!--/-->")
+# Examples of markers, which stand as they are: in a block of code between fences.
+_FENCE = re.compile(r"^```[^\n]*\n.*?^```$", re.MULTILINE | re.DOTALL)
+_OPEN, _HIDDEN = "<!--", "\0"
 _FIRST = re.compile(r"^<!--=", re.MULTILINE)
 
 
@@ -101,6 +104,7 @@ def _inline(reports, match):
 def fill(text, reports):
     """(the text with its figures put in, faults). Where there is no figure the text stays."""
     faults = []
+    text = _FENCE.sub(lambda match: match.group().replace(_OPEN, _HIDDEN), text)
 
     def put_in(make):
         def replace(match):
@@ -122,7 +126,7 @@ def fill(text, reports):
                for match in _ANY.finditer(rest)]
     faults += [Fault(text, match.start(), "a figure may not begin a line: Markdown takes such a "
                      "line for HTML") for match in _FIRST.finditer(text)]
-    return text, faults
+    return text.replace(_HIDDEN, _OPEN), faults
 
 
 def _blank(match):

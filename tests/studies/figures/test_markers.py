@@ -76,6 +76,11 @@ class Inline(Checkout):
                 self.assertIn(complaint, faults[0].message)
 
 
+    def test_an_example_between_fences_stays(self):
+        text = "```markdown\n<!--= sim.model -->?<!--/-->\n<!-- figures: sim.runs -->\n```\n"
+        self.assertEqual(markers.fill(text, self.data), (text, []))
+
+
 class Blocks(Checkout):
     def filled(self, opening, inside=""):
         text = f"before\n\n<!-- figures: {opening} -->\n{inside}<!-- end figures -->\nafter\n"
