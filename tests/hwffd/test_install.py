@@ -12,6 +12,7 @@ SPDX-License-Identifier: Apache-2.0
 import filecmp
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,7 +20,8 @@ import unittest
 
 TESTS, CMAKE, BUILD, *PYTHON = sys.argv[1:]
 SKIPPED = 77  # SKIP_RETURN_CODE of these tests
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
 
 PROJECT = """cmake_minimum_required(VERSION 3.18)
 project(stranger LANGUAGES C CXX)
@@ -29,6 +31,8 @@ add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::hwffd)
 add_executable(deform_cpp deform.cpp)
 target_link_libraries(deform_cpp PRIVATE hwffd::hwffd)
+add_executable(readme readme.cpp)
+target_link_libraries(readme PRIVATE hwffd::hwffd)
 add_executable(drive drive.cpp)
 target_link_libraries(drive PRIVATE hwffd::hwffd)
 add_executable(glffd glffd.c)
@@ -43,6 +47,19 @@ int main() {
   lattice.deform("scale:3");
   std::printf("%g\\n", lattice.carry(points)(1, 0));
 }
+"""
+README = """#include <hwffd/device/deformable_lattice.hpp>
+#include <hwffd/lattice/around.hpp>
+int main() {{
+  const hwffd::Points points = hwffd::Points::Random(10, 3);
+  {}
+  return moved.rows() == 10 && moved != points ? 0 : 1;
+}}
+"""
+README_PYTHON = """import hwffd, numpy as np
+points = np.random.default_rng(1).random((10, 3))
+{}
+assert moved.shape == (10, 3) and (moved != points).any()
 """
 DRIVE = """#include <hwffd/driver.hpp>
 #include <hwffd/error.hpp>
@@ -74,6 +91,13 @@ def run(*words, cwd=None, env=None):
     return done.stdout
 
 
+def copied_from_readme(language):
+    """The one block of the README in that language."""
+    text = (ROOT / "README.md").read_text()
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    return block
+
+
 class Installed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -90,6 +114,7 @@ class Installed(unittest.TestCase):
         (source / "CMakeLists.txt").write_text(PROJECT)
         (source / "deform.cpp").write_text(PROGRAM)
         (source / "drive.cpp").write_text(DRIVE)
+        (source / "readme.cpp").write_text(README.format(copied_from_readme("cpp")))
         for example in ("deform.c", "glffd.c"):
             (source / example).write_text((EXAMPLES / example).read_text())
         run(CMAKE, "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
@@ -111,10 +136,21 @@ class Programs(Installed):
             self.assertTrue(filecmp.cmp(self.folder / "rtl" / "out.ply",
                                         self.folder / "model" / "out.ply", shallow=False))
 
+    @unittest.skipUnless(HORSE.is_file(), "no models of glmark2")
+    def test_commands_of_the_readme(self):
+        path = f"{self.prefix / 'bin'}:{os.environ['PATH']}"
+        commands = [line for line in copied_from_readme("sh").splitlines()
+                    if not line.startswith("hwffd view")]  # it waits for the mouse
+        self.assertEqual(len(commands), 2)
+        for line in commands:
+            run("sh", "-c", line, cwd=self.folder, env=dict(os.environ, PATH=path))
+            self.assertTrue((self.folder / line.split()[-1]).is_file(), line)
+
     def test_find_package(self):
         build = self.stranger()
         self.assertEqual(run(build / "deform_cpp"), "2\n")
         self.assertEqual(run(build / "drive"), "no hwffd here: ID reads 0\n")
+        self.assertEqual(run(build / "readme"), "")
         self.assertNotEqual(run(build / "glffd"), "")
         self.assertEqual(len(run(build / "deform_c").splitlines()), 3)
 
@@ -126,6 +162,11 @@ class Python(Installed):
 
     def test_example_says_what_that_in_c_says(self):
         self.assertEqual(self.python(EXAMPLES / "deform.py"), run(self.stranger() / "deform_c"))
+
+    def test_readme(self):
+        script = self.folder / "readme.py"
+        script.write_text(README_PYTHON.format(copied_from_readme("python")))
+        self.python(script)
 
     def test_errors(self):
         self.python(pathlib.Path(__file__).with_name("python_module.py"))
