@@ -78,7 +78,8 @@ def do_measure(options):
         measure.show(options.root, changed)
         try:
             written = draw(options.root, FRESH, FRESH, changed)
-            print("drew " + ", ".join(str(path.relative_to(options.root)) for path in written))
+            if written:
+                print("drew " + ", ".join(str(path.relative_to(options.root)) for path in written))
         except ImportError as error:
             print(f"no pictures: {error}: run scripts/python_env figures", file=sys.stderr)
     return status
