@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 
 import proofs
-from synth_report import table
+import rendered
 
 NOT_RUN = "not run"
 
@@ -41,37 +41,10 @@ def collect(work, everything, verdicts, failed):
     return shown
 
 
-def complaint(row):
-    """What is wrong with a property; '' if nothing."""
-    if "complaint" in row:
-        return row["complaint"]
-    if row["result"] != proofs.PROVED:
-        return row["result"]
-    if row["negative_control"] != proofs.REFUTED:
-        return f"the planted bug is not found ({row['negative_control']})"
-    return ""
-
-
 def write(work, everything, verdicts, failed, folder):
     """Writes both files and returns the rows."""
     shown = collect(work, everything, verdicts, failed)
     proofs.write(folder / "formal.json", json.dumps({
         "tool": work.version, "limit_seconds": work.limit, "properties": shown}, indent=1) + "\n")
-    good = sum(not complaint(row) for row in shown)
-    lines = [
-        "# Formal proofs\n",
-        f"{good} of {len(shown)} properties are proved for runs of any length, each with"
-        " a planted bug that the same proof refutes.\n",
-        table(["module", "property", "parameters", "method", "result", "planted bug", "seconds",
-               "statement"],
-              [[f"`{row['module']}`", row["name"], row["parameters"] or "-",
-                row["method"], row["result"], row["negative_control"],
-                "-" if row["seconds"] is None else row["seconds"], row["statement"]]
-               for row in shown], left=8),
-    ]
-    broken = [row for row in shown if complaint(row)]
-    if broken:
-        lines.append("\n" + "\n".join(
-            f"* Failed: {row['module']}, {row['name']}: {complaint(row)}" for row in broken))
-    proofs.write(folder / "formal.md", "\n".join(lines) + "\n")
+    proofs.write(folder / "formal.md", rendered.document(work.root, "formal"))
     return shown

@@ -126,7 +126,7 @@ class Pnr(unittest.TestCase):
                          ("hwffd_stream", None, None))
         self.assertEqual(basic["critical_path"],
                          "u_a.sum_q to u_b.value_q.DI: 1 levels, 0.8 ns of logic, 1.2 ns of wires")
-        self.assertIn("| basic-fx18-overlapped | ffd_org_select | ecp5 | 92.0 | 91.0 | 93.0 | 0.91 | "
+        self.assertIn("| `basic-fx18-overlapped` | `ffd_org_select` | ecp5 | 92.0 | 91.0 | 93.0 | 0.91 | "
                       "0.85 | yes |", (self.root / "build/reports/pnr.md").read_text())
 
     def test_a_clock_that_falls_short_is_told(self):

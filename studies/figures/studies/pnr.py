@@ -9,13 +9,17 @@ from figures.expressions import shown
 from figures.table import Table
 
 
-def clocks(reports):
+def listed(_, rows):
     return Table(
         ["row", "module", "target", "MHz", "least", "most", "share", "to be reached", "reached"],
         [[f"`{row['name']}`", f"`{row['top']}`", row["target"],
           *(shown(row[field], ".1f") for field in ("fmax_mhz", "fmax_min", "fmax_max")),
           shown(row["fmax_share"], ".2f"), _aim(row), shown(row["reached"])]
-         for row in reports.rows("pnr")])
+         for row in rows])
+
+
+def clocks(reports):
+    return listed(reports, reports.rows("pnr"))
 
 
 def _aim(row):
@@ -27,7 +31,7 @@ def _aim(row):
 
 def document(reports):
     """build/reports/pnr.md"""
-    report, rows = reports.get("pnr"), reports.rows("pnr")
+    report, rows = reports.get("pnr"), reports.get("pnr")["rows"]
     devices = {row["target"]: row["device"] for row in rows}
     measures = [f"{target} ({device}): {report['multiplier_mhz'][target]:.1f} MHz"
                 for target, device in devices.items() if report["multiplier_mhz"].get(target)]
@@ -36,7 +40,7 @@ def document(reports):
              "Median of the seeds routed, three when all are. Share: in parts of one registered "
              "multiplier in the same flow. What is routed and how is in synth/README.md.",
              "The multiplier: " + "; ".join(measures) + "." if measures else "",
-             clocks(reports).markdown(),
+             listed(reports, rows).markdown(),
              f"{absent} of {len(_wanted(reports))} rows have not been routed from the present "
              "sources." if absent else "",
              "Critical paths, of the slowest seed:",

@@ -149,7 +149,7 @@ def critical_paths(reports):
 
 def document(reports):
     """build/reports/synth.md"""
-    report, rows = reports.get("synth"), reports.rows("synth")
+    report, rows = reports.get("synth"), reports.get("synth")["rows"]
     parts = ["# Mapped by yosys",
              f"{report['yosys']}, OpenSTA {report['sta'] or 'not here'}. Mapped, not placed: clocks "
              "and power are of standard cells without wires. What each number counts is in "
@@ -180,12 +180,16 @@ def document(reports):
     return "\n\n".join(parts) + "\n"
 
 
-def printed(reports):
-    rows = reports.rows("synth")
+def listed(_, rows):
+    """Rows of any target, for a terminal."""
     fields = columns(rows)
     return Table(["row", "top", "target", *(HEADS[field] for field in fields)],
                  [[row["name"], row["top"], row["target"],
-                   *(number(row.get(field)) for field in fields)] for row in rows]).text()
+                   *(number(row.get(field)) for field in fields)] for row in rows])
+
+
+def printed(reports):
+    return listed(reports, reports.rows("synth")).text()
 
 
 def missing(reports):
