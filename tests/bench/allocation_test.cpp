@@ -30,9 +30,7 @@ TEST(Allocation, NoneWhileTheClockRuns) {
     options.source_throttle = throttle;
     options.sink_throttle = throttle;
     StreamBench bench(core, options);
-    bench.reset(1);
-    bench.send(random_beats(20'000, 1));
-    bench.expect(random_beats(20'000, 1));
+    loop_back(bench, 1, random_beats(20'000, 1));
     const std::size_t before = allocations;
     EXPECT_GT(before, 0u);
     EXPECT_TRUE(bench.run());

@@ -38,10 +38,7 @@ StreamBenchOptions options_of(const Case& c) {
 }
 
 void run(StreamBench& bench) {
-  const auto beats = random_beats(kBeats, 1);
-  bench.reset(4);
-  bench.send(beats);
-  bench.expect(beats);
+  loop_back(bench, 4, random_beats(kBeats, 1));
   bench.run();
 }
 
@@ -107,9 +104,7 @@ TEST(Watchdog, LimitsTheWholeRun) {
   StreamBenchOptions options;
   options.cycle_limit = 50;
   StreamBench bench(core, options);
-  bench.reset(1);
-  bench.send(random_beats(100, 1));
-  bench.expect(random_beats(100, 1));
+  loop_back(bench, 1, random_beats(100, 1));
   EXPECT_FALSE(bench.run());
   EXPECT_EQ(bench.cycle(), 51u);
   EXPECT_NE(bench.report().find("no end after 50 cycles"), std::string::npos) << bench.report();
@@ -122,9 +117,7 @@ TEST(Watchdog, AllowsARunThatEndsAtTheLimit) {
   StreamBenchOptions options;
   options.cycle_limit = 106;  // one idle cycle after reset, 100 beats, latency 5
   StreamBench bench(core, options);
-  bench.reset(1);
-  bench.send(random_beats(100, 1));
-  bench.expect(random_beats(100, 1));
+  loop_back(bench, 1, random_beats(100, 1));
   EXPECT_TRUE(bench.run()) << bench.report();
 }
 
@@ -164,9 +157,7 @@ TEST(Watchdog, TwentyViolationsStopTheRun) {
   StreamBenchOptions options;
   options.probe_edges = true;
   StreamBench bench(core, options);
-  bench.reset(2);
-  bench.send(random_beats(500, 1));
-  bench.expect(random_beats(500, 1));
+  loop_back(bench, 2, random_beats(500, 1));
   EXPECT_FALSE(bench.run());
   EXPECT_EQ(bench.checker().violations(), 20u);
   EXPECT_EQ(bench.checker().reports().size(), 20u);
@@ -190,10 +181,7 @@ TEST(Verdict, InputThatWasNeverAcceptedIsAFailure) {
 bool raises_valid(Flaw flaw) {
   LoopbackCore core(5, flaw);
   StreamBench bench(core, {});
-  const auto beats = random_beats(kBeats, 1);
-  bench.reset(1);
-  bench.send(beats);
-  bench.expect(beats);
+  loop_back(bench, 1, random_beats(kBeats, 1));
   const bool raised = bench.raises_valid_without_ready(500, 100);
   // One cycle of reset; refused once, accepted, latency 5, seen, held for 100.
   EXPECT_EQ(bench.cycle(), raised ? 1u + 7 + 100 : 1u + 500);

@@ -7,6 +7,7 @@
 
 #include "hwffd/cores/stream_core.hpp"
 #include "hwffd/tb/random.hpp"
+#include "hwffd/tb/stream_bench.hpp"
 
 namespace hwffd::tb {
 
@@ -91,5 +92,15 @@ class LoopbackCore : public cores::StreamCore {
 
 /// `count` random beats, each with its number as tag.
 std::vector<Beat> random_beats(std::size_t count, std::uint64_t seed);
+
+/// Sends the beats and expects the same, after `reset` cycles of reset.
+inline void loop_back(StreamBench& bench, const std::vector<Beat>& beats) {
+  bench.send(beats);
+  bench.expect(beats);
+}
+inline void loop_back(StreamBench& bench, unsigned reset, const std::vector<Beat>& beats) {
+  bench.reset(reset);
+  loop_back(bench, beats);
+}
 
 }  // namespace hwffd::tb

@@ -29,9 +29,7 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
     options.probe_edges = true;
     StreamBench bench(core, options);
     const auto beats = random_beats(kBeats, seed);
-    bench.reset(3);
-    bench.send(beats);
-    bench.expect(beats);
+    loop_back(bench, 3, beats);
     EXPECT_TRUE(bench.run());
     ASSERT_TRUE(bench.finish()) << bench.report();
 
@@ -73,10 +71,7 @@ StreamBenchOptions throttled(const std::string& source, const std::string& sink)
 double measure(Flaw flaw, const std::string& source, const std::string& sink) {
   LoopbackCore core(5, flaw);
   StreamBench bench(core, throttled(source, sink));
-  const auto beats = random_beats(401, 1);
-  bench.reset(1);
-  bench.send(beats);
-  bench.expect(beats);
+  loop_back(bench, 1, random_beats(401, 1));
   bench.run();
   EXPECT_TRUE(bench.finish()) << bench.report();
   return bench.clocks_per_result(10, 400);  // steady: without the offer at once after reset
@@ -96,9 +91,7 @@ TEST(Throughput, LatencyIsExact) {
     LoopbackCore core(latency);
     StreamBench bench(core, throttled("always", "always"));
     const auto beats = random_beats(20, 1);
-    bench.reset(2);
-    bench.send(beats);
-    bench.expect(beats);
+    loop_back(bench, 2, beats);
     EXPECT_TRUE(bench.run());
     for (std::size_t i = 0; i < beats.size(); ++i) {
       EXPECT_EQ(bench.result_clocks().at(i) - bench.accept_clocks().at(i), latency);
@@ -111,9 +104,7 @@ TEST(Throughput, NeedsTwoResults) {
   LoopbackCore core(1);
   StreamBench bench(core, throttled("always", "always"));
   EXPECT_THROW(bench.clocks_per_result(), std::out_of_range);
-  bench.reset(1);
-  bench.send(random_beats(1, 1));
-  bench.expect(random_beats(1, 1));
+  loop_back(bench, 1, random_beats(1, 1));
   EXPECT_TRUE(bench.run());
   EXPECT_THROW(bench.clocks_per_result(), std::out_of_range);
   EXPECT_THROW(bench.clocks_per_result(0, 1), std::out_of_range);
@@ -125,9 +116,7 @@ TEST(Progress, RisesToOne) {
   const auto beats = random_beats(1000, 1);
   std::vector<double> seen;
   bench.on_progress([&seen](double done) { seen.push_back(done); });
-  bench.reset(1);
-  bench.send(beats);
-  bench.expect(beats);
+  loop_back(bench, 1, beats);
   EXPECT_TRUE(bench.run());
   ASSERT_GT(seen.size(), 50u);
   ASSERT_LE(seen.size(), 101u);
@@ -140,9 +129,7 @@ TEST(Bench, RunsSeveralTimes) {
   StreamBench bench(core, throttled("bursts", "bursts"));
   bench.reset(1);
   for (std::uint64_t part = 0; part < 5; ++part) {
-    const auto beats = random_beats(50, part);
-    bench.send(beats);
-    bench.expect(beats);
+    loop_back(bench, random_beats(50, part));
     EXPECT_TRUE(bench.run());
     EXPECT_EQ(bench.result_clocks().size(), 50 * (part + 1));
   }
@@ -155,9 +142,7 @@ TEST(Bench, KeepsNoRecordWhenAsked) {
   auto options = throttled("always", "always");
   options.record = false;
   StreamBench bench(core, options);
-  bench.reset(1);
-  bench.send(random_beats(50, 1));
-  bench.expect(random_beats(50, 1));
+  loop_back(bench, 1, random_beats(50, 1));
   bench.run();
   EXPECT_TRUE(bench.finish()) << bench.report();
   EXPECT_EQ(bench.scoreboard().checked(), 50u);
@@ -174,9 +159,7 @@ TEST(Bench, TheSameSeedGivesTheSameClocks) {
     auto options = throttled("bursts", "bernoulli");
     options.test.seed = seed;
     StreamBench bench(core, options);
-    bench.reset(1);
-    bench.send(random_beats(200, 1));
-    bench.expect(random_beats(200, 1));
+    loop_back(bench, 1, random_beats(200, 1));
     EXPECT_TRUE(bench.run());
     clocks.push_back(bench.result_clocks());
   }
@@ -203,9 +186,7 @@ class PatternRecorder : public LoopbackCore {
 TEST(Bench, SourceAndSinkAreUnrelated) {
   PatternRecorder core;
   StreamBench bench(core, throttled("bernoulli", "bernoulli"));
-  bench.reset(1);
-  bench.send(random_beats(200, 1));
-  bench.expect(random_beats(200, 1));
+  loop_back(bench, 1, random_beats(200, 1));
   bench.run_for(100);
   unsigned equal = 0;
   for (std::size_t i = 10; i < 100; ++i) equal += core.offered[i] == core.wanted[i] ? 1 : 0;

@@ -22,9 +22,7 @@ StreamBenchOptions options(bool offer_at_once = true) {
 std::int64_t restart(Flaw flaw, std::uint64_t cut) {
   LoopbackCore core(9, flaw);
   StreamBench bench(core, options());
-  bench.reset(2);
-  bench.send(random_beats(200, 1));
-  bench.expect(random_beats(200, 1));
+  loop_back(bench, 2, random_beats(200, 1));
   bench.run_for(cut);
   EXPECT_EQ(bench.cycle(), cut + 2);
   const auto before = bench.scoreboard().checked();
@@ -40,8 +38,7 @@ std::int64_t restart(Flaw flaw, std::uint64_t cut) {
   EXPECT_FALSE(bench.finish()) << "nothing was checked after the reset";
 
   const auto beats = random_beats(100, 2);
-  bench.send(beats);
-  bench.expect(beats);
+  loop_back(bench, beats);
   bench.run();
   if (!bench.finish()) return -1;
   EXPECT_EQ(bench.results(), beats);
@@ -65,13 +62,9 @@ TEST(Reset, BeatsThatSurviveAreCaught) {
 TEST(Reset, EndsAHangingRun) {
   LoopbackCore core(9, Flaw::kStopsOutput);
   StreamBench bench(core, options());
-  bench.reset(2);
-  bench.send(random_beats(20, 1));
-  bench.expect(random_beats(20, 1));
+  loop_back(bench, 2, random_beats(20, 1));
   EXPECT_FALSE(bench.run());
-  bench.reset(2);
-  bench.send(random_beats(5, 1));
-  bench.expect(random_beats(5, 1));
+  loop_back(bench, 2, random_beats(5, 1));
   EXPECT_FALSE(bench.run());  // it runs, but the failure is not forgotten
   EXPECT_EQ(bench.results().size(), 5u);
   EXPECT_FALSE(bench.finish());
@@ -109,9 +102,8 @@ TEST(Reset, FirstBeatIsOfferedInTheFirstCycle) {
     OfferRecorder core;
     StreamBench bench(core, options(at_once));
     bench.throttle_source(Throttle::sparse(5));
-    bench.reset(2);  // the throttle's first two cycles: the willing one is spent
-    bench.send(random_beats(5, 1));
-    bench.expect(random_beats(5, 1));
+    // The throttle's first two cycles: the willing one is spent.
+    loop_back(bench, 2, random_beats(5, 1));
     EXPECT_TRUE(bench.run());
     EXPECT_TRUE(bench.finish()) << bench.report();
     EXPECT_EQ(core.first_offer, at_once ? 0 : 3);

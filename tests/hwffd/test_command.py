@@ -40,15 +40,18 @@ g upper
 f 2/1 5/2 4/3
 f 3/1 4/2 6/3
 """
-FOLDED = {"hwffd_lattice": 1, "dims": [4, 4, 4],
-          "points": [[(-2 if i == 3 else i), j, k]
-                     for i in range(4) for j in range(4) for k in range(4)]}
-FLAT = {"hwffd_lattice": 1, "dims": [4, 4, 4],
-        "points": [[i, j, 0] for i in range(4) for j in range(4) for _ in range(4)]}
 
-HUGE = {"hwffd_lattice": 1, "dims": [4, 4, 4],
-        "points": [[i * 1e154, j * 1e154, k * 1e154]
-                   for i in range(4) for j in range(4) for k in range(4)]}
+
+def lattice(point):
+    points = [point(i, j, k) for i in range(4) for j in range(4) for k in range(4)]
+    return json.dumps({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": points})
+
+
+FLAT = lattice(lambda i, j, k: [i, j, 0])
+LATTICES = {"folded.json": lattice(lambda i, j, k: [-2 if i == 3 else i, j, k]),
+            "flat.json": FLAT, "junk.json": FLAT + "\0junk",
+            "twice.json": FLAT.replace("{", '{"dims": [5, 5, 5], ', 1),
+            "huge.json": lattice(lambda *at: [x * 1e154 for x in at])}
 LONGEST_MESSAGE = 200
 
 # Command line -> exit status and words of the one line on standard error. Nothing is written.
@@ -138,11 +141,8 @@ class Command(unittest.TestCase):
                  "words.obj": "only words in a row\n" * 9,
                  "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
                  "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
-                 "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4',
-                 "twice.json": json.dumps(FLAT).replace("{", '{"dims": [5, 5, 5], ', 1),
-                 "junk.json": json.dumps(FLAT) + "\0junk", "huge.json": json.dumps(HUGE),
-                 "read-only.obj": MESH,
-                 "folded.json": json.dumps(FOLDED), "flat.json": json.dumps(FLAT)}
+                 "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4', "read-only.obj": MESH,
+                 **LATTICES}
         for name, text in files.items():
             (self.folder / name).write_text(text)
         (self.folder / "read-only.obj").chmod(0o444)
@@ -152,6 +152,18 @@ class Command(unittest.TestCase):
     def files(self):
         return {str(path.relative_to(self.folder)): path.read_bytes() if path.is_file() else None
                 for path in self.folder.rglob("*")}
+
+    def text(self, name):
+        return (self.folder / name).read_text()
+
+    def report(self, name="r.json"):
+        return json.loads(self.text(name))
+
+    def assert_near(self, got, wanted, places):
+        self.assertEqual(len(got), len(wanted))
+        for a, b in zip(got, wanted):
+            for x, y in zip(a, b):
+                self.assertAlmostEqual(x, y, places=places)
 
     def hwffd(self, *words, given=None):
         return subprocess.run([HWFFD, *words], cwd=self.folder, input=given or "",
@@ -177,7 +189,6 @@ class Command(unittest.TestCase):
                 self.assertEqual(done.returncode, status)
                 for word in words:
                     self.assertIn(word, done.stderr)
-        print(f"hwffd: {len(REFUSED)} bad command lines refused")
 
     def test_help_has_examples(self):
         self.assertIn("deform", self.good("--help"))
@@ -193,13 +204,9 @@ class Command(unittest.TestCase):
             out = self.good("deform", "solid.obj", *options, "--device", device,
                             "-o", f"{device}.obj")
             self.assertIn(f"wrote {device}.obj", out)
-        read = {d: (self.folder / f"{d}.obj").read_text().replace(d, "")
-                for d in ("model", "rtl", "reference")}
+        read = {d: self.text(f"{d}.obj").replace(d, "") for d in ("model", "rtl", "reference")}
         self.assertEqual(read["model"], read["rtl"])
-        self.assertEqual(len(vertices(read["model"])), len(vertices(read["reference"])))
-        for model, reference, rest in zip(*map(vertices, (read["model"], read["reference"], MESH))):
-            for a, b in zip(model, reference):
-                self.assertAlmostEqual(a, b, places=5)
+        self.assert_near(vertices(read["model"]), vertices(read["reference"]), places=5)
         self.assertNotEqual(sorted(vertices(read["model"])), sorted(vertices(MESH)))
 
     def test_formats_and_what_they_keep(self):
@@ -212,9 +219,9 @@ class Command(unittest.TestCase):
                       warning=losses and f"out.{extension}: dropped: {losses}")
             info = json.loads(self.good("info", f"out.{extension}", "--json", "-"))
             self.assertEqual((info["vertices"], info["triangles"]), (6, 6), extension)
-        text = (self.folder / "out.obj").read_text()
+        text = self.text("out.obj")
         for word in ("red", "vt 1 0", "lower", "upper"):
-            self.assertIn(word, text + (self.folder / "out.mtl").read_text())
+            self.assertIn(word, text + self.text("out.mtl"))
 
     def test_points_vertices_and_names(self):
         (self.folder / "dust.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 2 1\n")
@@ -223,9 +230,7 @@ class Command(unittest.TestCase):
         self.assertEqual([info[key] for key in ("vertices", "vertices_before_welding",
                                                 "triangles")], [3, 4, 0])
         self.good("deform", "dust.ply", "--deform", "none", "-o", "again.obj")
-        again, dust = (vertices((self.folder / f"{name}.obj").read_text())
-                       for name in ("again", "dust"))
-        self.assertEqual([[round(x, 6) for x in v] for v in again], [list(v) for v in dust])
+        self.assert_near(*(vertices(self.text(f"{n}.obj")) for n in ("again", "dust")), places=6)
         quality = ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                    "property float y\nproperty float z\nproperty float quality\nend_header\n"
                    "1 2 3 4\n")
@@ -244,7 +249,7 @@ class Command(unittest.TestCase):
 
     def test_report(self):
         self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json", "r.json")
-        report = json.loads((self.folder / "r.json").read_text())
+        report = self.report()
         self.assertEqual(report["vertices"], 6)
         self.assertEqual(report["device"], "model basic-fp32-overlapped")
         self.assertEqual(report["written"], ["out.obj"])
@@ -252,24 +257,17 @@ class Command(unittest.TestCase):
         self.assertEqual((stage["lattice"], stage["dims"]), ("box", [4, 4, 4]))
         self.assertEqual(stage["embedding"]["inside"], 6)
         self.assertEqual(stage["deformed"]["verdict"], "proved")
-        axes = list(zip(*vertices(MESH)))
-        room = [2**-23 * max(map(abs, axis)) for axis in axes]
-        extents = [max(axis) - min(axis) for axis in axes]
-        self.assertAlmostEqual(math.prod(extents), 9, places=9)
-        self.assertAlmostEqual(
-            stage["rest"]["volume"],
-            math.prod(extent + 2 * beyond for extent, beyond in zip(extents, room)), places=9)
+        sides = [max(axis) - min(axis) + 2**-22 * max(map(abs, axis))
+                 for axis in zip(*vertices(MESH))]
+        self.assertAlmostEqual(stage["rest"]["volume"], math.prod(sides), places=9)
 
     def test_stream_of_points(self):
         out = self.good("deform", "-", "--region", "0,0,0,1,1,1", "--deform", "scale:2",
                         given="# a comment\n0 0 0\n 0.5, 0.5, 0.5\n1 0 1\n")
         moved = [tuple(map(float, line.split())) for line in out.splitlines()]
-        for got, wanted in zip(moved, [(-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), (1.5, -0.5, 1.5)]):
-            for a, b in zip(got, wanted):
-                self.assertAlmostEqual(a, b, places=6)
-        self.assertEqual(len(moved), 3)
+        self.assert_near(moved, [(-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), (1.5, -0.5, 1.5)], places=6)
         self.good("deform", "points.xyz", "--deform", "none", "-o", "out.xyz")
-        self.assertEqual(len((self.folder / "out.xyz").read_text().splitlines()), 3)
+        self.assertEqual(len(self.text("out.xyz").splitlines()), 3)
 
     def test_points_in_other_spellings(self):
         (self.folder / "plain.xyz").write_text("1 2 3\n4 5 6\n7 9 8\n")
@@ -278,7 +276,7 @@ class Command(unittest.TestCase):
         wanted = self.good("deform", "plain.xyz", *options)
         self.assertEqual(self.good("deform", "marked.XYZ", *options), wanted)
         self.good("deform", "marked.XYZ", *options, "-o", "out.PLY")
-        head, points = (self.folder / "out.PLY").read_text().split("end_header\n")
+        head, points = self.text("out.PLY").split("end_header\n")
         self.assertEqual(points, wanted)
         self.assertEqual(head, "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
                                "property double y\nproperty double z\n")
@@ -293,7 +291,7 @@ class Command(unittest.TestCase):
                 ("basic-fx32-overlapped-iterative",): "basic-fx32-overlapped-iterative",
                 ("basic-fx18-overlapped-bspline",): "basic-fx18-overlapped-bspline"}.items():
             self.good("deform", "points.xyz", "-o", "out.xyz", "--json", "r.json", "--org", *words)
-            report = json.loads((self.folder / "r.json").read_text())
+            report = self.report()
             self.assertEqual(report["device"], f"model {row}")
 
     def test_standard_output_that_takes_nothing(self):
@@ -310,37 +308,34 @@ class Command(unittest.TestCase):
                                           preexec_fn=(lambda: os.close(1)) if closed else None)
                     self.assertEqual(done.returncode, FAILURE)
                     self.assertRegex(done.stderr, r"\Ahwffd: standard output: [^\n]+\n\Z")
-        print(f"hwffd: {len(lines)} command lines see that their output is lost")
 
     def test_output_closed_does_not_reach_files(self):
         """A file opened in the place of the closed standard output does not get its text."""
         wanted = self.good("lattice")
         subprocess.run([HWFFD, "lattice", "-o", "out.json"], cwd=self.folder, check=False,
                        stderr=subprocess.DEVNULL, preexec_fn=lambda: os.close(1))
-        self.assertEqual((self.folder / "out.json").read_text(), wanted)
+        self.assertEqual(self.text("out.json"), wanted)
 
     def test_axes_and_what_a_helix_turns(self):
         (self.folder / "p.xyz").write_text("0 1 0\n2 1 2\n")
         out = self.good("deform", "p.xyz", "--region", "0,0,0,2,1,2", "--dims", "4x16x4",
                         "--device", "reference", "--deform", "helix:90")
         arm = [float(x) for x in out.splitlines()[1].split()]
-        self.assertAlmostEqual(arm[0], 2, places=2)
-        self.assertAlmostEqual(arm[2], 0, places=2)
+        self.assert_near([arm[::2]], [(2, 0)], places=2)
         out = self.good("deform", "p.xyz", "--region", "0,0,0,2,1,2", "--device", "reference",
                         "--deform", "taper:0.5:x")
         self.assertNotEqual(out.split()[2], out.split()[5])
 
     def test_keyframes(self):
         self.good("deform", "solid.obj", "--deform", "shear:1", "--keyframes", "4", "-o", "f.obj")
-        frames = [vertices((self.folder / f"f-{n:04}.obj").read_text()) for n in range(5)]
+        frames = [vertices(self.text(f"f-{n:04}.obj")) for n in range(5)]
         self.assertFalse((self.folder / "f.obj").exists())
-        for first, middle, last in zip(frames[0], frames[2], frames[4]):
-            for a, b, c in zip(first, middle, last):
-                self.assertAlmostEqual(b, (a + c) / 2, places=5)
+        halfway = [[(a + b) / 2 for a, b in zip(*ends)] for ends in zip(frames[0], frames[4])]
+        self.assert_near(frames[2], halfway, places=5)
         self.assertNotEqual(frames[0], frames[4])
 
     def rounded(self, name):
-        return [tuple(round(x, 5) for x in v) for v in vertices((self.folder / name).read_text())]
+        return [tuple(round(x, 5) for x in v) for v in vertices(self.text(name))]
 
     def test_outside(self):
         options = ("deform", "solid.obj", "--region", "0,0,0,1,1,1", "--deform", "scale:2")
@@ -348,7 +343,7 @@ class Command(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"\Ahwffd: warning: \d edges join[^\n]+tears[^\n]+\n\Z")
         self.assertIn("4 inside, 2 outside", done.stdout)
-        self.assertIn((3, 0, 0), vertices((self.folder / "keep.obj").read_text()))
+        self.assertIn((3, 0, 0), vertices(self.text("keep.obj")))
         self.good(*options, "--outside", "clamp", "-o", "clamp.obj")
         self.assertIn((3.5, -0.5, -0.5), self.rounded("clamp.obj"))
         self.good(*options, "--outside", "fade:4", "-o", "fade.obj")
@@ -360,8 +355,7 @@ class Command(unittest.TestCase):
         self.good("lattice", "--lattice", "rest.json", "--deform", "taper:0.5", "-o", "moved.json")
         out = self.good("check", "rest.json", "moved.json", "--json", "check.json")
         self.assertEqual(out.count("proved but on collapsed faces"), 2)
-        volumes = [entry["volume"] for entry in
-                   json.loads((self.folder / "check.json").read_text())["lattices"]]
+        volumes = [entry["volume"] for entry in self.report("check.json")["lattices"]]
         self.assertLess(volumes[1], volumes[0])
         self.assertRegex(out, r"\(-\d+\.\d+ %\)")
         info = json.loads(self.good("info", "rest.json", "--json", "-"))
@@ -370,7 +364,7 @@ class Command(unittest.TestCase):
                   "-o", "a.obj")
         self.good("deform", "solid.obj", "--lattice", "cylinder", "--deform", "taper:0.5",
                   "-o", "b.obj")
-        self.assertEqual(*(vertices((self.folder / f"{n}.obj").read_text()) for n in "ab"))
+        self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
         folded = self.hwffd("check", "folded.json")
         self.assertEqual((folded.returncode, folded.stderr), (1, ""))
         self.assertIn("folded at", folded.stdout)
@@ -379,9 +373,9 @@ class Command(unittest.TestCase):
         out = self.good("embed", "solid.obj", "--lattice", "sphere", "-o", "places.txt",
                         "--json", "embed.json")
         self.assertIn("6 inside, 0 outside, 0 not converged", out)
-        report = json.loads((self.folder / "embed.json").read_text())
+        report = self.report("embed.json")
         self.assertLess(report["worst_residual"] / report["size"], 1e-12)
-        lines = (self.folder / "places.txt").read_text().splitlines()
+        lines = self.text("places.txt").splitlines()
         self.assertEqual(len(lines), 1 + 6)
         for line in lines[1:]:
             self.assertTrue(re.fullmatch(r"(\d+ ){3}(\S+ ){4}inside", line), line)
@@ -390,10 +384,8 @@ class Command(unittest.TestCase):
         self.good("deform", "solid.obj", "--deform", "scale:2", "--lattice", "box", "--deform",
                   "none", "--region=-3,-3,-3,6,6,6", "-o", "two.obj", "--json", "r.json")
         self.good("deform", "solid.obj", "--deform", "scale:2", "-o", "one.obj")
-        for a, b in zip(*(vertices((self.folder / f"{n}.obj").read_text()) for n in ("one", "two"))):
-            for x, y in zip(a, b):
-                self.assertAlmostEqual(x, y, places=4)
-        self.assertEqual(len(json.loads((self.folder / "r.json").read_text())["stages"]), 2)
+        self.assert_near(*(vertices(self.text(f"{n}.obj")) for n in ("one", "two")), places=4)
+        self.assertEqual(len(self.report()["stages"]), 2)
 
     def test_info_of_the_build(self):
         devices = json.loads(self.good("info", "--json", "-"))["devices"]

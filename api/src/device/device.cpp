@@ -187,7 +187,7 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
     throw UsageError(fmt::format("device '{}' is unknown; one of {}", excerpt(choice.device),
                                  fmt::join(kinds, ", ")));
   }
-  if (choice.device == "reference") return std::make_unique<ReferenceDevice>();
+  if (choice.device == "reference") return reference_device();
   const Configuration& row = row_of(choice);
   return std::make_unique<StreamDevice>(
       choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row));

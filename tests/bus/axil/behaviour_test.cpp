@@ -1,6 +1,9 @@
 // Pulses, sticky bits, starts, counters, errors and the interrupt.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "named.hpp"
 #include "register_bench.hpp"
 
 namespace hwffd::test {

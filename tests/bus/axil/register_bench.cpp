@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "hwffd/cores/verilated_pins.hpp"
+
 namespace hwffd::test {
 
 using cores::AxiLiteMasterPins;
@@ -48,32 +50,14 @@ void RegisterBench::reset(unsigned clocks) {
 void RegisterBench::drive(const AxiLiteMasterPins& pins) {
   auto& dut = sim_.dut();
   dut.rst = in_reset_ ? 1 : 0;
-  dut.s_axil_awvalid = pins.awvalid;
-  dut.s_axil_awaddr = pins.awaddr & 0xFFF;
-  dut.s_axil_awprot = pins.awprot;
-  dut.s_axil_wvalid = pins.wvalid;
-  dut.s_axil_wdata = pins.wdata;
-  dut.s_axil_wstrb = pins.wstrb;
-  dut.s_axil_bready = pins.bready;
-  dut.s_axil_arvalid = pins.arvalid;
-  dut.s_axil_araddr = pins.araddr & 0xFFF;
-  dut.s_axil_arprot = pins.arprot;
-  dut.s_axil_rready = pins.rready;
+  cores::drive_pins(dut, pins);
   for (const auto& [name, port] : hardware_inputs()) port.drive(dut, inputs_.at(name));
   dut.eval();
 }
 
 AxiLiteSlavePins RegisterBench::sample() {
-  const auto& dut = sim_.dut();
   AxiLiteSlavePins pins;
-  pins.awready = dut.s_axil_awready != 0;
-  pins.wready = dut.s_axil_wready != 0;
-  pins.bvalid = dut.s_axil_bvalid != 0;
-  pins.bresp = dut.s_axil_bresp;
-  pins.arready = dut.s_axil_arready != 0;
-  pins.rvalid = dut.s_axil_rvalid != 0;
-  pins.rdata = dut.s_axil_rdata;
-  pins.rresp = dut.s_axil_rresp;
+  cores::sample_pins(sim_.dut(), pins);
   return pins;
 }
 

@@ -177,7 +177,7 @@ TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
     bench.start();
     bench.steps(at);
     bench.dut().ring_head_i = 2;
-    ASSERT_TRUE(bench.until_done(1 && bench.dut().busy_o == 0));
+    ASSERT_TRUE(bench.until([&] { return bench.done == 1 && bench.dut().busy_o == 0; }));
     const unsigned tail = bench.tail;
     bench.steps(100);
     EXPECT_EQ(bench.done, 1u);

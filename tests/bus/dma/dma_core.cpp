@@ -7,6 +7,7 @@
 #include "Vdma_pair.h"
 #include "Vdma_small.h"
 #include "Vdma_watched.h"
+#include "hwffd/cores/verilated_pins.hpp"
 #include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
@@ -28,8 +29,9 @@ class VerilatedDmaCore : public DmaCore {
 
   void exchange(const DmaControls& controls, DmaStatus& status, cores::AxiPins& bus,
                 DmaStream& packets, DmaStream& results) override {
-    drive(controls, bus);
     VDut& dut = sim_.dut();
+    drive(controls);
+    cores::drive_pins(dut, bus);
     dut.m_packet_ready = packets.ready;
     dut.s_result_valid = results.valid;
     dut.s_result_last = results.beat.last;
@@ -39,12 +41,12 @@ class VerilatedDmaCore : public DmaCore {
     packets.beat = {get(dut.m_packet_data), dut.m_packet_last != 0};
     results.ready = dut.s_result_ready;
     sample(status);
-    sample(bus);
+    cores::sample_pins(dut, bus);
   }
   void clock() override { sim_.tick(); }
 
  private:
-  void drive(const DmaControls& controls, const cores::AxiPins& bus) {
+  void drive(const DmaControls& controls) {
     VDut& dut = sim_.dut();
     dut.rst = controls.rst;
     dut.soft_reset_i = controls.soft_reset;
@@ -59,15 +61,6 @@ class VerilatedDmaCore : public DmaCore {
     dut.result_start_i = controls.result_start;
     dut.result_base_i = controls.result_base;
     dut.result_size_i = controls.result_size;
-    dut.m_axi_arready = bus.ar.ready;
-    dut.m_axi_rvalid = bus.r.valid;
-    put(dut.m_axi_rdata, bus.r.data);
-    dut.m_axi_rresp = bus.r.response;
-    dut.m_axi_rlast = bus.r.last;
-    dut.m_axi_awready = bus.aw.ready;
-    dut.m_axi_wready = bus.w.ready;
-    dut.m_axi_bvalid = bus.b.valid;
-    dut.m_axi_bresp = bus.b.response;
   }
 
   void sample(DmaStatus& status) {
@@ -85,26 +78,6 @@ class VerilatedDmaCore : public DmaCore {
     status.read_error = {dut.read_error_o != 0, dut.read_error_code_o, dut.read_error_address_o};
     status.write_error = {dut.write_error_o != 0, dut.write_error_code_o,
                           dut.write_error_address_o};
-  }
-
-  void sample(cores::AxiPins& bus) {
-    const VDut& dut = sim_.dut();
-    bus.ar.valid = dut.m_axi_arvalid;
-    bus.ar.address = dut.m_axi_araddr;
-    bus.ar.len = dut.m_axi_arlen;
-    bus.ar.size = dut.m_axi_arsize;
-    bus.ar.burst = dut.m_axi_arburst;
-    bus.r.ready = dut.m_axi_rready;
-    bus.aw.valid = dut.m_axi_awvalid;
-    bus.aw.address = dut.m_axi_awaddr;
-    bus.aw.len = dut.m_axi_awlen;
-    bus.aw.size = dut.m_axi_awsize;
-    bus.aw.burst = dut.m_axi_awburst;
-    bus.w.valid = dut.m_axi_wvalid;
-    bus.w.data = get(dut.m_axi_wdata);
-    bus.w.strobe = dut.m_axi_wstrb;
-    bus.w.last = dut.m_axi_wlast;
-    bus.b.ready = dut.m_axi_bready;
   }
 
   tb::Sim<VDut> sim_;

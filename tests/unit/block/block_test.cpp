@@ -5,14 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdio>
+#include <cmath>
 
-#include "../fixed/wide_words.hpp"
 #include "../unit_pipelines.hpp"
 #include "Vblock_units_72.h"
 #include "Vblock_units_99.h"
 #include "exact_block.hpp"
-#include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -45,9 +43,8 @@ struct Operands {
   Value sum_a, sum_b;
 };
 
-enum Unit { kCoordinate, kCoefficient, kPoint, kMul, kTerm, kStep, kAdd, kNarrow, kOut };
-constexpr std::size_t kUnits = 9;
-using Results = std::array<Int128, kUnits>;
+constexpr std::size_t kUnitCount = 9;
+using Results = std::array<Int128, kUnitCount>;
 
 /// {minus, plus, saturated} above two's complement of `width` bits.
 Int128 packed(const Value& v, int width) {
@@ -164,59 +161,42 @@ Results model_results(const Operands& o) {
           packed_out(out.word, out.saturated, out.nan)};
 }
 
+template <int W>
+using Pipelines = UnitPipelines<typename Widths<W>::Dut, kUnitCount>;
+
 /// All units of one width: operands go in every clock, results are compared as they come out.
 template <int W>
-class Units {
+class Units : public Pipelines<W> {
  public:
+  Units() : Pipelines<W>({0, 0, 0, kMul, kMul, kMul + kAdd, kAdd, kEnd, kEnd}) {}
+
   void apply(const Operands& o) {
-    const auto text = [&o] {
-      return " after word " + hex(o.word) + " exponent " + std::to_string(o.exponent) + " a " +
-             hex(packed(o.a, W)) + " b " + hex(packed(o.b, W)) + " point " +
-             hex(packed(o.factor, W)) + " sums " + hex(packed(o.sum_a, 2 * W + 6)) + " " +
-             hex(packed(o.sum_b, 2 * W + 6));
+    const std::array<Int128, 6> operands{packed(o.a, W),
+                                         packed(o.b, W),
+                                         packed(o.c, W),
+                                         packed(o.factor, W),
+                                         packed(o.sum_a, 2 * W + 6),
+                                         packed(o.sum_b, 2 * W + 6)};
+    const auto set = [&](auto& dut) {
+      drive_operands(dut, o.word, operands);
+      dut.exponent_i = static_cast<SData>(o.exponent & 0x3FF);
     };
-    pipelines_.expect(exact_results<W>(o), model_results<W>(o), text);
-    auto& dut = sim_.dut();
-    dut.word_i = o.word;
-    dut.exponent_i = static_cast<SData>(o.exponent & 0x3FF);
-    drive(dut.a_i, packed(o.a, W));
-    drive(dut.b_i, packed(o.b, W));
-    drive(dut.c_i, packed(o.c, W));
-    drive(dut.factor_i, packed(o.factor, W));
-    drive(dut.sum_a_i, packed(o.sum_a, 2 * W + 6));
-    drive(dut.sum_b_i, packed(o.sum_b, 2 * W + 6));
-    dut.eval();  // converters of latency 0 answer before the edge
-    pipelines_.compare(results(), text);
-    sim_.tick();
+    const auto results = [](auto& dut) {
+      return read_results(dut, read(dut.add_o), read(dut.narrow_o),
+                          packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0));
+    };
+    const auto text = [&] {
+      std::string all = " after word " + hex(o.word) + " exponent " + std::to_string(o.exponent);
+      for (std::size_t i = 0; i < operands.size(); ++i) {
+        all += std::array{" a ", " b ", " c ", " point ", " sums ", " "}[i] + hex(operands[i]);
+      }
+      return all;
+    };
+    this->clock(exact_results<W>(o), model_results<W>(o), set, results, text);
   }
-  std::uint64_t compared() const { return pipelines_.compared(); }
 
  private:
-  static constexpr std::array<int, kUnits> kLatency{0,
-                                                    0,
-                                                    0,
-                                                    Widths<W>::kMul,
-                                                    Widths<W>::kMul,
-                                                    Widths<W>::kMul + Widths<W>::kAdd,
-                                                    Widths<W>::kAdd,
-                                                    Widths<W>::kConvert,
-                                                    Widths<W>::kConvert};
-
-  Results results() {
-    auto& dut = sim_.dut();
-    return {read(dut.coordinate_o),
-            read(dut.coefficient_o),
-            read(dut.point_o),
-            read(dut.mul_o),
-            read(dut.term_o),
-            read(dut.step_o),
-            read(dut.add_o),
-            read(dut.narrow_o),
-            packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0)};
-  }
-
-  tb::Sim<typename Widths<W>::Dut> sim_{tb::seed_from_environment(1)};
-  UnitPipelines<kUnits> pipelines_{kLatency};
+  static constexpr int kMul = Widths<W>::kMul, kAdd = Widths<W>::kAdd, kEnd = Widths<W>::kConvert;
 };
 
 /// A binary32 word: any field of the exponent, a significand at an end, of one bit, or random.
@@ -281,7 +261,7 @@ TEST(Block, EveryWeightTimesEveryPointOfEveryClassAt8Bits) {
     }
   }
   EXPECT_EQ(pairs, 65536U);
-  EXPECT_GE(units.compared(), kUnits * 4 * (pairs - 1));
+  EXPECT_GE(units.compared(), Units<8>::kUnits * 4 * (pairs - 1));
 }
 
 // The ends of the significand in each field of the exponent, in each block there is; the sum of the
@@ -302,19 +282,10 @@ TEST(Block, EveryFieldInEveryBlockAt8Bits) {
     }
   }
   EXPECT_EQ(cases, 1024U * 256 * 2);
-  EXPECT_GE(units.compared(), kUnits * (cases - 10));
+  EXPECT_GE(units.compared(), Units<8>::kUnits * (cases - 10));
 }
 
-TEST(Block, CornersAndRandomAt35Bits) {
-  constexpr std::uint64_t kCases = 1'000'000;
-  tb::Random random(tb::seed_from_environment(35));
-  Units<35> units;
-  for (std::uint64_t i = 0; i < kCases && !HasFatalFailure(); ++i) {
-    units.apply(random_operands<35>(random));
-  }
-  EXPECT_GE(units.compared(), kUnits * (kCases - 10));
-  std::printf("%llu results compared\n", static_cast<unsigned long long>(units.compared()));
-}
+TEST(Block, CornersAndRandomAt35Bits) { run_random<Units<35>>(35, 1'000'000, random_operands<35>); }
 
 // The reference of the normaliser itself: known words.
 TEST(ExactBlock, KnownRoundings) {

@@ -9,9 +9,6 @@
 #include "Vnumber_units_32.h"
 #include "Vnumber_units_8.h"
 #include "exact_fixed.hpp"
-#include "hwffd/tb/random.hpp"
-#include "hwffd/tb/sim.hpp"
-#include "wide_words.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -52,23 +49,8 @@ struct Operands {
   int widen = 0;
 };
 
-enum Unit {
-  kCoordinate,
-  kCoefficient,
-  kPoint,
-  kMulUnit,
-  kTerm,
-  kStep,
-  kScale,
-  kAddUnit,
-  kNarrow,
-  kRescale,
-  kCentre,
-  kWiden,
-  kOut
-};
-constexpr std::size_t kUnits = 13;
-using Results = std::array<Int128, kUnits>;
+constexpr std::size_t kUnitCount = 13;
+using Results = std::array<Int128, kUnitCount>;
 
 template <int W>
 Results exact_results(const Operands& o) {
@@ -127,67 +109,41 @@ Results model_results(const Operands& o) {
           packed(Int128{out.word}, out.saturated, 32)};
 }
 
+template <int W>
+using Pipelines = UnitPipelines<typename Widths<W>::Dut, kUnitCount>;
+
 /// All units of one width: operands go in every clock, results are compared as they come out.
 template <int W>
-class Units {
+class Units : public Pipelines<W> {
  public:
+  Units()
+      : Pipelines<W>({0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kAdd, 0, kEnd}) {}
+
   void apply(const Operands& o) {
+    const auto set = [&o](auto& dut) {
+      const auto sum = [&](Int128 value, bool flag) { return packed(value, flag, 2 * W + 6); };
+      const Int128 b = packed(o.b, o.flag_b, W);
+      drive_operands(dut, o.word,
+                     {packed(o.a, o.flag_a, W), b, packed(o.c, o.flag_c, W), b,
+                      sum(o.sum_a, o.flag_a), sum(o.sum_b, o.flag_b)});
+      dut.shift_i = static_cast<CData>(o.shift);
+      dut.widen_i = static_cast<CData>(o.widen);
+      dut.rescale_i = static_cast<CData>(o.rescale & 7);
+    };
+    const auto results = [](auto& dut) {
+      return read_results(dut, read(dut.scale_o), read(dut.add_o), read(dut.narrow_o),
+                          read(dut.rescale_o), read(dut.centre_o), read(dut.widen_o),
+                          Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32);
+    };
     const auto text = [&o] {
       return " after word " + hex(o.word) + " a " + hex(o.a) + " b " + hex(o.b) + " c " + hex(o.c) +
              " shift " + std::to_string(o.shift) + " sums " + hex(o.sum_a) + " " + hex(o.sum_b);
     };
-    pipelines_.expect(exact_results<W>(o), model_results<W>(o), text);
-    auto& dut = sim_.dut();
-    dut.word_i = o.word;
-    drive(dut.a_i, packed(o.a, o.flag_a, W));
-    drive(dut.b_i, packed(o.b, o.flag_b, W));
-    drive(dut.c_i, packed(o.c, o.flag_c, W));
-    drive(dut.factor_i, packed(o.b, o.flag_b, W));
-    dut.shift_i = static_cast<CData>(o.shift);
-    dut.widen_i = static_cast<CData>(o.widen);
-    dut.rescale_i = static_cast<CData>(o.rescale & 7);
-    drive(dut.sum_a_i, packed(o.sum_a, o.flag_a, 2 * W + 6));
-    drive(dut.sum_b_i, packed(o.sum_b, o.flag_b, 2 * W + 6));
-    dut.eval();  // converters of latency 0 answer before the edge
-    pipelines_.compare(results(), text);
-    sim_.tick();
+    this->clock(exact_results<W>(o), model_results<W>(o), set, results, text);
   }
-  std::uint64_t compared() const { return pipelines_.compared(); }
 
  private:
-  static constexpr std::array<int, kUnits> kLatency{0,
-                                                    0,
-                                                    0,
-                                                    Widths<W>::kMul,
-                                                    Widths<W>::kMul,
-                                                    Widths<W>::kMul + Widths<W>::kAdd,
-                                                    Widths<W>::kConvert,
-                                                    Widths<W>::kAdd,
-                                                    Widths<W>::kConvert,
-                                                    Widths<W>::kConvert,
-                                                    Widths<W>::kAdd,
-                                                    0,
-                                                    Widths<W>::kConvert};
-
-  Results results() {
-    auto& dut = sim_.dut();
-    return {read(dut.coordinate_o),
-            read(dut.coefficient_o),
-            read(dut.point_o),
-            read(dut.mul_o),
-            read(dut.term_o),
-            read(dut.step_o),
-            read(dut.scale_o),
-            read(dut.add_o),
-            read(dut.narrow_o),
-            read(dut.rescale_o),
-            read(dut.centre_o),
-            read(dut.widen_o),
-            Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32};
-  }
-
-  tb::Sim<typename Widths<W>::Dut> sim_{tb::seed_from_environment(1)};
-  UnitPipelines<kUnits> pipelines_{kLatency};
+  static constexpr int kMul = Widths<W>::kMul, kAdd = Widths<W>::kAdd, kEnd = Widths<W>::kConvert;
 };
 
 template <int W>
@@ -209,17 +165,6 @@ Operands random_operands(tb::Random& random) {
   return o;
 }
 
-template <int W>
-void corners_and_random(std::uint64_t cases) {
-  tb::Random random(tb::seed_from_environment(W));
-  Units<W> units;
-  for (std::uint64_t i = 0; i < cases && !::testing::Test::HasFatalFailure(); ++i) {
-    units.apply(random_operands<W>(random));
-  }
-  EXPECT_GE(units.compared(), kUnits * (cases - 10));
-  std::printf("%llu results compared\n", static_cast<unsigned long long>(units.compared()));
-}
-
 TEST(Number, EveryOperandPairAt8Bits) {
   tb::Random random(tb::seed_from_environment(8));
   Units<8> units;
@@ -237,13 +182,17 @@ TEST(Number, EveryOperandPairAt8Bits) {
     }
   }
   EXPECT_EQ(pairs, 65536U);
-  EXPECT_GE(units.compared(), kUnits * 16 * (pairs - 1));
+  EXPECT_GE(units.compared(), Units<8>::kUnits * 16 * (pairs - 1));
   std::printf("%llu pairs, %llu results compared\n", static_cast<unsigned long long>(pairs),
               static_cast<unsigned long long>(units.compared()));
 }
 
-TEST(Number, CornersAndRandomAt18Bits) { corners_and_random<18>(1'000'000); }
-TEST(Number, CornersAndRandomAt32Bits) { corners_and_random<32>(1'000'000); }
+TEST(Number, CornersAndRandomAt18Bits) {
+  run_random<Units<18>>(18, 1'000'000, random_operands<18>);
+}
+TEST(Number, CornersAndRandomAt32Bits) {
+  run_random<Units<32>>(32, 1'000'000, random_operands<32>);
+}
 
 }  // namespace
 }  // namespace hwffd::test
