@@ -100,25 +100,6 @@ TEST(Box, FacesBetweenCellsAndLastFace) {
   EXPECT_EQ(last.local, Eigen::Vector3d(1, 1, 1));
 }
 
-/// The two cells of a face give the same point: the spline is continuous.
-TEST(Box, BothCellsOfAFaceAgree) {
-  const Index3 dims{5, 5, 5};
-  std::mt19937_64 random(5);
-  Points points(125, 3);
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    points.data()[i] = static_cast<double>(random() >> 11) * 0x1p-53;
-  }
-  const Lattice lattice(dims, points);
-  for (int axis = 0; axis < 3; ++axis) {
-    Embedded below{{0, 0, 0}, {0.3, 0.6, 0.8}, true};
-    Embedded above = below;
-    below.local[axis] = 1.0;
-    above.local[axis] = 0.0;
-    above.cell[static_cast<std::size_t>(axis)] = 1;
-    EXPECT_LT((through_oracle(lattice, below) - through_oracle(lattice, above)).norm(), 1e-14);
-  }
-}
-
 TEST(Box, OutsideIsFlaggedAndHasTheNearestCell) {
   const Box box(Point(0, 0, 0), Eigen::Matrix3d::Identity());
   const Index3 dims{5, 5, 5};

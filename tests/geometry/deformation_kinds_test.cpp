@@ -97,7 +97,7 @@ TEST(DeformationKinds, JointsStayUnderStrongOnes) {
 
 TEST(DeformationKinds, NeutralOnesMoveNothing) {
   for (const Shape& shape : shapes()) {
-    for (const std::string text : {"twist:0", "twist:0:x", "helix:0", "shear:0", "bend:0",
+    for (const std::string text : {"none", "twist:0", "twist:0:x", "helix:0", "shear:0", "bend:0",
                                    "taper:1", "scale:1", "scale:1,1,1", "move:0,0,0:0,0,0"}) {
       const Points difference = deform(text, shape.lattice).points() - shape.lattice.points();
       EXPECT_LT(difference.norm(), kTiny) << shape.name << " " << text;

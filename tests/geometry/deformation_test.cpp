@@ -150,14 +150,6 @@ TEST(Deformation, UsageErrorsEndWithStatusTwo) {
   }
 }
 
-TEST(Deformation, NothingMoves) {
-  const Lattice lattice = cube();
-  for (const std::string text : {"none", "twist:0", "helix:0", "shear:0", "bend:0", "taper:1",
-                                 "scale:1", "move:1,2,3:0,0,0"}) {
-    EXPECT_LT((deform(text, lattice).points() - lattice.points()).norm(), kTiny) << text;
-  }
-}
-
 /// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the
 /// centre, the other points are interpolated from the 8 corners.
 TEST(Deformation, TwistTurnsTheTopCorners) {

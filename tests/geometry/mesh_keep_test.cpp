@@ -105,6 +105,17 @@ TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
   }
 }
 
+TEST_F(MeshKeep, AMaterialLibraryBesideAnObj) {
+  Mesh mesh = load(kHouse);
+  const Mesh got = again(mesh, "out.obj");
+  EXPECT_EQ(folder_.files(), (std::set<std::string>{"in.mtl", "in.obj", "out.mtl", "out.obj"}));
+  expect_part(read_text(folder_ / "out.obj"), "mtllib out.mtl\n");
+  aiColor3D colour;
+  const unsigned material = got.scene().mMeshes[1]->mMaterialIndex;
+  got.scene().mMaterials[material]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  EXPECT_EQ(colour, aiColor3D(0, 0, 1));
+}
+
 TEST_F(MeshKeep, TextureNames) {
   for (const std::string name : {"a.obj", "a.gltf", "a.glb", "a.ply"}) {
     Mesh mesh = load(kHouse);

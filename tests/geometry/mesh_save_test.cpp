@@ -1,5 +1,3 @@
-#include <assimp/material.h>
-#include <assimp/scene.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -91,39 +89,6 @@ TEST(MeshSave, TinyModelKeepsItsVertices) {
     mesh.save(folder / name);
     EXPECT_EQ(Mesh::load(folder / name).vertex_count(), mesh.vertex_count()) << name;
   }
-}
-
-TEST(MeshSave, KeepsGroupsTexturesAndMaterials) {
-  const TempFolder folder;
-  folder.write("in.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
-  folder.write("in.obj",
-               "mtllib in.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0\nvt 1 0.5\nvt 0 1\n"
-               "g left\nusemtl red\nf 1/1 2/2 3/3\ng right\nusemtl blue\nf 1/1 3/2 4/3\n");
-  Mesh mesh = Mesh::load(folder / "in.obj");
-  mesh.set_positions(mesh.positions() * 2.0);
-  mesh.save(folder / "out.obj");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"in.mtl", "in.obj", "out.mtl", "out.obj"}));
-  const std::string text = read_text(folder / "out.obj");
-  expect_part(text, "mtllib out.mtl\n");
-  expect_part(text, "g left\n");
-  expect_part(text, "usemtl blue\n");
-  expect_part(text, "vt 0.25 0");
-  expect_part(read_text(folder / "out.mtl"), "newmtl red\n");
-  const Mesh again = Mesh::load(folder / "out.obj");
-  EXPECT_EQ(again.scene().mNumMeshes, 2u);
-  EXPECT_TRUE(again.scene().mMeshes[1]->HasTextureCoords(0));
-  aiColor3D colour;
-  const unsigned material = again.scene().mMeshes[1]->mMaterialIndex;
-  again.scene().mMaterials[material]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
-  EXPECT_EQ(colour, aiColor3D(0, 0, 1));
-}
-
-TEST(MeshSave, QuadsStayQuads) {
-  const TempFolder folder;
-  folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-  Mesh::load(folder / "in.obj").save(folder / "out.obj");
-  const Mesh again = Mesh::load(folder / "out.obj");
-  EXPECT_EQ(again.scene().mMeshes[0]->mFaces[0].mNumIndices, 4u);
 }
 
 /// The bin file of a gltf does not fit: neither it nor the gltf is touched.

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "context.hpp"
@@ -110,6 +111,18 @@ struct Model {
                  nt + 4, nullptr, nu + 4, nullptr, nt * nu * 3, nu * 3, 3, control.data(), 4, 4, 4,
                  type);
   }
+
+  /// A volume of the model and of what `more` gives beside it.
+  void draw(
+      GLUffd* ffd, const std::function<void()>& more = [] {}) const {
+    gluBeginVolume(ffd);
+    give(ffd);
+    more();
+    gluEndVolume(ffd);
+  }
+  void draw_with_normals(GLUffd* ffd, const std::vector<GLfloat>& normals) const {
+    draw(ffd, [&] { gluFfdNormals(ffd, static_cast<GLsizei>(places.size()), 3, normals.data()); });
+  }
 };
 
 Model knot_model(const Index3& dims, const char* deformation) {
@@ -127,9 +140,7 @@ TEST(Volume, VerticesOfAMeshAreThoseOfTheDevice) {
         std::pair("rtl:basic:fx18", DeviceChoice{"rtl", "basic", "fx18"}),
         std::pair("reference", DeviceChoice{"reference", "", ""})}) {
     Renderer renderer(name);
-    gluBeginVolume(renderer);
-    model.give(renderer);
-    gluEndVolume(renderer);
+    model.draw(renderer);
     EXPECT_TRUE(renderer.log.errors.empty()) << name;
     const Points expected = make_device(choice)->evaluate(model.lattice, model.places);
     ASSERT_EQ(renderer.log.vertices.size(), model.places.size()) << name;
@@ -147,10 +158,7 @@ TEST(Volume, ProgressRisesToOneOnEveryDevice) {
   std::vector<GLfloat> normals(3 * model.places.size(), 1.0F);
   for (const char* device : {"model", "rtl:basic:fx18", "reference"}) {
     Renderer renderer(device);
-    gluBeginVolume(renderer);
-    model.give(renderer);
-    gluFfdNormals(renderer, static_cast<GLsizei>(model.places.size()), 3, normals.data());
-    gluEndVolume(renderer);
+    model.draw_with_normals(renderer, normals);
     const std::vector<double>& progress = renderer.log.progress;
     ASSERT_FALSE(progress.empty()) << device;
     EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end())) << device;
@@ -201,10 +209,7 @@ TEST(Volume, NormalsAreThoseOfTheInverseJacobian) {
        {std::pair("reference", 1e-5), std::pair("model", 1e-4), std::pair("model:basic:fx32", 1e-4),
         std::pair("model:basic:fx18", 3e-2)}) {
     Renderer renderer(device);
-    gluBeginVolume(renderer);
-    model.give(renderer);
-    gluFfdNormals(renderer, static_cast<GLsizei>(model.places.size()), 3, normals.data());
-    gluEndVolume(renderer);
+    model.draw_with_normals(renderer, normals);
     ASSERT_EQ(renderer.log.normals.size(), model.places.size());
     for (std::size_t v = 0; v < model.places.size(); ++v) {
       const Embedded& at = model.places[v];
@@ -281,15 +286,10 @@ TEST(Volume, KnotsOfAnyKind) {
 TEST(Volume, ACallThatFailsSpoilsItsVolumeAlone) {
   Renderer renderer;
   const Model model = knot_model({4, 4, 4}, "none");
-  gluBeginVolume(renderer);
-  model.give(renderer);
-  gluFfdElements(renderer, -1, nullptr);
-  gluEndVolume(renderer);
+  model.draw(renderer, [&] { gluFfdElements(renderer, -1, nullptr); });
   EXPECT_EQ(renderer.log.errors, std::vector<GLenum>{GLU_FFD_INVALID_VALUE});
   EXPECT_TRUE(renderer.log.vertices.empty());
-  gluBeginVolume(renderer);
-  model.give(renderer);
-  gluEndVolume(renderer);
+  model.draw(renderer);
   EXPECT_EQ(renderer.log.errors.size(), 1U);
   EXPECT_EQ(renderer.log.vertices.size(), model.places.size());
 }
@@ -301,9 +301,7 @@ TEST(Volume, CallbacksWithoutDataAreCalledWhereNoneWithDataIs) {
   set(renderer, GLU_FFD_END, pointer([] { ++plain; }));
   set(renderer, GLU_FFD_END_DATA, nullptr);
   const Model model = knot_model({4, 4, 4}, "none");
-  gluBeginVolume(renderer);
-  model.give(renderer);
-  gluEndVolume(renderer);
+  model.draw(renderer);
   EXPECT_EQ(plain, 1);
   EXPECT_EQ(renderer.log.calls.front(), "begin");
   EXPECT_EQ(renderer.log.calls.back(), "vertex");
@@ -342,12 +340,7 @@ TEST(Drawing, GoesToTheContextInTheDisplayMode) {
   const Model knot = knot_model({4, 4, 4}, "twist:45");
   const Model model(Lattice(knot.lattice.dims(), knot.lattice.points() / 8), knot.places);
   const GLuint elements[] = {0, 100, 2000, 7, 8, 9};
-  const auto draw = [&] {
-    gluBeginVolume(renderer);
-    model.give(renderer);
-    gluFfdElements(renderer, 6, elements);
-    gluEndVolume(renderer);
-  };
+  const auto draw = [&] { model.draw(renderer, [&] { gluFfdElements(renderer, 6, elements); }); };
   draw();
   ASSERT_EQ(renderer.log.vertices.size(), 6U);
   gluFfdProperty(renderer, GLU_FFD_MODE, GLU_FFD_RENDERER);
