@@ -12,6 +12,7 @@ PLACES = ((0, 6, "center", "bottom"), (-5, 3, "right", "bottom"), (5, 3, "left",
           (0, -15, "center", "top"), (8, 13, "left", "bottom"), (-8, 13, "right", "bottom"),
           (8, -13, "left", "top"), (-8, -13, "right", "top"))
 RADIUS = 5  # pixels around a mark
+MARGIN = 1.5  # pixels around a name
 
 
 class Labels:
@@ -40,6 +41,9 @@ class Labels:
         return sum(shared.width * shared.height for shared in
                    (Bbox.intersection(box, other) for other in self.taken) if shared)
 
+    def _extent(self, text):
+        return text.get_window_extent(self.renderer).padded(MARGIN)
+
     def beside(self, x, y, words, colour, above=True):
         """Puts a name at the first place that is free, else at the least covered one."""
         best = None
@@ -48,7 +52,7 @@ class Labels:
                 dy, up = -dy, {"top": "bottom", "bottom": "top"}.get(up, up)
             text = self.axes.annotate(words, (x, y), (dx, dy), textcoords="offset points",
                                       ha=across, va=up, color=colour, fontsize=7.5)
-            area = self._covered(text.get_window_extent(self.renderer))
+            area = self._covered(self._extent(text))
             if best is None or area < best[0]:
                 if best:
                     best[1].remove()
@@ -57,5 +61,5 @@ class Labels:
                 text.remove()
             if best[0] == 0:
                 break
-        self.taken.append(best[1].get_window_extent(self.renderer))
+        self.taken.append(self._extent(best[1]))
         return best[1]

@@ -50,6 +50,8 @@ def draw(reports, folder):
     axes.set(xlim=(6, 2000), ylim=(0.7, 1000), ylabel="clock cycles per vertex, counted in RTL",
              xlabel="operators: multipliers + adders (a fused one counts two)",
              title=f"Clock cycles against operators, {word}")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter("{x:,.0f}")
     axes.legend(loc="upper right")
     figure.canvas.draw()
     labels = Labels(axes)

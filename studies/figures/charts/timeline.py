@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pandas
 from matplotlib import pyplot
+from matplotlib.ticker import MaxNLocator
 
 from figures.charts import save
 
@@ -35,6 +36,7 @@ def panel(axes, row):
                   textcoords="offset points", fontsize=8)
     axes.set_yticks(range(len(lanes)), [lane["name"] for lane in lanes])
     axes.set(xlim=(0, row["clocks"]), ylim=(len(lanes) - 0.4, -1.2), title=row["name"])
+    axes.xaxis.set_major_locator(MaxNLocator(12, integer=True))
     axes.grid(axis="y", visible=False)
 
 
