@@ -29,8 +29,10 @@ set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
+  ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
   ${table} ${HWFFD_RTL_DIR}/hwffd.f)
-foreach(module configurations configuration_texts formulas organizations organization_rtl rtl tables)
+foreach(module configurations configuration_texts formats formulas made organizations organization_rtl rtl
+    stream_words tables)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${CMAKE_SOURCE_DIR}/scripts/${module}.py)
 endforeach()
@@ -42,7 +44,11 @@ function(hwffd_generate)
   endif()
 endfunction()
 
-hwffd_generate(select ${HWFFD_RTL_DIR}/evaluator/ffd_org_select.v)
+execute_process(COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/scripts/made.py write
+  RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "a table is broken; see the line above")
+endif()
 hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
 hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
 hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})

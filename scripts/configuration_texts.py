@@ -3,9 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from organization_rtl import GENERATED as _GENERATED
-
-GENERATED = f"Made from rtl/configurations.csv {_GENERATED}"
+GENERATED = "Made from rtl/configurations.csv by scripts/configurations.py; changes here are lost."
 
 
 def cmake_text(configurations, tiered, selected):
@@ -161,27 +159,18 @@ def factory_text(configurations, core, suffix=""):
         core=core, Core=core.capitalize(), **_CORES[core])
 
 
-def _format_class(word, fused):
-    if word == "fp32":
-        return "Binary32Fused" if fused else "Binary32"
-    if word == "bfp32":
-        return "Block32"
-    return f"Fixed<{word[2:]}>"
-
-
 def models_text(configurations):
     """C++: make_evaluator_model for every organization and format of the table."""
     modules = list(dict.fromkeys(c.organization.module for c in configurations))
-    kinds = list(dict.fromkeys((c.organization.module, c.org, c.format, c.fma_latency > 0)
+    headers = sorted({c.number_format.header for c in configurations})
+    kinds = list(dict.fromkeys((c.organization.module, c.org, c.number_format, c.fma_latency > 0)
                                for c in configurations))
     lines = [f"// {GENERATED}"]
     lines += [f'#include "hwffd/model/org_{module}.hpp"' for module in modules]
     lines += [
         '#include "hwffd/model/evaluator.hpp"',
         '#include "hwffd/model/hard_wired.hpp"',
-        '#include "hwffd/numerics/binary32.hpp"',
-        '#include "hwffd/numerics/block.hpp"',
-        '#include "hwffd/numerics/fixed.hpp"',
+        *(f'#include "hwffd/numerics/{header}.hpp"' for header in headers),
         "",
         "#include <stdexcept>",
         "#include <string>",
@@ -195,10 +184,11 @@ def models_text(configurations):
         "  const std::string format = row.format;",
         "  const bool fused = row.fma_latency > 0;",
     ]
-    for module, org, word, fused in kinds:
+    for module, org, number_format, fused in kinds:
+        model = number_format.fused if fused else number_format.model
         lines += [
-            f'  if (org == "{org}" && format == "{word}" && fused == {str(fused).lower()}) {{',
-            f"    return std::make_unique<EvaluatorModelOf<{_format_class(word, fused)},"
+            f'  if (org == "{org}" && format == "{number_format.name}" && fused == {str(fused).lower()}) {{',
+            f"    return std::make_unique<EvaluatorModelOf<{model},"
             f" Org{module.capitalize()}>>(row);",
             "  }",
         ]

@@ -15,11 +15,11 @@ import sys
 from dataclasses import dataclass
 
 import configuration_texts as texts
+import formats
 import organizations
 import tables
-from organization_rtl import select_text
 from organizations import Organization
-from tables import TableError
+from tables import TableError, write_if_changed
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "rtl" / "configurations.csv"
@@ -41,8 +41,6 @@ COLUMNS = (
 NUMBERS = {"n": range(1, 65), "mul_latency": range(1, 100), "add_latency": range(1, 100),
            "fma_latency": range(100), "convert_latency": range(100)}
 WORDS = {"schedule": SCHEDULES, "evaluator": EVALUATORS, "top": TOPS, "tier": TIERS}
-FIXED_WIDTHS = range(12, 33)
-BLOCK_WIDTH = 35  # of the words inside bfp32 (docs/numerics.md)
 
 
 @dataclass(frozen=True)
@@ -60,6 +58,7 @@ class Configuration:
     top: str
     tier: str
     organization: Organization
+    number_format: formats.Format
 
     @property
     def identifier(self):
@@ -74,7 +73,7 @@ class Configuration:
     @property
     def wide(self):
         """Whether so many float units work side by side that they want another way of building."""
-        return self.format == "fp32" and (self.organization.units or self.n) >= 16
+        return self.number_format.words == "float" and (self.organization.units or self.n) >= 16
 
     @property
     def parameters(self):
@@ -82,7 +81,7 @@ class Configuration:
         return {
             "ORG": self.organization.number,
             "N": self.n,
-            "FORMAT": format_number(self.format),
+            "FORMAT": self.number_format.number,
             "SCHEDULE": SCHEDULES.index(self.schedule),
             "EVALUATOR": EVALUATORS.index(self.evaluator),
             "MUL_LATENCY": self.mul_latency,
@@ -96,39 +95,30 @@ class Configuration:
         return [f"{name}={value}" for name, value in self.parameters.items()]
 
 
-def format_number(word):
-    """fp32 is 0, fxW is W, bfp32 is 64 + its words' width; None for anything else."""
-    if word == "fp32":
-        return 0
-    if word == "bfp32":
-        return 64 + BLOCK_WIDTH
-    match = re.fullmatch(r"fx([1-9][0-9]*)", word)
-    return int(match.group(1)) if match and int(match.group(1)) in FIXED_WIDTHS else None
-
-
-def _read_row(fields, where, known):
+def _read_row(fields, where, known, known_formats):
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
     organization = known[tables.word(fields, "org", where, known)]
     for column, words in WORDS.items():
         tables.word(fields, column, where, words)
-    if format_number(fields["format"]) is None:
-        raise TableError(f"{where}: unknown format '{fields['format']}': fp32, bfp32 or "
-                         f"fx{FIXED_WIDTHS[0]} to fx{FIXED_WIDTHS[-1]}")
+    number_format = known_formats.find(fields["format"], where)
     for column, allowed in NUMBERS.items():
         fields[column] = tables.number(fields, column, where, allowed)
     if organization.n not in (None, fields["n"]):
         raise TableError(f"{where}: n is {fields['n']}, that of {organization.name} is "
                          f"{organization.n}")
-    return Configuration(**fields, organization=organization)
+    if fields["fma_latency"] > 0 and not number_format.fused:
+        raise TableError(f"{where}: fma_latency is {fields['fma_latency']}, 0 wanted: there is no "
+                         f"fused multiply-add in {fields['format']}")
+    return Configuration(**fields, organization=organization, number_format=number_format)
 
 
 def read(path=TABLE):
     """The rows in order. Raises TableError."""
-    known = organizations.read()
+    known, known_formats = organizations.read(), formats.read()
     found = {}
     for where, fields in tables.read(path, COLUMNS):
-        configuration = _read_row(fields, where, known)
+        configuration = _read_row(fields, where, known, known_formats)
         tables.unique(found, configuration.name, "name", where)
         found[configuration.name] = configuration
     if not found:
@@ -172,15 +162,6 @@ def selected(configurations, options):
     return select(configurations, options.org, options.n, options.format)
 
 
-def write_if_changed(path, text):
-    """Leaves the file alone, time stamp and all, when it has this text already."""
-    path = pathlib.Path(path)
-    if path.is_file() and path.read_text(encoding="utf-8") == text:
-        return
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
-
-
 def text_of(options, rows):
     """What a command that generates is to write. Raises TableError."""
     if options.command == "cpp":
@@ -216,10 +197,9 @@ def main(arguments=None):
     cpp = commands.add_parser("cpp", help="write the table (all tiers) as C++")
     factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
     models = commands.add_parser("models", help="write the C++ that makes a row's bit-true model")
-    select = commands.add_parser("select", help="write the RTL that selects the organization")
     evaluators = commands.add_parser(
         "evaluators", help="write the C++ that makes a row's evaluator at its read port")
-    for command in (cmake, cpp, factory, models, select, evaluators):
+    for command in (cmake, cpp, factory, models, evaluators):
         command.add_argument("out")
     factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
     factory.add_argument("--core", choices=TOPS[1:], default="stream",
@@ -239,8 +219,6 @@ def main(arguments=None):
         elif options.command == "parameters":
             assignments = find(rows, options.name).assignments()
             print(" ".join(options.prefix + word for word in assignments))
-        elif options.command == "select":
-            write_if_changed(options.out, select_text(ROOT / "rtl"))
         else:
             write_if_changed(options.out, text_of(options, rows))
     except (TableError, OSError) as error:

@@ -20,7 +20,8 @@ GENERATED = "Made by scripts/core_file.py write; changes here are lost."
 TOPS = ("hwffd_stream", "hwffd_axi")
 EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/excerpt.cpp",
                    "golden/src/stream/packets.cpp", "golden/src/stream/word_codec.cpp")
-EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/packets.hpp", "stream/word_codec.hpp", "error.hpp",
+EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/formats.hpp", "stream/packets.hpp", "stream/status.hpp",
+                   "stream/word_codec.hpp", "error.hpp",
                    "excerpt.hpp", "numerics/bits.hpp")
 GOLDEN = "golden/include"
 
@@ -131,7 +132,7 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     try:
         if options.command == "write":
-            configurations.write_if_changed(options.root / NAME, text(options.root))
+            tables.write_if_changed(options.root / NAME, text(options.root))
             return 0
         found = stale(options.root)
     except (tables.TableError, module_header.HeaderError,

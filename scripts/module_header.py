@@ -51,7 +51,7 @@ def read(sources, module):
     """The header of a module whose ports have widths in numbers. Raises HeaderError."""
     if module not in sources.files:
         raise HeaderError(f"no module {module} in rtl/hwffd.f")
-    match = _HEADER.search(rtl.strip_comments(sources.files[module].read_text()))
+    match = _HEADER.search(sources.whole(module))
     if not match:
         raise HeaderError(f"{module}: parameters and ports not found")
     constants = _constants(sources)

@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 import configurations
+import tables
 import rtl
 
 TOP = "ffd_org_select"
@@ -125,7 +126,7 @@ def main():
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             found = pool.map(lambda row: count(sources, row), rows)
             counts = {row.name: counted for row, counted in zip(rows, found)}
-        configurations.write_if_changed(options.out, json.dumps(counts, indent=1) + "\n")
+        tables.write_if_changed(options.out, json.dumps(counts, indent=1) + "\n")
     except (configurations.TableError, OSError) as error:
         print(f"operators.py: {error}", file=sys.stderr)
         return 1

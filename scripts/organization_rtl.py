@@ -4,51 +4,31 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pathlib
-import re
 import textwrap
 
 import organizations
 
-GENERATED = "by scripts/configurations.py; changes here are lost."
-
-
-def _header(rtl):
-    """The text between `module ffd_org_tree` and its `);`, with its parameters and ports."""
-    text = (pathlib.Path(rtl) / "evaluator" / "ffd_org_tree.v").read_text(encoding="utf-8")
-    match = re.search(
-        r"^module ffd_org_tree #\(\n  parameter SERIAL [^\n]*\n(.*?)\n\) \(\n(.*?)\n\);$",
-        text, re.M | re.S)
-    parameters, ports = match.group(1), match.group(2)
-    names = re.findall(r"^  parameter (\w+)", parameters, re.M)
-    wires = re.findall(r"(\w+),?$", ports, re.M)
-    return parameters, ports, names, wires
-
-
-def _connections(names, indent):
-    width = max(len(name) for name in names)
-    return ",\n".join(f"{indent}.{name:<{width}}({name})" for name in names)
+TABLE = f"rtl/{organizations.TABLE}"
+SELECT = "rtl/evaluator/ffd_org_select.v"
+GENERATED = "by scripts/made.py; changes here are lost."
 
 
 def select_text(rtl):
     """ffd_org_select: the organization numbered ORG, if N is one that it has."""
-    parameters, ports, names, wires = _header(rtl)
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
     first = found[0]
-    if first.n:
-        parameters = re.sub(r"(?m)^(  parameter N +=) \d+", rf"\1 {first.n}", parameters)
     refused = [f"ORG == {one.number} && N != {one.n}" for one in found if one.n]
     arms = []
     for organization in found:
-        values = _connections(names, " " * 8)
-        for name, value in organization.parameters.items():
-            values = f"        .{name}({value}),\n" + values
+        own = "".join(f"        .{name}({value}),\n"
+                      for name, value in organization.parameters.items())
         opening = "if" if organization is first else "end else if"
         label = organization.name.replace("/", "_by_")
         arms.append(f"""    {opening} (ORG == {organization.number}) begin : gen_{label}
       ffd_org_{organization.module} #(
-{values}
+{own}        `include "ffd_org_arguments.vh"
       ) u_org (
-{_connections(wires, " " * 8)}
+        `include "ffd_org_connections.vh"
       );
 """)
     listing = ", ".join(f"{one.number} {one.name}" + (f" (N {one.n})" if one.n else "")
@@ -70,9 +50,11 @@ def select_text(rtl):
 
 module ffd_org_select #(
   parameter ORG             = {first.number},
-{parameters}
+  parameter FORMAT          = 18,
+  parameter N               = {first.n or 1},
+  `include "ffd_org_parameters.vh"
 ) (
-{ports}
+  `include "ffd_org_ports.vh"
 );
   generate
     if ({refusals}) begin : gen_bad_n
@@ -86,3 +68,8 @@ endmodule
 
 `default_nettype wire
 """
+
+
+def outputs(root):
+    """path below root -> the text that it must have"""
+    return {SELECT: select_text(pathlib.Path(root) / "rtl")}

@@ -76,18 +76,6 @@ def _module(cells, where, rtl):
     return module, parameters
 
 
-def _range(cells, column, where, whole):
-    """range(2, 9) of "2-8", the whole of nothing."""
-    if not cells[column]:
-        return whole
-    low, _, high = cells[column].partition("-")
-    if not (low.isdigit() and high.isdigit() and int(low) <= int(high) and int(low) in whole
-            and int(high) in whole):
-        raise TableError(f"{where}: {column} is '{cells[column]}', nothing or two numbers of "
-                         f"{whole[0]} to {whole[-1]} wanted, as in 2-8")
-    return range(int(low), int(high) + 1)
-
-
 def _formulas(cells, where):
     found = {column: Formula(cells[column], TERMS, f"{where}: {column}") if cells[column] else None
              for column in FORMULAS}
@@ -114,7 +102,8 @@ def _read_row(cells, where, rtl):
         tables.word(cells, "form", where, FORMS), units("units"), _formulas(cells, where),
         tables.number(cells, "seam_float", where, SEAMS),
         tables.number(cells, "seam_fixed", where, SEAMS),
-        tables.word(cells, "mapped", where, MAPPED), _range(cells, "mapped_n", where, UNITS))
+        tables.word(cells, "mapped", where, MAPPED),
+        tables.span(cells, "mapped_n", where, UNITS) if cells["mapped_n"] else UNITS)
 
 
 def read(rtl=ROOT / "rtl"):

@@ -261,25 +261,7 @@ class _Rtl:
 _BUS = """\
   input  wire        clk,
   input  wire        rst,
-  input  wire        s_axil_awvalid,
-  output wire        s_axil_awready,
-  input  wire [11:0] s_axil_awaddr,
-  input  wire [2:0]  s_axil_awprot,
-  input  wire        s_axil_wvalid,
-  output wire        s_axil_wready,
-  input  wire [31:0] s_axil_wdata,
-  input  wire [3:0]  s_axil_wstrb,
-  output wire        s_axil_bvalid,
-  input  wire        s_axil_bready,
-  output wire [1:0]  s_axil_bresp,
-  input  wire        s_axil_arvalid,
-  output wire        s_axil_arready,
-  input  wire [11:0] s_axil_araddr,
-  input  wire [2:0]  s_axil_arprot,
-  output wire        s_axil_rvalid,
-  input  wire        s_axil_rready,
-  output wire [31:0] s_axil_rdata,
-  output wire [1:0]  s_axil_rresp,
+  `include "ffd_axil_ports.vh"
 """
 _HEADER = """\
 // ffd_axil_registers: the registers of rtl/bus/registers.csv, from AXI4-Lite to the hardware
@@ -314,7 +296,18 @@ _SLAVE = """\
     .ADDRESS_W  (12),
     .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
-{connections}
+    .clk           (clk),
+    .rst           (rst),
+    `include "ffd_axil_connections.vh"
+    .write_o       (write),
+    .write_word_o  (write_word),
+    .write_data_o  (write_data),
+    .write_mask_o  (write_mask),
+    .write_error_i (write_error),
+    .read_o        (read),
+    .read_word_o   (read_word),
+    .read_data_i   (read_data),
+    .read_error_i  (read_error)
   );
 
   // The bits that a write sets: partial strobes leave the other bytes alone.
@@ -342,15 +335,6 @@ _ERRORS = """\
 """
 
 
-def _slave_connections():
-    bus = re.findall(r"(\w+),$", _BUS, re.M)
-    local = {"write_o": "write", "write_word_o": "write_word", "write_data_o": "write_data",
-             "write_mask_o": "write_mask", "write_error_i": "write_error", "read_o": "read",
-             "read_word_o": "read_word", "read_data_i": "read_data", "read_error_i": "read_error"}
-    pairs = {**{name: name for name in bus}, **local}
-    return ",\n".join(f"    .{port:<14}({wire})" for port, wire in pairs.items())
-
-
 def rtl_text(registers):
     rtl = _Rtl(registers)
     codes = next(len(r.fields) for r in registers if r.name == "ERROR_STATUS")
@@ -366,7 +350,7 @@ module ffd_axil_registers #(
 ) (
 {_BUS}{ports}
 );
-{_SLAVE.format(connections=_slave_connections())}
+{_SLAVE}
 {chr(10).join(rtl.wires)}
 
 {log}

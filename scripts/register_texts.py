@@ -23,6 +23,34 @@ def header_text(registers):
     return "\n".join(lines + ["#endif"]) + "\n"
 
 
+def events(registers):
+    """[Field] of the register of events, in the order of their bits."""
+    return next(register.fields for register in registers if register.fields[0].access == "event")
+
+
+def events_rtl_text(registers):
+    lines = [f"`define FFD_EVENT_{field.name.upper():<20} {field.low}" for field in events(registers)]
+    return "\n".join([f"// {GENERATED}",
+                      "// Events of the core and of its buses: bits of ERROR_STATUS (docs/registers.md).",
+                      "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_EVENTS_VH",
+                      "`define FFD_EVENTS_VH", *lines, "`endif"]) + "\n"
+
+
+def events_header_text(registers):
+    def constant(field):
+        return "k" + "".join(word.capitalize() for word in field.name.split("_"))
+
+    lines = ",\n".join(f"  {constant(field)} = {field.low}" for field in events(registers))
+    return "\n".join([f"// {GENERATED}", "#pragma once", "", "namespace hwffd::event {", "",
+                      "/// What may go wrong in the core and on its buses: bits of ERROR_STATUS",
+                      "/// (docs/registers.md). Those up to kSaturated are events of the stream.",
+                      "enum Code : unsigned {", lines, "};", "",
+                      "}  // namespace hwffd::event", "", "namespace hwffd {", "",
+                      "/// Kinds of events of the stream.",
+                      "constexpr int kStreamEvents = event::kSaturated + 1;", "",
+                      "}  // namespace hwffd"]) + "\n"
+
+
 def _bits(field):
     high = field.low + field.width - 1
     return f"{high}" if high == field.low else f"{high}:{field.low}"

@@ -20,7 +20,7 @@ import register_rtl  # noqa: E402
 import register_texts  # noqa: E402
 import tables  # noqa: E402
 import version  # noqa: E402
-from configurations import write_if_changed  # noqa: E402
+from tables import write_if_changed  # noqa: E402
 from tables import TableError  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -205,6 +205,8 @@ def outputs(root=ROOT, table=None):
     return {
         "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
         "driver/include/hwffd/registers.h": register_texts.header_text(registers),
+        "rtl/stream/ffd_events.vh": register_texts.events_rtl_text(registers),
+        "golden/include/hwffd/stream/events.hpp": register_texts.events_header_text(registers),
         "docs/registers.md": register_texts.docs_text(registers, preamble),
         version.HEADER: version.header_text(version.read(root)),
     }

@@ -13,6 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 _COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _MODULE = re.compile(r"^\s*module\s+([A-Za-z_]\w*)", re.MULTILINE)
 _WORD = re.compile(r"[A-Za-z_]\w*")
+_INCLUDE = re.compile(r'^[ \t]*`include[ \t]+"([^"\n]+)"', re.MULTILINE)
 _FOLDER = "+incdir+"
 
 # What a simulator defines so that memories show reads whose word is undefined.
@@ -49,6 +50,19 @@ def read_include_folders(path):
     return [entry[len(_FOLDER):] for entry in _entries(path) if entry.startswith(_FOLDER)]
 
 
+def file_list_text(folder):
+    """What rtl/hwffd.f must be: every source in the folders of rtl/, and the folders with headers."""
+    folder = pathlib.Path(folder)
+    sources = sorted(folder.glob("*/**/*.v"))
+    folders = sorted({path.parent for path in folder.glob("*/**/*.vh")})
+    lines = [_FOLDER + str(path.relative_to(folder)) for path in folders]
+    lines += [str(path.relative_to(folder)) for path in sources]
+    return f"""// Every source of the core and every folder with headers, one a line, relative to this folder:
+// `verilator -F rtl/hwffd.f` takes it as it is. Order does not matter.
+// Made by scripts/made.py from what is there; changes here are lost.
+""" + "\n".join(lines) + "\n"
+
+
 class Sources:
     """The modules of rtl/hwffd.f and what each of them instantiates, directly or not."""
 
@@ -83,6 +97,19 @@ class Sources:
 
         visit(module)
         return [str(path) for path in order]
+
+    def whole(self, module):
+        """The source of a module without comments, and with the lists of ports that it includes."""
+
+        def included(match):
+            found = [path for folder in self.includes
+                     if (path := pathlib.Path(folder) / match.group(1)).is_file()]
+            return text_of(found[0]) if found else match.group(0)
+
+        def text_of(path):
+            return strip_comments(_INCLUDE.sub(included, path.read_text()))
+
+        return text_of(self.files[module])
 
     @property
     def includes(self):

@@ -60,3 +60,22 @@ def unique(found, name, column, where):
     """Raises TableError where the rows found before have one of that name."""
     if name in found:
         raise TableError(f"{where}: {column} '{name}' is there twice")
+
+
+def span(cells, column, where, allowed):
+    """range(2, 9) of "2-8". Raises TableError."""
+    low, _, high = cells[column].partition("-")
+    if not (low.isdigit() and high.isdigit() and int(low) <= int(high)
+            and int(low) in allowed and int(high) in allowed):
+        raise TableError(f"{where}: {column} is '{cells[column]}', two numbers of {allowed[0]} to "
+                         f"{allowed[-1]} wanted, as in {allowed[0]}-{allowed[-1]}")
+    return range(int(low), int(high) + 1)
+
+
+def write_if_changed(path, text):
+    """Leaves the file alone, time stamp and all, when it has this text already."""
+    path = pathlib.Path(path)
+    if path.is_file() and path.read_text(encoding="utf-8") == text:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")

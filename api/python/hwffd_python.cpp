@@ -14,6 +14,7 @@
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/lattice/shape.hpp"
 #include "hwffd/version.h"
 
 namespace py = pybind11;
@@ -123,7 +124,8 @@ PYBIND11_MODULE(hwffd, module) {
            py::arg("dims"), py::arg("points"),
            "Control points, n x 3: (i, j, k) is row (i*dims[1] + j)*dims[2] + k")
       .def_static("around", &around, py::arg("shape"), py::arg("points"),
-                  py::arg("dims") = py::none(), "box, cylinder or sphere that holds the points")
+                  py::arg("dims") = py::none(),
+                  (shape_list(" or ") + " that holds the points").c_str())
       .def_static("read",
                   [](const std::string& path) { return DeformableLattice(read_lattice(path)); })
       .def_property_readonly("dims",

@@ -16,15 +16,23 @@
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/lattice/shape.hpp"
 
 namespace hwffd::command {
 namespace {
 
 constexpr double kNoVolume = 1e-12;  // of the cube around the points
 
-bool is_shape(const std::string& name) {
-  const std::vector<std::string>& names = shape_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool is_shape(const std::string& name) { return find_shape(name) != nullptr; }
+
+/// "box 4x4x4, cylinder 4x4x9, ..."
+std::string usual_points() {
+  std::string text;
+  for (const Shape& shape : shapes()) {
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", shape.name, fmt::join(shape.usual, "x"));
+  }
+  return text;
 }
 
 void set_once(std::string& entry, const char* option, const std::string& value,
@@ -83,7 +91,7 @@ FoldCheck check_rest(const std::string& name, const Lattice& rest) {
 
 StageOptions::StageOptions(CLI::App& app) : app_(app) {
   // The texts are taken from the parse order; what CLI11 binds them to does not matter.
-  const auto add = [&](const char* name, const char* type, const char* help) {
+  const auto add = [&](const char* name, const char* type, const std::string& help) {
     return app
         .add_option_function<std::vector<std::string>>(
             name, [](const std::vector<std::string>&) {}, help)
@@ -92,9 +100,9 @@ StageOptions::StageOptions(CLI::App& app) : app_(app) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
   lattice_ = add("--lattice", "SHAPE|FILE",
-                 "box (default), cylinder, sphere, or a lattice file; begins a stage");
-  dims_ =
-      add("--dims", "IxJxK", "control points an axis (box 4x4x4, cylinder 4x4x9, sphere 4x6x9)");
+                 fmt::format("{} (default: {}), or a lattice file; begins a stage", shape_list(),
+                             StageText{}.lattice));
+  dims_ = add("--dims", "IxJxK", fmt::format("control points an axis ({})", usual_points()));
   region_ = add("--region", "X0,Y0,Z0,X1,Y1,Z1", "what a shape holds (default: all vertices)");
   deform_ = add("--deform", "KIND:ARGUMENT",
                 "none, twist:90 (turns the corners of the lattice), helix:90 (turns what it "

@@ -53,8 +53,8 @@ module ffd_board_core #(
   localparam READ_LATENCY = 2;
   localparam SLOTS        = 2;  // of interleaved vertices: none comes so far
   localparam SOURCE_W     = 2;
-  localparam UNLOADED     = 21;  // bits of a vertex's user word
-  localparam BLANK        = 22;
+  localparam UNLOADED     = `FFD_USER_UNLOADED;
+  localparam BLANK        = `FFD_USER_BLANK;
 
   localparam [7:0] OPCODE_NONE         = 8'd0;
   localparam [7:0] OPCODE_COEFFICIENTS = 8'd1;
@@ -161,7 +161,7 @@ module ffd_board_core #(
     .m_vertex_user       (vertex_user),
     .slot_free_i         (1'b0),
     .retire_i            (leave),
-    .retire_user_i       (sent_user_q[USER_W-1 -: 3]),
+    .retire_user_i       (sent_user_q[`FFD_USER_RETIRE(USER_W)]),
     .event_o             (events),
     .event_packet_o      (event_packet),
     .event_beat_o        (event_beat),
@@ -327,7 +327,7 @@ module ffd_board_core #(
     .words_i      (words),
     .flags_i      ({|nan, |saturated}),
     .determinant_i(1'b0),
-    .user_i       (sent_user_q[22:0]),
+    .user_i       (sent_user_q[`FFD_USER_RESULT]),
     .beat_o       (m_beat_data)
   );
 

@@ -21,36 +21,9 @@ module ffd_org_factored #(
   parameter FOLD            = 1,
   parameter FORMAT          = 18,
   parameter N               = 64,
-  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
-  parameter MUL_LATENCY     = 2,
-  parameter ADD_LATENCY     = 1,
-  parameter FMA_LATENCY     = 0,
-  parameter CONVERT_LATENCY = 1,
-  parameter READ_LATENCY    = 2,
-  parameter SOURCE_W        = 2
+  `include "ffd_org_parameters.vh"
 ) (
-  input  wire                                            clk,
-  input  wire                                            rst,
-  input  wire                                            load_i,
-  input  wire [1:0]                                      load_axis_i,
-  input  wire [3:0]                                      load_address_i,
-  input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
-  input  wire                                            s_vertex_valid,
-  output wire                                            s_vertex_ready,
-  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
-  input  wire [11:0]                                     s_vertex_cell,
-  input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire [5:0]                                      s_vertex_bank,
-  input  wire                                            s_vertex_changed,
-  output wire                                            read_o,
-  output wire                                            read_last_o,
-  output wire [SOURCE_W-1:0]                             read_source_o,
-  output wire [11:0]                                     read_cell_o,
-  output wire [5:0]                                      read_index_o,
-  input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
-  output wire                                            result_valid_o,
-  output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o
+  `include "ffd_org_ports.vh"
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;

@@ -3,9 +3,13 @@
 `ifndef FFD_STREAM_VH
 `define FFD_STREAM_VH
 
-// A vertex's way around the evaluator: {resident, buffer, bank, last, blank, status, tag}.
-`define FFD_USER_W 27
-`define FFD_USER_LAST 23
+`include "ffd_events.vh"
+`include "ffd_fields.vh"
+
+// Of the user word, a vertex's way around the evaluator: what the encoder makes a result of; and
+// its highest bits, which say what is free when the vertex has left.
+`define FFD_USER_RESULT        `FFD_USER_BLANK:0
+`define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
 // What a beat would be as a header: its opcode, good dimensions, a count that is not 0.
 `define FFD_KIND_COEFFICIENTS 0
@@ -22,19 +26,8 @@
 `define FFD_RESULTS_DETERMINANT 2'd2
 `define FFD_RESULTS_BAD         2'd3
 
-// Events of the input, one pulse each; docs/interface.md section 5.
-`define FFD_EVENT_OPCODE       0
-`define FFD_EVENT_SHORT        1
-`define FFD_EVENT_LONG         2
-`define FFD_EVENT_COEFFICIENTS 3
-`define FFD_EVENT_LATTICE      4
-`define FFD_EVENT_DIMENSIONS   5
-`define FFD_EVENT_CELL         6
-`define FFD_EVENT_NAN          7
-`define FFD_EVENT_COORDINATE   8
-`define FFD_EVENTS             9
-
-// One more, of the result.
-`define FFD_EVENT_SATURATED    9
+// How many events the input has, one pulse each; docs/interface.md section 5. One more is the
+// result's.
+`define FFD_EVENTS `FFD_EVENT_SATURATED
 
 `endif

@@ -238,7 +238,7 @@ module ffd_stream_decoder #(
     .enter_i     (finish),
     .enter_bank_i(bank),
     .leave_i     (retire_i),
-    .leave_bank_i(retire_user_i[0]),
+    .leave_bank_i(retire_user_i[`FFD_RETIRE_BANK]),
     .busy_o      (bank_busy)
   );
 
@@ -249,8 +249,8 @@ module ffd_stream_decoder #(
     .rst         (rst),
     .enter_i     (finish && resident_q),
     .enter_bank_i(buffer),
-    .leave_i     (retire_i && retire_user_i[2]),
-    .leave_bank_i(retire_user_i[1]),
+    .leave_i     (retire_i && retire_user_i[`FFD_RETIRE_RESIDENT]),
+    .leave_bank_i(retire_user_i[`FFD_RETIRE_BUFFER]),
     .busy_o      (buffer_busy)
   );
 
@@ -345,15 +345,15 @@ module ffd_stream_decoder #(
   wire no_vertex  = (is_vertices || is_interleaved) && !some;
   wire ends_short = (take && payload && s_beat_last && !complete) ||
                     (header && !refused && (s_beat_last || no_vertex));
-  assign event_o[`FFD_EVENT_OPCODE]       = header && !known;
-  assign event_o[`FFD_EVENT_SHORT]        = ends_short;
-  assign event_o[`FFD_EVENT_LONG]         = take && state_q == DONE;
-  assign event_o[`FFD_EVENT_COEFFICIENTS] = finish && no_functions;
-  assign event_o[`FFD_EVENT_LATTICE]      = finish && resident_q && !lattice_loaded;
-  assign event_o[`FFD_EVENT_DIMENSIONS]   = header && is_lattice && !good_lattice;
-  assign event_o[`FFD_EVENT_CELL]         = cell_outside;
-  assign event_o[`FFD_EVENT_NAN]          = nan;
-  assign event_o[`FFD_EVENT_COORDINATE]   = outside;
+  assign event_o[`FFD_EVENT_UNKNOWN_OPCODE]       = header && !known;
+  assign event_o[`FFD_EVENT_PACKET_SHORT]        = ends_short;
+  assign event_o[`FFD_EVENT_PACKET_LONG]         = take && state_q == DONE;
+  assign event_o[`FFD_EVENT_NO_COEFFICIENTS] = finish && no_functions;
+  assign event_o[`FFD_EVENT_NO_LATTICE]      = finish && resident_q && !lattice_loaded;
+  assign event_o[`FFD_EVENT_LATTICE_SIZE]   = header && is_lattice && !good_lattice;
+  assign event_o[`FFD_EVENT_CELL_OUTSIDE]         = cell_outside;
+  assign event_o[`FFD_EVENT_COORDINATE_NAN]          = nan;
+  assign event_o[`FFD_EVENT_COORDINATE_OUTSIDE]   = outside;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -11,6 +11,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
+`include "ffd_stream.vh"
 
 module ffd_stream_encoder #(
   parameter FORMAT = 18
@@ -18,10 +19,10 @@ module ffd_stream_encoder #(
   input  wire [95:0]  words_i,
   input  wire [1:0]   flags_i,
   input  wire         determinant_i,
-  input  wire [22:0]  user_i,
+  input  wire [`FFD_USER_RESULT] user_i,
   output wire [127:0] beat_o
 );
-  wire       blank = user_i[22];
+  wire       blank = user_i[`FFD_USER_BLANK];
   wire       nan   = flags_i[1] && !blank;
   wire       full  = flags_i[0] && !blank;
   wire [5:0] found = {3'd0, nan, 1'b0, full};
@@ -29,7 +30,7 @@ module ffd_stream_encoder #(
   // The words of both kinds of format have their sign in front, and only one for zero.
   wire       folded = determinant_i && !blank && (words_i[31] || words_i[31:0] == 32'd0);
 
-  assign beat_o = {9'd0, folded, user_i[21:16] | found, user_i[15:0],
+  assign beat_o = {9'd0, folded, user_i[`FFD_USER_STATUS] | found, user_i[`FFD_USER_TAG],
                    blank ? {3{`FFD_BLANK_WORD(FORMAT)}} : words_i};
 endmodule
 

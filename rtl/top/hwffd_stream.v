@@ -155,7 +155,7 @@ module hwffd_stream #(
   reg  [2:0]                        retire_user_q;
   always @(posedge clk) begin
     retire_q      <= leave && result_final && !rst;
-    retire_user_q <= result_user[USER_W-1 -: 3];
+    retire_user_q <= result_user[`FFD_USER_RETIRE(USER_W)];
   end
 
   ffd_stream_decoder #(
@@ -317,7 +317,7 @@ module hwffd_stream #(
     .words_i      (result_words),
     .flags_i      (result_flags),
     .determinant_i(result_determinant),
-    .user_i       (result_user[22:0]),
+    .user_i       (result_user[`FFD_USER_RESULT]),
     .beat_o       (result_beat)
   );
 
@@ -334,7 +334,7 @@ module hwffd_stream #(
     .m_beat_data ({m_axis_tlast, m_axis_tdata})
   );
 
-  assign event_o[`FFD_EVENT_SATURATED] = leave && result_flags[0] && !result_user[22];
+  assign event_o[`FFD_EVENT_SATURATED] = leave && result_flags[0] && !result_user[`FFD_USER_BLANK];
   assign vertex_o = retire_q;
   assign idle_o = decoder_idle && !in_valid && !m_axis_tvalid;
 

@@ -8,6 +8,7 @@
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/lattice/shape.hpp"
 
 namespace hwffd::embed {
 namespace {
@@ -27,16 +28,18 @@ Lattice custom_around(const Points& points) {
 }  // namespace
 
 const std::vector<std::string>& lattice_kinds() {
-  static const std::vector<std::string> kinds{"box", "cylinder", "sphere", "custom"};
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names = shape_names();
+    names.emplace_back("custom");
+    return names;
+  }();
   return kinds;
 }
 
 Lattice sample_lattice(const std::string& kind, const Points& points) {
-  if (kind == "box") return lattice_around(kind, points, {7, 6, 5});
-  if (kind == "cylinder") return lattice_around(kind, points, {5, 6, 11});
-  if (kind == "sphere") return lattice_around(kind, points, {5, 8, 11});
   if (kind == "custom") return custom_around(points);
-  throw Error("unknown kind of lattice '" + kind + "'; one of box, cylinder, sphere, custom");
+  if (const Shape* shape = find_shape(kind)) return lattice_around(kind, points, shape->several);
+  throw Error("unknown kind of lattice '" + kind + "'; one of " + shape_list() + ", custom");
 }
 
 Points corners() {

@@ -93,7 +93,7 @@ bool StreamBench::step(SinkMode mode) {
 
 void StreamBench::count_events() {
   const std::uint32_t pulses = core_.events();
-  for (int event = 0; event < cores::kStreamEvents && pulses != 0; ++event) {
+  for (int event = 0; event < kStreamEvents && pulses != 0; ++event) {
     events_[event] += pulses >> event & 1;
   }
 }

@@ -134,7 +134,7 @@ module formal_stream_decoder #(
       a_freed_q    <= b_q && b_freed;
       a_bank_q     <= b_q ? b_bank_q : m_bank;
       a_at_q       <= b_q ? b_at_q : m_source[SLOT_W-1:0];
-      a_user_q     <= b_q ? b_user_q : m_user[`FFD_USER_W-1 -: 3];
+      a_user_q     <= b_q ? b_user_q : m_user[`FFD_USER_RETIRE(`FFD_USER_W)];
       b_q          <= b_q && enter;
       b_freed_q    <= 1'b0;
     end else begin
@@ -146,7 +146,7 @@ module formal_stream_decoder #(
         a_freed_q    <= 1'b0;
         a_bank_q     <= m_bank;
         a_at_q       <= m_source[SLOT_W-1:0];
-        a_user_q     <= m_user[`FFD_USER_W-1 -: 3];
+        a_user_q     <= m_user[`FFD_USER_RETIRE(`FFD_USER_W)];
       end
       if (enter && a_q) begin
         b_q       <= 1'b1;
@@ -157,7 +157,7 @@ module formal_stream_decoder #(
       b_resident_q <= m_source[SLOT_W];
       b_bank_q     <= m_bank;
       b_at_q       <= m_source[SLOT_W-1:0];
-      b_user_q     <= m_user[`FFD_USER_W-1 -: 3];
+      b_user_q     <= m_user[`FFD_USER_RETIRE(`FFD_USER_W)];
     end
   end
 
@@ -351,7 +351,7 @@ module formal_stream_decoder #(
   endfunction
   wire users   = (!a_q || agrees(a_resident_q, a_at_q[0], a_bank_q, a_user_q))
               && (!b_q || agrees(b_resident_q, b_at_q[0], b_bank_q, b_user_q))
-              && (!m_valid || agrees(m_resident, m_buffer, m_bank, m_user[`FFD_USER_W-1 -: 3]))
+              && (!m_valid || agrees(m_resident, m_buffer, m_bank, m_user[`FFD_USER_RETIRE(`FFD_USER_W)]))
               && (a_q || !b_q) && !(b_q && b_freed_q && a_free);
   wire readers = \u_dut.u_bank_readers.gen_bank[0].inside_q
                  == (a_q && !a_bank_q) + (b_q && !b_bank_q) + (m_valid && !m_bank)

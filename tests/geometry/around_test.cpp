@@ -8,6 +8,7 @@
 #include <random>
 
 #include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/shape.hpp"
 
 namespace hwffd {
 namespace {
@@ -39,6 +40,21 @@ TEST(Around, HoldsItsPointsInBinary32) {
       }
     }
   }
+}
+
+// What is known of a kind of lattice follows from its line in the list of shapes.
+TEST(Around, EveryShapeIsRegisteredWhole) {
+  ASSERT_GE(shapes().size(), 3u);
+  for (const Shape& shape : shapes()) {
+    EXPECT_EQ(find_shape(shape.name), &shape);
+    EXPECT_EQ(usual_dims(shape.name), shape.usual);
+    const Lattice unit = shape.placed({}, shape.several);
+    EXPECT_EQ(unit.dims(), shape.several) << shape.name;
+    EXPECT_NE(shape_list().find(shape.name), std::string::npos);
+    for (int a = 0; a < 3; ++a) EXPECT_GE(shape.several[a], shape.usual[a]) << shape.name;
+  }
+  EXPECT_EQ(find_shape("torus of nothing"), nullptr);
+  EXPECT_EQ(shape_list(" or ").find(", sphere"), std::string::npos);
 }
 
 TEST(Around, LeavesNoMoreRoomThanIsSaid) {

@@ -13,6 +13,7 @@
 #include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/shape.hpp"
 
 namespace hwffd {
 namespace {

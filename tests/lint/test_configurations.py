@@ -38,7 +38,7 @@ FIELDS = {
     "evaluator": ("", "none"),
     "mul_latency": ("", "-1", "two", "100"),
     "add_latency": ("", "-1", "1 "),
-    "fma_latency": ("", "-1", "x"),
+    "fma_latency": ("", "-1", "x", "3"),
     "convert_latency": ("", "-1", "0x1"),
     "top": ("", "1", "stream axi"),
     "tier": ("", "test-all", "nightly"),
@@ -98,7 +98,7 @@ class Accepted(Folder):
     ROWS = (
         f"{HEADER}\n"
         "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim\n"
-        "good-row,tree,4,fx18,paper,iterative,5,4,3,0,axi,test\n"
+        "good-row,tree,4,fx18,paper,iterative,5,4,0,3,axi,test\n"
         "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all\n"
     )
 
@@ -106,21 +106,14 @@ class Accepted(Folder):
         rows = configurations.read()
         self.assertTrue(configurations.of_tier(rows, "test"))
 
-    def test_formats(self):
-        self.assertEqual(configurations.format_number("fp32"), 0)
-        self.assertEqual(configurations.format_number("bfp32"), 99)
-        self.assertIsNone(configurations.format_number("bfp18"))
-        for width in range(12, 33):
-            self.assertEqual(configurations.format_number(f"fx{width}"), width)
-
     def test_tiers_include_smaller_ones(self):
         for tier, names in (("sim", "small\n"), ("test", "small\ngood-row\n"),
                             ("all", "small\ngood-row\nlarge\n")):
             self.assertEqual(self.run_script("list", "--tier", tier, text=self.ROWS).stdout, names)
 
     def test_parameters(self):
-        words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=3 "
-                 "CONVERT_LATENCY=0")
+        words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=0 "
+                 "CONVERT_LATENCY=3")
         done = self.run_script("parameters", "good-row", text=self.ROWS)
         self.assertEqual(done.stdout, words + "\n")
         done = self.run_script("parameters", "--fusesoc", "good-row")
@@ -159,7 +152,7 @@ class Accepted(Folder):
         self.run_script("cpp", str(table), text=self.ROWS)
         self.run_script("factory", str(factory), "--tier", "test")
         self.assertIn(
-            '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 3, 0, "test"},',
+            '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},',
             table.read_text())
         self.assertIn('"large"', table.read_text())
         self.assertIn('#include "Vgood_row.h"', factory.read_text())

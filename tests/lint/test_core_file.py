@@ -49,7 +49,7 @@ class CoreFile(unittest.TestCase):
             source = top.read_text()
             for what, change in (
                     ("parameter", lambda: top.write_text(source.replace("AXIS  ", "AXES  "))),
-                    ("file", lambda: (root / "rtl/hwffd.f").write_text("top/hwffd_axi.v\n"
+                    ("file", lambda: (root / "rtl/hwffd.f").write_text("+incdir+bus\ntop/hwffd_axi.v\n"
                                                                      "top/hwffd_stream.v\n"))):
                 with self.subTest(what):
                     change()
@@ -75,7 +75,9 @@ class Header(unittest.TestCase):
                          ("output", 1))
         axi = module_header.read(sources, "hwffd_axi")
         source = rtl.strip_comments(sources.files["hwffd_axi"].read_text())
-        self.assertEqual(len(axi.ports), len(re.findall(r"^  (?:in|out)put ", source, re.M)))
+        lists = "".join((ROOT / f"rtl/bus/ffd_{bus}_ports.vh").read_text() for bus in ("axil", "axi"))
+        self.assertEqual(len(axi.ports), len(re.findall(r"^ *(?:in|out)put ", source + lists, re.M)))
+        self.assertEqual(len(axi.ports), 51)
         self.assertEqual(len(axi.parameters), len(re.findall(r"^  parameter ", source, re.M)))
 
     def test_complaints_name_the_module(self):

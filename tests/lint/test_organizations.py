@@ -52,7 +52,7 @@ BAD = {
     "more than CONFIG.org has bits for": (row(number="256"), 2, "number is '256', 0 to 255"),
     "seam in words": (row(seam_float="none"), 2, "seam_float is 'none'"),
     "no such target": (row(mapped="fx99"), 2, "unknown mapped 'fx99'"),
-    "half a range": (row(mapped_n="2-"), 2, "as in 2-8"),
+    "half a range": (row(mapped_n="2-"), 2, "as in 1-64"),
     "range the wrong way": (row(mapped_n="8-2"), 2, "1 to 64 wanted"),
     "range above 64": (row(mapped_n="2-65"), 2, "1 to 64 wanted"),
 }

@@ -20,7 +20,8 @@ import version  # noqa: E402
 
 TEXT = (ROOT / registers.TABLE).read_text()
 OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "driver/include/hwffd/registers.h", "docs/registers.md")
-MADE = (*OF_TABLE, version.HEADER)
+OF_EVENTS = ("rtl/stream/ffd_events.vh", "golden/include/hwffd/stream/events.hpp")
+MADE = (*OF_TABLE, *OF_EVENTS, version.HEADER)
 
 # what -> (text of the table, its replacement, words of the message)
 FAULTS = {
@@ -124,6 +125,13 @@ class Registers(unittest.TestCase):
         for name, words in zip(OF_TABLE, ("ring_log2_size_o <= 5'h5;",
                                "RING_LOG2_SIZE_MASK 0x0000001Fu",
                                       "| 4:0 | `value` | rw | 0x5 |")):
+            self.assertIn(words, (self.root / name).read_text())
+
+    def test_an_event_renamed_reaches_rtl_and_model(self):
+        (self.root / registers.TABLE).write_text(TEXT.replace(",no_lattice,4,", ",without_lattice,4,"))
+        self.assertEqual(run("--root", self.root, "write"), (0, []))
+        for name, words in zip(OF_EVENTS, ("`define FFD_EVENT_WITHOUT_LATTICE      4\n",
+                                           "  kWithoutLattice = 4,\n")):
             self.assertIn(words, (self.root / name).read_text())
 
     def test_list(self):

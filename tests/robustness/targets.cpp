@@ -11,6 +11,7 @@
 #include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/outside.hpp"
+#include "hwffd/lattice/shape.hpp"
 #include "points_file.hpp"
 #include "program.hpp"
 #include "stages.hpp"

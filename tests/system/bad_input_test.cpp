@@ -7,18 +7,7 @@
 namespace hwffd::test {
 namespace {
 
-enum Event {
-  kOpcode,
-  kShort,
-  kLong,
-  kNoCoefficients,
-  kNoLattice,
-  kDimensions,
-  kCell,
-  kNan,
-  kCoordinate,
-  kSaturated
-};
+using namespace event;  // NOLINT: events are the words of these tests
 
 class BadInput : public PerConfiguration {
  protected:
@@ -30,7 +19,7 @@ class BadInput : public PerConfiguration {
 
   /// Sends the packet after good ones and before good ones, and expects exactly `count` of one
   /// event.
-  void expect_event(Event event, std::uint64_t count, const std::vector<Beat>& packet,
+  void expect_event(Code code, std::uint64_t count, const std::vector<Beat>& packet,
                     bool loaded = true) {
     SystemRun run(GetParam(), 1, "bernoulli", "bursts");
     if (loaded) {
@@ -43,8 +32,8 @@ class BadInput : public PerConfiguration {
     run.send(lattice_packet(lattice_));
     run.send(vertices_packet(vertices(3)));
     ASSERT_TRUE(run.run());
-    for (int e = 0; e < cores::kStreamEvents; ++e) {
-      EXPECT_EQ(run.bench().events()[e], e == event ? count : 0) << "event " << e;
+    for (int e = 0; e < kStreamEvents; ++e) {
+      EXPECT_EQ(run.bench().events()[e], e == static_cast<int>(code) ? count : 0) << "event " << e;
     }
     results_ = run.bench().results();
     const std::size_t clean = results_.size() - 3;
@@ -61,7 +50,7 @@ class BadInput : public PerConfiguration {
 TEST_P(BadInput, UnknownOpcode) {
   std::vector<Beat> packet = vertices_packet(vertices(3));
   packet[0].words[0] = 0x77;
-  expect_event(kOpcode, 1, packet);
+  expect_event(kUnknownOpcode, 1, packet);
 }
 
 TEST_P(BadInput, TooShort) {
@@ -72,7 +61,7 @@ TEST_P(BadInput, TooShort) {
     for (const std::size_t beats : {std::size_t{1}, std::size_t{2}, whole.size() - 1}) {
       std::vector<Beat> packet(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(beats));
       packet.back().last = true;
-      expect_event(kShort, 1, packet);
+      expect_event(kPacketShort, 1, packet);
     }
   }
 }
@@ -80,7 +69,7 @@ TEST_P(BadInput, TooShort) {
 TEST_P(BadInput, NoVertices) {
   std::vector<Beat> packet = vertices_packet(vertices(1));
   packet[0].words[1] = 0;
-  expect_event(kShort, 1, packet);
+  expect_event(kPacketShort, 1, packet);
 }
 
 TEST_P(BadInput, TooLong) {
@@ -88,7 +77,7 @@ TEST_P(BadInput, TooLong) {
     packet.back().last = false;
     packet.resize(packet.size() + 3);
     packet.back().last = true;
-    expect_event(kLong, 1, packet);
+    expect_event(kPacketLong, 1, packet);
   }
 }
 
@@ -111,7 +100,7 @@ TEST_P(BadInput, BadDimensions) {
   for (const std::uint32_t word : {0x040403U, 0x040304U, 0x110404U, 0xFF0404U, 0U}) {
     std::vector<Beat> packet = lattice_packet(lattice_);
     packet[0].words[2] = word;
-    expect_event(kDimensions, 1, packet);
+    expect_event(kLatticeSize, 1, packet);
   }
 }
 
@@ -121,18 +110,18 @@ TEST_P(BadInput, CellOutsideTheLattice) {
     for (const int beyond : {lattice_.dims[axis] - 3, 15}) {
       std::vector<VertexBeat> stray = vertices(3);
       stray[1].cell[axis] = beyond;
-      expect_event(kCell, 1, vertices_packet(stray, OutsideMode::kClamp));
+      expect_event(kCellOutside, 1, vertices_packet(stray, OutsideMode::kClamp));
       EXPECT_EQ(results_[3].words[3] >> 16, (kStatusClamped | kStatusOutside) >> 16);
       // Clamped is the same as the last cell at 1.
       std::vector<VertexBeat> inside = stray;
       inside[1].cell[axis] = lattice_.dims[axis] - 4;
       inside[1].local[axis] = codec.coordinate(1);
       const Beat clamped = results_[3];
-      expect_event(kCell, 0, vertices_packet(inside));
+      expect_event(kCellOutside, 0, vertices_packet(inside));
       for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_[3].words[c]);
-      expect_event(kCell, 1, vertices_packet(stray, OutsideMode::kPass));
+      expect_event(kCellOutside, 1, vertices_packet(stray, OutsideMode::kPass));
       EXPECT_EQ(results_[3].words[3] >> 16, kStatusOutside >> 16);
-      expect_event(kCell, 1, vertices_packet(stray, OutsideMode::kBlank));
+      expect_event(kCellOutside, 1, vertices_packet(stray, OutsideMode::kBlank));
       EXPECT_EQ(results_[3].words[3] >> 16, kStatusOutside >> 16);
       EXPECT_EQ(results_[3].words[0], codec.is_float() ? 0x7FC00000U : 0U);
     }
@@ -147,9 +136,9 @@ TEST_P(BadInput, CoordinateOutside) {
   for (const std::uint32_t word : words) {
     std::vector<VertexBeat> stray = vertices(3);
     stray[1].local[2] = word;
-    expect_event(kCoordinate, 1, vertices_packet(stray));
+    expect_event(kCoordinateOutside, 1, vertices_packet(stray));
     EXPECT_EQ(results_[3].words[3] >> 16, (kStatusClamped | kStatusOutside) >> 16);
-    expect_event(kCoordinate, 1, vertices_packet(stray, OutsideMode::kBlank));
+    expect_event(kCoordinateOutside, 1, vertices_packet(stray, OutsideMode::kBlank));
     EXPECT_EQ(results_[3].words[3] >> 16, kStatusOutside >> 16);
   }
 }
@@ -161,10 +150,10 @@ TEST_P(BadInput, CoordinateOutsideGoesToTheNearestFace) {
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<VertexBeat> stray = vertices(3);
       stray[1].local[axis] = codec.coordinate(value);
-      expect_event(kCoordinate, 1, vertices_packet(stray));
+      expect_event(kCoordinateOutside, 1, vertices_packet(stray));
       const Beat clamped = results_[3];
       stray[1].local[axis] = codec.coordinate(face);
-      expect_event(kCoordinate, 0, vertices_packet(stray));
+      expect_event(kCoordinateOutside, 0, vertices_packet(stray));
       for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_[3].words[c]) << value;
     }
   };
@@ -178,7 +167,7 @@ TEST_P(BadInput, CoordinateThatIsNoNumber) {
   for (const std::uint32_t word : {0x7FC00000U, 0xFF800001U, 0x7F800000U, 0xFF800000U}) {
     std::vector<VertexBeat> stray = vertices(3);
     stray[1].local[0] = word;
-    expect_event(kNan, 1, vertices_packet(stray));
+    expect_event(kCoordinateNan, 1, vertices_packet(stray));
     EXPECT_EQ(results_[3].words[3] >> 16, kStatusNan >> 16);
     EXPECT_EQ(results_[3].words[0], 0x7FC00000U);
   }
@@ -191,7 +180,7 @@ TEST_P(BadInput, LastFaceIsInside) {
     face[1].cell[axis] = lattice_.dims[axis] - 4;
     face[1].local[axis] = codec.coordinate(1);
   }
-  expect_event(kCell, 0, vertices_packet(face));
+  expect_event(kCellOutside, 0, vertices_packet(face));
   EXPECT_EQ(results_[3].words[3] >> 16, 0U);
 }
 

@@ -200,7 +200,8 @@ TEST_P(Derivatives, WithoutTheirFunctionsAreBlank) {
       EXPECT_EQ(results[r].words[0], run.codec().is_float() ? 0x7FC00000U : 0U);
     }
   }
-  EXPECT_EQ(run.bench().events()[3], 6U) << "vertices before what they want of coefficients";
+  EXPECT_EQ(run.bench().events()[event::kNoCoefficients], 6U)
+      << "vertices before what they want of coefficients";
 }
 
 TEST_P(Derivatives, ResultsOfNoKindAreRefused) {
@@ -213,7 +214,7 @@ TEST_P(Derivatives, ResultsOfNoKindAreRefused) {
   run.send(interleaved_packet(vertices));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.bench().results().size(), 2U);
-  EXPECT_EQ(run.bench().events()[0], 1U);
+  EXPECT_EQ(run.bench().events()[event::kUnknownOpcode], 1U);
 }
 
 HWFFD_FOR_EACH_CONFIGURATION(Derivatives);

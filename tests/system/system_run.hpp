@@ -46,9 +46,7 @@ class SystemRun {
   tb::StreamBench& bench() { return *bench_; }
   const cores::StreamCore& core() const { return *core_; }
   /// What the model says of the events so far.
-  std::array<std::uint64_t, cores::kStreamEvents> events() const {
-    return model_.events().counts();
-  }
+  std::array<std::uint64_t, kStreamEvents> events() const { return model_.events(); }
 
  private:
   Configuration row_;

@@ -47,7 +47,7 @@ hwffd_lattice* hwffd_lattice_read(const char* path);
 
 /**
  * An upright shape whose cells hold n points, also as floats (docs/lattice.md section 1).
- * @param shape  "box", "cylinder" or "sphere"
+ * @param shape  "box", "cylinder", "sphere", ..., a kind of docs/lattice.md section 1
  * @param dims   control points an axis; NULL: what suits the shape
  */
 hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const double* points,

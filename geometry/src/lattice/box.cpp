@@ -6,6 +6,7 @@
 
 #include "generate.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/shape.hpp"
 
 namespace hwffd {
 namespace {
@@ -103,6 +104,19 @@ Point Box::point(const Index3& dims, const Embedded& embedded) const {
     at[a] = (embedded.cell[axis] + embedded.local[a]) / (dims[axis] - 3);
   }
   return origin_ + edges_ * at;
+}
+
+Shape box_shape() {
+  return {"box",
+          {4, 4, 4},
+          {7, 6, 5},
+          false,
+          [](const Points& points, const Point& room, const Index3& dims) {
+            return Box::around(points, room).lattice(dims);
+          },
+          [](const Placement& placement, const Index3& dims) {
+            return Box(placement.origin, placement.edges).lattice(dims);
+          }};
 }
 
 }  // namespace hwffd

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "generate.hpp"
+#include "hwffd/lattice/shape.hpp"
 #include "round.hpp"
 
 namespace hwffd {
@@ -33,6 +34,19 @@ Lattice Cylinder::lattice(const Index3& dims) const {
     return Point(base_ +
                  edges_ * Point(radius * std::cos(angle), height, radius * std::sin(angle)));
   });
+}
+
+Shape cylinder_shape() {
+  return {"cylinder",
+          {4, 4, 9},
+          {5, 6, 11},
+          true,
+          [](const Points& points, const Point& room, const Index3& dims) {
+            return Cylinder::around(points, room).lattice(dims);
+          },
+          [](const Placement& placement, const Index3& dims) {
+            return Cylinder(placement.origin, placement.edges, placement.inner).lattice(dims);
+          }};
 }
 
 }  // namespace hwffd

@@ -10,9 +10,7 @@
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
-#include "hwffd/lattice/box.hpp"
-#include "hwffd/lattice/cylinder.hpp"
-#include "hwffd/lattice/sphere.hpp"
+#include "hwffd/lattice/shape.hpp"
 #include "json_object.hpp"
 #include "read_file.hpp"
 
@@ -85,26 +83,26 @@ double read_inner(const Json& object) {
 
 Lattice read_shape(const Json& object, const Index3& dims) {
   const Json& shape = object["shape"];
-  const bool box = shape == "box";
-  if (!box && shape != "cylinder" && shape != "sphere") {
-    throw Error("lattice file: unknown 'shape'; give box, cylinder or sphere, or 'points' instead");
+  const Shape* const found = shape.is_string() ? find_shape(shape.get<std::string>()) : nullptr;
+  if (found == nullptr) {
+    throw Error(fmt::format("lattice file: unknown 'shape'; give {}, or 'points' instead",
+                            shape_list(" or ")));
   }
-  const Point origin = read_point(entry(object, "origin", "[x, y, z]"), "'origin'");
+  Placement placement;
+  placement.origin = read_point(entry(object, "origin", "[x, y, z]"), "'origin'");
   const Json& columns = entry(object, "edges", "three vectors, along s, t and u of the shape");
   if (!columns.is_array() || columns.size() != 3) {
     throw Error("lattice file: 'edges' is not a list of three; give [[x, y, z], ...]");
   }
-  Eigen::Matrix3d edges;
   for (int a = 0; a < 3; ++a) {
-    edges.col(a) = read_point(columns[static_cast<std::size_t>(a)], fmt::format("edge {}", a));
+    placement.edges.col(a) =
+        read_point(columns[static_cast<std::size_t>(a)], fmt::format("edge {}", a));
   }
-  const double inner = read_inner(object);
-  if (box && object.contains("inner")) {
-    throw Error("lattice file: a box has no 'inner'; leave it out");
+  placement.inner = read_inner(object);
+  if (!found->has_inner && object.contains("inner")) {
+    throw Error(fmt::format("lattice file: a {} has no 'inner'; leave it out", found->name));
   }
-  if (box) return Box(origin, edges).lattice(dims);
-  if (shape == "cylinder") return Cylinder(origin, edges, inner).lattice(dims);
-  return Sphere(origin, edges, inner).lattice(dims);
+  return found->placed(placement, dims);
 }
 
 Json parse_json(const std::string& text) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "generate.hpp"
+#include "hwffd/lattice/shape.hpp"
 #include "round.hpp"
 
 namespace hwffd {
@@ -33,6 +34,19 @@ Lattice Sphere::lattice(const Index3& dims) const {
     return Point(centre_ + edges_ * Point(level * std::cos(angle), -radius * std::cos(height),
                                           level * std::sin(angle)));
   });
+}
+
+Shape sphere_shape() {
+  return {"sphere",
+          {4, 6, 9},
+          {5, 8, 11},
+          true,
+          [](const Points& points, const Point& room, const Index3& dims) {
+            return Sphere::around(points, room).lattice(dims);
+          },
+          [](const Placement& placement, const Index3& dims) {
+            return Sphere(placement.origin, placement.edges, placement.inner).lattice(dims);
+          }};
 }
 
 }  // namespace hwffd

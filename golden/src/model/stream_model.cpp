@@ -45,14 +45,14 @@ void StreamModel::accept(const Beat& beat) {
       points(beat);
       break;
     case State::kDone:
-      ++events_.too_long;
+      ++events_[event::kPacketLong];
       state_ = State::kDrop;
       break;
     case State::kDrop:
       break;
   }
   if (!beat.last) return;
-  if (payload && state_ != State::kDone) ++events_.too_short;
+  if (payload && state_ != State::kDone) ++events_[event::kPacketShort];
   state_ = State::kHeader;
 }
 
@@ -69,7 +69,7 @@ void StreamModel::header(const Beat& beat) {
       break;
     case Opcode::kLattice:
       if (!start_lattice()) {
-        ++events_.dimensions;
+        ++events_[event::kLatticeSize];
         return;
       }
       state_ = State::kLattice;
@@ -78,7 +78,7 @@ void StreamModel::header(const Beat& beat) {
     case Opcode::kVertices:
     case Opcode::kInterleaved:
       if ((beat.words[2] >> 8 & 3) == 3) {
-        ++events_.opcode;
+        ++events_[event::kUnknownOpcode];
         return;
       }
       wanted_ = static_cast<Results>(beat.words[2] >> 8 & 3);
@@ -87,10 +87,10 @@ void StreamModel::header(const Beat& beat) {
       if (starts) state_ = State::kVertex;
       break;
     default:
-      ++events_.opcode;
+      ++events_[event::kUnknownOpcode];
       return;
   }
-  if (!starts || beat.last) ++events_.too_short;
+  if (!starts || beat.last) ++events_[event::kPacketShort];
 }
 
 /// Ten bits of word 3, two's complement.
@@ -204,11 +204,11 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
   const bool clamp = mode == OutsideMode::kClamp;
   const bool refused = out && !clamp && mode != OutsideMode::kPass;
-  events_.coefficients += no_functions ? 1 : 0;
-  events_.lattice += no_lattice ? 1 : 0;
-  events_.nan += nan_ ? 1 : 0;
-  events_.coordinate += outside_ ? 1 : 0;
-  events_.cell += cell_outside_ ? 1 : 0;
+  events_[event::kNoCoefficients] += no_functions ? 1 : 0;
+  events_[event::kNoLattice] += no_lattice ? 1 : 0;
+  events_[event::kCoordinateNan] += nan_ ? 1 : 0;
+  events_[event::kCoordinateOutside] += outside_ ? 1 : 0;
+  events_[event::kCellOutside] += cell_outside_ ? 1 : 0;
 
   Beat result;
   result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (nan_ ? kStatusNan : 0) |
@@ -236,7 +236,7 @@ Beat StreamModel::evaluated(Beat result, int part) {
   for (int c = 0; c < 3; ++c) result.words[c] = words.words[c];
   result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0) |
                      (folded ? kStatusFolded : 0);
-  events_.saturated += words.saturated ? 1 : 0;
+  events_[event::kSaturated] += words.saturated ? 1 : 0;
   return result;
 }
 

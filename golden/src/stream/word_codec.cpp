@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "hwffd/error.hpp"
 #include "hwffd/numerics/bits.hpp"
+#include "hwffd/stream/formats.hpp"
 
 namespace hwffd {
 namespace {
@@ -18,16 +20,14 @@ std::uint32_t rounded(double value, double low, double high) {
 }  // namespace
 
 WordCodec::WordCodec(const std::string& format) {
-  if (format == "fp32") return;
-  if (format == "bfp32") {
-    width_ = 32;
-    block_ = true;
-    return;
+  const auto found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                  [&](const Format& known) { return format == known.name; });
+  if (found == std::end(kFormats)) {
+    throw UsageError("unknown format '" + format + "': " + kFormatNames);
   }
-  if (format.rfind("fx", 0) == 0 && format.size() == 4) width_ = std::atoi(format.c_str() + 2);
-  if (width_ < 12 || width_ > 32) {
-    throw UsageError("unknown format '" + format + "': fp32, bfp32, or fx12 to fx32");
-  }
+  if (found->words == Words::kFloat) return;
+  width_ = found->width;
+  block_ = found->words == Words::kBlock;
 }
 
 std::uint32_t WordCodec::coordinate(double value) const {

@@ -141,7 +141,7 @@ AssertionResult AxiRun::soft_reset() {
 void AxiRun::forget_expected() { expected_.clear(); }
 
 AssertionResult AxiRun::good_run() {
-  const std::uint64_t saturated = model_.events().saturated;
+  const std::uint64_t saturated = model_.events()[kSaturated];
   send_bspline();
   send_lattice(6);
   send_vertices(5);
@@ -150,7 +150,7 @@ AssertionResult AxiRun::good_run() {
   if (!ran) return AssertionFailure() << "good run: " << ran.message();
   const CoreErrors errors = driver_.take_errors();
   // A point within half a step of 1 saturates on entry; the model knows when.
-  const std::uint32_t expected = model_.events().saturated != saturated ? 1U << kSaturated : 0;
+  const std::uint32_t expected = model_.events()[kSaturated] != saturated ? 1U << kSaturated : 0;
   if (errors.status == expected) return AssertionSuccess();
   return AssertionFailure() << "good run: errors " << std::hex << errors.status;
 }

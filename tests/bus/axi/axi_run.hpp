@@ -21,33 +21,7 @@
 
 namespace hwffd::test {
 
-/// Codes of errors: bits of ERROR_STATUS. Those below 10 are events of the stream.
-enum ErrorCode : unsigned {
-  kUnknownOpcode,
-  kPacketShort,
-  kPacketLong,
-  kNoCoefficients,
-  kNoLattice,
-  kLatticeSize,
-  kCellOutside,
-  kCoordinateNan,
-  kCoordinateOutside,
-  kSaturated,
-  kDmaZero,
-  kDmaMisaligned,
-  kDmaWrap,
-  kDmaWindow,
-  kDmaDescriptor,
-  kDmaReadResponse,
-  kDmaWriteResponse,
-  kResultOverflow,
-  kDmaRing,
-  kTimeoutAr,
-  kTimeoutR,
-  kTimeoutAw,
-  kTimeoutW,
-  kTimeoutB
-};
+using namespace event;  // NOLINT: the codes of errors are words of these tests
 
 /// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
 /// above 4 GB, no buffer begins at a border of 4 KB.

@@ -71,10 +71,10 @@ class Traffic {
   void any_packets() {
     run_.driver().take_errors();
     run_.driver().clear_counters();
-    const auto before = run_.model().events().counts();
+    const auto before = run_.model().events();
     send_any();
     ASSERT_TRUE(run_.go());
-    const auto after = run_.model().events().counts();
+    const auto after = run_.model().events();
     const auto total = [](const auto& counts) {
       return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     };

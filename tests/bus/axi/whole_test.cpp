@@ -42,7 +42,7 @@ TEST_P(Axi, AnyPacketsGiveTheModelsBits) {
       run.send(random_packets(run.codec(), run.random(), 20));
       ASSERT_TRUE(run.go()) << "seed " << seed << ", run " << repeat;
     }
-    const auto counts = run.model().events().counts();
+    const auto counts = run.model().events();
     const CoreErrors errors = run.driver().take_errors();
     std::uint32_t status = 0;
     for (std::size_t code = 0; code < counts.size(); ++code) status |= (counts[code] != 0) << code;

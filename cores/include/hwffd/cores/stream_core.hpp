@@ -3,10 +3,9 @@
 #include <cstdint>
 
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/events.hpp"
 
 namespace hwffd::cores {
-
-constexpr int kStreamEvents = 10;  ///< kinds (FFD_EVENT_* in rtl/stream/ffd_stream.vh)
 
 /// The pins of a Verilated `hwffd_stream`, whatever its configuration.
 ///

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
 
-/// Names of the shapes that lattice_around() knows: box, cylinder, sphere.
-const std::vector<std::string>& shape_names();
-
-/// Points an axis that suit a shape: a box of one cell; six cells around a cylinder or sphere.
+/// Points an axis that suit a shape (shape.hpp): a box of one cell; six cells around a cylinder.
 /// @throws UsageError for an unknown shape, which lists those that are known
 Index3 usual_dims(const std::string& shape);
 

@@ -6,29 +6,13 @@
 
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd::model {
 
-/// How often each event of the input occurred (FFD_EVENT_* in rtl/stream/ffd_stream.vh).
-struct StreamEvents {
-  std::uint64_t opcode = 0;        ///< unknown, or results unknown
-  std::uint64_t too_short = 0;     ///< packets
-  std::uint64_t too_long = 0;      ///< packets
-  std::uint64_t coefficients = 0;  ///< vertices that came before what they want of them
-  std::uint64_t lattice = 0;       ///< resident vertices that came before any
-  std::uint64_t dimensions = 0;    ///< bad ones
-  std::uint64_t cell = 0;          ///< vertices whose cell is outside the lattice
-  std::uint64_t nan = 0;           ///< vertices with a coordinate that is no number
-  std::uint64_t coordinate = 0;    ///< vertices with a coordinate outside [0, 1]
-  std::uint64_t saturated = 0;     ///< results
-
-  /// In the order of their numbers.
-  std::array<std::uint64_t, 10> counts() const {
-    return {opcode,     too_short, too_long, coefficients, lattice,
-            dimensions, cell,      nan,      coordinate,   saturated};
-  }
-};
+/// How often each event of the stream occurred, by its number in `event::Code`.
+using StreamEvents = std::array<std::uint64_t, kStreamEvents>;
 
 /// The bit-true model of `hwffd_stream`: command beats in, result beats out, bad packets included.
 /// docs/interface.md section 2. It knows order and bits, not clocks.
@@ -68,7 +52,7 @@ class StreamModel {
 
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::vector<Beat> results_;
-  StreamEvents events_;
+  StreamEvents events_{};
   std::uint64_t vertices_ = 0;
   State state_ = State::kHeader;
   Beat header_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/status.hpp"
 
 namespace hwffd {
 
@@ -49,15 +50,6 @@ constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
 constexpr std::size_t kPacketVertices = 1024;
 
 constexpr std::uint32_t kTagMask = 0xFFFF;  ///< of a vertex and of its results, in word 3
-
-// Status bits of a result, in its word 3.
-constexpr std::uint32_t kStatusSaturated = 1U << 16;
-constexpr std::uint32_t kStatusClamped = 1U << 17;
-constexpr std::uint32_t kStatusNan = 1U << 18;
-constexpr std::uint32_t kStatusOutside = 1U << 19;
-constexpr std::uint32_t kStatusTruncated = 1U << 20;
-constexpr std::uint32_t kStatusUnloaded = 1U << 21;
-constexpr std::uint32_t kStatusFolded = 1U << 22;  ///< det J is not positive
 
 /// The derivatives of an axis's blending functions as stream words: `word[function][power]`.
 struct DerivativeWords {

@@ -12,7 +12,8 @@ namespace hwffd {
 /// fixed point throws Error.
 class WordCodec {
  public:
-  /// @param format  "fp32", "bfp32", or "fx" and the width of a word
+  /// @param format  a name of `kFormats`: "fp32", "bfp32", or "fx" and the width of a word
+  /// @throws UsageError for another, which lists them
   explicit WordCodec(const std::string& format);
 
   /// Whether coordinates, points and results are binary32 words.

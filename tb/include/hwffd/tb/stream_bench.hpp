@@ -81,7 +81,7 @@ class StreamBench : private cores::StreamParty {
   /// The results since the last reset.
   const std::vector<Beat>& results() const { return monitor_.beats(); }
   /// Pulses of each event since the last reset.
-  const std::array<std::uint64_t, cores::kStreamEvents>& events() const { return events_; }
+  const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
   /// Clocks between results `first` and `last`, divided by their distance. Throws
   /// std::out_of_range when they are not two recorded results in order.
   double clocks_per_result(std::size_t first, std::size_t last) const;
@@ -132,7 +132,7 @@ class StreamBench : private cores::StreamParty {
   Scoreboard scoreboard_;
   FaultInjector fault_;
   std::function<void(double)> progress_;
-  std::array<std::uint64_t, cores::kStreamEvents> events_{};
+  std::array<std::uint64_t, kStreamEvents> events_{};
   bool was_reset_ = false;
   bool first_cycle_ = false;
   bool hung_ = false;

@@ -1,0 +1,42 @@
+// Made from rtl/bus/registers.csv by scripts/registers.py; changes here are lost.
+#pragma once
+
+namespace hwffd::event {
+
+/// What may go wrong in the core and on its buses: bits of ERROR_STATUS
+/// (docs/registers.md). Those up to kSaturated are events of the stream.
+enum Code : unsigned {
+  kUnknownOpcode = 0,
+  kPacketShort = 1,
+  kPacketLong = 2,
+  kNoCoefficients = 3,
+  kNoLattice = 4,
+  kLatticeSize = 5,
+  kCellOutside = 6,
+  kCoordinateNan = 7,
+  kCoordinateOutside = 8,
+  kSaturated = 9,
+  kDmaZero = 10,
+  kDmaMisaligned = 11,
+  kDmaWrap = 12,
+  kDmaWindow = 13,
+  kDmaDescriptor = 14,
+  kDmaReadResponse = 15,
+  kDmaWriteResponse = 16,
+  kResultOverflow = 17,
+  kDmaRing = 18,
+  kTimeoutAr = 19,
+  kTimeoutR = 20,
+  kTimeoutAw = 21,
+  kTimeoutW = 22,
+  kTimeoutB = 23
+};
+
+}  // namespace hwffd::event
+
+namespace hwffd {
+
+/// Kinds of events of the stream.
+constexpr int kStreamEvents = event::kSaturated + 1;
+
+}  // namespace hwffd

@@ -1,0 +1,22 @@
+// Ports of an AXI4-Lite slave, each joined with the wire of the same name. To be included in an
+// instance, with more to follow.
+// SPDX-License-Identifier: Apache-2.0
+.s_axil_awvalid(s_axil_awvalid),
+.s_axil_awready(s_axil_awready),
+.s_axil_awaddr (s_axil_awaddr),
+.s_axil_awprot (s_axil_awprot),
+.s_axil_wvalid (s_axil_wvalid),
+.s_axil_wready (s_axil_wready),
+.s_axil_wdata  (s_axil_wdata),
+.s_axil_wstrb  (s_axil_wstrb),
+.s_axil_bvalid (s_axil_bvalid),
+.s_axil_bready (s_axil_bready),
+.s_axil_bresp  (s_axil_bresp),
+.s_axil_arvalid(s_axil_arvalid),
+.s_axil_arready(s_axil_arready),
+.s_axil_araddr (s_axil_araddr),
+.s_axil_arprot (s_axil_arprot),
+.s_axil_rvalid (s_axil_rvalid),
+.s_axil_rready (s_axil_rready),
+.s_axil_rdata  (s_axil_rdata),
+.s_axil_rresp  (s_axil_rresp),

@@ -1,0 +1,36 @@
+// Ports of every organization (docs/architecture.md section 3). To be included in the list of a
+// module's ports. Numbers are as wide as FORMAT wants them; x or s lies lowest.
+// SPDX-License-Identifier: Apache-2.0
+
+input  wire                                            clk,
+input  wire                                            rst,   // nothing is inside
+
+// One blending function {shift, c3, c2, c1, c0}: of axis 0 to 2, at {derivative, bank, function}.
+input  wire                                            load_i,
+input  wire [1:0]                                      load_axis_i,
+input  wire [3:0]                                      load_address_i,
+input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
+
+// A vertex: coordinates {u, t, s}, cell {k, j, i}, where its points are, and banks {u, t, s}, each
+// {derivative, coefficient bank}. Changed: what source and banks name may have been loaded since
+// the vertex before. Ready is the only brake: who offers a vertex has room for its result.
+input  wire                                            s_vertex_valid,
+output wire                                            s_vertex_ready,
+input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
+input  wire [11:0]                                     s_vertex_cell,
+input  wire [SOURCE_W-1:0]                             s_vertex_source,
+input  wire [5:0]                                      s_vertex_bank,
+input  wire                                            s_vertex_changed,
+
+// The points wanted, N from index on; last: the vertex reads no more. They come as {z, y, x} each,
+// exactly READ_LATENCY clocks later, always.
+output wire                                            read_o,
+output wire                                            read_last_o,
+output wire [SOURCE_W-1:0]                             read_source_o,
+output wire [11:0]                                     read_cell_o,
+output wire [5:0]                                      read_index_o,
+input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+
+// The sum {z, y, x}, for one clock, in the order of the vertices.
+output wire                                            result_valid_o,
+output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o

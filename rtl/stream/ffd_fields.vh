@@ -1,0 +1,32 @@
+// Made from rtl/stream/fields.csv by scripts/made.py; changes here are lost.
+// Fields of the stream's inner words, bit or range of bits.
+// SPDX-License-Identifier: Apache-2.0
+`ifndef FFD_FIELDS_VH
+`define FFD_FIELDS_VH
+`define FFD_USER_TAG         15:0  // what came with the vertex; goes out with its result
+`define FFD_USER_STATUS      21:16 // the status bits that are known before evaluation
+`define FFD_USER_BLANK       22    // the result has no coordinates
+`define FFD_USER_LAST        23    // of the last vertex of its packet
+`define FFD_USER_BANK        24    // of coefficients that it reads
+`define FFD_USER_BUFFER      25    // of the resident lattice that it reads
+`define FFD_USER_RESIDENT    26    // its points are those of the resident lattice, else of a slot
+`define FFD_STATUS_SATURATED 0     // a coordinate did not fit its word
+`define FFD_STATUS_CLAMPED   1     // a coordinate was outside and is clamped
+`define FFD_STATUS_NAN       2     // a coordinate is not a number
+`define FFD_STATUS_OUTSIDE   3     // the cell is not one of the lattice
+`define FFD_STATUS_TRUNCATED 4     // its packet ended too early
+`define FFD_STATUS_UNLOADED  5     // coefficients or lattice were never loaded
+`define FFD_STATUS_FOLDED    6     // det J is not positive
+`define FFD_RETIRE_BANK      0     // its bank of coefficients
+`define FFD_RETIRE_BUFFER    1     // its buffer of the resident lattice
+`define FFD_RETIRE_RESIDENT  2     // it has read that buffer
+`define FFD_USER_SATURATED   16    // of user's status
+`define FFD_USER_CLAMPED     17    // of user's status
+`define FFD_USER_NAN         18    // of user's status
+`define FFD_USER_OUTSIDE     19    // of user's status
+`define FFD_USER_TRUNCATED   20    // of user's status
+`define FFD_USER_UNLOADED    21    // of user's status
+`define FFD_USER_W           27    // width
+`define FFD_RETIRE_W         3     // width
+`define FFD_STATUS_W         7     // width
+`endif
