@@ -20,6 +20,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "scripts"))
 
+import organizations  # noqa: E402
 import rtl  # noqa: E402
 
 SOURCES = rtl.Sources()
@@ -58,10 +59,22 @@ def guards_of_sources():
             for guard in GUARD.findall(rtl.strip_comments(path.read_text()))}
 
 
+# What no organization takes, where it has the parameter: N above 64, an unknown schedule or folding.
+OF_ORGANIZATIONS = (("N", "65"), ("SCHEDULE", "2"), ("SCHEDULE", "-1"), ("FOLD", "2"))
+
+
+def shared_rows():
+    """The same for each module of an organization."""
+    modules = dict.fromkeys(f"ffd_org_{one.module}" for one in organizations.read().values())
+    return [(module, [name], [value]) for module in modules for name, value in OF_ORGANIZATIONS
+            if re.search(rf"\bparameter {name}\b", SOURCES.whole(module))]
+
+
 def read_table():
     with TABLE.open(newline="") as file:
-        return [(row["module"], row["parameter"].split(";"), row["value"].split(";"))
+        rows = [(row["module"], row["parameter"].split(";"), row["value"].split(";"))
                 for row in csv.DictReader(file)]
+    return rows + shared_rows()
 
 
 class BadParameters(unittest.TestCase):

@@ -13,11 +13,12 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/lint")]
 
 import formats  # noqa: E402
 import made  # noqa: E402
 import stream_words  # noqa: E402
+from made_files import expect_stale_is_noticed  # noqa: E402
 from tables import TableError  # noqa: E402
 
 FP32 = "fp32,,0,float,Binary32,Binary32Fused,binary32\n"
@@ -117,18 +118,7 @@ class Made(unittest.TestCase):
     def test_what_is_stale_is_noticed(self):
         names = list(made.outputs(self.root))
         self.assertEqual(len(names), 5)
-        for name in names:
-            with self.subTest(name):
-                path = self.root / name
-                text = path.read_text()
-                for other in (text + "\n", None):
-                    path.unlink() if other is None else path.write_text(other)
-                    status, lines = run("--root", self.root, "check")
-                    self.assertEqual(status, 1)
-                    self.assertIn(f"made.py: {name}: not what the tables say: run scripts/made.py "
-                                  "write", lines)
-                    self.assertEqual(run("--root", self.root, "write"), (0, []))
-                    self.assertEqual(path.read_text(), text)
+        expect_stale_is_noticed(self, self.root, names, run)
 
     def test_a_new_source_is_listed(self):
         (self.root / "rtl/number/fixed/ffd_fx_new.v").write_text("module ffd_fx_new; endmodule\n")

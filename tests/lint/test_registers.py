@@ -13,10 +13,11 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/lint")]
 
 import registers  # noqa: E402
 import version  # noqa: E402
+from made_files import expect_stale_is_noticed  # noqa: E402
 
 TEXT = (ROOT / registers.TABLE).read_text()
 OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "driver/include/hwffd/registers.h", "docs/registers.md")
@@ -105,18 +106,7 @@ class Registers(unittest.TestCase):
         self.assertEqual(run("check"), (0, []))
 
     def test_what_is_stale_is_noticed(self):
-        self.assertEqual(run("--root", self.root, "check"), (0, []))
-        for name in MADE:
-            with self.subTest(name):
-                path = self.root / name
-                text = path.read_text()
-                for other in (text + "\n", None):
-                    path.unlink() if other is None else path.write_text(other)
-                    status, lines = run("--root", self.root, "check")
-                    self.assertEqual((status, len(lines)), (1, 1), lines)
-                    self.assertIn(name, lines[0])
-                    self.assertEqual(run("--root", self.root, "write"), (0, []))
-                    self.assertEqual(path.read_text(), text)
+        expect_stale_is_noticed(self, self.root, MADE, run)
 
     def test_a_change_of_the_table_reaches_all(self):
         (self.root / registers.TABLE).write_text(TEXT.replace("value,3:0,rw,0", "value,4:0,rw,5"))
