@@ -9,14 +9,17 @@ import argparse
 import pathlib
 import sys
 
+import core_file
 import formats
 import organization_rtl
 import rtl
 import stream_words
+import version
+from module_header import HeaderError
 from tables import TableError, write_if_changed
 
 # What each of them is made from, and how. A checkout without that has no such files. The list of files
-# is the last, since it names others.
+# comes after them, since it names them, and behind it what is made of it.
 MAKERS = (
     (organization_rtl.TABLE, organization_rtl.outputs),
     (formats.TABLE, lambda root: {formats.HEADER: formats.header_text(formats.read(root))}),
@@ -24,6 +27,7 @@ MAKERS = (
         stream_words.RTL: stream_words.rtl_text(stream_words.read(root)),
         stream_words.HEADER: stream_words.header_text(stream_words.read(root))}),
     (organization_rtl.TABLE, lambda root: {"rtl/hwffd.f": rtl.file_list_text(root / "rtl")}),
+    (version.FILE, lambda root: {core_file.NAME: core_file.text(root)}),
 )
 
 
@@ -56,7 +60,7 @@ def main(arguments=None):
                     write_if_changed(options.root / name, text)
             return 0
         found = stale(options.root)
-    except (TableError, OSError) as error:
+    except (TableError, HeaderError, OSError) as error:
         found = [str(error)]
     for line in found:
         print(f"made.py: {line}", file=sys.stderr)

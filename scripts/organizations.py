@@ -7,6 +7,7 @@ explains every column.
 SPDX-License-Identifier: Apache-2.0
 """
 
+import functools
 import pathlib
 import re
 from dataclasses import dataclass
@@ -120,3 +121,25 @@ def read(rtl=ROOT / "rtl"):
     if not found:
         raise TableError(f"{path}: no organizations")
     return found
+
+
+@functools.lru_cache(maxsize=None)
+def known():
+    """Those of this checkout."""
+    return read()
+
+
+def label(row, between=" "):
+    """An organization as tables and pictures call it: "basic"; with N where the rows choose it: "tree 8".
+    `row` is one of a report."""
+    own = known().get(row["org"])
+    return f"{row['org']}{between}{row['n']}" if own and own.n is None else row["org"]
+
+
+def is_second_name(row):
+    """Whether a row of a report has the name of another organization, which is the same with this N: the
+    tree of 64 units is `parallel`."""
+    own = known().get(row["org"])
+    return own is not None and own.n is None and any(
+        other.n == row["n"] and (other.module, other.parameters) == (own.module, own.parameters)
+        for other in known().values())

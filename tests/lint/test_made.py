@@ -18,6 +18,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/lint")]
 import formats  # noqa: E402
 import made  # noqa: E402
 import stream_words  # noqa: E402
+import version  # noqa: E402
 from made_files import expect_stale_is_noticed  # noqa: E402
 from tables import TableError  # noqa: E402
 
@@ -66,6 +67,7 @@ class Made(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         shutil.copytree(ROOT / "rtl", self.root / "rtl")
+        shutil.copy(ROOT / version.FILE, self.root)
         for name in made.outputs(ROOT):
             (self.root / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, self.root / name)
@@ -117,13 +119,14 @@ class Made(unittest.TestCase):
 
     def test_what_is_stale_is_noticed(self):
         names = list(made.outputs(self.root))
-        self.assertEqual(len(names), 5)
+        self.assertEqual(len(names), 6)
         expect_stale_is_noticed(self, self.root, names, run)
 
     def test_a_new_source_is_listed(self):
         (self.root / "rtl/number/fixed/ffd_fx_new.v").write_text("module ffd_fx_new; endmodule\n")
         self.assertEqual(run("--root", self.root, "write"), (0, []))
-        self.assertIn("number/fixed/ffd_fx_new.v\n", (self.root / "rtl/hwffd.f").read_text())
+        for name in ("rtl/hwffd.f", "hwffd.core"):
+            self.assertIn("number/fixed/ffd_fx_new.v\n", (self.root / name).read_text())
 
 
 if __name__ == "__main__":

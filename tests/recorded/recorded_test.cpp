@@ -77,7 +77,7 @@ TEST(Recordings, HaveEveryRowAndEveryEvent) {
     for (const Configuration& row : recorded_rows())
       EXPECT_EQ(rows.count(row.name), 1U) << row.name;
   }
-  std::array<std::uint64_t, 10> events{};
+  std::array<std::uint64_t, kStreamEvents> events{};
   for (const Recording& recording : read_table(table_path("commands"))) {
     for (std::size_t e = 0; e < events.size(); ++e) events[e] += recording.events[e];
   }

@@ -7,6 +7,7 @@
 
 #include "hwffd/model/configuration.hpp"
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
 #include "hwffd/tb/evaluator_stimulus.hpp"
 
@@ -19,8 +20,9 @@ namespace hwffd::test {
 struct Recording {
   std::string row;
   std::size_t results = 0;
-  std::uint64_t hash = 0;                  ///< of the results in their order, see `hash_of`
-  std::array<std::uint64_t, 10> events{};  ///< of the input, by number; none at the read port
+  std::uint64_t hash = 0;  ///< of the results in their order, see `hash_of`
+  std::array<std::uint64_t, kStreamEvents>
+      events{};  ///< of the input, by number; none at the read port
 };
 
 /// FNV-1a, 64 bits, over the little-endian words of each beat and one byte for its tlast.

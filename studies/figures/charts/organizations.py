@@ -8,13 +8,14 @@ from matplotlib import pyplot
 
 from figures.charts import BLUE, GREEN, RED, save
 from figures.charts.labels import Labels
-from figures.studies.organizations import rows, short_name
+from figures.studies.organizations import rows
+from organizations import label
 
 
 def table(reports):
     """A line a row, with its operators summed: a fused one counts two."""
     frame = pandas.DataFrame(rows(reports))
-    frame["label"] = [short_name(row) for row in rows(reports)]
+    frame["label"] = [label(row) for row in rows(reports)]
     for source, target in (("operators", "built"), ("operators_drawn", "drawn")):
         counts = pandas.DataFrame(frame[source].tolist())
         frame[target] = counts["mul"] + counts["add"] + 2 * counts["fma"]

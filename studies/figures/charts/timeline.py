@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import organizations
 import pandas
 from matplotlib import pyplot
 from matplotlib.ticker import MaxNLocator
@@ -43,7 +44,7 @@ def panel(axes, row):
 def draw(reports, folder):
     kinds = {}
     for row in reports.rows("timelines"):
-        name = f"tree{row['n']}" if row["org"] == "tree" else row["org"].replace("/", "-")
+        name = organizations.label(row, "").replace("/", "-")
         kinds.setdefault(name, {}).setdefault(row["schedule"], row)  # of several the first
     written = []
     for name, found in kinds.items():

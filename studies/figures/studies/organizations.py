@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import configurations
+import organizations
 from figures.expressions import shown
 from figures.studies import throughput
 from figures.table import Table
@@ -16,15 +17,10 @@ def is_plain(row):
     return len(row["name"].split("-")) == 3
 
 
-def short_name(row):
-    """An organization as tables and pictures call it: "basic", "tree 8"."""
-    return f"tree {row['n']}" if row["org"] == "tree" else row["org"]
-
-
 def rows(reports, **wanted):
     """Rows as measured: without the tree of 64 units, which is `parallel`, under its second name."""
     return [row for row in reports.rows("organizations", **wanted)
-            if (row["org"], row["n"]) != ("tree", 64)]
+            if not organizations.is_second_name(row)]
 
 
 def first(found, **wanted):
@@ -41,8 +37,8 @@ def _operators(row, field):
 def clocks(reports):
     """Section 4 of the paper; operators in fixed point."""
     everything, lines = rows(reports), []
-    for name in dict.fromkeys(short_name(row) for row in everything):
-        found = [row for row in everything if short_name(row) == name]
+    for name in dict.fromkeys(organizations.label(row) for row in everything):
+        found = [row for row in everything if organizations.label(row) == name]
         plain = [row for row in found if is_plain(row)]
         fixed = [row for row in plain if row["format"] == "fx18"]
         paper = first(fixed, schedule="paper")

@@ -4,8 +4,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 from figures.expressions import shown
-from figures.studies.organizations import is_plain, rows, short_name
+from figures.studies.organizations import is_plain, rows
 from figures.table import Table
+from organizations import label
 
 _PLACE = {"target": "ecp5", "top": "ffd_org_select"}
 
@@ -20,7 +21,7 @@ def organizations(reports, *names):
     """
     mapped, routed, lines = _by_name(reports, "synth"), _by_name(reports, "pnr"), []
     for row in rows(reports, format="fx18", schedule="overlapped"):
-        name = short_name(row)
+        name = label(row)
         if not is_plain(row) or names and name.replace(" ", "") not in names:
             continue
         area, clock = mapped.get(row["name"], {}), routed.get(row["name"], {}).get("fmax_mhz")

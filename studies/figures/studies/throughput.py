@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 
 from dataclasses import dataclass
 
+import organizations
 from figures.expressions import shown
 from figures.table import Table
 
@@ -55,9 +56,8 @@ class Throughput:
 
 def label(row):
     """Organization, what its name has behind the schedule, and format: "basic bspline fx18"."""
-    org = f"tree {row['n']}" if row["org"] == "tree" else row["org"]
     more = row["name"].split(row["schedule"], 1)[1].replace("-", " ")
-    return f"{org}{more} {row['format']}"
+    return f"{organizations.label(row)}{more} {row['format']}"
 
 
 def _size(mapped):
@@ -73,7 +73,7 @@ def throughputs(reports):
             areas.setdefault(mapped["name"], []).append(mapped)
     found = []
     for row in reports.rows("organizations", schedule="overlapped"):
-        if (row["org"], row["n"]) == ("tree", 64):  # `parallel` under its second name
+        if organizations.is_second_name(row):
             continue
         for mapped in areas.get(row["name"], ()):
             size, unit = _size(mapped)
