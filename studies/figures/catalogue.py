@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 # Sources, as patterns of files (digest.py says what counts of each kind of file).
 _RTL = ("rtl/**/*.v", "rtl/configurations.csv")
-_MODEL = tuple(f"golden/**/{part}/*.?pp"
-               for part in ("model", "numerics", "bounds", "oracle", "stream"))
+_MODEL = (*(f"golden/**/{part}/*.?pp" for part in ("numerics", "bounds", "oracle")),
+          "golden/**/model/org_*.?pp", "golden/**/model/organization.?pp",
+          "golden/**/model/evaluator.?pp", "golden/**/stream/w*.?pp")
 _GEOMETRY = ("geometry/**/lattice/*.?pp", "geometry/**/mesh/*.?pp")
 _SYNTH = (*_RTL, "synth/*.ys", "synth/osu018.*")
 
@@ -35,7 +36,8 @@ REPORTS = {
         selectors=("org", "n", "format")),
     "timelines": Report("make organizations", (*_RTL, "studies/organizations/*.?pp")),
     "words": Report("make words", (*_MODEL, *_GEOMETRY, "studies/words/*.?pp")),
-    "streams": Report("make streams", (*_RTL, *_GEOMETRY, "studies/streams/*.?pp")),
+    "streams": Report("make streams", (*_RTL, *_GEOMETRY, "golden/**/stream/packets.?pp",
+                                       "studies/streams/*.?pp")),
     "bfp": Report("make bfp", (*_RTL, *_MODEL, "studies/bfp/*.?pp"), rows="errors"),
     "tangents": Report("make tangents", (*_RTL, *_GEOMETRY, "studies/tangents/*.?pp")),
     "embed": Report("make embed", (*_GEOMETRY, "studies/embed/*.?pp")),
