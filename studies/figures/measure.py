@@ -47,7 +47,7 @@ def _sources(root, name):
 
 def run(root, names, command):
     """Runs a command that measures; (its exit status, reports that it wrote). What it wrote is
-    stamped with the sources as they were before, if it ended well.
+    finished, and stamped with the sources as they were before if it ended well.
     """
     fresh = Reports(root, FRESH)
     before = {name: (_written(fresh.path(name)), _sources(root, name)) for name in names}
@@ -60,8 +60,10 @@ def run(root, names, command):
         if _written(path) in (None, written):
             continue
         changed.append(name)
+        report = getattr(module(name), "finished", lambda reports: reports.get(name))(fresh)
         if status == 0 and sources:
-            path.write_text(dump(stamped(fresh.get(name), name, sources)), encoding="utf-8")
+            report = stamped(report, name, sources)
+        path.write_text(dump(report), encoding="utf-8")
     return status, changed
 
 

@@ -97,6 +97,16 @@ def printed(reports):
     return text + throughput.table(reports).text()
 
 
+def finished(reports):
+    """With what each row is on every target on which it has been mapped."""
+    report = reports.get("organizations")
+    if not reports.has("synth"):
+        return report
+    targets = throughput.by_row(reports)
+    return {**report, "rows": [{**row, "targets": targets.get(row["name"], {})}
+                               for row in report["rows"]]}
+
+
 def _total(field, **wanted):
     return lambda reports: sum(row[field] for row in rows(reports, **wanted))
 

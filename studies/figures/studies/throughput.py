@@ -83,6 +83,18 @@ def throughputs(reports):
     return found
 
 
+def by_row(reports):
+    """Row -> target -> figures, as build/reports/organizations.json has them."""
+    found = {}
+    for one in throughputs(reports):
+        found.setdefault(one.name, {})[one.target] = {
+            "size": one.size, "unit": one.unit, "multipliers": one.multipliers,
+            "fmax_mhz": one.clock_mhz, "vertices_per_clock": 1 / one.interval,
+            "vertices_per_s": one.per_second, "per_size": one.per_size,
+            "per_multiplier": one.per_multiplier}
+    return found
+
+
 def front(found):
     """Those that no other beats, by size."""
     best = [one for one in found if not any(other.beats(one) for other in found)]

@@ -82,6 +82,14 @@ class Organizations(Checkout):
         text = organizations.printed(self.reports(organizations=wrong))
         self.assertEqual(text.count("NO "), 2)
 
+    def test_a_finished_report_has_the_targets_of_each_row(self):
+        rows = organizations.finished(self.data)["rows"]
+        self.assertEqual(rows[0]["targets"], {})
+        self.assertEqual(set(rows[1]["targets"]), {"ecp5", "generic"})
+        self.assertEqual(rows[1]["targets"]["ecp5"]["vertices_per_s"], 100e6 / 64)
+        (self.root / "docs/reports/synth.json").unlink()
+        self.assertNotIn("targets", organizations.finished(self.data)["rows"][1])
+
     def test_without_areas_it_says_what_makes_them(self):
         (self.root / "docs/reports/synth.json").unlink()
         self.assertTrue(organizations.printed(self.data).endswith(
