@@ -8,7 +8,7 @@ import importlib
 import pathlib
 import sys
 
-from figures import check, digest, markers, measure
+from figures import check, digest, measure
 from figures.catalogue import CHARTS
 from figures.reports import COMMITTED, FRESH, Missing, Reports, RequestError
 
@@ -26,17 +26,16 @@ def draw(root, source, target, names=None):
 
 
 def fill(root):
-    """Puts the figures into every text; (texts changed, complaints)."""
-    reports, changed, complaints = Reports(root), [], []
+    """Puts the figures into every text; (texts changed, what is wrong, what no report says yet)."""
+    reports, changed, wrong, unmeasured = Reports(root), [], [], []
     for path in check.texts(root):
-        before = path.read_text(encoding="utf-8")
-        after, faults = markers.fill(before, reports)
-        complaints += [f"{path.relative_to(root)}:{fault.line}: {fault.message}"
-                       for fault in faults]
+        before, after, faults, missing = check.examine(root, path, reports)
+        wrong += faults
+        unmeasured += missing
         if after != before:
             path.write_text(after, encoding="utf-8")
             changed.append(path)
-    return changed, complaints
+    return changed, wrong, unmeasured
 
 
 def do_all(options):
@@ -50,11 +49,11 @@ def do_all(options):
 
 
 def do_fill(options):
-    changed, complaints = fill(options.root)
-    for line in complaints:
+    changed, wrong, unmeasured = fill(options.root)
+    for line in [*wrong, *unmeasured]:
         print(f"figures: {line}", file=sys.stderr)
     print(f"filled {len(check.texts(options.root))} texts, {len(changed)} changed")
-    return 1 if complaints else 0
+    return 1 if wrong else 0
 
 
 def do_check(options):

@@ -23,17 +23,16 @@ def texts(root):
                    if path.name != "CHANGELOG.md"})
 
 
-def _wrong(root, path, reports):
-    """(lines for what is not as the reports say, those for what no report says yet)"""
+def examine(root, path, reports):
+    """(the text, the text filled, what is wrong with its markers, what no report says yet), the last
+    two a line each.
+    """
     before, name = path.read_text(encoding="utf-8"), path.relative_to(root)
     after, faults = markers.fill(before, reports)
     wrong = [f"{name}:{fault.line}: {fault.message}" for fault in faults if not fault.unmeasured]
     unmeasured = Counter(fault.message for fault in faults if fault.unmeasured)
-    differing = [f"{name}:{line}: not what the report says: '{old.strip()[:60]}', "
-                 f"'{new.strip()[:60]}' wanted: {CURE}"
-                 for line, old, new in markers.differences(before, after)]
-    return wrong + differing, [f"{name}: {message}, in {count} places"
-                               for message, count in unmeasured.items()]
+    return before, after, wrong, [f"{name}: {message}, in {count} places"
+                                  for message, count in unmeasured.items()]
 
 
 def check(root):
@@ -41,8 +40,11 @@ def check(root):
     root, reports = pathlib.Path(root), Reports(root)
     names, wrong, unmeasured = texts(root), [], []
     for path in names:
-        found, missing = _wrong(root, path, reports)
-        wrong += found
+        before, after, faults, missing = examine(root, path, reports)
+        wrong += faults
+        wrong += [f"{path.relative_to(root)}:{line}: not what the report says: "
+                  f"'{old.strip()[:60]}', '{new.strip()[:60]}' wanted: {CURE}"
+                  for line, old, new in markers.differences(before, after)]
         unmeasured += missing
     return len(names), wrong, unmeasured + _stale(root, reports)
 
