@@ -72,8 +72,13 @@ help:
 install:
 	@scripts/install
 
+# The rows that it runs: those of tier sim, unless it is asked for others.
+SIM_TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given,FORMAT),$$(test \
+  -n "$$(scripts/configurations.py list --tier sim --format "$$HWFFD_GIVEN_FORMAT" 2>/dev/null)" \
+  && echo sim || echo test),sim)))
+
 sim: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER="$(SIM_TIER)" -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
 	@$(STUDY) --quiet sim -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
 

@@ -9,28 +9,40 @@ execute_process(
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
 
+option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
+
 # The simulator's own run time, compiled once for all models.
-add_library(verilated_runtime STATIC
-  ${VERILATOR_ROOT}/include/verilated.cpp
-  ${VERILATOR_ROOT}/include/verilated_threads.cpp
-  ${VERILATOR_ROOT}/include/verilated_fst_c.cpp)
+set(runtime verilated.cpp verilated_threads.cpp)
+if(HWFFD_TRACE)
+  list(APPEND runtime verilated_fst_c.cpp)
+endif()
+list(TRANSFORM runtime PREPEND ${VERILATOR_ROOT}/include/)
+add_library(verilated_runtime STATIC ${runtime})
 target_include_directories(verilated_runtime SYSTEM PUBLIC
   ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
-target_compile_options(verilated_runtime PRIVATE -w -O2)
+target_compile_options(verilated_runtime PRIVATE -w)
 
+# Headers, and modules by their names, are found in the folders of rtl/hwffd.f.
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/cores/rtl/ffd_bench.vlt)
-option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
+set(verilate_folders ${HWFFD_RTL_SOURCES})
+list(TRANSFORM verilate_folders REPLACE "/[^/]*$" "")
+list(REMOVE_DUPLICATES verilate_folders)
+list(TRANSFORM verilate_folders PREPEND -I)
 
 # How models are compiled, and those that stay on this machine; so is what is timed beside them.
 set(HWFFD_MODEL_OPTIONS "-O2 -fno-tree-pre -fno-code-hoisting")
 set(HWFFD_NATIVE_OPTIONS "-march=native")
 
-# hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> SOURCES <file>... [PARAMETERS NAME=value...]
-#                [LIBRARY <file>])
+# hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> [SOURCES <file>...]
+#                [PARAMETERS NAME=value...] [LIBRARY <file>])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
 # where HWFFD_TRACE is on, which its users see as a definition of that name.
+#
+# The sources are those of modules outside rtl/, or that of the top; the others are found by their
+# names. A model is verilated anew when a file that Verilator has read for it changes, and compiled
+# anew when that changes the model.
 #
 # Warnings are errors; what else Verilator says is in verilator.log, and shown where it fails.
 #
@@ -54,22 +66,26 @@ function(hwffd_verilate target)
   cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY" "SOURCES;PARAMETERS" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
+  if(NOT ARG_SOURCES)
+    set(ARG_SOURCES ${HWFFD_RTL_SOURCES})
+    list(FILTER ARG_SOURCES INCLUDE REGEX "/${ARG_TOP}[.]v$")
+  endif()
   set(flags --cc --default-language 1364-2005 -O3 --x-initial unique --x-assign unique
-    -DFFD_SIMULATION -CFLAGS -fPIC --top-module ${ARG_TOP} --prefix ${class} --Mdir ${dir})
-  list(TRANSFORM HWFFD_RTL_INCLUDES PREPEND -I OUTPUT_VARIABLE includes)
-  list(APPEND flags ${includes})
-  set(optimize ${HWFFD_MODEL_OPTIONS})
+    -DFFD_SIMULATION --top-module ${ARG_TOP} --prefix ${class})
+  separate_arguments(options UNIX_COMMAND "${HWFFD_MODEL_OPTIONS}")
+  set(control "")
   if(ARG_NETLIST)
     list(APPEND flags -Wno-lint -Wno-fatal)
-    set(optimize -O0)
+    set(options -O0)
   else()
-    list(APPEND flags -Wall ${HWFFD_BENCH_CONTROL})
+    set(control ${HWFFD_BENCH_CONTROL})
+    list(APPEND flags -Wall ${verilate_folders} ${control})
   endif()
   if(ARG_LIBRARY)
     list(APPEND flags -DNO_INCLUDES -v ${ARG_LIBRARY})
   endif()
   if(ARG_NATIVE)
-    list(APPEND flags -CFLAGS ${HWFFD_NATIVE_OPTIONS})
+    list(APPEND options ${HWFFD_NATIVE_OPTIONS})
   endif()
   if(ARG_WIDE)
     list(APPEND flags -fno-gate)
@@ -81,23 +97,30 @@ function(hwffd_verilate target)
     list(APPEND flags --trace-fst --trace-structs)
   endif()
   file(MAKE_DIRECTORY ${dir})
-  file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
+  set(script ${CMAKE_SOURCE_DIR}/cmake/verilate.sh)
   add_custom_command(
-    OUTPUT ${dir}/${class}__ALL.a ${dir}/${class}.h
-    COMMAND sh -c "\"$@\" 2>verilator.log || { cat verilator.log >&2; exit 1; }" -
-            ${VERILATOR} ${flags} ${ARG_SOURCES}
-    COMMAND ${CMAKE_COMMAND} -E env MAKEFLAGS= make --silent -C ${dir} -f ${class}.mk
-            VM_PARALLEL_BUILDS=0 OPT_FAST=${optimize} ${class}__ALL.a > ${dir}/make.log
+    OUTPUT ${dir}/${class}.cpp ${dir}/${class}.h
+    COMMAND ${script} ${class} ${VERILATOR} ${flags} ${ARG_SOURCES}
     WORKING_DIRECTORY ${dir}
-    DEPENDS ${ARG_SOURCES} ${headers} ${HWFFD_BENCH_CONTROL}
+    DEPENDS ${ARG_SOURCES} ${control} ${script}
+    DEPFILE ${dir}/${class}.d
     COMMENT "Verilating ${target}"
     VERBATIM)
-  add_custom_target(${target}_verilate DEPENDS ${dir}/${class}__ALL.a)
-  add_library(${target} INTERFACE)
-  add_dependencies(${target} ${target}_verilate)
+  hwffd_compile_model(${target} ${dir} ${options})
+endfunction()
+
+# hwffd_compile_model(<target> <folder> <option>...)
+#
+# The library of what was verilated there.
+function(hwffd_compile_model target dir)
+  add_library(${target} STATIC EXCLUDE_FROM_ALL ${dir}/V${target}.cpp)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  target_compile_options(${target} PRIVATE -w -g0 ${ARGN})
+  target_compile_definitions(${target} PRIVATE
+    VM_TRACE=$<BOOL:${HWFFD_TRACE}> VM_TRACE_FST=$<BOOL:${HWFFD_TRACE}>)
   if(HWFFD_TRACE)
     target_compile_definitions(${target} INTERFACE HWFFD_TRACE)
   endif()
-  target_link_libraries(${target} INTERFACE ${dir}/${class}__ALL.a verilated_runtime)
+  target_link_libraries(${target} PUBLIC verilated_runtime)
 endfunction()

@@ -27,6 +27,7 @@ SOURCES, HEADERS = (".cpp",), (".hpp", ".h")
 _PRECOMPILED = re.compile(r" -Winvalid-pch| -include \S+cmake_pch\.hxx| -Werror\b")
 _FINDING = re.compile(r"^.*\b(?:warning|error): .*$", re.MULTILINE)
 _INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](?:\.\./)*([^<>"]+)[>"]', re.MULTILINE)
+_TOGETHER = re.compile(r"/Unity/unity_\d+_cxx\.cxx$")
 _MODEL = re.compile(r"error: '(V\w+\.h)' file not found")
 
 
@@ -42,15 +43,25 @@ def database(root):
         raise TidyError(f"no {COMMANDS}, which clang-tidy needs: make lint writes it")
     entries = {}
     for entry in json.loads(path.read_text(encoding="utf-8")):
-        file = pathlib.Path(entry["file"])
-        if root not in file.parents or file in entries:
-            continue
-        if "-fsanitize=" not in entry["command"] and file.suffix in SOURCES:
-            entries[file] = {**entry, "command": _PRECOMPILED.sub("", entry["command"])}
+        command = _PRECOMPILED.sub("", entry["command"])
+        for file in map(pathlib.Path, compiled_together(entry["file"])):
+            if root not in file.parents or file in entries or file.suffix not in SOURCES:
+                continue
+            if "-fsanitize=" not in command:
+                entries[file] = {**entry, "file": str(file),
+                                 "command": command.replace(entry["file"], str(file))}
     folder = root / "build" / "tidy"
     folder.mkdir(exist_ok=True)
     (folder / COMMANDS.split("/")[1]).write_text(json.dumps(list(entries.values())))
     return list(entries), folder
+
+
+def compiled_together(file):
+    """The files that one of CMake's for several includes; any other alone."""
+    if not _TOGETHER.search(file):
+        return [file]
+    return re.findall(r'^#include "(.*)"$', pathlib.Path(file).read_text(encoding="utf-8"),
+                      re.MULTILINE)
 
 
 def changed(root, folders):

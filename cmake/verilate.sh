@@ -1,0 +1,31 @@
+#!/bin/sh
+# verilate.sh CLASS VERILATOR WORD...
+#
+# Verilates in the current folder, which then has CLASS.h, with the headers behind it, and CLASS.cpp,
+# all of the model as one file. Files that come out as they were keep their time, so that a change of
+# RTL that a model does not see compiles nothing. CLASS.d says which files were read.
+# SPDX-License-Identifier: Apache-2.0
+set -eu
+class=$1
+shift
+
+rm -rf new
+if ! "$@" --Mdir new 2>verilator.log; then
+  cat verilator.log >&2
+  exit 1
+fi
+
+keep() {
+  if cmp -s "$1" "$2"; then rm "$1"; else mv "$1" "$2"; fi
+}
+
+# Headers that no build step knows of: their sum changes those files that it does know.
+sum=$(cat new/*.h | cksum)
+{ echo "// headers: $sum"; cat "new/$class.h"; } >new/class.h
+{ echo "// headers: $sum"; cat new/*.cpp; } >new/model.cc
+rm new/*.cpp "new/$class.h"
+for header in new/"$class"*.h; do keep "$header" "${header#new/}"; done
+keep new/class.h "$class.h"
+keep new/model.cc "$class.cpp"
+sed "s|^.*: |$PWD/$class.cpp: |" "new/${class}__ver.d" >"$class.d"
+rm -r new
