@@ -13,6 +13,9 @@ namespace {
 // Which generator takes which stream of the test's seed.
 enum SeedIndex : std::uint64_t { kSourceSeed, kSinkSeed, kIdleSeed };
 
+constexpr std::uint64_t kAlwaysProbed = 4096;
+constexpr std::uint64_t kProbeStep = 17;  // shares no factor with the schedules
+
 Beat inverted(Beat beat) {
   for (auto& word : beat.words) word = ~word;
   beat.last = !beat.last;
@@ -67,12 +70,13 @@ bool StreamBench::step(SinkMode mode) {
   first_cycle_ = false;
   const bool ready = mode == SinkMode::kThrottled ? sink_willing : mode == SinkMode::kReady;
 
+  // What depends on an input does so from the start. Later, when a run repeats itself, a look now
+  // and then costs less than half of the simulation.
+  const bool probing = options_.probe_edges && (cycle < kAlwaysProbed || cycle % kProbeStep == 0);
   StreamPins probed;
-  if (options_.probe_edges) {
-    probed = loop_.drive(!driver_.valid(), inverted(driver_.beat()), !ready);
-  }
+  if (probing) probed = loop_.drive(!driver_.valid(), inverted(driver_.beat()), !ready);
   const StreamPins& pins = loop_.drive(driver_.valid(), driver_.beat(), ready);
-  if (options_.probe_edges) compare(probed, pins);
+  if (probing) compare(probed, pins);
 
   checker_.observe(pins, cycle);
   bool moved = false;

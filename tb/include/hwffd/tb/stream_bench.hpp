@@ -30,7 +30,8 @@ struct StreamBenchOptions {
   std::uint64_t cycle_limit = 1'000'000'000;  ///< watchdog: cycles of one `run`
   std::uint64_t quiet_cycles = 256;           ///< after a run, in which no result may appear
   bool offer_at_once = true;  ///< offer the first beat in the first cycle after reset, always
-  bool probe_edges = false;   ///< check that no output depends on an input of the same cycle
+  bool probe_edges = false;   ///< check that no output depends on an input of the same cycle: in
+                              ///< the first 4,096 cycles, then in every 17th
   bool record = true;         ///< keep results and clocks; a soak does without
   unsigned reset_edges = 1;   ///< edges in reset after which valid and ready must be low
 };
