@@ -1,6 +1,5 @@
 # The table of configurations, rtl/configurations.csv, as CMake needs it:
 #   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f
-#   HWFFD_RTL_INCLUDES                    every folder with headers of rtl/hwffd.f
 #   HWFFD_CONFIGURATION_IDENTIFIERS       all rows
 #   HWFFD_TIER_IDENTIFIERS                those of this build's tier
 #   HWFFD_STREAM_IDENTIFIERS              those of them that are verilated with their streams
@@ -61,5 +60,3 @@ include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 
 file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/+]")
 list(TRANSFORM HWFFD_RTL_SOURCES PREPEND ${HWFFD_RTL_DIR}/)
-file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_INCLUDES REGEX "^[+]incdir[+]")
-list(TRANSFORM HWFFD_RTL_INCLUDES REPLACE "^[+]incdir[+]" ${HWFFD_RTL_DIR}/)

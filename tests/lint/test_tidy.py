@@ -103,6 +103,19 @@ class Findings(Tree):
         status, lines, _ = self.program()
         self.assertEqual((status, lines), (1, [line, "tidy: 2 files, 1 findings"]))
 
+    def test_in_one_of_several_sources_compiled_as_one(self):
+        together = self.root / "build/golden/Unity/unity_0_cxx.cxx"
+        sources = [name for name in CLEAN if name.endswith(".cpp")]
+        self.write({
+            str(together): "".join(f'#include "{self.root / name}"\n' for name in sources),
+            tidy.COMMANDS: json.dumps([{
+                "directory": str(self.root), "file": str(together),
+                "command": f"c++ -std=c++17 -I{self.root}/golden/include -c {together}"}])})
+        self.assertEqual(self.program(), (0, ["tidy: 2 files, 0 findings"], ""))
+        self.write({"golden/src/x.cpp": FAULT.format(name="x")})
+        (line,) = self.findings("golden/src/x.cpp")
+        self.assertIn("golden/src/x.cpp:1:", line)
+
     def test_in_a_header_through_the_source_that_includes_it(self):
         header = "golden/include/hwffd/x.hpp"
         self.write({header: CLEAN[header] + FAULT.format(name="y")})
