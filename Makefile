@@ -130,12 +130,15 @@ glapi: install
 	@$(STUDY) glapi -- $(BUILD)/studies/glapi/hwffd-glapi
 
 synth: install
+	@scripts/python_env
 	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
 synth-check: install
+	@scripts/python_env
 	@scripts/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 synth-baseline: install
+	@scripts/python_env
 	@scripts/synth_baseline write -j $(JOBS)
 
 structure: install
@@ -153,9 +156,10 @@ pnr: install
 
 boards: install
 	@scripts/python_env route
-	@$(STUDY) --quiet boards -- scripts/boards $(call arguments,board:BOARD)
+	@$(STUDY) --quiet boards -- scripts/boards -j $(JOBS) $(call arguments,board:BOARD)
 
 formal: install
+	@scripts/python_env
 	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS)
 
 test: install

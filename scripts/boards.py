@@ -3,23 +3,21 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import csv
+import json
 import os
 import pathlib
+import shutil
 import statistics
 from dataclasses import dataclass
 
 import configurations
+import digest
 import nextpnr
-import rtl
-from nextpnr import FAMILIES, NextpnrError
-from processes import Processes
+import synthesis
+import tables
+from nextpnr import FAMILIES
 
 COLUMNS = ("name", "row", "target", "device", "package", "clock_mhz", "baud")
-
-
-class BoardError(Exception):
-    """Why a board could not be built, in one line."""
 
 
 @dataclass(frozen=True)
@@ -43,102 +41,94 @@ class Board:
 
 
 def read(path, rows):
-    """name -> Board. Raises BoardError, TableError."""
-    try:
-        lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise BoardError(f"{path}: cannot be read: {error}") from error
-    table = csv.DictReader(lines)
-    if tuple(table.fieldnames or ()) != COLUMNS:
-        raise BoardError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
+    """name -> Board. Raises TableError."""
     found = {}
-    for fields in table:
-        where = f"{path}:{table.line_num}"
-        if None in fields.values() or None in fields:
-            raise BoardError(f"{where}: {len(COLUMNS)} columns wanted")
+    for where, fields in tables.read(path, COLUMNS):
         if fields["target"] not in FAMILIES:
-            raise BoardError(f"{where}: no tools for target '{fields['target']}': one of "
-                             f"{', '.join(FAMILIES)}")
+            raise tables.TableError(f"{where}: no tools for target '{fields['target']}': one of "
+                                    f"{', '.join(FAMILIES)}")
         try:
             numbers = {"clock_mhz": float(fields["clock_mhz"]), "baud": int(fields["baud"])}
         except ValueError as error:
-            raise BoardError(f"{where}: clock_mhz and baud are numbers") from error
+            raise tables.TableError(f"{where}: clock_mhz and baud are numbers") from error
         row = configurations.find(rows, fields["row"])
         found[fields["name"]] = Board(**{**fields, **numbers, "row": row})
     return found
 
 
 class Flow:
-    """From RTL to bitstreams, in build/boards/<board>/; each step has its log there."""
+    """From RTL to bitstreams, in build/boards/<board>/; names of files have the key of what they
+    depend on."""
 
     def __init__(self, root, seeds=nextpnr.SEEDS):
         self.root, self.seeds = pathlib.Path(root), seeds
-        self.sources = rtl.Sources(self.root)
-        self.processes = Processes(self.root)
+        self.work = synthesis.Synthesis(root)
 
-    def build(self, board):
-        """All steps, the fastest seed packed; what of the chip is used, and the clocks. Raises
-        NextpnrError.
-        """
-        folder = self.root / "build" / "boards" / board.name
-        folder.mkdir(parents=True, exist_ok=True)
+    @staticmethod
+    def _steps(board):
+        parameters = "".join(f" -chparam {name} {value}"
+                             for name, value in board.parameters.items())
+        return [f"hierarchy -check -top {board.top}{parameters}", "script synth/prepare.ys",
+                f"script synth/{board.target}.ys", "script synth/verify.ys"]
+
+    def script(self, board):
+        """The steps of yosys, with files named from the root. They end before the netlist."""
+        return [self.work.read(board.top), *self._steps(board)]
+
+    def pins(self, board):
+        return (self.root / "synth" / "boards" / board.name
+                / f"{board.name}.{FAMILIES[board.target].pins}")
+
+    def options(self, board):
+        """Of the router, but for the seed and the files that it writes."""
+        return (f"--{board.device}", "--package", board.package, "--freq", f"{board.clock_mhz:g}",
+                FAMILIES[board.target].pins_option, str(self.pins(board)))
+
+    def pack(self, board):
+        """The packer with its options. Raises NextpnrError."""
         family = FAMILIES[board.target]
-        bitstream = folder / f"{board.name}.{family.bitstream}"
-        netlist = self.synthesize(board, folder)
-        reports = {seed: self.route(board, netlist, folder, seed) for seed in self.seeds}
+        return [nextpnr.find(self.root, family.pack, family), *family.pack_options]
+
+    def key(self, board):
+        """Of sources, steps, pins and programs. Raises NextpnrError."""
+        router, (packer, *packing) = nextpnr.version(self.root, board.target), self.pack(board)
+        return digest.of(self.work.design(board.top, self._steps(board)), router,
+                         digest.lines(self.pins(board)), pathlib.Path(packer).name, *packing,
+                         board.device, board.package, str(board.clock_mhz))
+
+    def stem(self, board):
+        """What the names of all its files begin with. Raises NextpnrError."""
+        return self.root / "build" / "boards" / board.name / f"{board.name}.{self.key(board)}"
+
+    def bitstream(self, board):
+        """Of the fastest of the seeds."""
+        seeds = "-".join(map(str, self.seeds))
+        return pathlib.Path(f"{self.stem(board)}.{seeds}.bitstream")
+
+    def result(self, board):
+        """What of the chip is used, and the clocks, once the bitstream is there; it is copied to where
+        a user looks for it."""
+        reports = {seed: json.loads(pathlib.Path(f"{self.stem(board)}.{seed}.report").read_text())
+                   for seed in self.seeds}
         clocks = {seed: nextpnr.clock(report) for seed, report in reports.items()}
-        best = max(clocks, key=clocks.get)
-        nextpnr.call(self.processes, [
-            nextpnr.find(self.root, family.pack, family), *family.pack_options,
-            self._name(self._placed(board, folder, best)), self._name(bitstream)],
-            folder / "pack.log")
-        report = reports[best]
+        best = fastest(clocks)
+        suffix = FAMILIES[board.target].bitstream
+        bitstream = self.root / "build" / "boards" / board.name / f"{board.name}.{suffix}"
+        shutil.copyfile(self.bitstream(board), bitstream)
         return {
             "board": board.name, "row": board.row.name, "target": board.target,
             "clock_mhz": board.clock_mhz, "fmax_mhz": round(clocks[best], 2), "seed": best,
             "median_mhz": round(statistics.median(clocks.values()), 2),
             "seeds": [{"seed": seed, "fmax_mhz": round(clock, 2)}
                       for seed, clock in clocks.items()],
-            "critical_path": nextpnr.path_in_words(report), "met": clocks[best] >= board.clock_mhz,
+            "critical_path": nextpnr.path_in_words(reports[best]),
+            "met": clocks[best] >= board.clock_mhz,
             "used": {name: [about["used"], about["available"]]
-                     for name, about in report["utilization"].items() if about["used"]},
-            "bitstream": self._name(bitstream), "bytes": bitstream.stat().st_size,
+                     for name, about in reports[best]["utilization"].items() if about["used"]},
+            "bitstream": os.path.relpath(bitstream, self.root), "bytes": bitstream.stat().st_size,
         }
 
-    def synthesize(self, board, folder):
-        """The netlist."""
-        netlist = folder / "netlist.json"
-        files = [self._name(path) for path in self.sources.needed(board.top)]
-        folders = "".join(f"-I {self._name(path)} " for path in self.sources.includes)
-        parameters = "".join(f" -chparam {name} {value}"
-                             for name, value in board.parameters.items())
-        steps = [
-            f"read_verilog {folders}" + " ".join(files),
-            f"hierarchy -check -top {board.top}{parameters}",
-            "script synth/prepare.ys",
-            f"script synth/{board.target}.ys",
-            "script synth/verify.ys",
-            f"write_json {self._name(netlist)}",
-        ]
-        nextpnr.call(self.processes, ["yosys", "-Q", "-T", "-p", "; ".join(steps)],
-                     folder / "synthesis.log")
-        return netlist
 
-    @staticmethod
-    def _placed(board, folder, seed):
-        return folder / f"{board.name}.{seed}.{FAMILIES[board.target].placed}"
-
-    def route(self, board, netlist, folder, seed):
-        """Places and routes; what the router reports."""
-        family = FAMILIES[board.target]
-        pins = self.root / "synth" / "boards" / board.name / f"{board.name}.{family.pins}"
-        return nextpnr.route(
-            self.processes, board.target, netlist, folder / f"{seed}.report",
-            folder / f"route.{seed}.log",
-            (f"--{board.device}", "--package", board.package, family.pins_option,
-             self._name(pins), family.placed_option,
-             self._name(self._placed(board, folder, seed)), "--freq", f"{board.clock_mhz:g}",
-             "--seed", str(seed)))
-
-    def _name(self, path):
-        return os.path.relpath(path, self.root)
+def fastest(clocks):
+    """The seed with the highest clock, the first of several."""
+    return max(clocks, key=clocks.get)

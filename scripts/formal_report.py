@@ -7,6 +7,7 @@ import json
 
 import proofs
 import rendered
+import synthesis
 
 NOT_RUN = "not run"
 
@@ -31,7 +32,7 @@ def collect(work, everything, verdicts, failed):
         if one in failed:
             row.update(result="error", negative_control="error", complaint=failed[one])
         elif verdict is not None:
-            row.update({name: value for name, value in verdict.items() if name != "key"})
+            row.update(verdict)
         shown.append(row)
     results = {(row["module"], row["name"]): row["result"] for row in shown}
     for row in shown:
@@ -44,7 +45,7 @@ def collect(work, everything, verdicts, failed):
 def write(work, everything, verdicts, failed, folder):
     """Writes both files and returns the rows."""
     shown = collect(work, everything, verdicts, failed)
-    proofs.write(folder / "formal.json", json.dumps({
+    synthesis.write(folder / "formal.json", json.dumps({
         "tool": work.version, "limit_seconds": work.limit, "properties": shown}, indent=1) + "\n")
-    proofs.write(folder / "formal.md", rendered.document(work.root, "formal"))
+    synthesis.write(folder / "formal.md", rendered.document(work.root, "formal"))
     return shown

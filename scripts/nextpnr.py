@@ -1,21 +1,22 @@
-"""nextpnr: which program places and routes which target, and one call of it.
+"""nextpnr: which program places and routes which target, and what its reports say.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import json
+import functools
 import os
 import pathlib
 import re
 import shutil
 from dataclasses import dataclass
 
+import rtl
 
 SEEDS = (1, 2, 3)  # of which a clock is the median
 
 
 class NextpnrError(Exception):
-    """Why something was not placed, routed or packed, in one line."""
+    """A program that is not there, in one line."""
 
 
 @dataclass(frozen=True)
@@ -52,24 +53,12 @@ def find(root, names, family):
     raise NextpnrError(f"{names[0]} not found: run {family.install}")
 
 
-def call(processes, command, log):
-    """Runs a program with its output in a file. Raises NextpnrError with its first complaint."""
-    with open(log, "w", encoding="utf-8") as out:
-        status = processes.call(command, out)
-    if status:
-        errors = re.findall(r"^.*ERROR: (.*)$", log.read_text(errors="replace"), re.MULTILINE)
-        why = errors[0] if errors else f"exit status {status}"
-        raise NextpnrError(f"{pathlib.Path(command[0]).name}: {why}: see "
-                           f"{os.path.relpath(log, processes.folder)}")
-
-
-def route(processes, target, netlist, report, log, options):
-    """Places and routes; what nextpnr reports. Timing that is not met is no error."""
-    root, family = processes.folder, FAMILIES[target]
-    call(processes, [
-        find(root, family.route, family), "--json", os.path.relpath(netlist, root), *options,
-        "--timing-allow-fail", "--report", os.path.relpath(report, root)], log)
-    return json.loads(report.read_text())
+@functools.lru_cache(maxsize=None)
+def version(root, target):
+    """What the router of a target says that it is, in its last line. Raises NextpnrError."""
+    family = FAMILIES[target]
+    lines = rtl.run([find(root, family.route, family), "--version"])[1].splitlines()
+    return "".join(lines[-1:])
 
 
 def clock(report):

@@ -2,28 +2,25 @@
 
 Every row's netlist is the one that `make synth` counts, flattened. The measure of a target is one
 registered multiplier, routed by the same programs with the same seeds: a row's share is its median
-clock in parts of the multiplier's. Results lie in build/pnr/, one file a seed, and stay good as
-long as sources, steps and programs are the same.
+clock in parts of the multiplier's. Results lie in build/pnr/, one file a seed.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import csv
-import hashlib
+import functools
 import json
-import os
 import pathlib
 import statistics
-import time
 from dataclasses import dataclass
 
+import digest
 import nextpnr
-import rtl
 import scan_chain
 import synthesis
+import tables
 
 COLUMNS = ("name", "top", "target", "aim_share", "aim_mhz")
-MULTIPLIER = "ffd_clock_multiplier"
+MULTIPLIER, SOURCE = "ffd_clock_multiplier", "synth/ffd_clock_multiplier.v"
 CHAINED = "ffd_clock_chain"
 
 
@@ -44,8 +41,16 @@ DEVICES = {
 }
 
 
-class PlacementError(Exception):
-    """Why something could not be placed, in one line."""
+@dataclass(frozen=True)
+class Measure:
+    """The multiplier of a target; it stands where a subject stands."""
+
+    target: str
+    top = MULTIPLIER
+
+    @property
+    def name(self):
+        return f"{MULTIPLIER}.{self.target}"
 
 
 @dataclass(frozen=True)
@@ -65,156 +70,98 @@ class Aim:
 
 
 def read(path, found):
-    """The lines of synth/clocks.csv, as subjects among `found`. Raises PlacementError."""
+    """The lines of synth/clocks.csv, as subjects among `found`. Raises TableError."""
     by_key = {(s.row.name, s.top, s.target): s for s in found}
-    try:
-        lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise PlacementError(f"{path}: cannot be read: {error}") from error
-    table = csv.DictReader(lines)
-    if tuple(table.fieldnames or ()) != COLUMNS:
-        raise PlacementError(f"{path}:1: the first line must be {','.join(COLUMNS)}")
     aims = []
-    for fields in table:
-        where = f"{path}:{table.line_num}"
-        if None in fields or None in fields.values():
-            raise PlacementError(f"{where}: {len(COLUMNS)} columns wanted")
+    for where, fields in tables.read(path, COLUMNS):
         subject = by_key.get((fields["name"], fields["top"], fields["target"]))
         if subject is None or subject.target not in DEVICES:
-            raise PlacementError(f"{where}: {fields['name']}, {fields['top']}, {fields['target']} "
-                                 "is not mapped by make synth, or has no router")
+            raise tables.TableError(f"{where}: {fields['name']}, {fields['top']}, "
+                                    f"{fields['target']} is not mapped by make synth, or has no "
+                                    "router")
         try:
             wanted = [float(fields[column]) if fields[column] else None for column in COLUMNS[3:]]
         except ValueError as error:
-            raise PlacementError(f"{where}: {' and '.join(COLUMNS[3:])} are numbers or empty"
-                                 ) from error
+            raise tables.TableError(f"{where}: {' and '.join(COLUMNS[3:])} are numbers or empty"
+                                    ) from error
         aims.append(Aim(subject, *wanted))
     return aims
 
 
-def multiplier(width):
-    """A registered multiplier, the measure of clocks."""
-    return (f"module {MULTIPLIER} (input clk, input signed [{width - 1}:0] a_i, b_i,\n"
-            f"  output reg signed [{2 * width - 1}:0] product_o);\n"
-            f"  reg signed [{width - 1}:0] a_q, b_q;\n"
-            "  always @(posedge clk) begin\n"
-            "    a_q <= a_i;\n    b_q <= b_i;\n    product_o <= a_q * b_q;\n  end\nendmodule\n")
-
-
 class Placement:
-    """Places and routes in one checkout; results lie in build/pnr/, one file a seed."""
+    """What is routed in one checkout; results lie in build/pnr/, one file a seed, their keys in their
+    names."""
 
     def __init__(self, work):
         self.work, self.root = work, work.root
         self.folder = self.root / "build" / "pnr"
-        self._versions = {}
+        self.key = functools.lru_cache(maxsize=None)(self._key)
 
-    def version(self, target):
-        family = nextpnr.FAMILIES[target]
-        if target not in self._versions:
-            program = nextpnr.find(self.root, family.route, family)
-            self._versions[target] = rtl.run([program, "--version"])[1].strip()
-        return self._versions[target]
-
-    def _name(self, path):
-        return os.path.relpath(path, self.root)
-
-    def key(self, subject, target):
-        """Of a subject, or of the measure where there is none."""
-        own = self.work.key(subject) if subject else multiplier(DEVICES[target].width)
-        words = (own, self.version(target), DEVICES[target])
-        if DEVICES[target].chained:
-            words += (pathlib.Path(scan_chain.__file__).read_bytes(),)
-        return hashlib.sha256(repr(words).encode()).hexdigest()
-
-    def _file(self, name, suffix):
-        return self.folder / f"{name}.{suffix}"
-
-    @staticmethod
-    def name(subject, target):
-        return subject.name if subject else f"{MULTIPLIER}.{target}"
-
-    def result(self, subject, target, seed):
-        """A routed seed, if its sources and programs are the present ones; else None."""
-        try:
-            found = json.loads(self._file(self.name(subject, target), f"{seed}.json").read_text())
-        except (OSError, ValueError):
-            return None
-        return found if found.get("key") == self.key(subject, target) else None
-
-    def netlist(self, subject, target):
-        """The flat netlist of a subject or of the measure, made if it is not there."""
-        name, key = self.name(subject, target), self.key(subject, target)
-        path, mark = self._file(name, "netlist"), self._file(name, "key")
-        if path.is_file() and mark.is_file() and mark.read_text() == key:
-            return path
-        self.folder.mkdir(parents=True, exist_ok=True)
-        if subject:
-            top, steps = subject.top, self.work.script(subject)
+    def script(self, subject):
+        """The steps of yosys from the sources of a subject or a measure to its flat netlist."""
+        if isinstance(subject, Measure):
+            steps = [f"read_verilog {SOURCE}",
+                     f"hierarchy -check -top {MULTIPLIER} "
+                     f"-chparam WIDTH {DEVICES[subject.target].width}",
+                     f"script synth/{subject.target}.ys"]
         else:
-            source = self._file(name, "v")
-            source.write_text(multiplier(DEVICES[target].width), encoding="utf-8")
-            top = MULTIPLIER
-            steps = [f"read_verilog {self._name(source)}", f"hierarchy -check -top {top}",
-                     f"script synth/{target}.ys"]
-        self._map(name, [*steps, "flatten", "opt_clean"], path, "yosys.log")
-        if DEVICES[target].chained:
-            self._chain(name, target, top, path)
-        mark.write_text(key)
-        return path
+            steps = self.work.script(subject)
+        return [*steps, "flatten", "opt_clean"]
 
-    def _map(self, name, steps, netlist, log):
-        steps = "; ".join([*steps, f"write_json {self._name(netlist)}"])
-        nextpnr.call(self.work.processes, [self.work.yosys, "-Q", "-T", "-p", steps],
-                     self._file(name, log))
+    def chain(self, subject, netlist, source):
+        """The steps that put the chain of a source around a flat netlist. The cells of the library are
+        read again, with their parameters, by the target's script."""
+        return [f"read_json {netlist}", "delete =A:blackbox", f"read_verilog {source}",
+                f"hierarchy -top {CHAINED}", f"script synth/{subject.target}.ys"]
 
-    def _chain(self, name, target, top, netlist):
-        """Puts the chain around a netlist."""
-        ports = json.loads(netlist.read_text())["modules"][top]["ports"]
-        source = self._file(name, "chain.v")
-        source.write_text(scan_chain.verilog(CHAINED, top, ports), encoding="utf-8")
-        # The cells of the library are read again with their parameters by the target's script.
-        self._map(name, [f"read_json {self._name(netlist)}", "delete =A:blackbox",
-                         f"read_verilog {self._name(source)}", f"hierarchy -top {CHAINED}",
-                         f"script synth/{target}.ys"], netlist, "chain.log")
+    def _key(self, subject):
+        """Of its netlist, the router and how that is asked."""
+        if isinstance(subject, Measure):
+            design = digest.of(
+                self.work.version, *self.script(subject)[1:],
+                digest.lines(self.root / f"synth/{subject.target}.ys"),
+                digest.tokens((str(self.root / SOURCE),), (), "YOSYS", "SYNTHESIS"))
+        else:
+            design = self.work.netlist_key(subject)
+        device = DEVICES[subject.target]
+        chain = digest.statements(scan_chain) if device.chained else ""
+        return digest.of(design, nextpnr.version(self.root, subject.target), repr(device), chain)
 
-    def run(self, subject, target, seed):
-        """Routes one seed, keeps its result and returns it. Raises NextpnrError."""
-        device, start = DEVICES[target], time.monotonic()
-        name = self.name(subject, target)
-        report = nextpnr.route(
-            self.work.processes, target, self._file(name, "netlist"),
-            self._file(name, f"{seed}.report"), self._file(name, f"{seed}.log"),
-            (*device.options, "--freq", str(device.freq), "--seed", str(seed)))
-        result = {"key": self.key(subject, target), "seed": seed,
-                  "fmax_mhz": round(nextpnr.clock(report), 2),
-                  "critical_path": nextpnr.path_in_words(report),
-                  "seconds": round(time.monotonic() - start, 1)}
-        synthesis.write(self._file(name, f"{seed}.json"), json.dumps(result) + "\n")
-        return result
+    def files(self, subject):
+        """What the router reports, a file a seed. Raises NextpnrError."""
+        return [self.folder / f"{subject.name}.{self.key(subject)}.{seed}.report"
+                for seed in nextpnr.SEEDS]
 
-    def results(self, subject, target):
-        """All seeds that are there, in order."""
+    def wanted(self, aims):
+        """{subject: its files} of these aims and of the measures of their targets."""
+        targets = dict.fromkeys(aim.subject.target for aim in aims)
+        found = [*map(Measure, targets), *(aim.subject for aim in aims)]
+        return {subject: self.files(subject) for subject in found}
+
+    def results(self, subject):
+        """Clock and critical path of all seeds that are there, in order."""
         try:
-            found = [self.result(subject, target, seed) for seed in nextpnr.SEEDS]
+            reports = {seed: json.loads(path.read_text()) for seed, path in zip(
+                nextpnr.SEEDS, self.files(subject)) if path.is_file()}
         except nextpnr.NextpnrError:
             return []
-        return [result for result in found if result]
+        return [{"seed": seed, "fmax_mhz": round(nextpnr.clock(report), 2),
+                 "critical_path": nextpnr.path_in_words(report)}
+                for seed, report in reports.items()]
 
-    def median(self, subject, target):
+    def median(self, subject):
         """MHz, or None."""
-        found = self.results(subject, target)
+        found = self.results(subject)
         return statistics.median(result["fmax_mhz"] for result in found) if found else None
 
     def clock(self, subject):
         """What is known of a subject's clock after routing, as in synth.json; None if nothing."""
         if subject.target not in DEVICES:
             return None
-        found = self.results(subject, subject.target)
+        found = self.results(subject)
         if not found:
             return None
-        fmax = self.median(subject, subject.target)
-        measure = self.median(None, subject.target)
+        fmax, measure = self.median(subject), self.median(Measure(subject.target))
         return {"fmax_mhz": fmax, "fmax_share": round(fmax / measure, 3) if measure else None,
                 "routed": True,
                 "seeds": [{"seed": r["seed"], "fmax_mhz": r["fmax_mhz"]} for r in found]}

@@ -11,14 +11,12 @@ import time
 class Progress:
     """One line that is overwritten on a terminal; elsewhere a line every few seconds."""
 
-    def __init__(self, total):
-        self.total, self.done = total, 0
-        self.start = self.last = time.monotonic()
+    def __init__(self):
+        self.last = time.monotonic()
         self.terminal = sys.stdout.isatty()
 
-    def step(self, name):
-        self.done += 1
-        line = f"[{self.done}/{self.total}] {name}"
+    def step(self, done, total, name):
+        line = f"[{done}/{total}] {name}"
         if self.terminal:
             print("\r\033[K" + line[: shutil.get_terminal_size().columns - 1], end="", flush=True)
         elif time.monotonic() - self.last > 5:

@@ -1,4 +1,4 @@
-"""What `make formal` proves, how one property is run, and how long its verdict stays good.
+"""What `make formal` proves, by which steps, and what a verdict depends on.
 
 A property is one labelled assertion of a harness in tests/formal/ (INSTANCE.LABEL below its top).
 yosys makes an AIGER circuit of harness and RTL, all other assertions taken out, and ABC proves it
@@ -11,24 +11,21 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import csv
-import hashlib
-import json
-import os
 import pathlib
 import re
-import shutil
-import time
 from dataclasses import dataclass
 
+import digest
+import engine
 import rtl
-from processes import Processes
-from synthesis import write
 
+TABLE = "tests/formal/properties.csv"
 COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file", "original",
            "mutant", "statement")
 PDR, INDUCTION = "pdr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
 SEARCH = 12           # clocks from reset in which induction must find a planted bug
+PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
@@ -99,18 +96,17 @@ def read(path):
 
 
 class Proofs:
-    """Runs properties of one checkout; verdicts lie in build/formal/, one file each."""
+    """The properties of one checkout as steps of yosys and ABC; verdicts lie in build/formal/, their
+    keys in their names."""
 
-    def __init__(self, root, limit=300, yosys="yosys", abc="yosys-abc"):
+    def __init__(self, root, limit=300):
         self.root, self.limit = pathlib.Path(root), limit
-        self.yosys, self.abc = yosys, abc
         self.folder = self.root / "build" / "formal"
         self.harnesses = self.root / "tests" / "formal"
         self.sources = rtl.Sources(self.root)
-        self.version = rtl.run([yosys, "-V"])[1].strip()
-        self.processes = Processes(self.root)
+        self.version = rtl.run(["yosys", "-V"])[1].strip()
 
-    def files(self, one):
+    def sources_of(self, one):
         """(the modules under proof by name, the harness and what it shares). Raises ProofError."""
         for module in (one.module, one.file):
             if module not in self.sources.files:
@@ -130,8 +126,9 @@ class Proofs:
                         if path.stem in words and path != harness)
         return needed, [*shared, harness]
 
-    def mutated(self, one, path):
+    def mutated(self, one):
         """The text of a module with its bug. Raises ProofError."""
+        path = self.sources.files[one.file]
         text = path.read_text()
         count = text.count(one.original)
         if count != 1:
@@ -139,8 +136,13 @@ class Proofs:
                 f"the text that the planted bug replaces is {count} times in {path.name}, not once")
         return text.replace(one.original, one.mutant)
 
-    def script(self, one, lemmas, needed, harness, circuit):
-        """The steps of yosys; they end with the circuit."""
+    def script(self, one, planted=None):
+        """The steps of yosys up to the circuit of the proof, or of its control: with the file in which
+        a bug is planted, and without lemmas. Raises ProofError."""
+        needed, harness = self.sources_of(one)
+        lemmas = [] if planted else one.lemmas.split()
+        if planted:
+            needed[one.file] = planted
         folders = "".join(f"-I {folder} " for folder in self.sources.includes)
         values = "".join(f" -chparam {word.replace('=', ' ')}" for word in one.parameters.split())
 
@@ -176,100 +178,66 @@ class Proofs:
             "opt -fast -nodffe -nosdff",
             "abc -g AND -fast",
             "opt_clean",
-            f"write_aiger -I -B -zinit {circuit}",
         ]
+
+    def prover(self, one, what):
+        """The steps of ABC on a circuit that has been read."""
+        clocks = SEARCH if what == CONTROL else BASE
+        steps = (f"pdr -T {self.limit}" if one.method == PDR else
+                 f"bmc3 -F {clocks} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
+        return f"fold; strash; {steps}"
 
     def key(self, one):
         """Changes with whatever a verdict depends on. Raises ProofError."""
-        needed, harness = self.files(one)
-        digest = hashlib.sha256("\n".join([
-            self.version, one.module, one.name, one.harness, one.parameters, one.method, one.lemmas,
-            one.file, one.original, one.mutant]).encode())
-        headers = sorted(self.sources.rtl.glob("*/*.vh"))
-        for path in (*needed.values(), *harness, *headers, pathlib.Path(__file__)):
-            digest.update(hashlib.sha256(path.read_bytes()).digest())
-        return digest.hexdigest()
+        needed, harness = self.sources_of(one)
+        self.mutated(one)
+        folders = tuple(self.sources.includes)
+        return digest.of(
+            self.version, one.method, str((BASE, STEPS, SEARCH)), one.file, one.original, one.mutant,
+            *self.script(one)[2:],
+            digest.tokens(tuple(map(str, needed.values())), folders, "YOSYS", "SYNTHESIS"),
+            digest.tokens(tuple(map(str, harness)), folders, "YOSYS", "FORMAL"))
 
-    def last(self, one):
-        """The newest verdict, of these sources or of others; {} if there is none."""
-        try:
-            found = json.loads((self.folder / f"{one.full_name}.json").read_text())
-        except (OSError, ValueError):
-            return {}
-        return found if isinstance(found, dict) else {}
+    def files(self, one):
+        """What ABC says of the proof and of its control. Raises ProofError."""
+        return [self.folder / f"{one.full_name}.{self.key(one)}.{what}.said"
+                for what in (PROOF, CONTROL)]
+
+    def log(self, one):
+        """What ABC says, of both, as one pattern."""
+        return f"build/formal/{one.full_name}.{self.key(one)}.*.said"
 
     def result(self, one):
         """The verdict on these sources, if there is one; else None. Raises ProofError."""
-        found = self.last(one)
-        return found if found.get("key") == self.key(one) else None
+        files = self.files(one)
+        if not all(path.is_file() for path in files):
+            return None
+        (result, clock), (control, frame) = (decided(one, path.read_text(errors="replace"))
+                                             for path in files)
+        took, control_took = (engine.seconds(path.with_suffix(".seconds")) for path in files)
+        return {"result": result, "negative_control": control, "seconds": took,
+                "control_seconds": control_took,
+                "clocks_to_counterexample": frame if control == REFUTED else None,
+                **({"broken_at_clock": clock} if result == REFUTED else {})}
 
-    def log(self, one):
-        return f"build/formal/{one.full_name}.*.log"
+    def effort(self, one):
+        """The seconds that it took with other sources."""
+        return max(map(engine.seconds, self.folder.glob(f"{one.full_name}.*.seconds")), default=0)
 
-    def run(self, one):
-        """Proves a property and refutes its planted bug. Keeps the verdict where both are clear,
-        and returns it. Raises ProofError."""
-        self.folder.mkdir(parents=True, exist_ok=True)
-        key = self.key(one)
-        needed, harness = self.files(one)
-        bug = self.mutated(one, needed[one.file])
-        work = self.folder / f"{one.full_name}.{os.getpid()}"
-        work.mkdir(exist_ok=True)
-        try:
-            start = time.monotonic()
-            result, note = self._decide(
-                one, one.lemmas.split(), needed, harness, work, "proof")
-            middle = time.monotonic()
-            changed = work / f"{one.file}.v"
-            changed.write_text(bug)
-            control, frame = self._decide(
-                one, [], {**needed, one.file: changed}, harness, work, "control")
-        finally:
-            shutil.rmtree(work, ignore_errors=True)
-        verdict = {
-            "key": key, "result": result, "negative_control": control,
-            "seconds": round(middle - start, 1),
-            "control_seconds": round(time.monotonic() - middle, 1),
-            "clocks_to_counterexample": frame if control == REFUTED else None,
-        }
-        if result == REFUTED:
-            verdict["broken_at_clock"] = note
-        if UNDECIDED not in (result, control):
-            write(self.folder / f"{one.full_name}.json", json.dumps(verdict) + "\n")
-        return verdict
 
-    def _decide(self, one, lemmas, needed, harness, work, what):
-        """(verdict, the clock of the counterexample or None)."""
-        log = self.folder / f"{one.full_name}.{what}.log"
-        circuit = work / f"{what}.aig"
-        steps = "; ".join(self.script(one, lemmas, needed, harness, circuit))
-        with open(log, "w", encoding="utf-8") as out:
-            status = self.processes.call([self.yosys, "-Q", "-T", "-p", steps], out)
-            if status != 0:
-                raise ProofError(f"{what}: {self._complaint(log, status)}")
-            out.flush()
-            clocks = SEARCH if what == "control" else BASE
-            steps = (f"pdr -T {self.limit}" if one.method == PDR else
-                     f"bmc3 -F {clocks} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
-            self.processes.call([self.abc, "-c", f"read_aiger {circuit}; fold; strash; {steps}"], out)
-        text = log.read_text(errors="replace")
-        broken = re.search(r"was asserted in frame (\d+)", text)
-        if broken:
-            return REFUTED, int(broken.group(1))
-        proved = ("Property proved." in text if one.method == PDR else
-                  f"No output asserted in {BASE} frames" in text
-                  and "Networks are equivalent" in text)
-        return (PROVED if proved else UNDECIDED), None
+def decided(one, said):
+    """(verdict, the clock of the counterexample or None) of what ABC said."""
+    broken = re.search(r"was asserted in frame (\d+)", said)
+    if broken:
+        return REFUTED, int(broken.group(1))
+    proved = ("Property proved." in said if one.method == PDR else
+              f"No output asserted in {BASE} frames" in said
+              and "Networks are equivalent" in said)
+    return (PROVED if proved else UNDECIDED), None
 
-    @staticmethod
-    def _complaint(log, status):
-        text = log.read_text(errors="replace")
-        errors = re.findall(r"^(?:[^ ]+: )?ERROR: (.*)$", text, re.MULTILINE)
-        if not errors:
-            return f"yosys ended with status {status}"
-        if "Assertion failed" in errors[0] or "select" in errors[0]:
-            return "the harness has not exactly one assertion of this name"
-        if "problems in 'check" in errors[0]:
-            found = re.findall(r"^Warning: (.*)$", text, re.MULTILINE)
-            return found[-1].rstrip(":.") if found else errors[0]
-        return errors[0]
+
+def in_words(complaint):
+    """What yosys says where it looks for the one assertion of a property, in the words of the table."""
+    if "Assertion failed" in complaint or "select" in complaint:
+        return "the harness has not exactly one assertion of this name"
+    return complaint

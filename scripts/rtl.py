@@ -70,7 +70,7 @@ class Sources:
         self.root = pathlib.Path(root)
         self.rtl = self.root / "rtl"
         self.files = {}  # module -> path
-        self._words = {}
+        self._words, self._needed = {}, {}
         for entry in read_file_list(self.rtl / "hwffd.f"):
             path = self.rtl / entry
             if not path.is_file():
@@ -85,6 +85,8 @@ class Sources:
 
     def needed(self, module):
         """The files that `module` needs, its own last."""
+        if module in self._needed:
+            return list(self._needed[module])
         order, seen = [], set()
 
         def visit(name):
@@ -96,7 +98,8 @@ class Sources:
                 order.append(self.files[name])
 
         visit(module)
-        return [str(path) for path in order]
+        self._needed[module] = [str(path) for path in order]
+        return list(self._needed[module])
 
     def whole(self, module):
         """The source of a module without comments, and with the lists of ports that it includes."""

@@ -3,35 +3,20 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import argparse
-import os
-import pathlib
-import sys
-
 import configurations
-import rtl
+import front
 import synthesis
 
 
-class Request(Exception):
-    """A request that makes no sense, in one line."""
-
-
-class Parser(argparse.ArgumentParser):
-    """Options that choose rows; complains in one line."""
+class Parser(front.Parser):
+    """Options that choose rows."""
 
     def __init__(self, **more):
         super().__init__(**more)
-        self.add_argument("--root", type=pathlib.Path, default=rtl.ROOT, help="checkout to look at")
         self.add_argument("--target", help=", ".join(synthesis.TARGETS))
         self.add_argument("--org", help="rows of this organization only; unit: binary32 units")
         self.add_argument("--n", help="rows of so many units only")
         self.add_argument("--format", help="rows of this format only")
-        self.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
-
-    def error(self, message):
-        print(f"{self.prog}: {message}", file=sys.stderr)
-        sys.exit(2)
 
 
 def columns(options):
@@ -45,9 +30,9 @@ def columns(options):
 
 
 def chosen(found, name, options):
-    """The subjects asked for, of the set `name`. Raises Request."""
+    """The subjects asked for, of the set `name`. Raises front.Request."""
     if name not in synthesis.SETS:
-        raise Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
+        raise front.Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
     left = synthesis.of_set(found, name)
     for word, (value, column) in columns(options).items():
         if value is None:
@@ -56,12 +41,12 @@ def chosen(found, name, options):
         if word == "TARGET":
             values = list(synthesis.TARGETS)
         if value not in values:
-            raise Request(f"unknown {word} '{value}': one of {', '.join(values)}")
+            raise front.Request(f"unknown {word} '{value}': one of {', '.join(values)}")
         left = [subject for subject in left if column(subject) == value]
     if not left:
         asked = ", ".join(f"{word}={value}" for word, (value, _) in columns(options).items()
                           if value)
-        raise Request(f"no row is mapped for {asked} in the set '{name}'")
+        raise front.Request(f"no row is mapped for {asked} in the set '{name}'")
     return left
 
 

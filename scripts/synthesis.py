@@ -1,24 +1,21 @@
-"""What `make synth` maps, how one row is run, and how long its result stays good.
+"""What `make synth` maps: the rows, the steps of yosys for each, and what its result depends on.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import hashlib
 import json
 import os
 import pathlib
-import re
 import shutil
-import time
 from dataclasses import dataclass
 
 import configurations
+import digest
+import engine
 import liberty
 import mapped
-import pool
 import rtl
 import timing
-from processes import Processes
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 TARGETS = mapped.TARGETS
@@ -36,10 +33,10 @@ UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do.
 ABSORBING = (*ICE40, "xilinx7")
-
-
-class SynthesisError(Exception):
-    """A row that could not be mapped, in one line."""
+# Of standard cells: gates and flip-flops become cells of the library.
+CELL_STEPS = (f"read_liberty -lib {liberty.PATH}", f"dfflibmap -liberty {liberty.PATH}",
+              f"abc -liberty {liberty.PATH} -constr synth/osu018.constr -script synth/osu018.abc",
+              "opt_clean -purge")
 
 
 @dataclass(frozen=True)
@@ -74,6 +71,9 @@ class Subject:
 
     def __str__(self):
         return f"{self.row.name}, {self.top}, {self.target}"
+
+    def __hash__(self):
+        return hash(self.name)
 
     @property
     def fixed(self):
@@ -147,167 +147,99 @@ def of_set(found, name):
                 and (s.target == "ecp5" or s.row.tier == "sim"))]
 
 
-def missing(wanted):
-    """What the chosen subjects lack on this machine, in one line; None if nothing."""
+def require(wanted):
+    """Raises EngineError where this machine lacks what the chosen subjects need."""
     if not shutil.which("yosys"):
-        return "yosys not found: run scripts/install"
+        raise engine.EngineError("yosys not found: run scripts/install")
     if not any(subject.target == CELLS for subject in wanted):
-        return None
+        return
     if not shutil.which(timing.PROGRAM):
-        return (f"{timing.PROGRAM} not found: install Debian's {timing.PACKAGE}, or choose another "
-                "TARGET=")
-    try:
-        liberty.path()
-    except liberty.LibertyError as error:
-        return str(error)
-    return None
+        raise engine.EngineError(f"{timing.PROGRAM} not found: install Debian's {timing.PACKAGE}, or "
+                                 "choose another TARGET=")
+    liberty.path()
 
 
 class Synthesis:
-    """Runs subjects of one checkout; results lie in build/synth/, one file each."""
+    """The subjects of one checkout. Results lie in build/synth/; the name of each has its key, so
+    that one that is there is good."""
 
-    def __init__(self, root, yosys="yosys"):
-        self.root, self.yosys = pathlib.Path(root), yosys
+    def __init__(self, root):
+        self.root = pathlib.Path(root)
         self.folder = self.root / "build" / "synth"
         self.sources = rtl.Sources(self.root)
-        self.version = rtl.run([yosys, "-V"])[1].strip()
+        self.version = rtl.run(["yosys", "-V"])[1].strip()
         self.sta_version = rtl.run([timing.PROGRAM, "-version"])[1].strip() if shutil.which(
             timing.PROGRAM) else ""
-        self.processes = Processes(self.root)
-        self._texts = {}
+        self._keys = {}
 
-    def script(self, subject):
-        """The steps of yosys, with files named from the root. They end before the netlist."""
-        files = [os.path.relpath(path, self.root) for path in self.sources.needed(subject.top)]
-        folders = [os.path.relpath(path, self.root) for path in self.sources.includes]
+    def read(self, top):
+        """The step that reads a module and all that it needs."""
+        files, folders = ([os.path.relpath(path, self.root) for path in paths]
+                          for paths in (self.sources.needed(top), self.sources.includes))
+        return "read_verilog " + "".join(f"-I {folder} " for folder in folders) + " ".join(files)
+
+    @staticmethod
+    def _steps(subject):
+        """What follows, up to the netlist."""
         parameters = "".join(
             f" -chparam {name} {value}" for name, value in subject.row.parameters.items())
         kept = " ".join(f"*{unit}" for unit in UNITS)
         return [
-            "read_verilog " + "".join(f"-I {folder} " for folder in folders) + " ".join(files),
             f"hierarchy -check -top {subject.top}{parameters}",
             *([] if subject.flat else [f"setattr -mod -set keep_hierarchy 1 {kept}"]),
             "script synth/prepare.ys",
             f"script synth/{subject.target}.ys",
-            *(self._cells() if subject.target == CELLS else []),
+            *(CELL_STEPS if subject.target == CELLS else []),
             "script synth/verify.ys",
         ]
 
-    @staticmethod
-    def _cells():
-        """Gates and flip-flops become cells of the library."""
-        return [f"read_liberty -lib {liberty.PATH}", f"dfflibmap -liberty {liberty.PATH}",
-                f"abc -liberty {liberty.PATH} -constr synth/osu018.constr "
-                "-script synth/osu018.abc",
-                "opt_clean -purge"]
+    def script(self, subject):
+        """The steps of yosys, with files named from the root. They end before the netlist."""
+        return [self.read(subject.top), *self._steps(subject)]
 
-    def _text(self, path):
-        if path not in self._texts:
-            self._texts[path] = pathlib.Path(path).read_bytes()
-        return self._texts[path]
+    def design(self, top, steps):
+        """The key of a netlist: of yosys, of the sources below its top, and of the steps that follow
+        with the scripts that they name."""
+        scripts = [self.root / step.split()[1] for step in steps if step.startswith("script ")]
+        return digest.of(self.version, *steps, digest.lines(*scripts), digest.tokens(
+            tuple(self.sources.needed(top)), tuple(self.sources.includes), "YOSYS", "SYNTHESIS"))
+
+    def netlist_key(self, subject):
+        return self.design(subject.top, self._steps(subject))
 
     def key(self, subject):
-        """Changes with whatever the result depends on: yosys, steps, sources, headers, counting."""
-        steps = self.script(subject)
-        paths = [self.root / path for step in steps if step.startswith("script ")
-                 for path in step.split()[1:]]
-        paths += [pathlib.Path(path) for path in self.sources.needed(subject.top)]
-        paths += sorted(self.sources.rtl.glob("*/*.vh"))
-        paths.append(pathlib.Path(mapped.__file__))
-        if subject.target == CELLS:
-            paths += sorted((self.root / "synth").glob(f"{CELLS}.*"))
-            paths += [liberty.PATH, *(pathlib.Path(m.__file__) for m in (liberty, timing))]
-            steps.append(self.sta_version)
-        digest = hashlib.sha256("\n".join([self.version, *steps]).encode())
-        for path in paths:
-            digest.update(hashlib.sha256(self._text(path)).digest())
-        return digest.hexdigest()
+        """Of a result: of its netlist and of what counts it."""
+        if subject not in self._keys:
+            parts = [self.netlist_key(subject), digest.statements(mapped)]
+            if subject.target == CELLS:
+                texts = [path for path in (liberty.PATH, *sorted((self.root / "synth").glob(
+                    f"{CELLS}.[!y]*"))) if path.is_file()]
+                parts += [self.sta_version, digest.lines(*texts),
+                          digest.statements(liberty, timing)]
+            self._keys[subject] = digest.of(*parts)
+        return self._keys[subject]
 
-    def _file(self, subject, suffix):
-        return self.folder / f"{subject.name}.{suffix}"
-
-    def log(self, subject):
-        return str(self._file(subject, "log").relative_to(self.root))
-
-    def last(self, subject):
-        """The newest result, of these sources or of others; {} if there is none."""
-        try:
-            found = json.loads(self._file(subject, "json").read_text())
-        except (OSError, ValueError):
-            return {}
-        return found if isinstance(found, dict) else {}
+    def file(self, subject):
+        return self.folder / f"{subject.name}.{self.key(subject)}.json"
 
     def result(self, subject):
         """The counts, if these sources have been mapped; else None."""
-        if subject.target == CELLS and not liberty.PATH.is_file():
+        try:
+            return json.loads(self.file(subject).read_text())
+        except FileNotFoundError:
             return None
-        found = self.last(subject)
-        return found if found.get("key") == self.key(subject) else None
 
-    def run(self, subject):
-        """Maps a subject, keeps its result and returns it. Raises SynthesisError."""
-        self.folder.mkdir(parents=True, exist_ok=True)
-        key, start = self.key(subject), time.monotonic()
-        netlist = self._file(subject, "netlist")
-        try:
-            steps = [*self.script(subject), f"json -o {os.path.relpath(netlist, self.root)} *"]
-            status = self._call(steps, self._file(subject, "log"))
-            if status != 0:
-                raise SynthesisError(self._complaint(subject, status))
-            try:
-                text = json.loads(netlist.read_text())
-                counts = mapped.count(subject.target, text, subject.top)
-                counts["depth"] = mapped.depth(subject.target, text, subject.top)
-                counts["kinds"] = mapped.kinds(text, subject.top)
-                if subject.target == CELLS:
-                    counts.update(self._time(subject, text))
-            except (OSError, ValueError, KeyError, mapped.NetlistError,
-                    timing.TimingError) as error:
-                raise SynthesisError(str(error)) from error
-        finally:
-            netlist.unlink(missing_ok=True)
-        result = {"key": key, "seconds": round(time.monotonic() - start, 1), **counts}
-        write(self._file(subject, "json"), json.dumps(result) + "\n")
-        return result
-
-    def _call(self, steps, log):
-        with open(log, "w", encoding="utf-8") as out:
-            return self.processes.call([self.yosys, "-Q", "-T", "-p", "; ".join(steps)], out)
-
-    def _time(self, subject, netlist):
-        """Clock and power of a netlist of standard cells. Raises TimingError."""
-        text, steps, log = (self._file(subject, suffix) for suffix in ("v", "tcl", "sta"))
-        try:
-            text.write_text(timing.verilog(netlist, subject.top))
-            steps.write_text(timing.script(text, subject.top, self.root / f"synth/{CELLS}.tcl"))
-            with open(log, "w", encoding="utf-8") as out:
-                self.processes.call([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(steps)],
-                                    out)
-            return timing.parse(log.read_text(errors="replace"))
-        finally:
-            for path in (text, steps):
-                path.unlink(missing_ok=True)
-
-    def _complaint(self, subject, status):
-        text = self._file(subject, "log").read_text(errors="replace")
-        errors = re.findall(r"^(?:[^ ]+: )?ERROR: (.*)$", text, re.MULTILINE)
-        warnings = re.findall(r"^Warning: (.*)$", text, re.MULTILINE)
-        if not errors:
-            return f"yosys ended with status {status}"
-        if "problems in 'check" in errors[0]:  # it has warned of each; the worst first
-            for problem in ("multiple conflicting drivers", "has no driver", "logic loop"):
-                for warning in warnings:
-                    if problem in warning:
-                        return warning.rstrip(":.")
-        return errors[0]
+    def effort(self, subject):
+        """The seconds that it took with other sources, or a guess."""
+        times = [json.loads(path.read_text())["seconds"]
+                 for path in self.folder.glob(f"{subject.name}.*.json")]
+        return times[-1] if times else subject.effort
 
 
-def run_all(work, wanted, jobs):
-    """Maps what has no result yet, the longest first: [(subject, complaint)]."""
-    waiting = [subject for subject in wanted if work.result(subject) is None]
-    waiting.sort(key=lambda s: work.last(s).get("seconds", s.effort), reverse=True)
-    print(f"synth: {len(wanted)} rows, {len(wanted) - len(waiting)} of them unchanged", flush=True)
-    return pool.complaints(work.run, waiting, jobs, work.processes, (SynthesisError, OSError))
+def run(work, wanted, jobs):
+    """Maps what has no result yet: [(subject, complaint)]."""
+    files = {subject: [work.file(subject)] for subject in wanted}
+    return list(engine.run(work.root, "synth", files, jobs).items())
 
 
 def write(path, text):

@@ -152,7 +152,7 @@ def main():
     except TidyError as error:
         print(f"tidy: {error}", file=sys.stderr)
         return 1
-    pool.run(Check.run, found, options.jobs, None, Check.end, lambda check: check.file.name)
+    pool.run(Check.run, found, options.jobs, Check.end, lambda check: check.file.name)
     findings = sorted({line for check in found for line in check.findings})
     findings += [f"{check.file}: left out: {check.left_out}" for check in found if check.left_out]
     for line in findings:

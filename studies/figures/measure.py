@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
+import signal
 import subprocess
 import sys
 
@@ -45,13 +46,22 @@ def _sources(root, name):
         return None
 
 
+def _ended(command):
+    """Its exit status. An interrupt is the command's to answer, which has its own order to restore: a
+    terminal interrupts both, what ends this program is passed on, and then the command is awaited."""
+    with subprocess.Popen(command) as process:
+        signal.signal(signal.SIGINT, lambda *_: None)
+        signal.signal(signal.SIGTERM, lambda *_: process.terminate())
+        return process.wait()
+
+
 def run(root, names, command):
     """Runs a command that measures; (its exit status, reports that it wrote). What it wrote is
     finished, and stamped with the sources as they were before if it ended well.
     """
     fresh = Reports(root, FRESH)
     before = {name: (_written(fresh.path(name)), _sources(root, name)) for name in names}
-    status = subprocess.run(command, check=False).returncode
+    status = _ended(command)
     status = status if status >= 0 else 128 - status  # as a shell has it
     changed = []
     for name, (written, sources) in before.items():

@@ -118,12 +118,15 @@ class Verdicts(Checkout):
                          [(name, "proved", "refuted") for name in ("bound", "narrow", "loose")])
         self.assertIn("3 of 3 properties", (self.root / "build/reports/formal.md").read_text())
         self.assertIn("formal: 3 properties, 3 of them unchanged", self.formal()[1])
-        for name, text in (("rtl/stream/ffd_stream_count.v", COUNTER + "\n"),
-                           ("tests/formal/formal_count.v", HARNESS + "\n")):
+        for name, text, unchanged in (
+                ("rtl/stream/ffd_stream_count.v", COUNTER + "// a comment\n", 1),
+                ("rtl/stream/ffd_stream_count.v", COUNTER + "`default_nettype wire\n", 0),
+                ("tests/formal/formal_count.v", HARNESS + "`default_nettype wire\n", 0)):
             self.put(name, text)
-            self.assertIn("formal: 1 properties, 0 of them unchanged",
+            self.assertIn(f"formal: 1 properties, {unchanged} of them unchanged",
                           self.formal("--only", "*.bound")[1])
-        self.assertEqual(list((self.root / "build/formal").glob("*/")), [])
+        left = {path.suffix for path in (self.root / "build/formal").iterdir()}
+        self.assertEqual(left, {".said", ".seconds", ".log"})
 
     def test_wrong_property_is_refuted(self):
         self.table(row(parameters="MOST=12"))

@@ -20,6 +20,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 import configurations  # noqa: E402
 import liberty  # noqa: E402
+import selection  # noqa: E402
 import synthesis  # noqa: E402
 import timing  # noqa: E402
 
@@ -48,7 +49,6 @@ FAULTS = {
     "no driver": ("  wire [3:0] w;\n  always @(posedge clk) q_o <= w;", "no driver"),
     "loop": ("  wire [3:0] w = w[2:0] ^ d_i ^ (w >> 1);\n  always @(posedge clk) q_o <= w;",
              "loop"),
-    "not Verilog": ("  always @(posedge clk) q_o <= ;", "syntax"),
     "foreign cell": ("  wire z;\n  DCCA u_gate (.CLKI(clk), .CE(d_i[0]), .CLKO(z));\n"
                      "  always @(posedge z) q_o <= d_i;", "DCCA"),
 }
@@ -74,6 +74,14 @@ cells = {{"a": {{"type": "$_NOT_", "parameters": {{}}, "port_directions": {{"A":
 open(re.search(r"json -o (\\S+)", script).group(1), "w").write(json.dumps({{"modules": {{
     re.search(r"-top (\\w+)", script).group(1): {{"ports": {{}}, "netnames": {{}},
         "cells": cells if "generic" in script else {{}}}}}}}}))
+"""
+LIST = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import pathlib, selection, synthesis
+root = pathlib.Path(sys.argv[2])
+work = synthesis.Synthesis(root)
+print(*(work.file(subject).name for subject in selection.subjects(root)))
 """
 STAND_IN_STA = """\
 #!/bin/sh
@@ -155,8 +163,8 @@ class Checkout(unittest.TestCase):
 class Yosys(Checkout):
     def test_counts_of_a_good_row(self):
         targets = ["generic", "ecp5", "xilinx7", *(["osu018"] if HAS_CELLS else [])]
-        for target in targets:
-            status, lines, errors = self.synth("--org", "tree", "--target", target)
+        for words in ((),) if HAS_CELLS else [("--target", target) for target in targets]:
+            status, lines, errors = self.synth("--org", "tree", *words)
             self.assertEqual((status, errors), (0, []), lines)
         rows = {row["target"]: row for row in self.report()["rows"]}
         self.assertEqual(list(rows), targets)
@@ -183,34 +191,41 @@ class Yosys(Checkout):
             self.assertEqual((row["name"], row["org"], row["n"], row["format"], row["schedule"]),
                              ("tree2-fx18-overlapped", "tree", 2, "fx18", "overlapped"))
             self.assertIn(row["depth"], range(1, 5))
+        self.assertEqual(self.drafts(), [])
 
-    def test_faults_are_refused(self):
-        caught = 0
-        for what, (body, word) in FAULTS.items():
+    def test_bad_rows_are_refused_and_leave_the_others(self):
+        """Each fault is in a tree of another size."""
+        sizes = dict(zip(FAULTS, (2, 4, 8, 16, 32)))
+        tree = next(line for line in TABLE.splitlines() if line.startswith("tree2"))
+        self.put("rtl/configurations.csv", TABLE.replace(tree, "\n".join(
+            tree.replace("tree2", f"tree{n}").replace(",2,fx18", f",{n},fx18")
+            for n in sizes.values())))
+        self.module("  generate\n" + "\n".join(
+            f"  if (N == {sizes[what]}) begin : gen_fault\n{body}\n  end else"
+            for what, (body, _) in FAULTS.items()) + " begin : gen_good\n" + GOOD
+            + "\n  end endgenerate")
+        status, _, errors = self.synth("--target", "ecp5", "--format", "fx18")
+        self.assertEqual((status, len(errors)), (1, len(FAULTS)), errors)
+        for what, (_, word) in FAULTS.items():
             with self.subTest(what):
-                self.module(body)
-                status, _, errors = self.synth("--target", "ecp5", "--org", "tree")
-                self.assertEqual((status, len(errors)), (1, 1), errors)
-                self.assertTrue(errors[0].startswith(
-                    "synth: tree2-fx18-overlapped, ffd_org_select, ecp5: "), errors)
-                self.assertIn(word, errors[0].lower() if word.islower() else errors[0])
-                log = errors[0].split(": see ")[1]
-                self.assertTrue((self.root / log).is_file(), log)
-                report = self.report()
-                self.assertEqual((len(report["failed"]), report["rows"]), (1, []))
-                caught += 1
-        print(f"synth: {caught} of {len(FAULTS)} planted faults refused")
-
-    def test_one_bad_row_leaves_the_others(self):
-        self.module("  generate if (N == 2) begin : gen_latch\n  always @* if (clk) q_o = d_i;\n"
-                    "  end else begin : gen_good\n" + GOOD + "\n  end endgenerate")
-        status, _, errors = self.synth("--target", "generic")
-        self.assertEqual((status, len(errors)), (1, 1), errors)
-        self.assertEqual([row["name"] for row in self.report()["rows"]], [
-            "basic-fx18-overlapped", "basic-fp32-overlapped", "basic-fx18-overlapped-bspline"])
+                begin = f"synth: tree{sizes[what]}-fx18-overlapped, ffd_org_select, ecp5: "
+                line, = (line for line in errors if line.startswith(begin))
+                self.assertIn(word, line.lower() if word.islower() else line)
+                self.assertTrue((self.root / line.split(": see ")[1]).is_file(), line)
+        report = self.report()
+        self.assertEqual(len(report["failed"]), len(FAULTS))
+        self.assertEqual([row["name"] for row in report["rows"]],
+                         ["basic-fx18-overlapped", "basic-fx18-overlapped-bspline"])
         self.assertIn("Failed: tree2-fx18-overlapped",
                       (self.root / "build/reports/synth.md").read_text())
         self.assertEqual(self.drafts(), [])
+        print(f"synth: {len(errors)} of {len(FAULTS)} planted faults refused")
+
+    def test_what_is_no_verilog_is_refused(self):
+        self.module("  always @(posedge clk) q_o <= ;")
+        status, _, errors = self.synth("--target", "ecp5", "--org", "tree")
+        self.assertEqual((status, len(errors)), (1, 1), errors)
+        self.assertIn("syntax", errors[0])
 
 
 class Bookkeeping(Checkout):
@@ -218,43 +233,51 @@ class Bookkeeping(Checkout):
         super().setUp()
         self.stand_in()
 
-    def test_only_what_changed_runs_again(self):
-        def again():
-            self.assertEqual(self.synth()[0], 0)
-            return len(self.ran())
+    def keys(self):
+        """The results that are wanted of the tree as it is."""
+        command, how = self.command()
+        done = subprocess.run([sys.executable, "-B", "-c", LIST, str(ROOT / "scripts"),
+                               str(self.root)], check=True, **how)
+        return set(done.stdout.split())
 
-        everything = again()
-        self.assertEqual(everything, 4 * 4 + 2 + 8)  # with two units on two targets
-        self.assertEqual(again(), 0)
-        source = self.root / "rtl/evaluator/ffd_org_select.v"
-        changes = {
-            "header": lambda: self.put("rtl/number/ffd_num.vh", "`define ONE 4'd2\n"),
-            "checks": lambda: self.put("synth/verify.ys", "check -assert\n"),
-            "version": lambda: self.put("version", "Yosys 2"),
-        }
-        for what, change in changes.items():
-            with self.subTest(what):
-                change()
-                self.assertEqual(again(), everything)
-                self.assertEqual(again(), 0)
-        for name, text, count in (
-                ("rtl/evaluator/ffd_fp_add.v", MODULE.format(
-                    name="ffd_fp_add", parameters="LATENCY = 2", body=GOOD), 4),
-                ("synth/up5k.ys", "synth_ice40\n", 2), ("synth/osu018.tcl", "report_checks\n", 8),
-                ("cells.lib", "cell (INV) {\n  area : 8;\n}\n", 8), ("sta_version", "2.1", 8),
-                ("rtl/configurations.csv", TABLE.replace("tree,2,", "tree,4,"), 4)):
-            with self.subTest(name):
+    def test_only_what_changed_runs_again(self):
+        everything = 4 * 4 + 2 + 8  # with two units on two targets
+        for count in (everything, 0):
+            self.assertEqual(self.synth()[0], 0)
+            self.assertEqual(len(self.ran()), count)
+        select, adder = (f"rtl/evaluator/{name}.v" for name in ("ffd_org_select", "ffd_fp_add"))
+        before = self.keys()
+        for name, old, new, count in (
+                ("rtl/number/ffd_num.vh", "4'd1", "4'd2", everything),
+                ("synth/verify.ys", "-noinit", "", everything),
+                ("version", "1", "2", everything), (adder, "LATENCY = 1", "LATENCY = 2", 4),
+                ("synth/up5k.ys", "-dsp", "", 2), ("synth/osu018.tcl", "report_checks", "report", 8),
+                ("cells.lib", "16", "8", 8), ("sta_version", "2.0", "2.1", 8),
+                ("rtl/configurations.csv", "tree,2,", "tree,4,", 4),
+                (select, GOOD, GOOD.replace("+", "-"), everything - 8),
+                ("rtl/evaluator/ffd_org_other.v", "[3:0]", "[4:0]", 0),
+                (select, "  input ", "  // a comment\n\n  /* and */   input  ", 0),
+                (select, "module", "`include \"moved.vh\"\nmodule", 0),
+                ("synth/verify.ys", "hierarchy", "# a comment\n\nhierarchy", 0)):
+            with self.subTest(name, new=new):
+                self.put("rtl/number/moved.vh", "// nothing\n")
+                text = (self.root / name).read_text()
+                self.assertIn(old, text)
+                self.put(name, text.replace(old, new, 1))
+                after = self.keys()
                 self.put(name, text)
-                self.assertEqual(again(), count)
-        self.module(GOOD + " ")
-        self.assertEqual(again(), everything - 8)
-        self.put("rtl/evaluator/ffd_org_other.v", "module ffd_org_other; endmodule\n")
-        source.touch()
-        self.assertEqual(again(), 0)
+                self.assertEqual(len(after - before), count)
+        text = (self.root / select).read_text()
+        head, tail = text.split(GOOD)
+        self.put("rtl/number/moved.vh", GOOD)
+        self.put(select, head + "`include \"moved.vh\"" + tail)
+        self.assertEqual(self.keys(), before)
+        self.assertEqual(self.synth()[0], 0)
+        self.assertEqual(self.ran(), [])
 
     def test_stale_results_are_not_reported(self):
         self.synth()
-        self.module(GOOD + " ")
+        self.module(GOOD.replace("+", "-"))
         self.assertEqual(self.synth("--org", "tree")[0], 0)
         report = self.report()
         self.assertEqual({row["org"] for row in report["rows"]}, {"tree", "unit"})
@@ -263,15 +286,19 @@ class Bookkeeping(Checkout):
                       (self.root / "build/reports/synth.md").read_text())
 
     def test_selection(self):
+        found = selection.subjects(self.root)
         for words, count in ((("--target", "up5k"), 2),
                              (("--org", "tree"), 4), (("--n", "2"), 4), (("--org", "unit"), 8),
-                             (("--format", "fp32"), 4), (("--set", "ci"), 7),
+                             (("--format", "fp32"), 12), (("--set", "ci"), 7),
                              (("--set", "ci", "--target", "generic"), 1),
-                             (("--set", "baseline", "--target", "osu018"), 1)):
+                             (("--set", "baseline", "--target", "osu018"), 5)):
             with self.subTest(words):
-                self.module(GOOD + f" // {words}")
-                self.assertEqual(self.synth(*words)[0], 0)
-                self.assertEqual(len(self.ran()), count)
+                parser = selection.Parser()
+                parser.add_argument("--set", default="all")
+                options = parser.parse_args(words)
+                self.assertEqual(len(selection.chosen(found, options.set, options)), count)
+        self.assertEqual(self.synth("--set", "ci", "--target", "generic")[0], 0)
+        self.assertEqual(len(self.ran()), 1)
 
     def test_bad_requests(self):
         for words, message in (
@@ -301,7 +328,6 @@ class Bookkeeping(Checkout):
         status, _, errors = self.synth("--target", "osu018", "--org", "tree")
         self.assertEqual((status, len(errors)), (1, 1), errors)
         self.assertIn("OpenSTA: Error: v, line 1", errors[0])
-        self.assertEqual(self.drafts(), [])
 
     def test_missing_tools_are_one_line(self):
         """Of standard cells only where rows of them are wanted."""
@@ -324,14 +350,15 @@ class Bookkeeping(Checkout):
         self.assertEqual((status, len(errors)), (1, 1))
         self.assertIn("unknown org 'none'", errors[0])
 
-    def test_interrupted_run_keeps_what_was_finished(self):
-        self.stand_in(slow=True)
+    def test_interrupted_run_goes_on_where_it_stopped(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
-                self.module(GOOD + f" // {number}")
+                self.stand_in(slow=True)
+                self.module(GOOD.replace("+", f"+ {int(number)} +"))
+                shutil.rmtree(self.root / "build", ignore_errors=True)
                 command, how = self.command("--target", "generic", "-j", "2")
                 process = subprocess.Popen(command, **how)
-                deadline = time.monotonic() + 30
+                deadline = time.monotonic() + 60
                 while time.monotonic() < deadline and len(self.kept()) < 3:
                     time.sleep(0.1)
                 time.sleep(0.3)
@@ -341,7 +368,10 @@ class Bookkeeping(Checkout):
                 self.assertEqual(errors.count("\n"), 1, errors)
                 self.assertEqual(len(self.kept()), 3)
                 self.assertEqual(self.drafts(), [])
-                shutil.rmtree(self.root / "build")
+                self.ran()
+                self.stand_in()
+                self.assertEqual(self.synth("--target", "generic")[0], 0)
+                self.assertEqual((len(self.ran()), len(self.kept())), (1, 4))
 
     def kept(self):
         return list((self.root / "build/synth").glob("*.json"))

@@ -1,0 +1,47 @@
+"""How a command that runs long begins and ends: its options, its complaint of one line, its status.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import os
+import pathlib
+import signal
+import sys
+
+import rtl
+
+
+class Request(Exception):
+    """A request that makes no sense, in one line."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Complains in one line."""
+
+    def __init__(self, **more):
+        super().__init__(**more)
+        self.add_argument("--root", type=pathlib.Path, default=rtl.ROOT, help="checkout to look at")
+        self.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
+
+    def error(self, message):
+        print(f"{self.prog}: {message}", file=sys.stderr)
+        sys.exit(2)
+
+
+def run(parser, work, faults):
+    """work(options, root) and its exit status; 1 where it raises one of `faults`, 2 where the request
+    makes no sense, 130 where it was interrupted: what had been made by then is kept."""
+    options = parser.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        return work(options, options.root.resolve())
+    except Request as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return 2
+    except (*faults, OSError) as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print(f"{parser.prog}: interrupted; what had been finished is kept", file=sys.stderr)
+        return 130
