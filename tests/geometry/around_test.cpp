@@ -54,7 +54,10 @@ TEST(Around, EveryShapeIsRegisteredWhole) {
     for (int a = 0; a < 3; ++a) EXPECT_GE(shape.several[a], shape.usual[a]) << shape.name;
   }
   EXPECT_EQ(find_shape("torus of nothing"), nullptr);
-  EXPECT_EQ(shape_list(" or ").find(", sphere"), std::string::npos);
+  EXPECT_EQ(shape_list().rfind("box, cylinder, sphere", 0), 0u);
+  const std::string last = shape_names().back();
+  EXPECT_NE(shape_list(" or ").find(" or " + last), std::string::npos);
+  EXPECT_EQ(shape_list(" or ").find(", " + last), std::string::npos);
 }
 
 TEST(Around, LeavesNoMoreRoomThanIsSaid) {
