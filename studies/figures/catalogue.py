@@ -75,6 +75,19 @@ CHARTS = {
 JOINED = ("results", "rtl", "project")
 
 
+def printed(reports, name):
+    """What the command of a report prints: its module says so, or has one table."""
+    found = module(name)
+    if hasattr(found, "printed"):
+        return found.printed(reports)
+    return "\n".join(table(reports).text() for table in found.TABLES.values())
+
+
+def missing(reports, name):
+    """What a report lacks that shall be committed, '' if nothing."""
+    return getattr(module(name), "missing", lambda _: "")(reports)
+
+
 def module(name):
     """The module of a report, with its TABLES and FIGURES; None if it has none."""
     if name not in REPORTS and name not in JOINED:

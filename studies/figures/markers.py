@@ -20,7 +20,7 @@ import textwrap
 from figures import expressions
 from figures.catalogue import module
 from figures.reports import Missing, RequestError
-from figures.table import Table
+from figures.table import Table, cell
 
 _BLOCK = re.compile(r"^(?P<open><!-- figures: (?P<what>[^\n]*?)(?P<lines>\n(?:[^\n]*\n)*?)?"
                     r"(?(lines)-->| -->))\n(?P<inside>(?:(?!<!--)[^\n]*\n)*?)"
@@ -60,9 +60,8 @@ def rows_table(reports, report, words, lines):
 
 
 def _cell(reports, row, what):
-    field, _, form = what.partition(":")
-    if field in row:
-        return expressions.shown(row[field], form)
+    if what.strip("`").partition(":")[0] in row:
+        return cell(row, what)
     try:
         return expressions.written(reports, what, {"name": row["name"]})
     except Missing:

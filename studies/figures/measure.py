@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 from figures import digest
-from figures.catalogue import REPORTS, module
+from figures.catalogue import REPORTS, missing, module, printed
 from figures.reports import COMMITTED, FRESH, Reports, RequestError
 
 STAMP = "measured"
@@ -103,9 +103,9 @@ def adopt(root, name):
         raise RequestError(f"{path} is not of a run that ended well: {cure}")
     if report[STAMP]["sources"] != digest.digest(root, REPORTS[name].sources):
         raise RequestError(f"{path} is older than its sources: {cure}")
-    missing = module(name).missing(fresh)
-    if missing:
-        raise RequestError(f"{path} is not whole: {missing}: {cure}")
+    absent = missing(fresh, name)
+    if absent:
+        raise RequestError(f"{path} is not whole: {absent}: {cure}")
     kept = Reports(root, COMMITTED).path(name)
     kept.parent.mkdir(parents=True, exist_ok=True)
     kept.write_text(committed_form(stamped(report, name, report[STAMP]["sources"]), name),
@@ -117,5 +117,5 @@ def show(root, names):
     """Prints fresh reports as tables."""
     fresh = Reports(root, FRESH)
     for name in names:
-        sys.stdout.write(module(name).printed(fresh).rstrip("\n") + "\n\n")
+        sys.stdout.write(printed(fresh, name).rstrip("\n") + "\n\n")
     sys.stdout.flush()

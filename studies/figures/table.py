@@ -6,6 +6,9 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from dataclasses import dataclass
 
+from figures.expressions import shown
+from figures.reports import lookup
+
 _NUMBER = re.compile(r"[-+]?[\d,]*\.?\d+(?:e[-+]\d+)?(?: ?%|(?:[ /+]+| of )[\d,.]+)*")
 _NOTHING = ("", "-")
 
@@ -36,6 +39,20 @@ class Table:
         return "\n".join("  ".join(
             cell.rjust(width) if number else cell.ljust(width)
             for cell, width, number in zip(line, widths, numbers)).rstrip() for line in lines)
+
+
+def cell(row, what):
+    """A row's field:FORMAT, in backticks where they are around it. Raises KeyError."""
+    field, _, form = what.strip("`").partition(":")
+    value = shown(lookup(row, field), form)
+    return f"`{value}`" if what.startswith("`") else value
+
+
+def listing(rows, *columns):
+    """A Table of rows; each column is "heading | field:FORMAT"."""
+    parts = [column.split(" | ") for column in columns]
+    return Table([head for head, _ in parts],
+                 [[cell(row, what) for _, what in parts] for row in rows])
 
 
 @dataclass

@@ -4,7 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 from figures.expressions import shown
-from figures.table import Table
+from figures.table import Table, listing
 
 
 def errors(reports):
@@ -21,11 +21,10 @@ def errors(reports):
 
 def printed(reports):
     report = reports.get("bfp")
-    table = Table(["control points", "form", "max, ulp of the lattice", "ulp of its support",
-                   "bound", "vertices"],
-                  [[row["points"], row["form"], shown(row["max_error_ulp"], ".4f"),
-                    shown(row["max_error_ulp_of_support"], ".3f"), shown(row["bound_ulp"], ".3f"),
-                    str(row["vertices"])] for row in report["errors"]])
+    table = listing(report["errors"], "control points | points", "form | form",
+                    "max, ulp of the lattice | max_error_ulp:.4f",
+                    "ulp of its support | max_error_ulp_of_support:.3f", "bound | bound_ulp:.3f",
+                    "vertices | vertices")
     return "\n".join([table.text(), "", *(
         f"{len(one['rows'])} rows in the {one['form']} form, {one['vertices']} vertices each: "
         f"{one['mismatches']} results differ from the model's, {one['disagreements']} from those "

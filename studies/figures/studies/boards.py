@@ -3,24 +3,18 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 
 def boards(reports):
-    rows = reports.rows("boards")
-    return Table(["board", "row", "MHz, median", "MHz needed", "most used of the chip"],
-                 [[row["board"], f"`{row['row']}`", shown(row["median_mhz"], ".1f"),
-                   shown(row["clock_mhz"], "g"), _fullest(row["used"])] for row in rows])
+    return listing([{**row, "fullest": _fullest(row["used"])} for row in reports.rows("boards")],
+                   "board | board", "row | `row`", "MHz, median | median_mhz:.1f",
+                   "MHz needed | clock_mhz:g", "most used of the chip | fullest")
 
 
 def _fullest(used):
     name, (count, available) = max(used.items(), key=lambda item: item[1][0] / item[1][1])
     return f"{name}: {count:,} of {available:,}"
-
-
-def printed(reports):
-    return boards(reports).text()
 
 
 def missing(reports):

@@ -3,20 +3,15 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 
 def runs(reports):
-    return Table(["row", "deform", "checked", "mismatches", "cycles per vertex", "use of the bus"],
-                 [[f"`{row['org']}-{row['format']}-{row['schedule']}`", row["deform"],
-                   shown(row["checked"]), shown(row["mismatches"]),
-                   shown(row["clocks_per_vertex"], ".2f"), shown(row["bus_utilisation"], ".1%")]
-                  for row in reports.rows("dma")])
-
-
-def printed(reports):
-    return runs(reports).text()
+    rows = [{**row, "row": f"{row['org']}-{row['format']}-{row['schedule']}"}
+            for row in reports.rows("dma")]
+    return listing(rows, "row | `row`", "deform | deform", "checked | checked",
+                   "mismatches | mismatches", "cycles per vertex | clocks_per_vertex:.2f",
+                   "use of the bus | bus_utilisation:.1%")
 
 
 def missing(reports):

@@ -3,26 +3,15 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
-
-
-def _table(reports, rows):
-    return Table(["mesh", "lattice", "points", "inside", "not converged", "max residual",
-                  "Newton steps", "folds"],
-                 [[row["mesh"], row["lattice"], shown(row["points"]), shown(row["inside"]),
-                   shown(row["not_converged"]), shown(row["max_residual_relative"], ".1e"),
-                   shown(row["newton_mean_iterations"], ".2f"), row["folds"]] for row in rows])
+from figures.table import listing
 
 
 def lattices(reports, *meshes):
     """All of them, or those of some meshes."""
-    return _table(reports, [row for row in reports.rows("embed")
-                            if not meshes or row["mesh"] in meshes])
-
-
-def printed(reports):
-    return lattices(reports).text()
+    return listing([row for row in reports.rows("embed") if not meshes or row["mesh"] in meshes],
+                   "mesh | mesh", "lattice | lattice", "points | points", "inside | inside",
+                   "not converged | not_converged", "max residual | max_residual_relative:.1e",
+                   "Newton steps | newton_mean_iterations:.2f", "folds | folds")
 
 
 def missing(reports):

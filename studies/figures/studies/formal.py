@@ -4,7 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 from figures.expressions import shown
-from figures.table import Table
+from figures.table import Table, listing
 
 PROVED, REFUTED = "proved", "refuted"
 
@@ -25,13 +25,11 @@ def modules(reports):
 
 def properties(reports):
     rows = reports.rows("formal")
-    timed = any("seconds" in row for row in rows)
-    return Table(
-        ["module", "property", "parameters", "method", "result", "planted bug",
-         *(["seconds"] if timed else []), "statement"],
-        [[f"`{row['module']}`", row["name"], row["parameters"] or "-", row["method"],
-          row["result"], row["negative_control"],
-          *([shown(row["seconds"])] if timed else []), row["statement"]] for row in rows])
+    timed = ["seconds | seconds"] if any("seconds" in row for row in rows) else []
+    return listing([{**row, "parameters": row["parameters"] or "-"} for row in rows],
+                   "module | `module`", "property | name", "parameters | parameters",
+                   "method | method", "result | result", "planted bug | negative_control", *timed,
+                   "statement | statement")
 
 
 def complaint(row):

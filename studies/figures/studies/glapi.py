@@ -3,27 +3,22 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 
 def commands(reports):
     rows = reports.rows("glapi")
-    fields = ("cases", "compared", "failed")
-    lines = [[f"`{row['command']}`", *(shown(row[field]) for field in fields)] for row in rows]
-    total = ["all", *(shown(sum(row[field] for row in rows)) for field in fields)]
-    return Table(["error table of", "error cases", "compared with Mesa", "failed"],
-                 [*lines, total])
+    total = {field: sum(row[field] for row in rows) for field in ("cases", "compared", "failed")}
+    lines = [*({**row, "command": f"`{row['command']}`"} for row in rows),
+             {"command": "all", **total}]
+    return listing(lines, "error table of | command",
+                   "error cases | cases", "compared with Mesa | compared", "failed | failed")
 
 
 def printed(reports):
     report = reports.get("glapi")
     return (f"{report['calls']} calls checked by their values, {report['failed_checks']} checks "
             f"failed\n\n{commands(reports).text()}")
-
-
-def missing(reports):
-    return "" if reports.rows("glapi") else "commands"
 
 
 TABLES = {"commands": commands}

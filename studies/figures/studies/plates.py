@@ -3,18 +3,16 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 
 def plates(reports):
-    return Table(["plate", "vertices", "mismatches"],
-                 [[row["file"], shown(row["vertices"]), shown(row["mismatches"])]
-                  for row in reports.rows("plates")])
+    return listing(reports.rows("plates"), "plate | file", "vertices | vertices",
+                   "mismatches | mismatches")
 
 
-def printed(reports):
-    return plates(reports).text()
+def total(field):
+    return lambda reports: sum(row[field] for row in reports.rows("plates"))
 
 
 def missing(reports):
@@ -22,7 +20,4 @@ def missing(reports):
 
 
 TABLES = {"plates": plates}
-FIGURES = {
-    "vertices": lambda reports: sum(row["vertices"] for row in reports.rows("plates")),
-    "mismatches": lambda reports: sum(row["mismatches"] for row in reports.rows("plates")),
-}
+FIGURES = {field: total(field) for field in ("vertices", "mismatches")}

@@ -5,17 +5,14 @@ SPDX-License-Identifier: Apache-2.0
 
 import csv
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 
 def listed(_, rows):
-    return Table(
-        ["row", "module", "target", "MHz", "least", "most", "share", "to be reached", "reached"],
-        [[f"`{row['name']}`", f"`{row['top']}`", row["target"],
-          *(shown(row[field], ".1f") for field in ("fmax_mhz", "fmax_min", "fmax_max")),
-          shown(row["fmax_share"], ".2f"), _aim(row), shown(row["reached"])]
-         for row in rows])
+    return listing([{**row, "aim": _aim(row)} for row in rows], "row | `name`", "module | `top`",
+                   "target | target", "MHz | fmax_mhz:.1f", "least | fmax_min:.1f",
+                   "most | fmax_max:.1f", "share | fmax_share:.2f", "to be reached | aim",
+                   "reached | reached")
 
 
 def clocks(reports):
@@ -52,10 +49,6 @@ def document(reports):
 def _wanted(reports):
     lines = (reports.root / "synth" / "clocks.csv").read_text(encoding="utf-8").splitlines()
     return list(csv.DictReader(lines))
-
-
-def printed(reports):
-    return clocks(reports).text()
 
 
 def missing(reports):

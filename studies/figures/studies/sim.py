@@ -3,20 +3,17 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Console, Table
+from figures.table import Console, listing
 
 DEFAULT = {"model": "cat.3ds", "deform": {"twist:90", "random:1"}, "runs": 12}
 
 
 def runs(reports):
-    return Table(
-        ["org", "format", "schedule", "stream", "deform", "checked", "mismatches", "clocks/vertex",
-         "max error", "rms error"],
-        [[row["org"], row["format"], row["schedule"], row["stream"], row["deform"],
-          str(row["checked"]), str(row["mismatches"]), shown(row["clocks_per_vertex"], ".2f"),
-          shown(row["max_error"], ".2e"), shown(row["rms_error"], ".2e")]
-         for row in reports.rows("sim")])
+    return listing(
+        reports.rows("sim"), "org | org", "format | format", "schedule | schedule",
+        "stream | stream", "deform | deform", "checked | checked:d", "mismatches | mismatches:d",
+        "clocks/vertex | clocks_per_vertex:.2f", "max error | max_error:.2e",
+        "rms error | rms_error:.2e")
 
 
 def console(reports):
@@ -24,10 +21,6 @@ def console(reports):
     form = "{:<10} {:<6} {:<11} {:<12} {:<10} {:>8} {:>10} {:>13} {:>10} {:>10}"
     table = runs(reports)
     return Console([form.format(*line) for line in [table.heads, *table.rows]])
-
-
-def printed(reports):
-    return runs(reports).text()
 
 
 def missing(reports):

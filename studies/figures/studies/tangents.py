@@ -3,35 +3,27 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 FORMATS = 4  # that a whole report has
 
 
 def formats(reports):
-    return Table(
-        ["format", "mismatches", "max error dq", "max error det J", "wrong fold flags",
-         "seam values that differ"],
-        [[f"`{row['format']}`", shown(row["mismatches"]), shown(row["max_error"], ".2e"),
-          shown(row["max_determinant_error"], ".1e"), shown(row["wrong_flags"]),
-          f"{row['seam_differences']:,} of {row['seam_values']:,}"]
-         for row in reports.rows("tangents")])
+    rows = [{**row, "seams": f"{row['seam_differences']:,} of {row['seam_values']:,}"}
+            for row in reports.rows("tangents")]
+    return listing(rows, "format | `format`", "mismatches | mismatches",
+                   "max error dq | max_error:.2e", "max error det J | max_determinant_error:.1e",
+                   "wrong fold flags | wrong_flags", "seam values that differ | seams")
 
 
 def printed(reports):
-    table = Table(
-        ["row", "vertices", "mismatches", "clocks/vertex", "dq error", "- differ.", "det error",
-         "upright", "folded", "wrong", "seam values", "differ"],
-        [[row["name"], str(row["vertices"]), str(row["mismatches"]),
-          shown(row["clocks_per_vertex"], ".2f"),
-          *(shown(row[field], ".2e")
-            for field in ("max_error", "max_difference", "max_determinant_error")),
-          *(str(row[field]) for field in ("upright", "folded", "wrong_flags", "seam_values",
-                                          "seam_differences"))]
-         for row in reports.rows("tangents")])
-    return table.text() + ("\n\nerrors are in units of 2^k > half the lattice's size, of det J in "
-                           "its cube")
+    return listing(
+        reports.rows("tangents"), "row | name", "vertices | vertices", "mismatches | mismatches",
+        "clocks/vertex | clocks_per_vertex:.2f", "dq error | max_error:.2e",
+        "- differ. | max_difference:.2e", "det error | max_determinant_error:.2e",
+        "upright | upright", "folded | folded", "wrong | wrong_flags", "seam values | seam_values",
+        "differ | seam_differences",
+    ).text() + "\n\nerrors are in units of 2^k > half the lattice's size, of det J in its cube"
 
 
 def missing(reports):

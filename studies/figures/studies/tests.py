@@ -7,9 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import xml.etree.ElementTree
 
-from figures.expressions import shown
 from figures.reports import FRESH, RequestError
-from figures.table import Table
+from figures.table import listing
 
 LONGEST = 10
 
@@ -40,18 +39,12 @@ def collect(root):
 
 
 def suites(reports):
-    return Table(["suite", "tests", "seconds"],
-                 [[f"`{row['suite']}`", shown(row["tests"]), shown(row["seconds"], ",.0f")]
-                  for row in reports.rows("tests")])
+    return listing(reports.rows("tests"), "suite | `suite`", "tests | tests",
+                   "seconds | seconds:,.0f")
 
 
 def longest(reports):
-    return Table(["step", "seconds"], [[f"`{row['name']}`", shown(row["seconds"], ",.0f")]
-                                       for row in reports.get("tests")["longest"]])
-
-
-def printed(reports):
-    return suites(reports).text()
+    return listing(reports.get("tests")["longest"], "step | `name`", "seconds | seconds:,.0f")
 
 
 def missing(reports):

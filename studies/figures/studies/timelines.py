@@ -4,11 +4,3 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 TABLES = {}
-
-
-def printed(reports):
-    return ""
-
-
-def missing(reports):
-    return ""

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from figures.table import listing
 
 PICTURE_WIDTH = 4096  # pixels that the points' range, [-1, 1), is drawn on
 HALF_PIXEL = 1 / PICTURE_WIDTH
@@ -31,12 +30,10 @@ def forms(rows):
 
 
 def lengths(reports):
-    return Table(["form", "format", "bits", "max error", "rms error", "bound", "bound / max",
-                  "vertices"],
-                 [[row["form"], f"`{row['format']}`", str(row["word_length"]),
-                   *(shown(row[field], ".2e") for field in ("max_error", "rms_error", "bound")),
-                   shown(row["bound"] / row["max_error"], ".1f"), shown(row["vertices"])]
-                  for row in reports.rows("words")])
+    rows = [{**row, "ratio": row["bound"] / row["max_error"]} for row in reports.rows("words")]
+    return listing(rows, "form | form", "format | `format`", "bits | word_length",
+                   "max error | max_error:.2e", "rms error | rms_error:.2e", "bound | bound:.2e",
+                   "bound / max | ratio:.1f", "vertices | vertices")
 
 
 def printed(reports):
