@@ -5,7 +5,7 @@ table, draws it, and takes it into docs/reports/NAME.json, which is committed: f
 pictures in docs/ and every figure that stands between markers in a text (docs/figures.md).
 
     catalogue    what reports there are: the command that measures each, and the sources it measures
-    digest       a hash of these sources, the same where only comments, line ends or places change
+    sources      the key of these sources, the same where only comments, blanks or places change
     reports      reports of a folder, read once
     measure      runs a study, stamps its report with that hash, and takes it into docs/reports/
     expressions  what a marker says: a field of a row, a sum, a quotient, and its format

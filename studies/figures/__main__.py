@@ -8,7 +8,7 @@ import importlib
 import pathlib
 import sys
 
-from figures import check, digest, measure
+from figures import check, measure, sources
 from figures.catalogue import CHARTS
 from figures.reports import COMMITTED, FRESH, Missing, Reports, RequestError
 
@@ -114,7 +114,7 @@ def main(arguments=None):
         return 130
     except Missing as missing:
         print(f"figures: there is no report yet: {missing}", file=sys.stderr)
-    except (RequestError, digest.DigestError, OSError) as error:
+    except (RequestError, sources.SourceError, OSError) as error:
         print(f"figures: {error}", file=sys.stderr)
     return 1
 

@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import importlib
 from dataclasses import dataclass
 
-# Sources, as patterns of files (digest.py says what counts of each kind of file).
+# Sources, as patterns of files (sources.py says what counts of each kind of file).
 _RTL = ("rtl/**/*.v", "rtl/configurations.csv")
 _MODEL = (*(f"golden/**/{part}/*.?pp" for part in ("numerics", "bounds", "oracle")),
           "golden/**/model/org_*.?pp", "golden/**/model/organization.?pp",

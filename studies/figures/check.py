@@ -8,7 +8,7 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 from collections import Counter
 
-from figures import digest, markers
+from figures import markers, sources
 from figures.catalogue import REPORTS
 from figures.measure import STAMP
 from figures.reports import Reports, RequestError
@@ -59,9 +59,9 @@ def _stale(root, reports):
             continue
         try:
             measured = reports.get(name).get(STAMP, {}).get("sources")
-            if measured != digest.digest(root, REPORTS[name].sources):
+            if measured != sources.key(root, REPORTS[name].sources):
                 lines.append(f"{where} is stale: {REPORTS[name].command} && "
                              f"scripts/figures adopt {name}")
-        except (RequestError, digest.DigestError) as error:
+        except (RequestError, sources.SourceError) as error:
             lines.append(f"{where}: {error}")
     return lines

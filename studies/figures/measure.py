@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 
-from figures import digest
+from figures import sources
 from figures.catalogue import REPORTS, missing, module, printed
 from figures.reports import COMMITTED, FRESH, Reports, RequestError
 
@@ -27,10 +27,10 @@ def dump(report):
     return "{\n" + ",\n".join(parts) + "\n}\n"
 
 
-def stamped(report, name, sources):
+def stamped(report, name, key):
     """The report with where it comes from, first."""
     rest = {key: value for key, value in report.items() if key != STAMP}
-    return {STAMP: {"command": REPORTS[name].command, "sources": sources}, **rest}
+    return {STAMP: {"command": REPORTS[name].command, "sources": key}, **rest}
 
 
 def _written(path):
@@ -40,8 +40,8 @@ def _written(path):
 def _sources(root, name):
     """None where they cannot be hashed: a study runs without that."""
     try:
-        return digest.digest(root, REPORTS[name].sources)
-    except digest.DigestError as error:
+        return sources.key(root, REPORTS[name].sources)
+    except sources.SourceError as error:
         print(f"figures: the report gets no stamp: {error}", file=sys.stderr)
         return None
 
@@ -64,15 +64,15 @@ def run(root, names, command):
     status = _ended(command)
     status = status if status >= 0 else 128 - status  # as a shell has it
     changed = []
-    for name, (written, sources) in before.items():
+    for name, (written, key) in before.items():
         path = fresh.path(name)
         getattr(module(name), "collect", lambda _: None)(root)
         if _written(path) in (None, written):
             continue
         changed.append(name)
         report = getattr(module(name), "finished", lambda reports: reports.get(name))(fresh)
-        if status == 0 and sources:
-            report = stamped(report, name, sources)
+        if status == 0 and key:
+            report = stamped(report, name, key)
         path.write_text(dump(report), encoding="utf-8")
     return status, changed
 
@@ -101,7 +101,7 @@ def adopt(root, name):
     report, cure = fresh.get(name), REPORTS[name].command
     if STAMP not in report:
         raise RequestError(f"{path} is not of a run that ended well: {cure}")
-    if report[STAMP]["sources"] != digest.digest(root, REPORTS[name].sources):
+    if report[STAMP]["sources"] != sources.key(root, REPORTS[name].sources):
         raise RequestError(f"{path} is older than its sources: {cure}")
     absent = missing(fresh, name)
     if absent:

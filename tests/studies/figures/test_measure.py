@@ -9,7 +9,7 @@ import sys
 import unittest
 
 from checkout import ROOT, Checkout
-from figures import digest, measure
+from figures import measure, sources
 from figures.catalogue import REPORTS
 
 WRITE = """import json, pathlib, sys
@@ -47,7 +47,7 @@ class Study(Checkout):
         self.assertEqual(self.measure(PLATES), (0, ""))
         self.assertEqual(self.fresh()["measured"], {
             "command": "make plates",
-            "sources": digest.digest(ROOT, REPORTS["plates"].sources)})
+            "sources": sources.key(ROOT, REPORTS["plates"].sources)})
         self.assertEqual(self.command("adopt", "plates"), (0, "wrote docs/reports/plates.json\n"))
         text = (self.root / "docs/reports/plates.json").read_text()
         self.assertEqual(json.loads(text), self.fresh())

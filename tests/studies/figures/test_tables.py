@@ -8,7 +8,7 @@ import unittest
 
 import samples
 from checkout import ROOT, Checkout
-from figures import check, digest, markers, table
+from figures import check, markers, sources, table
 from figures.catalogue import CHARTS, REPORTS, missing, module, printed
 from figures.reports import FRESH
 from figures.studies import organizations, streams, synth, throughput, words
@@ -192,7 +192,7 @@ class Catalogue(unittest.TestCase):
                 for figure in getattr(module(name), "FIGURES", {}):
                     self.assertIsNotNone(reports.figure(name, figure))
                 self.assertEqual(reports.get(name)["measured"]["command"], REPORTS[name].command)
-                self.assertTrue(digest.files_of(ROOT, REPORTS[name].sources))
+                self.assertTrue(sources.files_of(ROOT, REPORTS[name].sources))
 
 
 if __name__ == "__main__":
