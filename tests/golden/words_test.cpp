@@ -10,7 +10,6 @@
 #include "hwffd/model/org_factored.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
-#include "plot.hpp"
 #include "report.hpp"
 #include "study.hpp"
 
@@ -169,17 +168,9 @@ TEST(WordStudy, IsRepeatable) {
   EXPECT_NE(a.rms_error, study(rows, 5000, 4, [](double) {}).front().rms_error);
 }
 
-TEST(WordReport, NamesTheShortestWord) {
-  const std::vector<Result> results = {
-      {"product", "fx12", 12, true, 1e-2, 1e-3, 1e-1, 10},
-      {"product", "fx20", 20, true, 1e-4, 1e-5, 1e-3, 10},
-      {"product", "fx28", 28, true, 1e-7, 1e-8, 1e-6, 10},
-      {"product", "fp32-sequential", 32, false, 3e-7, 1e-8, 1e-5, 10},
-      {"product", "fp32-tree", 32, false, 2e-7, 1e-8, 1e-5, 10}};
-  EXPECT_NE(answer(results).find("20 bits measured, 28 bits proved"), std::string::npos)
-      << answer(results);
-  EXPECT_NE(json_report(results).find("\"word_length\": 28"), std::string::npos);
-  EXPECT_NE(plot(results).find("product, bound"), std::string::npos);
+TEST(WordReport, HasTheWordLength) {
+  const std::string json = json_report({{"product", "fx28", 28, true, 1e-7, 1e-8, 1e-6, 10}});
+  EXPECT_NE(json.find("\"word_length\": 28"), std::string::npos) << json;
 }
 
 }  // namespace
