@@ -9,13 +9,34 @@
 namespace hwffd::test {
 
 using tb::derive_seed;
+using testing::AssertionFailure;
+using testing::AssertionResult;
+using testing::AssertionSuccess;
+
+namespace {
+
+/// A success where nothing is wrong.
+AssertionResult verdict(const std::string& wrong) {
+  return wrong.empty() ? AssertionSuccess() : AssertionFailure() << wrong;
+}
+
+}  // namespace
+
+const std::vector<BadDescriptor>& bad_descriptors() {
+  static const std::vector<BadDescriptor> bad = {{{kPackets, 0, 0}, kZeroLength},
+                                                 {{kPackets + 8, 64, 0}, kMisaligned},
+                                                 {{0 - kBeat, 32, 0}, kWraps},
+                                                 {{kRing - kBeat, 16, 0}, kOutside},
+                                                 {{kPackets, 64, 1}, kFlags}};
+  return bad;
+}
 
 DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
     : memory(seed),
       size_(size),
       random_(derive_seed(seed, 1)),
       core_(make_dma_core(size.name, derive_seed(seed, 2))) {
-  set_windows({0, ~std::uint64_t{0}}, {0, ~std::uint64_t{0}});
+  set_windows(kEverywhere, kEverywhere);
   reset();
 }
 
@@ -93,6 +114,18 @@ bool DmaBench::run_until_idle(std::uint64_t limit) {
   return run_until([&] { return status.idle; }, limit);
 }
 
+bool DmaBench::run_until_stopped(std::uint64_t limit) {
+  return run_until_idle(limit) && !status.ring_running;
+}
+
+bool DmaBench::run_until_error(std::uint64_t limit) {
+  return run_until([&] { return !read_errors_.empty() || !write_errors_.empty(); }, limit);
+}
+
+bool DmaBench::run_until_counted(std::uint64_t results, std::uint64_t limit) {
+  return run_until([&] { return status.result_count == results; }, limit);
+}
+
 void DmaBench::place_ring(std::uint64_t base, unsigned entries_log2) {
   controls.ring_base = base;
   controls.ring_entries_log2 = entries_log2;
@@ -121,6 +154,10 @@ void DmaBench::expect_packet(std::uint64_t address, std::uint64_t beats) {
   for (std::uint64_t i = 0; i < beats; ++i) {
     expected_.push_back({memory.beat(address + i * kBeat), i + 1 == beats});
   }
+}
+
+void DmaBench::put_packets(std::uint64_t count, std::uint64_t beats) {
+  for (std::uint64_t i = 0; i < count; ++i) put_packet(kPackets + i * 0x1000, beats);
 }
 
 std::string DmaBench::packet_difference() const {
@@ -192,10 +229,30 @@ std::string DmaBench::faults() {
   return text;
 }
 
-testing::AssertionResult DmaBench::exact() {
-  const std::string difference = packet_difference(), broken = faults();
-  if (difference.empty() && broken.empty()) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << difference << "\n" << broken;
+AssertionResult DmaBench::exact() { return verdict(packet_difference() + faults()); }
+
+AssertionResult DmaBench::exact(unsigned tail) {
+  if (status.ring_tail == tail) return exact();
+  return AssertionFailure() << "tail " << status.ring_tail << ", not " << tail;
+}
+
+AssertionResult DmaBench::reads(unsigned tail) {
+  return run_ring() ? exact(tail) : AssertionFailure() << "the ring has no end";
+}
+
+AssertionResult DmaBench::refuses(unsigned index, unsigned code) {
+  read_errors_.clear();
+  start_ring();
+  if (!run_until_stopped(20000)) return AssertionFailure() << "the ring does not stop";
+  if (status.ring_tail != index) return AssertionFailure() << "stopped at " << status.ring_tail;
+  return only(read_errors_, code, descriptor_address(index));
+}
+
+AssertionResult DmaBench::writes(std::uint64_t base, std::uint64_t first, std::uint64_t count) {
+  if (!run_until_counted(count)) return AssertionFailure() << status.result_count << " results";
+  const std::uint64_t right = results_in_memory(base, first, count);
+  if (right == count) return verdict(faults());
+  return AssertionFailure() << "result " << right << " of " << count << " is wrong";
 }
 
 void DmaBench::begin_soft_reset() {
@@ -205,12 +262,11 @@ void DmaBench::begin_soft_reset() {
   step();
 }
 
-testing::AssertionResult only(const std::vector<DmaError>& errors, unsigned code,
-                              std::uint64_t address) {
-  auto failure = testing::AssertionFailure();
+AssertionResult only(const std::vector<DmaError>& errors, unsigned code, std::uint64_t address) {
+  auto failure = AssertionFailure();
   for (const DmaError& error : errors) {
     if (errors.size() == 1 && error.code == code && error.address == address) {
-      return testing::AssertionSuccess();
+      return AssertionSuccess();
     }
     failure << fmt::format("code {} at {:#x}; ", error.code, error.address);
   }

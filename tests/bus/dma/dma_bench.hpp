@@ -42,6 +42,17 @@ struct Descriptor {
   std::uint32_t flags = 0;
 };
 
+/// A descriptor that is refused, and the code of it.
+struct BadDescriptor {
+  Descriptor descriptor;
+  unsigned code;
+};
+/// One of each kind, where kReadable is the window.
+constexpr tb::AxiMemory::Range kReadable{kRing, kPackets + 0xfffff};
+const std::vector<BadDescriptor>& bad_descriptors();
+
+constexpr tb::AxiMemory::Range kEverywhere{0, ~std::uint64_t{0}}, kNowhere{1, 0};
+
 /// An engine, a memory on its bus, a sink for packets and a source of results.
 ///
 /// Both ends check what they see: packets against what the descriptors named, in order; memory
@@ -81,6 +92,11 @@ class DmaBench {
     }
     return condition();
   }
+  /// Until nothing moves; false where the ring is then not stopped, but waits for its head.
+  bool run_until_stopped(std::uint64_t limit = 200000);
+  /// Until an error was reported; until so many results of the area are counted.
+  bool run_until_error(std::uint64_t limit = 200000);
+  bool run_until_counted(std::uint64_t results, std::uint64_t limit = 200000);
 
   // ---- ring and packets
   void place_ring(std::uint64_t base, unsigned entries_log2);
@@ -92,6 +108,8 @@ class DmaBench {
   /// Fills memory with random beats there, appends a descriptor for them, expects the packet.
   void put_packet(std::uint64_t address, std::uint64_t beats);
   void expect_packet(std::uint64_t address, std::uint64_t beats);
+  /// `count` packets of `beats` each, the first at kPackets, one in each 4 KB.
+  void put_packets(std::uint64_t count, std::uint64_t beats);
   void ring_doorbell() { controls.ring_head = software_head_; }
   void start_ring();
   /// The same until all of it has been read; false if it does not end.
@@ -127,8 +145,18 @@ class DmaBench {
 
   /// Empty if no rule was broken on the bus and on the packet stream, else the reports.
   std::string faults();
-  /// No difference of packets, no fault.
+
+  // ---- verdicts
+
+  /// No difference of packets, no fault; and the ring ended there.
   testing::AssertionResult exact();
+  testing::AssertionResult exact(unsigned tail);
+  /// The same of a start that ends.
+  testing::AssertionResult reads(unsigned tail);
+  /// A start reads up to descriptor `index` and reports this one only, with that code.
+  testing::AssertionResult refuses(unsigned index, unsigned code);
+  /// So many results are counted and lie in memory there, from number `first` on; no fault.
+  testing::AssertionResult writes(std::uint64_t base, std::uint64_t first, std::uint64_t count);
 
   // ---- soft reset
 

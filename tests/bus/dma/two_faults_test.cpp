@@ -8,54 +8,32 @@
 namespace hwffd::test {
 namespace {
 
-constexpr tb::AxiMemory::Range kWindow{kRing, kPackets + 0xffff};
-
 class TwoFaults : public PerDmaSize {};
 HWFFD_FOR_EACH_DMA_SIZE(TwoFaults);
 
-struct Case {
-  Descriptor descriptor;
-  unsigned code;
-};
-const Case kCases[] = {{{kPackets, 0, 0}, kZeroLength},
-                       {{kPackets + 8, 64, 0}, kMisaligned},
-                       {{0 - kBeat, 32, 0}, kWraps},
-                       {{kRing - kBeat, 16, 0}, kOutside},
-                       {{kPackets, 64, 1}, kFlags}};
-
-/// A start reads up to the fault of entry `index` and reports that one only.
-void expect_stop(DmaBench& bench, unsigned index, unsigned code) {
-  bench.forget_read_errors();
-  bench.start_ring();
-  ASSERT_TRUE(bench.run_until([&] { return !bench.status.ring_running; }, 2000));
-  ASSERT_TRUE(bench.run_until_idle());
-  EXPECT_TRUE(only(bench.read_errors(), code, bench.descriptor_address(index)));
-  EXPECT_EQ(bench.status.ring_tail, index);
-}
-
 /// A packet of `beats`, then two bad descriptors; the first one is mended before the second start.
-void expect_in_order(const DmaSize& size, const Case& first, const Case& second,
+void expect_in_order(const DmaSize& size, const BadDescriptor& first, const BadDescriptor& second,
                      std::uint64_t beats, std::uint64_t latency) {
   SCOPED_TRACE(testing::Message() << "codes " << first.code << ", " << second.code << " behind "
                                   << beats << " beats, latency " << latency);
   DmaBench bench(size, latency);
   bench.memory.set_latency({latency, latency});
-  bench.set_windows(kWindow, {1, 0});
+  bench.set_windows(kReadable, kNowhere);
   bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, beats);
   bench.put_descriptor(first.descriptor);
   bench.put_descriptor(second.descriptor);
-  expect_stop(bench, 1, first.code);
+  EXPECT_TRUE(bench.refuses(1, first.code));
   bench.set_software_head(1);
   bench.put_packet(kPackets + 0x1000, beats);
   bench.set_software_head(3);
-  expect_stop(bench, 2, second.code);
+  EXPECT_TRUE(bench.refuses(2, second.code));
   EXPECT_TRUE(bench.exact());
 }
 
 TEST_P(TwoFaults, BadDescriptorsAreReportedInTheirOrder) {
-  for (const Case& first : kCases) {
-    for (const Case& second : kCases) {
+  for (const BadDescriptor& first : bad_descriptors()) {
+    for (const BadDescriptor& second : bad_descriptors()) {
       for (const std::uint64_t beats : {1, 9}) {
         for (const std::uint64_t latency : {1, 2, 3, 7}) {
           expect_in_order(GetParam(), first, second, beats, latency);
@@ -74,11 +52,12 @@ struct Meeting {
 
 /// Beat `failing` of a packet fails while the bad descriptor behind it is looked at. The packet has
 /// three bursts at least, so that its first beats come while its last address still waits.
-Meeting meet(const DmaSize& size, const Case& bad, std::uint64_t failing, std::uint64_t latency) {
+Meeting meet(const DmaSize& size, const BadDescriptor& bad, std::uint64_t failing,
+             std::uint64_t latency) {
   constexpr std::uint64_t kStart = kPackets + 0x1000 - 8 * kBeat;
   DmaBench bench(size, latency);
   bench.memory.set_latency({latency, latency});
-  bench.set_windows(kWindow, {1, 0});
+  bench.set_windows(kReadable, kNowhere);
   bench.place_ring(kRing, 3);
   bench.put_packet(kStart, 16 + size.max_burst);
   bench.put_descriptor(bad.descriptor);
@@ -86,7 +65,7 @@ Meeting meet(const DmaSize& size, const Case& bad, std::uint64_t failing, std::u
   const std::uint64_t failed = std::max(kStart, beat - beat % (size.max_burst * kBeat));
   bench.memory.fail_read_at(failed, (beat - failed) / kBeat, cores::kAxiSlverr);
   bench.start_ring();
-  EXPECT_TRUE(bench.run_until([&] { return !bench.read_errors().empty(); }, 500));
+  EXPECT_TRUE(bench.run_until_error(500));
   const std::uint64_t first = bench.cycle();
   const bool bus_first = bench.read_errors()[0].code == kSlaveError;
   const std::size_t reports = bus_first ? 1 : 2;
@@ -112,7 +91,7 @@ Meeting meet(const DmaSize& size, const Case& bad, std::uint64_t failing, std::u
 
 // The failing beat moves by a clock each, from before the refusal to behind it.
 TEST_P(TwoFaults, ABusErrorAroundARefusal) {
-  for (const Case& bad : kCases) {
+  for (const BadDescriptor& bad : bad_descriptors()) {
     unsigned bus_first = 0, next_clock = 0;
     for (std::uint64_t latency = 1; latency <= 8; ++latency) {
       for (std::uint64_t failing = 0; failing < 20; ++failing) {
