@@ -168,4 +168,23 @@ AssertionResult AxiRun::clean() {
   return AssertionFailure() << faults;
 }
 
+AssertionResult AxiRun::ends_well() {
+  const AssertionResult ran = good_run();
+  return ran ? clean() : ran;
+}
+
+AssertionResult AxiRun::only_error(const FirstError& first, std::uint32_t count) {
+  const auto text = [](const CoreErrors& errors) {
+    const FirstError at = errors.first.value_or(FirstError{});
+    return fmt::format("status {:x}, {} errors, first {} in packet {}, beat {}, at {:#x}",
+                       errors.status, errors.count, at.code, at.packet, at.beat, at.address);
+  };
+  const CoreErrors errors = driver_.take_errors();
+  driver_.clear_counters();
+  if (driver_.take_errors().first) return AssertionFailure() << "the first error stays";
+  const std::string got = text(errors), wanted = text({1U << first.code, count, first});
+  if (errors.first && got == wanted) return AssertionSuccess();
+  return AssertionFailure() << got << "\nwanted " << wanted;
+}
+
 }  // namespace hwffd::test

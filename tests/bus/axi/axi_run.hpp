@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bad_packets.hpp"
 #include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/driver.hpp"
 #include "hwffd/model/stream_model.hpp"
@@ -20,8 +21,6 @@
 #include "stimulus.hpp"
 
 namespace hwffd::test {
-
-using namespace event;  // NOLINT: the codes of errors are words of these tests
 
 /// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
 /// above 4 GB, no buffer begins at a border of 4 KB.
@@ -46,13 +45,22 @@ class AxiRun {
   /// A random lattice of 4 to `size` points an axis, or of these, which later vertices lie in.
   template <class Size>
   void send_lattice(const Size& size) {
-    lattice_ = random_lattice(codec_, random_, size);
-    send(lattice_packet(lattice_));
+    send(random_lattice(codec_, random_, size));
+  }
+  void send(const LatticeWords& lattice) {
+    lattice_ = lattice;
+    send(lattice_packet(lattice));
   }
   /// Random vertices of the last lattice.
   void send_vertices(std::size_t count) { send(vertices_packet(vertices(count))); }
   std::vector<VertexBeat> vertices(std::size_t count) {
     return random_vertices(codec_, random_, lattice_.dims, count);
+  }
+  /// All three: what a run needs.
+  void send_scene(std::size_t vertices, int size = 4) {
+    send_bspline();
+    send_lattice(size);
+    send_vertices(vertices);
   }
   /// An area of that many results, or as many as are expected, behind the last one; then a start.
   void start(std::optional<std::uint64_t> results = {});
@@ -75,8 +83,13 @@ class AxiRun {
   void forget_expected();
   /// No rule of a bus broken, nothing open, no byte changed but those of results, ring and buffers.
   ::testing::AssertionResult clean();
+  /// good_run and clean.
+  ::testing::AssertionResult ends_well();
+  /// Takes the errors: so many of one code and of no other, of which this is the first.
+  ::testing::AssertionResult only_error(const FirstError& first, std::uint32_t count = 1);
 
   const WordCodec& codec() const { return codec_; }
+  const LatticeWords& lattice() const { return lattice_; }
   tb::AxiSystem& system() { return *system_; }
   Driver& driver() { return driver_; }
   tb::PacketRing& ring() { return ring_; }

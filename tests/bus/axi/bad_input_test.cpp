@@ -4,71 +4,39 @@
 #include <gtest/gtest.h>
 
 #include "axi_run.hpp"
-#include "hwffd/stream/blending.hpp"
 
 namespace hwffd::test {
 namespace {
 
 constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 
-struct Record {
-  std::uint32_t packet = 0;
-  std::uint32_t beat = 0;
-  std::uint64_t address = 0;
-};
-
 class AxiBadInput : public PerAxiConfiguration {
  protected:
-  std::vector<VertexBeat> vertices(std::size_t count) {
-    return random_vertices(run_.codec(), run_.random(), lattice_.dims, count);
-  }
-
-  /// Coefficients, the lattice and so many vertices.
-  void send_vertices(std::size_t count) {
-    run_.send_bspline();
-    run_.send(lattice_packet(lattice_));
-    run_.send(vertices_packet(vertices(count)));
-  }
-  /// `count` errors of one code and no other, the first with that record.
-  void expect_errors(unsigned code, std::uint32_t count, const Record& record) {
-    const CoreErrors errors = run_.driver().take_errors();
-    EXPECT_EQ(errors.status, 1U << code);
-    EXPECT_EQ(errors.count, count);
-    ASSERT_TRUE(errors.first.has_value());
-    EXPECT_EQ(errors.first->code, code);
-    EXPECT_EQ(errors.first->packet, record.packet);
-    EXPECT_EQ(errors.first->beat, record.beat);
-    EXPECT_EQ(errors.first->address, record.address);
-    run_.driver().clear_counters();
-    EXPECT_FALSE(run_.driver().take_errors().first.has_value());
-  }
-  void expect_good_run() {
-    EXPECT_TRUE(run_.good_run());
-    EXPECT_TRUE(run_.clean());
-  }
   /// The packet as number 3 of a run, before a good one; then its errors and a good run.
-  void expect_packet_error(const std::vector<Beat>& packet, unsigned code, std::uint32_t count,
-                           std::uint32_t beat) {
+  void expect_packet_error(const LatticeWords& lattice, const std::vector<Beat>& packet,
+                           unsigned code, std::uint32_t beat) {
     ASSERT_TRUE(run_.soft_reset());  // packets count from 0
-    send_vertices(2);
+    run_.send_bspline();
+    run_.send(lattice);
+    run_.send_vertices(2);
     run_.send(packet);
-    run_.send(vertices_packet(vertices(3)));
+    run_.send_vertices(3);
     ASSERT_TRUE(run_.go());
-    expect_errors(code, count, {3, beat, 0});
-    expect_good_run();
+    EXPECT_TRUE(run_.only_error({code, 3, beat, 0}));
+    EXPECT_TRUE(run_.ends_well());
   }
   /// Starts what was prepared; the DMA refuses it with that code and address.
   void expect_refusal(unsigned code, std::uint64_t address) {
     ASSERT_TRUE(run_.wait());
     EXPECT_FALSE(run_.driver().stopped());
-    expect_errors(code, 1, {0, 0, address});
+    EXPECT_TRUE(run_.only_error({code, 0, 0, address}));
     ASSERT_TRUE(run_.soft_reset());
-    expect_good_run();
+    EXPECT_TRUE(run_.ends_well());
   }
   /// A descriptor like that after a good packet: the packet gives its results, then the run ends.
   void expect_descriptor_refused(std::uint64_t address, std::uint32_t bytes, std::uint32_t flags,
                                  unsigned code) {
-    send_vertices(4);
+    run_.send_scene(4, 6);
     expect_put_refused(address, bytes, flags, code);
   }
   void expect_put_refused(std::uint64_t address, std::uint32_t bytes, std::uint32_t flags,
@@ -92,34 +60,13 @@ class AxiBadInput : public PerAxiConfiguration {
   }
 
   AxiRun run_{GetParam(), 1, "bernoulli"};
-  LatticeWords lattice_ = random_lattice(run_.codec(), run_.random(), 6);
 };
 
-TEST_P(AxiBadInput, UnknownOpcode) {
-  std::vector<Beat> packet = vertices_packet(vertices(3));
-  packet[0].words[0] = 0x77;
-  expect_packet_error(packet, kUnknownOpcode, 1, 0);
-}
-
-TEST_P(AxiBadInput, PacketTooShort) {
-  for (const std::vector<Beat>& whole :
-       {lattice_packet(lattice_), vertices_packet(vertices(5)),
-        coefficients_packet(watertight_bspline(run_.codec()), run_.codec())}) {
-    for (const std::size_t beats : {std::size_t{1}, std::size_t{2}, whole.size() - 1}) {
-      std::vector<Beat> packet(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(beats));
-      packet.back().last = true;
-      expect_packet_error(packet, kPacketShort, 1, static_cast<std::uint32_t>(beats - 1));
-    }
-  }
-}
-
-TEST_P(AxiBadInput, PacketTooLong) {
-  for (std::vector<Beat> packet : {lattice_packet(lattice_), vertices_packet(vertices(5))}) {
-    const auto beat = static_cast<std::uint32_t>(packet.size());  // the first one too many
-    packet.back().last = false;
-    packet.resize(packet.size() + 3);
-    packet.back().last = true;
-    expect_packet_error(packet, kPacketLong, 1, beat);
+TEST_P(AxiBadInput, Packets) {
+  const LatticeWords lattice = random_lattice(run_.codec(), run_.random(), 6);
+  for (const BadPacket& bad : bad_packets(run_.codec(), run_.random(), lattice)) {
+    SCOPED_TRACE(bad.name);
+    expect_packet_error(lattice, bad.packet, bad.code, bad.beat);
   }
 }
 
@@ -127,59 +74,34 @@ TEST_P(AxiBadInput, VerticesBeforeCoefficients) {
   run_.send(interleaved_packet(make_stimulus("random", run_.codec(), 2, 1)));
   ASSERT_TRUE(run_.go());
   EXPECT_EQ(run_.result_word(0, 3) >> 16, kStatusUnloaded >> 16);
-  expect_errors(kNoCoefficients, 2, {0, kVertexBeats, 0});
-  expect_good_run();
+  EXPECT_TRUE(run_.only_error({kNoCoefficients, 0, kVertexBeats, 0}, 2));
+  EXPECT_TRUE(run_.ends_well());
 }
 
 TEST_P(AxiBadInput, VerticesBeforeALattice) {
   run_.send_bspline();
-  run_.send(vertices_packet(vertices(4)));
+  run_.send(vertices_packet(random_vertices(run_.codec(), run_.random(), {4, 4, 4}, 4)));
   ASSERT_TRUE(run_.go());
   EXPECT_EQ(run_.result_word(3, 3) >> 16, kStatusUnloaded >> 16);
-  expect_errors(kNoLattice, 4, {1, 1, 0});
-  expect_good_run();
-}
-
-TEST_P(AxiBadInput, LatticeOfBadDimensions) {
-  for (const std::uint32_t word : {0x040403U, 0x110404U, 0U}) {
-    std::vector<Beat> packet = lattice_packet(lattice_);
-    packet[0].words[2] = word;
-    expect_packet_error(packet, kLatticeSize, 1, 0);
-  }
-}
-
-TEST_P(AxiBadInput, CoordinateThatIsNoNumber) {
-  if (!run_.codec().is_float()) GTEST_SKIP() << "fixed point has none";
-  for (const std::uint32_t word : {0x7FC00000U, 0xFF800001U, 0x7F800000U, 0xFF800000U}) {
-    std::vector<VertexBeat> stray = vertices(3);
-    stray[1].local[0] = word;
-    expect_packet_error(vertices_packet(stray), kCoordinateNan, 1, 2);
-  }
-}
-
-TEST_P(AxiBadInput, CoordinateOutside) {
-  const std::uint32_t word = run_.codec().is_float() ? 0xBF800000U : 0x80000001U;
-  for (const OutsideMode mode : {OutsideMode::kClamp, OutsideMode::kBlank}) {
-    std::vector<VertexBeat> stray = vertices(3);
-    stray[1].local[2] = word;
-    expect_packet_error(vertices_packet(stray, mode), kCoordinateOutside, 1, 2);
-  }
+  EXPECT_TRUE(run_.only_error({kNoLattice, 1, 1, 0}, 4));
+  EXPECT_TRUE(run_.ends_well());
 }
 
 TEST_P(AxiBadInput, CellOutsideTheLattice) {
+  const LatticeWords lattice = random_lattice(run_.codec(), run_.random(), 6);
   for (const OutsideMode mode : {OutsideMode::kClamp, OutsideMode::kPass, OutsideMode::kBlank}) {
-    std::vector<VertexBeat> stray = vertices(3);
-    stray[2].cell[1] = lattice_.dims[1] - 3;
-    expect_packet_error(vertices_packet(stray, mode), kCellOutside, 1, 3);
+    std::vector<VertexBeat> stray = random_vertices(run_.codec(), run_.random(), lattice.dims, 3);
+    stray[2].cell[1] = lattice.dims[1] - 3;
+    expect_packet_error(lattice, vertices_packet(stray, mode), kCellOutside, 3);
   }
 }
 
 TEST_P(AxiBadInput, LastFaceIsInside) {
   run_.send_bspline();
-  run_.send(lattice_packet(lattice_));
-  std::vector<VertexBeat> face = vertices(3);
+  run_.send_lattice(6);
+  std::vector<VertexBeat> face = run_.vertices(3);
   for (int axis = 0; axis < 3; ++axis) {
-    face[1].cell[axis] = lattice_.dims[axis] - 4;
+    face[1].cell[axis] = run_.lattice().dims[axis] - 4;
     face[1].local[axis] = run_.codec().coordinate(1);
   }
   run_.send(vertices_packet(face));
@@ -194,29 +116,24 @@ TEST_P(AxiBadInput, FixedPointSaturates) {
   AxisWords axis;
   for (auto& function : axis.word) function = {0x7FFFFFFF, 0, 0, 0};  // four weights of almost 2
   run_.send(coefficients_packet({axis, axis, axis}));
-  LatticeWords lattice = lattice_;
+  LatticeWords lattice = random_lattice(run_.codec(), run_.random(), 6);
   for (auto& point : lattice.points) point = {0x7FFFFFFF, 0x80000000, 0x40000000};
-  run_.send(lattice_packet(lattice));
-  run_.send(vertices_packet(vertices(1)));
+  run_.send(lattice);
+  run_.send_vertices(1);
   ASSERT_TRUE(run_.go());
   EXPECT_EQ(run_.result_word(0, 3) >> 16, kStatusSaturated >> 16);
-  const CoreErrors errors = run_.driver().take_errors();
-  EXPECT_EQ(errors.status, 1U << kSaturated);
-  EXPECT_EQ(errors.count, 1U);
-  ASSERT_TRUE(errors.first.has_value());
-  EXPECT_EQ(errors.first->code, static_cast<unsigned>(kSaturated));
-  expect_good_run();
+  EXPECT_TRUE(run_.only_error({kSaturated, 2, 1, 0}));
+  EXPECT_TRUE(run_.ends_well());
 }
 
 /// Vertices before a reload see the old values, those after it the new ones.
 TEST_P(AxiBadInput, ReloadedWhileVerticesAreInFlight) {
   run_.send_bspline();
   for (int load = 0; load < 7; ++load) {
-    lattice_ = random_lattice(run_.codec(), run_.random(), 5);
-    run_.send(lattice_packet(lattice_));
-    run_.send(vertices_packet(vertices(3)));
+    run_.send_lattice(5);
+    run_.send_vertices(3);
     run_.send_bspline();
-    run_.send(vertices_packet(vertices(3)));
+    run_.send_vertices(3);
   }
   ASSERT_TRUE(run_.go());
   EXPECT_EQ(run_.checked(), 42U);
@@ -233,18 +150,18 @@ TEST_P(AxiBadInput, RegisterUnmappedReadOnlyOrLocked) {
   EXPECT_EQ(port.try_write(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET, 0), cores::kSlvErr);
   EXPECT_EQ(port.read32(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET), limit);
   EXPECT_EQ(run_.driver().take_errors().status, 0U);
-  expect_good_run();
+  EXPECT_TRUE(run_.ends_well());
 }
 
 TEST_P(AxiBadInput, StartWhileBusy) {
-  send_vertices(200);
+  run_.send_scene(200, 6);
   run_.start();
   EXPECT_THROW(run_.driver().start(), DriverError);
   const std::uint32_t irq = run_.driver().take_interrupts();
   EXPECT_NE(irq & HWFFD_IRQ_STATE_REFUSED_MASK, 0U);
   ASSERT_TRUE(run_.finish()) << "the run under way is not touched";
   EXPECT_EQ(run_.driver().take_errors().status, 0U);
-  expect_good_run();
+  EXPECT_TRUE(run_.ends_well());
 }
 
 TEST_P(AxiBadInput, StartBeforeTheLock) {
@@ -261,36 +178,24 @@ TEST_P(AxiBadInput, StartBeforeTheLock) {
   driver.lock_windows();
   run_.system().allow(kReadWindow, kWriteWindow);
   ASSERT_TRUE(run_.go()) << "the packet was still there";
-  expect_good_run();
+  EXPECT_TRUE(run_.ends_well());
 }
 
-TEST_P(AxiBadInput, DescriptorOfLengthZero) {
+TEST_P(AxiBadInput, Descriptors) {
   expect_descriptor_refused(kBuffers.base, 0, 0, kDmaZero);
-}
-
-TEST_P(AxiBadInput, DescriptorMisaligned) {
   expect_descriptor_refused(kBuffers.base + 8, 32, 0, kDmaMisaligned);
   expect_descriptor_refused(kBuffers.base, 24, 0, kDmaMisaligned);
-}
-
-TEST_P(AxiBadInput, DescriptorBeyondTheLastAddress) {
   expect_descriptor_refused(0xFFFFFFFFFFFFFFF0, 32, 0, kDmaWrap);
-}
-
-TEST_P(AxiBadInput, DescriptorOutsideTheWindow) {
   expect_descriptor_refused(kReadWindow.base - kBeat, 32, 0, kDmaWindow);
   expect_descriptor_refused(kReadWindow.limit + 1 - kBeat, 32, 0, kDmaWindow);
   expect_descriptor_refused(kWriteWindow.base, 32, 0, kDmaWindow);
-}
-
-TEST_P(AxiBadInput, DescriptorWithFlags) {
   expect_descriptor_refused(kBuffers.base, 32, 1, kDmaDescriptor);
 }
 
 /// Packets that wait when the descriptor behind them is seen end as they should.
 TEST_P(AxiBadInput, DescriptorWithFlagsBehindPacketsThatWait) {
-  send_vertices(600);
-  run_.send(vertices_packet(vertices(200)));
+  run_.send_scene(600, 6);
+  run_.send_vertices(200);
   expect_put_refused(kBuffers.base, 32, 1, kDmaDescriptor);
 }
 
@@ -318,14 +223,14 @@ TEST_P(AxiBadInput, ResultAreaRefused) {
 
 /// Results that the area has no room for are dropped; nothing behind it is touched.
 TEST_P(AxiBadInput, ResultAreaTooSmall) {
-  send_vertices(40);
+  run_.send_scene(40, 6);
   run_.start(25);
   ASSERT_TRUE(run_.wait());
   EXPECT_EQ(run_.driver().result_count(), 25U);
   EXPECT_EQ(run_.results_in_memory(), 25U);
   run_.forget_expected();
-  expect_errors(kResultOverflow, 1, {0, 0, 0});
-  expect_good_run();
+  EXPECT_TRUE(run_.only_error({kResultOverflow, 0, 0, 0}));
+  EXPECT_TRUE(run_.ends_well());
 }
 
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiBadInput);

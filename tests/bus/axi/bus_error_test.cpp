@@ -17,9 +17,7 @@ class AxiBusError : public PerAxiConfiguration {
     std::size_t results_before;
   };
   Prepared prepare(AxiRun& run) {
-    run.send_bspline();
-    run.send_lattice(4);
-    run.send_vertices(3);
+    run.send_scene(3);
     Prepared prepared{run.ring().next_descriptor(), 0, run.expected().size()};
     const std::uint64_t page = (run.ring().next_buffer() | 0xFFF) + 1;
     run.ring().set_next_buffer(page);  // so that it is one burst

@@ -28,12 +28,6 @@ class Guarded {
   AxiRun run_;
 };
 
-void send_vertices(AxiRun& run, std::size_t count) {
-  run.send_bspline();
-  run.send_lattice(4);
-  run.send_vertices(count);
-}
-
 /// Every burst has these, each way.
 void expect_attributes(AxiRun& run, unsigned cache, unsigned prot) {
   for (const auto* bursts : {&run.system().memory.reads(), &run.system().memory.writes()}) {
@@ -98,11 +92,11 @@ TEST(AxiGuard, OrOnlyASecureAccess) {
 /// A vertex every 64 clocks: results wait for each other where FLUSH_CLOCKS is above that.
 TEST(AxiGuard, ResultsOfASlowEvaluatorShareABurst) {
   AxiRun plain(guarded_row(), 4);
-  send_vertices(plain, 64);
+  plain.send_scene(64);
   ASSERT_TRUE(plain.go());
   EXPECT_EQ(plain.system().memory.writes().size(), 64U) << "one each";
   Guarded run(4);
-  send_vertices(*run, 64);
+  run->send_scene(64);
   ASSERT_TRUE(run->go());
   EXPECT_EQ(run->system().memory.write_beats(), 64U);
   EXPECT_LE(run->system().memory.writes().size(), 2U);
@@ -119,15 +113,14 @@ struct Hang {
 void expect_next(AxiRun& run) {
   run.system().memory.set_throttles({});
   run.system().forget_bus();
-  EXPECT_TRUE(run.good_run());
-  EXPECT_TRUE(run.clean());
+  EXPECT_TRUE(run.ends_well());
 }
 
 class AxiHang : public testing::TestWithParam<Hang> {
  protected:
   /// A run whose memory answers no more on that channel, some clocks after the start.
   static void start(AxiRun& run, std::uint64_t after) {
-    send_vertices(run, 30);
+    run.send_scene(30);
     run.start();
     tb::AxiMemory::Throttles throttles;
     throttles.*GetParam().channel = tb::Throttle::runs({after, after}, {kNever, kNever}, 1);
@@ -149,12 +142,8 @@ TEST_P(AxiHang, EndsTheRunAndTheSoftReset) {
     start(*run, after);
     ASSERT_TRUE(run->wait());
     EXPECT_TRUE(run->driver().stopped());
-    const CoreErrors errors = run->driver().take_errors();
-    EXPECT_EQ(errors.status, 1U << GetParam().code);
-    ASSERT_TRUE(errors.first.has_value());
-    EXPECT_EQ(errors.first->code, GetParam().code);
-    EXPECT_EQ(errors.first->address, 0U);
     EXPECT_TRUE(run->system().interrupt());
+    EXPECT_TRUE(run->only_error({GetParam().code, 0, 0, 0}));
     EXPECT_THROW(run->driver().start(), DriverError);
     ASSERT_TRUE(run->soft_reset());
     EXPECT_FALSE(run->driver().stopped());
@@ -185,7 +174,7 @@ TEST(AxiBrokenSlave, ALastThatIsLostOrEarlyIsOverWithASoftReset) {
       SCOPED_TRACE(testing::Message() << "burst " << burst << ", beat " << beat);
       Guarded run(7 + burst);
       run->system().memory.misplace_last(burst, beat);
-      send_vertices(*run, 30);
+      run->send_scene(30);
       run->start();
       run->driver().wait_done(3000);
       run->system().memory.fail_nothing();
@@ -202,7 +191,7 @@ TEST(AxiBrokenSlave, ALastThatIsLostOrEarlyIsOverWithASoftReset) {
 TEST(AxiBrokenSlave, ALostLastIsATimeoutOfR) {
   Guarded run(8);
   run->system().memory.misplace_last(1, kNever);
-  send_vertices(*run, 30);
+  run->send_scene(30);
   run->start();
   ASSERT_TRUE(run->wait());
   // What comes then is taken for that burst's data, so that other errors are there, too.

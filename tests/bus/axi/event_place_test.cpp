@@ -24,15 +24,9 @@ TEST_P(AxiEventPlace, BeatOfAPacketThatEndsEarly) {
     run.send_bspline();
     run.send(packet);
     ASSERT_TRUE(run.go());
-    const CoreErrors errors = run.driver().take_errors();
-    ASSERT_TRUE(errors.first.has_value());
-    EXPECT_EQ(errors.first->code, static_cast<unsigned>(kPacketShort));
-    EXPECT_EQ(errors.first->packet, 1U);
-    EXPECT_EQ(errors.first->beat, beat);
-    ASSERT_FALSE(HasFailure());
+    ASSERT_TRUE(run.only_error({kPacketShort, 1, beat, 0}));
   }
-  EXPECT_TRUE(run.good_run());
-  EXPECT_TRUE(run.clean());
+  EXPECT_TRUE(run.ends_well());
 }
 
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiEventPlace);

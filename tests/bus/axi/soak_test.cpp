@@ -50,8 +50,7 @@ class Traffic {
   void finish() {
     EXPECT_TRUE(run_.soft_reset());
     run_.driver().take_errors();
-    EXPECT_TRUE(run_.good_run());
-    EXPECT_TRUE(run_.clean());
+    EXPECT_TRUE(run_.ends_well());
   }
   std::uint64_t checked() const { return run_.checked(); }
   std::uint64_t cycles() { return run_.system().cycle(); }

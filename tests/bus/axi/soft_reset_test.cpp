@@ -12,9 +12,7 @@ class AxiReset : public PerAxiConfiguration {
  protected:
   /// Packets of all kinds, the last of them long.
   void prepare(AxiRun& run) {
-    run.send_bspline();
-    run.send_lattice(4);
-    run.send_vertices(20);
+    run.send_scene(20);
     run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, run.random().bits())));
     run.send_vertices(60);
   }
@@ -57,8 +55,7 @@ TEST_P(AxiReset, SoftResetUnloads) {
   EXPECT_EQ(run.result_word(0, 3) >> 16, kStatusUnloaded >> 16);
   const std::uint32_t both = 1U << kNoCoefficients | 1U << kNoLattice;
   EXPECT_EQ(run.driver().take_errors().status, both);
-  EXPECT_TRUE(run.good_run());
-  EXPECT_TRUE(run.clean());
+  EXPECT_TRUE(run.ends_well());
 }
 
 /// A soft reset changes no register but what the hardware says.
@@ -73,8 +70,7 @@ TEST_P(AxiReset, SoftResetKeepsRegisters) {
   EXPECT_EQ(run.system().read32(HWFFD_READ_WINDOW_BASE_LO_OFFSET), kReadWindow.base);
   EXPECT_GT(run.driver().counters().vertices, 0U);
   EXPECT_EQ(run.system().read32(HWFFD_ERROR_COUNT_OFFSET), 1U);
-  EXPECT_TRUE(run.good_run());
-  EXPECT_TRUE(run.clean());
+  EXPECT_TRUE(run.ends_well());
 }
 
 /// One edge of aresetn, on the whole bus: nothing of the run before is among the results of the
@@ -94,8 +90,7 @@ TEST_P(AxiReset, OneEdgeOfHardResetAtAnyMoment) {
       EXPECT_FALSE(run.system().interrupt());
       EXPECT_EQ(run.driver().take_errors().status, 0U) << reset;
       EXPECT_EQ(run.driver().counters().vertices, 0U) << reset;
-      ASSERT_TRUE(run.good_run()) << throttles << ", reset " << reset;
-      EXPECT_TRUE(run.clean()) << reset;
+      ASSERT_TRUE(run.ends_well()) << throttles << ", reset " << reset;
     }
   }
   EXPECT_GT(unfinished, std::uint64_t{kResets / 20});

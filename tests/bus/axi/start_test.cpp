@@ -7,14 +7,7 @@
 namespace hwffd::test {
 namespace {
 
-class AxiStart : public PerAxiConfiguration {
- protected:
-  void prepare(AxiRun& run) {
-    run.send_bspline();
-    run.send_lattice(4);
-    run.send_vertices(12);
-  }
-};
+class AxiStart : public PerAxiConfiguration {};
 
 /// A write takes effect at its response, so one whose response comes after that of the start does
 /// not touch the run that the start began, however close it follows.
@@ -30,7 +23,7 @@ TEST_P(AxiStart, AWriteBehindItDoesNotMoveTheResults) {
   for (const std::vector<Write>& writes : behind) {
     AxiRun run(GetParam(), 1);
     for (std::uint64_t clocks = 0; clocks <= 8; ++clocks) {
-      prepare(run);
+      run.send_scene(12);
       run.start({}, [&] {
         run.system().run(clocks);
         for (const Write& write : writes) run.system().post_write(write.offset, write.value);
@@ -57,11 +50,7 @@ TEST_P(AxiStart, ARingWithoutItsHeadIsRefused) {
     const std::size_t reads = run.system().memory.reads().size();
     run.start(1);
     ASSERT_TRUE(run.wait());
-    const CoreErrors errors = run.driver().take_errors();
-    EXPECT_EQ(errors.status, 1U << kDmaRing);
-    ASSERT_TRUE(errors.first.has_value());
-    EXPECT_EQ(errors.first->code, static_cast<unsigned>(kDmaRing));
-    EXPECT_EQ(errors.first->address, kRing.base);
+    EXPECT_TRUE(run.only_error({kDmaRing, 0, 0, kRing.base}));
     EXPECT_FALSE(run.driver().stopped());
     EXPECT_EQ(run.system().memory.reads().size(), reads);
     EXPECT_EQ(run.driver().result_count(), 0U);
@@ -76,7 +65,7 @@ TEST_P(AxiStart, AHeadThatGoesWrongEndsTheRun) {
   unsigned refused = 0;
   for (std::uint64_t clocks = 1; clocks < 2000; clocks += 1 + clocks / 2) {
     AxiRun run(GetParam(), clocks);
-    prepare(run);
+    run.send_scene(12);
     run.start();
     run.system().run(clocks);
     const std::uint32_t head = run.system().read32(HWFFD_RING_HEAD_OFFSET);
@@ -88,8 +77,7 @@ TEST_P(AxiStart, AHeadThatGoesWrongEndsTheRun) {
     EXPECT_GE(run.results_in_memory(), run.driver().result_count());
     refused += status != 0 ? 1 : 0;
     ASSERT_TRUE(run.soft_reset());
-    EXPECT_TRUE(run.good_run()) << clocks;
-    EXPECT_TRUE(run.clean()) << clocks;
+    EXPECT_TRUE(run.ends_well()) << clocks;
   }
   EXPECT_GT(refused, 5U);
 }

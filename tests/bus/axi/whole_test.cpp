@@ -60,9 +60,7 @@ TEST_P(Axi, AnyPacketsGiveTheModelsBits) {
 /// Descriptors that come while the core is busy are taken in the same run, or in the next.
 TEST_P(Axi, PacketsAreAddedWhileItRuns) {
   AxiRun run(GetParam(), 3, "mixed");
-  run.send_bspline();
-  run.send_lattice(6);
-  run.send_vertices(100);
+  run.send_scene(100, 6);
   run.start(1000);
   for (int packet = 0; packet < 5; ++packet) run.send_vertices(20);
   ASSERT_TRUE(run.finish());
@@ -127,9 +125,7 @@ TEST_P(Axi, StallsAreCounted) {
   tb::AxiMemory::Throttles closed;
   closed.w = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
   run.system().memory.set_throttles(closed);
-  run.send_bspline();
-  run.send_lattice(4);
-  run.send_vertices(800);
+  run.send_scene(800);
   run.start();
   run.system().run(80'000);
   EXPECT_GT(run.driver().counters().stalls, 1000U);
