@@ -66,13 +66,9 @@ INSTANTIATE_TEST_SUITE_P(Bits, EachSticky,
 TEST_P(EachSticky, IsSetByTheHardwareAndClearedByOne) {
   const Sticky& sticky = GetParam();
   RegisterBench bench(3);
-  const auto is_set = [&] {
-    return (bench.read(offset_of(sticky.path)).data & bit_of(sticky.path)) != 0;
-  };
+  const auto is_set = [&] { return bench.is_set(sticky.path); };
   EXPECT_FALSE(is_set());
-  bench.inputs()[sticky.port] = sticky.value;
-  bench.step();
-  bench.inputs()[sticky.port] = 0;
+  bench.pulse(sticky.port, sticky.value);
   EXPECT_TRUE(is_set());
   bench.write(offset_of(sticky.path), ~bit_of(sticky.path));
   EXPECT_TRUE(is_set());
@@ -92,16 +88,13 @@ TEST_P(EachSticky, WinsOverAClearInTheSameClock) {
   unsigned later = 0;
   for (unsigned at = 0; at < 10; ++at) {
     RegisterBench bench(4);
-    bench.inputs()[sticky.port] = sticky.value;  // it was set before
-    bench.step();
-    bench.inputs()[sticky.port] = 0;
+    bench.pulse(sticky.port, sticky.value);  // it was set before
     const std::uint64_t pulse = bench.clock() + at;
     bench.each_clock(
         [&] { bench.inputs()[sticky.port] = bench.clock() == pulse ? sticky.value : 0; });
-    bench.write(offset_of(sticky.path), bit_of(sticky.path));
+    bench.set_bit(sticky.path);
     while (bench.clock() <= pulse) bench.step();
-    const bool is_set = (bench.read(offset_of(sticky.path)).data & bit_of(sticky.path)) != 0;
-    EXPECT_EQ(is_set, pulse >= bench.write_clock()) << at;
+    EXPECT_EQ(bench.is_set(sticky.path), pulse >= bench.write_clock()) << at;
     (pulse < bench.write_clock() ? earlier : pulse == bench.write_clock() ? same : later) += 1;
   }
   EXPECT_GT(earlier, 0u);
@@ -111,15 +104,20 @@ TEST_P(EachSticky, WinsOverAClearInTheSameClock) {
 
 // ---- start
 
+/// Clocks of start so far, after one was asked for.
+std::uint64_t starts(RegisterBench& bench) {
+  bench.set_bit("CONTROL.start");
+  bench.steps(3);
+  return bench.high_clocks("control_start_o");
+}
+
 /// A start that must be refused.
 void expect_refused(RegisterBench& bench, const std::string& reason) {
   const std::uint64_t before = bench.high_clocks("control_start_o");
-  bench.set("STATUS", bit_of("STATUS.start_refused"));
-  bench.set("IRQ_STATE", bit_of("IRQ_STATE.refused"));
-  bench.set("CONTROL", bit_of("CONTROL.start"));
-  bench.steps(3);
-  EXPECT_EQ(bench.high_clocks("control_start_o"), before) << reason;
-  EXPECT_NE(bench.get("STATUS") & bit_of("STATUS.start_refused"), 0u) << reason;
+  bench.set_bit("STATUS.start_refused");
+  bench.set_bit("IRQ_STATE.refused");
+  EXPECT_EQ(starts(bench), before) << reason;
+  EXPECT_TRUE(bench.is_set("STATUS.start_refused")) << reason;
   EXPECT_EQ(bench.get("IRQ_STATE"), bit_of("IRQ_STATE.refused")) << reason;
 }
 
@@ -131,11 +129,9 @@ TEST(Start, IsRefusedWhileBusyOrStopped) {
     expect_refused(bench, reason);
     bench.inputs()[reason] = 0;
     EXPECT_EQ(bench.get("STATUS"), bit_of("STATUS.start_refused"));
-    bench.set("CONTROL", bit_of("CONTROL.start"));
-    bench.steps(3);
-    EXPECT_EQ(bench.high_clocks("control_start_o"), 1u);
+    EXPECT_EQ(starts(bench), 1u);
     EXPECT_EQ(bench.get("STATUS"), bit_of("STATUS.start_refused"));  // until cleared
-    bench.set("STATUS", bit_of("STATUS.start_refused"));
+    bench.set_bit("STATUS.start_refused");
     EXPECT_EQ(bench.get("STATUS"), 0u);
   }
 }
@@ -144,9 +140,7 @@ TEST(Start, NeedsTheLock) {
   RegisterBench bench(5);
   expect_refused(bench, "not locked");
   bench.set("WINDOW_LOCK", 1);
-  bench.set("CONTROL", bit_of("CONTROL.start"));
-  bench.steps(3);
-  EXPECT_EQ(bench.high_clocks("control_start_o"), 1u);
+  EXPECT_EQ(starts(bench), 1u);
   bench.reset();
   expect_refused(bench, "reset takes the lock away");
 }
@@ -166,7 +160,7 @@ TEST(Start, TwiceInSuccessiveClocksIsOnce) {
   const auto& answers = bench.driver().write_responses();
   ASSERT_EQ(answers.size(), 5u);                       // the lock's is the first
   EXPECT_EQ(answers[4].cycle - answers[1].cycle, 3u);  // they were successive
-  EXPECT_NE(bench.get("STATUS") & bit_of("STATUS.start_refused"), 0u);
+  EXPECT_TRUE(bench.is_set("STATUS.start_refused"));
 }
 
 // ---- counters
@@ -186,7 +180,7 @@ TEST(Counter, CountsClocksOfItsEvent) {
       EXPECT_EQ(bench.get(name + "_LO"), other == which ? 1000u : 0u) << name;
       EXPECT_EQ(bench.get(name + "_HI"), 0u);
     }
-    bench.set("CONTROL", bit_of("CONTROL.clear_counters"));
+    bench.set_bit("CONTROL.clear_counters");
     EXPECT_EQ(bench.get(std::string("COUNTER_") + names[which] + "_LO"), 0u);
   }
 }
@@ -200,13 +194,12 @@ struct Error {
 };
 
 void raise(RegisterBench& bench, const Error& error) {
-  bench.inputs()["error_event_i"] = error.events;
   bench.inputs()["error_packet_i"] = error.packet;
   bench.inputs()["error_beat_i"] = error.beat;
   bench.inputs()["error_address_i"] = error.address;
   bench.inputs()["error_address_valid_i"] = error.address != 0 ? 1 : 0;
-  bench.step();
-  bench.inputs()["error_event_i"] = bench.inputs()["error_address_valid_i"] = 0;
+  bench.pulse("error_event_i", error.events);
+  bench.inputs()["error_address_valid_i"] = 0;
   bench.inputs()["error_packet_i"] = ~0u;
 }
 
@@ -242,13 +235,13 @@ TEST(Errors, TheFirstIsKeptUntilItIsCleared) {
   bench.set("ERROR_STATUS", 0x8400);
   EXPECT_EQ(bench.get("ERROR_STATUS"), 0x0021u);
   expect_first(bench, 5, first);  // has nothing to do with the status
-  bench.set("ERROR_FIRST", bit_of("ERROR_FIRST.valid"));
+  bench.set_bit("ERROR_FIRST.valid");
   EXPECT_EQ(bench.get("ERROR_FIRST"), 5u);
   const Error third{0x1000, 9, 8, 7};
   raise(bench, third);
   expect_first(bench, 12, third);
   EXPECT_EQ(bench.get("ERROR_COUNT"), 5u);
-  bench.set("CONTROL", bit_of("CONTROL.clear_counters"));
+  bench.set_bit("CONTROL.clear_counters");
   EXPECT_EQ(bench.get("ERROR_COUNT"), 0u);
   expect_first(bench, 12, third);
 }
@@ -262,7 +255,7 @@ TEST(Errors, AnErrorWithoutAnAddressHidesNone) {
   raise(bench, {0x10000, 0, 0, 0xFFF0});  // the second with an address
   raise(bench, {0x0001, 7, 7, 0});
   expect_first(bench, 9, {0x0200, 1, 2, 0x1'2345'6780});
-  bench.set("ERROR_FIRST", bit_of("ERROR_FIRST.valid"));
+  bench.set_bit("ERROR_FIRST.valid");
   raise(bench, {0x0004, 3, 4, 0});
   expect_first(bench, 2, {0x0004, 3, 4, 0});
 }
@@ -276,7 +269,7 @@ TEST(Errors, OneInTheClockOfTheClearIsRecorded) {
       bench.inputs()["error_event_i"] = bench.clock() == pulse ? 0x40 : 0;
       bench.inputs()["error_packet_i"] = 77;
     });
-    bench.write(offset_of("ERROR_FIRST.valid"), bit_of("ERROR_FIRST.valid"));
+    bench.set_bit("ERROR_FIRST.valid");
     while (bench.clock() <= pulse) bench.step();
     const std::uint64_t acted = bench.write_clock();
     EXPECT_EQ(bench.get("ERROR_FIRST"), pulse < acted ? 1u : 6u | bit_of("ERROR_FIRST.valid"));
@@ -306,18 +299,14 @@ TEST(Interrupt, FollowsStateAndEnable) {
 
 TEST(Interrupt, IsSeparateFromWhatCausedIt) {
   RegisterBench bench(12);
-  bench.set("IRQ_ENABLE", bit_of("IRQ_ENABLE.done"));
-  bench.inputs()["status_done_set_i"] = 1;
-  bench.step();
-  bench.inputs()["status_done_set_i"] = 0;
+  bench.set_bit("IRQ_ENABLE.done");
+  bench.pulse("status_done_set_i");
   bench.steps(2);
   EXPECT_EQ(bench.output("irq_o"), 1u);
-  bench.set("STATUS", bit_of("STATUS.done"));
+  bench.set_bit("STATUS.done");
   EXPECT_EQ(bench.get("IRQ_STATE"), bit_of("IRQ_STATE.done"));
-  bench.inputs()["status_done_set_i"] = 1;
-  bench.step();
-  bench.inputs()["status_done_set_i"] = 0;
-  bench.set("IRQ_STATE", bit_of("IRQ_STATE.done"));
+  bench.pulse("status_done_set_i");
+  bench.set_bit("IRQ_STATE.done");
   bench.steps(2);
   EXPECT_EQ(bench.output("irq_o"), 0u);
   EXPECT_EQ(bench.get("STATUS"), bit_of("STATUS.done"));

@@ -151,22 +151,29 @@ RegisterModel::Answer RegisterBench::read(std::uint32_t address) {
 }
 
 std::uint32_t RegisterBench::get(const std::string& reg) {
-  for (const RegisterField& field : register_table()) {
-    if (field.reg != reg) continue;
-    const auto answer = read(field.offset);
-    EXPECT_EQ(answer.code, cores::kOkay) << reg;
-    return answer.data;
-  }
-  throw std::out_of_range("no register " + reg);
+  const auto answer = read(register_offset(reg));
+  EXPECT_EQ(answer.code, cores::kOkay) << reg;
+  return answer.data;
 }
 
 void RegisterBench::set(const std::string& reg, std::uint32_t data) {
-  for (const RegisterField& field : register_table()) {
-    if (field.reg != reg) continue;
-    EXPECT_EQ(write(field.offset, data), cores::kOkay) << reg;
-    return;
-  }
-  throw std::out_of_range("no register " + reg);
+  EXPECT_EQ(write(register_offset(reg), data), cores::kOkay) << reg;
+}
+
+bool RegisterBench::is_set(const std::string& path) {
+  const RegisterField& field = register_field(path);
+  return (get(field.reg) & field.mask()) != 0;
+}
+
+void RegisterBench::set_bit(const std::string& path) {
+  const RegisterField& field = register_field(path);
+  set(field.reg, field.mask());
+}
+
+void RegisterBench::pulse(const std::string& port, std::uint64_t value) {
+  inputs_.at(port) = value;
+  step();
+  inputs_.at(port) = 0;
 }
 
 std::vector<std::uint32_t> RegisterBench::snapshot() {

@@ -40,11 +40,16 @@ class RegisterBench {
   /// By name: whole register, must be OKAY.
   std::uint32_t get(const std::string& reg);
   void set(const std::string& reg, std::uint32_t data);
+  /// By path: a bit, whether it is set, and the write that sets it alone.
+  bool is_set(const std::string& path);
+  void set_bit(const std::string& path);
   /// All registers in order, without those of access counter or log.
   std::vector<std::uint32_t> snapshot();
 
   /// Inputs from the hardware, kept until changed.
   PortValues& inputs() { return inputs_; }
+  /// One clock in which that input has this value, and is 0 again.
+  void pulse(const std::string& port, std::uint64_t value = 1);
   /// Called at the start of every clock, to change them.
   void each_clock(std::function<void()> callback) { each_clock_ = std::move(callback); }
   std::uint64_t output(const std::string& port);

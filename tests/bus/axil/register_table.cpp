@@ -102,4 +102,11 @@ const RegisterField& register_field(const std::string& path) {
   throw std::out_of_range("no field " + path);
 }
 
+std::uint32_t register_offset(const std::string& reg) {
+  for (const RegisterField& field : register_table()) {
+    if (field.reg == reg) return field.offset;
+  }
+  throw std::out_of_range("no register " + reg);
+}
+
 }  // namespace hwffd::test

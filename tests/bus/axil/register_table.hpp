@@ -42,5 +42,7 @@ std::vector<RegisterField> read_register_table(const std::string& path);
 const std::vector<RegisterField>& register_table();
 /// The field of that path. Throws std::out_of_range.
 const RegisterField& register_field(const std::string& path);
+/// The offset of the register of that name. Throws std::out_of_range.
+std::uint32_t register_offset(const std::string& reg);
 
 }  // namespace hwffd::test
