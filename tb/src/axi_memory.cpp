@@ -100,9 +100,8 @@ bool AxiMemory::quiet() const {
 }
 
 void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
-  pins.ar.ready = throttles_.ar.willing() && read_queue_.size() < outstanding_;
-  pins.aw.ready =
-      throttles_.aw.willing() && write_queue_.size() + answer_queue_.size() < outstanding_;
+  pins.ar.ready = throttles_.ar.willing();
+  pins.aw.ready = throttles_.aw.willing();
   pins.w.ready = throttles_.w.willing();
 
   const bool read_willing = throttles_.r.willing();

@@ -23,12 +23,8 @@ void AxiSystem::allow(const AddressWindow& read, const AddressWindow& write) {
 }
 
 void AxiSystem::set_throttles(const std::string& name) {
-  registers_.throttle(AxiLiteThrottles::make(name, random_.bits()));
-  const auto make = [&] {
-    const std::string kind = name == "mixed" ? random_.pick(throttle_names()) : name;
-    return make_throttle(kind, random_.bits());
-  };
-  memory.set_throttles({make(), make(), make(), make(), make()});
+  registers_.throttle(AxiThrottles::make(name, random_.bits()));
+  memory.set_throttles(AxiThrottles::make(name, random_.bits()));
 }
 
 void AxiSystem::reset(unsigned clocks) {

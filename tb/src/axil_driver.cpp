@@ -2,18 +2,6 @@
 
 namespace hwffd::tb {
 
-AxiLiteThrottles AxiLiteThrottles::make(const std::string& name, std::uint64_t seed) {
-  Random random(derive_seed(seed, 5));
-  std::uint64_t index = 0;
-  const auto one = [&] {
-    const std::string kind = name == "mixed" ? random.pick(throttle_names()) : name;
-    return make_throttle(kind, derive_seed(seed, index++));
-  };
-  AxiLiteThrottles made;
-  for (Throttle* channel : {&made.aw, &made.w, &made.b, &made.ar, &made.r}) *channel = one();
-  return made;
-}
-
 void AxiLiteDriver::clear() {
   writes_.clear();
   reads_.clear();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hwffd/tb/beat_text.hpp"
+#include "lists.hpp"
 
 namespace hwffd::tb {
 namespace {
@@ -22,13 +23,7 @@ std::string name_differences(const Beat& expected, const Beat& got) {
 
 void Scoreboard::expect(std::vector<Beat> beats) {
   expected_ += beats.size();
-  queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(next_));
-  next_ = 0;
-  if (queue_.empty()) {
-    queue_ = std::move(beats);
-  } else {
-    queue_.insert(queue_.end(), beats.begin(), beats.end());
-  }
+  refill(queue_, next_, std::move(beats));
 }
 
 void Scoreboard::fail(const Beat& got, std::uint64_t cycle) {
@@ -49,7 +44,7 @@ void Scoreboard::fail(const Beat& got, std::uint64_t cycle) {
     if (mismatches_ + extra_ <= kMaxReports) {
       text = fmt::format("{}, tag {:04x}: wrong\n  expected {}\n  got      {}\n  {}", where,
                          beat_tag(expected), beat_text(expected), beat_text(got),
-                         describe_ ? describe_(expected, got) : name_differences(expected, got));
+                         name_differences(expected, got));
     }
   }
   if (mismatches_ + extra_ > kMaxReports) return;

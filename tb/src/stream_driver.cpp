@@ -2,19 +2,12 @@
 
 #include <utility>
 
-#include "reserve_more.hpp"
+#include "lists.hpp"
 
 namespace hwffd::tb {
 
 void StreamDriver::push(std::vector<Beat> beats) {
-  // Accepted beats are forgotten here, not one by one while the clock runs.
-  queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(next_));
-  next_ = 0;
-  if (queue_.empty()) {
-    queue_ = std::move(beats);
-  } else {
-    queue_.insert(queue_.end(), beats.begin(), beats.end());
-  }
+  refill(queue_, next_, std::move(beats));
   if (record_) reserve_more(clocks_, queue_.size());
 }
 

@@ -1,6 +1,6 @@
 #include "hwffd/tb/stream_monitor.hpp"
 
-#include "reserve_more.hpp"
+#include "lists.hpp"
 
 namespace hwffd::tb {
 

@@ -57,4 +57,15 @@ Throttle make_throttle(const std::string& name, std::uint64_t seed) {
   throw std::invalid_argument("make_throttle: unknown throttle \"" + name + "\"");
 }
 
+AxiThrottles AxiThrottles::make(const std::string& name, std::uint64_t seed) {
+  Random random(derive_seed(seed, 5));
+  std::uint64_t index = 0;
+  AxiThrottles made;
+  for (Throttle* channel : {&made.aw, &made.w, &made.b, &made.ar, &made.r}) {
+    const std::string kind = name == "mixed" ? random.pick(throttle_names()) : name;
+    *channel = make_throttle(kind, derive_seed(seed, index++));
+  }
+  return made;
+}
+
 }  // namespace hwffd::tb

@@ -104,9 +104,6 @@ TEST(Scoreboard, EveryBitCounts) {
 
 TEST(Scoreboard, ReportSaysWhereAndHowToRepeat) {
   Scoreboard board({"stream.bursts", 77, {}});
-  board.describe_with([](const Beat& expected, const Beat& got) {
-    return "component x off by " + std::to_string(got.words[0] - expected.words[0]);
-  });
   board.expect({beat(1), beat(2)});
   board.receive(beat(1), 4);
   board.receive(Beat{{9, 0x22222222, 0x33333333, 0xabcd0002}, true}, 123);
@@ -115,7 +112,7 @@ TEST(Scoreboard, ReportSaysWhereAndHowToRepeat) {
             "stream.bursts seed 77: beat 1, cycle 123, tag 0002: wrong\n"
             "  expected 00000002 22222222 33333333 abcd0002\n"
             "  got      00000009 22222222 33333333 abcd0002 last\n"
-            "  component x off by 7\n"
+            "  differs in word 0 by 0000000b, last\n"
             "  replay   SEED=77 ctest -R 'stream.bursts'");
 }
 
@@ -131,18 +128,12 @@ TEST(Scoreboard, ReplayCommandCanBeGiven) {
 
 TEST(Scoreboard, StopsAfterTwentyReports) {
   Scoreboard board({"t", 1, {}});
-  unsigned described = 0;
-  board.describe_with([&described](const Beat&, const Beat&) {
-    ++described;
-    return std::string();
-  });
   board.expect(std::vector<Beat>(40, beat(1)));
   for (unsigned i = 0; i < 30; ++i) {
     EXPECT_EQ(board.full(), i >= 20);
     board.receive(beat(2), i);
   }
   EXPECT_EQ(board.reports().size(), 20u);
-  EXPECT_EQ(described, 20u);
   EXPECT_EQ(board.mismatches(), 30u);
   EXPECT_EQ(board.checked(), 30u);
 }

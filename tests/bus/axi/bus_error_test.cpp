@@ -107,8 +107,8 @@ TEST_P(AxiBusError, OnEveryBurstOfResults) {
 /// A run that a failed write ends is over when reads are, too.
 TEST_P(AxiBusError, OnAWriteWhileReadsAreOpen) {
   AxiRun run(GetParam(), 5);
-  tb::AxiMemory::Throttles slow;
-  slow.r = tb::Throttle::runs({40, 40}, {150, 150}, 1);
+  tb::AxiThrottles slow;
+  slow.r = tb::Throttle::shut_after(40, 150);
   run.system().memory.set_throttles(slow);
   run.send_bspline();
   run.send_lattice(4);

@@ -106,7 +106,7 @@ TEST(AxiGuard, ResultsOfASlowEvaluatorShareABurst) {
 struct Hang {
   const char* name;
   unsigned code;
-  tb::Throttle tb::AxiMemory::Throttles::*channel;
+  tb::Throttle tb::AxiThrottles::*channel;
 };
 
 /// The memory is as new; so is the core.
@@ -122,17 +122,17 @@ class AxiHang : public testing::TestWithParam<Hang> {
   static void start(AxiRun& run, std::uint64_t after) {
     run.send_scene(30);
     run.start();
-    tb::AxiMemory::Throttles throttles;
-    throttles.*GetParam().channel = tb::Throttle::runs({after, after}, {kNever, kNever}, 1);
+    tb::AxiThrottles throttles;
+    throttles.*GetParam().channel = tb::Throttle::shut_after(after, kNever);
     run.system().memory.set_throttles(throttles);
   }
 };
 INSTANTIATE_TEST_SUITE_P(, AxiHang,
-                         testing::Values(Hang{"AR", kTimeoutAr, &tb::AxiMemory::Throttles::ar},
-                                         Hang{"R", kTimeoutR, &tb::AxiMemory::Throttles::r},
-                                         Hang{"AW", kTimeoutAw, &tb::AxiMemory::Throttles::aw},
-                                         Hang{"W", kTimeoutW, &tb::AxiMemory::Throttles::w},
-                                         Hang{"B", kTimeoutB, &tb::AxiMemory::Throttles::b}),
+                         testing::Values(Hang{"AR", kTimeoutAr, &tb::AxiThrottles::ar},
+                                         Hang{"R", kTimeoutR, &tb::AxiThrottles::r},
+                                         Hang{"AW", kTimeoutAw, &tb::AxiThrottles::aw},
+                                         Hang{"W", kTimeoutW, &tb::AxiThrottles::w},
+                                         Hang{"B", kTimeoutB, &tb::AxiThrottles::b}),
                          by_name);
 
 /// The run ends, and says which channel it was; a soft reset, too.

@@ -122,8 +122,8 @@ TEST_P(Axi, VerticesAreCountedNotResults) {
 /// A result that cannot leave because the memory takes no data waits, and is counted as a stall.
 TEST_P(Axi, StallsAreCounted) {
   AxiRun run(GetParam(), 6);
-  tb::AxiMemory::Throttles closed;
-  closed.w = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
+  tb::AxiThrottles closed;
+  closed.w = tb::Throttle::shut_after(1, 100'000);
   run.system().memory.set_throttles(closed);
   run.send_scene(800);
   run.start();

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Every, DriverThrottle,
                          test::by_name);
 
 TEST_P(DriverThrottle, SendsAllInOrderAndKeepsTheRules) {
-  AxiLiteDriver driver(1, AxiLiteThrottles::make(GetParam(), 2));
+  AxiLiteDriver driver(1, AxiThrottles::make(GetParam(), 2));
   AxiLiteChecker checker;
   EasySlave slave(3);
   checker.observe({true, {}, {}}, 0);

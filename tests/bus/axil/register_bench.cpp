@@ -17,7 +17,7 @@ constexpr std::size_t kMaxFailures = 20;
 RegisterBench::RegisterBench(std::uint64_t seed, const std::string& throttles)
     : sim_(seed, 2'000'000),
       driver_(tb::derive_seed(seed, 1),
-              tb::AxiLiteThrottles::make(throttles, tb::derive_seed(seed, 2))) {
+              tb::AxiThrottles::make(throttles, tb::derive_seed(seed, 2))) {
   for (const auto& [name, port] : hardware_inputs()) inputs_[name] = 0;
   for (const auto& [name, port] : hardware_outputs()) high_[name] = 0;
   reset();

@@ -47,6 +47,13 @@ void disturb(PortValues& inputs, tb::Random& random) {
   }
 }
 
+/// Unwilling from the first clock on.
+tb::Throttle shut(std::uint64_t clocks) {
+  tb::Throttle throttle = tb::Throttle::shut_after(1, clocks);
+  throttle.willing();
+  return throttle;
+}
+
 class EveryThrottle : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Traffic, EveryThrottle,
                          testing::Values("always", "gaps", "sparse", "bernoulli", "bursts",
@@ -62,7 +69,7 @@ TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
   std::uint64_t errors = 0;
   while (answered < kTransactions && bench.failures().empty()) {
     if (GetParam() == "mixed") {
-      bench.driver().throttle(tb::AxiLiteThrottles::make("mixed", random.bits()));
+      bench.driver().throttle(tb::AxiThrottles::make("mixed", random.bits()));
     }
     for (unsigned i = 0; i < 250; ++i) {
       bench.driver().write(random_write(random));
@@ -104,12 +111,9 @@ TEST(Reset, ForgetsWhatIsUnderWay) {
   for (unsigned clocks = 1; clocks < 12; ++clocks) {
     for (const bool only_address : {false, true}) {
       RegisterBench bench(3);
-      tb::AxiLiteThrottles throttles;
-      if (only_address) throttles.w = tb::Throttle::runs({1, 1}, {1000, 1000}, 1);
-      if (only_address) throttles.w.willing();
-      throttles.b = throttles.r = tb::Throttle::runs({1, 1}, {1000, 1000}, 1);
-      throttles.b.willing();
-      throttles.r.willing();
+      tb::AxiThrottles throttles;
+      if (only_address) throttles.w = shut(1000);
+      throttles.b = throttles.r = shut(1000);
       bench.driver().throttle(throttles);
       for (unsigned i = 0; i < 6; ++i) {
         bench.driver().write({0x068, 0x1111, 0xF});
@@ -149,10 +153,8 @@ TEST(Rate, IsARequestAClockInBothDirections) {
 TEST(Order, AddressAndDataComeInAnyOrder) {
   for (const bool address_first : {true, false}) {
     RegisterBench bench(5);
-    tb::AxiLiteThrottles throttles;
-    tb::Throttle late = tb::Throttle::runs({1, 1}, {20, 20}, 1);
-    late.willing();
-    (address_first ? throttles.w : throttles.aw) = late;
+    tb::AxiThrottles throttles;
+    (address_first ? throttles.w : throttles.aw) = shut(20);
     bench.driver().throttle(throttles);
     bench.steps(1);
     for (std::uint32_t i = 0; i < 5; ++i) bench.driver().write({0x060, i + 1, 0xF});
@@ -166,10 +168,8 @@ TEST(Order, AddressAndDataComeInAnyOrder) {
 TEST(Order, AStalledDirectionDoesNotHoldTheOther) {
   for (const bool writes_stall : {true, false}) {
     RegisterBench bench(6);
-    tb::AxiLiteThrottles throttles;
-    tb::Throttle never = tb::Throttle::runs({1, 1}, {100'000, 100'000}, 1);
-    never.willing();
-    (writes_stall ? throttles.b : throttles.r) = never;
+    tb::AxiThrottles throttles;
+    (writes_stall ? throttles.b : throttles.r) = shut(100'000);
     bench.driver().throttle(throttles);
     for (std::uint32_t i = 0; i < 50; ++i) {
       bench.driver().write({0x060, i, 0xF});

@@ -84,14 +84,5 @@ TEST(AxiMemory, WritesAreKeptOrFail) {
   EXPECT_EQ(hand.memory.writes()[1].beats, 2u);
 }
 
-TEST(AxiMemory, OutstandingIsLimited) {
-  Hand hand;
-  hand.memory.set_latency({100, 100});
-  hand.memory.set_outstanding(2);
-  hand.pins.ar = {true, false, 0, 0};
-  for (int i = 0; i < 20; ++i) hand.step();
-  EXPECT_EQ(hand.memory.reads().size(), 2u);
-}
-
 }  // namespace
 }  // namespace hwffd::tb

@@ -41,8 +41,7 @@ DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
 }
 
 void DmaBench::set_bus_throttle(const std::string& name) {
-  const auto make = [&](int i) { return tb::make_throttle(name, random_.bits() + i); };
-  memory.set_throttles({make(0), make(1), make(2), make(3), make(4)});
+  memory.set_throttles(tb::AxiThrottles::make(name, random_.bits()));
 }
 
 void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write) {

@@ -210,8 +210,8 @@ TEST_P(Sized, FullBurstsWhileResultsKeepComing) {
 /// A slave that takes no address sees all data of the bursts that may be open; nothing is lost.
 TEST_P(Sized, WriteDataMayComeBeforeItsAddress) {
   DmaBench bench(GetParam(), 14);
-  tb::AxiMemory::Throttles throttles;
-  throttles.aw = tb::Throttle::runs({1, 1}, {400, 400}, 1);  // willing in the first clock only
+  tb::AxiThrottles throttles;
+  throttles.aw = tb::Throttle::shut_after(1, 400);  // willing in the first clock only
   bench.memory.set_throttles(throttles);
   bench.start_results(0x20000, 1 << 16);
   bench.offer_results(8, 4);

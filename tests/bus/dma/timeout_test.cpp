@@ -15,11 +15,11 @@ constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
 enum Channel : unsigned { kAr, kR, kAw, kW, kB, kChannels };
 
 /// Throttles of which one is shut after some clocks, for that many.
-tb::AxiMemory::Throttles shut(Channel channel, std::uint64_t after, std::uint64_t clocks) {
-  tb::AxiMemory::Throttles throttles;
+tb::AxiThrottles shut(Channel channel, std::uint64_t after, std::uint64_t clocks) {
+  tb::AxiThrottles throttles;
   tb::Throttle* const one[] = {&throttles.ar, &throttles.r, &throttles.aw, &throttles.w,
                                &throttles.b};
-  *one[channel] = tb::Throttle::runs({after + 1, after + 1}, {clocks, clocks}, 1);
+  *one[channel] = tb::Throttle::shut_after(after + 1, clocks);
   return throttles;
 }
 

@@ -27,13 +27,6 @@ class AxiMemory {
     std::uint64_t least = 1;
     std::uint64_t most = 1;
   };
-  struct Throttles {
-    Throttle ar = Throttle::always();
-    Throttle r = Throttle::always();
-    Throttle aw = Throttle::always();
-    Throttle w = Throttle::always();
-    Throttle b = Throttle::always();
-  };
   /// An address that was accepted.
   struct Burst {
     std::uint64_t address;
@@ -47,9 +40,7 @@ class AxiMemory {
   explicit AxiMemory(std::uint64_t seed) : random_(derive_seed(seed, 77)), seed_(seed) {}
 
   void set_latency(Latency latency) { latency_ = latency; }
-  void set_throttles(const Throttles& throttles) { throttles_ = throttles; }
-  /// Addresses are not accepted while that many bursts of their kind are unanswered.
-  void set_outstanding(std::size_t most) { outstanding_ = most; }
+  void set_throttles(const AxiThrottles& throttles) { throttles_ = throttles; }
 
   /// Beat `beat` of the read burst accepted as number `burst` from now (0 the next) fails.
   void fail_read(std::uint64_t burst, std::uint64_t beat, cores::AxiResponse response);
@@ -117,8 +108,7 @@ class AxiMemory {
   Random random_;
   std::uint64_t seed_;
   Latency latency_;
-  Throttles throttles_;
-  std::size_t outstanding_ = 64;
+  AxiThrottles throttles_;
   std::vector<Failure> failing_reads_, failing_writes_;
   std::unordered_map<std::uint64_t, std::uint64_t> misplaced_;  // of bursts by number
   std::unordered_map<std::uint64_t, std::array<std::uint8_t, kPage>> pages_;

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "hwffd/cores/axil_pins.hpp"
@@ -23,20 +22,6 @@ struct AxiLiteResponse {
   std::uint64_t cycle = 0;  ///< in which it was taken
 };
 
-/// When each channel is willing: to offer a request, or to take a response. Independent of each
-/// other, they make the order of a write's address and data random.
-struct AxiLiteThrottles {
-  Throttle aw = Throttle::always();
-  Throttle w = Throttle::always();
-  Throttle b = Throttle::always();
-  Throttle ar = Throttle::always();
-  Throttle r = Throttle::always();
-
-  /// All five of that name (`throttle_names`), with seeds of their own; "mixed" draws a name for
-  /// each.
-  static AxiLiteThrottles make(const std::string& name, std::uint64_t seed);
-};
-
 /// The master of an AXI4-Lite bus: a queue of writes and one of reads, each worked off in order,
 /// both at once. An offered request stays, with its valid, until it is accepted; what lies on idle
 /// channels is random.
@@ -45,13 +30,13 @@ struct AxiLiteThrottles {
 /// sampled.
 class AxiLiteDriver {
  public:
-  explicit AxiLiteDriver(std::uint64_t seed, AxiLiteThrottles throttles = {})
+  explicit AxiLiteDriver(std::uint64_t seed, AxiThrottles throttles = {})
       : random_(seed), throttles_(throttles) {}
 
   /// Appends to the queues.
   void write(const AxiLiteWrite& request) { writes_.push_back(request); }
   void read(std::uint32_t address) { reads_.push_back(address); }
-  void throttle(const AxiLiteThrottles& throttles) { throttles_ = throttles; }
+  void throttle(const AxiThrottles& throttles) { throttles_ = throttles; }
   /// awprot and arprot of what is offered from now on.
   void protect(std::uint8_t prot) { pins_.awprot = pins_.arprot = prot; }
   /// Drops queues, offers and responses, as a reset does.
@@ -72,7 +57,7 @@ class AxiLiteDriver {
 
  private:
   Random random_;
-  AxiLiteThrottles throttles_;
+  AxiThrottles throttles_;
   std::vector<AxiLiteWrite> writes_;
   std::vector<std::uint32_t> reads_;
   std::vector<AxiLiteResponse> written_;

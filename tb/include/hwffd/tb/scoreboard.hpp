@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +16,8 @@ namespace hwffd::tb {
 class Scoreboard {
  public:
   static constexpr std::size_t kMaxReports = 20;
-  /// Words for a mismatch: component, difference in ulp, inputs found by tag. May span lines.
-  using Describe = std::function<std::string(const Beat& expected, const Beat& got)>;
 
   explicit Scoreboard(TestIdentity test) : test_(std::move(test)) {}
-
-  /// Replaces the description of a mismatch; the default names the words that differ.
-  void describe_with(Describe describe) { describe_ = std::move(describe); }
 
   /// Appends expected beats.
   void expect(std::vector<Beat> beats);
@@ -62,7 +56,6 @@ class Scoreboard {
   void fail(const Beat& got, std::uint64_t cycle);
 
   TestIdentity test_;
-  Describe describe_;
   std::vector<Beat> queue_;
   std::size_t next_ = 0;
   std::uint64_t expected_ = 0;

@@ -93,13 +93,8 @@ class StreamBench : private cores::StreamParty {
 
   /// Called by `run` with the fraction done, in steps of at least 1 %, the last one 1.
   void on_progress(std::function<void(double)> callback) { progress_ = std::move(callback); }
-  /// Words for a mismatch.
-  void describe_with(Scoreboard::Describe describe) {
-    scoreboard_.describe_with(std::move(describe));
-  }
-  /// Other throttles than those of the options.
+  /// Another throttle than that of the options.
   void throttle_source(const Throttle& throttle) { source_ = throttle; }
-  void throttle_sink(const Throttle& throttle) { sink_ = throttle; }
   /// Spoils one result on its way to the scoreboard, which must notice.
   void plant(const Fault& fault) { fault_ = FaultInjector(fault); }
   bool fault_struck() const { return fault_.struck(); }

@@ -28,6 +28,10 @@ class Throttle {
   static Throttle bernoulli(double p, std::uint64_t seed);
   /// Random runs, willing and unwilling in turn.
   static Throttle runs(Length willing, Length unwilling, std::uint64_t seed);
+  /// Willing for `clocks`, at least 1, then unwilling for so many, and so on.
+  static Throttle shut_after(std::uint64_t clocks, std::uint64_t unwilling) {
+    return runs({clocks, clocks}, {unwilling, unwilling}, 1);
+  }
 
   /// Asked once a cycle.
   bool willing() {
@@ -61,5 +65,19 @@ const std::vector<std::string>& throttle_names();
 
 /// Makes the throttle of that name. Throws std::invalid_argument for an unknown name.
 Throttle make_throttle(const std::string& name, std::uint64_t seed);
+
+/// When the master or the slave of an AXI bus is willing on each channel: to offer what is its to
+/// offer, or to take the rest. They are independent, so that channels come in any order.
+struct AxiThrottles {
+  Throttle ar = Throttle::always();
+  Throttle r = Throttle::always();
+  Throttle aw = Throttle::always();
+  Throttle w = Throttle::always();
+  Throttle b = Throttle::always();
+
+  /// All five of that name (`throttle_names`), with seeds of their own; "mixed" draws a name for
+  /// each.
+  static AxiThrottles make(const std::string& name, std::uint64_t seed);
+};
 
 }  // namespace hwffd::tb
