@@ -129,14 +129,7 @@ class Study {
   /// Derivatives where cells meet, each as all of its cells give it.
   void seams() {
     const tb::SeamStimulus stimulus = tb::seam_stimulus(codec_, kSeamValues / 3, seed_);
-    std::vector<InterleavedVertex> vertices;
-    for (const tb::EvaluatorVertex& from : stimulus.vertices) {
-      InterleavedVertex& vertex = vertices.emplace_back();
-      vertex.local = from.local;
-      vertex.cell = from.cell;
-      vertex.points = stimulus.supports[from.support].points;
-      vertex.exponent = stimulus.supports[from.support].exponent;
-    }
+    const std::vector<InterleavedVertex> vertices = tb::interleaved(stimulus);
     const std::vector<Beat> results =
         run(interleaved_packet(vertices, OutsideMode::kClamp, Results::kDerivatives));
     if (results.size() != 4 * vertices.size()) return;

@@ -63,6 +63,18 @@ EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, 
   return stimulus;
 }
 
+std::vector<InterleavedVertex> interleaved(const EvaluatorStimulus& stimulus) {
+  std::vector<InterleavedVertex> vertices;
+  for (const EvaluatorVertex& from : stimulus.vertices) {
+    InterleavedVertex& vertex = vertices.emplace_back();
+    vertex.local = from.local;
+    vertex.cell = from.cell;
+    vertex.points = stimulus.supports[from.support].points;
+    vertex.exponent = stimulus.supports[from.support].exponent;
+  }
+  return vertices;
+}
+
 SeamStimulus seam_stimulus(const WordCodec& codec, std::size_t values, std::uint64_t seed) {
   Random random(seed);
   SeamStimulus stimulus;

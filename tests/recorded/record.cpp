@@ -54,14 +54,8 @@ std::vector<Beat> read_port_stream(const WordCodec& codec) {
   const tb::EvaluatorStimulus stimulus = tb::random_stimulus(codec, kReadPortVertices, kSeed);
   int exponent = 0;
   for (const auto& support : stimulus.supports) exponent = std::max(exponent, support.exponent);
-  std::vector<InterleavedVertex> vertices;
-  for (const tb::EvaluatorVertex& from : stimulus.vertices) {
-    InterleavedVertex& vertex = vertices.emplace_back();
-    vertex.local = from.local;
-    vertex.cell = from.cell;
-    vertex.points = stimulus.supports[from.support].points;
-    vertex.exponent = exponent;
-  }
+  std::vector<InterleavedVertex> vertices = tb::interleaved(stimulus);
+  for (InterleavedVertex& vertex : vertices) vertex.exponent = exponent;
   append(beats, interleaved_packet(vertices));
   return beats;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hwffd/stream/packets.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
 namespace hwffd::tb {
@@ -41,6 +42,9 @@ EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, 
 struct SeamStimulus : EvaluatorStimulus {
   std::vector<std::size_t> group;  ///< of each vertex; those of a group are one point
 };
+
+/// The vertices, each with the support that it reads and its exponent.
+std::vector<InterleavedVertex> interleaved(const EvaluatorStimulus& stimulus);
 
 /// At least `values` components of shared vertices in a lattice of 6 x 6 x 6 cells: coordinate 1 in
 /// the lower cell of a shared axis, 0 in the upper one.
