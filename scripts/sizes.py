@@ -1,7 +1,8 @@
 """How long files and functions may be, and that no six lines of code stand twice.
 
 Generated files, which say so in their first lines, do not count. Of the six lines blank ones,
-comments and lone brackets do not count; ports, named connections and includes end a run.
+comments and lone brackets do not count; ports, named connections with the wires between them and
+includes end a run.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -38,7 +39,9 @@ _LISTED = {
     "cpp": re.compile(r"# *include\b|using [\w:]+;"),
     "python": re.compile(r"(import|from)\b"),
     "cmake": re.compile(r"include\b"),
-    "verilog": re.compile(r"(input|output|inout|parameter)\b|\.\w+ *\(|`include\b"),
+    # with the wires between named connections
+    "verilog": re.compile(r"(input|output|inout|parameter)\b|\.\w+ *\(|`include\b"
+                          r"|(\(\* hierconn \*\) )?wire\b[^=]*;"),
 }
 
 

@@ -148,10 +148,8 @@ module formal_stream_decoder #(
         a_at_q       <= m_source[SLOT_W-1:0];
         a_user_q     <= m_user[`FFD_USER_RETIRE(`FFD_USER_W)];
       end
-      if (enter && a_q) begin
-        b_q       <= 1'b1;
-        b_freed_q <= 1'b0;
-      end
+      if (enter && a_q) b_q <= 1'b1;
+      if (enter && a_q) b_freed_q <= 1'b0;
     end
     if (enter && a_q && !b_q) begin
       b_resident_q <= m_source[SLOT_W];
@@ -201,8 +199,7 @@ module formal_stream_decoder #(
       wait_q   <= 0;
     end else begin
       if (take) header_q <= s_last;
-      if (finish) offer_q <= 1'b1;
-      else if (m_ready) offer_q <= 1'b0;
+      if (finish || m_ready) offer_q <= finish;
       if (finish) begin
         bank_of_q   <= bank_q;
         buffer_of_q <= buffer_q;
@@ -234,38 +231,33 @@ module formal_stream_decoder #(
 
   always @* if (first_q) assume (rst);
 
-  // ---- one clock before
-  reg                                        rst_q;
-  reg                                        held_q;
-  reg [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex_q;
-  wire [3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W-1:0] held_vertex =
-    {m_coordinates, m_cell, m_source, m_bank, m_changed, m_results, m_exponent, m_user};
-  reg        take_q;
-  reg        last_q;
-  reg [31:0] event_packet_q;
-  reg [31:0] event_beat_q;
+  // ---- one clock before, and what was written since the vertex before was offered
+  localparam HELD_W = 3*`FFD_WEIGHT_W(FORMAT)+12+SLOT_W+1+1+3+`FFD_EXPONENT_W+`FFD_USER_W;
+  wire [HELD_W-1:0] held_vertex = {m_coordinates, m_cell, m_source, m_bank, m_changed, m_results,
+                                   m_exponent, m_user};
+  reg               rst_q;
+  reg               held_q;
+  reg  [HELD_W-1:0] held_vertex_q;
+  reg               take_q;
+  reg               last_q;
+  reg  [31:0]       event_packet_q;
+  reg  [31:0]       event_beat_q;
+  reg               written_q;
+  wire              new_vertex = m_valid && !held_q;
   always @(posedge clk) begin
     rst_q          <= rst;
+    held_q         <= m_valid && !m_ready && !rst;
+    held_vertex_q  <= held_vertex;
     take_q         <= take;
     last_q         <= s_last;
     event_packet_q <= event_packet;
     event_beat_q   <= event_beat;
-  end
-  always @(posedge clk) begin
-    held_q        <= m_valid && !m_ready && !rst;
-    held_vertex_q <= held_vertex;
+    written_q      <= rst || load || lattice_write || (written_q && !new_vertex);
   end
 
   // ---- the place of an event, a step from that of the clock before
   wire [31:0] next_packet = event_packet_q + (take_q && last_q);
   wire [31:0] next_beat   = !take_q ? event_beat_q : last_q ? 32'd0 : event_beat_q + 32'd1;
-
-  // ---- what was written since the vertex before was offered
-  reg  written_q;
-  wire new_vertex = m_valid && !held_q;
-  always @(posedge clk) begin
-    written_q <= rst || load || lattice_write || (written_q && !new_vertex);
-  end
 
   (* hierconn *) wire [2:0]  \u_dut.state_q ;
   (* hierconn *) wire [31:0] \u_dut.count_q ;
