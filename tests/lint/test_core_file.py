@@ -11,13 +11,12 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import configurations  # noqa: E402
-import core_file  # noqa: E402
-import module_header  # noqa: E402
-import rtl  # noqa: E402
+import configurations
+import core_file
+import module_header
+import rtl
 
 CORE = (ROOT / "hwffd.core").read_text(encoding="utf-8")
 

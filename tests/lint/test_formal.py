@@ -6,19 +6,16 @@ SPDX-License-Identifier: Apache-2.0
 import csv
 import io
 import json
-import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import proofs  # noqa: E402
-import rtl  # noqa: E402
+import proofs
+import rtl
 
 COUNTER = """\
 `default_nettype none
@@ -65,20 +62,13 @@ def row(**changes):
     return tuple({**dict(zip(proofs.COLUMNS, GOOD)), **changes}.values())
 
 
-class Checkout(unittest.TestCase):
+class Checkout(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         self.put("rtl/hwffd.f", "stream/ffd_stream_count.v\n")
         self.put("rtl/stream/ffd_stream_count.v", COUNTER)
         self.put("tests/formal/formal_count.v", HARNESS)
         self.table(GOOD)
-
-    def put(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
 
     def table(self, *rows):
         text = io.StringIO()

@@ -5,16 +5,14 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import re
-import sys
 import tempfile
 import unittest
 from unittest import mock
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import liberty  # noqa: E402
-import rtl  # noqa: E402
+import liberty
+import rtl
 
 TEXT = """\
 library(small) {

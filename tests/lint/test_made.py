@@ -6,21 +6,16 @@ SPDX-License-Identifier: Apache-2.0
 
 import contextlib
 import io
-import pathlib
-import shutil
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/lint")]
+from workspace import ROOT, Workspace
 
-import formats  # noqa: E402
-import made  # noqa: E402
-import stream_words  # noqa: E402
-import version  # noqa: E402
-from made_files import expect_stale_is_noticed  # noqa: E402
-from tables import TableError  # noqa: E402
+import formats
+import made
+import stream_words
+import version
+from made_files import expect_stale_is_noticed
+from tables import TableError
 
 FP32 = "fp32,,0,float,Binary32,Binary32Fused,binary32\n"
 FIELDS = (ROOT / stream_words.TABLE).read_text()
@@ -61,16 +56,13 @@ def run(*arguments):
     return status, errors.getvalue().splitlines()
 
 
-class Made(unittest.TestCase):
+class Made(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        shutil.copytree(ROOT / "rtl", self.root / "rtl")
-        shutil.copy(ROOT / version.FILE, self.root)
+        super().setUp()
+        self.copy("rtl")
+        self.copy(version.FILE)
         for name in made.outputs(ROOT):
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, self.root / name)
+            self.copy(name)
 
     def refused(self, table, read, text, line, words):
         path = self.root / table

@@ -6,20 +6,16 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import os
-import pathlib
 import re
-import sys
-import tempfile
 import unittest
 from collections import Counter
 from unittest import mock
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import liberty  # noqa: E402
-import mapped  # noqa: E402
-import rtl  # noqa: E402
+import liberty
+import mapped
+import rtl
 
 SOURCES = rtl.Sources()
 LIBRARY = """\
@@ -188,11 +184,9 @@ class ByHand(unittest.TestCase):
                                     inputs=[2], outputs=[4], inside=inside), 2)
 
 
-class AgainstYosys(unittest.TestCase):
+class AgainstYosys(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
 
     def map(self, top, target, kept, *parameters):
         """Maps a module of the tree: {flat?: netlist}, and what yosys printed after flattening."""

@@ -6,15 +6,13 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import pathlib
-import sys
 import tempfile
 import unittest
 from collections import Counter
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import rtl  # noqa: E402
+import rtl
 
 MEMORY = "ffd_mem_sdp"
 

@@ -11,10 +11,9 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import operators  # noqa: E402
+import operators
 
 STATISTICS = """
 === $paramod$00\\ffd_eval_poly ===

@@ -5,17 +5,15 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import shutil
-import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import configurations  # noqa: E402
-import organization_rtl  # noqa: E402
-import organizations  # noqa: E402
-from tables import TableError  # noqa: E402
+import configurations
+import organization_rtl
+import organizations
+from tables import TableError
 
 HEADER = ",".join(organizations.COLUMNS)
 # Software reads these in CONFIG.org: a core of any version has them.

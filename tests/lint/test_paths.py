@@ -6,15 +6,11 @@ SPDX-License-Identifier: Apache-2.0
 
 import contextlib
 import io
-import pathlib
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import paths  # noqa: E402
+import paths
 
 MODULE = """\
 `default_nettype none
@@ -84,11 +80,9 @@ def look(root, module, *more):
     return status, out.getvalue()
 
 
-class Paths(unittest.TestCase):
+class Paths(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         (self.root / "rtl" / "path").mkdir(parents=True)
         (self.root / "rtl" / "hwffd.f").write_text(
             "path/ffd_path_sample.v\npath/ffd_path_inner.v\n")

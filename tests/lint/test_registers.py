@@ -6,18 +6,13 @@ SPDX-License-Identifier: Apache-2.0
 
 import contextlib
 import io
-import pathlib
-import shutil
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/lint")]
+from workspace import ROOT, Workspace
 
-import registers  # noqa: E402
-import version  # noqa: E402
-from made_files import expect_stale_is_noticed  # noqa: E402
+import registers
+import version
+from made_files import expect_stale_is_noticed
 
 TEXT = (ROOT / registers.TABLE).read_text()
 OF_TABLE = ("rtl/bus/ffd_axil_registers.v", "driver/include/hwffd/registers.h", "docs/registers.md")
@@ -72,14 +67,11 @@ def run(*arguments):
     return status, out.getvalue().splitlines()
 
 
-class Registers(unittest.TestCase):
+class Registers(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         for name in (registers.TABLE, registers.PREAMBLE, version.FILE, *MADE):
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, self.root / name)
+            self.copy(name)
 
     def test_faults_of_the_table(self):
         refused = 0

@@ -13,10 +13,9 @@ from importlib.machinery import SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from unittest import mock
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import hierarchy  # noqa: E402
+import hierarchy
 
 LOADER = SourceFileLoader("structure", str(ROOT / "scripts" / "structure"))
 structure = module_from_spec(spec_from_loader("structure", LOADER))

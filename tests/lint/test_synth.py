@@ -11,18 +11,16 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import configurations  # noqa: E402
-import liberty  # noqa: E402
-import selection  # noqa: E402
-import synthesis  # noqa: E402
-import timing  # noqa: E402
+import configurations
+import liberty
+import selection
+import synthesis
+import timing
 
 HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 
@@ -96,13 +94,11 @@ Total    1.0e-01   2.0e-02   4.0e-06   1.25e-01 100.0%
 """
 
 
-class Checkout(unittest.TestCase):
+class Checkout(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         self.path, self.library = os.environ["PATH"], str(liberty.PATH)
-        shutil.copytree(ROOT / "synth", self.root / "synth")
+        self.copy("synth")
         self.put("rtl/hwffd.f", "+incdir+number\nevaluator/ffd_org_select.v\nevaluator/ffd_org_other.v\n"
                  + "".join(f"evaluator/{unit}.v\n" for unit in synthesis.FLOAT_UNITS))
         for unit in synthesis.FLOAT_UNITS:
@@ -113,11 +109,6 @@ class Checkout(unittest.TestCase):
         self.put("rtl/evaluator/ffd_org_other.v",
                  MODULE.format(name="ffd_org_other", parameters="SIZE = 1", body=GOOD))
         self.module(GOOD)
-
-    def put(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
 
     def module(self, body):
         self.put("rtl/evaluator/ffd_org_select.v", MODULE.format(

@@ -4,18 +4,15 @@ that; what it must let pass, passes.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import text_rules  # noqa: E402
+import text_rules
 
 NAME = "ffd_org_sample"
 FILE = f"rtl/evaluator/{NAME}.v"
@@ -251,11 +248,9 @@ PASSES = {
 }
 
 
-class TextRules(unittest.TestCase):
+class TextRules(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
 
     def plant(self, files):
         shutil.rmtree(self.root)
@@ -263,9 +258,7 @@ class TextRules(unittest.TestCase):
                 "rtl/lint/hwffd.vlt": WAIVERS, **files}
         for name, text in tree.items():
             if text is not None:
-                path = self.root / name
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(text)
+                self.put(name, text)
 
     def test_planted_faults_are_caught(self):
         caught = []

@@ -5,17 +5,14 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import tidy  # noqa: E402
+import tidy
 
 FAULT = "inline int* {name}() {{ return 0; }}\n"  # nullptr
 CLEAN = {
@@ -26,11 +23,9 @@ CLEAN = {
 }
 
 
-class Tree(unittest.TestCase):
+class Tree(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name).resolve()
+        super().setUp()
         shutil.copy(ROOT / ".clang-tidy", self.root)
         (self.root / ".gitignore").write_text("build/\n")
         self.write(CLEAN)
@@ -43,9 +38,7 @@ class Tree(unittest.TestCase):
 
     def write(self, files):
         for name, text in files.items():
-            path = self.root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+            self.put(name, text)
 
     def git(self, *words):
         subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",

@@ -6,17 +6,15 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import shutil
-import sys
 import tempfile
 import unittest
 from unittest import mock
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT
 
-import liberty  # noqa: E402
-import rtl  # noqa: E402
-import timing  # noqa: E402
+import liberty
+import rtl
+import timing
 
 HERE = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 CELLS = {"INVX1": ("logic", {}), "DFFPOSX1": ("register", {})}

@@ -5,18 +5,15 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import configurations  # noqa: E402
-import tidy  # noqa: E402
+import configurations
+import tidy
 
 MODULE = """\
 // SPDX-License-Identifier: Apache-2.0
@@ -124,17 +121,13 @@ PLANTED = {
 }
 
 
-class Tools(unittest.TestCase):
+class Tools(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
 
     def write(self, files):
         for name, text in files.items():
-            path = self.root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+            self.put(name, text)
 
     def compile_commands(self):
         entry = {"directory": str(self.root), "file": str(self.root / "golden/src/x.cpp"),
@@ -150,7 +143,7 @@ class Tools(unittest.TestCase):
         shutil.rmtree(self.root)
         self.write({**CLEAN, **self.compile_commands()})
         for name in (".clang-format", ".clang-tidy"):
-            shutil.copy(ROOT / name, self.root)
+            self.copy(name)
         self.git("init", "--quiet")
         for message in ("parent", "empty"):
             self.git("add", "--all")

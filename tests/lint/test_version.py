@@ -4,33 +4,25 @@ noticed when it is not.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import re
-import shutil
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+from workspace import ROOT, Workspace
 
-import core_file  # noqa: E402
-import registers  # noqa: E402
-import version  # noqa: E402
-from tables import TableError  # noqa: E402
+import core_file
+import registers
+import version
+from tables import TableError
 
 BAD = ("", "\n", "1.2\n", "1.2.3", "v1.2.3\n", "1.2.3\n\n", "1.2.3-rc1\n", "01.2.3\n", "1.2.-3\n")
 
 
-class Version(unittest.TestCase):
+class Version(Workspace):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        shutil.copytree(ROOT / "rtl", self.root / "rtl")
+        super().setUp()
+        self.copy("rtl")
         for name in (version.FILE, core_file.NAME, *registers.outputs()):
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, self.root / name)
+            self.copy(name)
 
     def stale(self):
         return [line.split(":")[0]
@@ -39,7 +31,8 @@ class Version(unittest.TestCase):
     def test_what_follows_goes_with_it(self):
         self.assertEqual(self.stale(), [])
         (self.root / version.FILE).write_text("3.41.59\n")
-        self.assertEqual(self.stale(), [*registers.outputs(), core_file.NAME])
+        wanted = [name for name in registers.outputs() if "events" not in name]
+        self.assertEqual(self.stale(), [*wanted, core_file.NAME])
         self.assertEqual(registers.main(["--root", str(self.root), "write"]), 0)
         self.assertEqual(core_file.main(["--root", str(self.root), "write"]), 0)
         self.assertEqual(self.stale(), [])
