@@ -26,10 +26,7 @@ namespace {
 TEST(Allocation, NoneWhileTheClockRuns) {
   for (const std::string& throttle : throttle_names()) {
     LoopbackCore core(5);
-    StreamBenchOptions options;
-    options.source_throttle = throttle;
-    options.sink_throttle = throttle;
-    StreamBench bench(core, options);
+    StreamBench bench(core, throttled(throttle, throttle));
     loop_back(bench, 1, random_beats(20'000, 1));
     const std::size_t before = allocations;
     EXPECT_GT(before, 0u);

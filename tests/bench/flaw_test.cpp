@@ -29,10 +29,7 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 StreamBenchOptions options_of(const Case& c) {
-  StreamBenchOptions options;
-  options.test = {c.name, 1, {}};
-  options.source_throttle = c.source;
-  options.sink_throttle = c.sink;
+  StreamBenchOptions options = throttled(c.source, c.sink);
   options.stall_limit = 2000;
   return options;
 }

@@ -93,6 +93,16 @@ class LoopbackCore : public cores::StreamCore {
 /// `count` random beats, each with its number as tag.
 std::vector<Beat> random_beats(std::size_t count, std::uint64_t seed);
 
+/// Options of a bench with these throttles.
+inline StreamBenchOptions throttled(const std::string& source, const std::string& sink,
+                                    std::uint64_t seed = 1) {
+  StreamBenchOptions options;
+  options.test = {"Loopback", seed, {}};
+  options.source_throttle = source;
+  options.sink_throttle = sink;
+  return options;
+}
+
 /// Sends the beats and expects the same, after `reset` cycles of reset.
 inline void loop_back(StreamBench& bench, const std::vector<Beat>& beats) {
   bench.send(beats);

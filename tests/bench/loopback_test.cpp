@@ -9,6 +9,7 @@
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/stream_bench.hpp"
 #include "loopback_core.hpp"
+#include "named.hpp"
 
 namespace hwffd::tb {
 namespace {
@@ -22,10 +23,7 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
   const std::uint64_t seed = seed_from_environment(1);
   for (const unsigned latency : {1u, 7u, 40u}) {
     LoopbackCore core(latency);
-    StreamBenchOptions options;
-    options.test = {"LoopbackMatrix", seed, {}};
-    options.source_throttle = source;
-    options.sink_throttle = sink;
+    StreamBenchOptions options = throttled(source, sink, seed);
     options.probe_edges = true;
     StreamBench bench(core, options);
     const auto beats = random_beats(kBeats, seed);
@@ -51,22 +49,10 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
   }
 }
 
-std::string pair_name(const testing::TestParamInfo<LoopbackMatrix::ParamType>& info) {
-  return std::get<0>(info.param) + "_to_" + std::get<1>(info.param);
-}
-
 INSTANTIATE_TEST_SUITE_P(Throttles, LoopbackMatrix,
                          testing::Combine(testing::ValuesIn(throttle_names()),
                                           testing::ValuesIn(throttle_names())),
-                         pair_name);
-
-StreamBenchOptions throttled(const std::string& source, const std::string& sink) {
-  StreamBenchOptions options;
-  options.test = {"Throughput", 1, {}};
-  options.source_throttle = source;
-  options.sink_throttle = sink;
-  return options;
-}
+                         test::by_name);
 
 double measure(Flaw flaw, const std::string& source, const std::string& sink) {
   LoopbackCore core(5, flaw);
@@ -156,9 +142,7 @@ TEST(Bench, TheSameSeedGivesTheSameClocks) {
   std::vector<std::vector<std::uint64_t>> clocks;
   for (const std::uint64_t seed : {7u, 7u, 8u}) {
     LoopbackCore core(3);
-    auto options = throttled("bursts", "bernoulli");
-    options.test.seed = seed;
-    StreamBench bench(core, options);
+    StreamBench bench(core, throttled("bursts", "bernoulli", seed));
     loop_back(bench, 1, random_beats(200, 1));
     EXPECT_TRUE(bench.run());
     clocks.push_back(bench.result_clocks());

@@ -92,44 +92,28 @@ TEST(Random, DerivedSeedsDiffer) {
   EXPECT_EQ(seeds.size(), 1000u);
 }
 
-class SeedFromEnvironment : public testing::Test {
- protected:
-  void SetUp() override {
-    const char* value = std::getenv("SEED");
-    was_set_ = value != nullptr;
-    if (was_set_) before_ = value;
-  }
-  void TearDown() override {
-    if (was_set_) {
-      setenv("SEED", before_.c_str(), 1);
-    } else {
-      unsetenv("SEED");
-    }
-  }
-  static std::uint64_t with(const char* value) {
-    setenv("SEED", value, 1);
-    return seed_from_environment(5);
-  }
-
- private:
-  bool was_set_ = false;
-  std::string before_;
-};
-
-TEST_F(SeedFromEnvironment, ReadsNumbers) {
-  unsetenv("SEED");
-  EXPECT_EQ(seed_from_environment(5), 5u);
-  EXPECT_EQ(with(""), 5u);
-  EXPECT_EQ(with("0"), 0u);
-  EXPECT_EQ(with("010"), 10u);
-  EXPECT_EQ(with("0xff"), 255u);
-  EXPECT_EQ(with("18446744073709551615"), ~std::uint64_t{0});
-  EXPECT_EQ(seed_from_environment(5, "HWFFD_NO_SUCH_SEED"), 5u);
+std::uint64_t seed_with(const char* value) {
+  setenv("HWFFD_TEST_SEED", value, 1);
+  return seed_from_environment(5, "HWFFD_TEST_SEED");
 }
 
-TEST_F(SeedFromEnvironment, RefusesAnythingElse) {
+TEST(SeedFromEnvironment, ReadsNumbers) {
+  EXPECT_EQ(seed_with(""), 5u);
+  EXPECT_EQ(seed_with("0"), 0u);
+  EXPECT_EQ(seed_with("010"), 10u);
+  EXPECT_EQ(seed_with("0xff"), 255u);
+  EXPECT_EQ(seed_with("18446744073709551615"), ~std::uint64_t{0});
+  EXPECT_EQ(seed_from_environment(5, "HWFFD_NO_SUCH_SEED"), 5u);
+  if (std::getenv("SEED") == nullptr) {
+    setenv("SEED", "7", 1);
+    EXPECT_EQ(seed_from_environment(5), 7u);
+    unsetenv("SEED");
+  }
+}
+
+TEST(SeedFromEnvironment, RefusesAnythingElse) {
   for (const char* value : {"x", "-1", " 1", "1 ", "12a", "0x", "18446744073709551616"}) {
-    EXPECT_THROW(with(value), std::invalid_argument) << value;
+    EXPECT_THROW(seed_with(value), std::invalid_argument) << value;
   }
 }
 

@@ -8,10 +8,7 @@ namespace hwffd::tb {
 namespace {
 
 StreamBenchOptions options(bool offer_at_once = true) {
-  StreamBenchOptions made;
-  made.test = {"Reset", 3, {}};
-  made.source_throttle = "bursts";
-  made.sink_throttle = "bernoulli";
+  StreamBenchOptions made = throttled("bursts", "bernoulli", 3);
   made.stall_limit = 2000;
   made.offer_at_once = offer_at_once;
   return made;
