@@ -65,16 +65,12 @@ class RunBench {
   void steps(unsigned clocks) {
     for (unsigned i = 0; i < clocks; ++i) step();
   }
-  void start() {
-    sim_.dut().start_i = 1;
-    sim_.dut().eval();
-    step();
+  void start() { pulse(dut().start_i); }
+  void start(unsigned head) {
+    dut().ring_head_i = static_cast<SData>(head);
+    start();
   }
-  void soft_reset() {
-    sim_.dut().soft_reset_i = 1;
-    sim_.dut().eval();
-    step();
-  }
+  void soft_reset() { pulse(dut().soft_reset_i); }
   /// Until that many runs have ended.
   bool until_done(unsigned runs, unsigned limit = 10'000) {
     return until([&] { return done == runs; }, limit);
@@ -108,6 +104,11 @@ class RunBench {
   unsigned tail = 0;
 
  private:
+  void pulse(CData& input) {
+    input = 1;
+    dut().eval();
+    step();
+  }
   bool ring_has_work() { return dut().ring_running_i != 0 && tail != dut().ring_head_o; }
   void work_off() {
     if (left_ == 0 && ring_has_work()) {
@@ -129,8 +130,7 @@ TEST(Run, EndsWhenAllIsDone) {
     RunBench bench;
     EXPECT_EQ(bench.dut().busy_o, 0);
     EXPECT_EQ(bench.dut().core_rst_o, 0);
-    bench.dut().ring_head_i = static_cast<SData>(descriptors);
-    bench.start();
+    bench.start(descriptors);
     EXPECT_EQ(bench.dut().busy_o, 1);  // in the clock after the pulse
     ASSERT_TRUE(bench.until_idle());
     EXPECT_EQ(bench.done, 1u);
@@ -146,8 +146,7 @@ TEST(Run, EndsWhenAllIsDone) {
 TEST(Run, WaitsForTheCore) {
   RunBench bench;
   bench.core_stuck = true;
-  bench.dut().ring_head_i = 2;
-  bench.start();
+  bench.start(2);
   bench.steps(500);
   EXPECT_EQ(bench.dut().busy_o, 1);
   EXPECT_EQ(bench.dut().idle_o, 0);
@@ -173,8 +172,7 @@ TEST(Run, AHeadThatComesAtAnyClockIsTakenOrWaits) {
   constexpr unsigned kClocks = 90;
   for (unsigned at = 0; at < kClocks; ++at) {
     RunBench bench;
-    bench.dut().ring_head_i = 1;
-    bench.start();
+    bench.start(1);
     bench.steps(at);
     bench.dut().ring_head_i = 2;
     ASSERT_TRUE(bench.until([&] { return bench.done == 1 && bench.dut().busy_o == 0; }));
@@ -212,8 +210,7 @@ TEST(Run, ARingInUseKeepsItsPlace) {
 TEST(Run, ARefusedAreaStartsNoRing) {
   RunBench bench;
   bench.refuse = true;
-  bench.dut().ring_head_i = 2;
-  bench.start();
+  bench.start(2);
   ASSERT_TRUE(bench.until_idle());
   EXPECT_EQ(bench.done, 1u);
   EXPECT_EQ(bench.ring_starts, 0u);
@@ -227,8 +224,7 @@ TEST(Run, ARefusedAreaStartsNoRing) {
 TEST(Run, AFaultOfTheBusEndsItAndASoftResetTheStop) {
   RunBench bench;
   bench.core_stuck = true;  // results are held back: never idle
-  bench.dut().ring_head_i = 1;
-  bench.start();
+  bench.start(1);
   bench.steps(22);
   bench.fault();
   ASSERT_TRUE(bench.until_idle());
@@ -244,8 +240,7 @@ TEST(Run, AFaultOfTheBusEndsItAndASoftResetTheStop) {
 
 TEST(Run, ARefusalInItIsNoStop) {
   RunBench bench;
-  bench.dut().ring_head_i = 3;
-  bench.start();
+  bench.start(3);
   bench.steps(30);
   bench.refuse_area();
   ASSERT_TRUE(bench.until_done(1));

@@ -4,12 +4,11 @@
 
 #include <array>
 
-#include "dma_bench.hpp"
+#include "transfer.hpp"
 
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kResults = 40;
 constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
 
 enum Channel : unsigned { kAr, kR, kAw, kW, kB, kChannels };
@@ -50,35 +49,19 @@ class Watch {
   std::uint64_t reads_ = 0, addresses_ = 0, bursts_ = 0;
 };
 
+const Transfer kTransfer{
+    {{kPackets, 30}, {kPackets + 0x1000, 30}, {kPackets + 0x2000, 30}, {kPackets + 0x3000, 30}},
+    40};
+
 class Timeout : public testing::TestWithParam<Channel> {
  protected:
-  /// Both halves at work: packets of 30 beats, results into the area at `area`.
-  static void start(DmaBench& bench, std::uint64_t area) {
-    bench.place_ring(kRing, 3);
-    for (std::uint64_t packet = 0; packet < 4; ++packet) {
-      bench.put_packet(kPackets + packet * 0x1000, 30);
-    }
-    bench.offer_results(kResults, 7);
-    bench.place_area(area, kResults * kBeat);
-    bench.start_ring();
-  }
-  static bool done(const DmaBench& bench) {
-    return bench.status.idle && bench.results_waiting() == 0 &&
-           bench.status.result_count == kResults && bench.packets().size() == 120;
-  }
   /// After a soft reset has ended: the memory is as new, the next transfer whole.
   static void expect_next(DmaBench& bench) {
     bench.memory.forget_open();
     bench.memory.set_throttles({});
     bench.checker.forget();
-    bench.set_windows({0, ~std::uint64_t{0}}, {0, ~std::uint64_t{0}});
-    bench.forget_packets();
-    bench.forget_results();
-    start(bench, kArea + 0x1000);
-    EXPECT_TRUE(bench.run_until([&] { return done(bench); }, 3000));
-    EXPECT_EQ(bench.packet_difference(), "");
-    EXPECT_EQ(bench.results_in_memory(kArea + 0x1000, 0, kResults), kResults);
-    EXPECT_EQ(bench.faults(), "");
+    bench.set_windows(kEverywhere, kEverywhere);
+    kTransfer.expect_next(bench);
   }
 };
 std::string channel_name(const testing::TestParamInfo<Channel>& channel) {
@@ -96,7 +79,7 @@ TEST_P(Timeout, IsExactToTheClock) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << " for " << clocks);
       DmaBench bench(watched_dma_size(), after);
       bench.memory.set_throttles(shut(GetParam(), after, clocks));
-      start(bench, kArea);
+      kTransfer.start(bench, kArea);
       Watch watch;
       unsigned expected = 0;
       for (int clock = 0; clock < 600; ++clock) {
@@ -121,7 +104,7 @@ TEST_P(Timeout, IsExactToTheClock) {
 TEST_P(Timeout, HoldsBothHalves) {
   DmaBench bench(watched_dma_size(), 5);
   bench.memory.set_throttles(shut(GetParam(), 25, kNever));
-  start(bench, kArea);
+  kTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   EXPECT_EQ(bench.status.timeout, 1U << GetParam());
   EXPECT_TRUE(bench.run_until([&] { return bench.status.halted; }, 200));
@@ -140,7 +123,7 @@ TEST_P(Timeout, LetsASoftResetEnd) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << ", reset after " << wait);
       DmaBench bench(watched_dma_size(), after + wait);
       bench.memory.set_throttles(shut(GetParam(), after, kNever));
-      start(bench, kArea);
+      kTransfer.start(bench, kArea);
       bench.run(after + wait);
       bench.begin_soft_reset();
       ASSERT_TRUE(bench.end_soft_reset(2 * limit));
@@ -156,7 +139,7 @@ TEST_P(Timeout, LetsASoftResetEnd) {
 TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
   DmaBench bench(watched_dma_size(), 9);
   bench.memory.set_throttles(shut(GetParam(), 20, kNever));
-  start(bench, kArea);
+  kTransfer.start(bench, kArea);
   bench.run(400);
   bench.begin_soft_reset();
   bench.forget_packets();
@@ -173,7 +156,7 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
 TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
   DmaBench bench(watched_dma_size(), 3);
   bench.memory.set_throttles(shut(GetParam(), 25, kNever));
-  start(bench, kArea);
+  kTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   bench.memory.set_throttles({});
   bench.run(3);
