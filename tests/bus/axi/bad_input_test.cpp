@@ -96,21 +96,6 @@ TEST_P(AxiBadInput, CellOutsideTheLattice) {
   }
 }
 
-TEST_P(AxiBadInput, LastFaceIsInside) {
-  run_.send_bspline();
-  run_.send_lattice(6);
-  std::vector<VertexBeat> face = run_.vertices(3);
-  for (int axis = 0; axis < 3; ++axis) {
-    face[1].cell[axis] = run_.lattice().dims[axis] - 4;
-    face[1].local[axis] = run_.codec().coordinate(1);
-  }
-  run_.send(vertices_packet(face));
-  ASSERT_TRUE(run_.go());
-  EXPECT_EQ(run_.result_word(1, 3) >> 16, 0U);
-  EXPECT_EQ(run_.driver().take_errors().status, 0U);
-  EXPECT_TRUE(run_.clean());
-}
-
 TEST_P(AxiBadInput, FixedPointSaturates) {
   if (run_.codec().is_float()) GTEST_SKIP() << "binary32 does not saturate";
   AxisWords axis;
@@ -127,33 +112,6 @@ TEST_P(AxiBadInput, FixedPointSaturates) {
   EXPECT_EQ(errors.count, 1U);
   ASSERT_TRUE(errors.first.has_value());
   EXPECT_EQ(errors.first->code, unsigned{kSaturated});
-  EXPECT_TRUE(run_.ends_well());
-}
-
-/// Vertices before a reload see the old values, those after it the new ones.
-TEST_P(AxiBadInput, ReloadedWhileVerticesAreInFlight) {
-  run_.send_bspline();
-  for (int load = 0; load < 7; ++load) {
-    run_.send_lattice(5);
-    run_.send_vertices(3);
-    run_.send_bspline();
-    run_.send_vertices(3);
-  }
-  ASSERT_TRUE(run_.go());
-  EXPECT_EQ(run_.checked(), 42U);
-  EXPECT_EQ(run_.driver().take_errors().status, 0U);
-  EXPECT_TRUE(run_.clean());
-}
-
-TEST_P(AxiBadInput, RegisterUnmappedReadOnlyOrLocked) {
-  tb::AxiSystem& port = run_.system();
-  EXPECT_THROW(port.read32(0xFFC), RegisterError);
-  EXPECT_EQ(port.try_write(0xFFC, ~0U), cores::kSlvErr);
-  EXPECT_EQ(port.try_write(HWFFD_RING_TAIL_OFFSET, 5), cores::kSlvErr);
-  const std::uint32_t limit = port.read32(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET);
-  EXPECT_EQ(port.try_write(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET, 0), cores::kSlvErr);
-  EXPECT_EQ(port.read32(HWFFD_READ_WINDOW_LIMIT_LO_OFFSET), limit);
-  EXPECT_EQ(run_.driver().take_errors().status, 0U);
   EXPECT_TRUE(run_.ends_well());
 }
 
