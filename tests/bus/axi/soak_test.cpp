@@ -5,26 +5,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 #include "axi_run.hpp"
 
 namespace hwffd::test {
 namespace {
-
-std::uint64_t seeds() {
-  const char* text = std::getenv("HWFFD_SOAK");
-  if (text == nullptr) return 2;
-  char* end = nullptr;
-  const std::uint64_t count = std::strtoull(text, &end, 10);
-  if (count == 0 || *end != '\0')
-    throw std::invalid_argument("HWFFD_SOAK: a number of seeds from 1 up is wanted");
-  return count;
-}
 
 /// One system under one seed's traffic.
 class Traffic {
@@ -156,7 +144,9 @@ class Traffic {
 class AxiSoak : public PerAxiConfiguration {};
 
 TEST_P(AxiSoak, GoodAndBadTraffic) {
-  const std::uint64_t first = tb::seed_from_environment(1), count = seeds();
+  const std::uint64_t first = tb::seed_from_environment(1);
+  const std::uint64_t count = tb::seed_from_environment(2, "HWFFD_SOAK");
+  ASSERT_GT(count, 0U) << "HWFFD_SOAK: a number of seeds from 1 up is wanted";
   std::uint64_t checked = 0, cycles = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE("SEED=" + std::to_string(seed) + " HWFFD_SOAK=1");

@@ -37,6 +37,7 @@ DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
       random_(derive_seed(seed, 1)),
       core_(make_dma_core(size.name, derive_seed(seed, 2))) {
   set_windows(kEverywhere, kEverywhere);
+  place_ring(kRing, 3);
   reset();
 }
 

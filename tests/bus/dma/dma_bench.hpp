@@ -19,7 +19,7 @@ namespace hwffd::test {
 
 constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 
-/// Where the tests put ring, packets and results, unless they say otherwise.
+/// Where the tests put a ring of 8, packets and results, unless they say otherwise.
 constexpr std::uint64_t kRing = 0x7000;
 constexpr std::uint64_t kPackets = 0x100000;
 constexpr std::uint64_t kArea = 0x900000;

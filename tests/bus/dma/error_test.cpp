@@ -28,7 +28,6 @@ void fail_beat(const DmaSize& size, std::uint64_t second, std::uint64_t failing,
   DmaBench bench(size, failing + response);
   set_all_throttles(bench, throttle, throttle);
   bench.memory.set_latency({1, 10});
-  bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, kFirst);
   bench.put_packet(kPackets + 0x1000, second);
   bench.put_packet(kPackets + 0x2000, kThird);
@@ -78,7 +77,6 @@ TEST_P(BusError, DescriptorFetchFails) {
   for (unsigned index = 0; index < 5; ++index) {
     DmaBench bench(GetParam(), index);
     bench.memory.set_latency({1, 10});
-    bench.place_ring(kRing, 3);
     bench.put_packets(5, 7);
     bench.memory.fail_read_at(bench.descriptor_address(index), 0, cores::kAxiDecerr);
     bench.start_ring();
@@ -128,7 +126,6 @@ TEST_P(BusError, WriteErrorOnEveryBurst) {
 
 TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
   DmaBench bench(GetParam(), 3);
-  bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, 30);
   bench.memory.fail_read_at(kPackets, 2, cores::kAxiSlverr);
   bench.start_results(kArea, 1 << 16);
@@ -150,7 +147,6 @@ TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
 TEST_P(BusError, AWriteErrorHoldsTheReaderUntilResultsAreStarted) {
   DmaBench bench(GetParam(), 4);
   bench.memory.set_latency({3, 3});
-  bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, 1000);
   bench.memory.fail_write(0, cores::kAxiSlverr);
   bench.start_results(kArea, 1 << 16);

@@ -18,7 +18,6 @@ void expect_refused(const DmaSize& size, const BadDescriptor& bad, tb::AxiMemory
   DmaBench bench(size, bad.code);
   bench.memory.set_latency({1, 7});
   bench.set_windows(window, kNowhere);
-  bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, 21);
   bench.put_descriptor(bad.descriptor);
   bench.put_descriptor({kPackets, 64, 0});
@@ -71,7 +70,6 @@ TEST_P(Refusal, WhatWaitsBeforeABadDescriptorIsRead) {
     DmaBench bench(GetParam(), bad.code);
     bench.packet_throttle = tb::make_throttle("sparse", 1);
     bench.set_windows(kReadable, kNowhere);
-    bench.place_ring(kRing, 4);
     for (std::uint64_t packet = 0; packet < 4; ++packet) {
       bench.put_packet(kPackets + packet * 0x4000, bench.size().depth);
     }

@@ -19,7 +19,6 @@ void expect_in_order(const DmaSize& size, const BadDescriptor& first, const BadD
   DmaBench bench(size, latency);
   bench.memory.set_latency({latency, latency});
   bench.set_windows(kReadable, kNowhere);
-  bench.place_ring(kRing, 3);
   bench.put_packet(kPackets, beats);
   bench.put_descriptor(first.descriptor);
   bench.put_descriptor(second.descriptor);
@@ -58,7 +57,6 @@ Meeting meet(const DmaSize& size, const BadDescriptor& bad, std::uint64_t failin
   DmaBench bench(size, latency);
   bench.memory.set_latency({latency, latency});
   bench.set_windows(kReadable, kNowhere);
-  bench.place_ring(kRing, 3);
   bench.put_packet(kStart, 16 + size.max_burst);
   bench.put_descriptor(bad.descriptor);
   const std::uint64_t beat = kStart + failing * kBeat;
