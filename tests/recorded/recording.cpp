@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -16,56 +14,55 @@ namespace {
 
 constexpr std::size_t kBankBeats = 1 + 2 * kCoefficientBeats;
 
-/// The lines of a file but for comments and empty ones, with their numbers.
-template <class Take>
-void for_each_line(const std::string& path, Take take) {
+std::string line_of(const Beat& beat) {
+  const auto& words = beat.words;
+  return fmt::format("{:d}_{:08x}_{:08x}_{:08x}_{:08x}", beat.last, words[3], words[2], words[1],
+                     words[0]);
+}
+
+std::string line_of(const Recording& recording) {
+  return fmt::format("{},{},{:016x},{}", recording.row, recording.results, recording.hash,
+                     fmt::join(recording.events, ","));
+}
+
+// A line is one where it is what would be written of what was read.
+
+bool read(const std::string& line, Beat& beat) {
+  std::istringstream in(line);
+  char separator = 0;
+  in >> beat.last >> std::hex;
+  for (int word = 3; word >= 0; --word) in >> separator >> beat.words[word];
+  return line_of(beat) == line;
+}
+
+bool read(const std::string& line, Recording& recording) {
+  std::istringstream in(line);
+  char separator = 0;
+  std::getline(in, recording.row, ',');
+  in >> recording.results >> separator >> std::hex >> recording.hash >> std::dec;
+  for (std::uint64_t& event : recording.events) in >> separator >> event;
+  return line_of(recording) == line;
+}
+
+template <class Item>
+std::vector<Item> read_lines(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw Error(path + ": cannot read the recording");
+  std::vector<Item> items;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     if (line.empty() || line[0] == '/' || line[0] == '#') continue;
-    if (!take(line)) throw Error(fmt::format("{}:{}: not a line of a recording", path, number));
+    if (!read(line, items.emplace_back())) {
+      throw Error(fmt::format("{}:{}: not a line of a recording", path, number));
+    }
   }
+  return items;
 }
 
-bool read_number(const std::string& text, int base, std::uint64_t& value) {
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value, base);
-  return read.ec == std::errc() && read.ptr == end;
-}
-
-std::vector<std::string> fields_of(const std::string& line, char separator) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, separator);) fields.push_back(field);
-  return fields;
-}
-
-bool read_beat(const std::string& line, Beat& beat) {
-  const std::vector<std::string> fields = fields_of(line, '_');
-  if (fields.size() != 5 || (fields[0] != "0" && fields[0] != "1")) return false;
-  beat.last = fields[0] == "1";
-  for (int word = 0; word < 4; ++word) {
-    std::uint64_t value = 0;
-    if (fields[4 - word].size() != 8 || !read_number(fields[4 - word], 16, value)) return false;
-    beat.words[word] = static_cast<std::uint32_t>(value);
-  }
-  return true;
-}
-
-bool read_recording(const std::string& line, Recording& recording) {
-  const std::vector<std::string> fields = fields_of(line, ',');
-  if (fields.size() != 3 + recording.events.size()) return false;
-  recording.row = fields[0];
-  std::uint64_t results = 0;
-  if (!read_number(fields[1], 10, results) || !read_number(fields[2], 16, recording.hash)) {
-    return false;
-  }
-  recording.results = results;
-  for (std::size_t event = 0; event < recording.events.size(); ++event) {
-    if (!read_number(fields[3 + event], 10, recording.events[event])) return false;
-  }
-  return true;
+template <class Item>
+void write_lines(const std::string& path, std::string text, const std::vector<Item>& items) {
+  for (const Item& item : items) text += line_of(item) + "\n";
+  write_files({{path, text}});
 }
 
 /// Ten bits, two's complement.
@@ -146,40 +143,16 @@ std::string table_path(const std::string& kind) {
   return fmt::format("{}/{}/results.csv", HWFFD_RECORDINGS, kind);
 }
 
-std::vector<Beat> read_stream(const std::string& path) {
-  std::vector<Beat> beats;
-  for_each_line(path, [&](const std::string& line) {
-    beats.emplace_back();
-    return read_beat(line, beats.back());
-  });
-  return beats;
-}
+std::vector<Beat> read_stream(const std::string& path) { return read_lines<Beat>(path); }
 
 void write_stream(const std::string& path, const std::vector<Beat>& beats) {
-  std::string text = "// tlast, then words 3 to 0\n";
-  for (const Beat& beat : beats) {
-    text += fmt::format("{:d}_{:08x}_{:08x}_{:08x}_{:08x}\n", beat.last, beat.words[3],
-                        beat.words[2], beat.words[1], beat.words[0]);
-  }
-  write_files({{path, text}});
+  write_lines(path, "// tlast, then words 3 to 0\n", beats);
 }
 
-std::vector<Recording> read_table(const std::string& path) {
-  std::vector<Recording> recordings;
-  for_each_line(path, [&](const std::string& line) {
-    recordings.emplace_back();
-    return read_recording(line, recordings.back());
-  });
-  return recordings;
-}
+std::vector<Recording> read_table(const std::string& path) { return read_lines<Recording>(path); }
 
 void write_table(const std::string& path, const std::vector<Recording>& recordings) {
-  std::string text = "# row, results, hash of the results, events by number\n";
-  for (const Recording& recording : recordings) {
-    text += fmt::format("{},{},{:016x},{}\n", recording.row, recording.results, recording.hash,
-                        fmt::join(recording.events, ","));
-  }
-  write_files({{path, text}});
+  write_lines(path, "# row, results, hash of the results, events by number\n", recordings);
 }
 
 std::vector<Configuration> recorded_rows() {
