@@ -42,26 +42,17 @@ double largest_error(const tb::EvaluatorStimulus& stimulus,
   return largest;
 }
 
-/// Counts components that differ from those of their group's first vertex, and by how much. The
-/// results of the seams are the last ones.
+/// How results of vertices on seams, the last ones, differ between cells.
 void compare_seams(const tb::SeamStimulus& seams,
                    const std::vector<cores::EvaluatorCore::Result>& results,
                    const Configuration& row, Measurement& measured) {
-  const WordCodec codec(row.format);
   const std::size_t offset = results.size() - seams.vertices.size();
-  std::size_t first = 0;
-  for (std::size_t v = 0; v < seams.vertices.size(); ++v) {
-    if (seams.group[v] != seams.group[first]) first = v;
-    for (int c = 0; c < 3; ++c) {
-      const std::uint32_t one = results[offset + first].words[c];
-      const std::uint32_t other = results[offset + v].words[c];
-      if (one == other) continue;
-      ++measured.seam_differences;
-      const double apart = std::abs(codec.decode_point(other) - codec.decode_point(one));
-      measured.seam_largest = std::max(measured.seam_largest, apart / seam_unit(row));
-    }
-  }
-  measured.seam_values = 3 * seams.vertices.size();
+  const auto found = seams.differences(WordCodec(row.format), 1, [&](std::size_t v, std::size_t) {
+    return results[offset + v].words;
+  });
+  measured.seam_values = found.values;
+  measured.seam_differences += found.count;
+  measured.seam_largest = std::max(measured.seam_largest, found.largest / seam_unit(row));
 }
 
 }  // namespace

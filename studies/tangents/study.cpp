@@ -129,20 +129,13 @@ class Study {
   /// Derivatives where cells meet, each as all of its cells give it.
   void seams() {
     const tb::SeamStimulus stimulus = tb::seam_stimulus(codec_, kSeamValues / 3, seed_);
-    const std::vector<InterleavedVertex> vertices = tb::interleaved(stimulus);
-    const std::vector<Beat> results =
-        run(interleaved_packet(vertices, OutsideMode::kClamp, Results::kDerivatives));
-    if (results.size() != 4 * vertices.size()) return;
-    std::size_t first = 0;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      if (stimulus.group[v] != stimulus.group[first]) first = v;
-      for (std::size_t part = 1; part < 4; ++part) {
-        for (int c = 0; c < 3; ++c, ++result_.seam_values) {
-          const bool same = results[4 * v + part].words[c] == results[4 * first + part].words[c];
-          result_.seam_differences += same ? 0 : 1;
-        }
-      }
-    }
+    const std::vector<Beat> results = run(
+        interleaved_packet(tb::interleaved(stimulus), OutsideMode::kClamp, Results::kDerivatives));
+    if (results.size() != 4 * stimulus.vertices.size()) return;
+    const auto found = stimulus.differences(
+        codec_, 3, [&](std::size_t v, std::size_t r) { return results[4 * v + 1 + r].words; });
+    result_.seam_values += found.values;
+    result_.seam_differences += found.count;
   }
 
  private:

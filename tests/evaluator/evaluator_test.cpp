@@ -26,12 +26,9 @@ std::vector<Configuration> cell_rows() {
 
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
-  std::vector<Configuration> built;
-  for (const Configuration& row : configurations()) {
-    if (!schedule.empty() && row.schedule != schedule) continue;
-    if (cores::has_evaluator_core(row)) built.push_back(row);
-  }
-  return built;
+  return rows_where([&](const Configuration& row) {
+    return (schedule.empty() || row.schedule == schedule) && cores::has_evaluator_core(row);
+  });
 }
 
 /// Another family on each axis, and on each axis another one in either bank: whatever takes the

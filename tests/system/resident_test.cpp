@@ -2,8 +2,6 @@
 // organization, lattices changed between vertices and loaded while the old one is read.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/interleave.hpp"
@@ -65,23 +63,6 @@ TEST_P(Resident, ClocksPerVertexEqualTheFormula) {
   EXPECT_EQ(run.bench().clocks_per_result(40, 160), expected_interval(GetParam()));
 }
 
-TEST_P(Resident, LatticeChangesBetweenVertices) {
-  for (std::uint64_t seed = 1; seed <= share_of(4); ++seed) {
-    SystemRun run(GetParam(), seed, "bernoulli", "bursts");
-    tb::Random random(seed);
-    run.send_bspline();
-    for (int load = 0; load < 6; ++load) {
-      const LatticeWords lattice = random_lattice(run.codec(), random, 6);
-      run.send(lattice_packet(lattice));
-      run.send(vertices_packet(
-          random_vertices(run.codec(), random, lattice.dims, random.between(1, 5))));
-      if (random.chance(0.3))
-        run.send(coefficients_packet(random_coefficients(run.codec(), random)));
-    }
-    ASSERT_TRUE(run.run());
-  }
-}
-
 // Every place of both buffers: a lattice of 16 points an axis whose points all differ, read at its
 // corners and along its diagonal.
 TEST_P(Resident, TheLargestLattice) {
@@ -131,26 +112,14 @@ TEST_P(Resident, ReloadsBetweenVerticesOfOneCell) {
     SystemRun run(GetParam(), seed, seed == 1 ? "always" : "gaps", seed == 2 ? "always" : "bursts");
     tb::Random random(seed);
     const std::array<int, 3> dims = {4, 4, 4};
-    const auto lattice = [&] {
-      LatticeWords words;
-      words.dims = dims;
-      for (int p = 0; p < 64; ++p) {
-        words.points.push_back({run.codec().point(2 * random.unit() - 1),
-                                run.codec().point(2 * random.unit() - 1),
-                                run.codec().point(2 * random.unit() - 1)});
-      }
-      return lattice_packet(words);
-    };
+    const auto lattice = [&] { return lattice_packet(random_lattice(run.codec(), random, dims)); };
     run.send_bspline();
     run.send(lattice());
     for (int reload = 0; reload < 12; ++reload) {
       run.send(vertices_packet(random_vertices(run.codec(), random, dims, random.between(1, 40))));
       const auto which = random.below(5);
-      if (which == 0) run.send(lattice());
-      if (which == 1) {
-        run.send(lattice());
-        run.send(lattice());
-      }
+      if (which <= 1) run.send(lattice());
+      if (which == 1) run.send(lattice());
       if (which == 2) run.send(coefficients_packet(random_coefficients(run.codec(), random)));
       if (which == 3) {
         std::vector<Beat> cut = lattice();
@@ -170,10 +139,9 @@ HWFFD_FOR_EACH_CONFIGURATION(Resident);
 
 /// Those of at most 3 clocks a vertex.
 std::vector<Configuration> fast_configurations() {
-  std::vector<Configuration> fast = built_configurations();
-  const auto is_slow = [](const Configuration& row) { return expected_interval(row) > 3; };
-  fast.erase(std::remove_if(fast.begin(), fast.end(), is_slow), fast.end());
-  return fast;
+  return rows_where([](const Configuration& row) {
+    return cores::has_stream_core(row) && expected_interval(row) <= 3;
+  });
 }
 
 /// A lattice of 16 points an axis and vertices in random cells of it, four where one is kept.
@@ -182,12 +150,7 @@ class Sustained : public PerConfiguration {
   /// Coefficients, lattice and packet; returns the beats before the first vertex.
   std::size_t send(SystemRun& run, std::size_t vertices) {
     tb::Random random(tb::seed_from_environment(1));
-    LatticeWords lattice;
-    lattice.dims = {16, 16, 16};
-    lattice.points.resize(4096);
-    for (auto& point : lattice.points) {
-      for (std::uint32_t& word : point) word = run.codec().point(2 * random.unit() - 1);
-    }
+    const LatticeWords lattice = random_lattice(run.codec(), random, {16, 16, 16});
     const std::vector<Beat> load = lattice_packet(lattice);
     const std::vector<Beat> bspline =
         coefficients_packet(watertight_bspline(run.codec()), run.codec());

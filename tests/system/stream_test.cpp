@@ -84,16 +84,6 @@ TEST_P(Stream, IdleWhenNothingIsInside) {
   EXPECT_TRUE(run.core().idle());
 }
 
-TEST_P(Stream, VertexBeforeCoefficientsIsBlankAndSaysSo) {
-  SystemRun run(GetParam(), 1);
-  run.send(interleaved_packet(make_stimulus("random", run.codec(), 2, 1)));
-  ASSERT_TRUE(run.run());
-  for (const Beat& result : run.bench().results()) {
-    EXPECT_NE(result.words[3] & kStatusUnloaded, 0U);
-    EXPECT_EQ(result.words[0], run.codec().is_float() ? 0x7FC00000U : 0U);
-  }
-}
-
 TEST_P(FloatStream, NotANumberStaysInItsVertex) {
   SystemRun run(GetParam(), 1);
   tb::Random random(1);

@@ -1,7 +1,6 @@
 #include "system_run.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace hwffd::test {
@@ -15,9 +14,7 @@ std::vector<Configuration> built_configurations(const std::string& format) {
 }
 
 std::uint64_t share_of(std::uint64_t count) {
-  const char* text = std::getenv("HWFFD_TEST_SHARE");
-  if (text == nullptr) return count;
-  const std::uint64_t divisor = std::strtoull(text, nullptr, 10);
+  const std::uint64_t divisor = tb::seed_from_environment(1, "HWFFD_TEST_SHARE");
   if (divisor == 0) throw std::invalid_argument("HWFFD_TEST_SHARE: a number from 1 up is wanted");
   return std::max<std::uint64_t>(1, count / divisor);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +43,30 @@ EvaluatorStimulus random_stimulus(const WordCodec& codec, std::size_t vertices, 
 /// Vertices on faces, edges and corners that the cells of one random lattice share.
 struct SeamStimulus : EvaluatorStimulus {
   std::vector<std::size_t> group;  ///< of each vertex; those of a group are one point
+
+  struct Differences {
+    std::size_t values = 0, count = 0;  ///< components compared, and those that differ
+    double largest = 0;
+  };
+  /// How components differ from those of the group's first vertex: `words(v, r)` are the words of
+  /// result r of vertex v, which has `each` of them.
+  template <class Words>
+  Differences differences(const WordCodec& codec, std::size_t each, Words words) const {
+    Differences found;
+    for (std::size_t v = 0, first = 0; v < vertices.size(); ++v) {
+      if (group[v] != group[first]) first = v;
+      for (std::size_t r = 0; r < each; ++r) {
+        for (int c = 0; c < 3; ++c, ++found.values) {
+          const std::uint32_t own = words(v, r)[c], other = words(first, r)[c];
+          if (own == other) continue;
+          ++found.count;
+          const double apart = codec.decode_point(own) - codec.decode_point(other);
+          found.largest = std::max(found.largest, std::abs(apart));
+        }
+      }
+    }
+    return found;
+  }
 };
 
 /// The vertices, each with the support that it reads and its exponent.
