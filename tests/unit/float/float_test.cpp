@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -19,11 +18,13 @@
 
 #include "exact_reference.hpp"
 #include "float_units.inc"
+#include "hwffd/numerics/bits.hpp"
 #include "hwffd/tb/sim.hpp"
 
 namespace {
 
 namespace exact = hwffd::exact;
+using hwffd::float_of_bits;
 
 enum class Unit { Add, Mul, Fma };
 
@@ -76,19 +77,9 @@ class Exhaustive {
 // ---- binary32
 // ------------------------------------------------------------------------------------
 
-float to_float(std::uint32_t word) {
-  float value;
-  std::memcpy(&value, &word, sizeof value);
-  return value;
-}
-
 /// The host's result as the units give it: one NaN, one zero.
 std::uint32_t canonical(float value) {
-  if (std::isnan(value)) return 0x7fc00000u;
-  if (value == 0) return 0;
-  std::uint32_t word;
-  std::memcpy(&word, &value, sizeof word);
-  return word;
+  return std::isnan(value) ? 0x7fc00000u : value == 0 ? 0 : hwffd::bits_of_float(value);
 }
 
 /// Operands whose parts are special, in the manner of TestFloat, mixed with random ones and with
@@ -123,12 +114,12 @@ class Binary32 {
     if ((random_() & 7) == 0) {
       const auto nudge = static_cast<std::uint32_t>(random_() % 7) - 3;
       if (kUnit == Unit::Add) in.b = (in.a ^ 0x80000000u) + nudge;
-      if (kUnit == Unit::Fma) in.c = canonical(-to_float(in.a) * to_float(in.b)) + nudge;
+      if (kUnit == Unit::Fma) in.c = canonical(-float_of_bits(in.a) * float_of_bits(in.b)) + nudge;
     }
     return in;
   }
   std::uint32_t expected(const Case& in) const {
-    const float a = to_float(in.a), b = to_float(in.b), c = to_float(in.c);
+    const float a = float_of_bits(in.a), b = float_of_bits(in.b), c = float_of_bits(in.c);
     switch (kUnit) {
       case Unit::Add:
         return canonical(a + b);
