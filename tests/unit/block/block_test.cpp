@@ -15,19 +15,6 @@
 namespace hwffd::test {
 namespace {
 
-template <int W>
-struct Widths;
-template <>
-struct Widths<8> {
-  using Dut = Vblock_units_72;
-  static constexpr int kMul = 1, kAdd = 1, kConvert = 0;
-};
-template <>
-struct Widths<35> {
-  using Dut = Vblock_units_99;
-  static constexpr int kMul = 3, kAdd = 1, kConvert = 3;
-};
-
 /// A number with its flags, as the exact arithmetic has it.
 struct Value {
   Int128 value = 0;
@@ -161,14 +148,11 @@ Results model_results(const Operands& o) {
           packed_out(out.word, out.saturated, out.nan)};
 }
 
-template <int W>
-using Pipelines = UnitPipelines<typename Widths<W>::Dut, kUnitCount>;
-
 /// All units of one width: operands go in every clock, results are compared as they come out.
-template <int W>
-class Units : public Pipelines<W> {
+template <int W, class Dut, int kMul, int kAdd, int kEnd>
+class Units : public UnitPipelines<Dut, kUnitCount> {
  public:
-  Units() : Pipelines<W>({0, 0, 0, kMul, kMul, kMul + kAdd, kAdd, kEnd, kEnd}) {}
+  Units() : UnitPipelines<Dut, kUnitCount>({0, 0, 0, kMul, kMul, kMul + kAdd, kAdd, kEnd, kEnd}) {}
 
   void apply(const Operands& o) {
     const std::array<Int128, 6> operands{packed(o.a, W),
@@ -194,10 +178,9 @@ class Units : public Pipelines<W> {
     };
     this->clock(exact_results<W>(o), model_results<W>(o), set, results, text);
   }
-
- private:
-  static constexpr int kMul = Widths<W>::kMul, kAdd = Widths<W>::kAdd, kEnd = Widths<W>::kConvert;
 };
+using Units8 = Units<8, Vblock_units_72, 1, 1, 0>;
+using Units35 = Units<35, Vblock_units_99, 3, 1, 3>;
 
 /// A binary32 word: any field of the exponent, a significand at an end, of one bit, or random.
 std::uint32_t random_word(tb::Random& random) {
@@ -246,7 +229,7 @@ Operands random_operands(tb::Random& random) {
 
 TEST(Block, EveryWeightTimesEveryPointOfEveryClassAt8Bits) {
   tb::Random random(tb::seed_from_environment(8));
-  Units<8> units;
+  Units8 units;
   std::uint64_t pairs = 0;
   for (int a = -128; a < 128; ++a) {
     for (int b = -128; b < 128 && !HasFatalFailure(); ++b, ++pairs) {
@@ -261,14 +244,14 @@ TEST(Block, EveryWeightTimesEveryPointOfEveryClassAt8Bits) {
     }
   }
   EXPECT_EQ(pairs, 65536U);
-  EXPECT_GE(units.compared(), Units<8>::kUnits * 4 * (pairs - 1));
+  EXPECT_GE(units.compared(), Units8::kUnits * 4 * (pairs - 1));
 }
 
 // The ends of the significand in each field of the exponent, in each block there is; the sum of the
 // same number, so that the normaliser meets each exponent too.
 TEST(Block, EveryFieldInEveryBlockAt8Bits) {
   tb::Random random(tb::seed_from_environment(1));
-  Units<8> units;
+  Units8 units;
   std::uint64_t cases = 0;
   for (int exponent = -512; exponent < 512; ++exponent) {
     for (std::uint32_t field = 0; field < 256 && !HasFatalFailure(); ++field) {
@@ -282,10 +265,10 @@ TEST(Block, EveryFieldInEveryBlockAt8Bits) {
     }
   }
   EXPECT_EQ(cases, 1024U * 256 * 2);
-  EXPECT_GE(units.compared(), Units<8>::kUnits * (cases - 10));
+  EXPECT_GE(units.compared(), Units8::kUnits * (cases - 10));
 }
 
-TEST(Block, CornersAndRandomAt35Bits) { run_random<Units<35>>(35, 1'000'000, random_operands<35>); }
+TEST(Block, CornersAndRandomAt35Bits) { run_random<Units35>(35, 1'000'000, random_operands<35>); }
 
 // The reference of the normaliser itself: known words.
 TEST(ExactBlock, KnownRoundings) {

@@ -22,24 +22,6 @@ Int128 packed(Rounded rounded, bool flag, int width) {
   return packed(rounded.value, rounded.saturated || flag, width);
 }
 
-template <int W>
-struct Widths;
-template <>
-struct Widths<8> {
-  using Dut = Vnumber_units_8;
-  static constexpr int kMul = 1, kAdd = 1, kConvert = 0;
-};
-template <>
-struct Widths<18> {
-  using Dut = Vnumber_units_18;
-  static constexpr int kMul = 4, kAdd = 1, kConvert = 3;
-};
-template <>
-struct Widths<32> {
-  using Dut = Vnumber_units_32;
-  static constexpr int kMul = 5, kAdd = 2, kConvert = 1;
-};
-
 struct Operands {
   std::uint32_t word = 0;
   Int128 a = 0, b = 0, c = 0, sum_a = 0, sum_b = 0;
@@ -109,15 +91,13 @@ Results model_results(const Operands& o) {
           packed(Int128{out.word}, out.saturated, 32)};
 }
 
-template <int W>
-using Pipelines = UnitPipelines<typename Widths<W>::Dut, kUnitCount>;
-
 /// All units of one width: operands go in every clock, results are compared as they come out.
-template <int W>
-class Units : public Pipelines<W> {
+template <int W, class Dut, int kMul, int kAdd, int kEnd>
+class Units : public UnitPipelines<Dut, kUnitCount> {
  public:
   Units()
-      : Pipelines<W>({0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kAdd, 0, kEnd}) {}
+      : UnitPipelines<Dut, kUnitCount>(
+            {0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kAdd, 0, kEnd}) {}
 
   void apply(const Operands& o) {
     const auto set = [&o](auto& dut) {
@@ -141,10 +121,10 @@ class Units : public Pipelines<W> {
     };
     this->clock(exact_results<W>(o), model_results<W>(o), set, results, text);
   }
-
- private:
-  static constexpr int kMul = Widths<W>::kMul, kAdd = Widths<W>::kAdd, kEnd = Widths<W>::kConvert;
 };
+using Units8 = Units<8, Vnumber_units_8, 1, 1, 0>;
+using Units18 = Units<18, Vnumber_units_18, 4, 1, 3>;
+using Units32 = Units<32, Vnumber_units_32, 5, 2, 1>;
 
 template <int W>
 Operands random_operands(tb::Random& random) {
@@ -167,7 +147,7 @@ Operands random_operands(tb::Random& random) {
 
 TEST(Number, EveryOperandPairAt8Bits) {
   tb::Random random(tb::seed_from_environment(8));
-  Units<8> units;
+  Units8 units;
   std::uint64_t pairs = 0;
   for (int a = -128; a < 128; ++a) {
     for (int b = -128; b < 128 && !HasFatalFailure(); ++b) {
@@ -182,17 +162,13 @@ TEST(Number, EveryOperandPairAt8Bits) {
     }
   }
   EXPECT_EQ(pairs, 65536U);
-  EXPECT_GE(units.compared(), Units<8>::kUnits * 16 * (pairs - 1));
+  EXPECT_GE(units.compared(), Units8::kUnits * 16 * (pairs - 1));
   std::printf("%llu pairs, %llu results compared\n", static_cast<unsigned long long>(pairs),
               static_cast<unsigned long long>(units.compared()));
 }
 
-TEST(Number, CornersAndRandomAt18Bits) {
-  run_random<Units<18>>(18, 1'000'000, random_operands<18>);
-}
-TEST(Number, CornersAndRandomAt32Bits) {
-  run_random<Units<32>>(32, 1'000'000, random_operands<32>);
-}
+TEST(Number, CornersAndRandomAt18Bits) { run_random<Units18>(18, 1'000'000, random_operands<18>); }
+TEST(Number, CornersAndRandomAt32Bits) { run_random<Units32>(32, 1'000'000, random_operands<32>); }
 
 }  // namespace
 }  // namespace hwffd::test
