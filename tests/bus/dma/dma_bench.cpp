@@ -42,7 +42,8 @@ DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
 }
 
 void DmaBench::set_bus_throttle(const std::string& name) {
-  memory.set_throttles(tb::AxiThrottles::make(name, random_.bits()));
+  const auto make = [&](int i) { return tb::make_throttle(name, random_.bits() + i); };
+  memory.set_throttles({make(0), make(1), make(2), make(3), make(4)});
 }
 
 void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write) {
