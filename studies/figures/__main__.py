@@ -66,7 +66,8 @@ def do_check(options):
 
 def do_adopt(options):
     for name in options.names:
-        print(f"wrote {measure.adopt(options.root, name).relative_to(options.root)}")
+        written = measure.adopt(options.root, name, options.part)
+        print(f"wrote {written.relative_to(options.root)}")
     return 0
 
 
@@ -97,6 +98,7 @@ def main(arguments=None):
     checking.set_defaults(do=do_check)
     adopting = commands.add_parser("adopt", help="takes build/reports/NAME.json into docs/reports/")
     adopting.add_argument("names", nargs="+", metavar="NAME")
+    adopting.add_argument("--part", action="store_true", help="also where rows are missing")
     adopting.set_defaults(do=do_adopt)
     measuring = commands.add_parser("measure", help="runs a study, stamps and prints its report")
     measuring.add_argument("--quiet", dest="show", action="store_false",

@@ -9,7 +9,7 @@ import pathlib
 from collections import Counter
 
 from figures import markers, sources
-from figures.catalogue import REPORTS
+from figures.catalogue import REPORTS, missing
 from figures.measure import STAMP
 from figures.reports import Reports, RequestError
 
@@ -50,7 +50,9 @@ def check(root):
 
 
 def _stale(root, reports):
-    """A line for each committed report whose sources have changed since, with what renews it."""
+    """A line for each committed report that lacks rows or whose sources have changed since, with
+    what renews it.
+    """
     lines = []
     for path in sorted(reports.folder.glob("*.json")):
         name, where = path.stem, path.relative_to(root)
@@ -59,8 +61,11 @@ def _stale(root, reports):
             continue
         try:
             measured = reports.get(name).get(STAMP, {}).get("sources")
-            if measured != sources.key(root, REPORTS[name].sources):
-                lines.append(f"{where} is stale: {REPORTS[name].command} && "
+            stale = measured != sources.key(root, REPORTS[name].sources)
+            absent = missing(reports, name)
+            if stale or absent:
+                state = "is stale" if stale else f"lacks {absent}"
+                lines.append(f"{where} {state}: {REPORTS[name].command} && "
                              f"scripts/figures adopt {name}")
         except (RequestError, sources.SourceError) as error:
             lines.append(f"{where}: {error}")

@@ -90,9 +90,9 @@ def committed_form(report, name):
     return dump(_without(report, REPORTS[name].volatile))
 
 
-def adopt(root, name):
-    """Takes build/reports/NAME.json into docs/reports/. Raises RequestError where it is not whole or
-    not of the present sources.
+def adopt(root, name, part=False):
+    """Takes build/reports/NAME.json into docs/reports/. Raises RequestError where it is not of the
+    present sources, or not whole and a part is not asked for.
     """
     if name not in REPORTS:
         raise RequestError(f"no report '{name}': one of {', '.join(REPORTS)}")
@@ -104,8 +104,8 @@ def adopt(root, name):
     if report[STAMP]["sources"] != sources.key(root, REPORTS[name].sources):
         raise RequestError(f"{path} is older than its sources: {cure}")
     absent = missing(fresh, name)
-    if absent:
-        raise RequestError(f"{path} is not whole: {absent}: {cure}")
+    if absent and not part:
+        raise RequestError(f"{path} is not whole: {absent}: {cure}; or adopt --part")
     kept = Reports(root, COMMITTED).path(name)
     kept.parent.mkdir(parents=True, exist_ok=True)
     kept.write_text(committed_form(stamped(report, name, report[STAMP]["sources"]), name),

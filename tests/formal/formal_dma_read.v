@@ -148,16 +148,24 @@ module formal_dma_read #(
   (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
   (* hierconn *) wire        \u_dut.u_address.wraps_q ;
   (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
-  wire [60:0] next  = {1'b0, \u_dut.u_address.next_q };
-  wire [60:0] last  = {1'b0, \u_dut.u_address.last_q };
-  wire        sum   = {\u_dut.u_address.wraps_q , \u_dut.u_address.last_q }
-                      == next + \u_dut.u_address.beats_q - 61'd1;
-  wire        fits  = {next, 4'h0} >= {1'b0, window_first} && next <= last
-                   && {last, 4'hf} <= {1'b0, window_last};
-  wire [64:0] end_of = {1'b0, araddr} + {53'd0, arlen, 4'd15};
-  wire        ar_fits = araddr >= window_first && end_of <= {1'b0, window_last};
-  wire        ar_page = {1'b0, araddr[11:0]} + {1'b0, arlen, 4'd15} < 13'd4096;
-
+  wire        sum;
+  wire        fits;
+  wire        ar_fits;
+  wire        ar_page;
+  properties_burst burst (
+    .next_i        (\u_dut.u_address.next_q ),
+    .last_i        (\u_dut.u_address.last_q ),
+    .beats_i       (\u_dut.u_address.beats_q ),
+    .wraps_i       (\u_dut.u_address.wraps_q ),
+    .window_first_i(window_first),
+    .window_last_i (window_last),
+    .address_i     (araddr),
+    .len_i         (arlen),
+    .sum_o         (sum),
+    .fits_o        (fits),
+    .inside_o      (ar_fits),
+    .page_o        (ar_page)
+  );
 
   // ---- open bursts, the oldest first: those of the memory, then the one on the address channel
   localparam PLACE_W = $clog2(OUTSTANDING);
@@ -279,7 +287,9 @@ module formal_dma_read #(
         2'd1: known = known && !refused && \u_dut.u_address.beats_q == left_q;
         2'd2: known = known && !refused && \u_dut.u_address.beats_q == left_q
                    && (\u_dut.u_address.misaligned_q || left_q == 0 || sum);
-        default: known = known && !refused && left_q != 0 && last == next + left_q - 61'd1;
+        default: known = known && !refused && left_q != 0
+                      && {1'b0, \u_dut.u_address.last_q }
+                         == {1'b0, \u_dut.u_address.next_q } + left_q - 61'd1;
       endcase
       if (\u_dut.u_address.state_q != 0)
         rank = {left_q, 2'd0} + 2'd3 - \u_dut.u_address.state_q + busy;

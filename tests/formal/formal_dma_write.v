@@ -125,16 +125,24 @@ module formal_dma_write #(
   (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
   (* hierconn *) wire        \u_dut.u_address.wraps_q ;
   (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
-  wire [60:0] next  = {1'b0, \u_dut.u_address.next_q };
-  wire [60:0] last  = {1'b0, \u_dut.u_address.last_q };
-  wire        sum   = {\u_dut.u_address.wraps_q , \u_dut.u_address.last_q }
-                      == next + \u_dut.u_address.beats_q - 61'd1;
-  wire        fits  = {next, 4'h0} >= {1'b0, window_first} && next <= last
-                   && {last, 4'hf} <= {1'b0, window_last};
-  wire [64:0] end_of  = {1'b0, awaddr} + {53'd0, awlen, 4'd15};
-  wire        aw_fits = awaddr >= window_first && end_of <= {1'b0, window_last};
-  wire        aw_page = {1'b0, awaddr[11:0]} + {1'b0, awlen, 4'd15} < 13'd4096;
-
+  wire        sum;
+  wire        fits;
+  wire        aw_fits;
+  wire        aw_page;
+  properties_burst burst (
+    .next_i        (\u_dut.u_address.next_q ),
+    .last_i        (\u_dut.u_address.last_q ),
+    .beats_i       (\u_dut.u_address.beats_q ),
+    .wraps_i       (\u_dut.u_address.wraps_q ),
+    .window_first_i(window_first),
+    .window_last_i (window_last),
+    .address_i     (awaddr),
+    .len_i         (awlen),
+    .sum_o         (sum),
+    .fits_o        (fits),
+    .inside_o      (aw_fits),
+    .page_o        (aw_page)
+  );
 
   // ---- bursts whose data has not left, the oldest first, each from the clock its address is raised
   localparam MOST    = 4;

@@ -69,6 +69,9 @@ class Study(Checkout):
     def test_what_is_not_whole_or_old_is_not_taken(self):
         self.measure({"plates": PLATES["plates"][:3]})
         self.assertIn("is not whole: plates: make plates", self.command("adopt", "plates")[1])
+        self.assertEqual(self.command("adopt", "--part", "plates"),
+                         (0, "wrote docs/reports/plates.json\n"))
+        self.assertIn("docs/reports/plates.json lacks plates: make plates", self.command("check")[1])
         self.measure(PLATES)
         report = self.fresh()
         report["measured"]["sources"] = "0" * 16
