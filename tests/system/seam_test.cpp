@@ -8,13 +8,16 @@
 
 #include "hwffd/model/seam_bound.hpp"
 #include "hwffd/tb/evaluator_stimulus.hpp"
+#include "hwffd/tb/random.hpp"
 #include "system_run.hpp"
 
 namespace hwffd::test {
 namespace {
 
-constexpr std::size_t kValues = 60000;    // compared components, at least
-constexpr std::size_t kRtlValues = 6000;  // where every bit is compared with the model's, too
+constexpr std::size_t kValues = 60000;  // compared components, at least
+
+/// The same in the RTL, where every bit is compared with the model's, too.
+std::size_t rtl_values() { return share_of(tb::seed_from_environment(6000, "HWFFD_SEAM_VALUES")); }
 
 /// Vertices on seams with so many values in results of that kind, and how these differ where the
 /// function makes them of packets.
@@ -59,13 +62,12 @@ tb::SeamStimulus::Differences model_differences(const Configuration& row, std::u
 tb::SeamStimulus::Differences rtl_differences(const Configuration& row, std::uint64_t seed,
                                               Results wanted) {
   SystemRun run(row, 1);
-  return differences(row, share_of(kRtlValues), seed, wanted,
-                     [&](const std::vector<Beat>& packets) {
-                       run.send_bspline();
-                       run.send(packets);
-                       EXPECT_TRUE(run.run());
-                       return run.bench().results();
-                     });
+  return differences(row, rtl_values(), seed, wanted, [&](const std::vector<Beat>& packets) {
+    run.send_bspline();
+    run.send(packets);
+    EXPECT_TRUE(run.run());
+    return run.bench().results();
+  });
 }
 
 class Seam : public PerConfiguration {
