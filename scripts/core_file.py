@@ -119,10 +119,9 @@ def text(root):
 
 def stale(root=rtl.ROOT):
     """A line if hwffd.core is not what the sources say."""
-    path = pathlib.Path(root) / NAME
-    if not path.is_file() or path.read_text(encoding="utf-8") == text(root):
-        return []
-    return [f"{NAME}: not what the sources say: run scripts/core_file.py write"]
+    root = pathlib.Path(root)
+    found = tables.differing(root, {NAME: text(root)}) if (root / NAME).is_file() else []
+    return [f"{name}: not what the sources say: run scripts/core_file.py write" for name in found]
 
 
 def main(arguments=None):
@@ -135,8 +134,7 @@ def main(arguments=None):
             tables.write_if_changed(options.root / NAME, text(options.root))
             return 0
         found = stale(options.root)
-    except (tables.TableError, module_header.HeaderError,
-            OSError) as error:
+    except (tables.TableError, module_header.HeaderError, OSError) as error:
         found = [str(error)]
     for line in found:
         print(f"core_file.py: {line}", file=sys.stderr)

@@ -16,7 +16,7 @@ import rtl
 import stream_words
 import version
 from module_header import HeaderError
-from tables import TableError, write_if_changed
+from tables import TableError, differing, write_if_changed
 
 # What each of them is made from, and how. A checkout without that has no such files. The list of files
 # comes after them, since it names them, and behind it what is made of it.
@@ -44,8 +44,7 @@ def stale(root=rtl.ROOT):
     """A line for each file that is not what the tables make of it."""
     root = pathlib.Path(root)
     return [f"{name}: not what the tables say: run scripts/made.py write"
-            for name, text in outputs(root).items()
-            if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text]
+            for name in differing(root, outputs(root))]
 
 
 def main(arguments=None):

@@ -20,8 +20,7 @@ import register_rtl  # noqa: E402
 import register_texts  # noqa: E402
 import tables  # noqa: E402
 import version  # noqa: E402
-from tables import write_if_changed  # noqa: E402
-from tables import TableError  # noqa: E402
+from tables import TableError, differing, write_if_changed  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "rtl/bus/registers.csv"
@@ -217,11 +216,8 @@ def stale(root=ROOT):
     root = pathlib.Path(root)
     if not (root / TABLE).is_file():
         return []
-    return [
-        f"{name}: not what table and {version.FILE} say: run scripts/registers.py write"
-        for name, text in outputs(root).items()
-        if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text
-    ]
+    return [f"{name}: not what table and {version.FILE} say: run scripts/registers.py write"
+            for name in differing(root, outputs(root))]
 
 
 def main(arguments=None):
@@ -243,9 +239,10 @@ def main(arguments=None):
             for name, text in outputs(options.root, options.table).items():
                 write_if_changed(options.root / name, text)
         else:
-            for line in stale(options.root):
+            found = stale(options.root)
+            for line in found:
                 print(f"registers.py: {line}", file=sys.stderr)
-            return 1 if stale(options.root) else 0
+            return 1 if found else 0
     except (TableError, OSError) as error:
         print(f"registers.py: {error}", file=sys.stderr)
         return 1

@@ -72,6 +72,12 @@ def span(cells, column, where, allowed):
     return range(int(low), int(high) + 1)
 
 
+def differing(root, texts):
+    """Names of the files below root that do not have the text that they must have."""
+    return [name for name, text in texts.items()
+            if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text]
+
+
 def write_if_changed(path, text):
     """Leaves the file alone, time stamp and all, when it has this text already."""
     path = pathlib.Path(path)

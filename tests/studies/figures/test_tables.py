@@ -181,13 +181,15 @@ class Catalogue(unittest.TestCase):
         self.assertLessEqual({one for needed in CHARTS.values() for one in needed}, set(REPORTS))
 
     def test_committed_reports(self):
-        """Every table and figure can be made of each. Lint says what one lacks."""
+        """Every table and figure can be made of each, and lint lists one that is not whole."""
         reports = check.Reports(ROOT)
         present = [name for name in REPORTS if reports.has(name)]
         self.assertGreaterEqual(len(present), 5)
+        listed = check.check(ROOT)[2]
         for name in present:
             with self.subTest(name):
-                self.assertIsInstance(missing(reports, name), str)
+                self.assertTrue(not missing(reports, name) or any(
+                    line.startswith(f"docs/reports/{name}.json ") for line in listed))
                 if not REPORTS[name].volatile:  # what is printed is fresh
                     self.assertEqual(printed(reports, name), printed(reports, name).rstrip())
                 for figure in getattr(module(name), "FIGURES", {}):
