@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "Vaxil_registers.h"
 #include "hwffd/driver.hpp"
-#include "hwffd/tb/axil_checker.hpp"
+#include "hwffd/tb/axi_checker.hpp"
 #include "hwffd/tb/axil_driver.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
@@ -16,7 +18,7 @@
 
 namespace hwffd::test {
 
-/// The register block between an AxiLiteDriver, an AxiLiteChecker and the model: in every clock all
+/// The register block between an AxiLiteDriver, an AxiChecker and the model: in every clock all
 /// output ports, and every response as it appears, are compared.
 ///
 /// Which write and which read act in a clock is seen on the bus: their response appears at the end
@@ -40,27 +42,31 @@ class RegisterBench {
   /// By name: whole register, must be OKAY.
   std::uint32_t get(const std::string& reg);
   void set(const std::string& reg, std::uint32_t data);
-  /// By path: a bit, whether it is set, and the write that sets it alone.
-  bool is_set(const std::string& path);
+  /// By path: the write that sets that bit alone.
   void set_bit(const std::string& path);
   /// All registers in order, without those of access counter or log.
   std::vector<std::uint32_t> snapshot();
 
-  /// Inputs from the hardware, kept until changed.
+  /// The ports to the hardware, and what is on the inputs, kept until changed.
+  const HardwarePorts& input_ports() const { return input_ports_; }
+  const HardwarePorts& output_ports() const { return output_ports_; }
   PortValues& inputs() { return inputs_; }
   /// One clock in which that input has this value, and is 0 again.
   void pulse(const std::string& port, std::uint64_t value = 1);
   /// Called at the start of every clock, to change them.
   void each_clock(std::function<void()> callback) { each_clock_ = std::move(callback); }
-  std::uint64_t output(const std::string& port);
+  std::uint64_t output(const std::string& port) const { return output_ports_.at(port).read(); }
   std::uint64_t clock() const { return sim_.cycle(); }
-  /// The clock in which the latest write took effect.
-  std::uint64_t write_clock() const { return write_clock_; }
   /// Clocks in which that output was high.
   std::uint64_t high_clocks(const std::string& port) const { return high_.at(port); }
 
   tb::AxiLiteDriver& driver() { return driver_; }
-  const tb::AxiLiteChecker& checker() const { return checker_; }
+  const RegisterModel& model() const { return model_; }
+  /// Whether an address of a write came before its data, and data before its address; what lay on
+  /// the channel of addresses while none was offered.
+  bool address_first() const { return most_ahead_ > 0; }
+  bool data_first() const { return least_ahead_ < 0; }
+  const std::set<std::uint32_t>& idle_addresses() const { return idle_addresses_; }
   std::uint64_t compared() const { return compared_; }
   const std::vector<std::string>& failures() const { return failures_; }
 
@@ -73,8 +79,9 @@ class RegisterBench {
 
   tb::Sim<Vaxil_registers> sim_;
   tb::AxiLiteDriver driver_;
-  tb::AxiLiteChecker checker_;
+  tb::AxiChecker checker_{true};
   RegisterModel model_;
+  HardwarePorts input_ports_, output_ports_;
   PortValues inputs_;
   std::function<void()> each_clock_;
   std::map<std::string, std::uint64_t> high_;
@@ -89,7 +96,8 @@ class RegisterBench {
   std::vector<std::uint32_t> dropped_reads_;
   std::size_t acted_writes_ = 0;
   std::size_t acted_reads_ = 0;
-  std::uint64_t write_clock_ = 0;
+  int ahead_ = 0, most_ahead_ = 0, least_ahead_ = 0;  // addresses taken before their data
+  std::set<std::uint32_t> idle_addresses_;
   std::uint64_t compared_ = 0;
   std::vector<std::string> failures_;
 };

@@ -1,7 +1,5 @@
 #include "register_model.hpp"
 
-#include <set>
-
 namespace hwffd::test {
 namespace {
 
@@ -65,17 +63,22 @@ std::uint8_t RegisterModel::code_of(const tb::AxiLiteWrite& write) const {
   return writable && !locked ? cores::kOkay : cores::kSlvErr;
 }
 
-bool RegisterModel::blocked(const PortValues& inputs, const RegisterField& start) const {
-  bool found = fields_.at(start.path) != 0;  // in the clock of the pulse
+std::vector<std::string> RegisterModel::blocks(const PortValues& inputs,
+                                               const RegisterField& start) const {
+  std::vector<std::string> found;
+  if (fields_.at(start.path) != 0) found.push_back(start.path);  // in the clock of the pulse
   for (const std::string& path : start.linked("unless")) {
-    found = found || field_value(inputs, register_field(path)) != 0;
+    if (field_value(inputs, register_field(path)) != 0) found.push_back(path);
   }
-  for (const std::string& path : start.linked("needs")) found = found || fields_.at(path) == 0;
+  for (const std::string& path : start.linked("needs")) {
+    if (fields_.at(path) == 0) found.push_back(path);
+  }
   return found;
 }
 
-void RegisterModel::store(const tb::AxiLiteWrite& write) {
+std::set<std::string> RegisterModel::store(const tb::AxiLiteWrite& write) {
   const std::uint32_t mask = mask_of(write.strobe);
+  std::set<std::string> cleared;
   for (const RegisterField& field : register_table()) {
     if (field.offset != (write.address & ~3u)) continue;
     std::uint32_t& value = fields_.at(field.path);
@@ -83,8 +86,11 @@ void RegisterModel::store(const tb::AxiLiteWrite& write) {
     const std::uint32_t ones = (write.data & mask & field.mask()) >> field.low;
     if (field.access == "rw") value = (value & ~written) | ones;
     if (field.access == "w1" || field.access == "w1s") value |= ones;
-    if (field.access == "w1c" || field.access == "event") value &= ~ones;
+    if (!field.sticky()) continue;
+    if ((value & ones) != 0) cleared.insert(field.path);
+    value &= ~ones;
   }
+  return cleared;
 }
 
 void RegisterModel::record(const PortValues& inputs, bool held, bool clear) {
@@ -139,17 +145,21 @@ RegisterModel::Answers RegisterModel::clock(const PortValues& inputs,
 
   const bool clear = fields_.at("CONTROL.clear_counters") != 0;  // the pulse of the last clock
   count(inputs, clear);
-  std::map<std::string, bool> refused;
+  std::map<std::string, std::vector<std::string>> refused_by;
   for (const RegisterField& field : register_table()) {
     if (field.access != "w1") continue;
-    refused[field.path] = !field.linked("refused").empty() && blocked(inputs, field);
+    if (!field.linked("refused").empty()) refused_by[field.path] = blocks(inputs, field);
     fields_.at(field.path) = 0;
   }
-  if (write && answers.write.code == cores::kOkay) store(*write);
+  std::set<std::string> cleared;
+  if (write && answers.write.code == cores::kOkay) cleared = store(*write);
   for (const RegisterField& field : register_table()) {
     if (field.access != "w1" || fields_.at(field.path) == 0) continue;
     for (const std::string& target : field.linked("sets")) set.insert(target);
-    if (!refused.at(field.path)) continue;
+    const std::vector<std::string>& reasons = refused_by[field.path];
+    if (reasons.empty()) ++seen_[field.path + " taken"];
+    if (reasons.size() == 1) ++seen_[field.path + " refused by " + reasons[0]];
+    if (reasons.empty()) continue;
     fields_.at(field.path) = 0;
     for (const std::string& target : field.linked("refused")) set.insert(target);
   }
@@ -159,6 +169,9 @@ RegisterModel::Answers RegisterModel::clock(const PortValues& inputs,
     bool sets = set.count(field.path) != 0;
     for (const std::string& other : field.linked("with")) sets = sets || set.count(other) != 0;
     if (sets) fields_.at(field.path) = 1;
+    const bool clears = cleared.count(field.path) != 0;
+    if (sets && clears) ++seen_[field.path + " set and cleared"];
+    if (sets != clears) ++seen_[field.path + (sets ? " set" : " cleared")];
   }
   return answers;
 }

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "hwffd/tb/axil_driver.hpp"
 #include "register_table.hpp"
@@ -34,6 +36,12 @@ class RegisterModel {
                 const std::optional<std::uint32_t>& read);
   /// The output ports, by their full names, as they are now.
   PortValues outputs() const;
+  /// How often that happened since construction: "<field> set", "<field> cleared", "<field> set and
+  /// cleared" (in one clock), "<start> taken", "<start> refused by <field>" (by it alone).
+  std::uint64_t seen(const std::string& what) const {
+    const auto found = seen_.find(what);
+    return found == seen_.end() ? 0 : found->second;
+  }
 
  private:
   struct Counter {
@@ -44,8 +52,10 @@ class RegisterModel {
   Answer do_read(const PortValues& inputs, std::uint32_t address);
   std::uint8_t code_of(const tb::AxiLiteWrite& write) const;
   std::uint32_t field_value(const PortValues& inputs, const RegisterField& field) const;
-  bool blocked(const PortValues& inputs, const RegisterField& start) const;
-  void store(const tb::AxiLiteWrite& write);
+  /// Fields that a start is refused by.
+  std::vector<std::string> blocks(const PortValues& inputs, const RegisterField& start) const;
+  /// Returns the sticky fields that it cleared.
+  std::set<std::string> store(const tb::AxiLiteWrite& write);
   void record(const PortValues& inputs, bool held, bool clear);
   void count(const PortValues& inputs, bool clear);
 
@@ -53,6 +63,7 @@ class RegisterModel {
   std::map<std::string, Counter> counters_;      // by port
   bool irq_ = false;
   bool located_ = false;  // the record has an address
+  std::map<std::string, std::uint64_t> seen_;
 };
 
 }  // namespace hwffd::test

@@ -27,10 +27,9 @@ struct RegisterField {
   std::uint32_t mask() const {
     return static_cast<std::uint32_t>(((std::uint64_t{1} << width) - 1) << low);
   }
-  bool writable() const {
-    return access == "rw" || access == "w1" || access == "w1c" || access == "w1s" ||
-           access == "event";
-  }
+  /// Set by the hardware, cleared by a 1.
+  bool sticky() const { return access == "w1c" || access == "event"; }
+  bool writable() const { return sticky() || access == "rw" || access == "w1" || access == "w1s"; }
   /// Targets of `kind:target` in the link.
   const std::vector<std::string>& linked(const std::string& kind) const;
 };

@@ -1,5 +1,6 @@
-// Every register of the table: reset value, reading, writing, strobes, and what is refused. The
-// bench compares each clock with the model besides.
+// Every register of the table: reset value, reading, writing, strobes, and what is refused; what
+// the record of errors keeps. The bench compares each answer, and all outputs in each clock, with
+// the model: most tests only ask.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,17 +20,8 @@ struct Register {
   std::uint32_t offset = 0;
   std::vector<RegisterField> fields;
 
-  /// Bits of the fields of these accesses.
-  std::uint32_t bits(const std::set<std::string>& accesses) const {
-    std::uint32_t mask = 0;
-    for (const auto& field : fields) mask |= accesses.count(field.access) ? field.mask() : 0;
-    return mask;
-  }
   bool writable() const {
-    for (const auto& field : fields) {
-      if (field.writable()) return true;
-    }
-    return false;
+    return std::any_of(fields.begin(), fields.end(), [](auto& field) { return field.writable(); });
   }
   bool locked_by_something() const { return !fields[0].linked("locked").empty(); }
 };
@@ -47,126 +39,69 @@ std::vector<Register> all_registers() {
   return found;
 }
 
-const std::set<std::string> kStored = {"rw"};
-
-class EachRegister : public testing::TestWithParam<Register> {};
+/// All that software can ask of a register, before the lock and after it.
+class EachRegister : public testing::TestWithParam<Register> {
+ protected:
+  void write_and_read(std::uint32_t data, std::uint8_t strobe = 0xF, unsigned low = 0) {
+    bench_.write(GetParam().offset | low, data, strobe);
+    bench_.read(GetParam().offset | low);
+  }
+  RegisterBench bench_{1};
+};
 INSTANTIATE_TEST_SUITE_P(Table, EachRegister, testing::ValuesIn(all_registers()), by_name);
+
+TEST_P(EachRegister, IsWrittenByBytesAndAloneAtItsAddress) {
+  for (const bool locked : {false, true}) {
+    if (locked) bench_.set("WINDOW_LOCK", 1);
+    for (unsigned i = 0; i < 16; ++i) {
+      const auto strobe = static_cast<std::uint8_t>(2 * i % 16 + i / 8);  // first without byte 0
+      for (const std::uint32_t before : {0u, ~0u, 0xA5A5A5A5u}) {
+        write_and_read(before, before == 0 ? strobe : 0xF);
+        write_and_read(~before, strobe);
+      }
+    }
+    // The two low bits of an address are not looked at.
+    for (unsigned low = 0; low < 4; ++low) write_and_read(0x01010101u << low, 0xF, low);
+    bench_.snapshot();
+  }
+}
+
+TEST_P(EachRegister, KeepsEachBitAsItsAccessSays) {
+  for (const bool locked : {false, true}) {
+    if (locked) bench_.set("WINDOW_LOCK", 1);
+    for (unsigned bit = 0; bit < 32; ++bit) {
+      for (const std::uint32_t data : {1u << bit, ~(1u << bit)}) write_and_read(data);
+    }
+    bench_.set("CONTROL", 2);  // a soft reset changes nothing
+    bench_.snapshot();
+  }
+}
+
+TEST_P(EachRegister, ReadsWhatTheHardwareSays) {
+  bench_.snapshot();
+  for (const auto& field : GetParam().fields) {
+    if (field.access != "ro") continue;
+    std::uint64_t& port = bench_.inputs().at(field.port + "_i");
+    for (unsigned bit = 0; bit < field.width; ++bit) {
+      port = std::uint64_t{1} << (bit + field.port_low);
+      EXPECT_EQ(bench_.read(field.offset).data & field.mask(), 1u << (field.low + bit));
+    }
+    port = 0;
+  }
+}
 
 TEST_P(EachRegister, HasItsResetValue) {
   const Register& reg = GetParam();
   std::uint32_t expected = 0;
   for (const auto& field : reg.fields) expected |= field.reset << field.low;
-  RegisterBench bench(1);
-  EXPECT_EQ(bench.read(reg.offset).data, expected);
+  EXPECT_EQ(bench_.read(reg.offset).data, expected);
   // Again after it was changed as far as it can be.
-  bench.inputs()["error_event_i"] = 0x3FFFF;
-  bench.inputs()["error_packet_i"] = bench.inputs()["error_beat_i"] = 0xFFFFFFFF;
-  bench.inputs()["error_address_i"] = ~std::uint64_t{0};
-  bench.inputs()["error_address_valid_i"] = 1;
-  bench.inputs()["status_done_set_i"] = 1;
-  for (const char* port : {"vertices", "stalls", "busy"}) {
-    bench.inputs()["counter_" + std::string(port) + "_event_i"] = 1;
-  }
-  bench.write(reg.offset, ~0u);
-  bench.steps(3);
-  for (auto& [name, value] : bench.inputs()) value = 0;
-  bench.reset();
-  EXPECT_EQ(bench.read(reg.offset).data, expected);
-}
-
-TEST_P(EachRegister, ReadsWhatTheHardwareSays) {
-  const Register& reg = GetParam();
-  RegisterBench bench(2);
-  const std::uint32_t others = bench.read(reg.offset).data & ~reg.bits({"ro"});
-  for (const auto& field : reg.fields) {
-    if (field.access != "ro") continue;
-    for (unsigned bit = 0; bit < field.width; ++bit) {
-      bench.inputs()[field.port + "_i"] = std::uint64_t{1} << (bit + field.port_low);
-      EXPECT_EQ(bench.read(reg.offset).data, others | 1u << (field.low + bit)) << field.path;
-    }
-    bench.inputs()[field.port + "_i"] = 0;
-  }
-}
-
-TEST_P(EachRegister, KeepsWhatIsWritten) {
-  const Register& reg = GetParam();
-  RegisterBench bench(3);
-  const std::uint32_t stored = reg.bits(kStored);
-  const std::uint32_t others = bench.read(reg.offset).data & ~stored;
-  for (unsigned bit = 0; bit < 32; ++bit) {
-    for (const std::uint32_t data : {1u << bit, ~(1u << bit)}) {
-      EXPECT_EQ(bench.write(reg.offset, data), reg.writable() ? cores::kOkay : cores::kSlvErr);
-      const std::uint32_t read = bench.read(reg.offset).data;
-      EXPECT_EQ(read & stored, data & stored) << reg.name << " bit " << bit;
-      if (!reg.writable()) {
-        EXPECT_EQ(read, others);
-      }
-    }
-  }
-}
-
-TEST_P(EachRegister, IsWrittenByBytes) {
-  const Register& reg = GetParam();
-  RegisterBench bench(4);
-  const std::uint32_t stored = reg.bits(kStored);
-  for (unsigned strobe = 0; strobe < 16; ++strobe) {
-    std::uint32_t mask = 0;
-    for (unsigned byte = 0; byte < 4; ++byte) mask |= (strobe >> byte & 1) ? 0xFFu << 8 * byte : 0;
-    for (const std::uint32_t before : {0u, ~0u, 0xA5A5A5A5u}) {
-      bench.write(reg.offset, before);
-      const auto code = bench.write(reg.offset, ~before, static_cast<std::uint8_t>(strobe));
-      EXPECT_EQ(code, reg.writable() ? cores::kOkay : cores::kSlvErr) << strobe;
-      const std::uint32_t expected = ((before & ~mask) | (~before & mask)) & stored;
-      EXPECT_EQ(bench.read(reg.offset).data & stored, expected) << reg.name << " strobe " << strobe;
-    }
-  }
-}
-
-TEST_P(EachRegister, IsAloneAtItsAddress) {
-  const Register& reg = GetParam();
-  RegisterBench bench(5);
-  if (reg.name == "CONTROL") bench.set("WINDOW_LOCK", 1);  // or a start would set what says no
-  const auto before = bench.snapshot();
-  bench.write(reg.offset, ~0u);
-  const auto after = bench.snapshot();
-  const std::uint32_t sticky = reg.bits({"rw", "w1s"});
-  std::size_t changed = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) changed += before[i] != after[i] ? 1 : 0;
-  // IRQ_TEST sets IRQ_STATE.
-  EXPECT_EQ(changed, sticky != 0 || reg.name == "IRQ_TEST" ? 1u : 0u);
-  for (unsigned low = 0; low < 4; ++low) {  // the two low bits of an address are not looked at
-    EXPECT_EQ(bench.read(reg.offset | low).data, bench.read(reg.offset).data);
-    if (sticky == 0 || reg.locked_by_something()) continue;
-    bench.write(reg.offset | low, 0x01010101u << low);
-    EXPECT_EQ(bench.read(reg.offset).data & reg.bits(kStored),
-              (0x01010101u << low) & reg.bits(kStored));
-  }
-}
-
-TEST_P(EachRegister, ObeysItsLock) {
-  const Register& reg = GetParam();
-  RegisterBench bench(6);
-  bench.write(reg.offset, 0x12345678);
-  bench.set("WINDOW_LOCK", 0);  // writes nothing
-  EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);
-  EXPECT_EQ(bench.write(register_field("WINDOW_LOCK.windows").offset, ~0u, 0xE), cores::kOkay);
-  EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);  // the bit is in byte 0
-  bench.set("WINDOW_LOCK", 1);
-  bench.set("WINDOW_LOCK", 0);
-  EXPECT_EQ(bench.get("WINDOW_LOCK"), 1u);
-  bench.set("CONTROL", 2);  // soft reset
-  bench.steps(5);
-  EXPECT_EQ(bench.get("WINDOW_LOCK"), 1u);
-  for (const std::uint8_t strobe : {0, 1, 8, 15}) {
-    const bool refused = reg.locked_by_something() || !reg.writable();
-    EXPECT_EQ(bench.write(reg.offset, ~0u, strobe), refused ? cores::kSlvErr : cores::kOkay);
-    if (reg.locked_by_something()) {
-      EXPECT_EQ(bench.read(reg.offset).data, 0x12345678u);
-    }
-  }
-  bench.reset();
-  EXPECT_EQ(bench.get("WINDOW_LOCK"), 0u);
-  EXPECT_EQ(bench.write(reg.offset, 3), reg.writable() ? cores::kOkay : cores::kSlvErr);
+  for (const auto& [name, port] : bench_.input_ports()) bench_.inputs()[name] = port.largest;
+  bench_.write(reg.offset, ~0u);
+  bench_.steps(3);
+  for (auto& [name, value] : bench_.inputs()) value = 0;
+  bench_.reset();
+  EXPECT_EQ(bench_.read(reg.offset).data, expected);
 }
 
 TEST(Table, TheLockIsOnTheWindowsAndNothingElse) {
@@ -189,11 +124,13 @@ TEST(Table, PortsAreThoseOfTheDesign) {
                      field.path != "STATUS.start_refused";
     if (own) inputs.insert(field.port + "_set_i");
   }
-  for (const auto& [name, port] : hardware_inputs()) EXPECT_EQ(inputs.erase(name), 1u) << name;
+  RegisterBench bench(1);
+  for (const auto& [name, port] : bench.input_ports()) EXPECT_EQ(inputs.erase(name), 1u) << name;
   EXPECT_TRUE(inputs.empty()) << *inputs.begin();
-  const PortValues outputs = RegisterModel().outputs();
-  for (const auto& [name, value] : outputs) EXPECT_EQ(hardware_outputs().count(name), 1u) << name;
-  EXPECT_EQ(outputs.size(), hardware_outputs().size());
+  const PortValues outputs = bench.model().outputs();
+  for (const auto& [name, value] : outputs) EXPECT_EQ(bench.output_ports().count(name), 1u) << name;
+  EXPECT_EQ(outputs.size(), bench.output_ports().size());
+  bench.get("ID");
 }
 
 TEST(Table, SaysWhatSoftwareReliesOn) {
@@ -223,6 +160,70 @@ TEST(Unmapped, IsRefusedWithoutSideEffect) {
   }
   EXPECT_EQ(refused, kWords - mapped.size());
   EXPECT_EQ(bench.snapshot(), before);
+}
+
+// ---- errors
+
+struct Error {
+  std::uint64_t events;
+  std::uint32_t packet, beat;
+  std::uint64_t address;
+};
+
+class FirstErrors : public testing::Test {
+ protected:
+  void raise(const Error& error) {
+    PortValues& inputs = bench_.inputs();
+    inputs["error_packet_i"] = error.packet;
+    inputs["error_beat_i"] = error.beat;
+    inputs["error_address_i"] = error.address;
+    inputs["error_address_valid_i"] = error.address != 0 ? 1 : 0;
+    bench_.pulse("error_event_i", error.events);
+    inputs["error_address_valid_i"] = 0;
+    inputs["error_packet_i"] = ~0u;
+  }
+  void expect_first(unsigned code, const Error& error) {
+    EXPECT_EQ(bench_.get("ERROR_FIRST"), register_field("ERROR_FIRST.valid").mask() | code);
+    EXPECT_EQ(bench_.get("ERROR_PACKET"), error.packet);
+    EXPECT_EQ(bench_.get("ERROR_BEAT"), error.beat);
+    EXPECT_EQ(bench_.get("ERROR_ADDRESS_LO"), static_cast<std::uint32_t>(error.address));
+    EXPECT_EQ(bench_.get("ERROR_ADDRESS_HI"), static_cast<std::uint32_t>(error.address >> 32));
+  }
+  RegisterBench bench_{9};
+};
+
+TEST_F(FirstErrors, TheFirstIsKeptUntilItIsCleared) {
+  const Error first{0x8420, 1, 2, 3};  // several at once: the lowest code
+  raise(first);
+  raise({0x0001, 4, 5, 6});
+  expect_first(5, first);
+  EXPECT_EQ(bench_.get("ERROR_COUNT"), 4u);
+  EXPECT_EQ(bench_.get("ERROR_STATUS"), 0x8421u);
+  bench_.set("ERROR_STATUS", 0x8400);
+  EXPECT_EQ(bench_.get("ERROR_STATUS"), 0x0021u);
+  expect_first(5, first);  // has nothing to do with the status
+  bench_.set_bit("ERROR_FIRST.valid");
+  EXPECT_EQ(bench_.get("ERROR_FIRST"), 5u);
+  const Error third{0x1000, 9, 8, 7};
+  raise(third);
+  expect_first(12, third);
+  EXPECT_EQ(bench_.get("ERROR_COUNT"), 5u);
+  bench_.set_bit("CONTROL.clear_counters");
+  EXPECT_EQ(bench_.get("ERROR_COUNT"), 0u);
+  expect_first(12, third);
+}
+
+TEST_F(FirstErrors, AnErrorWithoutAnAddressHidesNone) {
+  raise({0x0200, 1, 2, 0});
+  expect_first(9, {0x0200, 1, 2, 0});
+  raise({0x8000, 0, 0, 0x1'2345'6780});
+  expect_first(9, {0x0200, 1, 2, 0x1'2345'6780});
+  raise({0x10000, 0, 0, 0xFFF0});  // the second with an address
+  raise({0x0001, 7, 7, 0});
+  expect_first(9, {0x0200, 1, 2, 0x1'2345'6780});
+  bench_.set_bit("ERROR_FIRST.valid");
+  raise({0x0004, 3, 4, 0});
+  expect_first(2, {0x0004, 3, 4, 0});
 }
 
 }  // namespace

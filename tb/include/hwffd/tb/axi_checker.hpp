@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "hwffd/cores/axi_pins.hpp"
+#include "hwffd/cores/axil_pins.hpp"
 
 namespace hwffd::tb {
 
-/// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this master promises
-/// beyond it (marked "promise").
+/// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this project promises
+/// beyond it (marked "promise"): on AXI4 the master, on AXI4-Lite the slave.
 enum class AxiRule : std::size_t {
   kStable,       ///< valid fell or payload changed before ready, on any channel
-  kReset,        ///< valid in reset, or in the first cycle after it; promise: ready in reset
-  kShape,        ///< size not 16 bytes, burst not INCR, strobes not all ones (promise)
+  kReset,        ///< valid in reset, or in the first cycle after it; promise: ready too
+  kShape,        ///< size not 16 bytes, burst not INCR, strobes not all ones (promise); EXOKAY
   kAligned,      ///< address not a multiple of 16 (promise)
   kBoundary,     ///< burst crosses 4 KB, or the end of the address space
   kLength,       ///< burst longer than the limit set
@@ -34,7 +35,8 @@ enum class AxiRule : std::size_t {
 
 const char* axi_rule_name(AxiRule rule);
 
-/// Watches one bus, both sides.
+/// Watches one bus, both sides: AXI4, or AXI4-Lite, of which the rules of bursts and windows, of
+/// stalls and of errors do not hold, but a reset must have been seen.
 class AxiChecker {
  public:
   static constexpr std::size_t kMaxReports = 20;
@@ -46,16 +48,18 @@ class AxiChecker {
     std::uint64_t read_first = 0, read_last = ~std::uint64_t{0};
     std::uint64_t write_first = 0, write_last = ~std::uint64_t{0};
   };
+  explicit AxiChecker(bool lite = false) : lite_(lite) {}
   void set_limits(const Limits& limits) { limits_ = limits; }
 
   /// One cycle. In reset nothing but kReset is looked at; outstanding bursts are forgotten.
   void observe(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  void observe(const cores::AxiLitePins& pins, std::uint64_t cycle);
   /// After the last cycle: everything has been answered.
   void finish(std::uint64_t cycle);
   /// Begins anew, limits apart: after a rule was broken on purpose.
   void forget() {
     const Limits limits = limits_;
-    *this = {};
+    *this = AxiChecker(lite_);
     limits_ = limits;
   }
   /// Addresses may be raised again after an error response.
@@ -72,6 +76,7 @@ class AxiChecker {
  private:
   void report(AxiRule rule, std::uint64_t cycle, const std::string& what);
   void check_reset(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset);
+  void check_lite_reset(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset);
   void check_stable(const cores::AxiPins& pins, std::uint64_t cycle);
   void check_address(const cores::AxiAddressChannel& channel, bool read, std::uint64_t cycle);
   void check_errors(const cores::AxiPins& pins, std::uint64_t cycle);
@@ -79,7 +84,9 @@ class AxiChecker {
   void observe_writes(const cores::AxiPins& pins, std::uint64_t cycle);
   void pair_writes(std::uint64_t cycle);
 
+  bool lite_;
   Limits limits_;
+  bool reset_seen_ = false;
   bool was_in_reset_ = false;
   bool before_known_ = false;
   cores::AxiPins before_;

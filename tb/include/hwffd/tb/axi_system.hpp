@@ -8,7 +8,6 @@
 #include "hwffd/register_port.hpp"
 #include "hwffd/tb/axi_checker.hpp"
 #include "hwffd/tb/axi_memory.hpp"
-#include "hwffd/tb/axil_checker.hpp"
 #include "hwffd/tb/axil_driver.hpp"
 #include "hwffd/tb/random.hpp"
 
@@ -49,7 +48,7 @@ class AxiSystem final : public RegisterPort {
 
   AxiMemory memory;
   AxiChecker bus_checker;
-  AxiLiteChecker register_checker;
+  AxiChecker register_checker{true};
 
   /// Throws RegisterError where the response is an error, std::runtime_error where there is none.
   std::uint32_t read32(std::uint32_t offset) override;

@@ -24,6 +24,7 @@ class Sim {
       : context_(std::make_unique<VerilatedContext>()), watchdog_(watchdog) {
     context_->randReset(2);
     context_->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
+    Verilated::threadContextp(context_.get());  // where ports that are public are entered
     dut_ = std::make_unique<VDut>(context_.get());
     dut_->clk = 0;
     dut_->eval();
