@@ -64,10 +64,18 @@ void LoopbackCore::clock_in_reset() {
   accepted_ = 0;
   delivered_ = 0;
   idle_ = 0;
+  waits_ = false;
   ready_q_ = false;
   valid_q_ = false;
   was_reset_ = true;
   sample_pending_ = false;
+}
+
+void LoopbackCore::watch(bool taken) {
+  if (waits_ && !(in_valid_ && in_beat_ == before_)) ++withdrawn_;
+  if (!in_valid_ && in_beat_.words == before_.words) ++idle_again_;
+  waits_ = in_valid_ && !taken;
+  before_ = in_beat_;
 }
 
 void LoopbackCore::clock() {
@@ -77,6 +85,7 @@ void LoopbackCore::clock() {
     return;
   }
   const bool taken = in_valid_ && input_ready();
+  watch(taken);
   const bool transferred = output_valid() && out_ready_;
   const bool stalled = valid_q_ && !out_ready_;
   const bool first = std::exchange(was_reset_, false);

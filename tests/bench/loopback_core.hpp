@@ -51,6 +51,10 @@ class LoopbackCore : public cores::StreamCore {
   void drive_output_ready(bool ready) override { out_ready_ = ready; }
   void settle() override;
   void clock() override;
+  /// Clocks in which a beat that was offered and not taken was gone, or another one; and those in
+  /// which, with none on offer, the pins were as in the clock before.
+  std::uint64_t withdrawn() const { return withdrawn_; }
+  std::uint64_t idle_again() const { return idle_again_; }
   bool input_ready() const override;
   bool output_valid() const override;
   Beat output() const override;
@@ -61,6 +65,7 @@ class LoopbackCore : public cores::StreamCore {
     std::uint64_t due = 0;
   };
 
+  void watch(bool taken);
   void clock_in_reset();
   void take(Beat beat);
   void push(const Beat& beat);
@@ -72,6 +77,10 @@ class LoopbackCore : public cores::StreamCore {
   bool in_valid_ = false;
   bool out_ready_ = false;
   Beat in_beat_;
+  bool waits_ = false;  // a beat was offered and not taken
+  Beat before_;
+  std::uint64_t withdrawn_ = 0;
+  std::uint64_t idle_again_ = 0;
   bool settled_in_valid_ = false;  // as the combinational paths see them
   bool settled_out_ready_ = false;
 

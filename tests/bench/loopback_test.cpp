@@ -46,6 +46,8 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
       ASSERT_GT(out[i], out[i - 1]);
     }
     EXPECT_LT(out.back(), bench.cycle());
+    EXPECT_EQ(core.withdrawn(), 0u);
+    EXPECT_EQ(core.idle_again(), 0u) << "idle data is random";
   }
 }
 

@@ -21,17 +21,20 @@ class Traffic {
 
   Traffic(const Configuration& row, std::uint64_t seed) : run_(row, seed, "mixed") {}
 
+  using Kind = void (Traffic::*)();
   void round() {
-    tb::AxiSystem& system = run_.system();
-    system.set_throttles(run_.random().chance(0.5) ? "mixed" : "always");
-    system.memory.set_latency({1, 1 + run_.random().below(60)});
-    using Kind = void (Traffic::*)();
     static const std::map<std::string, Kind> kinds = {
         {"any packets", &Traffic::any_packets},   {"bus error", &Traffic::bus_error},
         {"descriptor", &Traffic::bad_descriptor}, {"small area", &Traffic::small_area},
         {"soft reset", &Traffic::soft_reset},     {"registers", &Traffic::bad_accesses}};
     const auto& [name, kind] = run_.random().pick(kinds);
     SCOPED_TRACE(name);
+    round(kind);
+  }
+  void round(Kind kind) {
+    tb::AxiSystem& system = run_.system();
+    system.set_throttles(run_.random().chance(0.5) ? "mixed" : "always");
+    system.memory.set_latency({1, 1 + run_.random().below(60)});
     (this->*kind)();
     system.memory.fail_nothing();
   }
@@ -40,8 +43,56 @@ class Traffic {
     run_.driver().take_errors();
     EXPECT_TRUE(run_.ends_well());
   }
+  /// Rounds that bus errors of these kinds stopped: of a read, of a write.
+  unsigned stops(std::pair<bool, bool> kinds) { return stops_[kinds]; }
   std::uint64_t checked() const { return run_.checked(); }
   std::uint64_t cycles() { return run_.system().cycle(); }
+
+  /// Error responses somewhere in a run: what is open is completed, the error names its burst, and
+  /// until a soft reset no address goes out and a start is refused.
+  void bus_error() {
+    tb::AxiMemory& memory = run_.system().memory;
+    Driver& driver = run_.driver();
+    const auto answer = [&] { return run_.random().pick({cores::kAxiSlverr, cores::kAxiDecerr}); };
+    driver.take_errors();
+    send_any();
+    const std::uint64_t read = run_.random().below(20), write = run_.random().below(6);
+    const std::size_t failing_read = memory.reads().size() + read;
+    const std::size_t failing_write = memory.writes().size() + write;
+    const bool reads = run_.random().chance(0.7), writes = run_.random().chance(0.5);
+    if (reads) memory.fail_read(read, run_.random().below(4), answer());
+    if (writes) memory.fail_write(write, answer());
+    run_.start();
+    if (run_.random().chance(0.3)) run_.system().run(run_.random().below(500));
+    ASSERT_TRUE(run_.wait());
+    if (!driver.stopped()) {
+      EXPECT_TRUE(run_.finish());
+      return;
+    }
+    // What is there is right, but for the vertex in which a packet was cut.
+    EXPECT_GE(run_.results_in_memory() + 1, driver.result_count());
+    EXPECT_TRUE(memory.quiet());
+    const CoreErrors errors = driver.take_errors();
+    const bool by_read = (errors.status & 1U << kDmaReadResponse) != 0;
+    const bool by_write = (errors.status & 1U << kDmaWriteResponse) != 0;
+    ASSERT_TRUE((!by_read || reads) && (!by_write || writes)) << errors.status;
+    ASSERT_TRUE((by_read || by_write) && errors.first.has_value()) << errors.status;
+    const std::uint64_t at = errors.first->address;
+    const bool at_read = by_read && at == memory.reads()[failing_read].address;
+    const bool at_write = by_write && at == memory.writes()[failing_write].address;
+    EXPECT_TRUE(at_read || at_write) << std::hex << at;
+    if (by_write) {  // the count stays at the beats before
+      const std::uint64_t failed = memory.writes()[failing_write].address;
+      EXPECT_EQ(driver.result_count(), (failed - run_.area()) / cores::kAxiBeatBytes);
+    }
+    EXPECT_THROW(driver.start(), DriverError) << "stopped";
+    const std::size_t addresses = memory.reads().size();
+    run_.system().run(100);
+    EXPECT_EQ(memory.reads().size(), addresses);
+    ++stops_[{by_read, by_write}];
+    recover();
+    EXPECT_FALSE(driver.stopped());
+  }
 
  private:
   void send_any() {
@@ -66,27 +117,6 @@ class Traffic {
       return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     };
     EXPECT_EQ(run_.driver().take_errors().count, total(after) - total(before));
-  }
-  void bus_error() {
-    const auto answer = [&] { return run_.random().pick({cores::kAxiSlverr, cores::kAxiDecerr}); };
-    send_any();
-    if (run_.random().chance(0.7)) {
-      run_.system().memory.fail_read(run_.random().below(20), run_.random().below(4), answer());
-    }
-    if (run_.random().chance(0.5)) {
-      run_.system().memory.fail_write(run_.random().below(6), answer());
-    }
-    run_.start();
-    if (run_.random().chance(0.3)) run_.system().run(run_.random().below(500));
-    ASSERT_TRUE(run_.wait());
-    if (!run_.driver().stopped()) {
-      EXPECT_TRUE(run_.finish());
-      return;
-    }
-    // What is there is right, but for the vertex in which a packet was cut.
-    EXPECT_GE(run_.results_in_memory() + 1, run_.driver().result_count());
-    EXPECT_TRUE(run_.system().memory.quiet());
-    recover();
   }
   void bad_descriptor() {
     struct Bad {
@@ -139,6 +169,7 @@ class Traffic {
   }
 
   AxiRun run_;
+  std::map<std::pair<bool, bool>, unsigned> stops_;
 };
 
 class AxiSoak : public PerAxiConfiguration {};
@@ -162,6 +193,14 @@ TEST_P(AxiSoak, GoodAndBadTraffic) {
   }
   if (isatty(fileno(stderr)) != 0) std::fprintf(stderr, "\r%60s\r", "");
   fmt::print("{}: {} seeds, {} results, {} clocks\n", GetParam().name, count, checked, cycles);
+}
+
+TEST_P(AxiSoak, BusErrors) {
+  Traffic traffic(GetParam(), tb::seed_from_environment(3));
+  for (int round = 0; round < 120 && !HasFailure(); ++round) traffic.round(&Traffic::bus_error);
+  if (!HasFailure()) traffic.finish();
+  EXPECT_GE(traffic.stops({true, false}), 10U);
+  EXPECT_GE(traffic.stops({false, true}), 10U);
 }
 
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiSoak);
