@@ -1,7 +1,9 @@
-// The reference itself, by hand.
+// The references themselves, by hand.
 #include "exact_fixed.hpp"
 
 #include <gtest/gtest.h>
+
+#include "../block/exact_block.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -22,6 +24,19 @@ TEST(ExactFixed, KnownValues) {
   expect_rounded({-257, 1}, 0, 8, -128, false);
   expect_rounded({-258, 1}, 0, 8, -128, true);
   expect_rounded({1, 0}, 6, 8, 64, false);  // 1.0 in Q2.6
+}
+
+TEST(ExactBlock, KnownRoundings) {
+  EXPECT_EQ(rounded_binary32(1, 0), 0x3F800000U);
+  EXPECT_EQ(rounded_binary32(-3, -1), 0xBFC00000U);
+  EXPECT_EQ(rounded_binary32((Int128{1} << 25) + 2, 0), 0x4C000000U) << "a tie to even, down";
+  EXPECT_EQ(rounded_binary32((Int128{1} << 25) + 6, 0), 0x4C000002U) << "a tie to even, up";
+  EXPECT_EQ(rounded_binary32((Int128{1} << 24) - 1, 104), 0x7F7FFFFFU);
+  EXPECT_EQ(rounded_binary32((Int128{1} << 25) - 1, 103), 0x7F800000U);
+  EXPECT_EQ(rounded_binary32(1, -149), 1U);
+  EXPECT_EQ(rounded_binary32(1, -150), 0U) << "half the least subnormal, a tie to even";
+  EXPECT_EQ(rounded_binary32(-3, -151), 0x80000001U);
+  EXPECT_EQ(rounded_binary32(0xFFFFFF, -150), 0x00800000U) << "the largest subnormal, and a half";
 }
 
 }  // namespace

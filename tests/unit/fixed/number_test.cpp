@@ -1,174 +1,276 @@
-// The number layer in fixed point, RTL and model, against exact arithmetic.
+// The number layer in fixed point and in block floating point, RTL and model, against exact
+// arithmetic: units side by side take operands in every clock, and what each gives, as many clocks
+// later as its latency, is compared; the model gives it at once.
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <deque>
+#include <string>
 
-#include "../unit_pipelines.hpp"
 #include "Vnumber_units_18.h"
 #include "Vnumber_units_32.h"
+#include "Vnumber_units_72.h"
 #include "Vnumber_units_8.h"
-#include "exact_fixed.hpp"
+#include "Vnumber_units_99.h"
+#include "exact_units.hpp"
+#include "hwffd/tb/sim.hpp"
+#include "wide_words.hpp"
 
 namespace hwffd::test {
 namespace {
 
-/// Two's complement of `width` bits below a flag.
-Int128 packed(Int128 value, bool flag, int width) {
-  const Int128 mask = (Int128{1} << width) - 1;
-  return (value & mask) | Int128{flag ? 1 : 0} << width;
+// ---- model
+
+double special_of(Class kind) {
+  const double specials[] = {0, HUGE_VAL, -HUGE_VAL, std::nan("")};
+  return specials[static_cast<std::size_t>(kind)];
 }
-Int128 packed(Rounded rounded, bool flag, int width) {
-  return packed(rounded.value, rounded.saturated || flag, width);
-}
-
-struct Operands {
-  std::uint32_t word = 0;
-  Int128 a = 0, b = 0, c = 0, sum_a = 0, sum_b = 0;
-  bool flag_a = false, flag_b = false, flag_c = false;
-  int shift = 0;
-  int rescale = 0;
-  int widen = 0;
-};
-
-constexpr std::size_t kUnitCount = 13;
-using Results = std::array<Int128, kUnitCount>;
-
-template <int W>
-Results exact_results(const Operands& o) {
-  constexpr int kF = W - 2;
-  const bool below = o.word >= 0xC0000000U;  // a coordinate below 0
-  const bool outside = o.word > 0x80000000U;
-  const Exact coordinate{below ? 0 : outside ? Int128{0x80000000U} : Int128{o.word}, 31};
-  const Int128 word = static_cast<std::int32_t>(o.word);
-  const Int128 product = o.a * o.b;
-  const Int128 one = Int128{1} << kF;
-  const bool flag_ab = o.flag_a || o.flag_b;
-  const Int128 out = packed(nearest({o.sum_a, 2 * W - 3}, 31, 32), o.flag_a, 32);
-  return {packed(nearest(coordinate, kF, W), outside, W),
-          packed(nearest({word, 30}, kF, W), false, W),
-          packed(nearest({word, 31}, W - 1, W), false, W),
-          packed(nearest({product, 2 * kF}, kF, W), flag_ab, W),
-          packed(product, flag_ab, 2 * W + 6),
-          packed(nearest({o.c * one + product, 2 * kF}, kF, W), flag_ab || o.flag_c, W),
-          packed(nearest({o.a * (1 << o.shift), kF}, kF, W), o.flag_a, W),
-          packed(o.sum_a + o.sum_b, flag_ab, 2 * W + 6),
-          packed(nearest({o.sum_a, 2 * W - 3}, W - 1, W), o.flag_a, W),
-          packed(nearest({o.sum_a * (1 << (o.rescale + 1)), 2 * W - 2}, W - 1, W), o.flag_a, W),
-          packed(2 * nearest(coordinate, kF, W).value - one, outside, W),
-          packed(o.b * one * (1 << o.widen), o.flag_b, 2 * W + 6),
-          out};
+Class class_of(double special) {
+  if (std::isnan(special)) return Class::kNan;
+  if (special == 0) return Class::kFinite;
+  return special > 0 ? Class::kPlus : Class::kMinus;
 }
 
-template <int W>
-Results model_results(const Operands& o) {
-  using F = Fixed<W>;
-  using Number = typename F::Number;
-  const Number a{static_cast<std::int64_t>(o.a), o.flag_a};
-  const Number b{static_cast<std::int64_t>(o.b), o.flag_b};
-  const Number c{static_cast<std::int64_t>(o.c), o.flag_c};
-  typename F::Sum sum_a;
-  sum_a.value = static_cast<decltype(sum_a.value)>(o.sum_a);
-  sum_a.saturated = o.flag_a;
-  typename F::Sum sum_b;
-  sum_b.value = static_cast<decltype(sum_b.value)>(o.sum_b);
-  sum_b.saturated = o.flag_b;
-  const auto number = [](Number n) { return packed(n.value, n.saturated, W); };
-  const auto sum = [](typename F::Sum s) { return packed(s.value, s.saturated, 2 * W + 6); };
-  const OutWord out = F::out(sum_a);
-  return {number(F::coordinate(o.word)),
-          number(F::coefficient(o.word)),
-          number(F::point(o.word)),
-          number(F::mul(a, b)),
-          sum(F::term(a, b)),
-          number(F::step(c, a, b)),
-          number(F::scale(a, o.shift)),
-          sum(F::add(sum_a, sum_b)),
-          number(F::narrow(sum_a)),
-          number(F::rescale(sum_a, o.rescale)),
-          number(F::centre(F::coordinate(o.word))),
-          sum(F::widen(b, o.widen)),
-          packed(Int128{out.word}, out.saturated, 32)};
+/// As the model has it: a word and a flag, or that beside an infinity or a NaN.
+template <class Number>
+auto number_of(const Value& v, Number number = {}) -> decltype(void(number.saturated), Number()) {
+  number.value = static_cast<decltype(number.value)>(v.value);
+  number.saturated = v.saturated;
+  return number;
+}
+template <class Number>
+auto number_of(const Value& v, Number number = {}) -> decltype(void(number.special), Number()) {
+  return {number_of<decltype(number.number)>(v), special_of(v.kind)};
+}
+template <class Number>
+auto value_of(const Number& number) -> decltype(void(number.saturated), Value()) {
+  return {number.value, number.saturated};
+}
+template <class Number>
+auto value_of(const Number& number) -> decltype(void(number.special), Value()) {
+  return {number.number.value, number.number.saturated, class_of(number.special)};
 }
 
-/// All units of one width: operands go in every clock, results are compared as they come out.
-template <int W, class Dut, int kMul, int kAdd, int kEnd>
-class Units : public UnitPipelines<Dut, kUnitCount> {
+template <class F>
+Results<F> model_results(const Operands& o) {
+  constexpr int W = kWidth<F>;
+  const auto a = number_of<typename F::Weight>(o.a), b = number_of<typename F::Weight>(o.b);
+  const auto c = number_of<typename F::Weight>(o.c);
+  const auto factor = number_of<typename F::Point>(o.factor);
+  const auto sum_a = number_of<typename F::Sum>(o.sum_a),
+             sum_b = number_of<typename F::Sum>(o.sum_b);
+  const auto number = [](const auto& n) { return packed(value_of(n), W); };
+  const auto sum = [](const auto& s) { return packed(value_of(s), 2 * W + 6); };
+  const OutWord out = F::out(sum_a, o.exponent);
+  Results<F> results{number(F::coordinate(o.word)),
+                     number(F::coefficient(o.word)),
+                     number(F::point(o.word, o.exponent)),
+                     number(F::mul(a, b)),
+                     sum(F::term(a, factor)),
+                     number(F::step(c, a, b)),
+                     number(F::scale(a, o.shift)),
+                     sum(F::add(sum_a, sum_b)),
+                     number(F::narrow(sum_a)),
+                     packed_out(out.word, out.saturated, out.nan)};
+  if constexpr (!kBlock<F>) {
+    results[10] = number(F::rescale(sum_a, o.rescale));
+    results[11] = number(F::centre(F::coordinate(o.word)));
+    results[12] = sum(F::widen(factor, o.widen));
+  }
+  return results;
+}
+
+// ---- RTL
+
+/// All units of one format: operands go in every clock, results are compared as they come out.
+template <class Format, class Dut, int kMul, int kAdd, int kEnd>
+class Units {
  public:
-  Units()
-      : UnitPipelines<Dut, kUnitCount>(
-            {0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kAdd, 0, kEnd}) {}
+  using F = Format;
+  static constexpr std::size_t kCount = kUnits<F>;
 
   void apply(const Operands& o) {
-    const auto set = [&o](auto& dut) {
-      const auto sum = [&](Int128 value, bool flag) { return packed(value, flag, 2 * W + 6); };
-      const Int128 b = packed(o.b, o.flag_b, W);
-      drive_operands(dut, o.word,
-                     {packed(o.a, o.flag_a, W), b, packed(o.c, o.flag_c, W), b,
-                      sum(o.sum_a, o.flag_a), sum(o.sum_b, o.flag_b)});
-      dut.shift_i = static_cast<CData>(o.shift);
-      dut.widen_i = static_cast<CData>(o.widen);
-      dut.rescale_i = static_cast<CData>(o.rescale & 7);
-    };
-    const auto results = [](auto& dut) {
-      return read_results(dut, read(dut.scale_o), read(dut.add_o), read(dut.narrow_o),
-                          read(dut.rescale_o), read(dut.centre_o), read(dut.widen_o),
-                          Int128{dut.out_o} | Int128{dut.out_saturated_o} << 32);
-    };
-    const auto text = [&o] {
-      return " after word " + hex(o.word) + " a " + hex(o.a) + " b " + hex(o.b) + " c " + hex(o.c) +
-             " shift " + std::to_string(o.shift) + " sums " + hex(o.sum_a) + " " + hex(o.sum_b);
-    };
-    this->clock(exact_results<W>(o), model_results<W>(o), set, results, text);
+    const Results<F> exact = exact_results<F>(o), model = model_results<F>(o);
+    for (std::size_t unit = 0; unit < kCount; ++unit) {
+      ASSERT_TRUE(exact[unit] == model[unit])
+          << "model, unit " << unit << ": got " << hex(model[unit]) << ", expected "
+          << hex(exact[unit]) << text(o);
+      expected_[unit].push_back(exact[unit]);
+    }
+    drive(sim_.dut(), o);
+    sim_.dut().eval();  // converters of latency 0 answer before the edge
+    compare(o);
+    sim_.tick();
   }
-};
-using Units8 = Units<8, Vnumber_units_8, 1, 1, 0>;
-using Units18 = Units<18, Vnumber_units_18, 4, 1, 3>;
-using Units32 = Units<32, Vnumber_units_32, 5, 2, 1>;
+  std::uint64_t compared() const { return compared_; }
 
-template <int W>
+ private:
+  static constexpr std::array<int, 13> kLatencies = {
+      0, 0, 0, kMul, kMul, kMul + kAdd, kEnd, kAdd, kEnd, kEnd, kEnd, kAdd, 0};
+
+  static void drive(Dut& dut, const Operands& o) {
+    constexpr int W = kWidth<F>;
+    dut.word_i = o.word;
+    dut.exponent_i = static_cast<SData>(o.exponent & 0x3FF);
+    test::drive(dut.a_i, packed(o.a, W));
+    test::drive(dut.b_i, packed(o.b, W));
+    test::drive(dut.c_i, packed(o.c, W));
+    test::drive(dut.factor_i, packed(o.factor, W));
+    test::drive(dut.sum_a_i, packed(o.sum_a, 2 * W + 6));
+    test::drive(dut.sum_b_i, packed(o.sum_b, 2 * W + 6));
+    dut.shift_i = static_cast<CData>(o.shift);
+    dut.rescale_i = static_cast<CData>(o.rescale & 7);
+    dut.widen_i = static_cast<CData>(o.widen);
+  }
+  static Results<F> results(const Dut& dut) {
+    return {
+        read(dut.coordinate_o), read(dut.coefficient_o),
+        read(dut.point_o),      read(dut.mul_o),
+        read(dut.term_o),       read(dut.step_o),
+        read(dut.scale_o),      read(dut.add_o),
+        read(dut.narrow_o),     packed_out(dut.out_o, dut.out_saturated_o != 0, dut.out_nan_o != 0),
+        read(dut.rescale_o),    read(dut.centre_o),
+        read(dut.widen_o)};
+  }
+  void compare(const Operands& o) {
+    const Results<F> got = results(sim_.dut());
+    for (std::size_t unit = 0; unit < kCount; ++unit) {
+      auto& expected = expected_[unit];
+      if (expected.size() <= static_cast<std::size_t>(kLatencies[unit])) continue;
+      ASSERT_TRUE(got[unit] == expected.front())
+          << "RTL, unit " << unit << ": got " << hex(got[unit]) << ", expected "
+          << hex(expected.front()) << text(o);
+      expected.pop_front();
+      ++compared_;
+    }
+  }
+  static std::string text(const Operands& o) {
+    std::string all = " after word " + hex(o.word) + " exponent " + std::to_string(o.exponent) +
+                      " shift " + std::to_string(o.shift) + " a, b, c, point, sums";
+    for (const Value* v : {&o.a, &o.b, &o.c, &o.factor, &o.sum_a, &o.sum_b}) {
+      all += " " + hex(packed(*v, 2 * kWidth<F> + 6));
+    }
+    return all;
+  }
+
+  tb::Sim<Dut> sim_{tb::seed_from_environment(1)};
+  std::array<std::deque<Int128>, kCount> expected_;
+  std::uint64_t compared_ = 0;
+};
+using Fixed8 = Units<Fixed<8>, Vnumber_units_8, 1, 1, 0>;
+using Fixed18 = Units<Fixed<18>, Vnumber_units_18, 4, 1, 3>;
+using Fixed32 = Units<Fixed<32>, Vnumber_units_32, 5, 2, 1>;
+using Block8 = Units<Block<8>, Vnumber_units_72, 1, 1, 0>;
+using Block35 = Units<Block<35>, Vnumber_units_99, 3, 1, 3>;
+
+// ---- operands
+
+/// A binary32 word: any field of the exponent, a significand at an end, of one bit, or random.
+std::uint32_t random_word(tb::Random& random) {
+  const auto field = static_cast<std::uint32_t>(random.below(256));
+  const std::uint32_t one_bit = 1U << random.below(23);
+  const std::uint32_t fraction =
+      random.pick({0U, 1U, 0x7FFFFFU, one_bit, one_bit - 1, random.word() & 0x7FFFFFU,
+                   random.word() & 0x7FFFFFU, random.word() & 0x7FFFFFU});
+  return (random.chance(0.5) ? 0x80000000U : 0U) | field << 23 | fraction;
+}
+
+/// Two in three within reach of the word, so that it neither vanishes nor overflows.
+int random_exponent(tb::Random& random, std::uint32_t word) {
+  if (random.chance(0.33)) return static_cast<int>(random.below(1024)) - 512;
+  return static_cast<int>(word >> 23 & 0xFF) - 126 + static_cast<int>(random.below(44)) - 3;
+}
+
+template <class F>
+Class random_class(tb::Random& random) {
+  if (!kBlock<F> || random.chance(0.7)) return Class::kFinite;
+  return random.pick({Class::kPlus, Class::kMinus, Class::kNan});
+}
+
+template <class F>
 Operands random_operands(tb::Random& random) {
+  constexpr int W = kWidth<F>;
+  const auto weight = [&] {
+    return Value{random.chance(0.1) ? 0 : corner_or_random(random, W), random.chance(0.1)};
+  };
+  // Sums of a vertex stay within 64 products, half of the word: two of them never overflow. Small
+  // ones too, for results that are subnormal or cancel.
+  const auto sum = [&] {
+    const Int128 value = corner_or_random(random, 2 * W + 5);
+    const Int128 small = value >> random.below(2 * W + 5);
+    return Value{random.chance(0.5) ? value : small, random.chance(0.1), random_class<F>(random)};
+  };
   Operands o;
-  o.word = static_cast<std::uint32_t>(corner_or_random(random, 32));
-  o.a = corner_or_random(random, W);
-  o.b = corner_or_random(random, W);
-  o.c = corner_or_random(random, W);
-  // Sums of a vertex stay within 64 products, half of the word: two of them never overflow.
-  o.sum_a = corner_or_random(random, 2 * W + 5);
-  o.sum_b = corner_or_random(random, 2 * W + 5);
-  o.flag_a = random.chance(0.1);
-  o.flag_b = random.chance(0.1);
-  o.flag_c = random.chance(0.1);
+  o.word =
+      kBlock<F> ? random_word(random) : static_cast<std::uint32_t>(corner_or_random(random, 32));
+  o.exponent = random_exponent(random, o.word);
+  o.a = weight();
+  o.b = weight();
+  o.c = weight();
+  o.factor = {corner_or_random(random, W), random.chance(0.1), random_class<F>(random)};
+  o.sum_a = sum();
+  o.sum_b = sum();
   o.shift = static_cast<int>(random.below(4));
   o.widen = static_cast<int>(random.below(3));
   o.rescale = static_cast<int>(random.below(5)) - 1;
   return o;
 }
 
-TEST(Number, EveryOperandPairAt8Bits) {
-  tb::Random random(tb::seed_from_environment(8));
-  Units8 units;
-  std::uint64_t pairs = 0;
-  for (int a = -128; a < 128; ++a) {
-    for (int b = -128; b < 128 && !HasFatalFailure(); ++b) {
-      for (int c = -128; c < 128; c += 17) {
-        Operands o = random_operands<8>(random);
-        o.a = a;
-        o.b = b;
-        o.c = c;
-        units.apply(o);
-      }
-      ++pairs;
-    }
+/// So many operands, random but for what `set` puts in, which takes their number.
+template <class Units, class Set>
+void run(std::uint64_t seed, std::uint64_t cases, Set set) {
+  tb::Random random(tb::seed_from_environment(seed));
+  Units units;
+  for (std::uint64_t i = 0; i < cases && !::testing::Test::HasFatalFailure(); ++i) {
+    Operands o = random_operands<typename Units::F>(random);
+    set(o, i);
+    units.apply(o);
   }
-  EXPECT_EQ(pairs, 65536U);
-  EXPECT_GE(units.compared(), Units8::kUnits * 16 * (pairs - 1));
-  std::printf("%llu pairs, %llu results compared\n", static_cast<unsigned long long>(pairs),
-              static_cast<unsigned long long>(units.compared()));
+  EXPECT_GE(units.compared(), Units::kCount * (cases - 10));
+  std::printf("%llu results compared\n", static_cast<unsigned long long>(units.compared()));
+}
+template <class Units>
+void run_random(std::uint64_t seed) {
+  run<Units>(seed, 1'000'000, [](Operands&, std::uint64_t) {});
+}
+/// Eight bits of a number, from `low` on, as a weight or a point.
+int operand(std::uint64_t number, unsigned low) {
+  return static_cast<int>(number >> low & 0xFF) - 128;
 }
 
-TEST(Number, CornersAndRandomAt18Bits) { run_random<Units18>(18, 1'000'000, random_operands<18>); }
-TEST(Number, CornersAndRandomAt32Bits) { run_random<Units32>(32, 1'000'000, random_operands<32>); }
+TEST(Number, EveryOperandPairAt8Bits) {
+  run<Fixed8>(8, 65536 * 16, [](Operands& o, std::uint64_t i) {
+    o.a.value = operand(i, 0);
+    o.b.value = o.factor.value = operand(i, 8);
+    o.c.value = 17 * static_cast<int>(i >> 16) - 128;
+  });
+}
+
+TEST(Number, CornersAndRandomAt18Bits) { run_random<Fixed18>(18); }
+TEST(Number, CornersAndRandomAt32Bits) { run_random<Fixed32>(32); }
+
+TEST(Block, EveryWeightTimesEveryPointOfEveryClassAt8Bits) {
+  run<Block8>(8, 65536 * 4, [](Operands& o, std::uint64_t i) {
+    o.a.value = operand(i, 0);
+    o.b.value = o.factor.value = operand(i, 8);
+    o.factor.kind = static_cast<Class>(i >> 16);
+  });
+}
+
+// The ends of the significand in each field of the exponent, in each block there is; the sum of the
+// same number, so that the normaliser meets each exponent too.
+TEST(Block, EveryFieldInEveryBlockAt8Bits) {
+  run<Block8>(1, 1024 * 256 * 2, [](Operands& o, std::uint64_t i) {
+    const auto field = static_cast<std::uint32_t>(i >> 1 & 0xFF);
+    o.word = (o.word & 0x80000000U) | field << 23 | (i % 2 != 0 ? 0x7FFFFFU : 0U);
+    o.exponent = static_cast<int>(i >> 9) - 512;
+  });
+}
+
+TEST(Block, CornersAndRandomAt35Bits) { run_random<Block35>(35); }
 
 }  // namespace
 }  // namespace hwffd::test
