@@ -1,57 +1,19 @@
-// The errors of the core and of the DMA as events of the registers: bits, places, addresses.
+// The errors of the core and of the DMA as events of the registers: bits, places, addresses; by
+// their names in the registers, under all errors at once and alone.
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <set>
 
 #include "Vbus_events.h"
 #include "hwffd/registers.h"
+#include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
 namespace {
 
-struct Raised {
-  std::uint32_t events, packet, beat;
-  bool located;
-  std::uint64_t address;
-};
-
-class EventBench {
- public:
-  EventBench() : sim_(1) {
-    auto& dut = sim_.dut();
-    dut.rst = 1;
-    dut.core_packet_i = 11;
-    dut.core_beat_i = 22;
-    dut.read_error_address_i = 0x1'0000'0000;
-    dut.write_error_address_i = 0x2'0000'0000;
-    dut.result_overflow_i = 0;
-    sim_.tick();
-    dut.rst = 0;
-  }
-  /// Code 0: none.
-  Raised raise(unsigned core, unsigned read, unsigned write, bool overflow = false,
-               unsigned timeout = 0) {
-    auto& dut = sim_.dut();
-    dut.core_event_i = static_cast<SData>(core);
-    dut.read_error_i = read != 0;
-    dut.read_error_code_i = static_cast<CData>(read);
-    dut.write_error_i = write != 0;
-    dut.write_error_code_i = static_cast<CData>(write);
-    dut.result_overflow_i = overflow;
-    dut.timeout_i = static_cast<CData>(timeout);
-    dut.eval();
-    const Raised raised{dut.error_event_o, dut.error_packet_o, dut.error_beat_o,
-                        dut.error_address_valid_o != 0, dut.error_address_o};
-    sim_.tick();
-    return raised;
-  }
-
- private:
-  tb::Sim<Vbus_events> sim_;
-};
-
-/// What a code of the DMA is called in the registers.
+/// What a code of the DMA is called in the registers; 0 is none.
 std::uint32_t named(unsigned code, bool read) {
   const std::uint32_t response =
       read ? HWFFD_ERROR_STATUS_DMA_READ_RESPONSE_MASK : HWFFD_ERROR_STATUS_DMA_WRITE_RESPONSE_MASK;
@@ -67,64 +29,63 @@ std::uint32_t named(unsigned code, bool read) {
   return masks[code];
 }
 
-TEST(Events, TheCoresKeepTheirPlaces) {
-  EventBench bench;
-  for (unsigned bit = 0; bit < 10; ++bit) {
-    const Raised raised = bench.raise(1u << bit, 0, 0);
-    EXPECT_EQ(raised.events, 1u << bit);
-    EXPECT_EQ(raised.packet, 11u);
-    EXPECT_EQ(raised.beat, 22u);
-    EXPECT_FALSE(raised.located);
+constexpr std::uint32_t kLate[] = {
+    HWFFD_ERROR_STATUS_TIMEOUT_AR_MASK, HWFFD_ERROR_STATUS_TIMEOUT_R_MASK,
+    HWFFD_ERROR_STATUS_TIMEOUT_AW_MASK, HWFFD_ERROR_STATUS_TIMEOUT_W_MASK,
+    HWFFD_ERROR_STATUS_TIMEOUT_B_MASK};
+
+TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
+  tb::Random random(tb::seed_from_environment(1));
+  tb::Sim<Vbus_events> sim(1);
+  Vbus_events& dut = sim.dut();
+  dut.rst = 1;
+  dut.result_overflow_i = 0;
+  sim.tick();
+  dut.rst = 0;
+  bool was_full = false;
+  std::set<std::uint32_t> alone;
+  for (int clock = 0; clock < 200'000; ++clock) {
+    const unsigned read = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 8));
+    const unsigned write = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 7));
+    const auto core = static_cast<std::uint32_t>(
+        random.chance(0.5) ? 0 : random.pick({1U << random.below(10), random.word() & 0x3FF}));
+    const unsigned late = random.chance(0.5) ? 0 : random.word() & 31;
+    const bool full = random.chance(was_full ? 0.8 : 0.2);
+    dut.core_event_i = static_cast<SData>(core);
+    dut.core_packet_i = random.word();
+    dut.core_beat_i = random.word();
+    dut.read_error_i = read != 0;
+    dut.read_error_code_i = static_cast<CData>(read != 0 ? read : random.below(9));
+    dut.read_error_address_i = random.bits();
+    dut.write_error_i = write != 0;
+    dut.write_error_code_i = static_cast<CData>(write != 0 ? write : random.below(8));
+    dut.write_error_address_i = random.bits();
+    dut.result_overflow_i = full;
+    dut.timeout_i = static_cast<CData>(late);
+    dut.eval();
+
+    const std::uint32_t of_read = named(read, true), of_write = named(write, false);
+    std::uint32_t events = core | of_read | of_write;
+    for (unsigned channel = 0; channel < 5; ++channel) {
+      if ((late >> channel & 1) != 0) events |= kLate[channel];
+    }
+    if (full && !was_full) events |= HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK;  // once an area
+    ASSERT_EQ(dut.error_event_o, events) << "clock " << clock;
+    ASSERT_EQ(dut.error_packet_o, core != 0 ? dut.core_packet_i : 0);
+    ASSERT_EQ(dut.error_beat_o, core != 0 ? dut.core_beat_i : 0);
+    ASSERT_EQ(dut.error_address_valid_o != 0, read != 0 || write != 0);
+    const bool by_read = read != 0 && (write == 0 || of_read <= of_write);
+    if (read != 0 || write != 0) {
+      ASSERT_EQ(dut.error_address_o, by_read ? dut.read_error_address_i : dut.write_error_address_i)
+          << "codes " << read << " and " << write;
+    }
+    if ((events & (events - 1)) == 0) alone.insert(events);
+    was_full = full;
+    sim.tick();
   }
+  EXPECT_EQ(alone.size(), 25U) << "none, and each of 24";
   EXPECT_EQ(HWFFD_ERROR_STATUS_LATTICE_SIZE_SHIFT, 5);
   EXPECT_EQ(HWFFD_ERROR_STATUS_SATURATED_SHIFT, 9);
-  EXPECT_EQ(bench.raise(0, 0, 0).events, 0u);
-}
-
-TEST(Events, TheDmasHaveTheirNamesAndTheAddressOfTheLowest) {
-  EventBench bench;
-  for (unsigned read = 0; read <= 8; ++read) {
-    for (unsigned write = 0; write < 8; ++write) {
-      const Raised raised = bench.raise(0, read, write);
-      const std::uint32_t of_read = named(read, true);
-      const std::uint32_t of_write = named(write, false);
-      EXPECT_EQ(raised.events, of_read | of_write);
-      EXPECT_EQ(raised.packet, 0u);
-      EXPECT_EQ(raised.beat, 0u);
-      const bool any = read != 0 || write != 0;
-      const bool by_read = read != 0 && (write == 0 || of_read <= of_write);
-      EXPECT_EQ(raised.located, any);
-      if (any) {
-        EXPECT_EQ(raised.address, by_read ? 0x1'0000'0000 : 0x2'0000'0000) << read << " " << write;
-      }
-      const Raised with_core = bench.raise(0x200, read, write);
-      EXPECT_EQ(with_core.events, of_read | of_write | 0x200);
-      EXPECT_EQ(with_core.packet, 11u);
-      EXPECT_EQ(with_core.located, any);
-    }
-  }
-}
-
-TEST(Events, EachChannelThatIsLateHasItsBit) {
-  EventBench bench;
-  const std::uint32_t masks[] = {
-      HWFFD_ERROR_STATUS_TIMEOUT_AR_MASK, HWFFD_ERROR_STATUS_TIMEOUT_R_MASK,
-      HWFFD_ERROR_STATUS_TIMEOUT_AW_MASK, HWFFD_ERROR_STATUS_TIMEOUT_W_MASK,
-      HWFFD_ERROR_STATUS_TIMEOUT_B_MASK};
-  for (unsigned channel = 0; channel < 5; ++channel) {
-    const Raised raised = bench.raise(0, 0, 0, false, 1u << channel);
-    EXPECT_EQ(raised.events, masks[channel]);
-    EXPECT_FALSE(raised.located);
-  }
-}
-
-TEST(Events, AFullAreaIsOneEvent) {
-  EventBench bench;
-  for (unsigned round = 0; round < 2; ++round) {
-    EXPECT_EQ(bench.raise(0, 0, 0, true).events, HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK);
-    for (unsigned i = 0; i < 5; ++i) EXPECT_EQ(bench.raise(0, 0, 0, true).events, 0u);
-    EXPECT_EQ(bench.raise(0, 0, 0, false).events, 0u);
-  }
 }
 
 }  // namespace

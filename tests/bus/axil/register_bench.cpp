@@ -44,6 +44,9 @@ void RegisterBench::reset(unsigned clocks) {
   // A request that acted in the last clock before is still followed in the first clock of reset.
   dropped_writes_ = driver_.writes();
   dropped_reads_ = driver_.reads();
+  resets_of_["write"] += acted_writes_ > driver_.write_responses().size() ? 1 : 0;
+  resets_of_["read"] += acted_reads_ > driver_.read_responses().size() ? 1 : 0;
+  resets_of_["address without data"] += ahead_ > 0 ? 1 : 0;
   driver_.clear();
   in_reset_ = true;
   steps(clocks);

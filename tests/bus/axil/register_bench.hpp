@@ -67,6 +67,9 @@ class RegisterBench {
   bool address_first() const { return most_ahead_ > 0; }
   bool data_first() const { return least_ahead_ < 0; }
   const std::set<std::uint32_t>& idle_addresses() const { return idle_addresses_; }
+  /// Resets that came over something under way: "write" and "read" are such that had acted, and
+  /// whose responses nobody had taken; "address without data".
+  std::uint64_t resets_of(const std::string& what) { return resets_of_[what]; }
   std::uint64_t compared() const { return compared_; }
   const std::vector<std::string>& failures() const { return failures_; }
 
@@ -98,6 +101,7 @@ class RegisterBench {
   std::size_t acted_reads_ = 0;
   int ahead_ = 0, most_ahead_ = 0, least_ahead_ = 0;  // addresses taken before their data
   std::set<std::uint32_t> idle_addresses_;
+  std::map<std::string, std::uint64_t> resets_of_;
   std::uint64_t compared_ = 0;
   std::vector<std::string> failures_;
 };

@@ -119,46 +119,12 @@ TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
   expect_met(bench.model(), GetParam() == "always");
   EXPECT_GT(bench.idle_addresses().size(), 10u) << "random";
   const bool apart = GetParam() != "always" && GetParam() != "gaps" && GetParam() != "sparse";
+  EXPECT_EQ(bench.resets_of("address without data") > 0, apart);
+  EXPECT_EQ(bench.resets_of("write") > 0, GetParam() != "always");
+  EXPECT_EQ(bench.resets_of("read") > 0, GetParam() != "always");
   EXPECT_EQ(bench.address_first(), apart);
   EXPECT_EQ(bench.data_first(), apart);
   fmt::print("{} responses compared in {} clocks\n", bench.compared(), bench.clock());
-}
-
-TEST(Reset, ARequestInTheFirstClockIsHeldNotLost) {
-  for (unsigned clocks = 1; clocks < 4; ++clocks) {
-    RegisterBench bench(2);
-    bench.reset(clocks);
-    bench.driver().write({0x068, 0xCAFE, 0xF});
-    bench.driver().read(0);
-    bench.step();  // offered, refused: the checker sees ready
-    EXPECT_TRUE(bench.driver().write_responses().empty());
-    bench.run(10);
-    EXPECT_EQ(bench.get("RESULT_SIZE"), 0xCAFEu);
-    EXPECT_EQ(bench.driver().read_responses().at(0).data, 0x48464644u);
-  }
-}
-
-TEST(Reset, ForgetsWhatIsUnderWay) {
-  for (unsigned clocks = 1; clocks < 12; ++clocks) {
-    for (const bool only_address : {false, true}) {
-      RegisterBench bench(3);
-      tb::AxiThrottles throttles;
-      if (only_address) throttles.w = shut(1000);
-      throttles.b = throttles.r = shut(1000);
-      bench.driver().throttle(throttles);
-      for (unsigned i = 0; i < 6; ++i) {
-        bench.driver().write({0x068, 0x1111, 0xF});
-        bench.driver().read(0x068);
-      }
-      bench.steps(clocks);
-      bench.driver().throttle({});
-      bench.reset();
-      bench.steps(10);
-      EXPECT_EQ(bench.get("RESULT_SIZE"), 0u);  // nor is a response left over: the bench would say
-      bench.set("RESULT_SIZE", 5);
-      EXPECT_EQ(bench.get("RESULT_SIZE"), 5u);
-    }
-  }
 }
 
 TEST(Rate, IsARequestAClockInBothDirections) {
@@ -179,21 +145,6 @@ TEST(Rate, IsARequestAClockInBothDirections) {
   EXPECT_EQ(reads.back().cycle - reads.front().cycle, kRequests - 1);
   // Read and write of one clock: the read sees what was before.
   for (unsigned i = 1; i < kRequests; ++i) EXPECT_EQ(reads[i].data, i - 1);
-}
-
-TEST(Order, AddressAndDataComeInAnyOrder) {
-  for (const bool address_first : {true, false}) {
-    RegisterBench bench(5);
-    tb::AxiThrottles throttles;
-    (address_first ? throttles.w : throttles.aw) = shut(20);
-    bench.driver().throttle(throttles);
-    bench.steps(1);
-    for (std::uint32_t i = 0; i < 5; ++i) bench.driver().write({0x060, i + 1, 0xF});
-    bench.steps(15);
-    EXPECT_TRUE(bench.driver().write_responses().empty());
-    bench.run();
-    EXPECT_EQ(bench.get("RESULT_BASE_LO"), 5u);
-  }
 }
 
 TEST(Order, AStalledDirectionDoesNotHoldTheOther) {
