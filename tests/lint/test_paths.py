@@ -1,5 +1,5 @@
 """scripts/paths.py finds a combinational path wherever it hides, and none where a register cuts it;
-the modules behind AXI4-Lite have none.
+the modules behind AXI4-Lite have none, nor has the DMA engine on its buses.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -123,12 +123,14 @@ class Paths(Workspace):
             self.assertEqual(status, 0, output)
             self.assertRegex(output, r"\b[234]\d\d output bits, 0 reached")
 
-    def test_the_port_of_the_slave_is_found(self):
-        """write_o and read_o follow ready, as its header says: they are inside the registers."""
-        status, output = look(ROOT, "ffd_axil_slave")
-        self.assertEqual(status, 1)
-        self.assertEqual([line.split()[1:5:3] for line in output.splitlines()[:-1]],
-                         [["write_o", "s_axil_bready"], ["read_o", "s_axil_rready"]])
+    def test_what_follows_inside_is_found_and_nothing_else(self):
+        """The port of the slave follows ready, status of the DMA engine its bus, as their heads say:
+        both are inside. What the engine gives to bus and streams follows nothing."""
+        for module, wanted in {"ffd_axil_slave": ["read_o", "write_o"],
+                               "ffd_dma_engine": ["fault_o", "idle_o"]}.items():
+            status, output = look(ROOT, module)
+            self.assertEqual(status, 1)
+            self.assertEqual(sorted(line.split()[1] for line in output.splitlines()[:-1]), wanted)
 
 
 if __name__ == "__main__":

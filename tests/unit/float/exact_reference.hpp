@@ -59,18 +59,12 @@ inline std::uint32_t round(Format format, Integer value, int scale) {
   const Integer twice_rest = 2 * (magnitude - (kept << dropped));
   const Integer whole = Integer{1} << dropped;
   if (twice_rest > whole || (twice_rest == whole && kept % 2 != 0)) ++kept;
-  if (kept >> format.significand_bits != 0) {
-    kept /= 2;
-    ++dropped;
-  }
+  // A subnormal is its fraction; the hidden bit of a normal counts the exponent up by one, as does
+  // a carry into the next binade.
+  const Integer word = (Integer{dropped - scale} << format.fraction_bits()) + kept;
   if (kept == 0) return 0;
-  const Integer hidden = Integer{1} << format.fraction_bits();
-  const std::uint32_t sign = negative ? format.sign() : 0;
-  if (kept < hidden) return sign | static_cast<std::uint32_t>(kept);
-  const int field = dropped - scale + 1;
-  if (field >= format.largest_field()) return sign | format.infinity();
-  return sign | static_cast<std::uint32_t>(field) << format.fraction_bits() |
-         static_cast<std::uint32_t>(kept - hidden);
+  return (negative ? format.sign() : 0) |
+         (word < format.infinity() ? static_cast<std::uint32_t>(word) : format.infinity());
 }
 
 inline std::uint32_t infinity(Format format, bool negative) {

@@ -153,24 +153,6 @@ class Binary32 {
 // ---- driving a unit
 // ------------------------------------------------------------------------------
 
-template <class VDut, Unit kUnit>
-class Driver {
- public:
-  Driver() : sim_(seed()) {}
-
-  /// Puts the operands in, one clock, and the result that is there then.
-  std::uint32_t clock(const Case& in) {
-    sim_->a_i = in.a;
-    sim_->b_i = in.b;
-    if constexpr (kUnit == Unit::Fma) sim_->c_i = in.c;
-    sim_.tick();
-    return sim_->result_o;
-  }
-
- private:
-  hwffd::tb::Sim<VDut> sim_;
-};
-
 std::string describe(const Case& in, int digits, bool three) {
   std::ostringstream out;
   out << std::hex << std::setfill('0') << "a " << std::setw(digits) << in.a << "  b "
@@ -179,7 +161,8 @@ std::string describe(const Case& in, int digits, bool three) {
   return out.str();
 }
 
-/// A new case every clock; the result of each is expected exactly kLatency clocks later.
+/// A new case every clock; the result of each is expected exactly kLatency clocks later, and no
+/// other one at any time.
 template <class VDut, Unit kUnit, int kLatency, class Cases>
 class ValueTest : public testing::Test {
  public:
@@ -187,7 +170,7 @@ class ValueTest : public testing::Test {
 
   void TestBody() override {
     constexpr int kMaxFailures = 20;
-    Driver<VDut, kUnit> unit;
+    hwffd::tb::Sim<VDut> unit(seed());
     Cases cases;
     std::array<Case, kLatency> under_way{};
     std::uint64_t checked = 0;
@@ -195,7 +178,11 @@ class ValueTest : public testing::Test {
     for (std::uint64_t i = 0; i < Cases::kCases + kLatency - 1; ++i) {
       const Case in = i < Cases::kCases ? cases(i) : Case{};
       under_way[i % kLatency] = in;
-      const std::uint32_t got = unit.clock(in);
+      unit->a_i = in.a;
+      unit->b_i = in.b;
+      if constexpr (kUnit == Unit::Fma) unit->c_i = in.c;
+      unit.tick();
+      const std::uint32_t got = unit->result_o;
       if (i + 1 < kLatency) continue;
       const Case& out = under_way[(i + 1) % kLatency];
       const std::uint32_t expected = cases.expected(out);
@@ -216,38 +203,7 @@ class ValueTest : public testing::Test {
   int digits_;
 };
 
-/// One and a half against two (times one, plus nothing): a step and a pulse of one clock at the
-/// input come out as they are, after exactly kLatency clocks.
-template <class VDut, Unit kUnit, int kExponent, int kFraction, int kLatency>
-class TimingTest : public testing::Test {
- public:
-  void TestBody() override {
-    constexpr exact::Format kFormat{kExponent, kFraction + 1};
-    constexpr std::uint32_t kOne = static_cast<std::uint32_t>(kFormat.bias()) << kFraction;
-    constexpr std::uint32_t kOneAndHalf = kOne | 1u << (kFraction - 1);
-    constexpr std::uint32_t kTwo = kOne + (1u << kFraction);
-    constexpr std::uint32_t kNeutral = kUnit == Unit::Add ? 0 : kOne;
-    constexpr int kHold = 3 * kLatency;
-    const Case rest{kOneAndHalf, kNeutral, 0};
-    const Case changed{kTwo, kNeutral, 0};
-    std::uint64_t checked = 0;
-    for (const int width : {1, kHold}) {
-      Driver<VDut, kUnit> unit;
-      for (int i = 0; i < kHold; ++i) unit.clock(rest);
-      for (int i = 0; i < 2 * kHold; ++i) {
-        const std::uint32_t got = unit.clock(i < width ? changed : rest);
-        const bool out = i + 1 >= kLatency && i + 1 < kLatency + width;
-        ASSERT_EQ(got, out ? kTwo : kOneAndHalf) << "width " << width << ", clock " << i;
-        ++checked;
-      }
-    }
-    std::cout << checked << " clocks checked\n";
-    RecordProperty("cases", std::to_string(checked));
-    EXPECT_EQ(checked, 4u * kHold);
-  }
-};
-
-/// Registers both tests of a row.
+/// Registers the test of a row.
 template <class VDut, Unit kUnit, int kExponent, int kFraction, int kLatency>
 void register_row(const std::string& unit, int line) {
   constexpr bool kIsBinary32 = kExponent == 8 && kFraction == 23;
@@ -262,10 +218,6 @@ void register_row(const std::string& unit, int line) {
                             using Cases = Exhaustive<kUnit, kExponent, kFraction>;
                             return new ValueTest<VDut, kUnit, kLatency, Cases>(Cases::kWord);
                           }
-                        });
-  testing::RegisterTest("floatTiming", name.c_str(), nullptr, nullptr, __FILE__, line,
-                        []() -> testing::Test* {
-                          return new TimingTest<VDut, kUnit, kExponent, kFraction, kLatency>;
                         });
 }
 
