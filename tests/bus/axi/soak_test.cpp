@@ -199,8 +199,11 @@ TEST_P(AxiSoak, BusErrors) {
   Traffic traffic(GetParam(), tb::seed_from_environment(3));
   for (int round = 0; round < 120 && !HasFailure(); ++round) traffic.round(&Traffic::bus_error);
   if (!HasFailure()) traffic.finish();
-  EXPECT_GE(traffic.stops({true, false}), 10U);
-  EXPECT_GE(traffic.stops({false, true}), 10U);
+  const unsigned by_read = traffic.stops({true, false}), by_write = traffic.stops({false, true});
+  EXPECT_GE(by_read, 10U);
+  EXPECT_GE(by_write, 10U);
+  fmt::print("{} runs stopped by a read, {} by a write, {} by both\n", by_read, by_write,
+             traffic.stops({true, true}));
 }
 
 HWFFD_FOR_EACH_AXI_CONFIGURATION(AxiSoak);
