@@ -199,10 +199,12 @@ TEST(AtomicFile, TemporaryIsNobodyElses) {
   EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "victim", expected}));
 }
 
-/// A child process that writes two files, and then waits for its end.
+/// A child process that writes two files, and then waits for its end. Who runs the tests in the
+/// background of a shell has them ignore SIGINT; this process does not.
 pid_t start_writing(const TempFolder& folder, const std::string& bytes) {
   const pid_t child = ::fork();
   if (child != 0) return child;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::signal(signal, SIG_DFL);
   write_files({{folder / "one", bytes}, {folder / "two", bytes}});
   for (;;) ::pause();
 }

@@ -54,10 +54,6 @@ def module(name, body):
     return MODULE.format(name=name, parameters="SIZE = 4", body=body)
 
 
-def sample(body):
-    return {"rtl/evaluator/ffd_org_sample.v": module("ffd_org_sample", body)}
-
-
 CLEAN = {
     "rtl/hwffd.f": "evaluator/ffd_org_sample.v\nevaluator/ffd_org_other.v\ntop/hwffd_stream.v\n",
     "rtl/evaluator/ffd_org_other.v": module("ffd_org_other", SAMPLE),
@@ -66,65 +62,62 @@ CLEAN = {
     "rtl/lint/hwffd.vlt": "`verilator_config\n",
     "rtl/configurations.csv": TABLE,
     "golden/src/x.cpp": "int x;\n",
-    **sample(SAMPLE),
+    "rtl/evaluator/ffd_org_sample.v": module("ffd_org_sample", SAMPLE),
 }
-# what -> (files, how a report begins, a word in it)
-PLANTED = {
-    "a width that does not fit":
-        (sample("  assign q_o = d_i[2:0];"), "verilator ffd_org_sample:", "WIDTH"),
-    "an unused bit":
-        (sample("  assign q_o = {4{d_i[0]}};"), "verilator ffd_org_sample:", "UNUSEDSIGNAL"),
-    "SystemVerilog, by Verilator":
-        (sample("  logic x;\n  assign q_o = d_i;"), "verilator ffd_org_sample:", "logic"),
-    "SystemVerilog, by Icarus":
-        (sample("  assign q_o = '0;"), "icarus ffd_org_sample:", "SystemVerilog"),
-    "an undeclared wire, by Icarus":
-        (sample("  assign q_o = e;"), "icarus ffd_org_sample:", "bind"),
-    "a bit out of bounds, by Icarus":
-        (sample("  assign q_o = {d_i[4], d_i[2:0]};"), "icarus ffd_org_sample:", "[4]"),
-    "no driver, by yosys":
-        (sample("  wire [3:0] e;\n  assign q_o = e & d_i;"), "yosys ffd_org_sample:", "no driver"),
-    "two drivers, by yosys":
-        (sample("  assign q_o = d_i;\n  assign q_o = ~d_i;"), "yosys ffd_org_sample:", "driver"),
-    "a latch":
-        (sample("  reg [3:0] r;\n  always @* if (d_i[0]) r = d_i;\n  assign q_o = r;"),
-         "verilator ffd_org_sample:", "LATCH"),
+# Faults in a module: what -> (its body, the tool that says so, a word in what it says). Each stands in
+# a module of its own, all in one tree.
+IN_MODULES = {
+    "a width that does not fit": ("  assign q_o = d_i[2:0];", "verilator", "WIDTH"),
+    "an unused bit": ("  assign q_o = {4{d_i[0]}};", "verilator", "UNUSEDSIGNAL"),
+    "SystemVerilog, by Verilator": ("  logic x;\n  assign q_o = d_i;", "verilator", "logic"),
+    "SystemVerilog, by Icarus": ("  assign q_o = '0;", "icarus", "SystemVerilog"),
+    "an undeclared wire, by Icarus": ("  assign q_o = e;", "icarus", "bind"),
+    "a bit out of bounds, by Icarus": ("  assign q_o = {d_i[4], d_i[2:0]};", "icarus", "[4]"),
+    "no driver, by yosys": ("  wire [3:0] e;\n  assign q_o = e & d_i;", "yosys", "no driver"),
+    "two drivers, by yosys": ("  assign q_o = d_i;\n  assign q_o = ~d_i;", "yosys", "driver"),
+    "a latch": ("  reg [3:0] r;\n  always @* if (d_i[0]) r = d_i;\n  assign q_o = r;",
+                "verilator", "LATCH"),
     "an unknown module, by yosys":
-        (sample("  ffd_org_none u_none (\n    .d_i(d_i),\n    .q_o(q_o)\n  );"),
-         "yosys ffd_org_sample:", "ffd_org_none"),
-    **{
-        f"a bad configuration, by {tool}":
-            ({"rtl/configurations.csv": TABLE + ROW.replace("good", "bad").replace(",2,", ",8,")},
-             f"{tool} hwffd_stream (bad-row):", "ERROR_hwffd_stream_latency")
-        for tool in ("verilator", "icarus", "yosys")
-    },
-    **{
-        f"a word of SystemVerilog as a name, by {tool}":
-            (sample("  wire [3:0] final = d_i;\n  assign q_o = final;"),
-             f"{tool} SystemVerilog hwffd_stream (good-row):", complaint)
-        for tool, complaint in (("verilator", "keyword"), ("icarus", "error: invalid"),
-                                ("yosys", "TOK_FINAL"))
-    },
-    "such a word below no configuration":
+        ("  ffd_org_none u_none (\n    .d_i(d_i),\n    .q_o(q_o)\n  );", "yosys", "ffd_org_none"),
+}
+# Faults in a tree: what -> (files, [(how a line of the report begins, a word in it)]).
+IN_TREES = {
+    "a bad configuration":
+        ({"rtl/configurations.csv": TABLE + ROW.replace("good", "bad").replace(",2,", ",8,")},
+         [(f"{tool} hwffd_stream (bad-row):", "ERROR_hwffd_stream_latency")
+          for tool in ("verilator", "icarus", "yosys")]),
+    "a word of SystemVerilog as a name":
+        ({"rtl/evaluator/ffd_org_sample.v":
+            module("ffd_org_sample", "  wire [3:0] final = d_i;\n  assign q_o = final;")},
+         [(f"{tool} SystemVerilog hwffd_stream (good-row):", complaint) for tool, complaint in
+          (("verilator", "keyword"), ("icarus", "error: invalid"), ("yosys", "TOK_FINAL"))]),
+    "such a word below no configuration, and unformatted C++":
         ({"rtl/evaluator/ffd_org_other.v":
-            module("ffd_org_other", "  wire [3:0] cross = d_i;\n  assign q_o = cross;")},
-         "verilator -F hwffd.f hwffd_stream:", "cross"),
-    "a parameter that must not be given":
+            module("ffd_org_other", "  wire [3:0] cross = d_i;\n  assign q_o = cross;"),
+          "golden/src/x.cpp": "int  x;\n"},
+         [("verilator -F hwffd.f hwffd_stream:", "cross"), ("clang-format:", "x.cpp:1")]),
+    "a parameter that must not be given, and a pointer that is 0":
         ({"rtl/top/hwffd_stream.v": MODULE.format(
             name="hwffd_stream", parameters=TOP_PARAMETERS,
-            body=f"{TOP_BODY}\n  localparam [7:0] MOST = AXIS;\n  wire unused_most = &{{1'b0, MOST}};")},
-         "verilator hwffd_stream (all parameters given, AXIS=4):", "WIDTH"),
-    "unformatted C++":
-        ({"golden/src/x.cpp": "int  x;\n"}, "clang-format:", "x.cpp:1"),
-    "a pointer that is 0, by clang-tidy":
-        ({"golden/src/x.cpp": "int* x = 0;\n"}, "clang-tidy:", "modernize-use-nullptr"),
+            body=f"{TOP_BODY}\n  localparam [7:0] MOST = AXIS;\n  wire unused_most = &{{1'b0, MOST}};"),
+          "golden/src/x.cpp": "int* x = 0;\n"},
+         [("verilator hwffd_stream (all parameters given, AXIS=4):", "WIDTH"),
+          ("clang-tidy:", "modernize-use-nullptr")]),
 }
+
+
+def tree_of_modules():
+    """(files, what must be heard) of a tree with each of IN_MODULES in a module of its own."""
+    files, heard = {"rtl/hwffd.f": CLEAN["rtl/hwffd.f"]}, []
+    for number, (body, tool, word) in enumerate(IN_MODULES.values()):
+        name = f"ffd_org_sample{number}"
+        files[f"rtl/evaluator/{name}.v"] = module(name, body)
+        files["rtl/hwffd.f"] += f"evaluator/{name}.v\n"
+        heard.append((f"{tool} {name}:", word))
+    return files, heard
 
 
 class Tools(Workspace):
-    def setUp(self):
-        super().setUp()
-
     def write(self, files):
         for name, text in files.items():
             self.put(name, text)
@@ -161,15 +154,17 @@ class Tools(Workspace):
 
     def test_planted_faults_are_heard(self):
         caught = 0
-        for what, (files, begins, word) in PLANTED.items():
-            with self.subTest(what):
-                status, lines = self.lint(files)
-                self.assertEqual(status, 1)
-                self.assertRegex(lines[-1], r"^lint: \d+ checks, [1-9]\d* warnings?$")
-                self.assertTrue(
-                    any(line.startswith(begins) and word in line for line in lines), lines)
-                caught += 1
-        print(f"tools: {caught} of {len(PLANTED)} planted faults heard")
+        for what, (files, heard) in {"modules": tree_of_modules(), **IN_TREES}.items():
+            status, lines = self.lint(files)
+            self.assertEqual(status, 1)
+            self.assertRegex(lines[-1], r"^lint: \d+ checks, [1-9]\d* warnings?$")
+            for begins, word in heard:
+                with self.subTest(what, begins=begins, word=word):
+                    self.assertTrue(
+                        any(line.startswith(begins) and word in line for line in lines), lines)
+                    caught += 1
+        self.assertGreaterEqual(caught, len(IN_MODULES) + 2 * len(IN_TREES))
+        print(f"tools: {caught} planted faults heard")
 
     def test_bad_table_is_one_line(self):
         status, lines = self.lint({"rtl/configurations.csv": TABLE.replace("basic", "none")})
