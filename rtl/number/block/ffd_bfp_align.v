@@ -11,7 +11,7 @@
 // Overflow:   outside [-2^exponent, 2^exponent) saturated and flagged.
 // Pipeline:   combinational.
 // Parameters: 8 <= W <= 40: the aligned word and its bits below have W + 25 <= 65 bits.
-// Model:      golden/include/hwffd/numerics/block.hpp (point, coordinate).  Test: tests/unit/block.
+// Model:      golden/include/hwffd/numerics/block.hpp (point, coordinate).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

@@ -11,7 +11,7 @@
 // Rounding:   to nearest even, once (ffd_fp_round). Overflow gives infinity; a zero is +0.
 // Pipeline:   LATENCY registers over the three steps, II 1, never frozen.
 // Parameters: 8 <= W <= 40, LATENCY >= 0.
-// Model:      golden/include/hwffd/numerics/block.hpp (out).  Test: tests/unit/block.
+// Model:      golden/include/hwffd/numerics/block.hpp (out).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
