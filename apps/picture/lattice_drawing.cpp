@@ -19,18 +19,12 @@ constexpr double kPi = 3.14159265358979323846;
 std::vector<GLuint> lines_of(const Lattice& lattice) {
   const Index3& dims = lattice.dims();
   std::vector<GLuint> ends;
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) {
-        const auto join = [&](int i2, int j2, int k2) {
-          if (i2 == dims[0] || j2 == dims[1] || k2 == dims[2]) return;
-          ends.push_back(static_cast<GLuint>(lattice.index(i, j, k)));
-          ends.push_back(static_cast<GLuint>(lattice.index(i2, j2, k2)));
-        };
-        join(i + 1, j, k);
-        join(i, j + 1, k);
-        join(i, j, k + 1);
-      }
+  for (const Index3& here : places(dims)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Index3 next = here;
+      if (++next[axis] == dims[axis]) continue;
+      ends.push_back(static_cast<GLuint>(lattice.index(here)));
+      ends.push_back(static_cast<GLuint>(lattice.index(next)));
     }
   }
   return ends;

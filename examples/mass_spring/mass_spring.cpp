@@ -33,19 +33,15 @@ MassSpring::MassSpring(const Lattice& rest, const Material& material)
 }
 
 void MassSpring::join_neighbours(const Lattice& rest) {
-  const auto has = [&](int i, int j, int k) {
-    return i < dims_[0] && j >= 0 && j < dims_[1] && k >= 0 && k < dims_[2];
+  const auto has = [&](const Index3& at) {
+    return at[0] < dims_[0] && at[1] >= 0 && at[1] < dims_[1] && at[2] >= 0 && at[2] < dims_[2];
   };
-  for (int i = 0; i < dims_[0]; ++i) {
-    for (int j = 0; j < dims_[1]; ++j) {
-      for (int k = 0; k < dims_[2]; ++k) {
-        for (const Index3& to : kNeighbours) {
-          if (!has(i + to[0], j + to[1], k + to[2])) continue;
-          const Eigen::Index a = rest.index(i, j, k);
-          const Eigen::Index b = rest.index(i + to[0], j + to[1], k + to[2]);
-          springs_.push_back({a, b, (rest.points().row(b) - rest.points().row(a)).norm()});
-        }
-      }
+  for (const Index3& at : places(dims_)) {
+    for (const Index3& to : kNeighbours) {
+      const Index3 other{at[0] + to[0], at[1] + to[1], at[2] + to[2]};
+      if (!has(other)) continue;
+      springs_.push_back(
+          {rest.index(at), rest.index(other), (rest.point(other) - rest.point(at)).norm()});
     }
   }
 }

@@ -48,15 +48,12 @@ const std::vector<std::string>& mild() {
 bool layers_repeat(const Lattice& rest, const Lattice& moved) {
   const Closure closure(rest);
   const Index3& d = moved.dims();
-  for (int row = 0; row < d[0] * d[1] * d[2]; ++row) {
-    const Index3 at{row / (d[1] * d[2]), row / d[2] % d[1], row % d[2]};
+  for (const Index3& at : places(d)) {
     for (std::size_t a = 0; a < 3; ++a) {
       if (!closure.closed(static_cast<int>(a)) || at[a] < d[a] - 3) continue;
       Index3 first = at;
       first[a] -= d[a] - 3;
-      const Point x = moved.point(at[0], at[1], at[2]);
-      const Point y = moved.point(first[0], first[1], first[2]);
-      if (!same_bits(x, y)) return false;
+      if (!same_bits(moved.point(at), moved.point(first))) return false;
     }
   }
   return true;
@@ -138,18 +135,14 @@ TEST(DeformationKinds, KnownTaperScaleAndMove) {
   const Lattice tapered = deform("taper:0.5", cube());
   const Lattice scaled = deform("scale:2,1,-1", cube());
   const Lattice moved = deform("move:1,2,3:0.5,-1,4", cube());
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 4; ++k) {
-        const double f = 1 - 0.5 * j / 3;
-        const Point taper(1.5 + f * (i - 1.5), j, 1.5 + f * (k - 1.5));
-        EXPECT_LT((tapered.point(i, j, k) - taper).norm(), kTiny);
-        EXPECT_LT((scaled.point(i, j, k) - Point(2 * i - 1.5, j, 3 - k)).norm(), kTiny);
-        const bool named = i == 1 && j == 2 && k == 3;
-        const Point displacement = named ? Point(0.5, -1, 4) : Point(0, 0, 0);
-        EXPECT_LT((moved.point(i, j, k) - Point(i, j, k) - displacement).norm(), kTiny);
-      }
-    }
+  for (const auto& [i, j, k] : places({4, 4, 4})) {
+    const double f = 1 - 0.5 * j / 3;
+    const Point taper(1.5 + f * (i - 1.5), j, 1.5 + f * (k - 1.5));
+    EXPECT_LT((tapered.point(i, j, k) - taper).norm(), kTiny);
+    EXPECT_LT((scaled.point(i, j, k) - Point(2 * i - 1.5, j, 3 - k)).norm(), kTiny);
+    const bool named = i == 1 && j == 2 && k == 3;
+    const Point displacement = named ? Point(0.5, -1, 4) : Point(0, 0, 0);
+    EXPECT_LT((moved.point(i, j, k) - Point(i, j, k) - displacement).norm(), kTiny);
   }
 }
 
@@ -162,13 +155,11 @@ Lattice renamed(const Lattice& lattice, const Index3& to) {
   Index3 dims{};
   for (int a = 0; a < 3; ++a) dims[axis(a)] = d[static_cast<std::size_t>(a)];
   Points points(lattice.points().rows(), 3);
-  for (int row = 0; row < d[0] * d[1] * d[2]; ++row) {
-    const Index3 from{row / (d[1] * d[2]), row / d[2] % d[1], row % d[2]};
+  for (const Index3& from : places(d)) {
     Index3 at{};
     for (int a = 0; a < 3; ++a) at[axis(a)] = from[static_cast<std::size_t>(a)];
     const Eigen::Index target = (at[0] * dims[1] + at[1]) * dims[2] + at[2];
-    for (int a = 0; a < 3; ++a)
-      points(target, to[static_cast<std::size_t>(a)]) = lattice.points()(row, a);
+    for (int a = 0; a < 3; ++a) points(target, static_cast<int>(axis(a))) = lattice.point(from)[a];
   }
   return Lattice(dims, points);
 }

@@ -173,21 +173,15 @@ TEST(Deformation, TwistInterpolatesTheCorners) {
   const Index3 dims{4, 6, 5};
   const Lattice start = Box(Point(-2, 0.5, 3), Eigen::Vector3d(2, 3, 5).asDiagonal()).lattice(dims);
   const Lattice twisted = deform("twist:50", start);
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) {
-        Point expected = Point::Zero();
-        for (int c = 0; c < 8; ++c) {
-          const double a = (c & 4) != 0 ? i / 3.0 : 1.0 - i / 3.0;
-          const double b = (c & 2) != 0 ? j / 5.0 : 1.0 - j / 5.0;
-          const double d = (c & 1) != 0 ? k / 4.0 : 1.0 - k / 4.0;
-          expected +=
-              a * b * d *
-              twisted.point((c & 4) != 0 ? 3 : 0, (c & 2) != 0 ? 5 : 0, (c & 1) != 0 ? 4 : 0);
-        }
-        expect_point(twisted.point(i, j, k), expected);
-      }
+  for (const auto& [i, j, k] : places(dims)) {
+    Point expected = Point::Zero();
+    for (const auto& [x, y, z] : places({2, 2, 2})) {
+      const double a = x != 0 ? i / 3.0 : 1.0 - i / 3.0;
+      const double b = y != 0 ? j / 5.0 : 1.0 - j / 5.0;
+      const double d = z != 0 ? k / 4.0 : 1.0 - k / 4.0;
+      expected += a * b * d * twisted.point(3 * x, 5 * y, 4 * z);
     }
+    expect_point(twisted.point(i, j, k), expected);
   }
   const Point corner = start.point(3, 5, 0) - Point(-1, 0, 5.5);
   const double angle = 50.0 / kDegreesPerRadian;
@@ -243,13 +237,9 @@ TEST(Deformation, HelixTurnsWhatTheCellsHold) {
 
 TEST(Deformation, ShearLowersLeftAndLiftsRight) {
   const Lattice sheared = deform("shear:0.5", cube());
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 4; ++k) {
-        const double lift = 1.5 * (2.0 * i / 3.0 - 1.0) * (1.0 - j / 3.0);
-        expect_point(sheared.point(i, j, k), Point(i, j + lift, k));
-      }
-    }
+  for (const auto& [i, j, k] : places({4, 4, 4})) {
+    const double lift = 1.5 * (2.0 * i / 3.0 - 1.0) * (1.0 - j / 3.0);
+    expect_point(sheared.point(i, j, k), Point(i, j + lift, k));
   }
   EXPECT_LT(sheared.point(0, 0, 0).y(), 0.0);
   EXPECT_GT(sheared.point(3, 0, 0).y(), 0.0);

@@ -35,13 +35,9 @@ double determinant(const Lattice& lattice, const Index3& cell, const Eigen::Vect
 /// The smallest det J on a grid over all cells: an upper bound of the smallest there is.
 double least_on_grid(const Lattice& lattice, int steps) {
   double least = 1e300;
-  const Index3 cells = lattice.cells();
-  for (int i = 0; i < cells[0] * cells[1] * cells[2]; ++i) {
-    const Index3 cell{i / (cells[1] * cells[2]), i / cells[2] % cells[1], i % cells[2]};
-    for (int n = 0; n < (steps + 1) * (steps + 1) * (steps + 1); ++n) {
-      const Eigen::Vector3d local(n / (steps + 1) / (steps + 1), n / (steps + 1) % (steps + 1),
-                                  n % (steps + 1));
-      least = std::min(least, determinant(lattice, cell, local / steps));
+  for (const Index3& cell : places(lattice.cells())) {
+    for (const auto& [i, j, k] : places({steps + 1, steps + 1, steps + 1})) {
+      least = std::min(least, determinant(lattice, cell, Eigen::Vector3d(i, j, k) / steps));
     }
   }
   return least;

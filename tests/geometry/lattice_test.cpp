@@ -13,11 +13,7 @@ namespace {
 Lattice numbered(const Index3& dims) {
   Points points(dims[0] * dims[1] * dims[2], 3);
   Eigen::Index row = 0;
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) points.row(row++) << i, 10 * j, 100 * k;
-    }
-  }
+  for (const auto& [i, j, k] : places(dims)) points.row(row++) << i, 10 * j, 100 * k;
   return Lattice(dims, points);
 }
 
@@ -33,19 +29,14 @@ TEST(Lattice, OrderOfPoints) {
 
 TEST(Lattice, SupportOfEveryCell) {
   const Lattice lattice = numbered({5, 6, 8});
-  const Index3 cells = lattice.cells();
   int checked = 0;
-  for (int a = 0; a < cells[0]; ++a) {
-    for (int b = 0; b < cells[1]; ++b) {
-      for (int c = 0; c < cells[2]; ++c) {
-        const Support support = lattice.support({a, b, c});
-        for (int row = 0; row < 64; ++row) {
-          const Index3 at{a + row / 16, b + row / 4 % 4, c + row % 4};
-          const Point expected(at[0], 10 * at[1], 100 * at[2]);
-          EXPECT_EQ(Point(support.row(row)), expected);
-          ++checked;
-        }
-      }
+  for (const auto& [a, b, c] : places(lattice.cells())) {
+    const Support support = lattice.support({a, b, c});
+    for (int row = 0; row < 64; ++row) {
+      const Index3 at{a + row / 16, b + row / 4 % 4, c + row % 4};
+      const Point expected(at[0], 10 * at[1], 100 * at[2]);
+      EXPECT_EQ(Point(support.row(row)), expected);
+      ++checked;
     }
   }
   EXPECT_EQ(checked, 2 * 3 * 5 * 64);

@@ -35,17 +35,13 @@ Points points_outside(const Embedder& embedder, int count, double reach, std::ui
 
 /// A grid of n x n x n places of every cell.
 Points sampled(const Embedder& embedder, int n) {
-  const Index3 cells = embedder.lattice().cells();
-  std::vector<Embedded> places;
-  for (int c = 0; c < cells[0] * cells[1] * cells[2]; ++c) {
-    for (int p = 0; p < n * n * n; ++p) {
-      const Eigen::Vector3i step(p / (n * n), p / n % n, p % n);
-      places.push_back({{c / (cells[1] * cells[2]), c / cells[2] % cells[1], c % cells[2]},
-                        step.cast<double>() / (n - 1),
-                        true});
+  std::vector<Embedded> grid;
+  for (const Index3& cell : places(embedder.lattice().cells())) {
+    for (const auto& [i, j, k] : places({n, n, n})) {
+      grid.push_back({cell, Eigen::Vector3d(i, j, k) / (n - 1), true});
     }
   }
-  return embed::points_at(embedder, places);
+  return embed::points_at(embedder, grid);
 }
 
 struct Case {

@@ -48,16 +48,12 @@ TEST(RoundLattice, ClosesAround) {
                                  Cylinder(Point(1, 2, 3), kUnit).lattice({5, 4, 16}),
                                  Sphere(Point(-1, 0, 9), kUnit).lattice({4, 5, 9})}) {
     const Index3& dims = lattice.dims();
-    for (int i = 0; i < dims[0]; ++i) {
-      for (int j = 0; j < dims[1]; ++j) {
-        for (int k = 0; k < 3; ++k) {
-          EXPECT_EQ(lattice.point(i, j, k), lattice.point(i, j, dims[2] - 3 + k));
-          if (i == dims[0] - 1 && j == 2) {
-            EXPECT_NE(lattice.point(i, j, k), lattice.point(i, j, k + 1));
-          }
-          checked += 1;
-        }
+    for (const auto& [i, j, k] : places({dims[0], dims[1], 3})) {
+      EXPECT_EQ(lattice.point(i, j, k), lattice.point(i, j, dims[2] - 3 + k));
+      if (i == dims[0] - 1 && j == 2) {
+        EXPECT_NE(lattice.point(i, j, k), lattice.point(i, j, k + 1));
       }
+      checked += 1;
     }
     const Point first = over_cells(lattice, {0.7, 0.4, 0.0});
     EXPECT_LT((first - over_cells(lattice, {0.7, 0.4, 1.0})).norm(), 1e-15 * 10);

@@ -40,16 +40,12 @@ TEST_F(DrawLattice, EveryControlPointIsASphere) {
 
 TEST_F(DrawLattice, NeighboursAreJoinedAndOthersAreNot) {
   int joined = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 5; ++k) {
-        const Point here = lattice_.point(i, j, k);
-        for (const Point& next : {lattice_.point(i + 1, j, k), lattice_.point(i, j + 1, k),
-                                  lattice_.point(i, j, k + 1)}) {
-          EXPECT_FALSE(is_background(at((here + next) / 2))) << i << j << k;
-          ++joined;
-        }
-      }
+  for (const auto& [i, j, k] : places({3, 4, 5})) {
+    const Point here = lattice_.point(i, j, k);
+    for (const Point& next :
+         {lattice_.point(i + 1, j, k), lattice_.point(i, j + 1, k), lattice_.point(i, j, k + 1)}) {
+      EXPECT_FALSE(is_background(at((here + next) / 2))) << i << j << k;
+      ++joined;
     }
   }
   EXPECT_EQ(joined, 180);

@@ -9,12 +9,6 @@ namespace {
 
 constexpr double kSamePlace = 0.5;  // pixels
 
-Index3 place_of(const Lattice& lattice, Eigen::Index row) {
-  const int index = static_cast<int>(row);
-  const Index3& d = lattice.dims();
-  return {index / (d[1] * d[2]), index / d[2] % d[1], index % d[2]};
-}
-
 }  // namespace
 
 LatticeDrag::LatticeDrag(Lattice lattice) : first_(std::move(lattice)), lattice_(first_) {}
@@ -22,8 +16,8 @@ LatticeDrag::LatticeDrag(Lattice lattice) : first_(std::move(lattice)), lattice_
 bool LatticeDrag::grab(const Screen& screen, const Pixels& mouse) {
   held_.reset();
   double nearest = 0;
-  for (Eigen::Index row = 0; row < lattice_.points().rows(); ++row) {
-    const std::optional<Screen::Seen> seen = screen.project(lattice_.points().row(row));
+  for (const Index3& place : places(lattice_.dims())) {
+    const std::optional<Screen::Seen> seen = screen.project(lattice_.point(place));
     if (!seen) continue;
     const Pixels offset = seen->place - mouse;
     const double distance = offset.norm();
@@ -33,17 +27,16 @@ bool LatticeDrag::grab(const Screen& screen, const Pixels& mouse) {
       if (distance > nearest - kSamePlace && !in_front) continue;
     }
     nearest = distance;
-    held_.emplace(Held{place_of(lattice_, row), seen->depth, offset, lattice_});
+    held_.emplace(Held{place, seen->depth, offset, lattice_});
   }
   return holds();
 }
 
 void LatticeDrag::drag(const Screen& screen, const Pixels& mouse) {
   if (!held_) return;
-  const Index3& at = held_->place;
   const Point to = screen.unproject(mouse + held_->offset, held_->depth);
-  const Point by = to - held_->lattice.point(at[0], at[1], at[2]);
-  lattice_ = Deformation::move(at, by).apply(held_->lattice);
+  const Point by = to - held_->lattice.point(held_->place);
+  lattice_ = Deformation::move(held_->place, by).apply(held_->lattice);
 }
 
 void LatticeDrag::reset() {

@@ -42,11 +42,9 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
 /// The lowest and the highest corner of a cell along an axis: what a shape holds is between them.
 std::array<double, 2> reach_of_cells(const Lattice& lattice, int axis) {
   const Oracle oracle;
-  const Index3 count = lattice.cells();
   std::array<double, 2> reach{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};
-  for (int n = 0; n < count[0] * count[1] * count[2]; ++n) {
-    const Index3 cell{n / (count[1] * count[2]), n / count[2] % count[1], n % count[2]};
+  for (const Index3& cell : places(lattice.cells())) {
     const Support support = lattice.support(cell);
     for (int corner = 0; corner < 8; ++corner) {
       const double height =
@@ -91,11 +89,10 @@ Points Deformation::moved(const Lattice& lattice, const Closure& closure) const 
     case Kind::kRandom:
       jitter(points, frame, arguments_.seed);
       break;
-    case Kind::kMove: {
-      const Index3 at = first_place(arguments_.place, lattice, closure);
-      points.row(lattice.index(at[0], at[1], at[2])) += arguments_.vector.transpose();
+    case Kind::kMove:
+      points.row(lattice.index(first_place(arguments_.place, lattice, closure))) +=
+          arguments_.vector.transpose();
       break;
-    }
     case Kind::kNone:
     case Kind::kTo:
       break;

@@ -32,23 +32,18 @@ Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of
   const Points& points = lattice_.points();
   check_volume(points);
   centre_ = (points.colwise().minCoeff() + points.colwise().maxCoeff()) / 2;
-  const Index3 count = lattice_.cells();
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
-  for (int i = 0; i < count[0]; ++i) {
-    for (int j = 0; j < count[1]; ++j) {
-      for (int k = 0; k < count[2]; ++k) {
-        Support support = lattice_.support({i, j, k});
-        support.rowwise() -= centre_.transpose();
-        BezierVolume hull = BezierVolume::of_cell(support);
-        const Point least = hull.coefficients().colwise().minCoeff();
-        const Point most = hull.coefficients().colwise().maxCoeff();
-        const Point middle = oracle_.evaluate(support, 0.5, 0.5, 0.5);
-        low = low.cwiseMin(least);
-        high = high.cwiseMax(most);
-        cells_.push_back({{i, j, k}, support, std::move(hull), least, most, middle});
-      }
-    }
+  for (const Index3& cell : places(lattice_.cells())) {
+    Support support = lattice_.support(cell);
+    support.rowwise() -= centre_.transpose();
+    BezierVolume hull = BezierVolume::of_cell(support);
+    const Point least = hull.coefficients().colwise().minCoeff();
+    const Point most = hull.coefficients().colwise().maxCoeff();
+    const Point middle = oracle_.evaluate(support, 0.5, 0.5, 0.5);
+    low = low.cwiseMin(least);
+    high = high.cwiseMax(most);
+    cells_.push_back({cell, support, std::move(hull), least, most, middle});
   }
   size_ = (high - low).maxCoeff();
   // Far from the origin, points of the cells and points to embed are rounded themselves.

@@ -55,14 +55,10 @@ class Check {
     const Point centre = (low + high) / 2;
     size_ = (high - low).maxCoeff();
     const Index3 count = lattice.cells();
-    for (int i = 0; i < count[0]; ++i) {
-      for (int j = 0; j < count[1]; ++j) {
-        for (int k = 0; k < count[2]; ++k) {
-          Support support = lattice.support({i, j, k});
-          support.rowwise() -= centre.transpose();
-          add_cell(count, {i, j, k}, BezierVolume::of_cell(support));
-        }
-      }
+    for (const Index3& cell : places(count)) {
+      Support support = lattice.support(cell);
+      support.rowwise() -= centre.transpose();
+      add_cell(count, cell, BezierVolume::of_cell(support));
     }
     sign_ = result_.volume < 0 ? -1.0 : 1.0;
   }

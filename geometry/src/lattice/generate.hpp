@@ -17,11 +17,7 @@ Lattice generate_lattice(const Index3& dims, F at) {
   Lattice::check_dims(dims);
   Points points(static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2], 3);
   Eigen::Index row = 0;
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) points.row(row++) = Point(at(i, j, k));
-    }
-  }
+  for (const auto& [i, j, k] : places(dims)) points.row(row++) = Point(at(i, j, k));
   return Lattice(dims, std::move(points));
 }
 

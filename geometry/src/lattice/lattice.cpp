@@ -6,6 +6,15 @@
 #include "hwffd/lattice/coordinates.hpp"
 
 namespace hwffd {
+
+std::vector<Index3> places(const Index3& counts) {
+  std::vector<Index3> all;
+  for (int n = 0; n < counts[0] * counts[1] * counts[2]; ++n) {
+    all.push_back({n / (counts[1] * counts[2]), n / counts[2] % counts[1], n % counts[2]});
+  }
+  return all;
+}
+
 void Lattice::check_dims(const Index3& dims) {
   for (const int n : dims) {
     if (n >= kMinPoints && n <= kMaxPoints) continue;

@@ -29,12 +29,8 @@ Corners corners_of(const Lattice& lattice) {
 Points fractions_by_index(const Index3& dims) {
   Points fractions(static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2], 3);
   Eigen::Index row = 0;
-  for (int i = 0; i < dims[0]; ++i) {
-    for (int j = 0; j < dims[1]; ++j) {
-      for (int k = 0; k < dims[2]; ++k) {
-        fractions.row(row++) << i / (dims[0] - 1.0), j / (dims[1] - 1.0), k / (dims[2] - 1.0);
-      }
-    }
+  for (const auto& [i, j, k] : places(dims)) {
+    fractions.row(row++) << i / (dims[0] - 1.0), j / (dims[1] - 1.0), k / (dims[2] - 1.0);
   }
   return fractions;
 }

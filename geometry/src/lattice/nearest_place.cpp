@@ -59,8 +59,7 @@ NearestPlace::NearestPlace(const Lattice& lattice)
   const Index3 count = lattice.cells();
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
-  for (int n = 0; n < count[0] * count[1] * count[2]; ++n) {
-    const Index3 cell{n / (count[1] * count[2]), n / count[2] % count[1], n % count[2]};
+  for (const Index3& cell : places(count)) {
     const BezierVolume hull = BezierVolume::of_cell(lattice_.support(cell));
     for (int f = 0; f < 6; ++f) {
       const int axis = f / 2;

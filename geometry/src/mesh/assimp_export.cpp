@@ -1,6 +1,8 @@
 #include "mesh/assimp_export.hpp"
 
 #include <assimp/SceneCombiner.h>
+#include <assimp/cexport.h>
+#include <assimp/config.h>
 #include <assimp/material.h>
 #include <fmt/format.h>
 
@@ -9,7 +11,6 @@
 #include <system_error>
 
 #include "hwffd/error.hpp"
-#include "mesh/memory_io.hpp"
 #include "mesh/scene.hpp"
 #include "mesh/utf8.hpp"
 
@@ -107,15 +108,17 @@ void copy_all(T**& items, unsigned& count, T* const* from, unsigned number) {
 Files assimp_export(const aiScene& scene, const std::string& exporter_name,
                     const std::string& name) {
   Assimp::Exporter exporter;
-  auto* memory = new MemoryIo();  // owned by the exporter
-  exporter.SetIOHandler(memory);
-  if (exporter.Export(&scene, exporter_name, name) != aiReturn_SUCCESS) {
+  Assimp::ExportProperties properties;
+  properties.SetPropertyString(AI_CONFIG_EXPORT_BLOB_NAME, name);
+  const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, exporter_name, 0, &properties);
+  if (blob == nullptr) {
     throw Error(
         fmt::format("cannot write the mesh ({}); try another format", exporter.GetErrorString()));
   }
   Files files;
-  for (const auto& [file, bytes] : memory->files()) {
-    files[fs::path(file).filename().string()] = bytes;
+  for (; blob != nullptr; blob = blob->next) {
+    files[fs::path(blob->name.C_Str()).filename().string()] =
+        std::string(static_cast<const char*>(blob->data), blob->size);
   }
   return files;
 }

@@ -6,7 +6,8 @@
 
 namespace hwffd {
 
-/// What Assimp's exporter of this name makes of a scene.
+/// What Assimp's exporter of this name makes of a scene, in memory: it does not check its writes,
+/// write_files() does.
 /// @throws Error without the name of the file
 Files assimp_export(const aiScene& scene, const std::string& exporter, const std::string& name);
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "hwffd/mesh/extension.hpp"
@@ -29,46 +28,29 @@ enum class Feature {
   kLooseVertices,
 };
 
-const char* text_of(Feature feature) {
-  static const std::map<Feature, const char*> kTexts = {
-      {Feature::kNumbers, "order of vertices"},
-      {Feature::kNormals, "smooth normals"},
-      {Feature::kTextureCoordinates, "texture coordinates"},
-      {Feature::kMoreTextureCoordinates, "further texture coordinates"},
-      {Feature::kColours, "colours"},
-      {Feature::kMoreColours, "further colours"},
-      {Feature::kMaterials, "materials"},
-      {Feature::kTexturesInside, "textures inside the file"},
-      {Feature::kNames, "part names"},
-      {Feature::kEmptyNodes, "names of empty objects"},
-      {Feature::kPolygons, "polygons (cut into triangles)"},
-      {Feature::kLines, "lines"},
-      {Feature::kPoints, "points"},
-      {Feature::kLooseVertices, "unused vertices"}};
-  return kTexts.at(feature);
-}
+/// A feature, how it is called, and the extensions of formats that do not hold it or whose writers
+/// do not write it.
+struct Loss {
+  Feature feature;
+  const char* text;
+  const char* formats;
+};
 
-/// What each format does not hold, or its writer does not write.
-const std::set<Feature>& not_held_by(const std::string& extension) {
-  using F = Feature;
-  static const std::set<F> kGltf{F::kPolygons};
-  static const std::map<std::string, std::set<F>> kNotHeld = {
-      {".obj", {F::kMoreTextureCoordinates, F::kMoreColours, F::kTexturesInside, F::kEmptyNodes}},
-      {".ply",
-       {F::kMoreTextureCoordinates, F::kMoreColours, F::kMaterials, F::kTexturesInside, F::kNames,
-        F::kEmptyNodes}},
-      {".off",
-       {F::kNormals, F::kTextureCoordinates, F::kColours, F::kMaterials, F::kTexturesInside,
-        F::kNames, F::kEmptyNodes}},
-      {".stl",
-       {F::kNumbers, F::kNormals, F::kTextureCoordinates, F::kColours, F::kMaterials,
-        F::kTexturesInside, F::kNames, F::kEmptyNodes, F::kPolygons, F::kLines, F::kPoints,
-        F::kLooseVertices}},
-      {".glb", kGltf},
-      {".gltf", kGltf},
-      {".dae", {F::kPoints}}};
-  return kNotHeld.at(extension);
-}
+constexpr Loss kLosses[] = {
+    {Feature::kNumbers, "order of vertices", ".stl"},
+    {Feature::kNormals, "smooth normals", ".off .stl"},
+    {Feature::kTextureCoordinates, "texture coordinates", ".off .stl"},
+    {Feature::kMoreTextureCoordinates, "further texture coordinates", ".obj .ply"},
+    {Feature::kColours, "colours", ".off .stl"},
+    {Feature::kMoreColours, "further colours", ".obj .ply"},
+    {Feature::kMaterials, "materials", ".ply .off .stl"},
+    {Feature::kTexturesInside, "textures inside the file", ".obj .ply .off .stl"},
+    {Feature::kNames, "part names", ".ply .off .stl"},
+    {Feature::kEmptyNodes, "names of empty objects", ".obj .ply .off .stl"},
+    {Feature::kPolygons, "polygons (cut into triangles)", ".stl .glb .gltf"},
+    {Feature::kLines, "lines", ".stl"},
+    {Feature::kPoints, "points", ".stl .dae"},
+    {Feature::kLooseVertices, "unused vertices", ".stl"}};
 
 /// One normal or texture coordinate a vertex.
 bool repeats_in_format(const std::string& extension) {
@@ -134,14 +116,14 @@ std::set<Feature> features_of(const aiScene& scene) {
 
 std::vector<std::string> losses_of(const Output& output, bool is_numbered) {
   const std::string extension = extension_of(output.path);
-  const std::set<Feature>& not_held = not_held_by(extension);
   std::set<Feature> found = features_of(output.scene);
   if (is_numbered) found.insert(Feature::kNumbers);
   std::vector<std::string> losses;
-  for (const Feature feature : found) {
+  for (const auto& [feature, text, formats] : kLosses) {
     const bool is_repeated =
         feature == Feature::kNumbers && repeats_in_format(extension) && repeats_vertices(output);
-    if (is_repeated || not_held.count(feature) != 0) losses.emplace_back(text_of(feature));
+    const bool is_held = (std::string(formats) + " ").find(extension + " ") == std::string::npos;
+    if (found.count(feature) != 0 && (is_repeated || !is_held)) losses.emplace_back(text);
   }
   return losses;
 }

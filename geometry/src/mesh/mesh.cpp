@@ -3,7 +3,6 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -137,20 +136,6 @@ void Mesh::orient_faces(bool turned) {
   find_triangles();
 }
 
-Points Mesh::smooth_normals() const {
-  Points normals = Points::Zero(positions_.rows(), 3);
-  for (const Triangle& t : triangles_) {
-    const Eigen::Vector3d a = positions_.row(t[0]);
-    const Eigen::Vector3d b = positions_.row(t[1]);
-    const Eigen::Vector3d c = positions_.row(t[2]);
-    const Eigen::Vector3d area = (b - a).cross(c - a);
-    for (const std::uint32_t v : t) normals.row(v) += area;
-  }
-  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    const Eigen::Vector3d n = normals.row(i).transpose().stableNormalized();
-    normals.row(i) = n.isZero() ? Eigen::Vector3d::UnitY() : n;
-  }
-  return normals;
-}
+Points Mesh::smooth_normals() const { return hwffd::smooth_normals(positions_, triangles_); }
 
 }  // namespace hwffd

@@ -2,11 +2,11 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh/normals.hpp"
 
 namespace hwffd {
 namespace {
@@ -35,22 +35,6 @@ aiVector3D to_assimp(const Point& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-Points normals_of(const Part& part) {
-  Points normals = Points::Zero(part.positions.rows(), 3);
-  for (const Mesh::Triangle& t : part.triangles) {
-    const Point a = part.positions.row(t[0]);
-    const Point b = part.positions.row(t[1]);
-    const Point c = part.positions.row(t[2]);
-    const Point area = (b - a).cross(c - a);
-    for (const std::uint32_t v : t) normals.row(v) += area;
-  }
-  for (Eigen::Index v = 0; v < normals.rows(); ++v) {
-    const Point normal = normals.row(v).transpose().stableNormalized();
-    normals.row(v) = normal.isZero() ? Point::UnitY() : normal;
-  }
-  return normals;
-}
-
 aiMesh* mesh_of(const Part& part, unsigned material) {
   auto* mesh = new aiMesh();
   mesh->mName = part.name;
@@ -59,7 +43,7 @@ aiMesh* mesh_of(const Part& part, unsigned material) {
   mesh->mNumVertices = static_cast<unsigned>(part.positions.rows());
   mesh->mVertices = new aiVector3D[mesh->mNumVertices];
   mesh->mNormals = new aiVector3D[mesh->mNumVertices];
-  const Points normals = normals_of(part);
+  const Points normals = smooth_normals(part.positions, part.triangles);
   for (unsigned v = 0; v < mesh->mNumVertices; ++v) {
     mesh->mVertices[v] = to_assimp(part.positions.row(v));
     mesh->mNormals[v] = to_assimp(normals.row(v));

@@ -52,6 +52,20 @@ Eigen::Vector3d area_of(const aiMesh& part, const aiFace& face) {
 
 }  // namespace
 
+Points smooth_normals(const Points& points, const std::vector<Mesh::Triangle>& triangles) {
+  Points normals = Points::Zero(points.rows(), 3);
+  for (const Mesh::Triangle& t : triangles) {
+    const Point a = points.row(t[0]);
+    const Point area = (Point(points.row(t[1])) - a).cross(Point(points.row(t[2])) - a);
+    for (const std::uint32_t v : t) normals.row(v) += area;
+  }
+  for (Eigen::Index v = 0; v < normals.rows(); ++v) {
+    const Point normal = normals.row(v).transpose().stableNormalized();
+    normals.row(v) = normal.isZero() ? Point::UnitY() : normal;
+  }
+  return normals;
+}
+
 bool is_mirror(const std::vector<Eigen::Matrix3d>& gradients) {
   bool some = false;
   for (const Eigen::Matrix3d& gradient : gradients) {

@@ -6,7 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "hwffd/mesh/mesh.hpp"
+
 namespace hwffd {
+
+/// Unit normals of points, smooth over all edges, weighted by area; (0, 1, 0) where the faces give
+/// no direction.
+Points smooth_normals(const Points& points, const std::vector<Mesh::Triangle>& triangles);
 
 /// Whether a deformation with these derivatives is a mirror: some are known, and the determinant
 /// of each known one is negative. A matrix that is not finite or singular is not known.

@@ -6,6 +6,9 @@
 
 namespace hwffd {
 
+/// All places in a grid of that many along s, t and u, in the order of Lattice::index().
+std::vector<Index3> places(const Index3& counts);
+
 /// A lattice of n_s x n_t x n_u control points, of any shape (paper, section 2). Point (i, j, k),
 /// i along s, j along t, k along u, has the index (i*n_t + j)*n_u + k: u runs fastest. In a 4 x 5 x
 /// 6 lattice (0, 0, 1) is point 1, (0, 1, 0) is point 6 and (1, 0, 0) is point 30.
@@ -37,7 +40,9 @@ class Lattice {
   Eigen::Index index(int i, int j, int k) const {
     return (static_cast<Eigen::Index>(i) * dims_[1] + j) * dims_[2] + k;
   }
+  Eigen::Index index(const Index3& at) const { return index(at[0], at[1], at[2]); }
   Point point(int i, int j, int k) const { return points_.row(index(i, j, k)); }
+  Point point(const Index3& at) const { return points_.row(index(at)); }
 
   /// The 64 control points that deform a cell: row (l*4 + m)*4 + n is point (c_s+l, c_t+m, c_u+n).
   /// @throws Error if the lattice has no such cell
