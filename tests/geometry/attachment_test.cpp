@@ -1,3 +1,5 @@
+// Points attached to lattices: inside, outside, and to one lattice after the other.
+
 #include "hwffd/lattice/attachment.hpp"
 
 #include <gtest/gtest.h>
@@ -10,24 +12,68 @@
 #include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
+#include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/outside.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
+#include "same_bits.hpp"
 
 namespace hwffd {
 namespace {
+
+TEST(Outside, WeightsOfKeepAndClamp) {
+  for (const double distance : {0.0, 1e-9, 1.0, 1e9}) {
+    EXPECT_EQ(Outside::parse("keep").weight(distance), 0.0);
+    EXPECT_EQ(Outside::parse("clamp").weight(distance), 1.0);
+  }
+  EXPECT_EQ(Outside::parse("keep").kind(), Outside::Kind::kKeep);
+  EXPECT_EQ(Outside::parse("clamp").kind(), Outside::Kind::kClamp);
+  EXPECT_EQ(Outside::parse("clamp").width(), 0.0);
+}
+
+TEST(Outside, FadeFallsSmoothlyFromOneToZero) {
+  const Outside fade = Outside::parse("fade:2.5");
+  EXPECT_EQ(fade.kind(), Outside::Kind::kFade);
+  EXPECT_EQ(fade.width(), 2.5);
+  EXPECT_EQ(fade.weight(0.0), 1.0);
+  EXPECT_EQ(fade.weight(1.25), 0.5);
+  EXPECT_EQ(fade.weight(2.5), 0.0);
+  EXPECT_EQ(fade.weight(3.0), 0.0);
+  double steepest = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double drop = fade.weight(i * 0.0025) - fade.weight((i + 1) * 0.0025);
+    EXPECT_GT(drop, 0.0) << i;
+    steepest = std::max(steepest, drop / 0.0025);
+  }
+  EXPECT_NEAR(steepest, 1.5 / 2.5, 1e-5);
+  // The slope is zero at both ends: C1 with the constant weights beyond.
+  EXPECT_LT((1.0 - fade.weight(1e-6)) / 1e-6, 1e-5);
+  EXPECT_LT(fade.weight(2.5 - 1e-6) / 1e-6, 1e-5);
+}
+
+TEST(Outside, RefusesTheRest) {
+  const std::string accepted = "; accepted are keep, clamp and fade:WIDTH";
+  for (const std::string text : {"", "fade", "Keep", "keep:1", "clamp:", "drop"}) {
+    EXPECT_USAGE_ERROR(
+        Outside::parse(text),
+        std::string("outside '").append(text).append("' is unknown").append(accepted));
+  }
+  for (const std::string width : {"", "0", "-1", "nan", "inf", "1e999", "x", "1 ", "0x1"}) {
+    const std::string message = message_of<UsageError>([&] { Outside::parse("fade:" + width); });
+    expect_part(message, "outside 'fade:" + width + "': ");
+    const std::string what = "' is not a finite number above 0";
+    expect_part(message, std::string("'").append(width).append(what).append(accepted));
+  }
+}
 
 const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
 
 Lattice unit_box() { return Box(Point::Zero(), kUnit).lattice({5, 4, 4}); }
 
-Points evaluate(const Lattice& lattice, const std::vector<Embedded>& places) {
-  return embed::points_at(Embedder(lattice), places);
-}
-
 /// The points when the lattice they are attached to is deformed.
 Points followed(const Attachment& attachment, const Lattice& deformed) {
-  return attachment.follow(evaluate(deformed, attachment.places()));
+  return attachment.follow(embed::points_at(Embedder(deformed), attachment.places()));
 }
 
 Attachment attached(const Lattice& rest, const Points& points, const char* outside) {
@@ -242,6 +288,79 @@ TEST(Attachment, TornEdgesAreCountedOnce) {
   EXPECT_EQ(attached(unit_box(), points, "keep").torn_edges(triangles), 4u);
   EXPECT_EQ(attached(unit_box(), points, "clamp").torn_edges(triangles), 0u);
   EXPECT_EQ(attached(unit_box(), points, "fade:0.1").torn_edges(triangles), 0u);
+}
+
+struct Stage {
+  Lattice rest;
+  Lattice deformed;
+};
+
+Stage stage(const Lattice& rest, const std::string& deformation) {
+  return {rest, Deformation::parse(deformation).apply(rest)};
+}
+
+/// A tall box around everything, twisted; in its middle a thin can, which swells.
+const Eigen::Matrix3d kBox = Eigen::Vector3d(4, 6, 4).asDiagonal();
+const Eigen::Matrix3d kCan = Eigen::Vector3d(1, 2, 1).asDiagonal();
+Stage global_stage() { return stage(Box(Point(-2, 0, -2), kBox).lattice({6, 7, 6}), "twist:80"); }
+Stage local_stage() {
+  return stage(Cylinder(Point(0, 2, 0), kCan).lattice({4, 6, 11}), "scale:1.3,1,1.2");
+}
+
+Points after(const Stage& stage, const Points& points) {
+  return followed(attached(stage.rest, points, "keep"), stage.deformed);
+}
+
+/// A grid in the box, most of it outside the can.
+Points grid() {
+  Points points(9 * 13 * 9, 3);
+  Eigen::Index row = 0;
+  for (const auto& [i, j, k] : places({9, 13, 9})) {
+    points.row(row++) = Point(-1.6, 0.5, -1.6) + 0.4 * Point(i, j, k);
+  }
+  return points;
+}
+
+/// One point at a time, without Attachment: where the stage takes it.
+Point by_hand(const Stage& stage, const Point& point) {
+  const Embedding found = Embedder(stage.rest).embed(point);
+  if (found.status != EmbeddingStatus::kInside) return point;
+  return Embedder(stage.deformed).point(found.at);
+}
+
+TEST(Hierarchy, StagesComposeAndTheRestFollowsTheGlobalOneAlone) {
+  const Stage local = local_stage();
+  const Stage global = global_stage();
+  const Points points = grid();
+  const Points both = after(global, after(local, points));
+  const Points global_only = after(global, points);
+  const Embedder can(local.rest);
+  int inside = 0;
+  int outside = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Point point = points.row(i);
+    const Point result = both.row(i);
+    if (can.embed(point).status == EmbeddingStatus::kOutside) {
+      EXPECT_TRUE(same_bits(result, Point(global_only.row(i)))) << i;
+      ++outside;
+      continue;
+    }
+    EXPECT_TRUE(same_bits(result, by_hand(global, by_hand(local, point)))) << i;
+    if (point[0] != 0.0 && point[2] != 0.0) {
+      EXPECT_GT((result - Point(global_only.row(i))).norm(), 1e-3) << i;
+    }
+    ++inside;
+  }
+  EXPECT_GT(inside, 80);
+  EXPECT_GT(outside, 800);
+}
+
+/// In the other order the local lattice would stay where the object was.
+TEST(Hierarchy, OrderMatters) {
+  const Points points = grid();
+  const Points right = after(global_stage(), after(local_stage(), points));
+  const Points wrong = after(local_stage(), after(global_stage(), points));
+  EXPECT_GT((right - wrong).rowwise().norm().maxCoeff(), 0.1);
 }
 
 }  // namespace

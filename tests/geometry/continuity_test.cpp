@@ -1,5 +1,6 @@
 // C2 across cells (paper, section 2: FFDs "can control surface continuity"): derivatives of eq. (1)
 // of orders 0, 1 and 2 are the same on both sides of a face, those of order 3 are not.
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,13 +8,14 @@
 #include <cstdio>
 #include <random>
 
-#include "fraction.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/oracle/oracle.hpp"
+#include "uniform.hpp"
 
 namespace hwffd {
 namespace {
 
+using Fraction = mpq_class;
 using Place = std::array<Fraction, 3>;
 
 constexpr std::size_t kSize = 5;  // points an axis: 2 x 2 x 2 cells
@@ -34,10 +36,10 @@ Fraction blending(int l, const Fraction& x, int order) {
       {{1, -3, 3, -1}, {4, 0, -6, 3}, {1, 3, 3, -3}, {0, 0, 0, 1}}};
   Fraction sum = 0;
   Fraction power = 1;
-  for (int n = order; n < 4; ++n, power = power * x) {
+  for (int n = order; n < 4; ++n, power *= x) {
     int factor = kSix[static_cast<std::size_t>(l)][static_cast<std::size_t>(n)];
     for (int i = 0; i < order; ++i) factor *= n - i;
-    sum = sum + Fraction(factor, 6) * power;
+    sum += factor * power / 6;
   }
   return sum;
 }
@@ -51,10 +53,10 @@ Fraction derivative(const Values& values, const Index3& cell, const Place& local
     Fraction weight = 1;
     std::size_t row = 0;
     for (std::size_t a = 0; a < 3; ++a) {
-      weight = weight * blending(at[a], local[a], order[a]);
+      weight *= blending(at[a], local[a], order[a]);
       row = row * kSize + cell[a] + at[a];
     }
-    sum = sum + weight * values[row];
+    sum += weight * values[row];
   }
   return sum;
 }
@@ -105,7 +107,7 @@ Shared compare_all(int order) {
   for (int n = 0; n < kLattices; ++n) {
     const Values values = random_values(random);
     Place inside;
-    for (Fraction& x : inside) x = Fraction(static_cast<std::int64_t>(random() % 8), 7);
+    for (Fraction& x : inside) x = Fraction(random() % 8) / 7;
     for (unsigned shared = 1; shared < 8; ++shared) {
       for (int axis = 0; axis < 3; ++axis) {
         if ((shared >> axis & 1) == 0) continue;
@@ -156,7 +158,7 @@ TEST(Continuity, InDoubleWithinRounding) {
     const Lattice lattice({kSize, kSize, kSize}, points);
     const int axis = n % 3;
     Eigen::Vector3d local;
-    for (double& x : local) x = static_cast<double>(random() >> 11) * 0x1p-53;
+    for (double& x : local) x = unit(random);
     const auto jet = [&](int side, double inwards) {
       Index3 cell{0, 0, 0};
       cell[static_cast<std::size_t>(axis)] = side;

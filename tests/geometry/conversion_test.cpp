@@ -10,24 +10,18 @@
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "uniform.hpp"
 
 namespace hwffd {
 namespace {
 
 const std::array<const char*, 4> kCubics{"bspline", "bernstein", "hermite", "catmull-rom"};
 
-class Uniform {
- public:
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  Support support() {
-    Support support;
-    for (int i = 0; i < 192; ++i) support(i / 3, i % 3) = 2 * (*this)() - 1;
-    return support;
-  }
-
- private:
-  std::mt19937_64 engine_{1};
-};
+Support random_support(std::mt19937_64& random) {
+  Support support;
+  for (int i = 0; i < 192; ++i) support(i / 3, i % 3) = 2 * unit(random) - 1;
+  return support;
+}
 
 TEST(Conversion, BSplineToBezierAsPublished) {
   Eigen::Matrix4d expected;
@@ -41,7 +35,7 @@ TEST(Conversion, BSplineToBezierAsPublished) {
 
 // Every cubic family to every other along each axis, another pair on the next axis.
 TEST(Conversion, BothFamiliesEvaluateAlike) {
-  Uniform uniform;
+  std::mt19937_64 random(1);
   int checked = 0;
   double largest = 0;
   for (int pair = 0; pair < 256; ++pair) {
@@ -56,12 +50,12 @@ TEST(Conversion, BothFamiliesEvaluateAlike) {
     }
     const Oracle before(from[0], from[1], from[2]);
     const Oracle after(to[0], to[1], to[2]);
-    const Support support = uniform.support();
+    const Support support = random_support(random);
     const Support converted = convert(support, k);
     for (int v = 0; v < 10; ++v, ++checked) {
-      const double s = uniform();
-      const double t = uniform();
-      const double u = uniform();
+      const double s = unit(random);
+      const double t = unit(random);
+      const double u = unit(random);
       const double off = (before.evaluate(support, s, t, u) - after.evaluate(converted, s, t, u))
                              .cwiseAbs()
                              .maxCoeff();
@@ -111,14 +105,14 @@ TEST_P(ConvertedModel, EvaluatesAlikeWithinTheBounds) {
     }
   }
   const auto k = conversion(Oracle::uniform_bspline(), Oracle::bernstein());
-  Uniform uniform;
+  std::mt19937_64 random(1);
   double largest = 0;
   int checked = 0;
   for (; checked < kVertices; ++checked) {
-    const Support support = uniform.support() / 2;
+    const Support support = random_support(random) / 2;
     const std::array<Support, 2> supports{support, convert(support, {k, k, k})};
     model::VertexWords words;
-    for (std::uint32_t& word : words.local) word = codec.coordinate(uniform());
+    for (std::uint32_t& word : words.local) word = codec.coordinate(unit(random));
     std::array<model::ResultWords, 2> results;
     for (int bank = 0; bank < 2; ++bank) {
       for (int i = 0; i < 192; ++i) words.points[i] = codec.point(supports[bank](i / 3, i % 3));
