@@ -7,41 +7,24 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import re
-import struct
-import subprocess
 import sys
-import tempfile
 import unittest
 
-PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import ProgramTest, size_of, vertices  # noqa: E402
 
 FRAMES = 9
 PYRAMID = """v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 2 0
 f 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n"""
 
 
-def vertices(text):
-    return [tuple(map(float, line.split()[1:4]))
-            for line in text.splitlines() if line.startswith("v ")]
-
-
-class MassSpring(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        (self.folder / "pyramid.obj").write_text(PYRAMID)
-
-    def run_program(self, *options):
-        return subprocess.run([PROGRAM, *options], cwd=self.folder, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True, check=False)
+class MassSpring(ProgramTest):
+    given = {"pyramid.obj": PYRAMID}
 
     def film(self, output):
-        done = self.run_program("--model", "pyramid.obj", "--frames", str(FRAMES), "--output",
-                                output)
+        done = self.call("--model", "pyramid.obj", "--frames", str(FRAMES), "--output", output)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        return done.stdout, {path.name: path.read_bytes()
-                             for path in (self.folder / output).iterdir()}
+        return done.stdout, self.files(output)
 
     def test_meshes_picture_and_energies(self):
         printed, files = self.film("out")
@@ -49,8 +32,7 @@ class MassSpring(unittest.TestCase):
         meshes = [name for name in sorted(files) if name.endswith(".obj")]
         self.assertEqual(meshes, names)
         self.assertIn("strip.png", files)
-        width, height = struct.unpack(">II", files["strip.png"][16:24])
-        self.assertEqual((width, height), (4 * 400, 2 * 260))
+        self.assertEqual(size_of(files["strip.png"]), (4 * 400, 2 * 260))
 
         rest = vertices(PYRAMID)
         shapes = [vertices(files[name].decode()) for name in names]
@@ -71,7 +53,7 @@ class MassSpring(unittest.TestCase):
     def test_bad_input(self):
         for options, word in ((("--frames", "3"), "4 to 9999"), (("--what",), "--help"),
                               (("--model", "nowhere.obj"), "nowhere.obj")):
-            done = self.run_program(*options)
+            done = self.call(*options)
             self.assertNotEqual(done.returncode, 0)
             self.assertRegex(done.stderr, r"\Ahwffd-example-mass-spring: [^\n]+\n\Z")
             self.assertIn(word, done.stderr)

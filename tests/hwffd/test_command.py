@@ -13,11 +13,10 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
-HWFFD = pathlib.Path(sys.argv.pop(1)).resolve()
-USAGE, FAILURE = 2, 1
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import FAILURE, PROGRAM, USAGE, ProgramTest, vertices  # noqa: E402
 
 # A tetrahedron and two loose triangles, with texture coordinates, groups and a material.
 MESH = """mtllib solid.mtl
@@ -127,34 +126,18 @@ REFUSED = {
 }
 
 
-def vertices(text):
-    return [tuple(map(float, line.split()[1:4]))
-            for line in text.splitlines() if line.startswith("v ")]
+class Command(ProgramTest):
+    name = "hwffd"  # also of the one with sanitizers
+    given = {"solid.obj": MESH, "solid.mtl": "newmtl red\nKd 1 0 0\n", "empty.obj": "",
+             "words.obj": "only words in a row\n" * 9,
+             "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
+             "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
+             "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4', "read-only.obj": MESH,
+             "folder": None, **LATTICES}
 
-
-class Command(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        files = {"solid.obj": MESH, "solid.mtl": "newmtl red\nKd 1 0 0\n", "empty.obj": "",
-                 "words.obj": "only words in a row\n" * 9,
-                 "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
-                 "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
-                 "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4', "read-only.obj": MESH,
-                 **LATTICES}
-        for name, text in files.items():
-            (self.folder / name).write_text(text)
+        super().setUp()
         (self.folder / "read-only.obj").chmod(0o444)
-        (self.folder / "folder").mkdir()
-        self.given = self.files()
-
-    def files(self):
-        return {str(path.relative_to(self.folder)): path.read_bytes() if path.is_file() else None
-                for path in self.folder.rglob("*")}
-
-    def text(self, name):
-        return (self.folder / name).read_text()
 
     def report(self, name="r.json"):
         return json.loads(self.text(name))
@@ -165,13 +148,8 @@ class Command(unittest.TestCase):
             for x, y in zip(a, b):
                 self.assertAlmostEqual(x, y, places=places)
 
-    def hwffd(self, *words, given=None):
-        return subprocess.run([HWFFD, *words], cwd=self.folder, input=given or "",
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              check=False)
-
-    def good(self, *words, given=None, warning=""):
-        done = self.hwffd(*words, given=given)
+    def good(self, *words, given="", warning=""):
+        done = self.call(*words, given=given)
         stderr = f"hwffd: warning: {warning}\n" if warning else ""
         self.assertEqual((done.returncode, done.stderr), (0, stderr), words)
         return done.stdout
@@ -179,16 +157,9 @@ class Command(unittest.TestCase):
     def test_bad_input(self):
         for line, (status, *words) in REFUSED.items():
             with self.subTest(line):
-                done = self.hwffd(*line.split())
-                written = set(self.files()) - set(self.given)
-                for name in written:
-                    (self.folder / name).unlink()
-                self.assertEqual((done.stdout, written), ("", set()))
-                self.assertRegex(done.stderr, r"\Ahwffd: [^\n]+\n\Z")
+                done = self.call(*line.split())
+                self.assert_refused(done, status, words)
                 self.assertLess(len(done.stderr), LONGEST_MESSAGE)
-                self.assertEqual(done.returncode, status)
-                for word in words:
-                    self.assertIn(word, done.stderr)
 
     def test_help_has_examples(self):
         self.assertIn("deform", self.good("--help"))
@@ -242,7 +213,7 @@ class Command(unittest.TestCase):
     def test_a_reader_that_crashes(self):
         (self.folder / "a.raw").write_text("0 0 0 1 0 0 1 1 0\nroof\n0 0 1 1 0 1 1 1 1\n")
         for command in (("info", "a.raw"), ("deform", "a.raw", "-o", "out.ply")):
-            done = self.hwffd(*command)
+            done = self.call(*command)
             self.assertEqual((done.returncode, done.stdout), (FAILURE, ""))
             self.assertRegex(done.stderr, r"\Ahwffd: a.raw: not a mesh [^\n]* crashed[^\n]*\n\Z")
         self.assertFalse((self.folder / "out.ply").exists())
@@ -303,7 +274,7 @@ class Command(unittest.TestCase):
         for line in lines:
             for closed in (False, True):
                 with self.subTest(line=line, closed=closed), open("/dev/full", "wb") as full:
-                    done = subprocess.run([HWFFD, *line.split()], cwd=self.folder, stdout=full,
+                    done = subprocess.run([PROGRAM, *line.split()], cwd=self.folder, stdout=full,
                                           stderr=subprocess.PIPE, text=True, check=False,
                                           preexec_fn=(lambda: os.close(1)) if closed else None)
                     self.assertEqual(done.returncode, FAILURE)
@@ -312,7 +283,7 @@ class Command(unittest.TestCase):
     def test_output_closed_does_not_reach_files(self):
         """A file opened in the place of the closed standard output does not get its text."""
         wanted = self.good("lattice")
-        subprocess.run([HWFFD, "lattice", "-o", "out.json"], cwd=self.folder, check=False,
+        subprocess.run([PROGRAM, "lattice", "-o", "out.json"], cwd=self.folder, check=False,
                        stderr=subprocess.DEVNULL, preexec_fn=lambda: os.close(1))
         self.assertEqual(self.text("out.json"), wanted)
 
@@ -339,7 +310,7 @@ class Command(unittest.TestCase):
 
     def test_outside(self):
         options = ("deform", "solid.obj", "--region", "0,0,0,1,1,1", "--deform", "scale:2")
-        done = self.hwffd(*options, "-o", "keep.obj")
+        done = self.call(*options, "-o", "keep.obj")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"\Ahwffd: warning: \d edges join[^\n]+tears[^\n]+\n\Z")
         self.assertIn("4 inside, 2 outside", done.stdout)
@@ -365,7 +336,7 @@ class Command(unittest.TestCase):
         self.good("deform", "solid.obj", "--lattice", "cylinder", "--deform", "taper:0.5",
                   "-o", "b.obj")
         self.assertEqual(*(vertices(self.text(f"{n}.obj")) for n in "ab"))
-        folded = self.hwffd("check", "folded.json")
+        folded = self.call("check", "folded.json")
         self.assertEqual((folded.returncode, folded.stderr), (1, ""))
         self.assertIn("folded at", folded.stdout)
 

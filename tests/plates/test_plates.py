@@ -7,40 +7,28 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import os
 import pathlib
-import struct
-import subprocess
 import sys
-import tempfile
 import unittest
 
-PLATES = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import FAILURE, USAGE, ProgramTest, size_of  # noqa: E402
+
 WIDTH = 160
 
 
-def run(folder, *words, **environment):
-    return subprocess.run([PLATES, *words], cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, **environment})
-
-
-class Plates(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class Plates(ProgramTest):
     def test_ten_plates_from_the_rtl(self):
-        done = run(self.folder, "--width", str(WIDTH))
+        done = self.call("--width", str(WIDTH))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("rtl basic-fp32-overlapped", done.stdout)
-        plates = json.loads((self.folder / "build/reports/plates.json").read_text())["plates"]
+        plates = json.loads(self.text("build/reports/plates.json"))["plates"]
         names = [f"plate{number:02}.png" for number in range(1, 11)]
         self.assertEqual([plate["file"] for plate in plates], names)
         pictures = {(self.folder / "build/plates" / name).read_bytes() for name in names}
         self.assertEqual(len(pictures), 10)
         for picture in pictures:
-            self.assertEqual(struct.unpack(">II", picture[16:24]), (WIDTH, WIDTH * 3 // 4))
+            self.assertEqual(size_of(picture), (WIDTH, WIDTH * 3 // 4))
         for plate in plates:
             self.assertEqual(sorted(plate), ["file", "mismatches", "vertices"])
             self.assertEqual(plate["mismatches"], 0)
@@ -49,24 +37,23 @@ class Plates(unittest.TestCase):
         self.assertTrue((self.folder / "build/plates/plates.png").is_file())
 
     def test_results_that_are_not_the_models_end_with_1(self):
-        done = run(self.folder, "--width", str(WIDTH), "--device", "reference")
+        done = self.call("--width", str(WIDTH), "--device", "reference")
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"\Ahwffd-plates: [0-9]+ results differ from the model.*\n\Z")
-        plates = json.loads((self.folder / "build/reports/plates.json").read_text())["plates"]
+        plates = json.loads(self.text("build/reports/plates.json"))["plates"]
         self.assertTrue(all(plate["mismatches"] > 100 for plate in plates))
 
     def test_refusals_are_one_line(self):
-        for words, status, part in (("--width 161", 2, "--width"),
-                                    ("--device fpga", 2, "fpga"),
-                                    ("--width 160 --device model --output /dev/null", 1, "--output")):
-            done = run(self.folder, *words.split())
+        for words, status, part in (("--width 161", USAGE, "--width"),
+                                    ("--device fpga", USAGE, "fpga")):
             with self.subTest(words):
-                self.assertEqual(done.returncode, status)
-                self.assertEqual(len(done.stderr.splitlines()), 1)
-                self.assertIn(part, done.stderr)
+                self.assert_refused(self.call(*words.split()), status, [part])
+        done = self.call("--width", "160", "--device", "model", "--output", "/dev/null")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (FAILURE, 1))
+        self.assertIn("--output", done.stderr)
 
     def test_without_egl_one_line_names_the_packages(self):
-        done = run(self.folder, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+        done = self.call(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"\Ahwffd-plates: no OpenGL .*libegl1.*\n\Z")
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -10,15 +10,11 @@ import json
 import os
 import pathlib
 import re
-import struct
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SIM = pathlib.Path(sys.argv.pop(1)).resolve()
-
-FAILURE, USAGE = 1, 2
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import FAILURE, USAGE, ProgramTest, size_of, vertices  # noqa: E402
 
 # Options that are refused -> exit status, words of the message. Files are those of `make_files`.
 REFUSED = {
@@ -78,11 +74,6 @@ def block(n):
     return "\n".join(lines) + "\n", len(places)
 
 
-def points_of(obj):
-    return [[float(word) for word in line.split()[1:4]]
-            for line in obj.splitlines() if line.startswith("v ")]
-
-
 def on_grid(point):
     """The nearest point with coordinates that are multiples of 1/2, as those of a block are."""
     return [round(2 * value) / 2 for value in point]
@@ -91,44 +82,18 @@ def on_grid(point):
 BLOCK, BLOCK_VERTICES = block(4)
 
 
-class Sim(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        files = {"notes.txt": "not a mesh\n", "notes.obj": "not a mesh, only words in a row\n" * 9,
-                 "empty.obj": "", "comment.obj": "# nothing\n" * 9, "block.obj": BLOCK}
-        for name, text in files.items():
-            (self.folder / name).write_text(text)
-        (self.folder / "folder").mkdir()
-        self.given = self.files(self.folder)
-
-    @staticmethod
-    def files(folder):
-        return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
-                for path in folder.rglob("*")}
+class Sim(ProgramTest):
+    given = {"notes.txt": "not a mesh\n", "notes.obj": "not a mesh, only words in a row\n" * 9,
+             "empty.obj": "", "comment.obj": "# nothing\n" * 9, "block.obj": BLOCK, "folder": None}
 
     def sim(self, *options, output="out", **environment):
-        return subprocess.run(
-            [SIM, *options, "--output", output], cwd=self.folder, stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False,
-            env={**os.environ, **environment})
-
-    def refuse(self, done, status, words):
-        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
-        self.assertRegex(done.stderr, r"\Ahwffd-sim: [^\n]+\n\Z")
-        for word in words:
-            self.assertIn(word, done.stderr)
-        self.assertEqual(self.files(self.folder), self.given, "something was written")
+        return self.call("--output", output, *options, **environment)
 
     def test_bad_input(self):
         refused = 0
         for options, (status, *words) in REFUSED.items():
             with self.subTest(" ".join(options)):
-                done = subprocess.run(
-                    [SIM, "--output", "out", *options], cwd=self.folder, stdin=subprocess.DEVNULL,
-                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-                self.refuse(done, status, words)
+                self.assert_refused(self.sim(*options), status, words)
                 refused += 1
         print(f"sim: {refused} of {len(REFUSED)} bad command lines refused")
 
@@ -139,7 +104,7 @@ class Sim(unittest.TestCase):
             outputs.append("folder")
         for output in outputs:
             done = self.sim(*GOOD, output=output)
-            self.refuse(done, FAILURE, (output, "cannot write", "--output"))
+            self.assert_refused(done, FAILURE, (output, "cannot write", "--output"))
 
     def test_trace_where_the_build_has_none(self):
         done = self.sim(*GOOD, "--trace")
@@ -149,11 +114,11 @@ class Sim(unittest.TestCase):
             for waveform in waveforms:
                 self.assertIn(f"out/sim/{waveform.name}\n", done.stdout)
         else:
-            self.refuse(done, USAGE, ("--trace", "make sim TRACE=1", "-DHWFFD_TRACE=ON"))
+            self.assert_refused(done, USAGE, ("--trace", "make sim TRACE=1", "-DHWFFD_TRACE=ON"))
 
     def report(self, done, output="out"):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        return json.loads((self.folder / output / "reports" / "sim.json").read_text())
+        return json.loads(self.text(f"{output}/reports/sim.json"))
 
     def test_report_and_mesh(self):
         report = self.report(self.sim(*GOOD))
@@ -167,7 +132,7 @@ class Sim(unittest.TestCase):
             self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
             self.assertEqual(run["clocks_per_vertex"], 64)
             self.assertTrue(0 < run["rms_error"] <= run["max_error"] < 1e-3, run)
-        mesh = (self.folder / "out" / "sim" / "block-twist-90.obj").read_text()
+        mesh = self.text("out/sim/block-twist-90.obj")
         self.assertEqual(sum(line.startswith("v ") for line in mesh.splitlines()), BLOCK_VERTICES)
         self.assertEqual(sum(line.startswith("f ") for line in mesh.splitlines()), 6 * 16)
 
@@ -176,7 +141,7 @@ class Sim(unittest.TestCase):
         self.report(done)
         png = (self.folder / "out" / "sim" / "block-shear.png").read_bytes()
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">II", png[16:24]), (2 * 700, 600))
+        self.assertEqual(size_of(png), (2 * 700, 600))
         self.assertGreater(len(png), 50000, "nothing is drawn")
         self.assertTrue(done.stdout.endswith(
             "wrote out/sim/block-shear.obj, out/reports/sim.json, out/sim/block-shear.png\n"))
@@ -185,14 +150,14 @@ class Sim(unittest.TestCase):
         done = self.sim(*GOOD, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
         self.report(done)
         self.assertRegex(done.stdout, r"\nno picture: no OpenGL [^\n]*libgl1-mesa-dri\n\Z")
-        written = self.files(self.folder / "out" / "sim")
+        written = self.files("out/sim")
         self.assertIn("block-twist-90.obj", written)
         self.assertNotIn("block-twist-90.png", written)
 
     def test_two_runs_give_the_same_files(self):
         for output in ("one", "two"):
             self.report(self.sim(*GOOD, "--seed", "7", output=output), output)
-        one, two = (self.files(self.folder / output) for output in ("one", "two"))
+        one, two = (self.files(output) for output in ("one", "two"))
         self.assertEqual(one, two)
         self.assertGreaterEqual(sum(content is not None for content in one.values()), 3)
 
@@ -211,7 +176,7 @@ class Sim(unittest.TestCase):
             self.assertAlmostEqual(twist.pop("clocks_per_vertex"), 64, delta=0.5)
             if stream == "dma":
                 self.assertTrue(0 < twist.pop("bus_utilisation") < 1)
-            mesh = (self.folder / stream / "sim" / "block-twist-90.obj").read_text()
+            mesh = self.text(f"{stream}/sim/block-twist-90.obj")
             runs[stream] = (twist, random["max_error"], random["rms_error"], mesh)
         self.assertEqual(runs["interleaved"], runs["resident"])
         self.assertEqual(runs["interleaved"], runs["dma"])
@@ -236,8 +201,8 @@ class Sim(unittest.TestCase):
         (run,) = report["runs"]
         self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
         # An undeformed lattice gives the mesh back.
-        mesh = (self.folder / "out" / "sim" / "block-none.obj").read_text()
-        got, wanted = points_of(mesh), points_of(BLOCK)
+        mesh = self.text("out/sim/block-none.obj")
+        got, wanted = vertices(mesh), vertices(BLOCK)
         self.assertEqual(sorted(map(on_grid, got)), sorted(map(on_grid, wanted)))
         for point in got:
             for value, exact in zip(point, on_grid(point)):

@@ -14,11 +14,12 @@ import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-HWFFD = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import PROGRAM, ProgramTest  # noqa: E402
+
 PATIENCE = 60  # seconds
 
 # A grey octahedron: all that is red on the screen are control points.
@@ -94,20 +95,18 @@ def leftmost_control_point(rows):
     return tuple(round(sum(p[axis] for p in spot) / len(spot)) for axis in (0, 1))
 
 
-class View(unittest.TestCase):
+class View(ProgramTest):
+    given = {"solid.obj": MESH}
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        (self.folder / "solid.obj").write_text(MESH)
-        subprocess.run([HWFFD, "lattice", "--around", "solid.obj", "-o", "rest.json"],
-                       cwd=self.folder, check=True, capture_output=True)
+        super().setUp()
+        self.assertEqual(self.call("lattice", "--around", "solid.obj", "-o", "rest.json").returncode, 0)
 
     def open(self, *words):
         self.screen = Screen(str(self.folder))
         self.addCleanup(self.screen.close)
         self.viewer = subprocess.Popen(
-            [HWFFD, "view", "solid.obj", *words], cwd=self.folder, env=self.screen.environment,
+            [PROGRAM, "view", "solid.obj", *words], cwd=self.folder, env=self.screen.environment,
             text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(self.viewer.kill)
         self.window = wait_for("the window", self.find_window)
@@ -195,7 +194,7 @@ class View(unittest.TestCase):
                                     ("none.obj", 1, "none.obj")):
             with self.subTest(words):
                 done = subprocess.run(
-                    [HWFFD, "view", *words.split()], cwd=self.folder, capture_output=True,
+                    [PROGRAM, "view", *words.split()], cwd=self.folder, capture_output=True,
                     text=True, env={k: v for k, v in os.environ.items()
                                     if not re.match("DISPLAY|WAYLAND", k)})
                 self.assertEqual(done.returncode, status)
