@@ -5,38 +5,25 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "hwffd/error.hpp"
+#include "errors.hpp"
 #include "program.hpp"
 #include "stages.hpp"
+#include "temp_folder.hpp"
 
 namespace hwffd::command {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Text : public testing::Test {
  protected:
   Geometry read(const std::string& text) {
-    std::ofstream(path_) << text;
-    return Geometry::read(path_.string());
+    return Geometry::read(folder_.write("a.xyz", text).string());
   }
   std::string refused(const std::string& text) {
-    try {
-      read(text);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return message_of<Error>([&] { read(text); });
   }
-  void TearDown() override { fs::remove(path_); }
 
-  fs::path path_ = fs::path(testing::TempDir()) /
-                   (std::string("hwffd-") +
-                    testing::UnitTest::GetInstance()->current_test_info()->name() + ".xyz");
+  TempFolder folder_;
 };
 
 TEST_F(Text, PointsAndComments) {
@@ -52,26 +39,23 @@ TEST_F(Text, ByteOrderMark) {
                  "1,2,3\n4,5,6\n")
                 .positions(),
             (Points(2, 3) << 1, 2, 3, 4, 5, 6).finished());
-  EXPECT_NE(refused("1 2 3\n\xEF\xBB\xBF"
-                    "4 5 6\n")
-                .find("line 2 "),
-            std::string::npos);
+  expect_part(refused("1 2 3\n\xEF\xBB\xBF"
+                      "4 5 6\n"),
+              "line 2 ");
 }
 
 TEST_F(Text, EveryDigitComesBack) {
   Geometry geometry = read("0.1 1e-300 3.141592653589793\n");
-  geometry.write(path_.string());
-  EXPECT_EQ(Geometry::read(path_.string()).positions(), geometry.positions());
+  geometry.write((folder_ / "b.xyz").string());
+  EXPECT_EQ(Geometry::read((folder_ / "b.xyz").string()).positions(), geometry.positions());
 }
 
 TEST_F(Text, WhatIsNotThreeNumbersIsNamed) {
   for (const char* line :
        {"1 2", "1 2 3 4", "1 2 x", "1 2 nan", "1 2 inf", "1 2 3a", "1 2 1e999"}) {
-    EXPECT_NE(refused(std::string("0 0 0\n") + line + "\n").find("line 2 "), std::string::npos)
-        << line;
+    expect_part(refused(std::string("0 0 0\n") + line + "\n"), "line 2 ");
   }
-  EXPECT_NE(refused("").find("no points"), std::string::npos);
-  EXPECT_NE(refused("# nothing\n").find("no points"), std::string::npos);
+  for (const char* text : {"", "# nothing\n"}) expect_part(refused(text), "no points");
 }
 
 std::vector<StageText> stages_of(std::vector<std::string> words) {

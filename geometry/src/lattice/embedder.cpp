@@ -31,7 +31,7 @@ void check_volume(const Points& points) {
 Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of(lattice_)) {
   const Points& points = lattice_.points();
   check_volume(points);
-  centre_ = (points.colwise().minCoeff() + points.colwise().maxCoeff()) / 2;
+  centre_ = middle_of(points);
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (const Index3& cell : places(lattice_.cells())) {

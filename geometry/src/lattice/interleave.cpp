@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds.hpp"
+
 namespace hwffd {
 namespace {
-
-Point centre_of(const Points& points) {
-  const Point low = points.colwise().minCoeff();
-  const Point high = points.colwise().maxCoeff();
-  return (low + high) / 2;
-}
 
 /// The power of two that just exceeds the distances of points from a centre along x, y and z.
 double scale_of(const Points& points, const Point& centre) {
@@ -49,7 +45,7 @@ int block_exponent(const Points& points) {
 }
 
 double lattice_scale(const Lattice& lattice) {
-  return scale_of(lattice.points(), centre_of(lattice.points()));
+  return scale_of(lattice.points(), middle_of(lattice.points()));
 }
 
 Normalization Normalization::of(const Lattice& lattice, const WordCodec& codec, Origin origin) {
@@ -62,7 +58,7 @@ Normalization Normalization::of(const Points& points, const WordCodec& codec, Or
     normalization.exponent_ = block_exponent(points);
     return normalization;
   }
-  if (origin == Origin::kCentre) normalization.centre_ = centre_of(points);
+  if (origin == Origin::kCentre) normalization.centre_ = middle_of(points);
   if (!codec.is_float()) normalization.scale_ = scale_of(points, normalization.centre_);
   return normalization;
 }

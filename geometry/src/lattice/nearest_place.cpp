@@ -19,11 +19,6 @@ bool has_right_angles(const Box& box) {
   return (direction.transpose() * direction).isIdentity(kRightAngle);
 }
 
-Point middle_of(const Lattice& lattice) {
-  const Points& points = lattice.points();
-  return (points.colwise().minCoeff() + points.colwise().maxCoeff()) / 2;
-}
-
 Lattice relative_to(const Point& centre, const Lattice& lattice) {
   return Lattice(lattice.dims(), lattice.points().rowwise() - centre.transpose());
 }
@@ -52,7 +47,9 @@ struct Part {
 }  // namespace
 
 NearestPlace::NearestPlace(const Lattice& lattice)
-    : box_(Box::of(lattice)), centre_(middle_of(lattice)), lattice_(relative_to(centre_, lattice)) {
+    : box_(Box::of(lattice)),
+      centre_(middle_of(lattice.points())),
+      lattice_(relative_to(centre_, lattice)) {
   if (box_ && !has_right_angles(*box_)) box_.reset();
   if (box_) return;
   const Closure closure(lattice);

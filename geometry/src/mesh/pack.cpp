@@ -67,15 +67,16 @@ void visit_array(Archive& archive, T*& data, std::size_t count) {
   archive.raw(data, count * sizeof(T));
 }
 
-template <typename Archive>
-void visit(Archive& archive, std::string& text) {
-  auto size = static_cast<std::uint32_t>(text.size());
+/// A text or a list of numbers.
+template <typename Archive, typename List>
+auto visit(Archive& archive, List& list) -> decltype(list.resize(0)) {
+  auto size = static_cast<std::uint64_t>(list.size());
   archive.value(size);
   if constexpr (Archive::kReads) {
-    archive.expect(size, 1);
-    text.resize(size);
+    archive.expect(size, sizeof(list[0]));
+    list.resize(size);
   }
-  archive.raw(text.data(), size);
+  archive.raw(list.data(), size * sizeof(list[0]));
 }
 
 template <typename Archive>
@@ -83,17 +84,6 @@ void visit(Archive& archive, aiString& text) {
   std::string copy(text.data, text.length);
   visit(archive, copy);
   if constexpr (Archive::kReads) text = copy;
-}
-
-template <typename Archive>
-void visit(Archive& archive, std::vector<std::uint32_t>& numbers) {
-  auto size = static_cast<std::uint64_t>(numbers.size());
-  archive.value(size);
-  if constexpr (Archive::kReads) {
-    archive.expect(size, sizeof(std::uint32_t));
-    numbers.resize(size);
-  }
-  archive.raw(numbers.data(), size * sizeof(std::uint32_t));
 }
 
 template <typename Archive>

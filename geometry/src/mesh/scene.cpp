@@ -135,13 +135,6 @@ class Baker {
   std::vector<aiMatrix4x4> matrices_;
 };
 
-void name_parts_below(aiScene& scene, const aiNode& node) {
-  for (unsigned i = 0; i < node.mNumMeshes && node.mName.length > 0; ++i) {
-    scene.mMeshes[node.mMeshes[i]]->mName = node.mName;
-  }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) name_parts_below(scene, *node.mChildren[c]);
-}
-
 }  // namespace
 
 void turn_faces(aiMesh& mesh) {
@@ -208,11 +201,6 @@ double take_unit(aiScene& scene) {
     for (unsigned column = 0; column < 4; ++column) matrix[row][column] /= unit;
   }
   return std::stod(fmt::format("{}", unit));  // the decimal number that the file has
-}
-
-void name_parts_after_nodes(aiScene& scene) {
-  const aiNode& root = *scene.mRootNode;
-  for (unsigned c = 0; c < root.mNumChildren; ++c) name_parts_below(scene, *root.mChildren[c]);
 }
 
 void drop_points_and_lines(aiScene& scene) {

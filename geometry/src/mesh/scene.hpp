@@ -49,10 +49,6 @@ void undo_3ds_turn(aiScene& scene);
 /// it: coordinates are then those in the file.
 double take_unit(aiScene& scene);
 
-/// Calls each part as the node that shows it, if that has a name and is not the root: the name of a
-/// group or object, where readers call parts after materials or give them numbers.
-void name_parts_after_nodes(aiScene& scene);
-
 /// Drops faces of one or two corners.
 void drop_points_and_lines(aiScene& scene);
 
