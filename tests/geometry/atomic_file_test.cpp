@@ -16,6 +16,13 @@
 namespace hwffd {
 namespace {
 
+using Texts = std::map<std::string, std::string>;
+
+class AtomicFile : public testing::Test {
+ protected:
+  const TempFolder folder;
+};
+
 /// While it lives, files cannot grow beyond a limit: a full disk, in effect.
 class FileSizeLimit {
  public:
@@ -37,26 +44,20 @@ class FileSizeLimit {
   void (*old_handler_)(int) = SIG_DFL;
 };
 
-TEST(AtomicFile, WritesAllFilesAndNothingElse) {
-  const TempFolder folder;
+TEST_F(AtomicFile, WritesAllFilesAndNothingElse) {
   const std::string binary("a\0b\n", 4);
   write_files({{folder / "one", binary}, {folder / "two", ""}});
-  EXPECT_EQ(read_text(folder / "one"), binary);
-  EXPECT_EQ(read_text(folder / "two"), "");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"one", binary}, {"two", ""}}));
 }
 
-TEST(AtomicFile, ReplacesOlderFiles) {
-  const TempFolder folder;
+TEST_F(AtomicFile, ReplacesOlderFiles) {
   folder.write("one", "a much longer older text");
   write_files({{folder / "one", "new"}});
-  EXPECT_EQ(read_text(folder / "one"), "new");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"one", "new"}}));
 }
 
 /// The second file fails for want of room after the first was complete: neither changes.
-TEST(AtomicFile, FullDiskChangesNothing) {
-  const TempFolder folder;
+TEST_F(AtomicFile, FullDiskChangesNothing) {
   folder.write("one", "old one");
   folder.write("two", "old two");
   const std::string text = [&] {
@@ -66,13 +67,10 @@ TEST(AtomicFile, FullDiskChangesNothing) {
     });
   }();
   expect_part(text, (folder / "two").string() + ": cannot write: File too large; check that");
-  EXPECT_EQ(read_text(folder / "one"), "old one");
-  EXPECT_EQ(read_text(folder / "two"), "old two");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"one", "old one"}, {"two", "old two"}}));
 }
 
-TEST(AtomicFile, MissingFolderAndFolderAsTarget) {
-  const TempFolder folder;
+TEST_F(AtomicFile, MissingFolderAndFolderAsTarget) {
   EXPECT_ERROR(write_files({{folder / "no/one", "new"}}),
                (folder / "no/one").string() +
                    ": cannot write: No such file or directory; check that "
@@ -84,8 +82,7 @@ TEST(AtomicFile, MissingFolderAndFolderAsTarget) {
 }
 
 /// A device takes bytes and stays one. It is reached over a link, which a rename would replace.
-TEST(AtomicFile, DeviceIsWrittenNotReplaced) {
-  const TempFolder folder;
+TEST_F(AtomicFile, DeviceIsWrittenNotReplaced) {
   folder.write("one", "old one");
   std::filesystem::create_symlink("/dev/null", folder / "null");
   write_files({{folder / "one", "new one"}, {folder / "null", "gone"}});
@@ -95,8 +92,7 @@ TEST(AtomicFile, DeviceIsWrittenNotReplaced) {
 }
 
 /// /dev/full has no room, whatever its permissions: the file beside it is not touched.
-TEST(AtomicFile, FullDeviceChangesNothing) {
-  const TempFolder folder;
+TEST_F(AtomicFile, FullDeviceChangesNothing) {
   folder.write("one", "old one");
   std::filesystem::create_symlink("/dev/full", folder / "full");
   EXPECT_ERROR(write_files({{folder / "one", "new one"}, {folder / "full", "lost"}}),
@@ -108,18 +104,15 @@ TEST(AtomicFile, FullDeviceChangesNothing) {
   EXPECT_EQ(folder.files(), (std::set<std::string>{"full", "one"}));
 }
 
-TEST(AtomicFile, LinkStaysALink) {
-  const TempFolder folder;
+TEST_F(AtomicFile, LinkStaysALink) {
   folder.write("one", "old one");
   std::filesystem::create_symlink("one", folder / "link");
   write_files({{folder / "link", "new one"}});
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
-  EXPECT_EQ(read_text(folder / "one"), "new one");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"link", "one"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"link", "new one"}, {"one", "new one"}}));
 }
 
-TEST(AtomicFile, LinkToNowhereCreatesWhereItLeads) {
-  const TempFolder folder;
+TEST_F(AtomicFile, LinkToNowhereCreatesWhereItLeads) {
   std::filesystem::create_directory(folder / "far");
   std::filesystem::create_symlink("far/one", folder / "link");
   write_files({{folder / "link", "new one"}});
@@ -133,8 +126,7 @@ TEST(AtomicFile, LinkToNowhereCreatesWhereItLeads) {
 }
 
 /// Files with names as long as file systems take.
-TEST(AtomicFile, LongestName) {
-  const TempFolder folder;
+TEST_F(AtomicFile, LongestName) {
   const std::string name(255, 'n');
   write_files({{folder / name, "new"}});
   EXPECT_EQ(folder.files(), (std::set<std::string>{name}));
@@ -146,8 +138,7 @@ mode_t mode_of(const std::filesystem::path& path) {
   return status.st_mode & 07777;
 }
 
-TEST(AtomicFile, ReplacedFileKeepsItsMode) {
-  const TempFolder folder;
+TEST_F(AtomicFile, ReplacedFileKeepsItsMode) {
   const mode_t old_mask = ::umask(027);
   for (const mode_t mode : {0600, 0644, 0666, 0755}) {
     folder.write("old", "old");
@@ -162,8 +153,7 @@ TEST(AtomicFile, ReplacedFileKeepsItsMode) {
 }
 
 /// Whoever took the right to write from a file meant it, be it root who asks.
-TEST(AtomicFile, ReadOnlyFileIsRefused) {
-  const TempFolder folder;
+TEST_F(AtomicFile, ReadOnlyFileIsRefused) {
   folder.write("one", "old one");
   folder.write("two", "old two");
   ASSERT_EQ(::chmod((folder / "two").c_str(), 0444), 0);
@@ -171,13 +161,10 @@ TEST(AtomicFile, ReadOnlyFileIsRefused) {
       (folder / "two").string() + ": is read-only; make it writable or choose another name";
   EXPECT_ERROR(write_files({{folder / "one", "new"}, {folder / "two", "new"}}), refused);
   EXPECT_ERROR(check_writable(folder / "two"), refused);
-  EXPECT_EQ(read_text(folder / "one"), "old one");
-  EXPECT_EQ(read_text(folder / "two"), "old two");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"one", "old one"}, {"two", "old two"}}));
 }
 
-TEST(AtomicFile, PlacesAreCheckedBeforeTheWork) {
-  const TempFolder folder;
+TEST_F(AtomicFile, PlacesAreCheckedBeforeTheWork) {
   folder.write("one", "old one");
   check_writable(folder / "one");
   check_writable(folder / "new");
@@ -189,14 +176,13 @@ TEST(AtomicFile, PlacesAreCheckedBeforeTheWork) {
 }
 
 /// Files that somebody laid where a temporary was to be expected keep what they hold.
-TEST(AtomicFile, TemporaryIsNobodyElses) {
-  const TempFolder folder;
+TEST_F(AtomicFile, TemporaryIsNobodyElses) {
   folder.write("victim", "precious");
   const std::string expected = ".one." + std::to_string(::getpid()) + ".tmp";
   std::filesystem::create_hard_link(folder / "victim", folder / expected);
   write_files({{folder / "one", "new one"}});
-  EXPECT_EQ(read_text(folder / "victim"), "precious");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "victim", expected}));
+  EXPECT_EQ(folder.texts(),
+            (Texts{{"one", "new one"}, {"victim", "precious"}, {expected, "precious"}}));
 }
 
 /// A child process that writes two files, and then waits for its end. Who runs the tests in the
@@ -210,25 +196,24 @@ pid_t start_writing(const TempFolder& folder, const std::string& bytes) {
 }
 
 /// A signal in the middle of writing: no temporary is left, and both files are whole.
-TEST(AtomicFile, SignalsWaitUntilAllIsWritten) {
+TEST_F(AtomicFile, SignalsWaitUntilAllIsWritten) {
   const std::string bytes(std::size_t{1} << 25, 'x');
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    const TempFolder folder;
-    const pid_t child = start_writing(folder, bytes);
+    const TempFolder each;
+    const pid_t child = start_writing(each, bytes);
     ASSERT_GT(child, 0);
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (folder.files().empty() && std::chrono::steady_clock::now() < patience) ::usleep(100);
+    while (each.files().empty() && std::chrono::steady_clock::now() < patience) ::usleep(100);
     ::kill(child, signal);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
-    EXPECT_EQ(folder.files(), (std::set<std::string>{"one", "two"})) << ::strsignal(signal);
-    EXPECT_EQ(read_text(folder / "two").size(), bytes.size());
+    EXPECT_EQ(each.files(), (std::set<std::string>{"one", "two"})) << ::strsignal(signal);
+    EXPECT_EQ(read_text(each / "two").size(), bytes.size());
   }
 }
 
-TEST(AtomicFile, ReadOnlyFolder) {
-  const TempFolder folder;
+TEST_F(AtomicFile, ReadOnlyFolder) {
   folder.write("one", "old one");
   folder.open_to_all();
   std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
@@ -236,8 +221,7 @@ TEST(AtomicFile, ReadOnlyFolder) {
   if (!nobody.effective()) GTEST_SKIP() << "permissions do not hold for this user";
   EXPECT_ERROR_PART(write_files({{folder / "one", "new one"}}),
                     (folder / "one").string() + ": cannot write: Permission denied; check that");
-  EXPECT_EQ(read_text(folder / "one"), "old one");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"one"}));
+  EXPECT_EQ(folder.texts(), (Texts{{"one", "old one"}}));
 }
 
 }  // namespace

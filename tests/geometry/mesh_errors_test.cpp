@@ -7,12 +7,13 @@
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/sphere.hpp"
-#include "hwffd/mesh/mesh.hpp"
-#include "temp_folder.hpp"
+#include "mesh_files.hpp"
 #include "unprivileged.hpp"
 
 namespace hwffd {
 namespace {
+
+using MeshErrors = MeshFiles;
 
 const std::string kAccepted =
     "accepted are obj, ply, stl, 3ds, glb, gltf, dae and what else Assimp reads";
@@ -23,19 +24,17 @@ std::string load_error(const std::filesystem::path& path) {
   return text;
 }
 
-TEST(MeshErrors, MissingFile) {
+TEST_F(MeshErrors, MissingFile) {
   EXPECT_EQ(load_error("no/such.obj"),
             "no/such.obj: no such file; give the path of a mesh: " + kAccepted);
 }
 
-TEST(MeshErrors, FolderInsteadOfFile) {
-  const TempFolder folder;
+TEST_F(MeshErrors, FolderInsteadOfFile) {
   std::filesystem::create_directory(folder / "a.obj");
   expect_part(load_error(folder / "a.obj"), ": not a file; give the path of a mesh: " + kAccepted);
 }
 
-TEST(MeshErrors, NotAMesh) {
-  const TempFolder folder;
+TEST_F(MeshErrors, NotAMesh) {
   const std::string binary("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
   for (const auto& [name, text] :
        std::vector<std::pair<std::string, std::string>>{{"a.txt", "Dear reader,\n"},
@@ -51,8 +50,7 @@ TEST(MeshErrors, NotAMesh) {
   }
 }
 
-TEST(MeshErrors, NoVertices) {
-  const TempFolder folder;
+TEST_F(MeshErrors, NoVertices) {
   const std::string comments(200, '#');
   expect_part(load_error(folder.write("a.obj", "# nothing here\n" + comments + "\n")), kAccepted);
   expect_part(load_error(folder.write("b.ply",
@@ -61,8 +59,7 @@ TEST(MeshErrors, NoVertices) {
               kAccepted);
 }
 
-TEST(MeshErrors, CoordinatesThatAreNotFinite) {
-  const TempFolder folder;
+TEST_F(MeshErrors, CoordinatesThatAreNotFinite) {
   for (const std::string bad : {"nan", "inf", "-inf", "1e39"}) {
     const std::string text = "v 0 0 0\nv 1 0 0\nv 0 " + bad + " 0\nf 1 2 3\n";
     expect_part(load_error(folder.write("a.obj", text)),
@@ -82,19 +79,15 @@ std::string ply_text(const std::string& vertices, const std::string& list,
 const char* const kVertices = "element vertex 3\n";
 const char* const kList = "property list uchar int vertex_indices\n";
 
-TEST(MeshErrors, FaceWithoutItsVertex) {
-  const TempFolder folder;
+TEST_F(MeshErrors, FaceWithoutItsVertex) {
   const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
-  EXPECT_EQ(Mesh::load(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 2\n")))
-                .vertex_count(),
-            3u);
+  EXPECT_EQ(load(ply_text(kVertices, kList, corners + "3 0 1 2\n"), "a.ply").vertex_count(), 3u);
   expect_part(load_error(folder.write("a.ply", ply_text(kVertices, kList, corners + "3 0 1 7\n"))),
               "a.ply: face 0 refers to vertex 7 of 3; repair the mesh");
 }
 
 /// Headers and data that do not belong together: some of them crash Assimp's reader.
-TEST(MeshErrors, BrokenPly) {
-  const TempFolder folder;
+TEST_F(MeshErrors, BrokenPly) {
   const std::string data = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   struct Bad {
     std::string text;
@@ -130,8 +123,7 @@ TEST(MeshErrors, BrokenPly) {
   EXPECT_EQ(all.size(), 13u);
 }
 
-TEST(MeshErrors, UnreadableFile) {
-  const TempFolder folder;
+TEST_F(MeshErrors, UnreadableFile) {
   const auto path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::filesystem::permissions(path, std::filesystem::perms(0));
   folder.open_to_all();
@@ -144,13 +136,12 @@ TEST(MeshErrors, UnreadableFile) {
 }
 
 /// A mesh in one plane, on one line, in one place: each shape of lattice around it holds all of it.
-TEST(MeshErrors, FlatMeshInEveryLattice) {
-  const TempFolder folder;
+TEST_F(MeshErrors, FlatMeshInEveryLattice) {
   int checked = 0;
   for (const std::string text :
        {"v 0 0 3\nv 1 0 3\nv 1 2 3\nv 0 2 3\nf 1 2 3 4\n", "v 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\n",
         "v 5 6 7\nv 5 6 7\nv 5 6 7\nf 1 2 3\n"}) {
-    const Points points = Mesh::load(folder.write("flat.obj", text)).positions();
+    const Points points = load(text).positions();
     for (const Lattice& lattice :
          {Box::around(points).lattice({4, 4, 4}), Cylinder::around(points).lattice({4, 4, 6}),
           Sphere::around(points).lattice({4, 5, 6})}) {
@@ -163,7 +154,7 @@ TEST(MeshErrors, FlatMeshInEveryLattice) {
   EXPECT_EQ(checked, 3 * (4 + 3 + 1));
 }
 
-TEST(MeshErrors, NewPositions) {
+TEST_F(MeshErrors, NewPositions) {
   Mesh mesh = Mesh::procedural();
   const Points before = mesh.positions();
   EXPECT_ERROR(mesh.set_positions(before.topRows(5)),

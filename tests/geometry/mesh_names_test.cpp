@@ -7,19 +7,18 @@
 #include <nlohmann/json.hpp>
 
 #include "errors.hpp"
-#include "hwffd/mesh/mesh.hpp"
-#include "temp_folder.hpp"
+#include "mesh_files.hpp"
 
 namespace hwffd {
 namespace {
 
+using MeshNames = MeshFiles;
+
 const char* const kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
 
-TEST(MeshNames, Latin1BecomesUtf8) {
-  const TempFolder folder;
+TEST_F(MeshNames, Latin1BecomesUtf8) {
   folder.write("a.mtl", "newmtl gr\xfcn\nKd 0 1 0\nmap_Kd b\xe4r.png\n");
-  const Mesh mesh = Mesh::load(
-      folder.write("a.obj", std::string("mtllib a.mtl\ng t\xfcr\nusemtl gr\xfcn\n") + kTriangle));
+  const Mesh mesh = load(std::string("mtllib a.mtl\ng t\xfcr\nusemtl gr\xfcn\n") + kTriangle);
   mesh.save(folder / "b.gltf");
   const nlohmann::json file = nlohmann::json::parse(read_text(folder / "b.gltf"));
   EXPECT_EQ(file["materials"].back()["name"], "gr\u00fcn");
@@ -37,22 +36,18 @@ TEST(MeshNames, Latin1BecomesUtf8) {
   expect_part(read_text(folder / "b.obj"), "g t\xfcr\n");
 }
 
-TEST(MeshNames, Utf8Stays) {
-  const TempFolder folder;
-  const Mesh mesh =
-      Mesh::load(folder.write("a.obj", std::string("g t\u00fcr \u6728\n") + kTriangle));
+TEST_F(MeshNames, Utf8Stays) {
+  const Mesh mesh = load(std::string("g t\u00fcr \u6728\n") + kTriangle);
   mesh.save(folder / "b.gltf");
   expect_part(read_text(folder / "b.gltf"), "\"t\u00fcr \u6728\"");
 }
 
-TEST(MeshNames, MessagesAreOneLine) {
+TEST_F(MeshNames, MessagesAreOneLine) {
   EXPECT_STREQ(Error("a\nb\x7f: caf\u00e9").what(), "a\\x0ab\\x7f: caf\u00e9");
-  const TempFolder folder;
   EXPECT_ERROR_PART(Mesh::load("no\nsuch.obj"), "no\\x0asuch.obj: ");
 }
 
-TEST(MeshNames, TexturesAreFoundFromAnotherFolder) {
-  const TempFolder folder;
+TEST_F(MeshNames, TexturesAreFoundFromAnotherFolder) {
   for (const char* name : {"in", "in/skin", "out"})
     std::filesystem::create_directory(folder / name);
   folder.write("in/skin/red.png", "x");
@@ -81,35 +76,29 @@ std::filesystem::path dae_file(const TempFolder& folder, const std::string& unit
   return folder.write("a.dae", text);
 }
 
-TEST(MeshNames, UnitOfDaeIsKept) {
-  const TempFolder folder;
+TEST_F(MeshNames, UnitOfDaeIsKept) {
   const Mesh mesh = Mesh::load(dae_file(folder, "<unit name=\"centimeter\" meter=\"0.01\" />"));
   EXPECT_EQ(mesh.positions()(1, 0), 300);
-  mesh.save(folder / "b.dae");
+  EXPECT_EQ(again(mesh, "b.dae").positions(), mesh.positions());
   expect_part(read_text(folder / "b.dae"), "meter=\"0.01\"");
-  const Mesh again = Mesh::load(folder / "b.dae");
-  EXPECT_EQ(again.positions(), mesh.positions());
-  mesh.save(folder / "b.obj");
-  EXPECT_EQ(Mesh::load(folder / "b.obj").positions(), mesh.positions());
-  mesh.save(folder / "b.glb");  // metres by definition
-  EXPECT_FLOAT_EQ(static_cast<float>(Mesh::load(folder / "b.glb").positions()(1, 0)), 3.0f);
+  EXPECT_EQ(again(mesh, "b.obj").positions(), mesh.positions());
+  // Metres by definition.
+  EXPECT_FLOAT_EQ(static_cast<float>(again(mesh, "b.glb").positions()(1, 0)), 3.0f);
 }
 
-TEST(MeshNames, DroppedPropertiesOfPly) {
-  const TempFolder folder;
-  const Mesh mesh = Mesh::load(
-      folder.write("a.ply",
-                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                   "property float z\nproperty float quality\nelement face 1\n"
-                   "property list uchar int vertex_indices\nproperty uchar red\nelement edge 1\n"
-                   "property int vertex1\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n1\n"));
+TEST_F(MeshNames, DroppedPropertiesOfPly) {
+  const Mesh mesh = load(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float quality\nelement face 1\n"
+      "property list uchar int vertex_indices\nproperty uchar red\nelement edge 1\n"
+      "property int vertex1\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 7\n1\n",
+      "a.ply");
   EXPECT_EQ(mesh.dropped(), (std::vector<std::string>{"property quality of vertex",
                                                       "property red of face", "element edge"}));
 }
 
-TEST(MeshNames, DroppedAnimationsAndCameras) {
-  const TempFolder folder;
-  Mesh::load(folder.write("a.obj", kTriangle)).save(folder / "a.gltf");
+TEST_F(MeshNames, DroppedAnimationsAndCameras) {
+  load(kTriangle).save(folder / "a.gltf");
   nlohmann::json file = nlohmann::json::parse(read_text(folder / "a.gltf"));
   file["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
   file["nodes"].push_back({{"name", "eye"}, {"camera", 0}});
@@ -117,14 +106,12 @@ TEST(MeshNames, DroppedAnimationsAndCameras) {
   file["animations"] = {
       {{"samplers", {{{"input", 2}, {"output", 0}}}},
        {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
-  const Mesh mesh = Mesh::load(folder.write("b.gltf", file.dump()));
+  const Mesh mesh = load(file.dump(), "b.gltf");
   EXPECT_EQ(mesh.dropped(), (std::vector<std::string>{"1 animation", "1 camera"}));
 }
 
-TEST(MeshNames, ObjectNamesThatObjDrops) {
-  const TempFolder folder;
-  const Mesh mesh = Mesh::load(
-      folder.write("a.obj", std::string("o car\ng wheel\n") + kTriangle + "g wheel 2\nf 1 3 2\n"));
+TEST_F(MeshNames, ObjectNamesThatObjDrops) {
+  const Mesh mesh = load(std::string("o car\ng wheel\n") + kTriangle + "g wheel 2\nf 1 3 2\n");
   EXPECT_EQ(mesh.save(folder / "b.obj"), std::vector<std::string>{"names of empty objects"});
   // A vertex of the file is one in each of the two parts.
   EXPECT_EQ(mesh.save(folder / "b.glb"), std::vector<std::string>{"order of vertices"});

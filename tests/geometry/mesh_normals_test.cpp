@@ -1,4 +1,3 @@
-#include <assimp/scene.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,9 +8,7 @@
 #include <limits>
 
 #include "errors.hpp"
-#include "hwffd/mesh/mesh.hpp"
-#include "mesh_volume.hpp"
-#include "temp_folder.hpp"
+#include "mesh_files.hpp"
 
 namespace hwffd {
 namespace {
@@ -54,20 +51,12 @@ std::string cube_text() {
          "f 2//4 3//4 7//4 6//4\nf 3//5 4//5 8//5 7//5\nf 4//6 1//6 5//6 8//6\n";
 }
 
-Mesh load_text(const std::string& text) {
-  const TempFolder folder;
-  return Mesh::load(folder.write("a.obj", text));
-}
-
 /// Normals of all corners, in the order of the scene.
 std::vector<Eigen::Vector3d> normals_of(const Mesh& mesh) {
   std::vector<Eigen::Vector3d> result;
-  for (unsigned m = 0; m < mesh.scene().mNumMeshes; ++m) {
-    const aiMesh& part = *mesh.scene().mMeshes[m];
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      result.emplace_back(part.mNormals[v].x, part.mNormals[v].y, part.mNormals[v].z);
-    }
-  }
+  each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
+    result.emplace_back(part.mNormals[v].x, part.mNormals[v].y, part.mNormals[v].z);
+  });
   return result;
 }
 

@@ -1,14 +1,12 @@
 // What goes in comes out: order and number of vertices, those without faces, clouds of points.
 
-#include <assimp/scene.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <sstream>
 
 #include "errors.hpp"
-#include "hwffd/mesh/mesh.hpp"
-#include "temp_folder.hpp"
+#include "mesh_files.hpp"
 
 namespace hwffd {
 namespace {
@@ -71,18 +69,15 @@ Rows rows_in_ply(const std::string& bytes, std::size_t count) {
   return rows;
 }
 
-Rows rows_of(const aiScene& scene) {
+Rows rows_of(const Mesh& mesh) {
   Rows rows;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    for (unsigned v = 0; v < scene.mMeshes[m]->mNumVertices; ++v) {
-      const aiVector3D& p = scene.mMeshes[m]->mVertices[v];
-      rows.push_back({p.x, p.y, p.z});
-    }
-  }
+  each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
+    rows.push_back({part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z});
+  });
   return rows;
 }
 
-class MeshOrder : public ::testing::Test {
+class MeshOrder : public MeshFiles {
  protected:
   /// The mesh at half its size, saved under each of the names.
   void save(const std::filesystem::path& path, const std::vector<std::string>& names) {
@@ -91,81 +86,74 @@ class MeshOrder : public ::testing::Test {
     EXPECT_EQ(mesh.vertex_count(), 5u) << path;
     mesh.set_positions(0.5 * mesh.positions());
     for (const std::string& name : names) {
-      const std::vector<std::string> losses = mesh.save(folder_ / name);
+      const std::vector<std::string> losses = mesh.save(folder / name);
       EXPECT_TRUE(losses.empty()) << path << " to " << name << ": " << losses.front();
     }
   }
-
-  TempFolder folder_;
 };
 
 TEST_F(MeshOrder, VerticesComeOutAsTheyWentIn) {
-  const std::vector<std::filesystem::path> sources{folder_.write("a.obj", obj_text(true)),
-                                                   folder_.write("a.off", off_text()),
-                                                   folder_.write("a.ply", ply_text(true))};
+  const std::vector<std::filesystem::path> sources{folder.write("a.obj", obj_text(true)),
+                                                   folder.write("a.off", off_text()),
+                                                   folder.write("a.ply", ply_text(true))};
   for (const auto& source : sources) {
     save(source, {"b.obj", "b.off", "b.ply", "b.gltf", "b.glb"});
-    EXPECT_EQ(rows_in_text(read_text(folder_ / "b.obj"), "v "), halved()) << source;
-    expect_part(read_text(folder_ / "b.obj"), "\nf 6 5 2\nf 5 4 2\nf 1 6 2\n");
-    expect_part(read_text(folder_ / "b.off"), "OFF\n6 3 0\n0 0 0\n0.5 0 0\n4.5 4 3.5\n");
-    EXPECT_EQ(rows_in_ply(read_text(folder_ / "b.ply"), 6), halved()) << source;
+    EXPECT_EQ(rows_in_text(read_text(folder / "b.obj"), "v "), halved()) << source;
+    expect_part(read_text(folder / "b.obj"), "\nf 6 5 2\nf 5 4 2\nf 1 6 2\n");
+    expect_part(read_text(folder / "b.off"), "OFF\n6 3 0\n0 0 0\n0.5 0 0\n4.5 4 3.5\n");
+    EXPECT_EQ(rows_in_ply(read_text(folder / "b.ply"), 6), halved()) << source;
     for (const std::string name : {"b.gltf", "b.glb"}) {
-      EXPECT_EQ(rows_of(Mesh::load(folder_ / name).scene()), halved()) << source << name;
+      EXPECT_EQ(rows_of(Mesh::load(folder / name)), halved()) << source << name;
     }
-    save(folder_ / "b.glb", {"c.obj", "c.ply"});
-    expect_part(read_text(folder_ / "c.obj"), "\nf 6 5 2\nf 5 4 2\nf 1 6 2\n");
+    save(folder / "b.glb", {"c.obj", "c.ply"});
+    expect_part(read_text(folder / "c.obj"), "\nf 6 5 2\nf 5 4 2\nf 1 6 2\n");
   }
 }
 
 TEST_F(MeshOrder, PointsStayPoints) {
-  const std::vector<std::filesystem::path> sources{folder_.write("a.obj", obj_text(false)),
-                                                   folder_.write("a.ply", ply_text(false))};
+  const std::vector<std::filesystem::path> sources{folder.write("a.obj", obj_text(false)),
+                                                   folder.write("a.ply", ply_text(false))};
   for (const auto& source : sources) {
     save(source, {"b.obj", "b.ply", "b.off", "b.glb"});
-    const std::string obj = read_text(folder_ / "b.obj");
+    const std::string obj = read_text(folder / "b.obj");
     EXPECT_EQ(rows_in_text(obj, "v "), halved());
     EXPECT_EQ(obj.find("\nf "), std::string::npos);
-    const std::string ply = read_text(folder_ / "b.ply");
+    const std::string ply = read_text(folder / "b.ply");
     EXPECT_EQ(rows_in_ply(ply, 6), halved());
     EXPECT_EQ(ply.find("element face"), std::string::npos);
     for (const std::string name : {"b.obj", "b.ply", "b.glb"}) {
-      const Mesh again = Mesh::load(folder_ / name);
-      EXPECT_EQ(rows_of(again.scene()), halved()) << name;
+      const Mesh again = Mesh::load(folder / name);
+      EXPECT_EQ(rows_of(again), halved()) << name;
       EXPECT_TRUE(again.triangles().empty()) << name;
     }
     for (const std::string name : {"b.stl", "b.dae"}) {
       const Mesh mesh = Mesh::load(source);
-      EXPECT_ERROR_PART(mesh.save(folder_ / name), "the mesh has no faces");
+      EXPECT_ERROR_PART(mesh.save(folder / name), "the mesh has no faces");
     }
   }
 }
 
 /// One point, which is less than Assimp's reader takes, and points beside an object's name.
 TEST_F(MeshOrder, SmallClouds) {
-  EXPECT_EQ(Mesh::load(folder_.write("one.obj", "v 1 2 3\n")).vertex_count_read(), 1u);
-  EXPECT_EQ(Mesh::load(folder_.write("o.obj", "o dust\nv 1 2 3\nv 1 2 4\nvn 0 0 1\n"))
-                .vertex_count_read(),
-            2u);
+  EXPECT_EQ(load("v 1 2 3\n").vertex_count_read(), 1u);
+  EXPECT_EQ(load("o dust\nv 1 2 3\nv 1 2 4\nvn 0 0 1\n").vertex_count_read(), 2u);
 }
 
 /// What an obj file numbers once stays one vertex where corners differ in texture coordinates.
 TEST_F(MeshOrder, SeamsDoNotRepeatVerticesInObj) {
-  Mesh mesh =
-      Mesh::load(folder_.write("a.obj",
-                               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
-                               "f 1/1 2/2 3/3\nf 1/3 3/1 4/2\n"));
+  Mesh mesh = load(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/3 3/1 4/2\n");
   EXPECT_EQ(mesh.vertex_count_read(), 4u);
-  EXPECT_TRUE(mesh.save(folder_ / "b.obj").empty());
-  expect_part(read_text(folder_ / "b.obj"), "\nf 1/1 2/2 3/3\nf 1/3 3/1 4/2\n");
-  EXPECT_EQ(mesh.save(folder_ / "b.ply"), std::vector<std::string>{"order of vertices"});
+  EXPECT_TRUE(mesh.save(folder / "b.obj").empty());
+  expect_part(read_text(folder / "b.obj"), "\nf 1/1 2/2 3/3\nf 1/3 3/1 4/2\n");
+  EXPECT_EQ(mesh.save(folder / "b.ply"), std::vector<std::string>{"order of vertices"});
 }
 
 /// The coordinates of an obj file are rounded once.
 TEST_F(MeshOrder, ObjNumbersAreExact) {
-  const Mesh mesh =
-      Mesh::load(folder_.write("a.obj",
-                               "v 0.1 +1e-3 16777217\nv 1.00000017881393432617187499 2 4 2\n"
-                               "v 1 \\\n2 3 0.1 0.2 0.3\nf 1 2 3\n"));
+  const Mesh mesh = load(
+      "v 0.1 +1e-3 16777217\nv 1.00000017881393432617187499 2 4 2\n"
+      "v 1 \\\n2 3 0.1 0.2 0.3\nf 1 2 3\n");
   Points expected(3, 3);
   expected << 0.1f, 1e-3f, 16777216, 0.5f * 1.00000011920928955078125f, 1, 2, 1, 2, 3;
   EXPECT_EQ(mesh.positions(), expected);
@@ -173,11 +161,9 @@ TEST_F(MeshOrder, ObjNumbersAreExact) {
 
 TEST_F(MeshOrder, ConcaveFacesAreCutInside) {
   // An arrow head: the fan from its first corner would lie outside.
-  Mesh mesh =
-      Mesh::load(folder_.write("a.obj", "v 0 2 0\nv -2 -2 0\nv 0 -1 0\nv 2 -2 0\nf 2 3 4 1\n"));
-  EXPECT_EQ(mesh.save(folder_ / "b.glb"),
-            std::vector<std::string>{"polygons (cut into triangles)"});
-  const Mesh again = Mesh::load(folder_ / "b.glb");
+  Mesh mesh = load("v 0 2 0\nv -2 -2 0\nv 0 -1 0\nv 2 -2 0\nf 2 3 4 1\n");
+  EXPECT_EQ(mesh.save(folder / "b.glb"), std::vector<std::string>{"polygons (cut into triangles)"});
+  const Mesh again = Mesh::load(folder / "b.glb");
   ASSERT_EQ(again.triangles().size(), 2u);
   double area = 0;
   for (const Mesh::Triangle& t : again.triangles()) {
@@ -191,8 +177,8 @@ TEST_F(MeshOrder, ConcaveFacesAreCutInside) {
 }
 
 TEST_F(MeshOrder, StlSaysWhatIsLost) {
-  const Mesh mesh = Mesh::load(folder_.write("a.obj", "o wedge\n" + obj_text(true)));
-  EXPECT_EQ(mesh.save(folder_ / "b.stl"),
+  const Mesh mesh = load("o wedge\n" + obj_text(true));
+  EXPECT_EQ(mesh.save(folder / "b.stl"),
             (std::vector<std::string>{"order of vertices", "part names", "unused vertices"}));
 }
 

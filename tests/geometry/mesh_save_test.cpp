@@ -1,7 +1,6 @@
 // Meshes saved and loaded: bits, faces, groups, materials, and failures that leave old files.
 
 #include <assimp/material.h>
-#include <assimp/scene.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -11,12 +10,12 @@
 #include <set>
 
 #include "errors.hpp"
-#include "hwffd/mesh/mesh.hpp"
-#include "temp_folder.hpp"
+#include "mesh_files.hpp"
 
 namespace hwffd {
 namespace {
 
+using MeshSave = MeshFiles;
 using Place = std::array<double, 3>;
 
 std::multiset<Place> places(const Mesh& mesh) {
@@ -39,30 +38,27 @@ double largest_error(const Mesh& got, const Mesh& expected) {
 
 /// Coordinates that need all bits of binary32, and a model smaller than the distance at which
 /// Assimp's own steps join vertices: every bit comes back, but that its reader of dae rounds.
-TEST(MeshSave, RoundTripOfEveryFormat) {
-  const TempFolder folder;
+TEST_F(MeshSave, RoundTripOfEveryFormat) {
   for (const auto& [size, at] : {std::pair(0.3, Eigen::RowVector3d(0.1, -5.0, 100.0)),
                                  std::pair(1e-6, Eigen::RowVector3d(0, 0, 0))}) {
     Mesh mesh = Mesh::procedural();
     mesh.set_positions((mesh.positions() * size).rowwise() + at);
     for (const std::string name :
          {"a.ply", "a.stl", "a.glb", "a.gltf", "a.obj", "a.dae", "a.PLY"}) {
-      mesh.save(folder / name);
-      const Mesh again = Mesh::load(folder / name);
-      EXPECT_EQ(again.vertex_count(), mesh.vertex_count()) << name;
-      EXPECT_EQ(again.triangles().size(), mesh.triangles().size()) << name;
+      const Mesh got = again(mesh, name);
+      EXPECT_EQ(got.vertex_count(), mesh.vertex_count()) << name;
+      EXPECT_EQ(got.triangles().size(), mesh.triangles().size()) << name;
       if (name == "a.dae") {
-        EXPECT_LE(largest_error(again, mesh), 0x1p-17) << name;  // one ulp of 100
+        EXPECT_LE(largest_error(got, mesh), 0x1p-17) << name;  // one ulp of 100
       } else {
-        EXPECT_EQ(places(again), places(mesh)) << name;
+        EXPECT_EQ(places(got), places(mesh)) << name;
       }
     }
   }
 }
 
 /// The bin file of a gltf does not fit: neither it nor the gltf is touched.
-TEST(MeshSave, FailedWriteLeavesOldFiles) {
-  const TempFolder folder;
+TEST_F(MeshSave, FailedWriteLeavesOldFiles) {
   folder.write("a.gltf", "old");
   folder.write("a.bin", "old");
   const Mesh mesh = Mesh::procedural();
@@ -80,8 +76,7 @@ TEST(MeshSave, FailedWriteLeavesOldFiles) {
   EXPECT_EQ(folder.files(), (std::set<std::string>{"a.bin", "a.gltf"}));
 }
 
-TEST(MeshSave, UnknownExtensionListsTheKnownOnes) {
-  const TempFolder folder;
+TEST_F(MeshSave, UnknownExtensionListsTheKnownOnes) {
   const Mesh mesh = Mesh::procedural();
   const std::string list = "; use the extension obj, ply, off, stl, glb, gltf or dae";
   EXPECT_USAGE_ERROR(mesh.save(folder / "a.xyz"),
@@ -126,38 +121,28 @@ std::multiset<std::string> parts_of(const Mesh& mesh) {
 }
 
 /// Position, normal and texture coordinates of every corner of every face.
-using Corner = std::array<float, 8>;
-
-std::set<Corner> corners_of(const Mesh& mesh) {
-  std::set<Corner> corners;
-  for (unsigned m = 0; m < mesh.scene().mNumMeshes; ++m) {
-    const aiMesh& part = *mesh.scene().mMeshes[m];
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D p = part.mVertices[v];
-      const aiVector3D n = part.HasNormals() ? part.mNormals[v] : aiVector3D();
-      const aiVector3D t = part.HasTextureCoords(0) ? part.mTextureCoords[0][v] : aiVector3D();
-      corners.insert({p.x, p.y, p.z, n.x, n.y, n.z, t.x, t.y});
-    }
-  }
+std::set<std::array<float, 8>> corners_of(const Mesh& mesh) {
+  std::set<std::array<float, 8>> corners;
+  each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
+    const aiVector3D p = part.mVertices[v];
+    const aiVector3D n = part.HasNormals() ? part.mNormals[v] : aiVector3D();
+    const aiVector3D t = part.HasTextureCoords(0) ? part.mTextureCoords[0][v] : aiVector3D();
+    corners.insert({p.x, p.y, p.z, n.x, n.y, n.z, t.x, t.y});
+  });
   return corners;
 }
 
-class MeshKeep : public ::testing::Test {
+class MeshKeep : public MeshFiles {
  protected:
-  MeshKeep() { folder_.write("in.mtl", kMtl); }
-
-  Mesh load(const std::string& text) { return Mesh::load(folder_.write("in.obj", text)); }
+  MeshKeep() { folder.write("in.mtl", kMtl); }
 
   /// The mesh in twice its size, saved and loaded.
   Mesh again(Mesh& mesh, const std::string& name) {
     mesh.set_positions(
         2.0 * mesh.positions(),
         std::vector<Eigen::Matrix3d>(mesh.vertex_count(), 2.0 * Eigen::Matrix3d::Identity()));
-    mesh.save(folder_ / name);
-    return Mesh::load(folder_ / name);
+    return MeshFiles::again(mesh, name);
   }
-
-  TempFolder folder_;
 };
 
 TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
@@ -188,8 +173,8 @@ TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
 TEST_F(MeshKeep, AMaterialLibraryBesideAnObj) {
   Mesh mesh = load(kHouse);
   const Mesh got = again(mesh, "out.obj");
-  EXPECT_EQ(folder_.files(), (std::set<std::string>{"in.mtl", "in.obj", "out.mtl", "out.obj"}));
-  expect_part(read_text(folder_ / "out.obj"), "mtllib out.mtl\n");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.obj", "in.mtl", "out.mtl", "out.obj"}));
+  expect_part(read_text(folder / "out.obj"), "mtllib out.mtl\n");
   aiColor3D colour;
   const unsigned material = got.scene().mMeshes[1]->mMaterialIndex;
   got.scene().mMaterials[material]->Get(AI_MATKEY_COLOR_DIFFUSE, colour);
@@ -243,10 +228,10 @@ TEST_F(MeshKeep, LinesAndPoints) {
     EXPECT_EQ(got.triangles().size(), 1u) << format.name;
   }
   const Mesh points = load("v 0 0 0\nv 1 0 0\nl 1 2\np 1\n");
-  EXPECT_ERROR(points.save(folder_ / "b.stl"),
-               (folder_ / "b.stl").string() +
+  EXPECT_ERROR(points.save(folder / "b.stl"),
+               (folder / "b.stl").string() +
                    ": the mesh has no faces, and stl holds nothing else; use obj, ply or glb");
-  EXPECT_EQ(folder_.files().count("b.stl"), 0u);
+  EXPECT_EQ(folder.files().count("b.stl"), 0u);
 }
 
 /// The number of corners has a byte in a ply file.
@@ -309,7 +294,7 @@ std::string square_3ds() {
 /// An object of two materials is one group of two parts.
 TEST_F(MeshKeep, FromA3dsFile) {
   for (const std::string name : {"a.obj", "a.gltf", "a.glb"}) {
-    Mesh mesh = Mesh::load(folder_.write("in.3ds", square_3ds()));
+    Mesh mesh = load(square_3ds(), "in.3ds");
     const std::multiset<std::string> parts = parts_of(mesh);
     ASSERT_EQ(parts, (std::multiset<std::string>{"square, red: 3", "square, blue: 3"}));
     EXPECT_EQ(mesh.positions()(2, 1), 2.0);  // as written: y up

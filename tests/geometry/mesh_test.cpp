@@ -8,10 +8,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <map>
-#include <regex>
+#include <nlohmann/json.hpp>
 
 #include "errors.hpp"
-#include "mesh_volume.hpp"
+#include "mesh_files.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -33,8 +33,7 @@ double distance_to(const Mesh& mesh, const Eigen::RowVector3d& p) {
 }
 
 TEST(Mesh, WeldsEqualPositionsOverAllParts) {
-  const TempFolder folder;
-  const Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  const Mesh mesh = load_text(kFold, "fold.obj");
   EXPECT_EQ(mesh.name(), "fold.obj");
   EXPECT_EQ(mesh.scene().mNumMeshes, 2u);
   EXPECT_EQ(mesh.vertex_count_read(), 8u);
@@ -48,64 +47,53 @@ TEST(Mesh, WeldsEqualPositionsOverAllParts) {
 
 /// Only exact equality welds, along every axis: the next binary32 number is another place.
 TEST(Mesh, DoesNotWeldWhatIsMerelyClose) {
-  const TempFolder folder;
-  const Mesh mesh =
-      Mesh::load(folder.write("close.obj",
-                              "v 0.5 0.5 0.5\nv 0.50000006 0.5 0.5\nv 0.5 0.50000006 0.5\n"
-                              "v 0.5 0.5 0.50000006\nv 0.5 0.5 0.5\nv 1e-7 0 1\nv 0 0 1\n"
-                              "f 1 2 3\nf 4 5 6\nf 5 6 7\n"));
+  const Mesh mesh = load_text(
+      "v 0.5 0.5 0.5\nv 0.50000006 0.5 0.5\nv 0.5 0.50000006 0.5\n"
+      "v 0.5 0.5 0.50000006\nv 0.5 0.5 0.5\nv 1e-7 0 1\nv 0 0 1\n"
+      "f 1 2 3\nf 4 5 6\nf 5 6 7\n");
   EXPECT_EQ(mesh.vertex_count(), 6u);
 }
 
 TEST(Mesh, WeldsNegativeZero) {
-  const TempFolder folder;
-  const Mesh mesh = Mesh::load(folder.write(
-      "zero.obj", "v 0 0 0\nv -0 0 0\nv 0 -0 0\nv 0 0 -0\nv 1 0 0\nv 0 1 0\nf 1 2 5\nf 3 4 6\n"));
+  const Mesh mesh =
+      load_text("v 0 0 0\nv -0 0 0\nv 0 -0 0\nv 0 0 -0\nv 1 0 0\nv 0 1 0\nf 1 2 5\nf 3 4 6\n");
   EXPECT_EQ(mesh.vertex_count_read(), 6u);
   EXPECT_EQ(mesh.vertex_count(), 3u);
 }
 
 TEST(Mesh, NewPositionsReachEveryDuplicate) {
-  const TempFolder folder;
-  Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  Mesh mesh = load_text(kFold, "fold.obj");
   Points moved = mesh.positions();
   moved.row(0) << 10.1, 20.2, 30.3;
   mesh.set_positions(moved);
   EXPECT_EQ(mesh.positions()(0, 0), static_cast<double>(10.1f));
   int found = 0;
-  for (unsigned m = 0; m < 2; ++m) {
-    const aiMesh& part = *mesh.scene().mMeshes[m];
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      if (part.mVertices[v] == aiVector3D(10.1f, 20.2f, 30.3f)) ++found;
-    }
-  }
+  each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
+    if (part.mVertices[v] == aiVector3D(10.1f, 20.2f, 30.3f)) ++found;
+  });
   EXPECT_EQ(found, 2);
 }
 
 /// Normals follow the deformation, and the hard edge between floor and wall stays hard.
 TEST(Mesh, NormalsFollowAndHardEdgesStay) {
-  const TempFolder folder;
-  Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  Mesh mesh = load_text(kFold, "fold.obj");
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   mesh.set_positions(mesh.positions() * turn.transpose());
-  const std::array<Eigen::Vector3d, 2> normals{turn * Eigen::Vector3d(0, -1, 0),
-                                               turn * Eigen::Vector3d(-1, 0, 0)};
   // The faces of kFold are wound so that these are their sides.
   int checked = 0;
-  for (unsigned m = 0; m < 2; ++m) {
-    const aiMesh& part = *mesh.scene().mMeshes[m];
-    for (unsigned v = 0; v < part.mNumVertices; ++v, ++checked) {
-      const aiVector3D& n = part.mNormals[v];
-      EXPECT_LT((Eigen::Vector3d(n.x, n.y, n.z) - normals[m]).norm(), 1e-6);
-    }
-  }
+  each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
+    const bool is_floor = &part == mesh.scene().mMeshes[0];
+    const Eigen::Vector3d side = is_floor ? Eigen::Vector3d(0, -1, 0) : Eigen::Vector3d(-1, 0, 0);
+    const aiVector3D& n = part.mNormals[v];
+    EXPECT_LT((Eigen::Vector3d(n.x, n.y, n.z) - turn * side).norm(), 1e-6);
+    ++checked;
+  });
   EXPECT_EQ(checked, 8);
 }
 
 TEST(Mesh, SmoothNormals) {
-  const TempFolder folder;
-  const Mesh mesh = Mesh::load(folder.write("fold.obj", kFold));
+  const Mesh mesh = load_text(kFold, "fold.obj");
   const Points normals = mesh.smooth_normals();
   EXPECT_LT((normals.row(1) - Eigen::RowVector3d(0, -1, 0)).norm(), 1e-12);
   EXPECT_LT((normals.row(4) - Eigen::RowVector3d(-1, 0, 0)).norm(), 1e-12);
@@ -116,27 +104,15 @@ TEST(Mesh, SmoothNormals) {
 /// own in world coordinates, and faces of the mirrored one are turned round.
 TEST(Mesh, NodeTransformsAndInstances) {
   const TempFolder folder;
-  folder.write("two.obj",
-               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  Mesh::load(folder / "two.obj").save(folder / "two.gltf");
-  std::string text = read_text(folder / "two.gltf");
-  const std::string nodes =
-      "\"nodes\":[{\"name\":\"a\",\"children\":[1,2,3],\"translation\":[0.005,0,0]},"
-      "{\"name\":\"b\",\"mesh\":0,\"scale\":[-1,1,1]},"
-      "{\"name\":\"c\",\"mesh\":0,\"translation\":[10,20,30]},"
-      "{\"name\":\"d\",\"mesh\":0,\"translation\":[0,0,-0.009]}]";
-  std::smatch list;
-  ASSERT_TRUE(std::regex_search(text, list, std::regex("\"nodes\": \\[\\s*\\{"))) << text;
-  const auto at = static_cast<std::size_t>(list.position());
-  // Ends where the list's bracket closes.
-  int depth = 0;
-  std::size_t end = text.find('[', at);
-  for (;; ++end) {
-    if (text[end] == '[') ++depth;
-    if (text[end] == ']' && --depth == 0) break;
-  }
-  text.replace(at, end + 1 - at, nodes);
-  Mesh mesh = Mesh::load(folder.write("two.gltf", text));
+  load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+      .save(folder / "two.gltf");
+  nlohmann::json file = nlohmann::json::parse(read_text(folder / "two.gltf"));
+  file["nodes"] = nlohmann::json::parse(R"([
+      {"name": "a", "children": [1, 2, 3], "translation": [0.005, 0, 0]},
+      {"name": "b", "mesh": 0, "scale": [-1, 1, 1]},
+      {"name": "c", "mesh": 0, "translation": [10, 20, 30]},
+      {"name": "d", "mesh": 0, "translation": [0, 0, -0.009]}])");
+  Mesh mesh = Mesh::load(folder.write("two.gltf", file.dump()));
   EXPECT_EQ(mesh.vertex_count(), 12u);
   EXPECT_EQ(mesh.triangles().size(), 12u);
   EXPECT_LT(distance_to(mesh, {-0.995, 0, 0}), 1e-6);

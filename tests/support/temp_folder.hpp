@@ -5,10 +5,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
 namespace hwffd {
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 /// A folder that lives as long as the test.
 class TempFolder {
@@ -32,6 +38,13 @@ class TempFolder {
   /// Lets every user enter the folder and read its files, but, unless they own it, write none.
   void open_to_all() const { std::filesystem::permissions(path_, std::filesystem::perms(0755)); }
 
+  /// Name -> text of all files in the folder.
+  std::map<std::string, std::string> texts() const {
+    std::map<std::string, std::string> texts;
+    for (const std::string& name : files()) texts[name] = read_text(path_ / name);
+    return texts;
+  }
+
   /// Names of all files in the folder.
   std::set<std::string> files() const {
     std::set<std::string> names;
@@ -44,10 +57,5 @@ class TempFolder {
  private:
   std::filesystem::path path_;
 };
-
-inline std::string read_text(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 }  // namespace hwffd
