@@ -125,9 +125,10 @@ mass-spring: install
 	@$(BUILD)/examples/hwffd-example-mass-spring
 
 glapi: install
+	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-glapi
-	@$(STUDY) glapi -- $(BUILD)/studies/glapi/hwffd-glapi
+	@$(CMAKE_BUILD) --target hwffd_gl_shared hwffd_python
+	@$(STUDY) glapi -- $(BUILD)/venv/bin/python tests/gl/glapi.py --output $(BUILD)
 
 synth: install
 	@scripts/python_env

@@ -41,7 +41,7 @@ REPORTS = {
     "bfp": Report("make bfp", (*_RTL, *_MODEL, "studies/bfp/*.?pp"), rows="errors"),
     "tangents": Report("make tangents", (*_RTL, *_GEOMETRY, "studies/tangents/*.?pp")),
     "embed": Report("make embed", (*_GEOMETRY, "studies/embed/*.?pp")),
-    "glapi": Report("make glapi", ("api/gl/**/*.?pp", "studies/glapi/*.?pp"), rows="commands"),
+    "glapi": Report("make glapi", ("api/gl/**/*.?pp", "tests/gl/*.py"), rows="commands"),
     "sim": Report("make sim", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs"),
     "dma": Report("make sim STREAM=dma", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs",
                   written="sim"),

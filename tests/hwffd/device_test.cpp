@@ -188,6 +188,25 @@ TEST(Device, VerticesWithSupportsAndFunctionsThatDoNotSumToOne) {
   }
 }
 
+TEST(Device, VerticesWithTheSupportsOfALatticeGetItsBits) {
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  Scene scene;
+  scene.lattice = Lattice({4, 4, 4}, scene.lattice.points().topRows(64));
+  std::vector<SupportedVertex> interleaved;
+  for (Embedded& at : scene.vertices) {
+    at.cell = {0, 0, 0};
+    interleaved.push_back({at.local, scene.lattice.support(at.cell)});
+  }
+  for (const char* format : {"fp32", "fx18"}) {
+    for (const char* kind : {"model", "rtl", "reference"}) {
+      const auto device = make_device({kind, "basic", format});
+      EXPECT_EQ(device->evaluate(interleaved, {bspline, bspline, bspline}),
+                device->evaluate(scene.lattice, scene.vertices))
+          << kind << " " << format;
+    }
+  }
+}
+
 TEST(Device, ProgressEndsAtOne) {
   const Scene scene;
   for (const char* kind : {"model", "rtl"}) {

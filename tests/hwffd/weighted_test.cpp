@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "embed/samples.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
-#include "hwffd/tb/random.hpp"
 #include "weighted_sum.hpp"
 
 namespace hwffd::gl {
@@ -14,19 +14,7 @@ namespace {
 struct Scene {
   Lattice lattice = Deformation::parse("random:3")
                         .apply(Box({4, -3, 5}, Eigen::Matrix3d::Identity()).lattice({5, 6, 4}));
-  std::vector<Embedded> vertices;
-
-  Scene() {
-    tb::Random random(1);
-    const Index3 cells = lattice.cells();
-    for (int v = 0; v < 200; ++v) {
-      Embedded& vertex = vertices.emplace_back();
-      for (std::size_t a = 0; a < 3; ++a) {
-        vertex.cell[a] = static_cast<int>(random.below(cells[a]));
-        vertex.local[static_cast<Eigen::Index>(a)] = random.unit();
-      }
-    }
-  }
+  std::vector<Embedded> vertices = embed::known_places(lattice, 200, 1);
 };
 
 /// The largest differences of values and of derivatives from the oracle's.
