@@ -36,7 +36,8 @@ ELEMENTS = {"GLubyte": np.uint8, "GLuint": np.uint32, "GLint": np.int32, "GLfloa
 
 
 def preprocessed(text, *options):
-    done = subprocess.run(["cc", "-E", "-P", f"-I{ROOT}/api/gl/include", *options, "-x", "c", "-"],
+    folders = (f"-I{folder}/api/gl/include" for folder in (ROOT, BUILD))
+    done = subprocess.run(["cc", "-E", "-P", *folders, *options, "-x", "c", "-"],
                           input=text, text=True, stdout=subprocess.PIPE, check=True)
     return done.stdout
 
