@@ -64,61 +64,39 @@ Lattice ControlGrid::lattice(int first_component, const VolumeBlending& blending
 }
 
 ControlGrid::Values ControlGrid::evaluate(Device& device, const std::vector<Embedded>& vertices,
-                                          const VolumeBlending& blending) const {
-  Values values(static_cast<Eigen::Index>(vertices.size()), components_);
-  for (int first = 0; first < components_; first += 3) {
-    const int count = std::min(3, components_ - first);
-    const Points sums =
-        weighted_sums(device, lattice(first, blending), vertices, functions_of(blending));
-    values.middleCols(first, count) = sums.leftCols(count);
-  }
-  return values;
-}
-
-ControlGrid::Slopes ControlGrid::slopes(Device& device, const std::vector<Embedded>& vertices,
-                                        const VolumeBlending& blending) const {
+                                          const VolumeBlending& blending, bool derivatives) const {
   const auto rows = static_cast<Eigen::Index>(vertices.size());
-  Slopes slopes{Values(rows, components_), {}};
-  slopes.along.fill(Values(rows, components_));
+  Values values(rows, columns(derivatives));
   for (int first = 0; first < components_; first += 3) {
     const int count = std::min(3, components_ - first);
-    const Device::Tangents part =
-        weighted_tangents(device, lattice(first, blending), vertices, functions_of(blending));
-    slopes.value.middleCols(first, count) = part.positions.leftCols(count);
-    for (Eigen::Index v = 0; v < rows; ++v) {
+    const Device::Tangents part = weighted_sums(device, lattice(first, blending), vertices,
+                                                functions_of(blending), derivatives);
+    values.middleCols(first, count) = part.positions.leftCols(count);
+    for (Eigen::Index v = 0; derivatives && v < rows; ++v) {
       const Eigen::Matrix3d& jacobian = part.jacobians[static_cast<std::size_t>(v)];
       for (int axis = 0; axis < 3; ++axis) {
-        slopes.along[axis].row(v).segment(first, count) =
+        values.row(v).segment((axis + 1) * components_ + first, count) =
             jacobian.col(axis).head(count).transpose();
       }
     }
   }
-  return slopes;
-}
-
-ControlGrid::Values ControlGrid::derivatives(Device& device, const std::vector<Embedded>& vertices,
-                                             const VolumeBlending& blending) const {
-  const Slopes all = slopes(device, vertices, blending);
-  Values columns(static_cast<Eigen::Index>(vertices.size()), 9);
-  for (int axis = 0; axis < 3; ++axis) {
-    columns.middleCols<3>(3 * axis) = all.along[axis].leftCols<3>();
-  }
-  return columns;
+  return values;
 }
 
 ControlGrid::Values ControlGrid::sheet_normals(Device& device,
                                                const std::vector<Embedded>& vertices,
                                                const VolumeBlending& blending) const {
-  const Slopes all = slopes(device, vertices, blending);
-  Values normals(all.value.rows(), 3);
+  const Values all = evaluate(device, vertices, blending, true);
+  Values normals(all.rows(), 3);
   for (Eigen::Index v = 0; v < normals.rows(); ++v) {
-    Eigen::Vector3d du = all.along[0].row(v).head<3>();
-    Eigen::Vector3d dv = all.along[1].row(v).head<3>();
-    if (components_ == 4) {
-      du = projected(all.along[0].row(v), all.value.row(v));
-      dv = projected(all.along[1].row(v), all.value.row(v));
-    }
-    const Eigen::Vector3d normal = du.cross(dv);
+    const auto part = [&](int number, double weight) {
+      Eigen::Vector4d four(0, 0, 0, weight);
+      four.head(components_) = all.row(v).segment(number * components_, components_);
+      return four;
+    };
+    const Eigen::Vector4d position = part(0, 1);
+    const Eigen::Vector3d normal =
+        projected(part(1, 0), position).cross(projected(part(2, 0), position));
     normals.row(v) = normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : normal;
   }
   return normals;

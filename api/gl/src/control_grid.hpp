@@ -34,30 +34,23 @@ class ControlGrid {
   /// Passes over a device that `evaluate` makes: it evaluates three components at once.
   int passes() const { return (components_ + 2) / 3; }
 
+  /// Columns of what `evaluate` gives.
+  int columns(bool derivatives) const { return components_ * (derivatives ? 4 : 1); }
+
   /// @param vertices  cell, and coordinates in it from 0 to 1; others are clamped, as by hardware
+  /// @param derivatives  whether those along the axes of the cell are wanted, too: after the values
+  ///   that along the first axis, that along the second, that along the third
   /// @throws Error, and what Device::evaluate throws
   Values evaluate(Device& device, const std::vector<Embedded>& vertices,
-                  const VolumeBlending& blending) const;
+                  const VolumeBlending& blending, bool derivatives = false) const;
 
   /// Normals of the sheets w = constant of a position with 3 or 4 components: d/du x d/dv of the
   /// position, of length 1 as OpenGL's evaluators make them; 0 where there is none.
   Values sheet_normals(Device& device, const std::vector<Embedded>& vertices,
                        const VolumeBlending& blending) const;
 
-  /// Columns 3a to 3a + 2: the derivative of the position along axis a of the cell.
-  Values derivatives(Device& device, const std::vector<Embedded>& vertices,
-                     const VolumeBlending& blending) const;
-
  private:
-  /// Values and their derivatives along the axes of the cell, n x components each.
-  struct Slopes {
-    Values value;
-    std::array<Values, 3> along;
-  };
-
   Lattice lattice(int first_component, const VolumeBlending& blending) const;
-  Slopes slopes(Device& device, const std::vector<Embedded>& vertices,
-                const VolumeBlending& blending) const;
 
   Index3 points_;
   int components_;

@@ -51,37 +51,30 @@ struct Centred {
   }
 };
 
-}  // namespace
-
-Points weighted_sums(Device& device, const Lattice& lattice, const std::vector<Embedded>& vertices,
-                     const Device::Blending& blending) {
-  const std::vector<Embedded> places = clamped(vertices);
-  if (all_sum_to_one(blending)) return device.evaluate(lattice, places, blending);
-  const Centred centred(lattice, blending);
-  Points sums = device.evaluate(centred.lattice, places, centred.blending) * centred.scale;
-  const Oracle oracle(blending[0], blending[1], blending[2]);
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    sums.row(static_cast<Eigen::Index>(v)) +=
-        oracle.jet(centred.centre, places[v].local).value.transpose();
-  }
-  return sums;
+Device::Tangents on_device(Device& device, const Lattice& lattice,
+                           const std::vector<Embedded>& places, const Device::Blending& blending,
+                           bool derivatives) {
+  if (derivatives) return device.tangents(lattice, places, blending);
+  return {device.evaluate(lattice, places, blending), {}};
 }
 
-Device::Tangents weighted_tangents(Device& device, const Lattice& lattice,
-                                   const std::vector<Embedded>& vertices,
-                                   const Device::Blending& blending) {
+}  // namespace
+
+Device::Tangents weighted_sums(Device& device, const Lattice& lattice,
+                               const std::vector<Embedded>& vertices,
+                               const Device::Blending& blending, bool derivatives) {
   const std::vector<Embedded> places = clamped(vertices);
-  if (all_sum_to_one(blending)) return device.tangents(lattice, places, blending);
+  if (all_sum_to_one(blending)) return on_device(device, lattice, places, blending, derivatives);
   const Centred centred(lattice, blending);
-  Device::Tangents tangents = device.tangents(centred.lattice, places, centred.blending);
+  Device::Tangents sums = on_device(device, centred.lattice, places, centred.blending, derivatives);
   const Oracle oracle(blending[0], blending[1], blending[2]);
-  tangents.positions *= centred.scale;
+  sums.positions *= centred.scale;
   for (std::size_t v = 0; v < places.size(); ++v) {
     const Oracle::Jet mend = oracle.jet(centred.centre, places[v].local);
-    tangents.positions.row(static_cast<Eigen::Index>(v)) += mend.value.transpose();
-    tangents.jacobians[v] = tangents.jacobians[v] * centred.scale + mend.jacobian;
+    sums.positions.row(static_cast<Eigen::Index>(v)) += mend.value.transpose();
+    if (derivatives) sums.jacobians[v] = sums.jacobians[v] * centred.scale + mend.jacobian;
   }
-  return tangents;
+  return sums;
 }
 
 }  // namespace hwffd::gl

@@ -99,7 +99,7 @@ gl::VolumeBlending VolumeAttribute::blending_of(const Index3& cell) const {
   return {knots_[0].blending(cell[0]), knots_[1].blending(cell[1]), knots_[2].blending(cell[2])};
 }
 
-Values VolumeAttribute::by_blending(int columns, const ValuesOf& values_of) const {
+Values VolumeAttribute::evaluate(Device& device, bool derivatives) const {
   std::array<std::vector<Oracle::Coefficients>, 3> known;
   const auto number_of = [&known](int axis, const gl::AxisBlending& functions) {
     std::vector<Oracle::Coefficients>& seen = known[axis];
@@ -120,11 +120,11 @@ Values VolumeAttribute::by_blending(int columns, const ValuesOf& values_of) cons
     }
     groups[entry->second].push_back(v);
   }
-  Values all(static_cast<Eigen::Index>(places_.size()), columns);
+  Values all(static_cast<Eigen::Index>(places_.size()), grid_.columns(derivatives));
   for (const auto& [group, members] : groups) {
     std::vector<Embedded> some;
     for (const std::size_t v : members) some.push_back(places_[v]);
-    const Values values = values_of(some, blending_of(some.front().cell));
+    const Values values = grid_.evaluate(device, some, blending_of(some.front().cell), derivatives);
     for (std::size_t m = 0; m < members.size(); ++m) {
       all.row(static_cast<Eigen::Index>(members[m])) = values.row(static_cast<Eigen::Index>(m));
     }
@@ -169,16 +169,12 @@ std::vector<GLuint> Volume::elements() const {
 }
 
 Values Volume::deformed_normals(Device& device) const {
-  const VolumeAttribute& vertices = *positions();
-  const Values slopes = vertices.by_blending(
-      9, [&](const std::vector<Embedded>& some, const gl::VolumeBlending& blending) {
-        return vertices.grid().derivatives(device, some, blending);
-      });
+  const Values values = positions()->evaluate(device, true);
   Values deformed(normals_->rows(), 3);
   for (Eigen::Index v = 0; v < deformed.rows(); ++v) {
     Eigen::Matrix3d jacobian;
     for (int axis = 0; axis < 3; ++axis) {
-      jacobian.col(axis) = slopes.row(v).segment<3>(3 * axis).transpose();
+      jacobian.col(axis) = values.row(v).segment<3>(3 * (axis + 1)).transpose();
     }
     const Eigen::RowVector3d normal = normals_->row(v);
     // A collapsed place has no normal; it gets none, rather than an infinite one.
@@ -200,13 +196,7 @@ gl::VertexBatch Volume::evaluate(Device& device, const Progress& progress) const
   const Meter meter(device, work(), progress);
   gl::VertexBatch batch;
   for (const VolumeAttribute& attribute : attributes_) {
-    const gl::ControlGrid& grid = attribute.grid();
-    const Values values = attribute.by_blending(
-        grid.components(),
-        [&](const std::vector<Embedded>& some, const gl::VolumeBlending& blending) {
-          return grid.evaluate(device, some, blending);
-        });
-    batch.*slot_of(attribute.type()) = gl::VertexBatch::Attribute(values);
+    batch.*slot_of(attribute.type()) = gl::VertexBatch::Attribute(attribute.evaluate(device));
   }
   if (normals_) batch.normal = gl::VertexBatch::Attribute(deformed_normals(device));
   return batch;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,11 +21,9 @@ class VolumeAttribute {
   std::size_t vertices() const { return places_.size(); }
   const gl::ControlGrid& grid() const { return grid_; }
 
-  /// Evaluates `values_of` (device, vertices, blending functions) for each group of vertices whose
-  /// cells have the same blending functions, and puts the rows in the vertices' order.
-  using ValuesOf = std::function<gl::ControlGrid::Values(const std::vector<Embedded>&,
-                                                         const gl::VolumeBlending&)>;
-  gl::ControlGrid::Values by_blending(int columns, const ValuesOf& values_of) const;
+  /// The grid's values at the vertices, in their order; the device is asked once for all vertices
+  /// whose cells have the same blending functions.
+  gl::ControlGrid::Values evaluate(Device& device, bool derivatives = false) const;
 
  private:
   Index3 cell_of(float number) const;
