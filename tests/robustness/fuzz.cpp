@@ -1,46 +1,96 @@
+// Inputs from outside for one reader, as fuzz.py sends them: says its corpus, then answers each
+// input. A block is the number of its bytes on a line, and the bytes.
 #include "fuzz.hpp"
 
 #include <fmt/format.h>
+#include <sys/time.h>
+#include <unistd.h>
 
-#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
 #include <stdexcept>
 
-#include "current_input.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/excerpt.hpp"
-#include "mutator.hpp"
 
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kLongestMessage = 200;
-constexpr std::size_t kMostFailures = 20;
+/// For an input: of the processor, then the program ends by SIGPROF; of the clock, by SIGALRM.
+constexpr int kSeconds = 20;
+constexpr unsigned kPatience = 300;
 
-/// What is wrong with an error's text; empty if nothing.
-std::string fault_of(const std::string& message) {
-  const bool printable =
-      std::all_of(message.begin(), message.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
-  if (message.empty()) return "the message is empty";
-  if (message.size() > kLongestMessage) {
-    return fmt::format("the message has {} characters", message.size());
-  }
-  return printable ? "" : "the message is not one printable line: " + excerpt(message, 200);
+void set_timers(int seconds, unsigned patience) {
+  const itimerval timer{{0, 0}, {seconds, 0}};
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+  ::alarm(patience);
 }
 
-/// Runs one input; what is wrong, empty if nothing.
-std::string run(const Target& target, const std::string& input, Tally& tally) {
+/// Past all buffers, which a process that an input makes would have, too.
+void say(const std::string& text) {
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const ssize_t bytes = ::write(STDOUT_FILENO, text.data() + written, text.size() - written);
+    if (bytes < 0) throw std::runtime_error("nobody listens");
+    written += static_cast<std::size_t>(bytes);
+  }
+}
+
+std::string block(const std::string& text) { return fmt::format("{}\n{}", text.size(), text); }
+
+/// What becomes of an input: "valid", "refused" or "fault", and what the reader said.
+std::string answer(const Target& target, const std::string& input) {
   try {
     target.read(input);
-    ++tally.valid;
+    return "valid " + block("");
   } catch (const Error& error) {
-    ++tally.refused;
-    return fault_of(error.what());
+    return "refused " + block(error.what());
   } catch (const std::exception& error) {
-    return std::string("another exception: ") + error.what();
+    return "fault " + block(std::string("another exception: ") + error.what());
   } catch (...) {
-    return "something thrown that is no exception";
+    return "fault " + block("something thrown that is no exception");
   }
-  return "";
+}
+
+/// Throws what the name of a fault says, to see it found.
+void planted(const std::string& fault) {
+  struct TwoLines : Error {
+    TwoLines() : Error("two lines") {}
+    const char* what() const noexcept override { return "two\nlines"; }
+  };
+  if (fault == "empty") throw Error("");
+  if (fault == "lines") throw TwoLines();
+  if (fault == "accent") throw Error("caf\xc3\xa9");
+  if (fault == "long") throw Error(std::string(501, 'x'));
+  if (fault == "exception") throw std::out_of_range("at");
+  if (fault == "number") throw 1;
+  if (fault == "abort") std::abort();
+  if (fault == "time") set_timers(1, 0);
+  for (volatile bool endless = fault == "time"; endless;) {
+  }
+  expect(fault != "expect", "broken");
+}
+
+int serve(const std::string& name) {
+  std::vector<Target> all = targets();
+  all.push_back({"planted", {"text"}, planted});
+  for (const Target& target : all) {
+    if (name != target.name) continue;
+    say(fmt::format("{}\n", target.corpus.size()));
+    for (const std::string& seed : target.corpus) say(block(seed));
+    std::size_t size = 0;
+    while (std::cin >> size) {
+      std::string input(size, '\0');
+      std::cin.get();
+      std::cin.read(input.data(), static_cast<std::streamsize>(size));
+      set_timers(kSeconds, kPatience);
+      say(answer(target, input));
+      set_timers(0, 0);
+    }
+    return 0;
+  }
+  fmt::print(stderr, "no target {}\n", name);
+  return 2;
 }
 
 }  // namespace
@@ -49,20 +99,13 @@ void expect(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
 
-Tally fuzz(const Target& target, std::uint64_t seed, std::uint64_t first, std::uint64_t inputs) {
-  Tally tally;
-  for (std::uint64_t number = first; number < first + inputs; ++number) {
-    const std::string replay =
-        fmt::format("HWFFD_FUZZ_SEED={} HWFFD_FUZZ_INPUT={} target {}", seed, number, target.name);
-    const std::string input = Mutator(tb::derive_seed(seed, number), target.corpus).next();
-    const CurrentInput current(replay);
-    const std::string fault = run(target, input, tally);
-    if (fault.empty()) continue;
-    tally.failures.push_back(
-        fmt::format("{}: {}; {} bytes: {}", replay, fault, input.size(), excerpt(input, 300)));
-    if (tally.failures.size() == kMostFailures) break;
-  }
-  return tally;
-}
-
 }  // namespace hwffd
+
+int main(int argc, char** argv) {
+  try {
+    return hwffd::serve(argc > 1 ? argv[1] : "");
+  } catch (const std::exception& error) {
+    std::fputs(error.what(), stderr);
+    return 1;
+  }
+}

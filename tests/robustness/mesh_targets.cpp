@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "corpus.hpp"
+#include "fuzz.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "targets.hpp"
 #include "temp_folder.hpp"
 
 namespace hwffd {
@@ -67,30 +67,28 @@ void read_mesh(const std::string& name, const std::string& input) {
   save(mesh, output_for(input));
 }
 
-Target target(const char* format, std::uint64_t inputs, std::vector<std::string> corpus) {
+Target target(const char* format, std::vector<std::string> corpus) {
   const std::string name = std::string("a.") + format;
-  return {format, inputs, std::move(corpus),
-          [name](const std::string& input) { read_mesh(name, input); }};
+  return {format, std::move(corpus), [name](const std::string& input) { read_mesh(name, input); }};
 }
 
 }  // namespace
 
-const std::vector<Target>& targets() {
-  static const std::vector<Target> all{target("obj", 2000, obj_corpus()),
-                                       target("ply", 2000, ply_corpus()),
-                                       target("stl", 2000, stl_corpus()),
-                                       target("off", 50, off_corpus()),
-                                       target("raw", 50, raw_corpus()),
-                                       target("gltf", 50, exported_corpus({"gltf2"})),
-                                       target("glb", 50, exported_corpus({"glb2"})),
-                                       target("dae", 50, exported_corpus({"collada"})),
-                                       target("fbx", 50, exported_corpus({"fbxa"})),
-                                       target("3ds", 50, exported_corpus({"3ds"})),
-                                       target("3mf", 50, exported_corpus({"3mf"})),
-                                       target("x", 50, exported_corpus({"x"})),
-                                       target("x3d", 50, exported_corpus({"x3d"})),
-                                       target("assbin", 50, exported_corpus({"assbin"}))};
-  return all;
+std::vector<Target> targets() {
+  return {target("obj", obj_corpus()),
+          target("ply", ply_corpus()),
+          target("stl", stl_corpus()),
+          target("off", off_corpus()),
+          target("raw", raw_corpus()),
+          target("gltf", exported_corpus({"gltf2"})),
+          target("glb", exported_corpus({"glb2"})),
+          target("dae", exported_corpus({"collada"})),
+          target("fbx", exported_corpus({"fbxa"})),
+          target("3ds", exported_corpus({"3ds"})),
+          target("3mf", exported_corpus({"3mf"})),
+          target("x", exported_corpus({"x"})),
+          target("x3d", exported_corpus({"x3d"})),
+          target("assbin", exported_corpus({"assbin"}))};
 }
 
 }  // namespace hwffd

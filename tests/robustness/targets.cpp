@@ -1,11 +1,10 @@
-#include "targets.hpp"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "corpus.hpp"
+#include "fuzz.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/embedder.hpp"
@@ -95,14 +94,12 @@ void read_text_of_points(const std::string& input) {
 
 }  // namespace
 
-const std::vector<Target>& targets() {
-  static const std::vector<Target> all{
-      {"lattice", 60000, lattice_corpus(), read_lattice_text},
-      {"deformation", 20000, deformation_corpus(), read_deformation},
-      {"outside", 5000, outside_corpus(), read_outside},
-      {"stages", 10000, stages_corpus(), read_stages},
-      {"points", 5000, points_corpus(), read_text_of_points}};
-  return all;
+std::vector<Target> targets() {
+  return {{"lattice", lattice_corpus(), read_lattice_text},
+          {"deformation", deformation_corpus(), read_deformation},
+          {"outside", outside_corpus(), read_outside},
+          {"stages", stages_corpus(), read_stages},
+          {"points", points_corpus(), read_text_of_points}};
 }
 
 }  // namespace hwffd
