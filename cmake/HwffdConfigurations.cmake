@@ -29,9 +29,11 @@ set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
   ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
-  ${table} ${HWFFD_RTL_DIR}/hwffd.f)
-foreach(module configurations configuration_texts formats formulas made organizations organization_rtl rtl
-    stream_words tables)
+  ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/bus/registers.csv
+  ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${CMAKE_SOURCE_DIR}/VERSION)
+foreach(module configurations configuration_texts core_file formats formulas made module_header
+    organizations organization_rtl register_rtl register_texts registers rtl stream_words tables
+    version)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${CMAKE_SOURCE_DIR}/scripts/${module}.py)
 endforeach()

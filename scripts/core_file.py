@@ -1,22 +1,16 @@
-#!/usr/bin/env python3
 """hwffd.core, the description of the core for FuseSoC: files from rtl/hwffd.f and the headers beside
 them, parameters with their defaults from the tops, the version from VERSION.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import argparse
-import pathlib
-import sys
-
 import configurations
 import module_header
 import rtl
-import tables
 import version
 
 NAME = "hwffd.core"
-GENERATED = "Made by scripts/core_file.py write; changes here are lost."
+GENERATED = "Made by scripts/made.py write; changes here are lost."
 TOPS = ("hwffd_stream", "hwffd_axi")
 EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/excerpt.cpp",
                    "golden/src/stream/packets.cpp", "golden/src/stream/word_codec.cpp")
@@ -99,7 +93,6 @@ def _example_lines():
 
 def text(root):
     """What hwffd.core must be."""
-    root = pathlib.Path(root)
     sources = rtl.Sources(root)
     stream, axi = (module_header.read(sources, top).parameters for top in TOPS)
     row = configurations.read(root / "rtl" / "configurations.csv")[0].parameters
@@ -115,31 +108,3 @@ def text(root):
                        for name in axi),
         used_stream="\n".join(f"      - {name}" for name in stream),
         parameters="\n".join(parameters))
-
-
-def stale(root=rtl.ROOT):
-    """A line if hwffd.core is not what the sources say."""
-    root = pathlib.Path(root)
-    found = tables.differing(root, {NAME: text(root)}) if (root / NAME).is_file() else []
-    return [f"{name}: not what the sources say: run scripts/core_file.py write" for name in found]
-
-
-def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Writes hwffd.core, or checks it.")
-    parser.add_argument("--root", type=pathlib.Path, default=rtl.ROOT, help="checkout to work on")
-    parser.add_argument("command", choices=("write", "check"))
-    options = parser.parse_args(arguments)
-    try:
-        if options.command == "write":
-            tables.write_if_changed(options.root / NAME, text(options.root))
-            return 0
-        found = stale(options.root)
-    except (tables.TableError, module_header.HeaderError, OSError) as error:
-        found = [str(error)]
-    for line in found:
-        print(f"core_file.py: {line}", file=sys.stderr)
-    return 1 if found else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

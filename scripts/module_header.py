@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass
 
 import rtl
+import tables
 
 _HEADER = re.compile(r"\bmodule\s+(\w+)\s*#\((.*?)\n\)\s*\((.*?)\n\);", re.DOTALL)
 _PARAMETER = re.compile(r"\s*parameter\s+(\w+)\s*=\s*(\S+)")
@@ -14,7 +15,7 @@ _PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+):0\]\s*)?(\w+)")
 _DEFINE = re.compile(r"^`define\s+(\w+)\s+(\d+)\s*$", re.MULTILINE)
 
 
-class HeaderError(Exception):
+class HeaderError(tables.TableError):
     """A header that cannot be read, in one line."""
 
 

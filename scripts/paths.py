@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """Looks for combinational paths from an input port to an output port of a module.
 
 yosys flattens the module; then every output bit is followed backwards through cells without a
@@ -17,9 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-
-import rtl  # noqa: E402
+import rtl
 
 # Cells with a clock, and those of their inputs that reach the output without it.
 FLIP_FLOPS = (

@@ -8,21 +8,16 @@ values "version" are the parts of the version, whose own header is made here too
 SPDX-License-Identifier: Apache-2.0
 """
 
-import argparse
-import pathlib
 import re
 import sys
 from dataclasses import dataclass
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import register_rtl
+import register_texts
+import tables
+import version
+from tables import TableError
 
-import register_rtl  # noqa: E402
-import register_texts  # noqa: E402
-import tables  # noqa: E402
-import version  # noqa: E402
-from tables import TableError, differing, write_if_changed  # noqa: E402
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "rtl/bus/registers.csv"
 PREAMBLE = "rtl/bus/registers_preamble.md"
 COLUMNS = ("offset", "register", "field", "bits", "access", "reset", "link", "description")
@@ -190,63 +185,32 @@ def parse(text, path, release):
     return registers
 
 
-def read(root=ROOT, table=None):
+def read(root=tables.ROOT):
     """Those of a checkout. Raises TableError."""
-    path = table or pathlib.Path(root) / TABLE
-    return parse(tables.read_text(path), path, version.read(root))
+    return parse(tables.read_text(root / TABLE), root / TABLE, version.read(root))
 
 
-def outputs(root=ROOT, table=None):
+def outputs(root=tables.ROOT):
     """path below root -> the text that it must have"""
-    root = pathlib.Path(root)
-    registers = read(root, table)
-    preamble = (root / PREAMBLE).read_text(encoding="utf-8")
+    registers = read(root)
     return {
         "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
         "driver/include/hwffd/registers.h": register_texts.header_text(registers),
         "rtl/stream/ffd_events.vh": register_texts.events_rtl_text(registers),
         "golden/include/hwffd/stream/events.hpp": register_texts.events_header_text(registers),
-        "docs/registers.md": register_texts.docs_text(registers, preamble),
+        "docs/registers.md": register_texts.docs_text(registers, tables.read_text(root / PREAMBLE)),
         version.HEADER: version.header_text(version.read(root)),
     }
 
 
-def stale(root=ROOT):
-    """A line for each generated file that is not what the table makes of it."""
-    root = pathlib.Path(root)
-    if not (root / TABLE).is_file():
-        return []
-    return [f"{name}: not what table and {version.FILE} say: run scripts/registers.py write"
-            for name in differing(root, outputs(root))]
+def listing(root):
+    """Offset, register, fields."""
+    return "\n".join(" ".join([f"0x{register.offset:03X} {register.name}", *(
+        f"{field.name}({field.access})" for field in register.fields)]) for register in read(root))
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Reads the table of registers.")
-    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to work on")
-    parser.add_argument("--table", help="default: rtl/bus/registers.csv of the checkout")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    commands.add_parser("list", help="print offset, register, fields")
-    commands.add_parser("write", help="write RTL, C headers and document, where they differ")
-    commands.add_parser("check", help="fail where one of them is not what the table says")
-    options = parser.parse_args(arguments)
-
-    try:
-        if options.command == "list":
-            for register in read(options.root, options.table):
-                words = " ".join(f"{field.name}({field.access})" for field in register.fields)
-                print(f"0x{register.offset:03X} {register.name} {words}")
-        elif options.command == "write":
-            for name, text in outputs(options.root, options.table).items():
-                write_if_changed(options.root / name, text)
-        else:
-            found = stale(options.root)
-            for line in found:
-                print(f"registers.py: {line}", file=sys.stderr)
-            return 1 if found else 0
-    except (TableError, OSError) as error:
-        print(f"registers.py: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return tables.command("registers.py", [outputs], arguments, list=listing)
 
 
 if __name__ == "__main__":

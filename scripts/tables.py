@@ -3,9 +3,13 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import argparse
 import csv
 import pathlib
 import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 class TableError(Exception):
@@ -72,12 +76,6 @@ def span(cells, column, where, allowed):
     return range(int(low), int(high) + 1)
 
 
-def differing(root, texts):
-    """Names of the files below root that do not have the text that they must have."""
-    return [name for name, text in texts.items()
-            if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text]
-
-
 def write_if_changed(path, text):
     """Leaves the file alone, time stamp and all, when it has this text already."""
     path = pathlib.Path(path)
@@ -85,3 +83,32 @@ def write_if_changed(path, text):
         return
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
+
+
+def stale(root, makers, cure):
+    """A line for each file that is not what these functions make, root -> {file below it: text}."""
+    return [f"{name}: not what it is made from says: run scripts/{cure} write"
+            for make in makers for name, text in make(root).items()
+            if not (root / name).is_file() or (root / name).read_text(encoding="utf-8") != text]
+
+
+def command(name, makers, arguments=None, **others):
+    """A program that writes such files or checks them, or does one of `others`; its exit status."""
+    parser = argparse.ArgumentParser(
+        prog=name, description="Writes files that are made, or checks them.")
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to work on")
+    parser.add_argument("command", choices=("write", "check", *others))
+    options = parser.parse_args(arguments)
+    try:
+        found = stale(options.root, makers, name) if options.command == "check" else []
+        if options.command == "write":
+            for make in makers:  # one after another: some read what those before have written
+                for file, text in make(options.root).items():
+                    write_if_changed(options.root / file, text)
+        elif options.command in others:
+            print(others[options.command](options.root))
+    except (TableError, OSError) as error:
+        found = [str(error)]
+    for line in found:
+        print(f"{name}: {line}", file=sys.stderr)
+    return 1 if found else 0

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """clang-tidy on C++ files, each with the options that build/ compiles it with.
 
 As a program: on every file that build/ compiles. The last line is "tidy: N files, W findings"; the
@@ -15,12 +15,9 @@ import re
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-
-import pool  # noqa: E402
-import rtl  # noqa: E402
-import text_rules  # noqa: E402
+import pool
+import rtl
+import text_rules
 
 COMMANDS = "build/compile_commands.json"
 SOURCES, HEADERS = (".cpp",), (".hpp", ".h")

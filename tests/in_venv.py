@@ -3,7 +3,7 @@ installed what it needs.
 
     in_venv.py SET PROGRAM ARGUMENT...
 
-SET is that of scripts/requirements-SET.txt which the test wants.
+SET is that of scripts/requirements-SET.txt which the test wants; "base": requirements.txt.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -18,8 +18,9 @@ SKIPPED = 77  # SKIP_RETURN_CODE of these tests
 
 def main():
     wanted, *program = sys.argv[1:]
-    if not (VENV / f"requirements-{wanted}.txt").is_file():
-        print(f"skipped: packages are missing in build/venv: run scripts/python_env {wanted}")
+    more = "" if wanted == "base" else wanted
+    if not (VENV / f"requirements-{more}.txt".replace("-.", ".")).is_file():
+        print(f"skipped: packages are missing in build/venv: run scripts/python_env {more}")
         return SKIPPED
     python = str(VENV / "bin" / "python")
     sys.stdout.flush()

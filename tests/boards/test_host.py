@@ -4,21 +4,18 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import os
-import pathlib
 import pty
 import select
 import struct
-import subprocess
 import sys
-import tempfile
 import threading
 import time
 import tty
-import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+import pytest
+from rtl import ROOT
+
 HOST = ROOT / "synth" / "boards" / "host.py"
-sys.dont_write_bytecode = True
 sys.path.insert(0, str(HOST.parent))
 
 import host  # noqa: E402
@@ -74,61 +71,62 @@ class Board(threading.Thread):
                 os.write(self.file, struct.pack("<4I", *rest, last | mark))
 
 
-class Host(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.master, self.slave = pty.openpty()
-        tty.setraw(self.slave)
-        self.addCleanup(os.close, self.master)
-        self.addCleanup(os.close, self.slave)
+@pytest.fixture
+def send(checkout):
+    """Exit status, output, lines of complaints, frames that the board has got."""
+    master, slave = pty.openpty()
+    tty.setraw(slave)
 
-    def send(self, packets, silent_after=None):
-        board = Board(self.master, silent_after)
-        (self.folder / "packets").write_bytes(packets)
-        os.write(self.master, b"left over")  # of a session before
+    def sent(packets, silent_after=None):
+        board = Board(master, silent_after)
+        (checkout.root / "packets").write_bytes(packets)
+        os.write(master, b"left over")  # of a session before
         board.start()
-        done = subprocess.run(
-            [sys.executable, "-B", str(HOST), os.ttyname(self.slave), str(self.folder / "packets"),
-             str(self.folder / "results"), "--timeout", "0.5"],
-            text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False, timeout=60)
+        status, out, errors = checkout.run(
+            sys.executable, "-B", HOST, os.ttyname(slave), "packets", "results", "--timeout", "0.5",
+            timeout=60)
         board.ended.set()
         board.join()
-        return done.returncode, done.stdout, done.stderr.splitlines(), board.frames
-
-    def test_results_come_back_in_order(self):
-        start = time.monotonic()
-        status, out, err, frames = self.send(COEFFICIENTS + LATTICE + vertices(150))
-        self.assertEqual((status, err), (0, []))
-        self.assertGreater(time.monotonic() - start, host.PAUSE)
-        self.assertEqual([struct.unpack("<I", f[4:8])[0] for f in frames[2:]], [64, 64, 22])
-        self.assertEqual(frames[:2], [COEFFICIENTS, LATTICE])
-        self.assertEqual((self.folder / "results").read_bytes(), vertices(150)[16:])
-        self.assertIn("5 frames, 150 results", out)
-
-    def test_derivatives_make_four_results(self):
-        status, _, err, frames = self.send(vertices(20, kind=1))
-        self.assertEqual((status, err), (0, []))
-        self.assertEqual([struct.unpack("<I", f[4:8])[0] for f in frames], [16, 4])
-        self.assertEqual(len((self.folder / "results").read_bytes()), 16 * 80)
-
-    def test_what_is_refused(self):
-        for packets, wrong in ((vertices(2)[:-16], "ends inside a packet"),
-                               (vertices(2) + b"1", "a piece of a beat"),
-                               (beat(9, 0, 0, 0), "opcode 9"),
-                               (vertices(1, kind=3), "results 3")):
-            status, _, err, frames = self.send(packets)
-            self.assertEqual((status, len(err), frames), (1, 1, []))
-            self.assertIn(wrong, err[0])
-
-    def test_a_board_that_falls_silent(self):
-        status, _, err, _ = self.send(vertices(70), silent_after=1)
-        self.assertEqual(status, 1)
-        self.assertEqual(err, ["host.py: 0 of 6 results came: is the board loaded, and the rate "
-                               "right?"])
-        self.assertFalse((self.folder / "results").exists())
+        return status, out, errors.splitlines(), board.frames
+    yield sent
+    os.close(master)
+    os.close(slave)
 
 
-if __name__ == "__main__":
-    unittest.main()
+def numbers(frames):
+    """How many vertices each has."""
+    return [struct.unpack("<I", frame[4:8])[0] for frame in frames]
+
+
+def test_results_come_back_in_order(checkout, send):
+    start = time.monotonic()
+    status, out, errors, frames = send(COEFFICIENTS + LATTICE + vertices(150))
+    assert (status, errors) == (0, [])
+    assert time.monotonic() - start > host.PAUSE
+    assert numbers(frames[2:]) == [64, 64, 22]
+    assert frames[:2] == [COEFFICIENTS, LATTICE]
+    assert (checkout.root / "results").read_bytes() == vertices(150)[16:]
+    assert "5 frames, 150 results" in out
+
+
+def test_derivatives_make_four_results(checkout, send):
+    status, _, errors, frames = send(vertices(20, kind=1))
+    assert (status, errors) == (0, [])
+    assert numbers(frames) == [16, 4]
+    assert len((checkout.root / "results").read_bytes()) == 16 * 80
+
+
+@pytest.mark.parametrize("packets, wrong", (
+    (vertices(2)[:-16], "ends inside a packet"), (vertices(2) + b"1", "a piece of a beat"),
+    (beat(9, 0, 0, 0), "opcode 9"), (vertices(1, kind=3), "results 3")))
+def test_what_is_refused(send, packets, wrong):
+    status, _, (error,), frames = send(packets)
+    assert (status, frames) == (1, [])
+    assert wrong in error
+
+
+def test_a_board_that_falls_silent(checkout, send):
+    status, _, errors, _ = send(vertices(70), silent_after=1)
+    assert (status, errors) == (1, [
+        "host.py: 0 of 6 results came: is the board loaded, and the rate right?"])
+    assert not (checkout.root / "results").exists()

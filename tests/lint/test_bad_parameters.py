@@ -13,19 +13,17 @@ import csv
 import os
 import pathlib
 import re
-import sys
 import tempfile
-import unittest
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent / "scripts"))
-
-import organizations  # noqa: E402
-import rtl  # noqa: E402
+import organizations
+import pytest
+import rtl
+from rtl import ROOT
 
 SOURCES = rtl.Sources()
-TABLE = HERE / "bad_parameters.csv"
+TABLE = ROOT / "tests" / "lint" / "bad_parameters.csv"
 TOP = "bad_parameters_top"
+TOOLS = ("verilator", "icarus", "yosys")
 GUARD = re.compile(r"\bERROR_\w+")
 
 
@@ -77,40 +75,42 @@ def read_table():
     return rows + shared_rows()
 
 
-class BadParameters(unittest.TestCase):
-    def test_table(self):
-        rows = read_table()
-        self.assertTrue(rows)
-        for module, names, values in rows:
-            self.assertIn(module, SOURCES.files, "not in rtl/hwffd.f")
-            self.assertEqual(len(names), len(values), f"{module}: {names} and {values}")
-        modules = list(dict.fromkeys(module for module, _, _ in rows))
-        cases = [(module, list(zip(names, values))) for module, names, values in rows]
-        cases += [(module, []) for module in modules]
-        with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
-            results = list(pool.map(lambda case: elaborate(*case), cases))
-        right = 0
-        seen = {}
-        for (module, assignments), result in zip(cases, results):
-            for tool, (status, output) in result.items():
-                with self.subTest(module=module, assignments=assignments, tool=tool):
-                    if assignments:
-                        self.assertNotEqual(status, 0, "accepted")
-                        self.assertIn(f"ERROR_{module}_", output)
-                    else:
-                        self.assertEqual((status, "ERROR_" in output), (0, False), output)
-                    right += 1
-                seen.setdefault(tool, set()).update(GUARD.findall(output))
-        for tool, guards in seen.items():
-            self.assertEqual(guards_of_sources() - guards, set(), f"never seen with {tool}")
-        print(f"bad parameters: {len(rows)} rows to refuse and {len(modules)} defaults to accept, "
-              f"{right} of {3 * len(cases)} verdicts of 3 tools right")
-
-    def test_a_legal_value_is_not_refused(self):
-        """The harness itself can tell: a legal value is accepted by all three."""
-        for tool, (status, output) in elaborate("ffd_num_delay", [("LATENCY", "3")]).items():
-            self.assertEqual((tool, status), (tool, 0), output)
+ROWS = read_table()
+CASES = [(module, tuple(zip(names, values))) for module, names, values in ROWS]
+CASES += [(module, ()) for module in dict.fromkeys(module for module, _, _ in ROWS)]
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.fixture(scope="module")
+def results():
+    """(module, assignments) -> {tool: (status, output)}"""
+    with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
+        return dict(zip(CASES, pool.map(lambda case: elaborate(*case), CASES)))
+
+
+def test_table():
+    assert len(set(CASES)) == len(CASES) > len({module for module, _, _ in ROWS})
+    for module, names, values in ROWS:
+        assert module in SOURCES.files and len(names) == len(values), (module, names, values)
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_verdict(results, case, tool):
+    status, output = results[case][tool]
+    if case[1]:
+        assert status != 0, "accepted"
+        assert f"ERROR_{case[0]}_" in output
+    else:
+        assert (status, "ERROR_" in output) == (0, False), output
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_every_guard_is_seen(results, tool):
+    seen = {guard for found in results.values() for guard in GUARD.findall(found[tool][1])}
+    assert guards_of_sources() - seen == set()
+
+
+def test_a_legal_value_is_not_refused():
+    """The harness itself can tell: a legal value is accepted by all three."""
+    for tool, (status, output) in elaborate("ffd_num_delay", [("LATENCY", "3")]).items():
+        assert (tool, status) == (tool, 0), output

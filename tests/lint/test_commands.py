@@ -5,202 +5,202 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import os
-import shutil
-import subprocess
-import unittest
+import re
 
-from workspace import ROOT, Workspace
+import pytest
 
-
-class Checkout(Workspace):
-    """A folder with the file under test, and a bin/ that comes first in PATH."""
-
-    def setUp(self):
-        super().setUp()
-
-    def script(self, name, body):
-        self.program(name, f"#!/bin/sh\n{body}\n")
-
-    def run_here(self, *command, **variables):
-        # Nothing of a make that may be running this test, nor of its caller's choices.
-        environment = {name: value for name, value in os.environ.items()
-                       if not name.startswith(("MAKE", "MFLAGS", "HWFFD_"))}
-        environment["PATH"] = f"{self.root}/bin:{environment['PATH']}"
-        environment.update(variables)
-        return subprocess.run(command, cwd=self.root, env=environment, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              check=False)
+SHOW = """for word; do printf '<%s>' "$word"; done"""
 
 
-class Make(Checkout):
-    def setUp(self):
-        super().setUp()
-        self.copy("Makefile")
-        self.script("scripts/install", "exit 0")
-        self.script("scripts/lint", "exit 0")
-        self.script("scripts/python_env", ":")
-        self.script("scripts/figures", '''[ "$1" != measure ] && { echo figures; exit; }
-while [ "$1" != -- ]; do shift; done; shift; exec "$@"''')
-        for tool in ("cmake", "ctest"):
-            self.script(f"bin/{tool}", f'echo "{tool} $*"')
-        for build in ("build", "build-trace"):
-            self.script(f"{build}/apps/hwffd-sim", f"echo {build}; "
-                        """for word; do printf '<%s>' "$word"; done; exit "${STATUS:-0}" """)
-
-    def sim(self, *words, **variables):
-        done = self.run_here("make", "sim", *words, **variables)
-        return done, done.stdout.splitlines()[-1] if "<" in done.stdout else ""
-
-    def test_every_variable(self):
-        names = ("MODEL", "DEFORM", "LATTICE", "ORG", "FORMAT", "SCHEDULE", "STREAM", "SEED")
-        for name in names:
-            self.assertEqual(self.sim(f"{name}=x")[1], f"<--{name.lower()}><x>")
-        given = self.sim(*(f"{name}={name}" for name in names))[1]
-        self.assertEqual(given, "".join(f"<--{name.lower()}><{name}>" for name in names))
-
-    def test_only_the_command_line_counts(self):
-        self.assertEqual(self.sim(MODEL="x", ORG="y", TRACE="1")[1], "")
-        self.assertEqual(self.sim("ORG=", "SEED=1", ORG="y")[1], "<--seed><1>")
-
-    def test_trace(self):
-        for value, words in (("1", "<--trace>"), ("0", ""), ("", "")):
-            done, given = self.sim(f"TRACE={value}")
-            build, on = ("build-trace", "ON") if words else ("build", "OFF")
-            self.assertEqual(given, words)
-            self.assertIn(build, done.stdout.splitlines())
-            self.assertIn(f"cmake -S . -B {build} ", done.stdout)
-            self.assertIn(f"-DHWFFD_TRACE={on}\n", done.stdout)
-
-    def test_values_survive(self):
-        for value in ("a b.obj", "it's", '"q"', "$HOME", "$(shell echo no)", "`id`", "a;b|c&d>e",
-                      "*", "back\\slash\\", "#1", "a=b", "50%", "~", "-x", "(", "é"):
-            with self.subTest(value):
-                self.assertEqual(self.sim(f"MODEL={value}")[1], f"<--model><{value}>")
-
-    def test_exit_status_is_shown(self):
-        for status in ("1", "2"):
-            done, _ = self.sim(STATUS=status)
-            self.assertEqual(done.returncode, 2)
-            self.assertRegex(
-                done.stderr, rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z")
-
-    def test_tests_end_with_ctest(self):
-        for target, label in (("test", "^test$"), ("test-all", "^(test|all)$")):
-            lines = self.run_here("make", target).stdout.splitlines()
-            self.assertTrue(lines[-1].startswith("ctest "), lines)
-            self.assertTrue(lines[-1].endswith(f" -L {label}"), lines)
-
-    def test_words_embed_and_tangents_build_one_program_and_run_it(self):
-        for name in ("words", "embed", "tangents"):
-            self.script(f"build/studies/hwffd-{name}", f'echo "{name}<$*>"')
-            lines = self.run_here("make", name).stdout.splitlines()
-            self.assertTrue(lines[-2].endswith(f" --target hwffd-{name}"), lines)
-            self.assertEqual(lines[-1], f"{name}<>")
-
-    def test_bfp_selects_rows_of_its_format(self):
-        self.script("scripts/configurations.py", ":")
-        self.script("build/studies/hwffd-bfp", 'echo "bfp<$*>"')
-        lines = self.run_here("make", "bfp", "ORG=basic", "FORMAT=fx18").stdout.splitlines()
-        for word in ("-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"):
-            self.assertIn(word, lines[-3].split())
-        self.assertTrue(lines[-2].endswith(" --target hwffd-bfp"), lines)
-        self.assertEqual(lines[-1], "bfp<>")
-
-    def test_synth(self):
-        self.script("scripts/synth", """for word; do printf '<%s>' "$word"; done""")
-
-        def synth(*words, **variables):
-            return self.run_here("make", "synth", "JOBS=3", *words, **variables).stdout
-
-        self.assertEqual(synth(ORG="x", TARGET="y", SET="ci"), "<-j><3>")
-        given = [f"{name}=a {name}" for name in ("TARGET", "ORG", "N", "FORMAT", "SET")]
-        self.assertEqual(synth(*given, "MODEL=x"), "<-j><3>" + "".join(
-            f"<--{word.split('=')[0].lower()}><{word.split('=')[1]}>" for word in given))
-        self.assertEqual(synth("ORG=$HOME;'"), "<-j><3><--org><$HOME;'>")
-
-    def test_figures_and_structure(self):
-        self.script("scripts/structure", """printf 'structure'; printf '<%s>' "$@"; echo""")
-        self.assertEqual(self.run_here("make", "structure", "JOBS=3").stdout, "structure<-j><3>\n")
-        self.assertEqual(self.run_here("make", "figures").stdout, "figures\n")
-
-    def test_help_is_the_default(self):
-        self.assertIn("make test-all", self.run_here("make").stdout)
+@pytest.fixture
+def programs(checkout):
+    """Writes programs of the shell; those in bin/ come first in PATH."""
+    def put(**bodies):
+        for name, body in bodies.items():
+            checkout.put({name.replace("__", "/").replace("_", "-"): f"#!/bin/sh\n{body}\n"}, 0o755)
+    return put
 
 
-class Install(Checkout):
-    def setUp(self):
-        super().setUp()
-        (self.root / "scripts").mkdir()
-        shutil.copy(ROOT / "scripts" / "install", self.root / "scripts")
-        (self.root / "scripts" / "packages.txt").write_text(
-            "# comment\n\nshell sh\nlib-here -\nlib-gone -\ndata-gone - optional\n")
-        self.verilator("5.006 2023-01-22 rev (Debian 5.006-3)")
-        self.script("bin/id", "echo 0")
-        self.script("bin/dpkg-query", "printf 'installed:lib-here not-installed:lib-gone '; exit 1")
-        self.apt("exit 0")
-
-    def verilator(self, version):
-        self.script("bin/verilator", f"echo 'Verilator {version}'")
-
-    def apt(self, body):
-        self.script("bin/apt-get", f'echo "$DEBIAN_FRONTEND $*" >>apt.log\n{body}')
-
-    def install(self, **variables):
-        """(exit status, lines of messages, apt-get's command lines)."""
-        log = self.root / "apt.log"
-        log.unlink(missing_ok=True)
-        done = self.run_here("scripts/install", **variables)
-        asked = log.read_text().splitlines() if log.exists() else []
-        return done.returncode, done.stderr.splitlines(), asked
-
-    def test_all_there(self):
-        self.script("bin/dpkg-query",
-                    "printf 'installed:lib-here installed:lib-gone installed:data-gone '")
-        self.assertEqual(self.install(), (0, [], []))
-
-    def test_installs_what_is_missing(self):
-        status, _, asked = self.install()
-        self.assertEqual((status, len(asked)), (0, 3))
-        self.assertRegex(asked[0], "^noninteractive .* update$")
-        self.assertRegex(asked[1], "^noninteractive .* install --no-install-recommends lib-gone$")
-        self.assertRegex(asked[2], "^noninteractive .* install --no-install-recommends data-gone$")
-
-    def test_sudo(self):
-        self.script("bin/id", "echo 1000")
-        self.script("bin/sudo", 'echo "sudo $*" >>apt.log\nexec "$@"')
-        asked = self.install()[2]
-        self.assertEqual([line.startswith("sudo ") for line in asked], [True, False] * 3)
-
-    def test_no_install(self):
-        status, messages, asked = self.install(HWFFD_NO_INSTALL="1")
-        self.assertEqual((status, len(messages), asked), (0, 1, []))
-        self.assertTrue(messages[0].endswith(
-            "apt-get install --no-install-recommends lib-gone data-gone"), messages)
-
-    def test_optional_package_is_asked_for_once(self):
-        self.apt('case $* in *data-gone) exit 100 ;; esac')
-        self.assertEqual(self.install()[0], 0)
-        self.script("bin/dpkg-query", "printf 'installed:lib-here installed:lib-gone '; exit 1")
-        self.assertEqual(self.install(), (0, [], []))
-
-    def test_required_package_that_cannot_be_had(self):
-        self.apt('case $* in *lib-gone) exit 100 ;; esac')
-        status, messages, _ = self.install()
-        self.assertEqual(status, 1)
-        self.assertIn("could not install lib-gone", messages[-1])
-
-    def test_old_verilator(self):
-        self.script("bin/dpkg-query",
-                    "printf 'installed:lib-here installed:lib-gone installed:data-gone '")
-        for version, status in (("4.228 2022-10-01", 1), ("5.005 devel", 1), ("5.006", 0),
-                                ("5.020 2024-01-01", 0), ("5.100 x", 0), ("6.000 x", 0)):
-            with self.subTest(version):
-                self.verilator(version)
-                found, messages, _ = self.install()
-                self.assertEqual((found, len(messages)), (status, status))
-        self.verilator("4.228")
-        self.assertEqual(self.install(HWFFD_NO_INSTALL="1")[0], 0)
+@pytest.fixture
+def run(checkout):
+    """Nothing of a make that may be running this test, nor of its caller's choices."""
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("MAKE", "MFLAGS", "HWFFD_"))}
+    environment["PATH"] = f"{checkout.root}/bin:{environment['PATH']}"
+    return lambda *command, **variables: checkout.run(*command, env={**environment, **variables})
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.fixture
+def make(checkout, programs, run):
+    """(exit status, lines that are printed, complaints)"""
+    checkout.copy("Makefile")
+    programs(scripts__install="exit 0", scripts__lint="exit 0", scripts__figures="""
+[ "$1" != measure ] && { echo figures; exit; }
+while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
+    checkout.put({"scripts/python_env": "#!/bin/sh\n"}, 0o755)
+    programs(**{f"bin__{tool}": f'echo "{tool} $*"' for tool in ("cmake", "ctest")})
+    for build in ("build", "build-trace"):
+        programs(**{f"{build}__apps__hwffd_sim": f"echo {build}; {SHOW}; " + 'exit "${STATUS:-0}"'})
+
+    def called(*words, **variables):
+        status, out, errors = run("make", *words, **variables)
+        return status, out.splitlines(), errors
+    return called
+
+
+@pytest.fixture
+def sim(make):
+    """What hwffd-sim is given."""
+    def given(*words, **variables):
+        lines = make("sim", *words, **variables)[1]
+        return lines[-1] if "<" in lines[-1] else ""
+    return given
+
+
+def test_every_variable(sim):
+    names = ("MODEL", "DEFORM", "LATTICE", "ORG", "FORMAT", "SCHEDULE", "STREAM", "SEED")
+    for name in names:
+        assert sim(f"{name}=x") == f"<--{name.lower()}><x>"
+    assert sim(*(f"{name}={name}" for name in names)) == "".join(
+        f"<--{name.lower()}><{name}>" for name in names)
+
+
+def test_only_the_command_line_counts(sim):
+    assert sim(MODEL="x", ORG="y", TRACE="1") == ""
+    assert sim("ORG=", "SEED=1", ORG="y") == "<--seed><1>"
+
+
+@pytest.mark.parametrize("value, words, build, on", (
+    ("1", "<--trace>", "build-trace", "ON"), ("0", "", "build", "OFF"), ("", "", "build", "OFF")))
+def test_trace(make, value, words, build, on):
+    _, lines, _ = make("sim", f"TRACE={value}")
+    assert lines[-1] == (words or build)
+    assert build in lines
+    (configured,) = (line for line in lines if line.startswith(f"cmake -S . -B {build} "))
+    assert configured.endswith(f"-DHWFFD_TRACE={on}")
+
+
+@pytest.mark.parametrize("value", (
+    "a b.obj", "it's", '"q"', "$HOME", "$(shell echo no)", "`id`", "a;b|c&d>e", "*",
+    "back\\slash\\", "#1", "a=b", "50%", "~", "-x", "(", "é"))
+def test_values_survive(sim, value):
+    assert sim(f"MODEL={value}") == f"<--model><{value}>"
+
+
+@pytest.mark.parametrize("status", ("1", "2"))
+def test_exit_status_is_shown(make, status):
+    found, _, errors = make("sim", STATUS=status)
+    assert found == 2
+    assert re.search(rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z", errors)
+
+
+@pytest.mark.parametrize("target, label", (("test", "^test$"), ("test-all", "^(test|all)$")))
+def test_tests_end_with_ctest(make, target, label):
+    last = make(target)[1][-1]
+    assert last.startswith("ctest ") and last.endswith(f" -L {label}")
+
+
+@pytest.mark.parametrize("name", ("words", "embed", "tangents"))
+def test_a_study_builds_one_program_and_runs_it(make, programs, name):
+    programs(**{f"build__studies__hwffd_{name}": f'echo "{name}<$*>"'})
+    lines = make(name)[1]
+    assert lines[-2].endswith(f" --target hwffd-{name}")
+    assert lines[-1] == f"{name}<>"
+
+
+def test_bfp_selects_rows_of_its_format(make, programs):
+    programs(**{"scripts__configurations.py": ":", "build__studies__hwffd_bfp": 'echo "bfp<$*>"'})
+    lines = make("bfp", "ORG=basic", "FORMAT=fx18")[1]
+    assert {"-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"} <= set(lines[-3].split())
+    assert lines[-2].endswith(" --target hwffd-bfp")
+    assert lines[-1] == "bfp<>"
+
+
+def test_synth(make, programs):
+    programs(scripts__synth=SHOW)
+
+    def synth(*words, **variables):
+        return make("synth", "JOBS=3", *words, **variables)[1]
+
+    assert synth(ORG="x", TARGET="y", SET="ci") == ["<-j><3>"]
+    given = [f"{name}=a {name}" for name in ("TARGET", "ORG", "N", "FORMAT", "SET")]
+    assert synth(*given, "MODEL=x") == ["<-j><3>" + "".join(
+        f"<--{word.split('=')[0].lower()}><{word.split('=')[1]}>" for word in given)]
+    assert synth("ORG=$HOME;'") == ["<-j><3><--org><$HOME;'>"]
+
+
+def test_figures_structure_and_help(make, programs):
+    programs(scripts__structure=f"printf structure; {SHOW}; echo")
+    assert make("structure", "JOBS=3")[1] == ["structure<-j><3>"]
+    assert make("figures")[1] == ["figures"]
+    assert any("make test-all" in line for line in make()[1])
+
+
+HERE, ALL = "printf 'installed:lib-here{}'; exit 1", " installed:lib-gone installed:data-gone "
+
+
+@pytest.fixture
+def install(checkout, programs, run):
+    """(exit status, lines of messages, apt-get's command lines)"""
+    checkout.copy("scripts/install")
+    checkout.put({"scripts/packages.txt":
+                  "# comment\n\nshell sh\nlib-here -\nlib-gone -\ndata-gone - optional\n"})
+    programs(bin__verilator="echo 'Verilator 5.006 2023-01-22 rev (Debian 5.006-3)'",
+             bin__id="echo 0", bin__dpkg_query=HERE.format(" not-installed:lib-gone "), **apt("exit 0"))
+
+    def installed(**variables):
+        checkout.put({"apt.log": ""})
+        status, _, errors = run("scripts/install", **variables)
+        return status, errors.splitlines(), checkout.text("apt.log").splitlines()
+    return installed
+
+
+def apt(body):
+    return {"bin__apt_get": f'echo "$DEBIAN_FRONTEND $*" >>apt.log\n{body}'}
+
+
+def test_all_there(install, programs):
+    programs(bin__dpkg_query=HERE.format(ALL))
+    assert install() == (0, [], [])
+
+
+def test_installs_what_is_missing(install):
+    status, _, asked = install()
+    assert (status, len(asked)) == (0, 3)
+    for line, end in zip(asked, ("update", "install --no-install-recommends lib-gone",
+                                 "install --no-install-recommends data-gone")):
+        assert re.search(f"^noninteractive .* {end}$", line)
+
+
+def test_sudo(install, programs):
+    programs(bin__id="echo 1000", bin__sudo='echo "sudo $*" >>apt.log\nexec "$@"')
+    assert [line.startswith("sudo ") for line in install()[2]] == [True, False] * 3
+
+
+def test_no_install(install):
+    status, (message,), asked = install(HWFFD_NO_INSTALL="1")
+    assert (status, asked) == (0, [])
+    assert message.endswith("apt-get install --no-install-recommends lib-gone data-gone")
+
+
+def test_optional_package_is_asked_for_once(install, programs):
+    programs(**apt("case $* in *data-gone) exit 100 ;; esac"))
+    assert install()[0] == 0
+    programs(bin__dpkg_query=HERE.format(" installed:lib-gone "))
+    assert install() == (0, [], [])
+
+
+def test_required_package_that_cannot_be_had(install, programs):
+    programs(**apt("case $* in *lib-gone) exit 100 ;; esac"))
+    status, messages, _ = install()
+    assert status == 1 and "could not install lib-gone" in messages[-1]
+
+
+@pytest.mark.parametrize("version, status", (
+    ("4.228 2022-10-01", 1), ("5.005 devel", 1), ("5.006", 0), ("5.020 2024-01-01", 0),
+    ("5.100 x", 0), ("6.000 x", 0)))
+def test_old_verilator(install, programs, version, status):
+    programs(bin__dpkg_query=HERE.format(ALL), bin__verilator=f"echo 'Verilator {version}'")
+    found, messages, _ = install()
+    assert (found, len(messages)) == (status, status)
+    assert install(HWFFD_NO_INSTALL="1")[0] == 0

@@ -4,16 +4,10 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import os
-import pathlib
-import subprocess
-import sys
-import tempfile
-import unittest
+import re
 
-SCRIPT = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "configurations.py"
-sys.path.insert(0, str(SCRIPT.parent))
-
-import configurations  # noqa: E402
+import configurations
+import pytest
 
 HEADER = ",".join(configurations.COLUMNS)
 GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test"
@@ -47,131 +41,106 @@ for column, values in FIELDS.items():
     for value in values:
         fields = dict(zip(configurations.COLUMNS, GOOD.split(",")), **{column: value})
         BAD[f"{column} '{value}'"] = (f"{HEADER}\n{','.join(fields.values())}\n", 2, column)
+ROWS = (
+    f"{HEADER}\n"
+    "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim\n"
+    "good-row,tree,4,fx18,paper,iterative,5,4,0,3,axi,test\n"
+    "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all\n"
+)
 
 
-class Folder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.table = self.folder / "table.csv"
-
-    def run_script(self, *arguments, text=None):
+@pytest.fixture
+def script(checkout):
+    """(exit status, what it printed, its complaints) of the script on that table"""
+    def run(*arguments, text=None):
         if text is not None:
-            self.table.write_text(text)
-        return subprocess.run(
-            [sys.executable, "-B", str(SCRIPT), "--table", str(self.table), *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False,
-        )
+            checkout.put({"table.csv": text})
+        table = checkout.root / "table.csv"
+        return checkout.script("configurations.py", "--table", table, *arguments)
+    return run
 
 
-class Refused(Folder):
-    def test_bad_tables(self):
-        refused = 0
-        for what, (text, line, word) in BAD.items():
-            with self.subTest(what):
-                done = self.run_script("list", text=text)
-                self.assertEqual((done.returncode, done.stdout), (1, ""))
-                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-                self.assertIn(word, done.stderr)
-                if line is not None:
-                    self.assertIn(f"{self.table}:{line}: ", done.stderr)
-                refused += 1
-        print(f"configurations: {refused} of {len(BAD)} bad tables refused")
-
-    def test_unknown_name(self):
-        done = self.run_script("parameters", "other", text=f"{HEADER}\n{GOOD}\n")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("no configuration named 'other'", done.stderr)
-
-    def test_unknown_command(self):
-        self.assertEqual(self.run_script("nothing", text=f"{HEADER}\n{GOOD}\n").returncode, 2)
-
-    def test_bad_table_leaves_the_output_alone(self):
-        out = self.folder / "out.cmake"
-        out.write_text("before")
-        self.assertEqual(self.run_script("cmake", str(out), text=HEADER).returncode, 1)
-        self.assertEqual(out.read_text(), "before")
+@pytest.mark.parametrize("text, line, word", BAD.values(), ids=BAD)
+def test_bad_tables(checkout, script, text, line, word):
+    status, out, error = script("list", text=text)
+    assert (status, out, error.count("\n")) == (1, "", 1)
+    assert word in error
+    assert line is None or f"{checkout.root}/table.csv:{line}: " in error
 
 
-class Accepted(Folder):
-    ROWS = (
-        f"{HEADER}\n"
-        "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim\n"
-        "good-row,tree,4,fx18,paper,iterative,5,4,0,3,axi,test\n"
-        "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all\n"
-    )
-
-    def test_committed_table(self):
-        rows = configurations.read()
-        self.assertTrue(configurations.of_tier(rows, "test"))
-
-    def test_tiers_include_smaller_ones(self):
-        for tier, names in (("sim", "small\n"), ("test", "small\ngood-row\n"),
-                            ("all", "small\ngood-row\nlarge\n")):
-            self.assertEqual(self.run_script("list", "--tier", tier, text=self.ROWS).stdout, names)
-
-    def test_parameters(self):
-        words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=0 "
-                 "CONVERT_LATENCY=3")
-        done = self.run_script("parameters", "good-row", text=self.ROWS)
-        self.assertEqual(done.stdout, words + "\n")
-        done = self.run_script("parameters", "--fusesoc", "good-row")
-        self.assertTrue(done.stdout.startswith("--ORG=4 --N="), done.stdout)
-        done = self.run_script("parameters", "--verilator", "good-row")
-        self.assertEqual(done.stdout, " ".join("-G" + word for word in words.split()) + "\n")
-
-    def test_cmake(self):
-        out = self.folder / "out.cmake"
-        self.run_script("cmake", str(out), "--tier", "test", text=self.ROWS)
-        text = out.read_text()
-        self.assertIn("set(HWFFD_CONFIGURATION_IDENTIFIERS small good_row large)\n", text)
-        self.assertIn("set(HWFFD_TIER_IDENTIFIERS small good_row)\n", text)
-        self.assertIn("set(HWFFD_SELECTED_IDENTIFIERS small good_row large)\n", text)
-        self.assertIn("set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 ", text)
-        self.assertIn("set(HWFFD_STREAM_IDENTIFIERS small good_row)\n", text)
-        self.assertIn("set(HWFFD_AXI_IDENTIFIERS good_row)\n", text)
-
-    def test_many_float_units_are_wide(self):
-        wide = {row.name: row.wide for row in configurations.read()}
-        for name in ("tree16-fp32-overlapped", "nested3-fp32-overlapped", "factored-fp32-overlapped",
-                     "parallel-fp32-paper-fmac"):
-            self.assertTrue(wide[name], name)
-        for name in ("tree8-fp32-overlapped", "cg3-fp32-paper", "nested-fx18-overlapped"):
-            self.assertFalse(wide[name], name)
-
-    def test_selection(self):
-        wanted = self.run_script("list", "--n", "4", "--format", "fx18", text=self.ROWS)
-        self.assertEqual(wanted.stdout, "good-row\n")
-        refused = self.run_script("list", "--n", "3")
-        self.assertEqual(refused.returncode, 1)
-        self.assertRegex(refused.stderr, r"^configurations.py: N=3: unknown here: one of [0-9, ]+\n$")
-
-    def test_cpp_has_all_rows_and_the_factory_those_of_its_tier(self):
-        table, factory = self.folder / "table.cpp", self.folder / "factory.cpp"
-        self.run_script("cpp", str(table), text=self.ROWS)
-        self.run_script("factory", str(factory), "--tier", "test")
-        self.assertIn(
-            '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},',
-            table.read_text())
-        self.assertIn('"large"', table.read_text())
-        self.assertIn('#include "Vgood_row.h"', factory.read_text())
-        self.assertNotIn("large", factory.read_text())
-        self.run_script("factory", str(factory), "--core", "axi", "--suffix", "_axi")
-        self.assertIn('#include "Vgood_row_axi.h"', factory.read_text())
-        self.assertNotIn("Vsmall", factory.read_text())
-
-    def test_output_is_written_only_when_changed(self):
-        for command in ("cmake", "cpp", "factory"):
-            out = self.folder / f"{command}.out"
-            self.run_script(command, str(out), text=self.ROWS)
-            os.utime(out, (1, 1))
-            self.run_script(command, str(out))
-            self.assertEqual(out.stat().st_mtime, 1, command)
-            self.run_script(command, str(out), text=self.ROWS.replace(",4,fx18", ",8,fx18"))
-            changed = out.stat().st_mtime != 1
-            self.assertEqual(changed, command != "factory", command)
+def test_bad_requests(script):
+    status, _, error = script("parameters", "other", text=f"{HEADER}\n{GOOD}\n")
+    assert status == 1 and "no configuration named 'other'" in error
+    assert script("nothing")[0] == 2
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_bad_table_leaves_the_output_alone(checkout, script):
+    checkout.put({"out.cmake": "before"})
+    assert script("cmake", "out.cmake", text=HEADER)[0] == 1
+    assert checkout.text("out.cmake") == "before"
+
+
+def test_committed_table():
+    assert configurations.of_tier(configurations.read(), "test")
+
+
+@pytest.mark.parametrize("tier, names", (("sim", "small\n"), ("test", "small\ngood-row\n"),
+                                         ("all", "small\ngood-row\nlarge\n")))
+def test_tiers_include_smaller_ones(script, tier, names):
+    assert script("list", "--tier", tier, text=ROWS)[1] == names
+
+
+def test_parameters(script):
+    words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=0 "
+             "CONVERT_LATENCY=3")
+    for option, prefix in (((), ""), (("--fusesoc",), "--"), (("--verilator",), "-G")):
+        assert script("parameters", *option, "good-row", text=ROWS)[1] == " ".join(
+            prefix + word for word in words.split()) + "\n"
+
+
+def test_cmake(checkout, script):
+    script("cmake", "out.cmake", "--tier", "test", text=ROWS)
+    for line in ("CONFIGURATION_IDENTIFIERS small good_row large)\n",
+                 "TIER_IDENTIFIERS small good_row)\n", "SELECTED_IDENTIFIERS small good_row large)\n",
+                 "STREAM_IDENTIFIERS small good_row)\n", "AXI_IDENTIFIERS good_row)\n",
+                 "CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 "):
+        assert f"set(HWFFD_{line}" in checkout.text("out.cmake")
+
+
+def test_many_float_units_are_wide():
+    wide = {row.name: row.wide for row in configurations.read()}
+    for name in ("tree16-fp32-overlapped", "nested3-fp32-overlapped", "factored-fp32-overlapped",
+                 "parallel-fp32-paper-fmac"):
+        assert wide[name], name
+    for name in ("tree8-fp32-overlapped", "cg3-fp32-paper", "nested-fx18-overlapped"):
+        assert not wide[name], name
+
+
+def test_selection(script):
+    assert script("list", "--n", "4", "--format", "fx18", text=ROWS)[1] == "good-row\n"
+    status, _, error = script("list", "--n", "3")
+    assert status == 1
+    assert re.search(r"^configurations.py: N=3: unknown here: one of [0-9, ]+\n$", error)
+
+
+def test_cpp_has_all_rows_and_the_factory_those_of_its_tier(checkout, script):
+    script("cpp", "table.cpp", text=ROWS)
+    for row in ('{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},', '"large"'):
+        assert row in checkout.text("table.cpp")
+    for options, header, absent in (
+            (("--tier", "test"), '#include "Vgood_row.h"', "large"),
+            (("--core", "axi", "--suffix", "_axi"), '#include "Vgood_row_axi.h"', "Vsmall")):
+        script("factory", "factory.cpp", *options)
+        assert header in checkout.text("factory.cpp")
+        assert absent not in checkout.text("factory.cpp")
+
+
+@pytest.mark.parametrize("command", ("cmake", "cpp", "factory"))
+def test_output_is_written_only_when_changed(checkout, script, command):
+    out = checkout.root / "out"
+    script(command, out, text=ROWS)
+    os.utime(out, (1, 1))
+    script(command, out)
+    assert out.stat().st_mtime == 1
+    script(command, out, text=ROWS.replace(",4,fx18", ",8,fx18"))
+    assert (out.stat().st_mtime != 1) == (command != "factory")

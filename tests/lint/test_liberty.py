@@ -5,13 +5,9 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import re
-import tempfile
-import unittest
-from unittest import mock
-
-from workspace import ROOT
 
 import liberty
+import pytest
 import rtl
 
 TEXT = """\
@@ -36,37 +32,32 @@ cell (TBUF) {
 """
 
 
-class Liberty(unittest.TestCase):
-    def test_cells(self):
-        self.assertEqual(liberty.parse(TEXT), {
-            "INV": ("logic", {"area_um2": 16, "cells": 1}),
-            "DFF": ("register", {"area_um2": 96.5, "cells": 1, "ff": 1})})
-
-    def test_no_area_is_an_error(self):
-        with self.assertRaisesRegex(liberty.LibertyError, "cell INV has no area"):
-            liberty.parse(TEXT.replace("area : 16;", ""))
-
-    def test_no_library_names_the_cure(self):
-        with mock.patch.object(liberty, "PATH", pathlib.Path("/nowhere.lib")):
-            with self.assertRaisesRegex(liberty.LibertyError, "/nowhere.lib: install .*qflow"):
-                liberty.path()
-
-    @unittest.skipUnless(liberty.PATH.is_file(), "no OSU library here")
-    def test_areas_are_those_that_yosys_reads(self):
-        """One cell of each kind, for `stat` to add up."""
-        cells = liberty.cells()
-        with tempfile.NamedTemporaryFile("w", suffix=".v") as source:
-            source.write("module top;\n" + "".join(f"  {name} u_{name} ();\n" for name in cells)
-                         + "endmodule\n")
-            source.flush()
-            status, output = rtl.run(["yosys", "-Q", "-T", "-p", (
-                f"read_liberty -lib {liberty.PATH}; read_verilog {source.name}; "
-                f"hierarchy -check -top top; stat -liberty {liberty.PATH}")])
-        self.assertEqual(status, 0, output)
-        area = float(re.search(r"Chip area for .*top.*: ([\d.]+)", output).group(1))
-        self.assertEqual(area, sum(counts["area_um2"] for _, counts in cells.values()))
-        print(f"liberty: {len(cells)} cells, {area:.0f} um2")
+def test_cells():
+    assert liberty.parse(TEXT) == {
+        "INV": ("logic", {"area_um2": 16, "cells": 1}),
+        "DFF": ("register", {"area_um2": 96.5, "cells": 1, "ff": 1})}
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_no_area_is_an_error():
+    with pytest.raises(liberty.LibertyError, match="cell INV has no area"):
+        liberty.parse(TEXT.replace("area : 16;", ""))
+
+
+def test_no_library_names_the_cure(monkeypatch):
+    monkeypatch.setattr(liberty, "PATH", pathlib.Path("/nowhere.lib"))
+    with pytest.raises(liberty.LibertyError, match="/nowhere.lib: install .*qflow"):
+        liberty.path()
+
+
+@pytest.mark.skipif(not liberty.PATH.is_file(), reason="no OSU library here")
+def test_areas_are_those_that_yosys_reads(tmp_path):
+    """One cell of each kind, for `stat` to add up."""
+    cells, source = liberty.cells(), tmp_path / "top.v"
+    source.write_text("module top;\n" + "".join(f"  {name} u_{name} ();\n" for name in cells)
+                      + "endmodule\n")
+    status, output = rtl.run(["yosys", "-Q", "-T", "-p", (
+        f"read_liberty -lib {liberty.PATH}; read_verilog {source}; "
+        f"hierarchy -check -top top; stat -liberty {liberty.PATH}")])
+    assert status == 0, output
+    area = float(re.search(r"Chip area for .*top.*: ([\d.]+)", output).group(1))
+    assert area == sum(counts["area_um2"] for _, counts in cells.values())

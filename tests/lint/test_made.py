@@ -1,24 +1,27 @@
-"""Tables of formats and of the stream's fields: what is refused; and the files made from tables: that
-they are up to date, and that it is noticed when they are not.
+"""Files that are made from tables: what is refused in a table, with its place; that what is
+committed is up to date, that it is noticed when it is not, and that a change of a table or of VERSION
+reaches all.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import contextlib
-import io
-import unittest
+import re
 
-from workspace import ROOT, Workspace
-
+import configurations
+import core_file
 import formats
 import made
+import module_header
+import pytest
+import registers
+import rtl
 import stream_words
+import tables
 import version
-from made_files import expect_stale_is_noticed
-from tables import TableError
+from rtl import ROOT
 
+CORE = (ROOT / core_file.NAME).read_text(encoding="utf-8")
 FP32 = "fp32,,0,float,Binary32,Binary32Fused,binary32\n"
-FIELDS = (ROOT / stream_words.TABLE).read_text()
 
 # what is wrong -> (rows, line or None, words of the message)
 FORMATS = {
@@ -47,79 +50,219 @@ WRONG_FIELDS = {
     "no status": ("user,status", "user,state", None, "no status in user"),
 }
 
+# what is wrong -> (text of the table, its replacement, words of the message)
+REGISTERS = {
+    "another header": ("offset,register", "address,register", ":1: the first line must be"),
+    "a column too few": ('0x048,RING_LOG2_SIZE,value,3:0,rw,0,,',
+                         "0x048,RING_LOG2_SIZE,value,3:0,rw,0,",
+                         "7 columns, 8 wanted"),
+    "an offset off the words": ("0x048,RING_LOG2_SIZE", "0x04A,RING_LOG2_SIZE", "offset '0x04A'"),
+    "an offset that is no number": ("0x048,RING_LOG2_SIZE", "72,RING_LOG2_SIZE", "offset '72'"),
+    "an offset below the one before": ("0x048,RING_LOG2_SIZE", "0x040,RING_LOG2_SIZE",
+                                       "RING_LOG2_SIZE is not above"),
+    "a register at two offsets": ("0x048,RING_LOG2_SIZE", "0x048,STATUS",
+                                  "STATUS has another offset"),
+    "a register in small letters": ("0x048,RING_LOG2_SIZE", "0x048,ring_log2_size",
+                                    "bad register 'ring_log2_size'"),
+    "a field in capitals": ("RING_LOG2_SIZE,value", "RING_LOG2_SIZE,VALUE", "bad field 'VALUE'"),
+    "bits the wrong way": ("value,3:0", "value,0:3", "bits '0:3'"),
+    "a bit too high": ("value,3:0", "value,32", "bits '32'"),
+    "an unknown access": ("3:0,rw,0", "3:0,rx,0", "unknown access 'rx'"),
+    "a reset value too large": ("3:0,rw,0", "3:0,rw,16", "reset '16' is not a number of 4 bits"),
+    "a reset value that is none": ("3:0,rw,0", "3:0,rw,a", "reset 'a'"),
+    "a reset value of the hardware's": ("busy,0,ro,,", "busy,0,ro,0,", "has no reset value"),
+    "a wide pulse": ("soft_reset,1,w1", "soft_reset,4:3,w1", "has one bit"),
+    "no description": ('"Bytes of the result area."', "", "no description"),
+    "bits taken twice": ("soft_reset,1,w1", "soft_reset,0,w1", "CONTROL.soft_reset: its bits"),
+    "a field twice": ("CONTROL,soft_reset", "CONTROL,start", "CONTROL.start is there twice"),
+    "a link to nothing": ("with:STATUS.done", "with:STATUS.gone", "does not name a field"),
+    "a link to the wrong access": ("with:STATUS.done", "with:STATUS.busy", "of access w1c"),
+    "a link that the access has not": ("with:STATUS.done", "locked:WINDOW_LOCK.windows",
+                                       "is not one of a field of access w1c"),
+    "a lock on half a register": ("IRQ_ENABLE,done,0,rw,0,",
+                                  "IRQ_ENABLE,done,0,rw,0,locked:WINDOW_LOCK.windows",
+                                  "IRQ_ENABLE: one lock"),
+    "a refusal without a bit": (" refused:STATUS.start_refused", "",
+                                "unless and needs want refused"),
+    "a hole in the events": ("packet_long,2,event", "packet_long,31,event", "events take"),
+    "a version that the field is no part of": ("3:0,rw,0", "3:0,rw,version", "reset 'version'"),
+    "no record": ("ERROR_PACKET", "ERROR_PLACE", "no ERROR_PACKET.value"),
+    "another interrupt": ("IRQ_ENABLE,refused", "IRQ_ENABLE,denied", "fields of IRQ_STATE"),
+}
 
-def run(*arguments):
-    """(exit status, complaints)"""
-    errors = io.StringIO()
-    with contextlib.redirect_stderr(errors):
-        status = made.main([str(argument) for argument in arguments])
-    return status, errors.getvalue().splitlines()
-
-
-class Made(Workspace):
-    def setUp(self):
-        super().setUp()
-        self.copy("rtl")
-        self.copy(version.FILE)
-        for name in made.outputs(ROOT):
-            self.copy(name)
-
-    def refused(self, table, read, text, line, words):
-        path = self.root / table
-        path.write_text(text)
-        with self.assertRaises(TableError) as caught:
-            read(self.root)
-        message = str(caught.exception)
-        self.assertIn(words, message)
-        self.assertTrue(message.startswith(f"{path}:{line}: " if line else f"{path}: "), message)
-        status, lines = run("--root", self.root, "write")
-        self.assertEqual((status, len(lines)), (1, 1), lines)
-
-    def test_bad_formats(self):
-        for what, (rows, line, words) in FORMATS.items():
-            with self.subTest(what):
-                self.refused(formats.TABLE, formats.read,
-                             ",".join(formats.COLUMNS) + "\n" + rows, line, words)
-        print(f"formats: {len(FORMATS)} bad tables refused")
-
-    def test_formats(self):
-        found = formats.read()
-        numbers = {"fp32": 0, "bfp32": 99, **{f"fx{width}": width for width in range(12, 33)}}
-        self.assertEqual({name: one.number for name, one in found.by_name.items()}, numbers)
-        self.assertEqual(found.summary, "fp32, bfp32, or fx12 to fx32")
-        for name in ("bfp18", "fx11", "fx33", "fx018", "", "FP32"):
-            with self.assertRaisesRegex(TableError, "^here: unknown format '.*': fp32, bfp32, or"):
-                found.find(name, "here")
-
-    def test_bad_fields(self):
-        for what, (text, other, line, words) in WRONG_FIELDS.items():
-            with self.subTest(what):
-                self.assertIn(text, FIELDS)
-                self.refused(stream_words.TABLE, stream_words.read,
-                             FIELDS.replace(text, other, 1), line, words)
-        print(f"fields: {len(WRONG_FIELDS)} bad tables refused")
-
-    def test_a_field_moved_reaches_rtl_and_model(self):
-        moved = FIELDS.replace("clamped,1,", "nan,1,").replace("nan,2,", "clamped,2,")
-        (self.root / stream_words.TABLE).write_text(moved)
-        self.assertEqual(run("--root", self.root, "write"), (0, []))
-        self.assertIn("`define FFD_STATUS_CLAMPED   2", (self.root / stream_words.RTL).read_text())
-        self.assertIn("kStatusClamped = 1U << 18;", (self.root / stream_words.HEADER).read_text())
-
-    def test_what_is_committed_is_up_to_date(self):
-        self.assertEqual(run("check"), (0, []))
-
-    def test_what_is_stale_is_noticed(self):
-        names = list(made.outputs(self.root))
-        self.assertEqual(len(names), 6)
-        expect_stale_is_noticed(self, self.root, names, run)
-
-    def test_a_new_source_is_listed(self):
-        (self.root / "rtl/number/fixed/ffd_fx_new.v").write_text("module ffd_fx_new; endmodule\n")
-        self.assertEqual(run("--root", self.root, "write"), (0, []))
-        for name in ("rtl/hwffd.f", "hwffd.core"):
-            self.assertIn("number/fixed/ffd_fx_new.v\n", (self.root / name).read_text())
+# table, (what it says, what it is to say), made file -> words that are then in it
+REACHED = (
+    (stream_words.TABLE, (("clamped,1,", "nan,1,"), ("nan,2,", "clamped,2,")), {
+        stream_words.RTL: "`define FFD_STATUS_CLAMPED   2",
+        stream_words.HEADER: "kStatusClamped = 1U << 18;"}),
+    (registers.TABLE, (("value,3:0,rw,0", "value,4:0,rw,5"),), {
+        "rtl/bus/ffd_axil_registers.v": "ring_log2_size_o <= 5'h5;",
+        "driver/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
+        "docs/registers.md": "| 4:0 | `value` | rw | 0x5 |"}),
+    (registers.TABLE, ((",no_lattice,4,", ",without_lattice,4,"),), {
+        "rtl/stream/ffd_events.vh": "`define FFD_EVENT_WITHOUT_LATTICE      4\n",
+        "golden/include/hwffd/stream/events.hpp": "  kWithoutLattice = 4,\n",
+        "driver/include/hwffd/registers.h": "HWFFD_ERROR_STATUS_WITHOUT_LATTICE_SHIFT 4\n",
+        "docs/registers.md": "| 4 | `without_lattice` |"}),
+    (version.FILE, ((str(version.read(ROOT)), "3.41.59"),), {
+        version.HEADER: '#define HWFFD_VERSION "3.41.59"\n',
+        "driver/include/hwffd/registers.h": "HWFFD_VERSION_MAJOR_RESET 0x3u",
+        "rtl/bus/ffd_axil_registers.v": "{16'h3, 8'h29, 8'h3b}",
+        "docs/registers.md": "| `minor` | const | 0x29 |",
+        core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"'}),
+)
+PATHS = list(made.outputs())
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.fixture
+def tree(checkout):
+    checkout.copy("rtl", version.FILE, *(name for name in PATHS if not name.startswith("rtl/")))
+    return checkout
+
+
+@pytest.fixture
+def write(tree, call):
+    return lambda: call(made.main, "--root", tree.root, "write")
+
+
+@pytest.fixture
+def check(tree, call):
+    return lambda: call(made.main, "--root", tree.root, "check")
+
+
+def expect_refused(tree, result, table, line, words):
+    """`result` is what writing says."""
+    status, _, (message,) = result
+    assert status == 1 and words in message
+    assert message.startswith(f"made.py: {tree.root / table}:" + (f"{line}: " if line else " "))
+    expect_untouched(tree)
+
+
+def expect_untouched(tree):
+    assert [tree.text(name) for name in PATHS] == [(ROOT / name).read_text() for name in PATHS]
+
+
+@pytest.mark.parametrize("rows, line, words", FORMATS.values(), ids=FORMATS)
+def test_bad_formats(tree, write, rows, line, words):
+    tree.put({formats.TABLE: ",".join(formats.COLUMNS) + "\n" + rows})
+    expect_refused(tree, write(), formats.TABLE, line, words)
+
+
+def replace(tree, table, *pairs):
+    text = tree.text(table)
+    for old, new in pairs:
+        assert old in text
+        text = text.replace(old, new, 1)
+    tree.put({table: text})
+
+
+@pytest.mark.parametrize("text, other, line, words", WRONG_FIELDS.values(), ids=WRONG_FIELDS)
+def test_bad_fields(tree, write, text, other, line, words):
+    replace(tree, stream_words.TABLE, (text, other))
+    expect_refused(tree, write(), stream_words.TABLE, line, words)
+
+
+@pytest.mark.parametrize("text, other, words", REGISTERS.values(), ids=REGISTERS)
+def test_bad_registers(tree, call, text, other, words):
+    replace(tree, registers.TABLE, (text, other))
+    status, _, (line,) = call(registers.main, "--root", tree.root, "write")
+    assert status == 1 and line.startswith("registers.py: ") and words in line
+    expect_untouched(tree)
+
+
+@pytest.mark.parametrize("text", ("", "\n", "1.2\n", "1.2.3", "v1.2.3\n", "1.2.3\n\n",
+                                  "1.2.3-rc1\n", "01.2.3\n", "1.2.-3\n"))
+def test_what_is_no_version(tree, write, text):
+    tree.put({version.FILE: text})
+    expect_refused(tree, write(), version.FILE, 1, "not a version")
+
+
+def test_formats():
+    found = formats.read()
+    numbers = {"fp32": 0, "bfp32": 99, **{f"fx{width}": width for width in range(12, 33)}}
+    assert {name: one.number for name, one in found.by_name.items()} == numbers
+    assert found.summary == "fp32, bfp32, or fx12 to fx32"
+    for name in ("bfp18", "fx11", "fx33", "fx018", "", "FP32"):
+        with pytest.raises(tables.TableError, match="^here: unknown format '.*': fp32, bfp32, or"):
+            found.find(name, "here")
+
+
+def test_what_is_committed_is_up_to_date(call):
+    assert len(PATHS) == 12
+    assert call(made.main, "check") == (0, [], [])
+    assert call(registers.main, "check") == (0, [], [])
+    assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"
+
+
+@pytest.mark.parametrize("name", PATHS)
+@pytest.mark.parametrize("absent", (False, True), ids=("changed", "absent"))
+def test_what_is_stale_is_noticed(tree, check, write, name, absent):
+    text = tree.text(name)
+    tree.put({name: None if absent else text + "\n"})
+    status, _, lines = check()
+    assert (status, len([line for line in lines if name in line])) == (1, 1)
+    assert write() == (0, [], [])
+    assert tree.text(name) == text
+    assert check() == (0, [], [])
+
+
+@pytest.mark.parametrize("table, pairs, words", REACHED)
+def test_a_change_reaches_all(tree, check, write, table, pairs, words):
+    replace(tree, table, *pairs)
+    _, _, lines = check()
+    assert {line.split(":")[1].strip() for line in lines} == set(words)
+    assert write() == (0, [], [])
+    for name, part in words.items():
+        assert part in tree.text(name)
+
+
+def test_a_new_source_is_listed(tree, write):
+    tree.put({"rtl/number/fixed/ffd_fx_new.v": "module ffd_fx_new; endmodule\n"})
+    assert write() == (0, [], [])
+    for name in ("rtl/hwffd.f", core_file.NAME):
+        assert "number/fixed/ffd_fx_new.v\n" in tree.text(name)
+
+
+@pytest.mark.parametrize("name, old, new", (
+    ("rtl/top/hwffd_axi.v", "AXIS  ", "AXES  "), ("rtl/hwffd.f", "number/ffd_num_add.v\n", "")))
+def test_a_parameter_or_a_file_more_makes_the_core_file_stale(tree, check, name, old, new):
+    replace(tree, name, (old, new))
+    assert (f"made.py: {core_file.NAME}: not what it is made from says: run scripts/made.py write"
+            in check()[2])
+
+
+def test_files_and_parameters_of_the_core_file():
+    files = re.findall(r"^      - ([\w/]+\.(?:vh?|[ch]pp))(?::|$)", CORE, re.MULTILINE)
+    assert all((ROOT / name).is_file() for name in files)
+    assert {f"rtl/{entry}" for entry in rtl.read_file_list(ROOT / "rtl/hwffd.f")} <= set(files)
+    for name in configurations.read()[0].parameters:
+        assert re.search(rf"(?m)^  {name}:$", CORE)
+
+
+def test_headers_of_the_tops():
+    sources = rtl.Sources()
+    stream = module_header.read(sources, "hwffd_stream")
+    assert (stream.parameters["FORMAT"], stream.parameters["SCHEDULE"]) == (18, 0)
+    ports = {port.name: (port.direction, port.width) for port in stream.ports}
+    assert ports["s_axis_tdata"] == ("input", 128)
+    assert ports["m_axis_tlast"] == ("output", 1)
+    axi = module_header.read(sources, "hwffd_axi")
+    source = rtl.strip_comments(sources.files["hwffd_axi"].read_text())
+    lists = "".join((ROOT / f"rtl/bus/ffd_{bus}_ports.vh").read_text() for bus in ("axil", "axi"))
+    assert len(axi.ports) == len(re.findall(r"^ *(?:in|out)put ", source + lists, re.M)) == 51
+    assert len(axi.parameters) == len(re.findall(r"^  parameter ", source, re.M))
+    for name, complaint in (("nothing", "no module nothing"),
+                            ("ffd_org_select", "ffd_org_select: not a port")):
+        with pytest.raises(module_header.HeaderError, match=complaint):
+            module_header.read(sources, name)
+
+
+def test_cmake_reads_the_version_and_no_other_place_says_it():
+    text = (ROOT / "CMakeLists.txt").read_text()
+    assert "file(STRINGS VERSION HWFFD_VERSION LIMIT_COUNT 1)" in text
+    assert re.search(r"(?m)^project\(hwffd VERSION \$\{HWFFD_VERSION\}", text)
+    number = re.escape(str(version.read(ROOT)))
+    for pattern in ("CMakeLists.txt", "*/CMakeLists.txt", "cmake/*.cmake", "api/**/*.[ch]pp",
+                    "apps/**/*.[ch]pp", "scripts/*.py", "rtl/bus/registers.csv"):
+        for path in ROOT.glob(pattern):
+            assert not re.search(rf"\b{number}\b", path.read_text()), path

@@ -5,38 +5,22 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
-import tempfile
-import unittest
 from collections import Counter
 
-from workspace import ROOT
-
+import pytest
 import rtl
 
 MEMORY = "ffd_mem_sdp"
 
 
-def mapped_cells(width, depth):
-    """Cell -> how many, of a memory with a registered read on ECP5."""
-    with tempfile.TemporaryDirectory() as folder:
-        netlist = pathlib.Path(folder) / "netlist.json"
-        status, output = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join([
-            "read_verilog -nosynthesis " + " ".join(rtl.Sources().needed(MEMORY)),
-            f"hierarchy -check -top {MEMORY} -chparam WIDTH {width} -chparam DEPTH {depth}",
-            f"synth_ecp5 -top {MEMORY} -json {netlist}"])])
-        assert status == 0, output[-2000:]
-        module = json.loads(netlist.read_text())["modules"][MEMORY]
-    return Counter(cell["type"] for cell in module["cells"].values())
-
-
-class Memories(unittest.TestCase):
-    def test_a_registered_read_is_block_memory_and_nothing_else(self):
-        """A block has 512 words of 36 bits."""
-        for width, depth, blocks in ((54, 512, 2), (36, 512, 1), (36, 1024, 2)):
-            with self.subTest(width=width, depth=depth):
-                self.assertEqual(mapped_cells(width, depth), {"DP16KD": blocks})
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.mark.parametrize("width, depth, blocks", ((54, 512, 2), (36, 512, 1), (36, 1024, 2)))
+def test_a_registered_read_is_block_memory_and_nothing_else(tmp_path, width, depth, blocks):
+    """A block of ECP5 has 512 words of 36 bits."""
+    netlist = tmp_path / "netlist.json"
+    status, output = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join([
+        "read_verilog -nosynthesis " + " ".join(rtl.Sources().needed(MEMORY)),
+        f"hierarchy -check -top {MEMORY} -chparam WIDTH {width} -chparam DEPTH {depth}",
+        f"synth_ecp5 -top {MEMORY} -json {netlist}"])])
+    assert status == 0, output[-2000:]
+    cells = json.loads(netlist.read_text())["modules"][MEMORY]["cells"]
+    assert Counter(cell["type"] for cell in cells.values()) == {"DP16KD": blocks}

@@ -3,16 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
-import shutil
-import tempfile
-import unittest
-
-from workspace import ROOT
-
 import configurations
 import organization_rtl
 import organizations
+import pytest
+from rtl import ROOT
 from tables import TableError
 
 HEADER = ",".join(organizations.COLUMNS)
@@ -64,57 +59,56 @@ for wrong in ("64 *", "sqrt(64)", "clocks", "log2(64; 2)", "max(64)", "64 ** 2",
                                f"overlapped: '{wrong}' is not a formula of numbers, + - * / and n, ")
 
 
-class Organizations(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.rtl = pathlib.Path(folder.name)
-        shutil.copytree(ROOT / "rtl/evaluator", self.rtl / "evaluator")
-        self.table = self.rtl / organizations.TABLE
-
-    def test_bad_tables_are_refused(self):
-        for what, (rows, line, word) in BAD.items():
-            with self.subTest(what):
-                self.table.write_text(f"{HEADER}\n{rows}")
-                with self.assertRaises(TableError) as caught:
-                    organizations.read(self.rtl)
-                message = str(caught.exception)
-                self.assertIn(word, message)
-                self.assertTrue(message.startswith(f"{self.table}:{line}: " if line else
-                                                   f"{self.table}: "), message)
-        print(f"organizations: {len(BAD)} bad tables refused")
-
-    def test_formulas_are_those_of_the_paper(self):
-        unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 6, "read": 2, "contract": 5}
-                          for poly, add in ((6, 1), (3, 0)))
-        found = organizations.read()
-        for name, paper, with_fused, overlapped in (
-                ("basic", 640, 384, 384), ("cg1", 392, 292, 72), ("cg2", 356, 274, 64),
-                ("cg3", 344, 268, 64), ("tree", 96, 72, 48), ("parallel", 15, 12, 6)):
-            formulas = found[name].formulas
-            self.assertEqual((formulas["paper"].value(**unfused), formulas["paper"].value(**fused),
-                              formulas["overlapped"].value(**unfused)),
-                             (paper, with_fused, overlapped), name)
-        self.assertEqual(found["nested/3"].formulas["formed"].value(**unfused), 238)
-
-    def test_numbers_are_those_that_software_knows(self):
-        found = {name: one.number for name, one in organizations.read().items()}
-        self.assertEqual({**found, **NUMBERS}, found)
-
-    def test_numbers_do_not_follow_the_order_of_rows(self):
-        rows = configurations.TABLE.read_text().splitlines()
-        table = self.rtl / "configurations.csv"
-        table.write_text("\n".join([rows[0], *reversed(rows[1:])]) + "\n")
-        numbers = {row.org: row.parameters["ORG"] for row in configurations.read(table)}
-        self.assertEqual({**numbers, **NUMBERS}, numbers)
-        self.assertEqual(len(set(numbers.values())), len(numbers))
-
-    def test_the_selector_has_the_numbers_in_any_order_of_lines(self):
-        committed = (ROOT / "rtl/evaluator/ffd_org_select.v").read_text()
-        lines = (ROOT / "rtl" / organizations.TABLE).read_text().splitlines()
-        self.table.write_text("\n".join([lines[0], *reversed(lines[1:])]) + "\n")
-        self.assertEqual(organization_rtl.select_text(self.rtl), committed)
+@pytest.fixture
+def tree(checkout):
+    checkout.copy("rtl/evaluator")
+    return checkout
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.mark.parametrize("rows, line, word", BAD.values(), ids=BAD)
+def test_bad_tables(tree, rows, line, word):
+    tree.put({f"rtl/{organizations.TABLE}": f"{HEADER}\n{rows}"})
+    with pytest.raises(TableError) as caught:
+        organizations.read(tree.root / "rtl")
+    message, table = str(caught.value), tree.root / "rtl" / organizations.TABLE
+    assert word in message
+    assert message.startswith(f"{table}:{line}: " if line else f"{table}: ")
+
+
+@pytest.mark.parametrize("name, paper, with_fused, overlapped", (
+    ("basic", 640, 384, 384), ("cg1", 392, 292, 72), ("cg2", 356, 274, 64), ("cg3", 344, 268, 64),
+    ("tree", 96, 72, 48), ("parallel", 15, 12, 6)))
+def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
+    unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 6, "read": 2, "contract": 5}
+                      for poly, add in ((6, 1), (3, 0)))
+    formulas = organizations.read()[name].formulas
+    assert formulas["paper"].value(**unfused) == paper
+    assert formulas["paper"].value(**fused) == with_fused
+    assert formulas["overlapped"].value(**unfused) == overlapped
+    assert organizations.read()["nested/3"].formulas["formed"].value(**unfused) == 238
+
+
+def test_numbers_are_those_that_software_knows():
+    found = {name: one.number for name, one in organizations.read().items()}
+    assert {**found, **NUMBERS} == found
+
+
+def backwards(path):
+    """A table with its rows in the other order."""
+    head, *rows = path.read_text().splitlines()
+    return "\n".join([head, *reversed(rows)]) + "\n"
+
+
+def test_numbers_do_not_follow_the_order_of_rows(tree):
+    tree.put({"configurations.csv": backwards(configurations.TABLE)})
+    numbers = {row.org: row.parameters["ORG"]
+               for row in configurations.read(tree.root / "configurations.csv")}
+    assert {**numbers, **NUMBERS} == numbers
+    assert len(set(numbers.values())) == len(numbers)
+
+
+def test_the_selector_has_the_numbers_in_any_order_of_lines(tree):
+    name = f"rtl/{organizations.TABLE}"
+    tree.put({name: backwards(ROOT / name)})
+    assert organization_rtl.select_text(tree.root / "rtl") == (
+        ROOT / "rtl/evaluator/ffd_org_select.v").read_text()

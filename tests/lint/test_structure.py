@@ -4,22 +4,16 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
-import subprocess
 import sys
-import tempfile
-import unittest
 from importlib.machinery import SourceFileLoader
-from importlib.util import module_from_spec, spec_from_loader
-from unittest import mock
-
-from workspace import ROOT
+from types import ModuleType
 
 import hierarchy
+import pytest
+from rtl import ROOT
 
-LOADER = SourceFileLoader("structure", str(ROOT / "scripts" / "structure"))
-structure = module_from_spec(spec_from_loader("structure", LOADER))
-LOADER.exec_module(structure)
+structure = ModuleType("structure")
+SourceFileLoader("structure", str(ROOT / "scripts" / "structure")).exec_module(structure)
 
 
 def cells(**numbers):
@@ -40,63 +34,51 @@ NETLIST = {"modules": {
     "ffd_x_y": cells(LUT4=0, TRELLIS_FF=7),
     "ffd_leaf_free": cells(),
 }}
+ROOT_NODE = hierarchy.Design(NETLIST, "hwffd_top").tree()
+NODES = {node.module: node for _, node in ROOT_NODE.walk()}
 
 
-class Tree(unittest.TestCase):
-    def setUp(self):
-        self.root = hierarchy.Design(NETLIST, "hwffd_top").tree()
-        self.nodes = {node.module: (depth, node) for depth, node in self.root.walk()}
-
-    def test_module_names(self):
-        for name in ("ffd_a_b", "$paramod$0f\\ffd_a_b", "$paramod\\ffd_a_b\\W=s32'1\\N=32'0"):
-            self.assertEqual(hierarchy.module_of(name), "ffd_a_b")
-
-    def test_counts_multiply_down_the_hierarchy(self):
-        self.assertEqual(self.root.counts["lut"], 1 + 2 * 50 + 1 + (40 + 50))
-        self.assertEqual(self.root.counts["ff"], 2 * (3 + 7) + 3)
-        self.assertEqual(self.root.counts["dsp"], 1)
-        _, middle = self.nodes["ffd_mid_a"]
-        self.assertEqual((middle.instances, middle.counts["lut"], middle.own()["lut"]), (2, 100, 0))
-
-    def test_variants_of_a_module_are_one_node(self):
-        _, middle = self.nodes["ffd_mid_b"]
-        self.assertEqual([(child.module, child.instances, child.counts["lut"])
-                          for child in middle.children], [("ffd_leaf_wide", 2, 90)])
-
-    def test_the_small_is_folded(self):
-        self.assertEqual([(depth, node.module) for depth, node in self.root.walk()],
-                         [(0, "hwffd_top"), (1, "ffd_mid_a"), (2, "ffd_leaf_wide"),
-                          (1, "ffd_mid_b"), (2, "ffd_leaf_wide")])
-        self.assertEqual(self.root.own()["lut"], 2)
+@pytest.mark.parametrize("name", (
+    "ffd_a_b", "$paramod$0f\\ffd_a_b", "$paramod\\ffd_a_b\\W=s32'1\\N=32'0"))
+def test_module_names(name):
+    assert hierarchy.module_of(name) == "ffd_a_b"
 
 
-class Measured(unittest.TestCase):
-    def test_a_row_of_the_table(self):
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for name in ("rtl", "synth"):
-                (root / name).symlink_to(ROOT / name)
-            designs = (("ffd_org_select", "basic-fx18-overlapped", True),)
-            with mock.patch.object(structure, "DESIGNS", designs), \
-                    mock.patch.object(sys, "argv", ["structure", "--root", folder, "-j", "1"]):
-                self.assertEqual(structure.main(), 0)
-            report = json.loads((root / "build/reports/structure.json").read_text())
-        (design,) = report["designs"]
-        self.assertEqual((design["top"], design["shown"]), ("ffd_org_select", True))
-        modules = {module["module"]: module for module in design["modules"]}
-        for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
-            self.assertEqual(modules[module]["instances"], number)
-        self.assertEqual(modules["ffd_num_step"]["folder"], "number")
-        # What scripts/operators.py counts: nine steps, two products of weights, three terms.
-        self.assertEqual(modules["ffd_org_select"]["dsp"], 14)
-
-    def test_a_fault_is_one_line(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run(
-                [sys.executable, "-B", ROOT / "scripts" / "structure", "--root", folder],
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+def test_counts_multiply_down_the_hierarchy():
+    assert ROOT_NODE.counts["lut"] == 1 + 2 * 50 + 1 + (40 + 50)
+    assert ROOT_NODE.counts["ff"] == 2 * (3 + 7) + 3
+    assert ROOT_NODE.counts["dsp"] == 1
+    middle = NODES["ffd_mid_a"]
+    assert (middle.instances, middle.counts["lut"], middle.own()["lut"]) == (2, 100, 0)
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_variants_of_a_module_are_one_node():
+    assert [(child.module, child.instances, child.counts["lut"])
+            for child in NODES["ffd_mid_b"].children] == [("ffd_leaf_wide", 2, 90)]
+
+
+def test_the_small_is_folded():
+    assert [(depth, node.module) for depth, node in ROOT_NODE.walk()] == [
+        (0, "hwffd_top"), (1, "ffd_mid_a"), (2, "ffd_leaf_wide"), (1, "ffd_mid_b"),
+        (2, "ffd_leaf_wide")]
+    assert ROOT_NODE.own()["lut"] == 2
+
+
+def test_a_row_of_the_table(checkout, monkeypatch):
+    checkout.link("rtl", "synth")
+    monkeypatch.setattr(structure, "DESIGNS", (("ffd_org_select", "basic-fx18-overlapped", True),))
+    monkeypatch.setattr(sys, "argv", ["structure", "--root", str(checkout.root), "-j", "1"])
+    assert structure.main() == 0
+    (design,) = json.loads(checkout.text("build/reports/structure.json"))["designs"]
+    assert (design["top"], design["shown"]) == ("ffd_org_select", True)
+    modules = {module["module"]: module for module in design["modules"]}
+    for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
+        assert modules[module]["instances"] == number
+    assert modules["ffd_num_step"]["folder"] == "number"
+    # What scripts/operators.py counts: nine steps, two products of weights, three terms.
+    assert modules["ffd_org_select"]["dsp"] == 14
+
+
+def test_a_fault_is_one_line(checkout):
+    status, _, errors = checkout.script("structure", "--root", checkout.root)
+    assert (status, errors.count("\n")) == (1, 1)

@@ -5,13 +5,8 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import re
-import shutil
-import subprocess
-import sys
-import unittest
 
-from workspace import ROOT, Workspace
-
+import pytest
 import text_rules
 
 NAME = "ffd_org_sample"
@@ -248,54 +243,37 @@ PASSES = {
 }
 
 
-class TextRules(Workspace):
-    def setUp(self):
-        super().setUp()
-
-    def plant(self, files):
-        shutil.rmtree(self.root)
-        tree = {FILE: CLEAN, "rtl/hwffd.f": LIST,
-                "rtl/lint/hwffd.vlt": WAIVERS, **files}
-        for name, text in tree.items():
-            if text is not None:
-                self.put(name, text)
-
-    def test_planted_faults_are_caught(self):
-        caught = []
-        for rule, what, files in PLANTED:
-            with self.subTest(rule=rule, planted=what):
-                self.plant(files)
-                warnings = text_rules.check(self.root)[1]
-                rules = {re.search(r"\[([a-z-]+)\]$", warning).group(1) for warning in warnings}
-                self.assertEqual(rules, {rule}, warnings)
-                caught.append(rule)
-        missed = {*text_rules.PER_FILE, *text_rules.WHOLE_TREE} - {rule for rule, _, _ in PLANTED}
-        self.assertEqual(missed, set(), "rules without a case")
-        print(f"text rules: {len(caught)} of {len(PLANTED)} planted faults caught, "
-              f"by {len(set(caught))} rules")
-
-    def test_clean_sources_pass(self):
-        passed = 0
-        for what, files in PASSES.items():
-            with self.subTest(what):
-                self.plant(files)
-                checks, warnings = text_rules.check(self.root)
-                self.assertEqual(warnings, [])
-                self.assertGreaterEqual(checks, len(text_rules.PER_FILE))
-                passed += 1
-        print(f"text rules: {passed} of {len(PASSES)} clean sources passed")
-
-    def test_command(self):
-        """The command's last line and exit status."""
-        for files, status, last in (({}, 0, r"lint: \d+ checks, 0 warnings"),
-                                    (inserted("\twire y;"), 1, r"lint: \d+ checks, 1 warning")):
-            self.plant(files)
-            done = subprocess.run(
-                [sys.executable, "-B", str(ROOT / "scripts" / "lint"), "--text", "--root",
-                 str(self.root)], stdout=subprocess.PIPE, text=True, check=False)
-            self.assertEqual(done.returncode, status)
-            self.assertRegex(done.stdout.splitlines()[-1], f"^{last}$")
+@pytest.fixture
+def tree(checkout):
+    def plant(files):
+        checkout.put({FILE: CLEAN, "rtl/hwffd.f": LIST, "rtl/lint/hwffd.vlt": WAIVERS, **files})
+        return checkout
+    return plant
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.mark.parametrize("rule, files", [(rule, files) for rule, _, files in PLANTED],
+                         ids=[f"{rule}: {what}" for rule, what, _ in PLANTED])
+def test_planted_faults_are_caught(tree, rule, files):
+    warnings = text_rules.check(tree(files).root)[1]
+    assert {re.search(r"\[([a-z-]+)\]$", warning).group(1) for warning in warnings} == {rule}
+
+
+def test_every_rule_has_a_case():
+    assert {*text_rules.PER_FILE, *text_rules.WHOLE_TREE} == {rule for rule, _, _ in PLANTED}
+
+
+@pytest.mark.parametrize("files", PASSES.values(), ids=PASSES)
+def test_clean_sources_pass(tree, files):
+    checks, warnings = text_rules.check(tree(files).root)
+    assert warnings == []
+    assert checks >= len(text_rules.PER_FILE)
+
+
+@pytest.mark.parametrize("files, status, last", (
+    ({}, 0, r"lint: \d+ checks, 0 warnings"),
+    (inserted("\twire y;"), 1, r"lint: \d+ checks, 1 warning")))
+def test_command(tree, files, status, last):
+    """The command's last line and exit status."""
+    found, out, _ = tree(files).script("lint", "--text", "--root", ".")
+    assert found == status
+    assert re.fullmatch(last, out.splitlines()[-1])

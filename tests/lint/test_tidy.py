@@ -4,14 +4,9 @@ headers through a source that includes them, and says what it could not look at.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import json
-import shutil
-import subprocess
-import sys
-import unittest
+import re
 
-from workspace import ROOT, Workspace
-
+import pytest
 import tidy
 
 FAULT = "inline int* {name}() {{ return 0; }}\n"  # nullptr
@@ -21,124 +16,116 @@ CLEAN = {
     "golden/src/other.cpp": "int other() { return 2; }\n",
     "docs/x.md": "x\n",
 }
+HEADER = "golden/include/hwffd/x.hpp"
 
 
-class Tree(Workspace):
-    def setUp(self):
-        super().setUp()
-        shutil.copy(ROOT / ".clang-tidy", self.root)
-        (self.root / ".gitignore").write_text("build/\n")
-        self.write(CLEAN)
-        self.write({tidy.COMMANDS: json.dumps([
-            {"directory": str(self.root), "file": str(self.root / name),
-             "command": f"c++ -std=c++17 -Werror -I{self.root}/golden/include -c {name}"}
-            for name in CLEAN if name.endswith(".cpp")])})
-        self.git("init", "--quiet")
-        self.commit()
+@pytest.fixture
+def tree(checkout):
+    checkout.copy(".clang-tidy")
+    checkout.put({**CLEAN, ".gitignore": "build/\n", tidy.COMMANDS: [
+        {"directory": str(checkout.root), "file": str(checkout.root / name),
+         "command": f"c++ -std=c++17 -Werror -I{checkout.root}/golden/include -c {name}"}
+        for name in CLEAN if name.endswith(".cpp")]})
+    checkout.git("init", "--quiet")
+    checkout.commit()
+    return checkout
 
-    def write(self, files):
-        for name, text in files.items():
-            self.put(name, text)
 
-    def git(self, *words):
-        subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",
-                        *words], check=True)
+@pytest.fixture
+def changed(tree):
+    def found():
+        files = tidy.changed(tree.root, ("golden", "tests"))
+        return None if files is None else [str(path.relative_to(tree.root)) for path in files]
+    return found
 
-    def commit(self):
-        self.git("add", "--all")
-        self.git("commit", "--quiet", "--allow-empty", "--message", "x")
 
-    def changed(self):
-        files = tidy.changed(self.root, ("golden", "tests"))
-        return None if files is None else [str(path.relative_to(self.root)) for path in files]
-
-    def findings(self, *names):
-        """Of these files, or of all."""
-        found = []
-        for check in tidy.checks(self.root, [self.root / name for name in names] or None):
+@pytest.fixture
+def findings(tree):
+    """Of these files, or of all."""
+    def found(*names):
+        lines = []
+        for check in tidy.checks(tree.root, [tree.root / name for name in names] or None):
             check.run()
-            found += check.findings + [check.left_out] * bool(check.left_out)
-        return found
-
-    def program(self):
-        done = subprocess.run([sys.executable, ROOT / "scripts/tidy.py", "--root", self.root],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-        return done.returncode, done.stdout.splitlines(), done.stderr
+            lines += check.findings + [check.left_out] * bool(check.left_out)
+        return lines
+    return found
 
 
-class Changed(Tree):
-    def test_first_commit_has_none_before_it(self):
-        self.assertIsNone(self.changed())
-
-    def test_committed_edited_and_new_files(self):
-        self.write({"golden/src/x.cpp": "int x();\n", "docs/x.md": "y\n"})
-        self.commit()
-        self.assertEqual(self.changed(), ["golden/src/x.cpp"])
-        self.write({"golden/include/hwffd/x.hpp": "", "golden/src/new.cpp": "", "apps/a.cpp": ""})
-        (self.root / "golden/src/other.cpp").unlink()
-        self.assertEqual(self.changed(), ["golden/include/hwffd/x.hpp", "golden/src/new.cpp",
-                                          "golden/src/x.cpp"])
-        self.commit()
-        self.commit()
-        self.assertEqual(self.changed(), [])
+@pytest.fixture
+def program(tree):
+    def run():
+        status, out, errors = tree.script("tidy.py", "--root", tree.root)
+        return status, out.splitlines(), errors
+    return run
 
 
-class Findings(Tree):
-    def test_clean_tree(self):
-        self.assertEqual(self.program(), (0, ["tidy: 2 files, 0 findings"], ""))
-
-    def test_in_a_source(self):
-        self.write({"golden/src/x.cpp": FAULT.format(name="x")})
-        (line,) = self.findings("golden/src/x.cpp")
-        self.assertIn("golden/src/x.cpp:1:", line)
-        self.assertIn("modernize-use-nullptr", line)
-        self.assertEqual(self.findings("golden/src/other.cpp"), [])
-        status, lines, _ = self.program()
-        self.assertEqual((status, lines), (1, [line, "tidy: 2 files, 1 findings"]))
-
-    def test_in_one_of_several_sources_compiled_as_one(self):
-        together = self.root / "build/golden/Unity/unity_0_cxx.cxx"
-        sources = [name for name in CLEAN if name.endswith(".cpp")]
-        self.write({
-            str(together): "".join(f'#include "{self.root / name}"\n' for name in sources),
-            tidy.COMMANDS: json.dumps([{
-                "directory": str(self.root), "file": str(together),
-                "command": f"c++ -std=c++17 -I{self.root}/golden/include -c {together}"}])})
-        self.assertEqual(self.program(), (0, ["tidy: 2 files, 0 findings"], ""))
-        self.write({"golden/src/x.cpp": FAULT.format(name="x")})
-        (line,) = self.findings("golden/src/x.cpp")
-        self.assertIn("golden/src/x.cpp:1:", line)
-
-    def test_in_a_header_through_the_source_that_includes_it(self):
-        header = "golden/include/hwffd/x.hpp"
-        self.write({header: CLEAN[header] + FAULT.format(name="y")})
-        for names in ((header,), ("golden/src/x.cpp",), ()):
-            (line,) = self.findings(*names)
-            self.assertIn(f"{header}:3:", line)
-
-    def test_in_a_header_that_nothing_includes(self):
-        self.write({"tests/y.hpp": "#pragma once\n" + FAULT.format(name="y")})
-        (line,) = self.findings("tests/y.hpp")
-        self.assertIn("tests/y.hpp:2:", line)
-
-    def test_what_does_not_compile(self):
-        self.write({"golden/src/x.cpp": "int x() { return; }\n"})
-        (line,) = self.findings("golden/src/x.cpp")
-        self.assertIn("should return a value [clang-diagnostic", line)
-
-    def test_a_model_that_is_not_built_is_left_out_and_that_is_said(self):
-        self.write({"golden/src/x.cpp": '#include "Vdma_small.h"\n'})
-        self.assertEqual(self.findings("golden/src/x.cpp"), ["Vdma_small.h is not built"])
-        status, lines, _ = self.program()
-        self.assertEqual(status, 1)
-        self.assertIn("left out: Vdma_small.h", lines[0])
-
-    def test_without_compile_commands(self):
-        (self.root / tidy.COMMANDS).unlink()
-        status, lines, message = self.program()
-        self.assertEqual((status, lines), (1, []))
-        self.assertRegex(message, r"\Atidy: no build/compile_commands.json, .*make lint.*\n\Z")
+def test_first_commit_has_none_before_it(changed):
+    assert changed() is None
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_committed_edited_and_new_files(tree, changed):
+    tree.put({"golden/src/x.cpp": "int x();\n", "docs/x.md": "y\n"})
+    tree.commit()
+    assert changed() == ["golden/src/x.cpp"]
+    tree.put({HEADER: "", "golden/src/new.cpp": "", "apps/a.cpp": "", "golden/src/other.cpp": None})
+    assert changed() == [HEADER, "golden/src/new.cpp", "golden/src/x.cpp"]
+    tree.commit()
+    tree.commit()
+    assert changed() == []
+
+
+def test_clean_tree(program):
+    assert program() == (0, ["tidy: 2 files, 0 findings"], "")
+
+
+# what -> (files, those looked at, how their one finding begins, a word in it)
+FOUND = {
+    "in a source": ({"golden/src/x.cpp": FAULT.format(name="x")}, ("golden/src/x.cpp",),
+                    "golden/src/x.cpp:1:", "modernize-use-nullptr"),
+    **{f"in a header, of {names}": (
+        {HEADER: CLEAN[HEADER] + FAULT.format(name="y")}, names, f"{HEADER}:3:", "nullptr")
+       for names in ((HEADER,), ("golden/src/x.cpp",), ())},
+    "in a header that nothing includes": (
+        {"tests/y.hpp": "#pragma once\n" + FAULT.format(name="y")}, ("tests/y.hpp",), "tests/y.hpp:2:",
+        "nullptr"),
+    "what does not compile": ({"golden/src/x.cpp": "int x() { return; }\n"}, ("golden/src/x.cpp",),
+                              "golden/src/x.cpp:1:", "should return a value [clang-diagnostic"),
+    "a model that is not built": ({"golden/src/x.cpp": '#include "Vdma_small.h"\n'},
+                                  ("golden/src/x.cpp",), "", "Vdma_small.h is not built"),
+}
+
+
+@pytest.mark.parametrize("files, names, begins, word", FOUND.values(), ids=FOUND)
+def test_findings(tree, findings, files, names, begins, word):
+    tree.put(files)
+    (line,) = findings(*names)
+    assert line.removeprefix(f"{tree.root}/").startswith(begins) and word in line
+    assert findings("golden/src/other.cpp") == []
+
+
+def test_what_the_program_says_of_a_finding(tree, findings, program):
+    tree.put({"golden/src/x.cpp": FAULT.format(name="x")})
+    assert program()[:2] == (1, [*findings(), "tidy: 2 files, 1 findings"])
+    tree.put({"golden/src/x.cpp": '#include "Vdma_small.h"\n'})
+    status, lines, _ = program()
+    assert status == 1 and "left out: Vdma_small.h" in lines[0]
+
+
+def test_in_one_of_several_sources_compiled_as_one(tree, program):
+    together = str(tree.root / "build/golden/Unity/unity_0_cxx.cxx")
+    sources = [name for name in CLEAN if name.endswith(".cpp")]
+    tree.put({
+        together: "".join(f'#include "{tree.root / name}"\n' for name in sources),
+        tidy.COMMANDS: [{"directory": str(tree.root), "file": together,
+                         "command": f"c++ -std=c++17 -I{tree.root}/golden/include -c {together}"}]})
+    assert program() == (0, ["tidy: 2 files, 0 findings"], "")
+    tree.put({"golden/src/x.cpp": FAULT.format(name="x")})
+    status, (line, _), _ = program()
+    assert status == 1 and "golden/src/x.cpp:1:" in line
+
+
+def test_without_compile_commands(tree, program):
+    tree.put({tidy.COMMANDS: None})
+    status, lines, message = program()
+    assert (status, lines) == (1, [])
+    assert re.search(r"\Atidy: no build/compile_commands.json, .*make lint.*\n\Z", message)

@@ -4,19 +4,14 @@ OpenSTA and the library are, a small design is timed and compared with sums by h
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import shutil
-import tempfile
-import unittest
-from unittest import mock
-
-from workspace import ROOT
 
 import liberty
+import pytest
 import rtl
 import timing
+from rtl import ROOT
 
-HERE = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 CELLS = {"INVX1": ("logic", {}), "DFFPOSX1": ("register", {})}
 REPORT = """\
 Startpoint: u_a/sum_q_3 (rising edge-triggered flip-flop clocked by clk)
@@ -56,59 +51,56 @@ def chain(inverters, kind="INVX1"):
     return {"modules": {"$inner": inner, "top": top}}
 
 
-class Text(unittest.TestCase):
-    def test_netlist(self):
-        with mock.patch.object(liberty, "cells", lambda: CELLS):
-            text = timing.verilog(chain(1), "top")
-        self.assertEqual(text.splitlines(), [
-            "module m0 (clk, d_i, q_o);", "  input clk;", "  input d_i;", "  output q_o;",
-            "  DFFPOSX1 \\first_q (.CLK(clk), .D(d_i), .Q(n4));",
-            "  DFFPOSX1 \\sum_q (.CLK(clk), .D(n5), .Q(q_o));",
-            "  INVX1 \\g2 (.A(n4), .Y(n5));", "endmodule",
-            "module top (clk, d_i, q_o);", "  input clk;", "  input [1:0] d_i;",
-            "  output [3:0] q_o;", "  m0 \\u_inner (.clk(clk), .d_i(d_i[1]), .q_o(q_o[0]));",
-            "  assign q_o[1] = q_o[0];", "  assign q_o[2] = 1'b1;", "  assign q_o[3] = 1'b0;",
-            "endmodule"])
-
-    def test_report(self):
-        self.assertEqual(timing.parse(REPORT), {
-            "fmax_mhz": round(1000 / 4.25, 1), "power_mw": 279.9,
-            "critical_path": "from u_a/sum_q_3 to result_o[0]"})
-
-    def test_faults_of_a_report(self):
-        for output, message in (("", "no path or no power"),
-                                (REPORT.replace("slack", "slick"), "no path or no power"),
-                                (REPORT + "Error: v.v, line 2 syntax error\n", "line 2 syntax")):
-            with self.subTest(message):
-                with self.assertRaisesRegex(timing.TimingError, message):
-                    timing.parse(output)
+OPEN_STA = pytest.mark.skipif(not (liberty.PATH.is_file() and shutil.which(timing.PROGRAM)),
+                              reason="no OpenSTA or no library here")
 
 
-@unittest.skipUnless(HERE, "no OpenSTA or no library here")
-class OpenSta(unittest.TestCase):
-    def measure(self, *inverters):
-        with tempfile.TemporaryDirectory() as folder:
-            netlist, steps = pathlib.Path(folder) / "n.v", pathlib.Path(folder) / "s.tcl"
-            netlist.write_text(timing.verilog(chain(*inverters), "top"))
-            steps.write_text(timing.script(netlist, "top", ROOT / "synth" / "osu018.tcl"))
-            return timing.parse(rtl.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit",
-                                         str(steps)])[1])
-
-    def test_longer_paths_are_slower(self):
-        found = {number: self.measure(number) for number in (2, 10, 18)}
-        periods = [1000 / one["fmax_mhz"] for one in found.values()]
-        self.assertAlmostEqual(periods[2] - periods[1], periods[1] - periods[0], delta=0.02)
-        self.assertGreater(periods[1] - periods[0], 8 * 0.02)
-        self.assertLess(periods[0], 2)
-        self.assertGreater(found[18]["power_mw"], found[2]["power_mw"])
-        self.assertEqual(found[10]["critical_path"], "from u_inner/first_q to u_inner/sum_q")
-        print("timing: " + ", ".join(f"{n} inverters {p:.2f} ns" for n, p in zip(found, periods)))
-
-    def test_a_netlist_of_unknown_cells_is_refused(self):
-        with mock.patch.object(liberty, "cells", lambda: {**CELLS, "$not": ("logic", {})}):
-            with self.assertRaises(timing.TimingError):
-                self.measure(2, "$not")
+def test_netlist(monkeypatch):
+    monkeypatch.setattr(liberty, "cells", lambda: CELLS)
+    assert timing.verilog(chain(1), "top").splitlines() == [
+        "module m0 (clk, d_i, q_o);", "  input clk;", "  input d_i;", "  output q_o;",
+        "  DFFPOSX1 \\first_q (.CLK(clk), .D(d_i), .Q(n4));",
+        "  DFFPOSX1 \\sum_q (.CLK(clk), .D(n5), .Q(q_o));",
+        "  INVX1 \\g2 (.A(n4), .Y(n5));", "endmodule",
+        "module top (clk, d_i, q_o);", "  input clk;", "  input [1:0] d_i;",
+        "  output [3:0] q_o;", "  m0 \\u_inner (.clk(clk), .d_i(d_i[1]), .q_o(q_o[0]));",
+        "  assign q_o[1] = q_o[0];", "  assign q_o[2] = 1'b1;", "  assign q_o[3] = 1'b0;",
+        "endmodule"]
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_report():
+    assert timing.parse(REPORT) == {"fmax_mhz": round(1000 / 4.25, 1), "power_mw": 279.9,
+                                    "critical_path": "from u_a/sum_q_3 to result_o[0]"}
+
+
+@pytest.mark.parametrize("output, message", (
+    ("", "no path or no power"), (REPORT.replace("slack", "slick"), "no path or no power"),
+    (REPORT + "Error: v.v, line 2 syntax error\n", "line 2 syntax")))
+def test_faults_of_a_report(output, message):
+    with pytest.raises(timing.TimingError, match=message):
+        timing.parse(output)
+
+
+def measure(folder, *inverters):
+    netlist, steps = folder / "n.v", folder / "s.tcl"
+    netlist.write_text(timing.verilog(chain(*inverters), "top"))
+    steps.write_text(timing.script(netlist, "top", ROOT / "synth" / "osu018.tcl"))
+    return timing.parse(rtl.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(steps)])[1])
+
+
+@OPEN_STA
+def test_longer_paths_are_slower(tmp_path):
+    found = {number: measure(tmp_path, number) for number in (2, 10, 18)}
+    periods = [1000 / one["fmax_mhz"] for one in found.values()]
+    assert periods[2] - periods[1] == pytest.approx(periods[1] - periods[0], abs=0.02)
+    assert periods[1] - periods[0] > 8 * 0.02
+    assert periods[0] < 2
+    assert found[18]["power_mw"] > found[2]["power_mw"]
+    assert found[10]["critical_path"] == "from u_inner/first_q to u_inner/sum_q"
+
+
+@OPEN_STA
+def test_a_netlist_of_unknown_cells_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(liberty, "cells", lambda: {**CELLS, "$not": ("logic", {})})
+    with pytest.raises(timing.TimingError):
+        measure(tmp_path, 2, "$not")

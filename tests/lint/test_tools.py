@@ -4,15 +4,10 @@ faults planted in a small copy of the tree are reported under the right tool and
 SPDX-License-Identifier: Apache-2.0
 """
 
-import json
-import shutil
-import subprocess
-import sys
-import unittest
-
-from workspace import ROOT, Workspace
+import re
 
 import configurations
+import pytest
 import tidy
 
 MODULE = """\
@@ -117,60 +112,41 @@ def tree_of_modules():
     return files, heard
 
 
-class Tools(Workspace):
-    def write(self, files):
-        for name, text in files.items():
-            self.put(name, text)
-
-    def compile_commands(self):
-        entry = {"directory": str(self.root), "file": str(self.root / "golden/src/x.cpp"),
+@pytest.fixture
+def lint(checkout):
+    """(exit status, lines) of scripts/lint, these files changed since the last commit."""
+    def linted(files):
+        entry = {"directory": str(checkout.root), "file": str(checkout.root / "golden/src/x.cpp"),
                  "command": "c++ -c golden/src/x.cpp"}
-        return {tidy.COMMANDS: json.dumps([entry])}
-
-    def git(self, *words):
-        subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",
-                        *words], check=True)
-
-    def lint(self, files):
-        """(exit status, lines) of scripts/lint, these files changed since the last commit."""
-        shutil.rmtree(self.root)
-        self.write({**CLEAN, **self.compile_commands()})
-        for name in (".clang-format", ".clang-tidy"):
-            self.copy(name)
-        self.git("init", "--quiet")
-        for message in ("parent", "empty"):
-            self.git("add", "--all")
-            self.git("commit", "--quiet", "--allow-empty", "--message", message)
-        self.write(files)
-        done = subprocess.run(
-            [sys.executable, "-B", str(ROOT / "scripts" / "lint"), "--root", str(self.root)],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        return done.returncode, done.stdout.splitlines()
-
-    def test_clean_tree_passes(self):
-        status, lines = self.lint({})
-        self.assertEqual(status, 0, lines)
-        self.assertRegex(lines[-1], r"^lint: \d+ checks, 0 warnings$")
-
-    def test_planted_faults_are_heard(self):
-        caught = 0
-        for what, (files, heard) in {"modules": tree_of_modules(), **IN_TREES}.items():
-            status, lines = self.lint(files)
-            self.assertEqual(status, 1)
-            self.assertRegex(lines[-1], r"^lint: \d+ checks, [1-9]\d* warnings?$")
-            for begins, word in heard:
-                with self.subTest(what, begins=begins, word=word):
-                    self.assertTrue(
-                        any(line.startswith(begins) and word in line for line in lines), lines)
-                    caught += 1
-        self.assertGreaterEqual(caught, len(IN_MODULES) + 2 * len(IN_TREES))
-        print(f"tools: {caught} planted faults heard")
-
-    def test_bad_table_is_one_line(self):
-        status, lines = self.lint({"rtl/configurations.csv": TABLE.replace("basic", "none")})
-        self.assertEqual(status, 1)
-        self.assertIn("unknown org 'none'", lines[-1])
+        checkout.put({**CLEAN, tidy.COMMANDS: [entry]})
+        checkout.copy(".clang-format", ".clang-tidy")
+        checkout.git("init", "--quiet")
+        for _ in ("parent", "empty"):
+            checkout.commit()
+        checkout.put(files)
+        status, out, errors = checkout.script("lint", "--root", ".")
+        return status, (out + errors).splitlines()
+    return linted
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+def test_clean_tree_passes(lint):
+    status, lines = lint({})
+    assert status == 0, lines
+    assert re.search(r"^lint: \d+ checks, 0 warnings$", lines[-1])
+
+
+@pytest.mark.parametrize("files, heard", (tree_of_modules(), *IN_TREES.values()),
+                         ids=("modules", *IN_TREES))
+def test_planted_faults_are_heard(lint, files, heard):
+    status, lines = lint(files)
+    assert status == 1
+    assert re.search(r"^lint: \d+ checks, [1-9]\d* warnings?$", lines[-1])
+    missed = [(begins, word) for begins, word in heard
+              if not any(line.startswith(begins) and word in line for line in lines)]
+    assert missed == [], lines
+
+
+def test_bad_table_is_one_line(lint):
+    status, lines = lint({"rtl/configurations.csv": TABLE.replace("basic", "none")})
+    assert status == 1
+    assert "unknown org 'none'" in lines[-1]

@@ -11,10 +11,7 @@ import pathlib
 import re
 import shlex
 import subprocess
-import sys
-import unittest
 
-BUILD, MODEL = pathlib.Path(sys.argv[1]), sys.argv[2]
 REFERENCE = "organizations/reference.cpp"
 # On speed, here: a model has no floating point that could be contracted.
 WITHOUT_EFFECT = ("-fPIC", "-fmacro", "-fdebug", "-ffp-contract")
@@ -30,28 +27,22 @@ def effective(words):
     return options
 
 
-def options(file):
+def options(build, file):
     """Those with which a file is compiled."""
-    commands = json.loads((BUILD / "compile_commands.json").read_text())
+    commands = json.loads((pathlib.Path(build) / "compile_commands.json").read_text())
     (command,) = (entry["command"] for entry in commands if entry["file"].endswith(file))
     return effective(shlex.split(command))
 
 
-def verilator_words():
+def test_same_for_model_and_reference(arguments):
+    build, model = arguments
+    assert options(build, REFERENCE) == options(build, f"/V{model}.cpp")
+
+
+def test_models_have_one_thread(arguments):
     """How a model is made from the RTL."""
-    done = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", MODEL],
+    build, model = arguments
+    done = subprocess.run(["ninja", "-C", build, "-t", "commands", model],
                           stdout=subprocess.PIPE, text=True, check=True)
-    (line,) = (line for line in done.stdout.splitlines() if f"--prefix V{MODEL} " in line)
-    return shlex.split(line)
-
-
-class TimingOptions(unittest.TestCase):
-    def test_same_for_model_and_reference(self):
-        self.assertEqual(options(REFERENCE), options(f"/V{MODEL}.cpp"))
-
-    def test_models_have_one_thread(self):
-        self.assertNotIn("--threads", verilator_words())
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    (line,) = (line for line in done.stdout.splitlines() if f"--prefix V{model} " in line)
+    assert "--threads" not in shlex.split(line)

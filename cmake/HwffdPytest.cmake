@@ -1,0 +1,14 @@
+# hwffd_pytest(<set> <suite> <name>... [ARGUMENTS <word>...])
+#
+# Each test_<name>.py of this folder is the test <suite>.<name>, by the pytest of build/venv; <set> is
+# that of tests/in_venv.py. The fixture `arguments` has the words.
+function(hwffd_pytest set suite)
+  cmake_parse_arguments(PARSE_ARGV 2 pytest "" "" ARGUMENTS)
+  list(TRANSFORM pytest_ARGUMENTS PREPEND --argument=)
+  foreach(name IN LISTS pytest_UNPARSED_ARGUMENTS)
+    add_test(NAME ${suite}.${name}
+      COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/tests/in_venv.py ${set}
+              -m pytest ${CMAKE_CURRENT_SOURCE_DIR}/test_${name}.py ${pytest_ARGUMENTS})
+    set_tests_properties(${suite}.${name} PROPERTIES LABELS test TIMEOUT 600)
+  endforeach()
+endfunction()

@@ -1,0 +1,88 @@
+"""What tests in Python share: a folder for each, with copies of what it needs of the checkout.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+
+class Checkout:
+    """A folder that a test fills, and in which it runs what is tested."""
+
+    def __init__(self, root):
+        self.root = root
+
+    def copy(self, *names):
+        """Files or folders of the checkout."""
+        for name in names:
+            source, target = ROOT / name, self.root / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            (shutil.copytree if source.is_dir() else shutil.copy)(source, target)
+
+    def link(self, *names):
+        for name in names:
+            (self.root / name).symlink_to(ROOT / name)
+
+    def put(self, files, mode=0o644):
+        """Writes files, {name: text, or what becomes JSON, or None for no file}."""
+        for name, content in files.items():
+            path = self.root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.unlink(missing_ok=True)
+            if content is not None:
+                path.write_text(content if isinstance(content, str) else json.dumps(content))
+                path.chmod(mode)
+
+    def text(self, name):
+        return (self.root / name).read_text()
+
+    def run(self, *command, **more):
+        """(exit status, what it printed, its complaints)"""
+        done = subprocess.run(command, cwd=self.root, stdin=subprocess.DEVNULL, text=True,
+                              check=False, capture_output=True, **more)
+        return done.returncode, done.stdout, done.stderr
+
+    def script(self, name, *words):
+        """The same of one of scripts/."""
+        return self.run(sys.executable, "-B", ROOT / "scripts" / name, *words)
+
+    def git(self, *words):
+        subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",
+                        *words], check=True)
+
+    def commit(self):
+        self.git("add", "--all")
+        self.git("commit", "--quiet", "--allow-empty", "--message", "x")
+
+
+def pytest_addoption(parser):
+    parser.addoption("--argument", action="append", default=[])
+
+
+@pytest.fixture(scope="session")
+def arguments(request):
+    """What the test was called with."""
+    return request.config.getoption("--argument")
+
+
+@pytest.fixture
+def checkout(tmp_path):
+    return Checkout(tmp_path.resolve())
+
+
+@pytest.fixture
+def call(capsys):
+    """A script's main(), called: (exit status, lines that it printed, lines of complaints)"""
+    def called(main, *words):
+        status = main([str(word) for word in words])
+        said = capsys.readouterr()
+        return status, said.out.splitlines(), said.err.splitlines()
+    return called
