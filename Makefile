@@ -182,6 +182,7 @@ soak: install
 	@HWFFD_SOAK="$(or $(call given,SEEDS),100)" $(BUILD)/tests/bus/axi/axi_test --gtest_brief=1 --gtest_filter='*Soak*'
 
 lint: install
+	@scripts/python_env
 	@$(CMAKE_CONFIGURE)
 	@scripts/lint -j $(JOBS)
 
