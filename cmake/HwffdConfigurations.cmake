@@ -50,14 +50,7 @@ execute_process(COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/scripts/mad
 if(failed)
   message(FATAL_ERROR "a table is broken; see the line above")
 endif()
-hwffd_generate(cpp ${HWFFD_GENERATED_DIR}/configurations.cpp)
-hwffd_generate(models ${HWFFD_GENERATED_DIR}/models.cpp)
-hwffd_generate(factory ${HWFFD_GENERATED_DIR}/stream_core_factory.cpp --tier ${HWFFD_TIER})
-hwffd_generate(factory ${HWFFD_GENERATED_DIR}/axi_core_factory.cpp --tier ${HWFFD_TIER}
-  --core axi --suffix _axi)
-hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/evaluator_core_factory.cpp --tier ${HWFFD_TIER})
-hwffd_generate(evaluators ${HWFFD_GENERATED_DIR}/selected_core_factory.cpp ${HWFFD_SELECTION})
-hwffd_generate(cmake ${HWFFD_GENERATED_DIR}/configurations.cmake --tier ${HWFFD_TIER} ${HWFFD_SELECTION})
+hwffd_generate(build ${HWFFD_GENERATED_DIR} --tier ${HWFFD_TIER} ${HWFFD_SELECTION})
 include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 
 file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/+]")

@@ -162,28 +162,25 @@ def selected(configurations, options):
     return select(configurations, options.org, options.n, options.format)
 
 
-def text_of(options, rows):
-    """What a command that generates is to write. Raises TableError."""
-    if options.command == "cpp":
-        return texts.table_text(rows, organizations.read())
-    if options.command == "models":
-        return texts.models_text(rows)
-    if options.command == "factory":
-        least = TOPS[TOPS.index(options.core):]
-        built = [c for c in of_tier(rows, options.tier) if c.top in least]
-        if options.rows:
-            built = [find(rows, name) for name in options.rows]
-        return texts.factory_text(built, options.core, options.suffix)
-    tiered, wanted = of_tier(rows, options.tier), selected(rows, options)
-    if options.command == "cmake":
-        return texts.cmake_text(rows, tiered, wanted)
-    return texts.factory_text([c for c in wanted if c in tiered], "evaluator", "_evaluator")
+def generated(rows, tier, wanted):
+    """file -> what a build of a tier has of the table and of the rows selected. Raises TableError."""
+    tiered = of_tier(rows, tier)
+    stream, axi = ([c for c in tiered if c.top in TOPS[TOPS.index(top):]] for top in TOPS[1:])
+    return {
+        "configurations.cpp": texts.table_text(rows, organizations.read()),
+        "models.cpp": texts.models_text(rows),
+        "stream_core_factory.cpp": texts.factory_text(stream, "stream"),
+        "axi_core_factory.cpp": texts.factory_text(axi, "axi", "_axi"),
+        "evaluator_core_factory.cpp": texts.factory_text(tiered, "evaluator", "_evaluator"),
+        "selected_core_factory.cpp": texts.factory_text(wanted, "evaluator", "_evaluator"),
+        "configurations.cmake": texts.cmake_text(rows, tiered, wanted),
+    }
 
 
-def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Reads the table of configurations.")
-    parser.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+def parser():
+    made = argparse.ArgumentParser(description="Reads the table of configurations.")
+    made.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
+    commands = made.add_subparsers(dest="command", required=True, metavar="COMMAND")
     listing = commands.add_parser("list", help="print the names of a tier (default: all)")
     parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
     parameters.add_argument("name")
@@ -193,24 +190,20 @@ def main(arguments=None):
     styles.add_argument("--fusesoc", dest="prefix", action="store_const", const="--",
                         help="as --NAME=value ...")
     parameters.set_defaults(prefix="")
-    cmake = commands.add_parser("cmake", help="write names, identifiers, parameters for CMake")
-    cpp = commands.add_parser("cpp", help="write the table (all tiers) as C++")
-    factory = commands.add_parser("factory", help="write the C++ that makes a row's model")
-    models = commands.add_parser("models", help="write the C++ that makes a row's bit-true model")
-    evaluators = commands.add_parser(
-        "evaluators", help="write the C++ that makes a row's evaluator at its read port")
-    for command in (cmake, cpp, factory, models, evaluators):
+    build = commands.add_parser("build", help="write what a build needs of the table into a folder")
+    factory = commands.add_parser("factory", help="write the C++ that makes cores of some rows")
+    for command in (build, factory):
         command.add_argument("out")
-    factory.add_argument("--rows", nargs="+", metavar="NAME", help="these instead of a tier's")
-    factory.add_argument("--core", choices=TOPS[1:], default="stream",
-                         help="hwffd_stream or hwffd_axi (stream)")
+    factory.add_argument("--rows", nargs="+", metavar="NAME", required=True)
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
-    for command in (listing, cmake, factory, evaluators):
+    for command in (listing, build):
         command.add_argument("--tier", choices=TIERS, default="all")
-    for command in (listing, cmake, evaluators):
         add_selection(command)
-    options = parser.parse_args(arguments)
+    return made
 
+
+def main(arguments=None):
+    options = parser().parse_args(arguments)
     try:
         rows = read(options.table)
         if options.command == "list":
@@ -219,8 +212,12 @@ def main(arguments=None):
         elif options.command == "parameters":
             assignments = find(rows, options.name).assignments()
             print(" ".join(options.prefix + word for word in assignments))
+        elif options.command == "factory":
+            write_if_changed(options.out, texts.factory_text(
+                [find(rows, name) for name in options.rows], "stream", options.suffix))
         else:
-            write_if_changed(options.out, text_of(options, rows))
+            for name, text in generated(rows, options.tier, selected(rows, options)).items():
+                write_if_changed(pathlib.Path(options.out) / name, text)
     except (TableError, OSError) as error:
         print(f"configurations.py: {error}", file=sys.stderr)
         return 1

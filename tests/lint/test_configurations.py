@@ -75,9 +75,9 @@ def test_bad_requests(script):
 
 
 def test_bad_table_leaves_the_output_alone(checkout, script):
-    checkout.put({"out.cmake": "before"})
-    assert script("cmake", "out.cmake", text=HEADER)[0] == 1
-    assert checkout.text("out.cmake") == "before"
+    checkout.put({"out/configurations.cmake": "before"})
+    assert script("build", "out", text=HEADER)[0] == 1
+    assert checkout.text("out/configurations.cmake") == "before"
 
 
 def test_committed_table():
@@ -98,13 +98,32 @@ def test_parameters(script):
             prefix + word for word in words.split()) + "\n"
 
 
-def test_cmake(checkout, script):
-    script("cmake", "out.cmake", "--tier", "test", text=ROWS)
-    for line in ("CONFIGURATION_IDENTIFIERS small good_row large)\n",
-                 "TIER_IDENTIFIERS small good_row)\n", "SELECTED_IDENTIFIERS small good_row large)\n",
-                 "STREAM_IDENTIFIERS small good_row)\n", "AXI_IDENTIFIERS good_row)\n",
-                 "CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 "):
-        assert f"set(HWFFD_{line}" in checkout.text("out.cmake")
+# file of a build of tier test -> what stands in it; what does not, behind the last
+BUILT = {
+    "configurations.cmake": (
+        "set(HWFFD_CONFIGURATION_IDENTIFIERS small good_row large)\n",
+        "set(HWFFD_TIER_IDENTIFIERS small good_row)\n", "set(HWFFD_AXI_IDENTIFIERS good_row)\n",
+        "set(HWFFD_SELECTED_IDENTIFIERS small large)\n",
+        "set(HWFFD_STREAM_IDENTIFIERS small good_row)\n",
+        "set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 ", "nothing"),
+    "configurations.cpp": (
+        '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},', '"large"', "V"),
+    "models.cpp": ("EvaluatorModelOf<Fixed<18>, OrgTree>", "OrgBasic"),
+    "stream_core_factory.cpp": ('#include "Vgood_row.h"', "large"),
+    "axi_core_factory.cpp": ('#include "Vgood_row_axi.h"', "Vsmall"),
+    "evaluator_core_factory.cpp": ('#include "Vgood_row_evaluator.h"', "Vsmall", "large"),
+    "selected_core_factory.cpp": ('#include "Vlarge_evaluator.h"', "Vsmall", "good_row"),
+}
+
+
+@pytest.mark.parametrize("name", BUILT)
+def test_files_of_a_build(checkout, script, name):
+    rows = ROWS.replace("large,parallel,64,fx32", "large,basic,1,fp32")
+    assert script("build", "out", "--tier", "test", "--org", "basic", text=rows) == (0, "", "")
+    text, (*present, absent) = checkout.text(f"out/{name}"), BUILT[name]
+    assert [part for part in present if part not in text] == []
+    assert absent not in text
+    assert {path.name for path in (checkout.root / "out").iterdir()} == set(BUILT)
 
 
 def test_many_float_units_are_wide():
@@ -123,24 +142,19 @@ def test_selection(script):
     assert re.search(r"^configurations.py: N=3: unknown here: one of [0-9, ]+\n$", error)
 
 
-def test_cpp_has_all_rows_and_the_factory_those_of_its_tier(checkout, script):
-    script("cpp", "table.cpp", text=ROWS)
-    for row in ('{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},', '"large"'):
-        assert row in checkout.text("table.cpp")
-    for options, header, absent in (
-            (("--tier", "test"), '#include "Vgood_row.h"', "large"),
-            (("--core", "axi", "--suffix", "_axi"), '#include "Vgood_row_axi.h"', "Vsmall")):
-        script("factory", "factory.cpp", *options)
-        assert header in checkout.text("factory.cpp")
-        assert absent not in checkout.text("factory.cpp")
+def test_the_factory_has_the_rows_asked_for(checkout, script):
+    script("factory", "out.cpp", "--suffix", "_netlist", "--rows", "good-row", text=ROWS)
+    assert '#include "Vgood_row_netlist.h"' in checkout.text("out.cpp")
+    assert "Vsmall" not in checkout.text("out.cpp")
 
 
-@pytest.mark.parametrize("command", ("cmake", "cpp", "factory"))
-def test_output_is_written_only_when_changed(checkout, script, command):
-    out = checkout.root / "out"
-    script(command, out, text=ROWS)
-    os.utime(out, (1, 1))
-    script(command, out)
-    assert out.stat().st_mtime == 1
-    script(command, out, text=ROWS.replace(",4,fx18", ",8,fx18"))
-    assert (out.stat().st_mtime != 1) == (command != "factory")
+def test_output_is_written_only_when_changed(checkout, script):
+    script("build", "out", text=ROWS)
+    files = sorted((checkout.root / "out").iterdir())
+    for file in files:
+        os.utime(file, (1, 1))
+    script("build", "out")
+    assert {file.stat().st_mtime for file in files} == {1}
+    script("build", "out", text=ROWS.replace(",4,fx18", ",8,fx18"))
+    assert [file.name for file in files if file.stat().st_mtime != 1] == [
+        "configurations.cmake", "configurations.cpp"]
