@@ -38,8 +38,8 @@ Run run(const Configuration& row, std::size_t vertices, std::uint64_t seed) {
   const WordCodec codec(row.format);
   const std::unique_ptr<cores::EvaluatorCore> core = cores::make_evaluator_core(row, seed);
   const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
-  const AxisWords bounds::bspline = encode(watertight_bspline(codec), codec);
-  tb::EvaluatorBench bench(*core, *model, {bounds::bspline, bounds::bspline, bounds::bspline});
+  const AxisWords bspline = encode(watertight_bspline(codec), codec);
+  tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
   bench.run(draw(codec, vertices, seed));
   return {bench.results(), bench.mismatches()};
 }
