@@ -1,5 +1,5 @@
-"""Runs a test's program by the interpreter of build/venv; skips it where scripts/python_env has not
-installed what it needs.
+"""Runs a test's program by the interpreter of build/venv. Where scripts/python_env has not installed
+what it needs, the test is skipped if it has SKIP_RETURN_CODE, and fails otherwise.
 
     in_venv.py SET PROGRAM ARGUMENT...
 
@@ -13,7 +13,7 @@ import pathlib
 import sys
 
 VENV = pathlib.Path(__file__).resolve().parent.parent / "build" / "venv"
-SKIPPED = 77  # SKIP_RETURN_CODE of these tests
+SKIPPED = 77
 
 
 def main():

@@ -177,6 +177,21 @@ def test_what_is_no_version(tree, write, text):
     expect_refused(tree, write(), version.FILE, 1, "not a version")
 
 
+@pytest.mark.parametrize("name, text, words", (
+    (version.FILE, "0.256.0\n", "reset '256' is not a number of 8 bits"),
+    (version.FILE, None, "VERSION: cannot be read"),
+    (registers.TABLE, None, "registers.csv: cannot be read")),
+    ids=("too large for its register", "no version", "no table of registers"))
+def test_versions_and_tables_that_registers_cannot_take(tree, call, name, text, words):
+    if text is None:
+        (tree.root / name).unlink()
+    else:
+        tree.put({name: text})
+    status, _, (line,) = call(registers.main, "--root", tree.root, "write")
+    assert status == 1 and line.startswith("registers.py: ") and words in line
+    expect_untouched(tree)
+
+
 def test_formats():
     found = formats.read()
     numbers = {"fp32": 0, "bfp32": 99, **{f"fx{width}": width for width in range(12, 33)}}

@@ -179,6 +179,8 @@ def tried(program, target, seed, numbers):
                     break
             else:
                 counts[verdict] += 1
+        else:  # all were answered: how the reader ends, leaks included
+            failures += [f"target {target}: {message}" for _, message in answers]
     return counts["valid"], counts["refused"], failures
 
 
