@@ -6,13 +6,24 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import pathlib
 import sys
+import tempfile
 import unittest
 import unittest.mock
 
 import fuzz
 
 PROGRAM = sys.argv[1]
+# A reader that finds every input valid.
+ANSWERS_AND_ENDS = """#!{python}
+import sys
+print(1, 2, "{{}}", sep="\\n", end="", flush=True)
+while size := sys.stdin.buffer.readline():
+    sys.stdin.buffer.read(int(size))
+    print("valid 0", flush=True)
+sys.exit({status})
+"""
 CORPUS = [b'{"dims": [4, 5, 6], "shape": "box"}']
 
 
@@ -46,6 +57,16 @@ class Fuzzer(unittest.TestCase):
         self.assertEqual((valid, refused, len(failures)), (0, 0, fuzz.MOST_FAILURES))
         self.assertTrue(failures[0].startswith(
             "HWFFD_FUZZ_SEED=7 HWFFD_FUZZ_INPUT=5 target planted: the message is empty"))
+
+    def test_how_the_reader_ends_counts(self):
+        """A leak is told behind the last answer."""
+        with tempfile.TemporaryDirectory() as folder:
+            reader = pathlib.Path(folder) / "reader"
+            for status, failures in ((0, 0), (23, 1)):
+                reader.write_text(ANSWERS_AND_ENDS.format(python=sys.executable, status=status))
+                reader.chmod(0o755)
+                found = fuzz.tried(str(reader), "lattice", 1, range(10))
+                self.assertEqual((*found[:2], len(found[2])), (10, 0, failures), found)
 
 
 if __name__ == "__main__":
