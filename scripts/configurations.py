@@ -21,8 +21,7 @@ import tables
 from organizations import Organization
 from tables import TableError, write_if_changed
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-TABLE = ROOT / "rtl" / "configurations.csv"
+TABLE = tables.ROOT / "rtl" / "configurations.csv"
 
 # The enumerations of the RTL's parameters: a word's place is its number. (Organizations have a table
 # of their own.)

@@ -14,6 +14,7 @@ import signal
 import subprocess
 
 import rtl
+import venv_packages
 from progress import Progress
 
 _JOB = re.compile(r"Job (\d+): (.*)")
@@ -29,7 +30,7 @@ class EngineError(Exception):
 
 def program():
     """Snakemake, of build/venv or of the system. Raises EngineError."""
-    own = rtl.ROOT / "build" / "venv" / "bin"
+    own = venv_packages.FOLDER / "bin"
     found = shutil.which("snakemake", path=f"{own}{os.pathsep}{os.environ.get('PATH', '')}")
     if not found:
         raise EngineError("snakemake not found: run scripts/python_env")

@@ -11,9 +11,8 @@ import re
 from dataclasses import dataclass
 
 import tables
-from tables import TableError
+from tables import ROOT, TableError
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "rtl/formats.csv"
 HEADER = "golden/include/hwffd/stream/formats.hpp"
 COLUMNS = ("format", "widths", "number", "words", "model", "fused", "header")

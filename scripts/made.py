@@ -37,12 +37,12 @@ def _maker(source, make):
 MAKERS = [_maker(*one) for one in _SOURCES]
 
 
-def outputs(root=tables.ROOT):
+def outputs(root=rtl.ROOT):
     """path below root -> the text that it must have. Raises TableError."""
     return {name: text for make in MAKERS for name, text in make(root).items()}
 
 
-def stale(root=tables.ROOT):
+def stale(root=rtl.ROOT):
     """A line for each file that is not what the tables make of it."""
     return tables.stale(root, MAKERS, "made.py")
 

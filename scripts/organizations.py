@@ -18,7 +18,6 @@ import tables
 from formulas import Formula
 from tables import TableError
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "organizations.csv"
 COLUMNS = ("org", "number", "module", "n", "form", "units", "paper", "last", "overlapped", "formed",
            "seam_float", "seam_fixed", "mapped", "mapped_n")
@@ -107,7 +106,7 @@ def _read_row(cells, where, rtl):
         tables.span(cells, "mapped_n", where, UNITS) if cells["mapped_n"] else UNITS)
 
 
-def read(rtl=ROOT / "rtl"):
+def read(rtl=sources.ROOT / "rtl"):
     """name -> Organization, of the table in that folder. Raises TableError."""
     path = pathlib.Path(rtl) / TABLE
     found = {}

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import register_rtl
 import register_texts
+import rtl
 import tables
 import version
 from tables import TableError
@@ -185,12 +186,12 @@ def parse(text, path, release):
     return registers
 
 
-def read(root=tables.ROOT):
+def read(root=rtl.ROOT):
     """Those of a checkout. Raises TableError."""
     return parse(tables.read_text(root / TABLE), root / TABLE, version.read(root))
 
 
-def outputs(root=tables.ROOT):
+def outputs(root=rtl.ROOT):
     """path below root -> the text that it must have"""
     registers = read(root)
     return {

@@ -9,9 +9,8 @@ import re
 from dataclasses import dataclass
 
 import tables
-from tables import TableError
+from tables import ROOT, TableError
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "rtl/stream/fields.csv"
 RTL = "rtl/stream/ffd_fields.vh"
 HEADER = "golden/include/hwffd/stream/status.hpp"

@@ -7,7 +7,9 @@ import os
 import pathlib
 import sys
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "build" / "venv"
+from rtl import ROOT
+
+FOLDER = ROOT / "build" / "venv"
 
 
 def enter(requirements):

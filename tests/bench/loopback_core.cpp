@@ -73,7 +73,10 @@ void LoopbackCore::clock_in_reset() {
 
 void LoopbackCore::watch(bool taken) {
   if (waits_ && !(in_valid_ && in_beat_ == before_)) ++withdrawn_;
-  if (!in_valid_ && in_beat_.words == before_.words) ++idle_again_;
+  if (!in_valid_) {
+    if (in_beat_.words == before_.words) ++idle_again_;
+    ++idle_with_last_[in_beat_.last];
+  }
   waits_ = in_valid_ && !taken;
   before_ = in_beat_;
 }

@@ -55,6 +55,8 @@ class LoopbackCore : public cores::StreamCore {
   /// which, with none on offer, the pins were as in the clock before.
   std::uint64_t withdrawn() const { return withdrawn_; }
   std::uint64_t idle_again() const { return idle_again_; }
+  /// Clocks with none on offer whose `last` was so.
+  std::uint64_t idle_with(bool last) const { return idle_with_last_[last]; }
   bool input_ready() const override;
   bool output_valid() const override;
   Beat output() const override;
@@ -81,6 +83,7 @@ class LoopbackCore : public cores::StreamCore {
   Beat before_;
   std::uint64_t withdrawn_ = 0;
   std::uint64_t idle_again_ = 0;
+  std::array<std::uint64_t, 2> idle_with_last_{};
   bool settled_in_valid_ = false;  // as the combinational paths see them
   bool settled_out_ready_ = false;
 

@@ -48,6 +48,10 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
     EXPECT_LT(out.back(), bench.cycle());
     EXPECT_EQ(core.withdrawn(), 0u);
     EXPECT_EQ(core.idle_again(), 0u) << "idle data is random";
+    if (core.idle_with(false) + core.idle_with(true) >= 100) {
+      EXPECT_GT(core.idle_with(false), 20u);
+      EXPECT_GT(core.idle_with(true), 20u);
+    }
   }
 }
 

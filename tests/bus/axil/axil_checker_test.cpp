@@ -151,6 +151,15 @@ TEST(AxiLiteChecker, ResetForgetsWhatIsOpen) {
   EXPECT_EQ(check(trace).violations(), 0u);
 }
 
+TEST(AxiLiteChecker, RvalidAfterResetIsTwoFaults) {
+  Trace trace = clean();
+  trace[2].slave.rvalid = trace[2].master.rready = true;
+  const AxiChecker checker = check(trace);
+  EXPECT_EQ(checker.violations(), 2u) << "in the first clock after reset, and not asked for";
+  EXPECT_EQ(checker.violations(AxiRule::kReset), 1u);
+  EXPECT_EQ(checker.violations(AxiRule::kUnasked), 1u);
+}
+
 TEST(AxiLiteChecker, KeepsTwentyReports) {
   Trace trace = clean();
   for (unsigned i = 0; i < 50; ++i) {
