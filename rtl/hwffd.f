@@ -6,7 +6,6 @@
 +incdir+number
 +incdir+stream
 board/ffd_board_bridge.v
-board/ffd_board_core.v
 board/ffd_board_icebreaker.v
 board/ffd_board_reset.v
 board/ffd_board_uart_rx.v
@@ -16,6 +15,7 @@ bus/ffd_axil_counter.v
 bus/ffd_axil_errors.v
 bus/ffd_axil_registers.v
 bus/ffd_axil_slave.v
+bus/ffd_axil_stored.v
 bus/ffd_bus_events.v
 bus/ffd_bus_run.v
 bus/ffd_dma_address.v
@@ -24,9 +24,10 @@ bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
 bus/ffd_dma_watch.v
 bus/ffd_dma_write.v
-cache/ffd_cache_interleaved.v
+cache/ffd_cache_beats.v
+cache/ffd_cache_lane.v
 cache/ffd_cache_points.v
-cache/ffd_cache_resident.v
+cache/ffd_cache_writer.v
 common/ffd_mem_sdp.v
 common/ffd_num_delay.v
 common/ffd_stream_deep_fifo.v
@@ -37,7 +38,6 @@ evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
 evaluator/ffd_eval_contraction.v
-evaluator/ffd_eval_coordinates.v
 evaluator/ffd_eval_determinant.v
 evaluator/ffd_eval_former.v
 evaluator/ffd_eval_generator.v
@@ -52,6 +52,7 @@ evaluator/ffd_eval_summation.v
 evaluator/ffd_eval_tree.v
 evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_weight_product.v
+evaluator/ffd_eval_words.v
 evaluator/ffd_org_cg.v
 evaluator/ffd_org_factored.v
 evaluator/ffd_org_nested.v
@@ -89,13 +90,15 @@ number/float/ffd_fp_shift_left.v
 number/float/ffd_fp_shift_right.v
 number/float/ffd_fp_stage.v
 number/float/ffd_fp_unpack.v
-stream/ffd_stream_coefficients.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
+stream/ffd_stream_framer.v
 stream/ffd_stream_header.v
-stream/ffd_stream_lattice.v
+stream/ffd_stream_intake.v
+stream/ffd_stream_place.v
 stream/ffd_stream_readers.v
+stream/ffd_stream_slots.v
 stream/ffd_stream_vertex.v
 top/hwffd_axi.v
 top/hwffd_stream.v

@@ -1,4 +1,4 @@
-"""ffd_org_select, the RTL that follows from the table of organizations.
+"""The RTL that follows from the table of organizations: ffd_org_select, and what kind each of them is.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -10,6 +10,7 @@ import organizations
 
 TABLE = f"rtl/{organizations.TABLE}"
 SELECT = "rtl/evaluator/ffd_org_select.v"
+HEADER = "rtl/evaluator/ffd_organizations.vh"
 GENERATED = "by scripts/made.py; changes here are lost."
 
 
@@ -70,6 +71,25 @@ endmodule
 """
 
 
+def header_text(rtl):
+    """What other modules may ask of ORG."""
+    found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
+    products = " || ".join(f"(ORG) == {one.number}" for one in found if one.form == "product")
+    return f"""// What kind an organization is, by its number.
+// Made from rtl/{organizations.TABLE} {GENERATED}
+// SPDX-License-Identifier: Apache-2.0
+`ifndef FFD_ORGANIZATIONS_VH
+`define FFD_ORGANIZATIONS_VH
+
+// It adds 64 products of weights and points.
+`define FFD_ORG_PRODUCT(ORG) \\
+  ({products})
+
+`endif
+"""
+
+
 def outputs(root):
     """path below root -> the text that it must have"""
-    return {SELECT: select_text(pathlib.Path(root) / "rtl")}
+    rtl = pathlib.Path(root) / "rtl"
+    return {SELECT: select_text(rtl), HEADER: header_text(rtl)}

@@ -9,6 +9,8 @@ SPDX-License-Identifier: Apache-2.0
 import re
 import textwrap
 
+import register_frame
+
 GENERATED = "Made from rtl/bus/registers.csv by scripts/registers.py; changes here are lost."
 
 # Fields by whose names the error record, the counters' clear and the interrupt are wired.
@@ -132,7 +134,8 @@ class _Rtl:
         stored = [field for field in register.fields if field.access == "rw"]
         if stored:
             lines += [f"      if (write_{register.name.lower()}) begin",
-                      *[f"        {self.merge(field)};" for field in stored], "      end"]
+                      *[f"        {line};" for field in stored for line in self.merge(field)],
+                      "      end"]
         lines += [*[f"      {line};" for line in self.lines], "    end", "  end"]
         self.blocks.append("\n".join(lines))
 
@@ -149,9 +152,26 @@ class _Rtl:
         self.resets.append(f"{name}_o{bits} <= {field.width}'h{field.reset:x}")
 
     def merge(self, field):
+        """A statement a byte: that keeps its bits where it has no strobe."""
         name, bits = signal_name(field)
-        part = _bits(field.low + field.width - 1, field.low) if field.width < 32 else ""
-        return f"{name}_o{bits} <= ({name}_o{bits} & ~write_mask{part}) | ones{part}"
+        base, high, lines = 32 if bits == "[63:32]" else 0, field.low + field.width, []
+        for byte in range(field.low // 8, (high + 7) // 8):
+            low, top = max(8 * byte, field.low), min(8 * byte + 8, high) - 1
+            part = _bits(base + top - field.low, base + low - field.low) if field.width > 1 else ""
+            lines.append(f"if (write_strobe[{byte}]) {name}_o{part} <= "
+                         f"write_data{_bits(top, low)}")
+        return lines
+
+    def stored(self):
+        """Blocks of four registers with one that is a single rw field of 32 bits: what is read of
+        these registers is read from a memory."""
+        blocks, words = {}, []
+        for register in self.registers:
+            field = register.fields[0]
+            if field.access == "rw" and field.width == 32:
+                blocks.setdefault(register.offset // 16, len(blocks))
+                words.append(register)
+        return blocks, words
 
     def w1s(self, field):
         name = signal_name(field)[0]
@@ -235,9 +255,32 @@ class _Rtl:
             parts = [f"{32 - width}'h0"] * (width < 32) + [f"{register.name.lower()}_q"]
         return parts[0] if len(parts) == 1 else "{" + ", ".join(parts) + "}"
 
+    def block_case(self, name, word):
+        blocks = self.stored()[0]
+        width = max(len(blocks) - 1, 1).bit_length()
+        arms = [f"      8'h{block:02x}: {name} = {width}'d{number};"
+                for block, number in blocks.items() if number]
+        return "\n".join([f"    case ({word}[9:2])", *arms,
+                          f"      default: {name} = {width}'d0;", "    endcase"])
+
+    def stored_text(self):
+        blocks, words = self.stored()
+        width = max(len(blocks) - 1, 1).bit_length()
+        hits = " || ".join(f"write_{register.name.lower()}" for register in words)
+        return register_frame.STORED.format(
+            width=_range(width), words=4 << width, write_case=self.block_case(
+                "write_block", "write_word"),
+            read_case=self.block_case("read_block", "read_word"),
+            hits=textwrap.fill(f"  wire write_stored = {hits};", 100, subsequent_indent=" " * 4))
+
     def read_cases(self):
-        lines = []
+        lines, stored = [], self.stored()[1]
+        words = ", ".join(map(_word, stored))
+        lines.append(textwrap.fill(f"{words}: read_data = stored_word;", 100,
+                                   initial_indent=" " * 6, subsequent_indent=" " * 6))
         for register in self.registers:
+            if register in stored:
+                continue
             line = f"      {_word(register)}: read_data = {self.read_value(register)};"
             lines.append(textwrap.fill(line, 100, subsequent_indent=" " * 8, tabsize=1))
         return "\n".join(lines)
@@ -258,83 +301,6 @@ class _Rtl:
         return " ||\n        ".join(f"(irq_state_{n}_q && irq_enable_{n}_o)" for n in names)
 
 
-_BUS = """\
-  input  wire        clk,
-  input  wire        rst,
-  `include "ffd_axil_ports.vh"
-"""
-_HEADER = """\
-// ffd_axil_registers: the registers of rtl/bus/registers.csv, from AXI4-Lite to the hardware
-//
-// {generated}
-//
-// Registers, bus, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
-// a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
-// is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
-// error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
-//
-// Pipeline:   a write acts at the edge at which its response appears; irq_o follows a clock later.
-// Cuts:       every output leaves a register.
-// Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
-//             that pulse is refused here).
-// Parameters: SECURE_ONLY as in ffd_axil_slave.
-// Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
-// SPDX-License-Identifier: Apache-2.0
-"""
-_SLAVE = """\
-  wire        write;
-  wire [9:0]  write_word;
-  wire [31:0] write_data;
-  wire [31:0] write_mask;
-  reg         write_error;
-  wire        read;
-  wire [9:0]  read_word;
-  reg  [31:0] read_data;
-  reg         read_error;
-
-  ffd_axil_slave #(
-    .ADDRESS_W  (12),
-    .SECURE_ONLY(SECURE_ONLY)
-  ) u_slave (
-    .clk           (clk),
-    .rst           (rst),
-    `include "ffd_axil_connections.vh"
-    .write_o       (write),
-    .write_word_o  (write_word),
-    .write_data_o  (write_data),
-    .write_mask_o  (write_mask),
-    .write_error_i (write_error),
-    .read_o        (read),
-    .read_word_o   (read_word),
-    .read_data_i   (read_data),
-    .read_error_i  (read_error)
-  );
-
-  // The bits that a write sets: partial strobes leave the other bytes alone.
-  wire [31:0] ones = write_data & write_mask;
-"""
-_ERRORS = """\
-  ffd_axil_errors #(
-    .CODES({codes})
-  ) u_errors (
-    .clk            (clk),
-    .rst            (rst),
-    .event_i        (error_event_i),
-    .packet_i       (error_packet_i),
-    .beat_i         (error_beat_i),
-    .address_valid_i(error_address_valid_i),
-    .address_i      (error_address_i),
-    .held_i         (error_first_valid_held),
-    .clear_i        (control_clear_counters_o),
-    .count_o        (log_count),
-    .code_o         (log_code),
-    .packet_o       (log_packet),
-    .beat_o         (log_beat),
-    .address_o      (log_address)
-  );
-"""
-
-
 def rtl_text(registers):
     rtl = _Rtl(registers)
     codes = next(len(r.fields) for r in registers if r.name == "ERROR_STATUS")
@@ -343,19 +309,20 @@ def rtl_text(registers):
     ports = ",\n".join(rtl.ports + ["  output reg         irq_o"])
     blocks = "\n\n".join(rtl.blocks)
     counters = "\n\n".join(rtl.counters)
-    return f"""{_HEADER.format(generated=GENERATED)}`default_nettype none
+    return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
 module ffd_axil_registers #(
   parameter SECURE_ONLY = 0
 ) (
-{_BUS}{ports}
+{register_frame.BUS}{ports}
 );
-{_SLAVE}
+{register_frame.SLAVE}
 {chr(10).join(rtl.wires)}
 
 {log}
 
-{_ERRORS.format(codes=codes)}
+{rtl.stored_text()}
+{register_frame.ERRORS.format(codes=codes)}
 {counters}
 
 {blocks}
@@ -368,6 +335,8 @@ module ffd_axil_registers #(
         {rtl.interrupts()};
     end
   end
+
+  wire unused_ok = &{{1'b0, ones, write_mask}};
 
   always @* begin
     case (write_word)

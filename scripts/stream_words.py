@@ -16,8 +16,8 @@ RTL = "rtl/stream/ffd_fields.vh"
 HEADER = "golden/include/hwffd/stream/status.hpp"
 COLUMNS = ("word", "field", "bits", "description")
 # A vertex's way around the evaluator; what of it says that banks are free again; the status of a
-# result, most of which is known before and comes in the first.
-WORDS = ("user", "retire", "status")
+# result, most of which is known before and comes in the first; what a beat is in its packet.
+WORDS = ("user", "retire", "status", "frame")
 GENERATED = f"Made from {TABLE} by scripts/made.py; changes here are lost."
 
 

@@ -54,28 +54,70 @@ module ffd_bench_evaluator #(
 
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] entry;
   wire [3*POINT_W-1:0]              point;
+  wire [3*WEIGHT_W-1:0]             coordinates;
 
   genvar i;
   generate
     for (i = 0; i < 4; i = i + 1) begin : gen_coefficient
+      wire [POINT_W-1:0] number;
+      wire nan;
+      wire outside;
       ffd_num_in #(
-        .FORMAT(FORMAT),
-        .ROLE  (`FFD_ROLE_COEFFICIENT)
+        .FORMAT(FORMAT)
       ) u_in (
+        .clk       (clk),
+        .role_i    (`FFD_ROLE_COEFFICIENT),
+        .clear_i   (1'b0),
+        .clamp_i   (1'b0),
+        .one_i     (1'b0),
         .word_i    (load_words_i[32*i +: 32]),
         .exponent_i(10'd0),
-        .number_o  (entry[i*WEIGHT_W +: WEIGHT_W])
+        .number_o  (number),
+        .nan_o     (nan),
+        .outside_o (outside)
       );
+      assign entry[i*WEIGHT_W +: WEIGHT_W] = number[WEIGHT_W-1:0];
+      wire unused_ok = &{1'b0, number, nan, outside};
     end
     for (i = 0; i < 3; i = i + 1) begin : gen_component
+      wire nan;
+      wire outside;
       ffd_num_in #(
-        .FORMAT(FORMAT),
-        .ROLE  (`FFD_ROLE_POINT)
+        .FORMAT(FORMAT)
       ) u_point (
+        .clk       (clk),
+        .role_i    (`FFD_ROLE_POINT),
+        .clear_i   (1'b0),
+        .clamp_i   (1'b0),
+        .one_i     (1'b0),
         .word_i    (write_words_i[32*i +: 32]),
         .exponent_i(write_exponent_i),
-        .number_o  (point[i*POINT_W +: POINT_W])
+        .number_o  (point[i*POINT_W +: POINT_W]),
+        .nan_o     (nan),
+        .outside_o (outside)
       );
+      wire unused_ok = &{1'b0, nan, outside};
+    end
+    for (i = 0; i < 3; i = i + 1) begin : gen_coordinate
+      wire [POINT_W-1:0] number;
+      wire nan;
+      wire outside;
+      ffd_num_in #(
+        .FORMAT(FORMAT)
+      ) u_in (
+        .clk       (clk),
+        .role_i    (`FFD_ROLE_COORDINATE),
+        .clear_i   (1'b0),
+        .clamp_i   (1'b0),
+        .one_i     (1'b0),
+        .word_i    (s_vertex_words[32*i +: 32]),
+        .exponent_i(10'd0),
+        .number_o  (number),
+        .nan_o     (nan),
+        .outside_o (outside)
+      );
+      assign coordinates[i*WEIGHT_W +: WEIGHT_W] = number[WEIGHT_W-1:0];
+      wire unused_ok = &{1'b0, number, nan, outside};
     end
   endgenerate
   assign entry[4*WEIGHT_W +: 2] = load_shift_i;
@@ -87,6 +129,8 @@ module ffd_bench_evaluator #(
   end
 
   wire        determinant;
+  wire        folded;
+  wire        evaluating;
   wire        read;
   wire        read_last;
   wire [7:0]  read_support;
@@ -123,7 +167,8 @@ module ffd_bench_evaluator #(
     .READ_LATENCY   (2),
     .SOURCE_W       (8),
     .USER_W         (16),
-    .IN_FLIGHT      (256)
+    .IN_FLIGHT      (256),
+    .DETERMINANT    (0)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -133,7 +178,7 @@ module ffd_bench_evaluator #(
     .load_entry_i        (entry),
     .s_vertex_valid      (s_vertex_valid),
     .s_vertex_ready      (s_vertex_ready),
-    .s_vertex_coordinates(s_vertex_words),
+    .s_vertex_coordinates(coordinates),
     .s_vertex_cell       (s_vertex_cell),
     .s_vertex_source     (s_vertex_support),
     .s_vertex_bank       (s_vertex_bank),
@@ -147,15 +192,16 @@ module ffd_bench_evaluator #(
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points_q),
+    .evaluating_o        (evaluating),
     .m_result_valid      (m_result_valid),
     .m_result_ready      (m_result_ready),
     .m_result_words      (m_result_words),
-    .m_result_flags      (m_result_flags),
+    .m_result_flags      ({folded, m_result_flags}),
     .m_result_determinant(determinant),
     .m_result_user       (m_result_tag)
   );
 
-  wire unused_ok = &{1'b0, determinant, read, read_last, read_cell};
+  wire unused_ok = &{1'b0, determinant, folded, evaluating, read, read_last, read_cell};
 endmodule
 
 `default_nettype wire

@@ -30,7 +30,7 @@ module ffd_board_bridge #(
   output reg  [127:0] m_beat_data,
   output reg          m_beat_last,
   input  wire         s_beat_valid,
-  output wire         s_beat_ready,
+  output reg          s_beat_ready,
   input  wire [127:0] s_beat_data,
   input  wire         s_beat_last
 );
@@ -112,7 +112,7 @@ module ffd_board_bridge #(
 
   always @(posedge clk) begin
     if (rst || ends) open_q <= 1'b0;
-    else if (state_d == BEATS) open_q <= 1'b1;
+    else if (state_q == BEATS) open_q <= 1'b1;
   end
 
   always @(posedge clk) begin
@@ -140,18 +140,21 @@ module ffd_board_bridge #(
     end
   end
 
-  // ---- results: the source holds its beat until the last byte is taken
+  // ---- results: the source holds its beat until the clock after its last byte is taken, in which
+  // the line takes no byte
 
   reg  [3:0]   sent_q;
   wire         byte_ready;
   wire [127:0] result = {s_beat_last, s_beat_data[126:0]};
 
-  assign s_beat_ready = byte_ready && &sent_q;
+  wire         sent = s_beat_valid && byte_ready;
 
   always @(posedge clk) begin
     if (rst) sent_q <= 4'd0;
-    else sent_q <= sent_q + {3'd0, s_beat_valid && byte_ready};
+    else sent_q <= sent_q + {3'd0, sent};
   end
+
+  always @(posedge clk) s_beat_ready <= sent && &sent_q && !rst;
 
   ffd_board_uart_tx #(
     .CLOCKS(CLOCKS)

@@ -1,8 +1,13 @@
-// ffd_board_icebreaker: ffd_board_core behind the serial line of an iCEBreaker (iCE40 UP5K)
+// ffd_board_icebreaker: hwffd_stream behind the serial line of an iCEBreaker (iCE40 UP5K)
+//
+// What fits the chip: positions of vertices in resident lattices of 4 points an axis. It has no
+// memory that is read at once, so vertices wait in flip-flops, two of them; IN_FLIGHT is the
+// smallest whose queues yosys puts into block memory.
 //
 // Formats:    frames of ffd_board_bridge; 8 data bits, no parity, 1 stop bit.
-// Parameters: a row of configurations.csv; AXIS as in ffd_board_core; CLOCKS a bit (12 are 1 Mbaud
-//             at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks are 87 ms).
+// Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING, FEATURES as in hwffd_stream;
+//             CLOCKS a bit (12 are 1 Mbaud at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks
+//             are 87 ms).
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/boards.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -19,6 +24,9 @@ module ffd_board_icebreaker #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 4,
+  parameter IN_FLIGHT       = 8,
+  parameter WAITING         = 2,
+  parameter FEATURES        = 256,
   parameter CLOCKS          = 12,
   parameter PAUSE_W         = 20
 ) (
@@ -35,6 +43,11 @@ module ffd_board_icebreaker #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
+  wire [9:0]   events;
+  wire [31:0]  event_packet;
+  wire [31:0]  event_beat;
+  wire         vertex;
+  wire         idle;
 
   ffd_board_reset u_reset (
     .clk  (clk),
@@ -59,7 +72,7 @@ module ffd_board_icebreaker #(
     .s_beat_last (result_last)
   );
 
-  ffd_board_core #(
+  hwffd_stream #(
     .ORG            (ORG),
     .N              (N),
     .FORMAT         (FORMAT),
@@ -69,19 +82,29 @@ module ffd_board_icebreaker #(
     .ADD_LATENCY    (ADD_LATENCY),
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
-    .AXIS           (AXIS)
+    .AXIS           (AXIS),
+    .IN_FLIGHT      (IN_FLIGHT),
+    .WAITING        (WAITING),
+    .FEATURES       (FEATURES)
   ) u_core (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(command_valid),
-    .s_beat_ready(command_ready),
-    .s_beat_data (command_data),
-    .s_beat_last (command_last),
-    .m_beat_valid(result_valid),
-    .m_beat_ready(result_ready),
-    .m_beat_data (result_data),
-    .m_beat_last (result_last)
+    .aclk          (clk),
+    .aresetn       (!rst),
+    .s_axis_tvalid (command_valid),
+    .s_axis_tready (command_ready),
+    .s_axis_tdata  (command_data),
+    .s_axis_tlast  (command_last),
+    .m_axis_tvalid (result_valid),
+    .m_axis_tready (result_ready),
+    .m_axis_tdata  (result_data),
+    .m_axis_tlast  (result_last),
+    .event_o       (events),
+    .event_packet_o(event_packet),
+    .event_beat_o  (event_beat),
+    .vertex_o      (vertex),
+    .idle_o        (idle)
   );
+
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, idle};
 endmodule
 
 `default_nettype wire

@@ -2,9 +2,10 @@
 //
 // Counts the clocks in which event_i is high, modulo 2^WIDTH. latch_i, the read of the low half,
 // keeps the high half of the same clock, so that two reads make one number. clear_i sets the count
-// to 0, or to 1 where an event comes in the same clock; what is latched stays.
+// to 0, and an event of the same clock makes it 1 a clock later; what is latched stays.
 //
-// Pipeline:   1 clock from event_i to low_o.  Freezes: never.
+// Pipeline:   2 clocks from event_i to low_o: nothing but a register lies before the count.
+// Freezes:    never.
 // Parameters: WIDTH 33 to 64.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
@@ -29,14 +30,19 @@ module ffd_axil_counter #(
 
   reg  [WIDTH-1:0]  count_q;
   reg  [WIDTH-33:0] high_q;
-  wire [WIDTH-1:0]  base = clear_i ? {WIDTH{1'b0}} : count_q;
+  reg               event_q;
+
+  always @(posedge clk) begin
+    if (rst || clear_i) count_q <= {WIDTH{1'b0}};
+    else count_q <= count_q + {{(WIDTH - 1) {1'b0}}, event_q};
+  end
 
   always @(posedge clk) begin
     if (rst) begin
-      count_q <= {WIDTH{1'b0}};
+      event_q <= 1'b0;
       high_q  <= {(WIDTH - 32) {1'b0}};
     end else begin
-      count_q <= base + {{(WIDTH - 1) {1'b0}}, event_i};
+      event_q <= event_i;
       if (latch_i) high_q <= count_q[WIDTH-1:32];
     end
   end

@@ -5,9 +5,9 @@
 // lowest code. address_valid_i says that an event of this clock has an address: the first since the
 // record began is kept, so that an error without one does not hide it; 0 while there is none.
 // count_o counts every event, several in one clock too, and stays at its largest value. clear_i
-// sets it to 0, or to the number of events of the same clock.
+// sets it to 0; events of the same clock are then counted a clock later.
 //
-// Pipeline:   1 clock.  Freezes: the record while held_i is high.
+// Pipeline:   1 clock, count_o 2.  Freezes: the record while held_i is high.
 // Parameters: CODES 1 to 32.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
@@ -40,6 +40,7 @@ module ffd_axil_errors #(
   integer   i;
   reg [4:0] lowest;
   reg [5:0] events;
+  reg [5:0] events_q;
   reg       address_held_q;
   wire      record = !held_i && event_i != {CODES{1'b0}};
   wire      locate = address_valid_i && !(held_i && address_held_q);
@@ -54,18 +55,26 @@ module ffd_axil_errors #(
   end
 
   // 33 bits: the carry says that the count is full.
-  wire [32:0] sum = {1'b0, clear_i ? 32'd0 : count_o} + {27'd0, events};
+  wire [32:0] sum = {1'b0, count_o} + {27'd0, events_q};
+
+  always @(posedge clk) begin
+    if (rst) events_q <= 6'd0;
+    else events_q <= events;
+  end
+
+  always @(posedge clk) begin
+    if (rst || clear_i) count_o <= 32'd0;
+    else count_o <= sum[32] ? 32'hffff_ffff : sum[31:0];
+  end
 
   always @(posedge clk) begin
     if (rst) begin
-      count_o   <= 32'd0;
       code_o    <= 5'd0;
       packet_o  <= 32'd0;
       beat_o    <= 32'd0;
       address_o <= 64'd0;
       address_held_q <= 1'b0;
     end else begin
-      count_o <= sum[32] ? 32'hffff_ffff : sum[31:0];
       if (record) begin
         code_o   <= lowest;
         packet_o <= packet_i;

@@ -66,18 +66,20 @@ module ffd_axil_registers #(
   wire [9:0]  write_word;
   wire [31:0] write_data;
   wire [31:0] write_mask;
+  wire [3:0]  write_strobe = {write_mask[24], write_mask[16], write_mask[8], write_mask[0]};
   reg         write_error;
   wire        read;
   wire [9:0]  read_word;
   reg  [31:0] read_data;
   reg         read_error;
+  wire        clearing;
 
   ffd_axil_slave #(
     .ADDRESS_W  (12),
     .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
     .clk           (clk),
-    .rst           (rst),
+    .rst           (rst || clearing),
     `include "ffd_axil_connections.vh"
     .write_o       (write),
     .write_word_o  (write_word),
@@ -150,6 +152,45 @@ module ffd_axil_registers #(
   wire [31:0] log_packet;
   wire [31:0] log_beat;
   wire [63:0] log_address;
+
+  // Settings of a whole word are read from a memory, in which four of them share a block.
+  reg  [1:0]  write_block;
+  reg  [1:0]  read_block;
+  wire [31:0] stored_word;
+  wire write_stored = write_ring_base_lo || write_ring_base_hi || write_result_base_lo ||
+    write_result_base_hi || write_result_size || write_read_window_base_lo ||
+    write_read_window_base_hi || write_read_window_limit_lo || write_read_window_limit_hi ||
+    write_write_window_base_lo || write_write_window_base_hi || write_write_window_limit_lo ||
+    write_write_window_limit_hi;
+
+  always @* begin
+    case (write_word[9:2])
+      8'h06: write_block = 2'd1;
+      8'h08: write_block = 2'd2;
+      8'h09: write_block = 2'd3;
+      default: write_block = 2'd0;
+    endcase
+    case (read_word[9:2])
+      8'h06: read_block = 2'd1;
+      8'h08: read_block = 2'd2;
+      8'h09: read_block = 2'd3;
+      default: read_block = 2'd0;
+    endcase
+  end
+
+  ffd_axil_stored #(
+    .WORDS(16)
+  ) u_stored (
+    .clk           (clk),
+    .rst           (rst),
+    .clearing_o    (clearing),
+    .write_i       (write_stored),
+    .write_slot_i  ({write_block, write_word[1:0]}),
+    .write_data_i  (write_data),
+    .write_strobe_i(write_strobe),
+    .read_slot_i   ({read_block, read_word[1:0]}),
+    .word_o        (stored_word)
+  );
 
   ffd_axil_errors #(
     .CODES(24)
@@ -230,7 +271,10 @@ module ffd_axil_registers #(
       ring_base_o[31:0] <= 32'h0;
     end else begin
       if (write_ring_base_lo) begin
-        ring_base_o[31:0] <= (ring_base_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) ring_base_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) ring_base_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) ring_base_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) ring_base_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -241,7 +285,10 @@ module ffd_axil_registers #(
       ring_base_o[63:32] <= 32'h0;
     end else begin
       if (write_ring_base_hi) begin
-        ring_base_o[63:32] <= (ring_base_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) ring_base_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) ring_base_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) ring_base_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) ring_base_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -252,7 +299,7 @@ module ffd_axil_registers #(
       ring_log2_size_o <= 4'h0;
     end else begin
       if (write_ring_log2_size) begin
-        ring_log2_size_o <= (ring_log2_size_o & ~write_mask[3:0]) | ones[3:0];
+        if (write_strobe[0]) ring_log2_size_o[3:0] <= write_data[3:0];
       end
     end
   end
@@ -263,7 +310,8 @@ module ffd_axil_registers #(
       ring_head_o <= 16'h0;
     end else begin
       if (write_ring_head) begin
-        ring_head_o <= (ring_head_o & ~write_mask[15:0]) | ones[15:0];
+        if (write_strobe[0]) ring_head_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) ring_head_o[15:8] <= write_data[15:8];
       end
     end
   end
@@ -274,7 +322,10 @@ module ffd_axil_registers #(
       result_base_o[31:0] <= 32'h0;
     end else begin
       if (write_result_base_lo) begin
-        result_base_o[31:0] <= (result_base_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) result_base_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) result_base_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) result_base_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) result_base_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -285,7 +336,10 @@ module ffd_axil_registers #(
       result_base_o[63:32] <= 32'h0;
     end else begin
       if (write_result_base_hi) begin
-        result_base_o[63:32] <= (result_base_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) result_base_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) result_base_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) result_base_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) result_base_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -296,7 +350,10 @@ module ffd_axil_registers #(
       result_size_o <= 32'h0;
     end else begin
       if (write_result_size) begin
-        result_size_o <= (result_size_o & ~write_mask) | ones;
+        if (write_strobe[0]) result_size_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) result_size_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) result_size_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) result_size_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -307,7 +364,10 @@ module ffd_axil_registers #(
       read_window_base_o[31:0] <= 32'h0;
     end else begin
       if (write_read_window_base_lo) begin
-        read_window_base_o[31:0] <= (read_window_base_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) read_window_base_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) read_window_base_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) read_window_base_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) read_window_base_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -318,7 +378,10 @@ module ffd_axil_registers #(
       read_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_base_hi) begin
-        read_window_base_o[63:32] <= (read_window_base_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) read_window_base_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) read_window_base_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) read_window_base_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) read_window_base_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -329,7 +392,10 @@ module ffd_axil_registers #(
       read_window_limit_o[31:0] <= 32'h0;
     end else begin
       if (write_read_window_limit_lo) begin
-        read_window_limit_o[31:0] <= (read_window_limit_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) read_window_limit_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) read_window_limit_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) read_window_limit_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) read_window_limit_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -340,7 +406,10 @@ module ffd_axil_registers #(
       read_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_limit_hi) begin
-        read_window_limit_o[63:32] <= (read_window_limit_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) read_window_limit_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) read_window_limit_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) read_window_limit_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) read_window_limit_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -351,7 +420,10 @@ module ffd_axil_registers #(
       write_window_base_o[31:0] <= 32'h0;
     end else begin
       if (write_write_window_base_lo) begin
-        write_window_base_o[31:0] <= (write_window_base_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) write_window_base_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) write_window_base_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) write_window_base_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) write_window_base_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -362,7 +434,10 @@ module ffd_axil_registers #(
       write_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_base_hi) begin
-        write_window_base_o[63:32] <= (write_window_base_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) write_window_base_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) write_window_base_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) write_window_base_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) write_window_base_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -373,7 +448,10 @@ module ffd_axil_registers #(
       write_window_limit_o[31:0] <= 32'h0;
     end else begin
       if (write_write_window_limit_lo) begin
-        write_window_limit_o[31:0] <= (write_window_limit_o[31:0] & ~write_mask) | ones;
+        if (write_strobe[0]) write_window_limit_o[7:0] <= write_data[7:0];
+        if (write_strobe[1]) write_window_limit_o[15:8] <= write_data[15:8];
+        if (write_strobe[2]) write_window_limit_o[23:16] <= write_data[23:16];
+        if (write_strobe[3]) write_window_limit_o[31:24] <= write_data[31:24];
       end
     end
   end
@@ -384,7 +462,10 @@ module ffd_axil_registers #(
       write_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_limit_hi) begin
-        write_window_limit_o[63:32] <= (write_window_limit_o[63:32] & ~write_mask) | ones;
+        if (write_strobe[0]) write_window_limit_o[39:32] <= write_data[7:0];
+        if (write_strobe[1]) write_window_limit_o[47:40] <= write_data[15:8];
+        if (write_strobe[2]) write_window_limit_o[55:48] <= write_data[23:16];
+        if (write_strobe[3]) write_window_limit_o[63:56] <= write_data[31:24];
       end
     end
   end
@@ -424,9 +505,9 @@ module ffd_axil_registers #(
       irq_enable_refused_o <= 1'h0;
     end else begin
       if (write_irq_enable) begin
-        irq_enable_done_o <= (irq_enable_done_o & ~write_mask[0]) | ones[0];
-        irq_enable_error_o <= (irq_enable_error_o & ~write_mask[1]) | ones[1];
-        irq_enable_refused_o <= (irq_enable_refused_o & ~write_mask[2]) | ones[2];
+        if (write_strobe[0]) irq_enable_done_o <= write_data[0];
+        if (write_strobe[0]) irq_enable_error_o <= write_data[1];
+        if (write_strobe[0]) irq_enable_refused_o <= write_data[2];
       end
     end
   end
@@ -455,6 +536,8 @@ module ffd_axil_registers #(
     end
   end
 
+  wire unused_ok = &{1'b0, ones, write_mask};
+
   always @* begin
     case (write_word)
       10'h004, 10'h005, 10'h010, 10'h011, 10'h012, 10'h013, 10'h018, 10'h019, 10'h01a, 10'h028,
@@ -468,6 +551,8 @@ module ffd_axil_registers #(
   always @* begin
     read_error = 1'b0;
     case (read_word)
+      10'h010, 10'h011, 10'h018, 10'h019, 10'h01a, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
+      10'h025, 10'h026, 10'h027: read_data = stored_word;
       10'h000: read_data = 32'h48464644;
       10'h001: read_data = {16'h0, 8'h2, 8'h0};
       10'h002: read_data = {2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i,
@@ -476,23 +561,10 @@ module ffd_axil_registers #(
       10'h004: read_data = {29'h0, 1'b0, 1'b0, 1'b0};
       10'h005: read_data = {22'h0, status_start_refused_q, status_done_q, 4'h0,
         status_ring_running_i, status_stopped_i, status_idle_i, status_busy_i};
-      10'h010: read_data = ring_base_o[31:0];
-      10'h011: read_data = ring_base_o[63:32];
       10'h012: read_data = {28'h0, ring_log2_size_o};
       10'h013: read_data = {16'h0, ring_head_o};
       10'h014: read_data = {16'h0, ring_tail_i};
-      10'h018: read_data = result_base_o[31:0];
-      10'h019: read_data = result_base_o[63:32];
-      10'h01a: read_data = result_size_o;
       10'h01b: read_data = result_count_i;
-      10'h020: read_data = read_window_base_o[31:0];
-      10'h021: read_data = read_window_base_o[63:32];
-      10'h022: read_data = read_window_limit_o[31:0];
-      10'h023: read_data = read_window_limit_o[63:32];
-      10'h024: read_data = write_window_base_o[31:0];
-      10'h025: read_data = write_window_base_o[63:32];
-      10'h026: read_data = write_window_limit_o[31:0];
-      10'h027: read_data = write_window_limit_o[63:32];
       10'h028: read_data = {31'h0, window_lock_windows_o};
       10'h030: read_data = counter_vertices[31:0];
       10'h031: read_data = counter_vertices[63:32];

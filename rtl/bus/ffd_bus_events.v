@@ -6,7 +6,8 @@
 // 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and beat are
 // the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 //
-// Pipeline:   none.  Freezes: never.
+// Pipeline:   1 clock.  Freezes: never.
+// Cuts:       every output leaves a register.
 // Model:      none.  Test: tests/bus/axil/events_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,11 +26,11 @@ module ffd_bus_events (
   input  wire [63:0] write_error_address_i,
   input  wire        result_overflow_i,
   input  wire [4:0]  timeout_i,
-  output wire [23:0] error_event_o,
-  output wire [31:0] error_packet_o,
-  output wire [31:0] error_beat_o,
-  output wire        error_address_valid_o,
-  output wire [63:0] error_address_o
+  output reg  [23:0] error_event_o,
+  output reg  [31:0] error_packet_o,
+  output reg  [31:0] error_beat_o,
+  output reg         error_address_valid_o,
+  output reg  [63:0] error_address_o
 );
   localparam [2:0] SLAVE_ERROR = 3'd6;
   localparam [3:0] RING = 4'd8;
@@ -45,16 +46,23 @@ module ffd_bus_events (
   reg        overflow_q;
 
   always @(posedge clk) begin
-    if (rst) overflow_q <= 1'b0;
-    else overflow_q <= result_overflow_i;
+    if (rst) begin
+      overflow_q            <= 1'b0;
+      error_event_o         <= 24'd0;
+      error_address_valid_o <= 1'b0;
+    end else begin
+      overflow_q            <= result_overflow_i;
+      error_event_o         <= {timeout_i, read_codes[8], result_overflow_i && !overflow_q,
+                                |write_codes[7:6], |read_codes[7:6], refusals, core_event_i};
+      error_address_valid_o <= read_error_i || write_error_i;
+    end
   end
 
-  assign error_event_o = {timeout_i, read_codes[8], result_overflow_i && !overflow_q,
-                          |write_codes[7:6], |read_codes[7:6], refusals, core_event_i};
-  assign error_packet_o  = core ? core_packet_i : 32'd0;
-  assign error_beat_o    = core ? core_beat_i : 32'd0;
-  assign error_address_valid_o = read_error_i || write_error_i;
-  assign error_address_o = write_first ? write_error_address_i : read_error_address_i;
+  always @(posedge clk) begin
+    error_packet_o  <= core ? core_packet_i : 32'd0;
+    error_beat_o    <= core ? core_beat_i : 32'd0;
+    error_address_o <= write_first ? write_error_address_i : read_error_address_i;
+  end
 
   wire unused_ok = &{1'b0, read_codes[0], write_codes[0]};
 endmodule

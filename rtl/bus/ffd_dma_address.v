@@ -4,14 +4,17 @@
 //   1 length 0; 2 address or length not a multiple of 16; 3 beyond the end of the address space;
 //   4 not wholly inside [window_first_i, window_last_i], both bytes included.
 // What passes is offered as bursts of 16-byte beats that end at every multiple of 16 * MAX_BURST.
-// That divides 4096, so no burst crosses 4 KB, and only the first and the last are short. A burst
-// is at most limit_i beats long as well (the writer has no more); `offer_o` is its length without.
-// Lengths are beats - 1, as AXI wants them.
+// That divides 4096, so no burst crosses 4 KB, and only the first and the last are short. With
+// limited_i a burst has limit_i, which is less than `offer_o`, its length without (the writer has
+// no more).
+// Lengths are beats - 1, as AXI wants them. A request with s_request_check is only checked.
 // No address leaves the window: first <= next_q <= last_q <= last is kept by every step, whatever
 // limit_i and m_burst_ready do. The window must not change between check and last burst (locked).
 //
-// Pipeline:   accept, sum, check, then one burst a clock; one request at a time. A refusal is a
-//             pulse of refused_o two clocks after acceptance. rst forgets the request.
+// Pipeline:   accept, sum, check, judge, then a burst; four clocks from one burst to the next; one
+//             request at a time. Each clock has one carry chain of an address's width at most, or
+//             one comparison. A refusal is a pulse of refused_o four clocks after acceptance. rst
+//             forgets the request.
 // Parameters: ADDRESS_W 14 to 64, LENGTH_W 5 to ADDRESS_W - 1, MAX_BURST a power of two, 2 to 256.
 // Model:      none (control only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -31,6 +34,7 @@ module ffd_dma_address #(
   output wire                 s_request_ready,
   input  wire [ADDRESS_W-1:0] s_request_address,
   input  wire [LENGTH_W-1:0]  s_request_length,
+  input  wire                 s_request_check,
   output reg                  refused_o,
   output reg  [2:0]           refused_code_o,
   output wire                 m_burst_valid,
@@ -39,6 +43,7 @@ module ffd_dma_address #(
   output wire [7:0]           m_burst_len,
   output wire                 m_burst_last,
   output wire [7:0]           offer_o,
+  input  wire                 limited_i,
   input  wire [7:0]           limit_i
 );
   generate
@@ -54,51 +59,61 @@ module ffd_dma_address #(
   endgenerate
 
   localparam BEAT_W  = ADDRESS_W - 4;        // numbers a beat in the address space
-  localparam BLOCK_W = BEAT_W - BURST_W;     // numbers a block of MAX_BURST beats
   localparam COUNT_W = LENGTH_W - 4;
+  // Two beats of a request are less than 2^COUNT_W apart: these bits tell their blocks apart.
+  localparam SAME_W  = COUNT_W + 1 < BURST_W + 1 ? BURST_W + 1
+                     : COUNT_W + 1 > BEAT_W ? BEAT_W : COUNT_W + 1;
 
-  localparam [1:0] IDLE = 2'd0;
-  localparam [1:0] SUM = 2'd1;
-  localparam [1:0] CHECK = 2'd2;
-  localparam [1:0] BURST = 2'd3;
+  localparam [2:0] IDLE  = 3'd0;
+  localparam [2:0] SUM   = 3'd1;    // last_q and below_q
+  localparam [2:0] CHECK = 3'd2;    // above_q, and where the burst could end
+  localparam [2:0] JUDGE = 3'd3;    // refused, or offer_q
+  localparam [2:0] BURST = 3'd4;
+  localparam [2:0] NEXT  = 3'd5;    // next_q of the burst that follows
 
-  reg [1:0]         state_q;
+  reg [2:0]         state_q;
   reg [BEAT_W-1:0]  next_q;    // the first beat not yet handed out
   reg [BEAT_W-1:0]  last_q;    // the last beat of the request
-  reg [COUNT_W-1:0] beats_q;
+  reg [COUNT_W-1:0] more_q;    // beats behind the first, of the request or of a burst
+  reg [BURST_W-1:0] left_q;    // from next_q to last_q, where both are in one block
+  reg [BURST_W-1:0] offer_q;
+  reg               check_q;
   reg               misaligned_q;
+  reg               none_q;
   reg               wraps_q;
+  reg               below_q;
+  reg               above_q;
+  reg               same_q;    // the request's last block
 
   // Not in the clock of a refusal: the requester shall see it before its next request goes in.
   assign s_request_ready = state_q == IDLE && !refused_o;
   assign m_burst_valid   = state_q == BURST;
 
   // Where the burst ends: the block or the request, or what limit_i allows.
-  wire [BURST_W-1:0] next_low   = next_q[BURST_W-1:0];
-  wire               last_block = next_q[BEAT_W-1:BURST_W] == last_q[BEAT_W-1:BURST_W];
-  wire [BURST_W-1:0] offer      = last_block ? last_q[BURST_W-1:0] - next_low : ~next_low;
-  wire               limited    = {{(8 - BURST_W + 1) {1'b0}}, offer} > {1'b0, limit_i};
-  wire [BURST_W-1:0] len        = limited ? limit_i[BURST_W-1:0] : offer;
-  wire [BEAT_W-1:0]  after      = next_q + {{BLOCK_W {1'b0}}, len} + 1'b1;
-  wire               step       = m_burst_valid && m_burst_ready;
+  wire [BURST_W-1:0] next_low = next_q[BURST_W-1:0];
+  wire [BURST_W-1:0] len      = limited_i ? limit_i[BURST_W-1:0] : offer_q;
+  wire               step     = m_burst_valid && m_burst_ready;
 
   generate
     if (BURST_W == 8) begin : gen_whole
-      assign offer_o     = offer;
+      assign offer_o     = offer_q;
       assign m_burst_len = len;
     end else begin : gen_padded
-      assign offer_o     = {{(8 - BURST_W) {1'b0}}, offer};
+      assign offer_o     = {{(8 - BURST_W) {1'b0}}, offer_q};
       assign m_burst_len = {{(8 - BURST_W) {1'b0}}, len};
     end
   endgenerate
   assign m_burst_address = {next_q, 4'd0};
-  assign m_burst_last    = last_block && !limited;
+  assign m_burst_last    = same_q && !limited_i;
 
-  wire [BEAT_W:0] sum = {1'b0, next_q} + {{(BEAT_W - COUNT_W + 1) {1'b0}}, beats_q}
-                      - {{BEAT_W {1'b0}}, 1'b1};
-  wire            outside = {next_q, 4'h0} < window_first_i || {last_q, 4'hF} > window_last_i;
-  wire [2:0]      code    = beats_q == {COUNT_W {1'b0}} && !misaligned_q ? 3'd1
-                          : misaligned_q ? 3'd2 : wraps_q ? 3'd3 : outside ? 3'd4 : 3'd0;
+  // next_q + more_q, and one more from burst to burst: {sum, a bit that nobody wants}.
+  wire [BEAT_W+1:0] sums = {1'b0, next_q, 1'b1}
+                         + {{(BEAT_W - COUNT_W + 1) {1'b0}}, more_q, state_q == NEXT};
+  // One beat less than the window's first: its four bits within a beat count as one.
+  wire [BEAT_W+1:0] borrow = {1'b0, next_q, 1'b0}
+                           - {1'b0, window_first_i[ADDRESS_W-1:4], |window_first_i[3:0]};
+  wire [2:0]      code = misaligned_q ? 3'd2 : none_q ? 3'd1 : wraps_q ? 3'd3
+                       : below_q || above_q ? 3'd4 : 3'd0;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -109,11 +124,13 @@ module ffd_dma_address #(
       case (state_q)
         IDLE: if (s_request_valid && s_request_ready) state_q <= SUM;
         SUM: state_q <= CHECK;
-        CHECK: begin
-          state_q   <= code == 3'd0 ? BURST : IDLE;
+        CHECK: state_q <= JUDGE;
+        JUDGE: begin
+          state_q   <= code == 3'd0 && !check_q ? BURST : IDLE;
           refused_o <= code != 3'd0;
         end
-        default: if (step && m_burst_last) state_q <= IDLE;
+        BURST: if (step) state_q <= m_burst_last ? IDLE : NEXT;
+        default: state_q <= CHECK;
       endcase
     end
   end
@@ -121,14 +138,26 @@ module ffd_dma_address #(
   always @(posedge clk) begin
     if (state_q == IDLE) begin
       next_q       <= s_request_address[ADDRESS_W-1:4];
-      beats_q      <= s_request_length[LENGTH_W-1:4];
+      {none_q, more_q} <= {1'b0, s_request_length[LENGTH_W-1:4]} - 1'b1;
       misaligned_q <= s_request_address[3:0] != 4'd0 || s_request_length[3:0] != 4'd0;
-    end else if (step) begin
-      next_q <= after;
+      check_q      <= s_request_check;
+    end else if (state_q == NEXT) begin
+      next_q <= sums[BEAT_W:1];
     end
-    if (state_q == SUM) {wraps_q, last_q} <= sum;
-    if (state_q == CHECK) refused_code_o <= code;
+    if (step) more_q <= {{(COUNT_W - BURST_W) {1'b0}}, len};
+    if (state_q == SUM) begin
+      {wraps_q, last_q} <= sums[BEAT_W+1:1];
+      below_q           <= borrow[BEAT_W+1];
+    end
+    above_q <= {last_q, 4'hF} > window_last_i;
+    same_q  <= next_q[SAME_W-1:BURST_W] == last_q[SAME_W-1:BURST_W];
+    left_q  <= last_q[BURST_W-1:0] - next_low;
+    if (state_q == JUDGE) begin
+      offer_q        <= same_q ? left_q : ~next_low;
+      refused_code_o <= code;
+    end
   end
+  wire unused_ok = &{1'b0, sums[0], borrow[BEAT_W:0], limit_i};
 endmodule
 
 `default_nettype wire

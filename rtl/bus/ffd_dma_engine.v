@@ -158,12 +158,13 @@ module ffd_dma_engine #(
                           || (hold_read_q && !result_running_o));
   assign idle_o = !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
 
-  // ---- the ring
+  // ---- the ring, whose errors never come with one of the bus; addresses are 0 but with an error
   wire         request_valid;
   wire         request_ready;
   wire [63:0]  request_address;
   wire [31:0]  request_length;
   wire         request_fetch;
+  wire         request_check;
   wire         refused;
   wire [2:0]   refused_code;
   wire         fetched;
@@ -178,7 +179,7 @@ module ffd_dma_engine #(
 
   assign read_error_o         = ring_error || bus_error;
   assign read_error_code_o    = bus_error ? {1'b0, bus_error_code} : ring_error_code;
-  assign read_error_address_o = bus_error ? bus_error_address : ring_error_address;
+  assign read_error_address_o = bus_error_address | ring_error_address;
 
   ffd_dma_ring #(
     .DESCRIPTORS(DESCRIPTORS)
@@ -186,8 +187,6 @@ module ffd_dma_engine #(
     .clk              (clk),
     .rst              (rst || soft_q),
     .start_i          (ring_start_i),
-    .window_first_i   (read_first_i),
-    .window_last_i    (read_last_i),
     .base_i           (ring_base_i),
     .entries_log2_i   (ring_entries_log2_i),
     .head_i           (ring_head_i),
@@ -199,6 +198,7 @@ module ffd_dma_engine #(
     .m_request_address(request_address),
     .m_request_length (request_length),
     .m_request_fetch  (request_fetch),
+    .m_request_check  (request_check),
     .refused_i        (refused),
     .refused_code_i   (refused_code),
     .fetched_i        (fetched),
@@ -230,6 +230,7 @@ module ffd_dma_engine #(
     .s_request_address(request_address),
     .s_request_length (request_length),
     .s_request_fetch  (request_fetch),
+    .s_request_check  (request_check),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
     .m_axi_arvalid    (m_axi_arvalid),

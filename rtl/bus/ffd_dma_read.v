@@ -11,10 +11,11 @@
 // to come is dropped. The packet ends with the last good beat before, marked `last`; had it none,
 // it leaves no trace. So each beat is held until the next one is seen to be good. start_i, given
 // when quiet_o is 1, ends this state.
+// A request with s_request_check is checked, and asks for nothing.
 // soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
 // hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
 //
-// Pipeline:   2 clocks request to burst; data 3 clocks from bus to stream, II 1. No path from an
+// Pipeline:   4 clocks request to burst; data 3 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
 //             MAX_BURST as in ffd_dma_address.
@@ -40,6 +41,7 @@ module ffd_dma_read #(
   input  wire [63:0]  s_request_address,
   input  wire [31:0]  s_request_length,
   input  wire         s_request_fetch,
+  input  wire         s_request_check,
   output wire         refused_o,
   output wire [2:0]   refused_code_o,
   output reg          m_axi_arvalid,
@@ -106,6 +108,7 @@ module ffd_dma_read #(
     .s_request_ready  (address_ready),
     .s_request_address(s_request_address),
     .s_request_length (s_request_length),
+    .s_request_check  (s_request_check),
     .refused_o        (refused_o),
     .refused_code_o   (refused_code_o),
     .m_burst_valid    (burst_valid),
@@ -114,7 +117,8 @@ module ffd_dma_read #(
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
     .offer_o          (unused_offer),
-    .limit_i          (8'hFF)
+    .limited_i        (1'b0),
+    .limit_i          (8'd0)
   );
 
   always @(posedge clk) begin
@@ -148,7 +152,8 @@ module ffd_dma_read #(
   assign quiet_o = !queue_valid && address_ready && !refused_o;
 
   // ---- answers
-  wire bad     = beat && m_axi_rresp != 2'b00 && !discard;
+  wire fine    = !beat || m_axi_rresp == 2'b00 || discard;
+  wire bad     = !fine;
   wire good    = beat && m_axi_rresp == 2'b00 && !discard;
   wire arrives = good && !owner_fetch;
   wire dropped = beat && !good && !owner_fetch;
@@ -174,7 +179,7 @@ module ffd_dma_read #(
   always @(posedge clk) begin
     fetched_data_o  <= m_axi_rdata;
     error_code_o    <= m_axi_rresp == 2'b11 ? DECODE_ERROR : SLAVE_ERROR;
-    error_address_o <= {owner_beat, 4'd0};
+    error_address_o <= fine ? 64'd0 : {owner_beat, 4'd0};
   end
 
   // ---- the beat that is held: only the next one tells whether it is the packet's last
@@ -212,21 +217,37 @@ module ffd_dma_read #(
 
   // ---- room: what is neither in the FIFO nor promised to a burst
   reg  [COUNT_W-1:0] room_q;
-  wire [COUNT_W-1:0] wanted = {{(COUNT_W - 8) {1'b0}}, burst_len} + 1'b1;
-  wire               taken  = burst_valid && burst_ready && !fetch_q;
-  wire               left   = m_packet_valid && m_packet_ready;
+  // Counted a clock after it happened: a burst was taken (m_axi_arlen), a beat dropped, one has
+  // left. The next burst is looked at four clocks after one was taken.
+  reg                taken_q;
+  reg                dropped_q;
+  reg                left_q;
+  wire               enough = room_q > {{(COUNT_W - 8) {1'b0}}, burst_len};
+  // No beat is dropped in a clock in which a burst is taken. The sum is one chain of carries: less
+  // the burst's beats, or one more, and one more for a beat that left.
+  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~m_axi_arlen}
+                                      : {{(COUNT_W - 1) {1'b0}}, dropped_q};
+  wire [COUNT_W:0]   rooms  = {room_q, 1'b1} + {more, left_q};
 
   always @(posedge clk) begin
-    if (rst) room_q <= FIFO_DEPTH[COUNT_W-1:0];
-    else room_q <= room_q - (taken ? wanted : {COUNT_W {1'b0}})
-                 + {{(COUNT_W - 1) {1'b0}}, left} + {{(COUNT_W - 1) {1'b0}}, dropped};
+    if (rst) begin
+      room_q    <= FIFO_DEPTH[COUNT_W-1:0];
+      taken_q   <= 1'b0;
+      dropped_q <= 1'b0;
+      left_q    <= 1'b0;
+    end else begin
+      room_q    <= rooms[COUNT_W:1];
+      taken_q   <= burst_valid && burst_ready && !fetch_q;
+      dropped_q <= dropped;
+      left_q    <= m_packet_valid && m_packet_ready;
+    end
   end
 
   assign empty_o = !held_q && room_q == FIFO_DEPTH[COUNT_W-1:0];
 
   // ---- the address channel
   assign burst_ready = (!m_axi_arvalid || m_axi_arready) && queue_ready && !hold_i && !discard
-                    && !bad && (fetch_q || room_q >= wanted);
+                    && !bad && (fetch_q || enough);
 
   always @(posedge clk) begin
     if (rst) m_axi_arvalid <= 1'b0;
@@ -240,7 +261,7 @@ module ffd_dma_read #(
     end
   end
 
-  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready};
+  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0]};
 endmodule
 
 `default_nettype wire

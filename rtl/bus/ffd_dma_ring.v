@@ -6,18 +6,21 @@
 // ring of one entry would hold nothing.
 // Descriptors from tail to head are fetched, DESCRIPTORS ahead at most, and asked for in order.
 //
-// A start is refused, with code and base_i, where base_i is not aligned (2), the ring is not wholly
-// inside the window (4), has one entry only, or head_i is none of its entries (8). Later the first
-// fault stops it: a request refused (refused_i), flags that are not 0 (code 5), a head_i that is
-// none of the entries (8, with base_i), a bus error (stop_i). error_o is a pulse with code and
-// address of the descriptor for all but the last, which the reader reports. Earlier packets end as
-// they should, then running_o falls. start_i begins at tail_o; it is taken where nothing runs or
-// nothing is left, checks ring and head anew, and is ignored else. Only rst sets tail_o to 0.
+// A start is refused, with code and base_i, where base_i is not aligned (2), the ring has one entry
+// only, or head_i is none of its entries (8), and where the ring is not wholly inside the window
+// (4): for that the reader is asked first, to check it and no more. Later the first fault stops it:
+// a request refused (refused_i), flags that are not 0 (code 5), a head_i that is none of the
+// entries (8, with base_i), a bus error (stop_i). error_o is a pulse with code and address of the
+// descriptor for all but the last, which the reader reports. Earlier packets end as they should,
+// then running_o falls. start_i begins at tail_o; it is taken where nothing runs or nothing is
+// left, checks ring and head anew, and is ignored else. Only rst sets tail_o to 0.
 //
-// Pipeline:   a request every five clocks, fetches included.
+// Pipeline:   a start and a head act a clock later, when all of their bits have been looked at;
+//             a request every five clocks, fetches included, the first for a packet or a descriptor
+//             five after the check.
 // Parameters: DESCRIPTORS a power of two, 2 to 256: those fetched and not yet requested.
-// Not checked: base_i, entries_log2_i and the window are to be held while entries are left; every
-//             address is still checked by the reader.
+// Not checked: base_i, entries_log2_i and the window are to be held from start_i on while entries
+//             are left; every address is still checked by the reader.
 // Model:      none (control only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,8 +31,6 @@ module ffd_dma_ring #(
   input  wire         clk,
   input  wire         rst,
   input  wire         start_i,
-  input  wire [63:0]  window_first_i,
-  input  wire [63:0]  window_last_i,
   input  wire [63:0]  base_i,
   input  wire [3:0]   entries_log2_i,
   input  wire [15:0]  head_i,
@@ -41,6 +42,7 @@ module ffd_dma_ring #(
   output reg  [63:0]  m_request_address,
   output reg  [31:0]  m_request_length,
   output reg          m_request_fetch,
+  output reg          m_request_check,
   input  wire         refused_i,
   input  wire [2:0]   refused_code_i,
   input  wire         fetched_i,
@@ -60,32 +62,45 @@ module ffd_dma_ring #(
   endgenerate
 
   localparam [3:0] MISALIGNED = 4'd2;
-  localparam [3:0] OUTSIDE = 4'd4;
   localparam [3:0] FLAGS = 4'd5;
   localparam [3:0] RING = 4'd8;
   localparam DESCRIPTOR_W = 64 + 32 + 1;
+  localparam AHEAD_W = $clog2(DESCRIPTORS);
 
+  reg         start_q;
+  reg         beyond_q;
+  reg         misaligned_q;
+  reg  [14:0] mask_q;     // bits of an entry's number
+  reg  [14:0] head_q;     // within the ring
   reg         running_q;
   reg         stop_q;
+  reg         check_q;    // the ring itself has not been asked for
   reg  [14:0] fetch_q;    // next to be fetched
   reg  [14:0] next_q;     // next to be requested
   reg  [14:0] tail_q;     // next to be finished
-  reg  [14:0] asked_q;    // the descriptor of the request that was asked last
+  reg  [14:0] entry_q;    // that of the request that is offered
+  reg  [14:0] asked_q;    // that of the request that was taken last
+  reg  [AHEAD_W:0] ahead_q;    // from next to fetch: DESCRIPTORS at most
 
   wire [15:0] above      = 16'hFFFF << entries_log2_i;    // bits that no entry's number has
   wire [14:0] mask       = ~above[14:0];
-  wire        beyond     = (head_i & above) != 16'd0;
-  wire        misaligned = (base_i[18:0] & {mask, 4'hF}) != 19'd0;
-  wire [63:0] ring_last  = {base_i[63:19], base_i[18:0] | {mask, 4'hF}};
-  wire        outside    = base_i < window_first_i || ring_last > window_last_i;
-  wire        legal      = !misaligned && !outside && !beyond && entries_log2_i != 4'd0;
+  wire [19:0] bytes      = {{mask_q, 1'b1} & ~{1'b0, mask_q}, 4'd0};    // of the ring
+  wire        legal      = !misaligned_q && !beyond_q && mask_q[0];
   wire        over       = empty_o && !stop_q && quiet_i && !m_request_valid;
-  wire        accept     = start_i && (!running_q || over);
+  wire        accept     = start_q && (!running_q || over);
 
   assign running_o = running_q;
   assign tail_o    = {1'b0, tail_q};
-  assign empty_o   = !running_q || tail_q == (head_i[14:0] & mask);
+  assign empty_o   = !running_q || (tail_q == head_q && !check_q);
   assign started_o = accept && legal;
+
+  always @(posedge clk) begin
+    start_q      <= start_i && !rst;
+    mask_q       <= mask;
+    head_q       <= head_i[14:0] & mask;
+    beyond_q     <= (head_i & above) != 16'd0;
+    misaligned_q <= (base_i[18:0] & {mask, 4'hF}) != 19'd0;
+  end
 
   // Descriptors that have come.
   wire        queue_ready;
@@ -109,16 +124,17 @@ module ffd_dma_ring #(
     .m_word_data ({head_bad, head_length, head_address})
   );
 
-  // What to ask next: descriptors first, since packets wait for them.
-  wire [14:0] ahead     = (fetch_q - next_q) & mask;
-  wire        fetch     = fetch_q != (head_i[14:0] & mask) && {1'b0, ahead} < DESCRIPTORS[15:0];
-  wire        allowed   = running_q && !stop_q && !refused_i && !stop_i && !beyond;
+  // What to ask next: the ring, then descriptors first, since packets wait for them.
+  wire        fetch     = fetch_q != head_q && !ahead_q[AHEAD_W];
+  wire        allowed   = running_q && !stop_q && !refused_i && !stop_i && !beyond_q;
   wire        free      = !m_request_valid || m_request_ready;
   wire        bad_head  = head_valid && head_bad;
   // Not before the reader is done with the request before: that one is still to be read.
   wire        bad_flags = allowed && bad_head && !m_request_valid && m_request_ready;
-  wire        ask_fetch = allowed && free && fetch && !bad_head;
-  wire        ask_data  = allowed && free && !fetch && head_valid && !head_bad;
+  wire        ask_check = allowed && free && check_q;
+  wire        ask_fetch = allowed && free && !check_q && fetch && !bad_head;
+  wire        ask_data  = allowed && free && !check_q && !fetch && head_valid && !head_bad;
+  wire        ask       = ask_check || ask_fetch || ask_data;
 
   assign head_pop = ask_data;
 
@@ -126,12 +142,15 @@ module ffd_dma_ring #(
     if (rst) begin
       running_q <= 1'b0;
       stop_q    <= 1'b0;
+      check_q   <= 1'b0;
     end else if (accept) begin
       running_q <= legal;
       stop_q    <= 1'b0;
+      check_q   <= legal;
     end else begin
+      if (ask_check) check_q <= 1'b0;
       if (stop_q && quiet_i && !m_request_valid) running_q <= 1'b0;
-      if (running_q && (refused_i || stop_i || bad_flags || beyond)) stop_q <= 1'b1;
+      if (running_q && (refused_i || stop_i || bad_flags || beyond_q)) stop_q <= 1'b1;
     end
   end
 
@@ -140,43 +159,49 @@ module ffd_dma_ring #(
       fetch_q <= 15'd0;
       next_q  <= 15'd0;
       tail_q  <= 15'd0;
+      ahead_q <= {(AHEAD_W + 1) {1'b0}};
     end else if (accept) begin
-      fetch_q <= tail_q & mask;
-      next_q  <= tail_q & mask;
-      tail_q  <= tail_q & mask;
+      fetch_q <= 15'd0;     // the ring begins there, which is checked
+      next_q  <= tail_q & mask_q;
+      tail_q  <= tail_q & mask_q;
+      ahead_q <= {(AHEAD_W + 1) {1'b0}};
     end else begin
-      if (ask_fetch) fetch_q <= (fetch_q + 1'b1) & mask;
-      if (ask_data) next_q <= (next_q + 1'b1) & mask;
-      if (finished_i) tail_q <= (tail_q + 1'b1) & mask;
+      if (ask_check) fetch_q <= tail_q;
+      else if (ask_fetch) fetch_q <= (fetch_q + 1'b1) & mask_q;
+      if (ask_data) next_q <= (next_q + 1'b1) & mask_q;
+      if (finished_i) tail_q <= (tail_q + 1'b1) & mask_q;
+      if (ask_fetch) ahead_q <= ahead_q + 1'b1;
+      else if (ask_data) ahead_q <= ahead_q - 1'b1;
     end
   end
 
   always @(posedge clk) begin
     if (rst || !allowed) m_request_valid <= 1'b0;
-    else if (free) m_request_valid <= ask_fetch || ask_data;
+    else if (free) m_request_valid <= ask;
   end
 
   always @(posedge clk) begin
-    if (ask_fetch || ask_data) begin
+    if (ask) begin
+      m_request_check   <= ask_check;
       m_request_fetch   <= ask_fetch;
-      m_request_length  <= ask_fetch ? 32'd16 : head_length;
-      m_request_address <= ask_fetch ? {base_i[63:19], base_i[18:0] | {fetch_q, 4'd0}}
-                                     : head_address;
+      m_request_length  <= ask_data ? head_length : ask_check ? {12'd0, bytes} : 32'd16;
+      m_request_address <= ask_data ? head_address
+                                    : {base_i[63:19], base_i[18:0] | {fetch_q, 4'd0}};
+      entry_q           <= ask_data ? next_q : fetch_q;
     end
-    if (m_request_valid && m_request_ready) begin
-      asked_q <= (m_request_fetch ? fetch_q : next_q) - 1'b1;
-    end
+    if (m_request_valid && m_request_ready) asked_q <= entry_q;
   end
 
-  wire [14:0] guilty = accept ? 15'd0 : refused_i ? asked_q & mask : beyond ? 15'd0 : next_q;
+  wire        wrong  = running_q && !stop_q && !stop_i && (refused_i || bad_flags || beyond_q);
+  wire        error  = !rst && ((accept && !legal) || wrong);
+  wire [14:0] guilty = refused_i ? asked_q : bad_flags && !beyond_q ? next_q : 15'd0;
 
+  // The address is 0 where there is no error.
   always @(posedge clk) begin
-    error_o <= !rst && ((accept && !legal)
-                        || (running_q && !stop_q && !stop_i
-                            && (refused_i || bad_flags || beyond)));
-    error_code_o    <= accept ? (misaligned ? MISALIGNED : outside ? OUTSIDE : RING)
-                              : refused_i ? {1'b0, refused_code_i} : beyond ? RING : FLAGS;
-    error_address_o <= {base_i[63:19], base_i[18:0] | {guilty, 4'd0}};
+    error_o         <= error;
+    error_code_o    <= accept ? (misaligned_q ? MISALIGNED : RING)
+                              : refused_i ? {1'b0, refused_code_i} : beyond_q ? RING : FLAGS;
+    error_address_o <= error ? {base_i[63:19], base_i[18:0] | {guilty, 4'd0}} : 64'd0;
   end
 
   wire unused_ok = &{1'b0, queue_ready};

@@ -51,8 +51,9 @@ module ffd_dma_watch #(
       localparam COUNT_W = $clog2(TIMEOUT);
       localparam READ_W  = $clog2(READS + 1);
       localparam WRITE_W = $clog2(WRITES + 1);
-      localparam BEFORE  = TIMEOUT - 1;
-      localparam [COUNT_W-1:0] LAST = BEFORE[COUNT_W-1:0];
+      // Counts up to 2^COUNT_W, a bit of its own, from as many below as TIMEOUT says.
+      localparam BELOW = (1 << COUNT_W) - TIMEOUT;
+      localparam [COUNT_W:0] FIRST = BELOW[COUNT_W:0];
 
       // Bursts that the slave has yet to answer; an answer too many is none.
       reg  [READ_W-1:0]  reads_q;
@@ -85,24 +86,18 @@ module ffd_dma_watch #(
                           read_open && !rvalid_i, arvalid_i && !arready_i};
       genvar c;
       for (c = 0; c < 5; c = c + 1) begin : gen_channel
-        reg [COUNT_W-1:0] count_q;
-        reg               late_q;
-        reg               known_q;
+        reg [COUNT_W:0] count_q;
+        reg             known_q;
+        wire            late_c = count_q[COUNT_W];
 
         always @(posedge clk) begin
-          if (rst || !waits[c]) begin
-            count_q <= {COUNT_W {1'b0}};
-            late_q  <= 1'b0;
-          end else if (count_q == LAST) begin
-            late_q  <= 1'b1;
-          end else begin
-            count_q <= count_q + 1'b1;
-          end
-          known_q <= late_q;
+          if (rst || !waits[c]) count_q <= FIRST;
+          else if (!late_c) count_q <= count_q + 1'b1;
+          known_q <= late_c;
         end
 
-        assign late_o[c]    = late_q;
-        assign timeout_o[c] = late_q && !known_q;
+        assign late_o[c]    = late_c;
+        assign timeout_o[c] = late_c && !known_q;
       end
     end
   endgenerate

@@ -14,7 +14,7 @@
 // soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
 // hold_i (level): no new address, nothing lost.
 //
-// Pipeline:   a beat takes 4 clocks at least from stream to bus; II 1. No path from an input to an
+// Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
 //             FLUSH_CLOCKS 1 to 65535, MAX_BURST as in ffd_dma_address.
@@ -45,10 +45,10 @@ module ffd_dma_write #(
   input  wire         m_axi_awready,
   output reg  [63:0]  m_axi_awaddr,
   output reg  [7:0]   m_axi_awlen,
-  output wire         m_axi_wvalid,
+  output reg          m_axi_wvalid,
   input  wire         m_axi_wready,
-  output wire [127:0] m_axi_wdata,
-  output wire         m_axi_wlast,
+  output reg  [127:0] m_axi_wdata,
+  output reg          m_axi_wlast,
   input  wire         m_axi_bvalid,
   output reg          m_axi_bready,
   input  wire [1:0]   m_axi_bresp,
@@ -96,7 +96,8 @@ module ffd_dma_write #(
   wire [7:0]  burst_len;
   wire        burst_last;
   wire [7:0]  offer;
-  wire [7:0]  limit;
+  reg         limited_q;   // the burst is shorter than what is offered
+  reg  [7:0]  limit_q;
   wire        step = burst_valid && burst_ready;
   wire        bad;
   wire        bursts_out;
@@ -117,6 +118,7 @@ module ffd_dma_write #(
     .s_request_ready  (request_ready),
     .s_request_address(base_q),
     .s_request_length (size_q),
+    .s_request_check  (1'b0),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
     .m_burst_valid    (burst_valid),
@@ -125,7 +127,8 @@ module ffd_dma_write #(
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
     .offer_o          (offer),
-    .limit_i          (limit)
+    .limited_i        (limited_q),
+    .limit_i          (limit_q)
   );
 
   always @(posedge clk) begin
@@ -178,26 +181,47 @@ module ffd_dma_write #(
   reg  [COUNT_W-1:0] pending_q;
   reg                flush_q;
   reg  [QUIET_W-1:0] quiet_q;     // clocks without a beat
-  wire [COUNT_W-1:0] burst_beats = {{(COUNT_W - 8) {1'b0}}, burst_len} + ONE;
-  wire [COUNT_W-1:0] less_one    = pending_q - ONE;
-  wire               whole       = less_one >= {{(COUNT_W - 8) {1'b0}}, offer};
-  wire               late        = quiet_q == FLUSH_CLOCKS[QUIET_W-1:0] && pending_q != NONE;
-
-  assign limit = |less_one[COUNT_W-1:8] ? 8'hFF : less_one[7:0];
+  // A burst is made of the beats that were there two clocks ago. First behind_q and flush_q are of
+  // one clock; then go_q, and with it the length. What is there only grows while a burst waits, and
+  // the next burst comes four clocks later.
+  reg  [COUNT_W-1:0] behind_q;    // those beats less one
+  reg                some_q;
+  reg                all_q;       // the burst takes all of them
+  reg                go_q;
+  reg                marked_q;    // a beat with `last` was taken: a clock ago
+  reg                mark_q;      // two clocks ago
+  wire [COUNT_W-1:0] offered = {{(COUNT_W - 8) {1'b0}}, offer};
+  wire               whole   = behind_q >= offered;
+  wire               none    = pending_q == NONE;
+  wire               late    = quiet_q == FLUSH_CLOCKS[QUIET_W-1:0] && !none;
+  // One chain of carries: less the burst's beats or a beat that is dropped, one more for a push.
+  wire [COUNT_W-1:0] more    = step ? {{(COUNT_W - 8) {1'b1}}, ~burst_len} : {COUNT_W {drop}};
+  wire [COUNT_W:0]   sum     = {pending_q, 1'b1} + {more, push};
 
   always @(posedge clk) begin
     if (rst) begin
       pending_q <= NONE;
       flush_q   <= 1'b0;
+      some_q    <= 1'b0;
+      go_q      <= 1'b0;
+      marked_q  <= 1'b0;
+      mark_q    <= 1'b0;
     end else begin
-      pending_q <= pending_q + (push ? ONE : NONE) - (step ? burst_beats : drop ? ONE : NONE);
-      flush_q   <= (push && s_result_last)
-                || ((flush_q || late) && !(step && burst_beats == pending_q));
+      pending_q <= sum[COUNT_W:1];
+      some_q    <= !none && !step;
+      go_q      <= burst_valid && some_q && (whole || flush_q) && !step;
+      marked_q  <= push && s_result_last;
+      flush_q   <= marked_q || mark_q || ((flush_q || late) && !(step && all_q));
+      mark_q    <= marked_q;
     end
   end
 
   always @(posedge clk) begin
-    if (push || pending_q == NONE) quiet_q <= {QUIET_W {1'b0}};
+    behind_q  <= pending_q - ONE;
+    all_q     <= behind_q <= offered;
+    limited_q <= !whole;
+    limit_q   <= behind_q[7:0];
+    if (push || none) quiet_q <= {QUIET_W {1'b0}};
     else if (!late) quiet_q <= quiet_q + 1'b1;
   end
 
@@ -214,8 +238,8 @@ module ffd_dma_write #(
   wire        answer = m_axi_bvalid && m_axi_bready && out_valid;
 
   assign bursts_out  = out_valid;
-  assign burst_ready = aw_free && lengths_ready && outstanding_ready && pending_q != NONE
-                    && (whole || flush_q) && !hold_i && !soft_i && !stop_q && !bad;
+  assign burst_ready = go_q && aw_free && lengths_ready && outstanding_ready
+                    && !hold_i && !soft_i && !stop_q && !bad;
 
   always @(posedge clk) begin
     if (rst) m_axi_awvalid <= 1'b0;
@@ -260,14 +284,14 @@ module ffd_dma_write #(
   // ---- the data channel
   reg        active_q;
   reg  [7:0] left_q;       // beats of the burst after this one
-  wire       skid_ready;
-  wire       move  = active_q && fifo_valid && skid_ready;
+  wire       w_free = !m_axi_wvalid || m_axi_wready;
+  wire       move  = active_q && fifo_valid && w_free;
   wire       ended = move && left_q == 8'd0;
 
   assign length_pop = !active_q || ended;
   assign drop       = full_q && !active_q && !length_valid && fifo_valid && !soft_i;
-  assign fifo_pop   = (active_q && skid_ready) || drop;
-  assign empty_o    = pending_q == NONE;
+  assign fifo_pop   = (active_q && w_free) || drop;
+  assign empty_o    = none;
 
   always @(posedge clk) begin
     if (rst) active_q <= 1'b0;
@@ -279,18 +303,14 @@ module ffd_dma_write #(
     else if (move) left_q <= left_q - 8'd1;
   end
 
-  ffd_stream_skid #(
-    .WIDTH(129)
-  ) u_data (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(active_q && fifo_valid),
-    .s_beat_ready(skid_ready),
-    .s_beat_data ({left_q == 8'd0, fifo_data}),
-    .m_beat_valid(m_axi_wvalid),
-    .m_beat_ready(m_axi_wready),
-    .m_beat_data ({m_axi_wlast, m_axi_wdata})
-  );
+  always @(posedge clk) begin
+    if (rst) m_axi_wvalid <= 1'b0;
+    else if (w_free) m_axi_wvalid <= active_q && fifo_valid;
+  end
+
+  always @(posedge clk) begin
+    if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
+  end
 
   // ---- answers
   assign bad     = answer && m_axi_bresp != 2'b00 && !stop_q && !soft_i;
@@ -316,7 +336,7 @@ module ffd_dma_write #(
     error_address_o <= refused ? base_q : {out_beat, 4'd0};
   end
 
-  wire unused_ok = &{1'b0, burst_address[3:0]};
+  wire unused_ok = &{1'b0, burst_address[3:0], sum[0]};
 endmodule
 
 `default_nettype wire

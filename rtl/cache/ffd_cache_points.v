@@ -1,115 +1,254 @@
 // ffd_cache_points: control points from where a vertex has them: its slot or the resident lattice
 //
-// Pipeline:   READ_LATENCY 2, II 1, never frozen. What is written is there for reads from the
-//             second clock after it: no vertex reads its points sooner.
-// Parameters: those of ffd_cache_interleaved and ffd_cache_resident; the source is {resident, slot
-//             or buffer}.
+// Two buffers of resident lattices of up to AXIS points an axis (paper, 3.3.1): one is read while
+// the other is loaded. A point lies in bank (i mod 4, j mod 4, k mod 4), so any 4 x 4 x 4 support
+// has one point in each of the 64 banks, and two neighbouring places an axis reach it. A slot is a
+// support that came with its vertex (paper, fig. 3): one place of its own. N banks are read a
+// clock, each in a lane of its own: bank q in lane q mod N, row q / N; N = 64 reads a whole
+// support.
+//
+// Where a single lane is read, slots keep their beats as they came (ffd_cache_beats): one write a
+// clock could not keep up with four words a beat.
+//
+// Formats:    numbers of four words; at {k, j, i}; source {resident, slot or buffer}; N points a
+//             read, component x lowest, from bank read_index_i (a multiple of N) on.
+// Pipeline:   LATENCY: memory | register, with a third one behind the choice between lattice and
+//             slot. II 1, never frozen. What is written is there for reads from the second clock
+//             after it: no vertex reads its points sooner.
+// Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, N a power of two from 1 to 64,
+//             SLOTS >= 2, AXIS 4 to 16, LATENCY >= 2.
+// Not checked: a cell outside the lattice reads some point, never an address outside the memory;
+//             whether a slot has been filled: the stream decoder hands out full slots only.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
+`include "ffd_stream.vh"
 
 module ffd_cache_points #(
-  parameter FORMAT = 18,
-  parameter N      = 1,
-  parameter SLOTS  = 3,
-  parameter SLOT_W = $clog2(SLOTS),
-  parameter AXIS   = 16
+  parameter FORMAT   = 18,
+  parameter FEATURES = `FFD_FEATURES,
+  parameter N        = 1,
+  parameter SLOTS    = 3,
+  parameter SLOT_W   = $clog2(SLOTS),
+  parameter AXIS     = 16,
+  parameter LATENCY  = 2
 ) (
   input  wire                                 clk,
+  input  wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_i,
   input  wire                                 lattice_write_i,
   input  wire                                 lattice_buffer_i,
   input  wire [11:0]                          lattice_at_i,
-  input  wire [95:0]                          lattice_words_i,
   input  wire                                 slot_write_i,
   input  wire [SLOT_W-1:0]                    slot_i,
   input  wire [11:0]                          slot_cell_i,
   input  wire [3:0]                           slot_group_i,
   input  wire [1:0]                           slot_phase_i,
-  input  wire [127:0]                         slot_words_i,
-  input  wire [`FFD_EXPONENT_W-1:0]           write_exponent_i,
   input  wire [SLOT_W:0]                      read_source_i,
   input  wire [11:0]                          read_cell_i,
   input  wire [5:0]                           read_index_i,
   output wire [N*3*`FFD_POINT_W(FORMAT)-1:0]  points_o
 );
-  localparam POINTS_W = N * 3 * `FFD_POINT_W(FORMAT);
+  localparam POINT_W  = `FFD_POINT_W(FORMAT);
+  localparam LATTICES = `FFD_FEATURE_RESIDENT(FEATURES);
+  localparam COMING   = `FFD_FEATURE_INTERLEAVED(FEATURES);
+  localparam HIGH_W   = AXIS > 8 ? 2 : 1;  // of an index, above its two bits of bank
+  localparam ROWS     = 64 / N;
+  localparam ROW_W    = ROWS > 1 ? $clog2(ROWS) : 1;
+  // A single lane of lattices of one place has no more than the two buffers.
+  localparam PLACE_W  = AXIS > 4 || N > 1 ? 1 + 3 * HIGH_W : 1;
+  localparam HIGHS_W  = 1 + 3 * HIGH_W;
+  localparam PLACES   = 2 ** PLACE_W;
 
-  reg                        lattice_write_q;
-  reg                        lattice_buffer_q;
-  reg [11:0]                 lattice_at_q;
-  reg [95:0]                 lattice_words_q;
-  reg                        slot_write_q;
-  reg [SLOT_W-1:0]           slot_q;
-  reg [11:0]                 slot_cell_q;
-  reg [3:0]                  slot_group_q;
-  reg [1:0]                  slot_phase_q;
-  reg [127:0]                slot_words_q;
-  reg [`FFD_EXPONENT_W-1:0]  write_exponent_q;
-  always @(posedge clk) begin
-    lattice_write_q  <= lattice_write_i;
-    lattice_buffer_q <= lattice_buffer_i;
-    lattice_at_q     <= lattice_at_i;
-    lattice_words_q  <= lattice_words_i;
-    slot_write_q     <= slot_write_i;
-    slot_q           <= slot_i;
-    slot_cell_q      <= slot_cell_i;
-    slot_group_q     <= slot_group_i;
-    slot_phase_q     <= slot_phase_i;
-    slot_words_q     <= slot_words_i;
-    write_exponent_q <= write_exponent_i;
-  end
+  generate
+    if (N < 1 || N > 64 || (N & (N - 1)) != 0) begin : gen_bad_n
+      ERROR_ffd_cache_points_n_must_be_a_power_of_two_to_64 u_error ();
+    end
+    if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
+      ERROR_ffd_cache_points_axis_must_be_4_to_16 u_error ();
+    end
+    if (SLOT_W > HIGHS_W) begin : gen_bad_slots
+      ERROR_ffd_cache_points_has_more_slots_than_places u_error ();
+    end
+  endgenerate
 
-  wire [POINTS_W-1:0] of_lattice;
-  wire [POINTS_W-1:0] of_slot;
-  wire                resident;
+  wire               of_slot = !read_source_i[SLOT_W];
+  wire [SLOT_W-1:0]  slot    = read_source_i[SLOT_W-1:0];
+  wire [HIGHS_W-1:0] at_slot = {{(HIGHS_W - SLOT_W) {1'b0}}, slot};
 
-  ffd_cache_resident #(
-    .FORMAT(FORMAT),
-    .N     (N),
-    .AXIS  (AXIS)
-  ) u_resident (
-    .clk             (clk),
-    .write_i         (lattice_write_q),
-    .write_buffer_i  (lattice_buffer_q),
-    .write_at_i      (lattice_at_q),
-    .write_words_i   (lattice_words_q),
-    .write_exponent_i(write_exponent_q),
-    .read_buffer_i   (read_source_i[0]),
-    .read_cell_i     (read_cell_i),
-    .read_index_i    (read_index_i),
-    .points_o        (of_lattice)
-  );
+  // ---- the place of a bank: below the cell's own it lies in the next group of four
 
-  ffd_cache_interleaved #(
-    .FORMAT(FORMAT),
-    .N     (N),
-    .SLOTS (SLOTS)
-  ) u_interleaved (
-    .clk             (clk),
-    .write_i         (slot_write_q),
-    .write_slot_i    (slot_q),
-    .write_cell_i    (slot_cell_q),
-    .write_group_i   (slot_group_q),
-    .write_phase_i   (slot_phase_q),
-    .write_words_i   (slot_words_q),
-    .write_exponent_i(write_exponent_q),
-    .read_slot_i     (read_source_i[SLOT_W-1:0]),
-    .read_index_i    (read_index_i),
-    .points_o        (of_slot)
-  );
+  // Of each axis, for each of its four banks.
+  wire [3*4*HIGH_W-1:0] highs;
+  genvar a;
+  genvar v;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_axis
+      for (v = 0; v < 4; v = v + 1) begin : gen_bank
+        localparam [3:0] ABOVE = 4'b1110 << v;  // the cells whose own bank is above this one
+        wire [1:0] next = {1'b0, ABOVE[read_cell_i[4*a +: 2]]};
+        wire [1:0] high = read_cell_i[4*a+2 +: 2] + next;
+        assign highs[(4*a+v)*HIGH_W +: HIGH_W] =
+          COMING != 0 && N > 1 && of_slot ? at_slot[(2-a)*HIGH_W +: HIGH_W] : high[HIGH_W-1:0];
+        wire unused_ok = &{1'b0, high};
+      end
+    end
+  endgenerate
+  wire buffer = COMING != 0 && N > 1 && of_slot ? at_slot[HIGHS_W-1] : read_source_i[0];
+
+  // ---- write
+
+  wire [1:0]           write;
+  wire                 write_slot;
+  wire [PLACE_W-1:0]   write_place;
+  wire [11:0]          write_bank;
+  wire [6*POINT_W-1:0] write_point;
+  wire [3*POINT_W-1:0] beat_point;
+
+  generate
+    if (N == 1) begin : gen_beats
+      // Straight from the converters: a point of a lattice a beat.
+      assign write       = {1'b0, lattice_write_i};
+      assign write_slot  = 1'b0;
+      if (PLACE_W > 1) begin : gen_places
+        assign write_place = {lattice_buffer_i, lattice_at_i[2 +: HIGH_W],
+                              lattice_at_i[6 +: HIGH_W], lattice_at_i[10 +: HIGH_W]};
+      end else begin : gen_one_place
+        assign write_place = lattice_buffer_i;
+      end
+      assign write_bank  = {6'd0, lattice_at_i[1:0], lattice_at_i[5:4], lattice_at_i[9:8]};
+      assign write_point = {{(3 * POINT_W) {1'b0}}, numbers_i[3*POINT_W-1:0]};
+
+      if (COMING != 0) begin : gen_slots
+        // A slot has its points in local order, banks are local + cell modulo 4.
+        wire [5:0] cells = {read_cell_i[1:0], read_cell_i[5:4], read_cell_i[9:8]};
+        wire [5:0] local_index = {read_index_i[5:4] - cells[5:4], read_index_i[3:2] - cells[3:2],
+                                  read_index_i[1:0] - cells[1:0]};
+        ffd_cache_beats #(
+          .FORMAT(FORMAT),
+          .SLOTS (SLOTS)
+        ) u_beats (
+          .clk            (clk),
+          .write_i        (slot_write_i),
+          .write_slot_i   (slot_i),
+          .write_group_i  (slot_group_i),
+          .write_phase_i  (slot_phase_i),
+          .write_numbers_i(numbers_i),
+          .read_slot_i    (slot),
+          .read_local_i   (local_index),
+          .point_o        (beat_point)
+        );
+      end else begin : gen_no_slots
+        assign beat_point = {(3 * POINT_W) {1'b0}};
+        wire unused_ok = &{1'b0, slot_write_i, slot_i, slot_group_i, slot_phase_i};
+      end
+      wire unused_ok = &{1'b0, slot_cell_i, at_slot};
+    end else begin : gen_writer
+      assign beat_point = {(3 * POINT_W) {1'b0}};
+      ffd_cache_writer #(
+        .FORMAT(FORMAT),
+        .HIGH_W(HIGH_W),
+        .SLOT_W(SLOT_W)
+      ) u_writer (
+        .clk             (clk),
+        .numbers_i       (numbers_i),
+        .lattice_write_i (lattice_write_i),
+        .lattice_buffer_i(lattice_buffer_i),
+        .lattice_at_i    (lattice_at_i),
+        .slot_write_i    (slot_write_i),
+        .slot_i          (slot_i),
+        .slot_cell_i     (slot_cell_i),
+        .slot_group_i    (slot_group_i),
+        .slot_phase_i    (slot_phase_i),
+        .write_o         (write),
+        .write_slot_o    (write_slot),
+        .place_o         (write_place),
+        .bank_o          (write_bank),
+        .point_o         (write_point)
+      );
+    end
+  endgenerate
+
+  // ---- lanes
+
+  wire [N*3*POINT_W-1:0] points;
+  wire [N*3*POINT_W-1:0] chosen;
+  genvar p;
+  generate
+    for (p = 0; p < N; p = p + 1) begin : gen_lane
+      localparam [5:0] OFFSET = p;
+      localparam       BUS    = N > 1 ? p % 2 : 0;
+      wire [5:0]         bank = read_index_i + OFFSET;
+      wire [5:0]         at   = write_bank[6*BUS +: 6];
+      wire [PLACE_W-1:0] place;
+      wire               here;
+      wire [ROW_W-1:0]   write_row;
+      wire [ROW_W-1:0]   read_row;
+
+      assign place[PLACE_W-1] = buffer;
+      for (a = 0; a < 3 && PLACE_W > 1; a = a + 1) begin : gen_place
+        wire [3:0] which = {2'd0, bank[4-2*a +: 2]} + 4 * a;
+        assign place[(2-a)*HIGH_W +: HIGH_W] = highs[which*HIGH_W +: HIGH_W];
+      end
+
+      if (N == 1) begin : gen_one
+        assign here = 1'b1;
+      end else begin : gen_several
+        assign here = at[$clog2(N)-1:0] == OFFSET[$clog2(N)-1:0];
+      end
+      if (ROWS > 1) begin : gen_rows
+        assign write_row = at[5:6-ROW_W];
+        assign read_row  = bank[5:6-ROW_W];
+      end else begin : gen_one_row
+        assign write_row = 1'b0;
+        assign read_row  = 1'b0;
+      end
+
+      ffd_cache_lane #(
+        .WIDTH   (3 * POINT_W),
+        .ROWS    (ROWS),
+        .PLACES  (PLACES),
+        .LATTICES(LATTICES),
+        .SLOTS   (N > 1 && COMING != 0 ? SLOTS : 0)
+      ) u_lane (
+        .clk          (clk),
+        .write_i      (write[BUS] && here),
+        .write_slot_i (write_slot),
+        .write_place_i(write_place),
+        .write_row_i  (write_row),
+        .write_point_i(write_point[BUS*3*POINT_W +: 3*POINT_W]),
+        .read_slot_i  (of_slot),
+        .read_place_i (place),
+        .read_row_i   (read_row),
+        .point_o      (points[p*3*POINT_W +: 3*POINT_W])
+      );
+    end
+
+    if (N == 1 && COMING != 0) begin : gen_choice
+      reg slot_q;
+      reg slot_qq;
+      always @(posedge clk) begin
+        slot_q  <= of_slot;
+        slot_qq <= slot_q;
+      end
+      assign chosen = LATTICES == 0 || slot_qq ? beat_point : points;
+    end else begin : gen_no_choice
+      assign chosen = points;
+    end
+  endgenerate
 
   ffd_num_delay #(
-    .WIDTH  (1),
-    .LATENCY(2)
-  ) u_resident_late (
+    .WIDTH  (N * 3 * POINT_W),
+    .LATENCY(LATENCY - 2)
+  ) u_points (
     .clk(clk),
     .rst(1'b0),
-    .d_i(read_source_i[SLOT_W]),
-    .q_o(resident)
+    .d_i(chosen),
+    .q_o(points_o)
   );
 
-  assign points_o = resident ? of_lattice : of_slot;
+  wire unused_ok = &{1'b0, write, write_bank, write_point, beat_point, numbers_i, lattice_at_i,
+                     highs};
 endmodule
 
 `default_nettype wire

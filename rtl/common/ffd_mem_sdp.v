@@ -23,6 +23,7 @@ module ffd_mem_sdp #(
   input  wire                 write_i,
   input  wire [ADDRESS_W-1:0] write_address_i,
   input  wire [WIDTH-1:0]     write_data_i,
+  input  wire                 read_i,  // a registered read; what was read stays without it
   input  wire [ADDRESS_W-1:0] read_address_i,
   output wire [WIDTH-1:0]     read_data_o
 );
@@ -35,27 +36,43 @@ module ffd_mem_sdp #(
     end
   endgenerate
 
-  (* no_rw_check *)
-  reg [WIDTH-1:0] memory_q [0:DEPTH-1];
-
-  always @(posedge clk) begin
-    if (write_i) memory_q[write_address_i] <= write_data_i;
-  end
-
-  generate
-    if (READ_LATENCY == 0) begin : gen_combinational
-      assign read_data_o = memory_q[read_address_i];
-    end else begin : gen_registered
-      reg [WIDTH-1:0] read_q;
+  // A memory that is deeper than a block of 16 Kbit at 9 bits a word is cut into slices as wide as
+  // such a block at that depth: so none is put together of shallow blocks with a multiplexer behind
+  // them. A simulator is faster without.
 `ifdef FFD_SIMULATION
-      wire clash = write_i && write_address_i == read_address_i;
-      always @(posedge clk) begin
-        read_q <= clash ? ~memory_q[read_address_i] : memory_q[read_address_i];
-      end
+  localparam MOST = WIDTH;
 `else
-      always @(posedge clk) read_q <= memory_q[read_address_i];
+  localparam MOST = DEPTH > 8192 ? 1 : DEPTH > 4096 ? 2 : DEPTH > 2048 ? 4 : WIDTH;
 `endif
-      assign read_data_o = read_q;
+  localparam SLICES = (WIDTH + MOST - 1) / MOST;
+
+  genvar s;
+  generate
+    for (s = 0; s < SLICES; s = s + 1) begin : gen_slice
+      localparam LOW     = s * MOST;
+      localparam SLICE_W = WIDTH - LOW < MOST ? WIDTH - LOW : MOST;
+      (* no_rw_check *)
+      reg [SLICE_W-1:0] memory_q [0:DEPTH-1];
+
+      always @(posedge clk) begin
+        if (write_i) memory_q[write_address_i] <= write_data_i[LOW +: SLICE_W];
+      end
+
+      if (READ_LATENCY == 0) begin : gen_combinational
+        wire unused_ok = &{1'b0, read_i};
+        assign read_data_o[LOW +: SLICE_W] = memory_q[read_address_i];
+      end else begin : gen_registered
+        reg [SLICE_W-1:0] read_q;
+`ifdef FFD_SIMULATION
+        wire clash = write_i && write_address_i == read_address_i;
+        always @(posedge clk) begin
+          if (read_i) read_q <= clash ? ~memory_q[read_address_i] : memory_q[read_address_i];
+        end
+`else
+        always @(posedge clk) if (read_i) read_q <= memory_q[read_address_i];
+`endif
+        assign read_data_o[LOW +: SLICE_W] = read_q;
+      end
     end
   endgenerate
 endmodule

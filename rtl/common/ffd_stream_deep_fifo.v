@@ -1,10 +1,10 @@
 // ffd_stream_deep_fifo: first in, first out in block memory, DEPTH words
 //
-// For depths at which ffd_stream_fifo's combinational read would be large. The memory is read at
-// the head's next value, so its output register is the output, and holds while the head does.
+// For depths at which ffd_stream_fifo's combinational read would be large. The memory's own output
+// register holds the word that is offered, so one more than DEPTH are inside.
 //
 // Pipeline:   2 clocks from in to out, II 1.  Freezes: s_ready is 0 when full. valid and ready
-//             come from registers; m_word_ready reaches the memory's address, no output.
+//             come from registers; m_word_ready reaches the memory's read enable, no output.
 // Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -30,17 +30,17 @@ module ffd_stream_deep_fifo #(
     end
   endgenerate
 
-  // One more bit than the address: equal pointers are empty, pointers DEPTH apart full.
+  // One more bit than the address: equal pointers are empty, pointers DEPTH apart full. The word
+  // that is offered has left the memory for its register, and the pointer is one ahead of it.
   reg  [ADDRESS_W:0] write_q;
   reg  [ADDRESS_W:0] read_q;
-  wire [ADDRESS_W:0] used   = write_q - read_q;
-  wire               push   = s_word_valid && s_word_ready;
-  wire               pop    = m_word_valid && m_word_ready;
-  wire [ADDRESS_W:0] read_d = read_q + {{ADDRESS_W {1'b0}}, pop};
+  wire [ADDRESS_W:0] full = {!read_q[ADDRESS_W], read_q[ADDRESS_W-1:0]};
+  wire               push = s_word_valid && s_word_ready;
+  wire               load = !m_word_valid || m_word_ready;
+  wire               some = read_q != write_q;
 
-  assign s_word_ready = !used[ADDRESS_W];
+  assign s_word_ready = write_q != full;
 
-  // A word is seen the clock after it was written: what the memory gives before is not valid.
   always @(posedge clk) begin
     if (rst) begin
       write_q      <= {(ADDRESS_W + 1) {1'b0}};
@@ -48,8 +48,8 @@ module ffd_stream_deep_fifo #(
       m_word_valid <= 1'b0;
     end else begin
       if (push) write_q <= write_q + 1'b1;
-      read_q       <= read_d;
-      m_word_valid <= read_d != write_q;
+      if (load && some) read_q <= read_q + 1'b1;
+      if (load) m_word_valid <= some;
     end
   end
 
@@ -62,7 +62,8 @@ module ffd_stream_deep_fifo #(
     .write_i        (push),
     .write_address_i(write_q[ADDRESS_W-1:0]),
     .write_data_i   (s_word_data),
-    .read_address_i (read_d[ADDRESS_W-1:0]),
+    .read_i         (load),
+    .read_address_i (read_q[ADDRESS_W-1:0]),
     .read_data_o    (m_word_data)
   );
 endmodule

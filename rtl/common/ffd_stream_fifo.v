@@ -57,6 +57,7 @@ module ffd_stream_fifo #(
     .write_i        (push),
     .write_address_i(write_q[ADDRESS_W-1:0]),
     .write_data_i   (s_word_data),
+    .read_i         (1'b1),
     .read_address_i (read_q[ADDRESS_W-1:0]),
     .read_data_o    (m_word_data)
   );

@@ -10,8 +10,9 @@
 `define FFD_EVALUATOR_ITERATIVE 1
 `define FFD_EVALUATOR_BSPLINE   2
 
-// Clocks around the loop of the iterative evaluator: one step, and one more where three passes
-// would otherwise meet a polynomial that started 6 or 12 clocks later.
+// Clocks around the loop of the iterative evaluator: one step, and one more where the second or
+// third pass would otherwise meet a polynomial that started FFD_POLY_INTERVAL clocks later, or a
+// multiple of them.
 `define FFD_LOOP_LATENCY(STEP_LATENCY) \
   ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
 
@@ -28,8 +29,9 @@
   ((FILE_LATENCY) + (CONVERT_LATENCY) + \
   3 * ((EVALUATOR) == 1 ? `FFD_LOOP_LATENCY(STEP_LATENCY) : (STEP_LATENCY)))
 
-// Clocks between polynomials of one evaluator.
-`define FFD_POLY_INTERVAL(EVALUATOR) ((EVALUATOR) == 1 ? 6 : 1)
+// Clocks between polynomials of one evaluator in the overlapped schedule: each uses the loop of an
+// iterative one three times. The paper's schedule waits until the one before has ended.
+`define FFD_POLY_INTERVAL(EVALUATOR) ((EVALUATOR) == 1 ? 3 : 1)
 
 // Registers of a sum of N terms: the terms, then log2(N) levels of adders; fused, the odd term of
 // each pair is added as it is multiplied, and a single one where it is accumulated.
@@ -53,6 +55,15 @@
 `define FFD_UNITS_S(N) ((N) >= 64 ? 4 : (N) == 32 ? 2 : 1)
 `define FFD_UNITS_T(N) ((N) >= 16 ? 4 : (N) == 8 ? 2 : 1)
 `define FFD_UNITS_U(N) ((N) >= 4 ? 4 : (N))
+
+// Clocks between the results of an organization at least: one that adds all 64 products of weights
+// and points, N in a clock, has the others in between. Wants ffd_organizations.vh.
+`define FFD_RESULT_INTERVAL(ORG, N) (`FFD_ORG_PRODUCT(ORG) ? 64 / (N) : 1)
+
+// Clocks from the third column of a Jacobian to its determinant: columns and cofactor narrowed,
+// three steps, a product, a sum of three.
+`define FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY) \
+  (3 * `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) + 2 * (MUL_LATENCY) + 3 * (ADD_LATENCY) + 2)
 
 // One blending function in the coefficient file: {shift, coefficients of x^3, x^2, x, 1}.
 `define FFD_ENTRY_W(WEIGHT_W) (4 * (WEIGHT_W) + 2)

@@ -53,6 +53,7 @@ module ffd_eval_coefficient_file #(
         .write_i        (load_i),
         .write_address_i(load_address_i),
         .write_data_i   (load_entry_i[p*PORT_W +: PORT_W]),
+        .read_i         (1'b1),
         .read_address_i (address_i[p*ADDRESS_W +: ADDRESS_W]),
         .read_data_o    (coefficient_o[p*PORT_W +: PORT_W])
       );
@@ -68,6 +69,7 @@ module ffd_eval_coefficient_file #(
     .write_i        (load_i),
     .write_address_i(load_address_i),
     .write_data_i   (load_entry_i[4*WEIGHT_W +: 2]),
+    .read_i         (1'b1),
     .read_address_i (shift_address_i),
     .read_data_o    (shift_o)
   );

@@ -184,6 +184,7 @@ module ffd_eval_former #(
         .write_i        (kept && phase_q == POWERS && keep_step[3:2] == BANK),
         .write_address_i(keep_step[1:0]),
         .write_data_i   (results),
+        .read_i         (1'b1),
         .read_address_i (fetch_step[1:0]),
         .read_data_o    (matrix[3*b*WEIGHT_W +: 3*WEIGHT_W])
       );
@@ -199,6 +200,7 @@ module ffd_eval_former #(
                          keep_step[5:4] == BANK),
         .write_address_i({phase_q == ALONG_T, keep_step[3:0]}),
         .write_data_i   (results),
+        .read_i         (1'b1),
         .read_address_i ({phase_q == ALONG_S, fetch_step[5:2]}),
         .read_data_o    (lanes[3*b*POINT_W +: 3*POINT_W])
       );

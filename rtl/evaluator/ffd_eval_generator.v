@@ -78,6 +78,7 @@ module ffd_eval_generator #(
         .write_i        (|here),
         .write_address_i(write_at),
         .write_data_i   (weight),
+        .read_i         (1'b1),
         .read_address_i (read_at),
         .read_data_o    (stored)
       );

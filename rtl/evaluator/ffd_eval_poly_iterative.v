@@ -1,21 +1,23 @@
 // ffd_eval_poly_iterative: weight = ((c3 x + c2) x + c1) x + c0 in three loops (paper, fig. 4)
 //
 // One multiplier and one adder. c3 is multiplexed into the loop, each pass multiplies by x and adds
-// the next coefficient. With one-clock units a polynomial takes the paper's 6 clocks; with deeper
-// ones polynomials interleave in the loop, so that one may start every 6 clocks all the same.
+// the next coefficient. With one-clock units a polynomial takes the paper's 6 clocks. In the
+// overlapped schedule polynomials interleave in the loop: each passes its entry three times, so one
+// may start every 3 clocks, whatever the latencies, and the multiplier is never idle.
 //
 // Where the file is registered, the last registers of the coefficients of other passes are cleared,
 // and the choice is an OR.
 //
 // Formats, rounding: those of ffd_num_step and ffd_num_scale.
 // Pipeline:   start_i and the address | FILE_LATENCY: the coordinate | 3 loops |
-//             CONVERT_LATENCY: FFD_POLY_LATENCY in all; II 6: starts must be a multiple of 6 clocks
-//             apart. The loop's length is no multiple of 3, so the passes of polynomials 6
-//             clocks apart (0, L, 2L modulo 6) never meet. Never frozen.
+//             CONVERT_LATENCY: FFD_POLY_LATENCY in all; II 3: starts must be a multiple of 3 clocks
+//             apart. The loop's length L is no multiple of 3, so 0, L and 2L differ modulo 3 and
+//             the passes of polynomials a multiple of 3 clocks apart never meet. Never frozen.
 // Parameters: FORMAT as in ffd_num.vh, FILE_LATENCY 0 to 2, CONVERT_LATENCY >= 0, other latencies
 //             >= 1, ADDRESS_W >= 1.
-// Not checked: a start that is neither a multiple of 6 clocks after another nor behind its end.
-// Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).  Test: tests/system.
+// Not checked: a start that is neither a multiple of 3 clocks after another nor behind its end.
+// Model:      golden/include/hwffd/model/coefficients.hpp (polynomial).
+// Test:       tests/unit/polynomial, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

@@ -1,26 +1,27 @@
 // ffd_eval_stream: an organization behind a stream of vertices and a stream of results
 //
 // Organizations run free and know no tags; this module lends them both. A vertex enters only when
-// there is room for its result (credits), its `user` word waits in a queue of its own and meets the
-// result at the output, and its exponent in another, which meets the sum: all keep their order.
+// there is room for its result (credits); its `user` word waits in a queue until its result is
+// there. Column and exponent wait in another, for the sum. All keep their order.
 //
-// Vertices of column 1, 2, 3, in this order, are the columns of a Jacobian: their three results
-// become one, det J, with the user word of the third. It takes longer than a result of column 0,
-// waits in a queue of its own and leaves in its place in the order.
+// With DETERMINANT vertices of column 1, 2, 3, in this order, are the columns of a Jacobian: their
+// three results become one, det J, with the user word of the third. It takes longer than a result
+// of column 0, waits in a queue of its own and leaves in its place in the order.
 //
-// Formats:    coordinates {u, t, s} as stream words, cell {k, j, i}, points as the organization
-//             reads them, results {z, y, x} as stream words with {nan, saturated} of any component;
-//             of a determinant {0, 0, det J}.
-// Pipeline:   the organization's, CONVERT_LATENCY, and 3 clocks in the result queue; det J after
+// Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
+//             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
+//             determinant {any, any, det J}, folded where that is not positive.
+// Pipeline:   the organization's, ffd_eval_words', and 3 clocks in the result queue; det J after
 //             ffd_eval_determinant.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
-//             rate; the others are the organization's.
+//             rate; DETERMINANT 0 or 1; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
+`include "ffd_organizations.vh"
 
 module ffd_eval_stream #(
   parameter ORG             = 0,
@@ -35,7 +36,8 @@ module ffd_eval_stream #(
   parameter READ_LATENCY    = 2,
   parameter SOURCE_W        = 2,
   parameter USER_W          = 16,
-  parameter IN_FLIGHT       = 16
+  parameter IN_FLIGHT       = 16,
+  parameter DETERMINANT     = 1
 ) (
   input  wire                                            clk,
   input  wire                                            rst,
@@ -45,7 +47,7 @@ module ffd_eval_stream #(
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
-  input  wire [95:0]                                     s_vertex_coordinates,
+  input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire [5:0]                                      s_vertex_bank,
@@ -59,16 +61,15 @@ module ffd_eval_stream #(
   output wire [11:0]                                     read_cell_o,
   output wire [5:0]                                      read_index_o,
   input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+  output wire                                            evaluating_o,  // any vertex
   output wire                                            m_result_valid,
   input  wire                                            m_result_ready,
   output wire [95:0]                                     m_result_words,
-  output wire [1:0]                                      m_result_flags,
+  output wire [2:0]                                      m_result_flags,
   output wire                                            m_result_determinant,
   output wire [USER_W-1:0]                               m_result_user
 );
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
-  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
-  localparam ENTRY_W  = `FFD_ENTRY_W(WEIGHT_W);
   localparam COUNT_W  = $clog2(IN_FLIGHT) + 1;
 
   generate
@@ -80,50 +81,41 @@ module ffd_eval_stream #(
   localparam [1:0] LAST_COLUMN = 2'd3;
 
   // Credits: vertices inside, from their entry until their result has left; three leave with a
-  // determinant.
+  // determinant. Who came and who left is counted a clock later: one more may come meanwhile, which
+  // FIRST leaves room for.
+  localparam [COUNT_W-1:0] FIRST = 1;
   reg  [COUNT_W-1:0] inside_q;
+  reg                entered_q;
+  reg                left_q;
+  reg                left_three_q;
+  reg  [1:0]         left_more;
   wire               room   = !inside_q[COUNT_W-1];
   wire               ready;
   wire               enter  = s_vertex_valid && s_vertex_ready;
   wire               leave  = m_result_valid && m_result_ready;
 
-  // Their room is known a clock later.
-  reg  [1:0]         left_q;
-  wire [COUNT_W-1:0] entering = {{(COUNT_W - 1) {1'b0}}, enter};
-  wire [COUNT_W-1:0] leaving  = {{(COUNT_W - 2) {1'b0}}, left_q};
-
   assign s_vertex_ready = ready && room;
+  assign evaluating_o   = inside_q != FIRST || entered_q;
 
+  always @* begin
+    left_more = 2'd0;
+    if (DETERMINANT != 0 && left_three_q) left_more = entered_q ? 2'd2 : 2'd3;
+  end
   always @(posedge clk) begin
     if (rst) begin
-      left_q   <= 2'd0;
-      inside_q <= {COUNT_W{1'b0}};
+      entered_q    <= 1'b0;
+      left_q       <= 1'b0;
+      left_three_q <= 1'b0;
+      inside_q     <= FIRST;
     end else begin
-      left_q   <= {leave && m_result_determinant, leave};
-      inside_q <= inside_q + entering - leaving;
+      entered_q    <= enter;
+      left_q       <= leave && !m_result_determinant;
+      left_three_q <= leave && m_result_determinant;
+      if (left_more != 2'd0) inside_q <= inside_q - {{(COUNT_W - 2) {1'b0}}, left_more};
+      else if (entered_q && !left_q) inside_q <= inside_q + 1'b1;
+      else if (left_q && !entered_q) inside_q <= inside_q - 1'b1;
     end
   end
-
-  // Coefficients arrive a clock later: no vertex can want them so soon.
-  reg               load_q;
-  reg [1:0]         load_axis_q;
-  reg [3:0]         load_address_q;
-  reg [ENTRY_W-1:0] load_entry_q;
-  always @(posedge clk) begin
-    load_q         <= load_i && !rst;
-    load_axis_q    <= load_axis_i;
-    load_address_q <= load_address_i;
-    load_entry_q   <= load_entry_i;
-  end
-
-  wire [3*WEIGHT_W-1:0] coordinates;
-
-  ffd_eval_coordinates #(
-    .FORMAT(FORMAT)
-  ) u_coordinates (
-    .words_i      (s_vertex_coordinates),
-    .coordinates_o(coordinates)
-  );
 
   wire               sum_valid;
   wire [3*SUM_W-1:0] sum;
@@ -143,13 +135,13 @@ module ffd_eval_stream #(
   ) u_org (
     .clk                 (clk),
     .rst                 (rst),
-    .load_i              (load_q),
-    .load_axis_i         (load_axis_q),
-    .load_address_i      (load_address_q),
-    .load_entry_i        (load_entry_q),
+    .load_i              (load_i),
+    .load_axis_i         (load_axis_i),
+    .load_address_i      (load_address_i),
+    .load_entry_i        (load_entry_i),
     .s_vertex_valid      (s_vertex_valid && room),
     .s_vertex_ready      (ready),
-    .s_vertex_coordinates(coordinates),
+    .s_vertex_coordinates(s_vertex_coordinates),
     .s_vertex_cell       (s_vertex_cell),
     .s_vertex_source     (s_vertex_source),
     .s_vertex_bank       (s_vertex_bank),
@@ -164,147 +156,204 @@ module ffd_eval_stream #(
     .result_sum_o        (sum)
   );
 
-  // Which column a sum is of, and the exponent of its points.
+  // Which column a sum is of, and the exponent of its points: where there is such a thing.
+  localparam BLOCK  = `FFD_FORMAT_BLOCK(FORMAT);
   localparam SIDE_W = 2 + `FFD_EXPONENT_W;
   wire [1:0]                 column;
   wire [`FFD_EXPONENT_W-1:0] exponent;
-  wire                       sides_ready;
-  wire                       side_valid;
 
-  ffd_stream_queue #(
-    .WIDTH(SIDE_W),
-    .DEPTH(IN_FLIGHT)
-  ) u_sides (
-    .clk         (clk),
-    .rst         (rst),
-    .s_word_valid(enter),
-    .s_word_ready(sides_ready),
-    .s_word_data ({s_vertex_column, s_vertex_exponent}),
-    .m_word_valid(side_valid),
-    .m_word_ready(sum_valid),
-    .m_word_data ({column, exponent})
-  );
+  generate
+    if (DETERMINANT != 0 || BLOCK) begin : gen_sides
+      wire sides_ready;
+      wire side_valid;
+      ffd_stream_queue #(
+        .WIDTH(SIDE_W),
+        .DEPTH(IN_FLIGHT)
+      ) u_sides (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(enter),
+        .s_word_ready(sides_ready),
+        .s_word_data ({s_vertex_column, s_vertex_exponent}),
+        .m_word_valid(side_valid),
+        .m_word_ready(sum_valid),
+        .m_word_data ({column, exponent})
+      );
+      wire unused_ok = &{1'b0, sides_ready, side_valid};
+    end else begin : gen_no_sides
+      assign column   = 2'd0;
+      assign exponent = `FFD_EXPONENT_W'd0;
+      wire unused_ok = &{1'b0, s_vertex_exponent};
+    end
+  endgenerate
 
   wire        own_result = column == 2'd0;
   wire        word_valid;
   wire [95:0] words;
-  wire [2:0]  saturated;
-  wire [2:0]  nan;
+  wire        saturated;
+  wire        nan;
 
-  genvar c;
-  generate
-    for (c = 0; c < 3; c = c + 1) begin : gen_component
-      ffd_num_out #(
-        .FORMAT (FORMAT),
-        .LATENCY(CONVERT_LATENCY)
-      ) u_out (
-        .clk        (clk),
-        .sum_i      (sum[c*SUM_W +: SUM_W]),
-        .exponent_i (exponent),
-        .word_o     (words[32*c +: 32]),
-        .saturated_o(saturated[c]),
-        .nan_o      (nan[c])
-      );
-    end
-  endgenerate
-
-  ffd_num_delay #(
-    .WIDTH  (1),
-    .LATENCY(CONVERT_LATENCY),
-    .RESET  (1)
-  ) u_word_valid (
-    .clk(clk),
-    .rst(rst),
-    .d_i(sum_valid && own_result),
-    .q_o(word_valid)
+  ffd_eval_words #(
+    .FORMAT         (FORMAT),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .SERIAL         (`FFD_RESULT_INTERVAL(ORG, N) >= 3)
+  ) u_words (
+    .clk         (clk),
+    .rst         (rst),
+    .sum_valid_i (sum_valid && own_result),
+    .sum_i       (sum),
+    .exponent_i  (exponent),
+    .word_valid_o(word_valid),
+    .words_o     (words),
+    .saturated_o (saturated),
+    .nan_o       (nan)
   );
+
+  // ---- results leave in the order of their user words, which say what kind they are
+
+  // Credits keep the queues from overflowing, so their readies are not needed. A user word is there
+  // whenever its result is.
+  wire        users_ready;
+  wire        user_valid;
+  wire        results_ready;
+  wire        result_valid;
+  wire [99:0] result;
+  wire        last_column = s_vertex_column == LAST_COLUMN;
+
+  // They come into their queue a clock later: nothing is done so soon.
+  reg              takes_q;
+  reg              determinant_q;
+  reg [USER_W-1:0] user_q;
+  always @(posedge clk) begin
+    takes_q       <= enter && (s_vertex_column == 2'd0 || last_column) && !rst;
+    determinant_q <= last_column;
+    user_q        <= s_vertex_user;
+  end
 
   wire        determinant_valid;
   wire [31:0] determinant;
-  wire        determinant_saturated;
-  wire        determinant_nan;
+  wire [2:0]  determinant_flags;
+  generate
+    if (DETERMINANT != 0) begin : gen_determinant
+      wire determinant_saturated;
+      wire determinant_nan;
+      // The words of both kinds of format have their sign in front, and only one for zero.
+      wire folded = determinant[31] || determinant == 32'd0;
+      assign determinant_flags = {folded, determinant_nan, determinant_saturated};
 
-  ffd_eval_determinant #(
-    .FORMAT         (FORMAT),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY)
-  ) u_determinant (
-    .clk           (clk),
-    .rst           (rst),
-    .column_valid_i(sum_valid && !own_result),
-    .column_last_i (column == LAST_COLUMN),
-    .column_i      (sum),
-    .exponent_i    (exponent),
-    .word_valid_o  (determinant_valid),
-    .word_o        (determinant),
-    .saturated_o   (determinant_saturated),
-    .nan_o         (determinant_nan)
-  );
+      ffd_eval_determinant #(
+        .FORMAT         (FORMAT),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY)
+      ) u_determinant (
+        .clk           (clk),
+        .rst           (rst),
+        .column_valid_i(sum_valid && !own_result),
+        .column_last_i (column == LAST_COLUMN),
+        .column_i      (sum),
+        .exponent_i    (exponent),
+        .word_valid_o  (determinant_valid),
+        .word_o        (determinant),
+        .saturated_o   (determinant_saturated),
+        .nan_o         (determinant_nan)
+      );
+    end else begin : gen_no_determinant
+      assign determinant_valid = 1'b0;
+      assign determinant       = 32'd0;
+      assign determinant_flags = 3'd0;
+      wire unused_ok = &{1'b0, own_result};
+    end
+  endgenerate
 
-  // Credits keep the queues from overflowing, so their readies are not needed. A user word is there
-  // whenever its result is; it says in which queue that is.
-  wire        results_ready;
-  wire        result_valid;
-  wire [97:0] result;
-  wire        determinants_ready;
-  wire        waiting_valid;
-  wire [33:0] waiting;
-  wire        users_ready;
-  wire        user_valid;
-  wire        is_determinant;
+  // Where the next sum comes later than the determinant, both go into one queue as they come.
+  localparam IN_ORDER = DETERMINANT == 0 || `FFD_RESULT_INTERVAL(ORG, N) >
+    `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY);
+
+  wire        queued_valid = word_valid || (IN_ORDER && determinant_valid);
+  wire [99:0] queued       = IN_ORDER && determinant_valid
+                           ? {1'b1, determinant_flags, words[95:32], determinant}
+                           : {1'b0, 1'b0, nan, saturated, words};
+  wire        result_ready;
 
   ffd_stream_queue #(
-    .WIDTH(98),
+    .WIDTH(100),
     .DEPTH(IN_FLIGHT)
   ) u_results (
     .clk         (clk),
     .rst         (rst),
-    .s_word_valid(word_valid),
+    .s_word_valid(queued_valid),
     .s_word_ready(results_ready),
-    .s_word_data ({|nan, |saturated, words}),
+    .s_word_data (queued),
     .m_word_valid(result_valid),
-    .m_word_ready(leave && !m_result_determinant),
+    .m_word_ready(result_ready),
     .m_word_data (result)
   );
 
-  ffd_stream_queue #(
-    .WIDTH(34),
-    .DEPTH(IN_FLIGHT / 2)
-  ) u_determinants (
-    .clk         (clk),
-    .rst         (rst),
-    .s_word_valid(determinant_valid),
-    .s_word_ready(determinants_ready),
-    .s_word_data ({determinant_nan, determinant_saturated, determinant}),
-    .m_word_valid(waiting_valid),
-    .m_word_ready(leave && m_result_determinant),
-    .m_word_data (waiting)
-  );
+  generate
+    if (!IN_ORDER) begin : gen_apart
+      wire        waiting_ready;
+      wire        waiting_valid;
+      wire [34:0] waiting;
+      wire        is_determinant;
 
-  wire takes_user = s_vertex_column == 2'd0 || s_vertex_column == LAST_COLUMN;
+      ffd_stream_queue #(
+        .WIDTH(35),
+        .DEPTH(IN_FLIGHT / 2)
+      ) u_determinants (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(determinant_valid),
+        .s_word_ready(waiting_ready),
+        .s_word_data ({determinant_flags, determinant}),
+        .m_word_valid(waiting_valid),
+        .m_word_ready(leave && is_determinant),
+        .m_word_data (waiting)
+      );
 
-  ffd_stream_queue #(
-    .WIDTH(1 + USER_W),
-    .DEPTH(IN_FLIGHT)
-  ) u_users (
-    .clk         (clk),
-    .rst         (rst),
-    .s_word_valid(enter && takes_user),
-    .s_word_ready(users_ready),
-    .s_word_data ({s_vertex_column == LAST_COLUMN, s_vertex_user}),
-    .m_word_valid(user_valid),
-    .m_word_ready(leave),
-    .m_word_data ({is_determinant, m_result_user})
-  );
+      ffd_stream_queue #(
+        .WIDTH(1 + USER_W),
+        .DEPTH(IN_FLIGHT)
+      ) u_users (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(takes_q),
+        .s_word_ready(users_ready),
+        .s_word_data ({determinant_q, user_q}),
+        .m_word_valid(user_valid),
+        .m_word_ready(leave),
+        .m_word_data ({is_determinant, m_result_user})
+      );
 
-  assign m_result_determinant = user_valid && is_determinant;
-  assign m_result_valid       = m_result_determinant ? waiting_valid : result_valid;
-  assign m_result_words       = m_result_determinant ? {64'd0, waiting[31:0]} : result[95:0];
-  assign m_result_flags       = m_result_determinant ? waiting[33:32] : result[97:96];
+      assign result_ready         = leave && !is_determinant;
+      assign m_result_determinant = is_determinant;
+      assign m_result_valid       = user_valid && (is_determinant ? waiting_valid : result_valid);
+      assign m_result_words       = {result[95:32], is_determinant ? waiting[31:0] : result[31:0]};
+      assign m_result_flags       = is_determinant ? waiting[34:32] : result[98:96];
+      wire unused_ok = &{1'b0, waiting_ready, result[99]};
+    end else begin : gen_in_order
+      ffd_stream_queue #(
+        .WIDTH(USER_W),
+        .DEPTH(IN_FLIGHT)
+      ) u_users (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(takes_q),
+        .s_word_ready(users_ready),
+        .s_word_data (user_q),
+        .m_word_valid(user_valid),
+        .m_word_ready(leave),
+        .m_word_data (m_result_user)
+      );
 
-  wire unused_ok = &{1'b0, sides_ready, side_valid, results_ready, determinants_ready,
-                     users_ready};
+      assign result_ready   = m_result_ready;
+      assign m_result_valid = result_valid;
+      assign {m_result_determinant, m_result_flags, m_result_words} = result;
+      wire unused_ok = &{1'b0, determinant_q};
+    end
+  endgenerate
+
+  wire unused_ok = &{1'b0, user_valid, users_ready, results_ready};
 endmodule
 
 `default_nettype wire

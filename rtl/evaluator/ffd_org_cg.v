@@ -7,7 +7,8 @@
 //             the generator, three for the multiplier and one for the accumulator: 72/SIZE + 320
 //             clocks a vertex with one-clock units.
 //             overlapped: the next vertex's weights are evaluated during the present one's
-//             combinations: 64 clocks between vertices, or 72 with one iterative evaluator.
+//             combinations: 64 clocks between vertices. The weights take less, with one
+//             iterative evaluator 36.
 // Pipeline:   polynomials | set of 12 weights | step | 1: generator | ffd_eval_summation.
 // Freezes:    never; a vertex enters when a set of weights is free.
 // Parameters: those of every organization (docs/architecture.md); N is 1; SIZE 1, 2 or 3.

@@ -12,7 +12,7 @@
 // Schedule:   paper: a step starts when the one before has finished its polynomials, products and
 //             tree; the accumulation is hidden under the next step, or with SERIAL (`basic`)
 //             waited for. With one-clock units (9 + log2 N) * 64/N clocks a vertex, `basic` 640.
-//             overlapped: a step a clock (iterative evaluator: every 6 clocks). Where the
+//             overlapped: a step a clock (iterative evaluator: every 3 clocks). Where the
 //             accumulator is deeper than that, CONTEXTS vertices take turns.
 // Pipeline:   step | FFD_POLY_LATENCY: weights | ffd_eval_summation.
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a

@@ -38,12 +38,17 @@
 // The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
 `define FFD_EXPONENT_W 10
 
-// Roles of ffd_num_in.
-`define FFD_ROLE_COORDINATE  0
-`define FFD_ROLE_COEFFICIENT 1
-`define FFD_ROLE_POINT       2
-`define FFD_IN_W(FORMAT, ROLE) \
-  ((ROLE) == 2 ? `FFD_POINT_W(FORMAT) : `FFD_WEIGHT_W(FORMAT))
+// Registers of ffd_num_out: in fixed point rounding and saturation of so many bits want one each.
+`define FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) \
+  ((CONVERT_LATENCY) == 0 || (FORMAT) == 0 || `FFD_FORMAT_BLOCK(FORMAT) ? (CONVERT_LATENCY) \
+                                                                       : (CONVERT_LATENCY) + 1)
+
+// Roles of ffd_num_in, and the registers that the core gives it.
+`define FFD_ROLE_COORDINATE  2'd0
+`define FFD_ROLE_COEFFICIENT 2'd1
+`define FFD_ROLE_POINT       2'd2
+`define FFD_IN_LATENCY(FORMAT) \
+  ((FORMAT) == `FFD_FORMAT_FP32 ? 1 : `FFD_FORMAT_BLOCK(FORMAT) ? 4 : 2)
 
 // A multiplication and the addition behind it: two units, or one fused unit of FMA_LATENCY clocks
 // where that is not 0 (binary32 only: in fixed point the bits would be the same).
@@ -60,6 +65,7 @@
 // The stream word of a coordinate that could not be computed: canonical NaN, or 0.
 `define FFD_BLANK_WORD(FORMAT) \
   ((FORMAT) == 0 || `FFD_FORMAT_BLOCK(FORMAT) ? 32'h7FC0_0000 : 32'h0000_0000)
+`define FFD_BLANK_IS_ZERO(FORMAT) (`FFD_BLANK_WORD(FORMAT) == 32'd0)
 
 // The stream word of the coordinate 1.
 `define FFD_ONE_WORD(FORMAT) \

@@ -1,121 +1,160 @@
 // ffd_num_in: a word of the stream becomes a coordinate, a coefficient or a point
 //
-// Formats:    fp32: the word is the number. fxW, by ROLE (docs/interface.md section 3):
-//               coordinate   unsigned Q1.31, 0x80000000 = 1.0  ->  Q2.(W-2); outside [0, 1] it is
-//                            clamped (ffd_num_range) and flagged
+// One converter serves all three roles, which may change from clock to clock.
+//
+// Formats:    fp32: the word is the number. fxW, by role_i (docs/interface.md section 3):
+//               coordinate   unsigned Q1.31, 0x80000000 = 1.0  ->  Q2.(W-2)
 //               coefficient  Q2.30 (already times 2^-shift)    ->  Q2.(W-2)
 //               point        Q1.31                             ->  Q1.(W-1)
 //             Block: coordinates and points are binary32, aligned to 1 and to 2^exponent_i, the
-//             exponent of the block; coefficients as in fxW.
+//             exponent of the block; coefficients as in fxW. Weights are in the low bits of
+//             number_o, and the bits above them are 0.
+// Range:      nan_o and outside_o are what ffd_num_range says of the word, whatever its role. A
+//             coordinate that is no number in [0, 1] becomes the nearer end, of a NaN the one that
+//             its sign says, and is flagged; with clamp_i it is not flagged, and with one_i as well
+//             it is 1, whatever the word. In fp32 only clamp_i and one_i change a coordinate.
+//             clear_i makes any number 0 and clears its flags.
 // Rounding:   half up; a word that rounds past the largest value saturates and is flagged.
-// Pipeline:   combinational.
-// Parameters: FORMAT as in ffd_num.vh, ROLE 0 to 2.
-// Model:      golden/include/hwffd/numerics (coordinate, coefficient, point).
-// Test:       tests/unit/fixed.
+// Pipeline:   LATENCY registers, II 1, never frozen. Of two in fixed point the first is in front
+//             of the carry chain; in block formats they are those of ffd_bfp_align.
+// Parameters: FORMAT as in ffd_num.vh, LATENCY >= 0 (the core's is FFD_IN_LATENCY).
+// Model:      golden/include/hwffd/numerics (coordinate, coefficient, point, range).
+// Test:       tests/unit/entry, tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 
 module ffd_num_in #(
-  parameter FORMAT = 18,
-  parameter ROLE   = `FFD_ROLE_POINT
+  parameter FORMAT  = 18,
+  parameter LATENCY = 0
 ) (
-  input  wire [31:0]                         word_i,
-  input  wire [`FFD_EXPONENT_W-1:0]          exponent_i,
-  output wire [`FFD_IN_W(FORMAT, ROLE)-1:0]  number_o
+  input  wire                             clk,
+  input  wire [1:0]                       role_i,
+  input  wire                             clear_i,
+  input  wire                             clamp_i,
+  input  wire                             one_i,
+  input  wire [31:0]                      word_i,
+  input  wire [`FFD_EXPONENT_W-1:0]       exponent_i,
+  output wire [`FFD_POINT_W(FORMAT)-1:0]  number_o,
+  output wire                             nan_o,
+  output wire                             outside_o
 );
+  localparam W      = `FFD_FIXED_W(FORMAT);
+  localparam FLOAT  = FORMAT == `FFD_FORMAT_FP32 || `FFD_FORMAT_BLOCK(FORMAT);
+  localparam FRONT  = LATENCY / 2;  // registers in front of the carry chain, and behind it
+  localparam BEHIND = LATENCY - FRONT;
+
   generate
     if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_in_format_is_unknown u_error ();
     end
-    if (ROLE < 0 || ROLE > 2) begin : gen_bad_role
-      ERROR_ffd_num_in_role_is_unknown u_error ();
+    if (LATENCY < 0) begin : gen_bad_latency
+      ERROR_ffd_num_in_latency_must_not_be_negative u_error ();
     end
   endgenerate
 
-  localparam W = `FFD_FIXED_W(FORMAT);
+  // ---- range: what is taken as an end is 0, to which `one` adds 1
+
+  wire        coordinate = role_i == `FFD_ROLE_COORDINATE;
+  wire        nan;
+  wire        outside;
+  wire [31:0] clamped;
+  ffd_num_range #(
+    .FORMAT(FORMAT)
+  ) u_range (
+    .word_i   (word_i),
+    .nan_o    (nan),
+    .outside_o(outside),
+    .clamped_o(clamped)
+  );
+
+  wire asked   = coordinate && clamp_i && one_i;
+  wire off     = coordinate && (nan || outside) && (FORMAT != `FFD_FORMAT_FP32 || clamp_i);
+  wire upper   = FLOAT != 0 ? !word_i[31] : !word_i[30];  // the nearer end is 1
+  wire at_end  = asked || off;
+  wire one     = !clear_i && (asked || (off && upper));
+  wire flagged = !clear_i && off && !clamp_i;
+
+  ffd_num_delay #(
+    .WIDTH  (2),
+    .LATENCY(LATENCY)
+  ) u_range_delay (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({nan, outside}),
+    .q_o({nan_o, outside_o})
+  );
 
   generate
     if (FORMAT == `FFD_FORMAT_FP32) begin : gen_float
-      assign number_o = word_i;
-    end else if (ROLE == `FFD_ROLE_COORDINATE) begin : gen_coordinate
-      // Into [0, 1] first, so that what is clamped is no infinity.
-      wire        nan;
-      wire        outside;
-      wire [31:0] clamped;
-      wire        saturated;
-      wire        infinite;
-      ffd_num_range #(
-        .FORMAT(FORMAT)
-      ) u_range (
-        .word_i   (word_i),
-        .nan_o    (nan),
-        .outside_o(outside),
-        .clamped_o(clamped)
+      wire zero = clear_i || at_end;
+      ffd_num_delay #(
+        .WIDTH  (32),
+        .LATENCY(LATENCY)
+      ) u_number (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i((word_i & ~{32{zero}}) | (`FFD_ONE_WORD(FORMAT) & {32{one}})),
+        .q_o(number_o)
       );
-      if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_block
-        // Q2.(W-2) is a point's Q1.(W-1) in a block of exponent 1.
-        wire plus;
-        wire minus;
-        ffd_bfp_align #(
-          .W(W)
-        ) u_align (
-          .word_i     (clamped),
-          .exponent_i (`FFD_EXPONENT_W'd1),
-          .value_o    (number_o[W-1:0]),
-          .saturated_o(saturated),
-          .plus_o     (plus),
-          .minus_o    (minus)
-        );
-        assign infinite = plus | minus;
-      end else begin : gen_fixed
-        wire [32:0] word = {1'b0, clamped};
-        ffd_fx_round #(
-          .IN_W (33),
-          .DROP (33 - W),
-          .OUT_W(W)
-        ) u_round (
-          .value_i    (word),
-          .addend_i   ({W{1'b0}}),
-          .value_o    (number_o[W-1:0]),
-          .saturated_o(saturated)
-        );
-        assign infinite = 1'b0;
-      end
-      assign number_o[W] = nan | outside | saturated | infinite;
-    end else if (`FFD_FORMAT_BLOCK(FORMAT) && ROLE == `FFD_ROLE_POINT) begin : gen_block_point
+      wire unused_ok = &{1'b0, flagged};
+    end else if (`FFD_FORMAT_BLOCK(FORMAT)) begin : gen_block
       ffd_bfp_align #(
-        .W(W)
+        .W      (W),
+        .LATENCY(LATENCY)
       ) u_align (
-        .word_i     (word_i),
-        .exponent_i (exponent_i),
-        .value_o    (number_o[W-1:0]),
-        .saturated_o(number_o[W]),
-        .plus_o     (number_o[W+1]),
-        .minus_o    (number_o[W+2])
+        .clk         (clk),
+        .fixed_i     (role_i == `FFD_ROLE_COEFFICIENT),
+        .coordinate_i(coordinate),
+        .clear_i     (clear_i),
+        .end_i       (at_end),
+        .one_i       (one),
+        .flagged_i   (flagged),
+        .word_i      (word_i),
+        .exponent_i  (exponent_i),
+        .value_o     (number_o[W-1:0]),
+        .saturated_o (number_o[W]),
+        .plus_o      (number_o[W+1]),
+        .minus_o     (number_o[W+2])
       );
-    end else begin : gen_signed
-      localparam PAD = W > 32 ? W - 32 : 0;
-      wire signed [31+PAD:0] word;
-      if (PAD > 0) begin : gen_pad
-        assign word = {word_i, {PAD{1'b0}}};
-      end else begin : gen_no_pad
-        assign word = word_i;
+    end else begin : gen_fixed
+      // Nothing that rounds past the largest value is rounded up, so that nothing overflows.
+      wire         zero  = clear_i || at_end;
+      wire [32:0]  word  = coordinate ? {1'b0, word_i} : {word_i, 1'b0};
+      wire         full;
+      wire         up    = word[32-W] && !full && !zero;
+      wire [W-1:0] floor = word[32:33-W] & ~{W{zero}};
+      if (W < 32) begin : gen_full
+        assign full = !coordinate && !word_i[31] && &word_i[30:31-W];
+      end else begin : gen_exact
+        assign full = 1'b0;
       end
-      ffd_fx_round #(
-        .IN_W (32 + PAD),
-        .DROP (32 + PAD - W),
-        .OUT_W(W)
-      ) u_round (
-        .value_i    (word),
-        .addend_i   ({W{1'b0}}),
-        .value_o    (number_o[W-1:0]),
-        .saturated_o(number_o[W])
+
+      wire         front_up;
+      wire         front_flag;
+      wire [W-1:0] front_floor;
+      ffd_num_delay #(
+        .WIDTH  (W + 2),
+        .LATENCY(FRONT)
+      ) u_front (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i({flagged | (full && !clear_i), up, floor[W-1], floor[W-2] | one, floor[W-3:0]}),
+        .q_o({front_flag, front_up, front_floor})
+      );
+      ffd_num_delay #(
+        .WIDTH  (W + 1),
+        .LATENCY(BEHIND)
+      ) u_behind (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i({front_flag, front_floor + {{(W - 1) {1'b0}}, front_up}}),
+        .q_o(number_o)
       );
     end
   endgenerate
 
-  wire unused_ok = &{1'b0, exponent_i};
+  wire unused_ok = &{1'b0, clk, exponent_i, clamped};
 endmodule
 
 `default_nettype wire

@@ -32,11 +32,11 @@ module ffd_num_range #(
   generate
     if (FORMAT == `FFD_FORMAT_FP32 || `FFD_FORMAT_BLOCK(FORMAT)) begin : gen_float
       assign nan_o = &word_i[30:23];
-      assign above = !word_i[31] && word_i[30:0] > ONE[30:0];
-      assign below = word_i[31] && word_i[30:0] != 31'd0;
+      assign above = !word_i[31] && (word_i[30] || (&word_i[29:23] && |word_i[22:0]));
+      assign below = word_i[31] && |word_i[30:0];
     end else begin : gen_fixed
       assign nan_o = 1'b0;
-      assign above = word_i > ONE && !below;
+      assign above = word_i[31] && |word_i[30:0] && !below;
       assign below = &word_i[31:30];
     end
   endgenerate

@@ -20,6 +20,21 @@
 `define FFD_RETIRE_BANK      0     // its bank of coefficients
 `define FFD_RETIRE_BUFFER    1     // its buffer of the resident lattice
 `define FFD_RETIRE_RESIDENT  2     // it has read that buffer
+`define FFD_FRAME_INDEX      11:0  // place in the payload, three digits, the fastest lowest
+`define FFD_FRAME_TOP        12    // every digit of it is at its last value
+`define FFD_FRAME_HEADER     13    // the header of a packet
+`define FFD_FRAME_BANK       14    // of coefficients, which wait for their bank
+`define FFD_FRAME_BUFFER     15    // of a lattice, which waits for its buffer
+`define FFD_FRAME_FUNCTION   16    // a blending function
+`define FFD_FRAME_POINT      17    // a point of the resident lattice
+`define FFD_FRAME_VERTEX     18    // a vertex
+`define FFD_FRAME_POINTS     19    // four words of an interleaved vertex's points
+`define FFD_FRAME_FINISH     20    // a vertex ends with it
+`define FFD_FRAME_FINAL      21    // that is the last of its packet
+`define FFD_FRAME_UNKNOWN    22    // event: unknown opcode
+`define FFD_FRAME_SHORT      23    // event: packet too short
+`define FFD_FRAME_LONG       24    // event: packet too long
+`define FFD_FRAME_SIZE       25    // event: dimensions of a lattice
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -29,4 +44,5 @@
 `define FFD_USER_W           27    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
+`define FFD_FRAME_W          26    // width
 `endif

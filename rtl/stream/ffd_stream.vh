@@ -11,13 +11,13 @@
 `define FFD_USER_RESULT        `FFD_USER_BLANK:0
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
-// What a beat would be as a header: its opcode, good dimensions, a count that is not 0.
+// What a beat would be as a header: its opcode, good dimensions, a count of 0.
 `define FFD_KIND_COEFFICIENTS 0
 `define FFD_KIND_LATTICE      1
 `define FFD_KIND_DIMENSIONS   2
 `define FFD_KIND_VERTICES     3
 `define FFD_KIND_INTERLEAVED  4
-`define FFD_KIND_SOME         5
+`define FFD_KIND_NONE         5
 `define FFD_KIND_W            6
 
 // What a packet of vertices asks for; docs/interface.md section 2.
@@ -25,6 +25,16 @@
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
 `define FFD_RESULTS_BAD         2'd3
+
+// What a core has, bits of FEATURES; docs/interface.md section 1.
+`define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
+`define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
+`define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
+`define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
+`define FFD_FEATURES                      3840
+`define FFD_FEATURES_BAD(FEATURES) \
+  ((FEATURES) < 256 || (FEATURES) > `FFD_FEATURES || (FEATURES) % 256 != 0 \
+   || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2)
 
 // How many events the input has, one pulse each; docs/interface.md section 5. One more is the
 // result's.

@@ -12,14 +12,15 @@
 //             there.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
-// Parameters: SOURCE_W >= 1: of the decoder's source; USER_W >= 1 likewise; LAST the bit of user
-//             with tlast.
+// Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 1: of the decoder's source; USER_W >= 1
+//             likewise; LAST the bit of user with tlast.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_stream.vh"
 
 module ffd_stream_derivatives #(
+  parameter FEATURES = `FFD_FEATURES,
   parameter SOURCE_W = 2,
   parameter USER_W   = 27,
   parameter LAST     = 23
@@ -41,7 +42,8 @@ module ffd_stream_derivatives #(
 );
   // 0 the position, 1 to 3 the derivative along s, t, u.
   reg  [1:0] part_q;
-  wire       result_final = s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+  wire       result_final = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
+                         || s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
 
   always @(posedge clk) begin
     if (rst) part_q <= 2'd0;
@@ -51,7 +53,8 @@ module ffd_stream_derivatives #(
   assign s_vertex_ready  = m_vertex_ready && result_final;
   assign m_vertex_valid  = s_vertex_valid;
   assign m_vertex_source = {!result_final, s_vertex_source};
-  assign m_vertex_column = s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
+  assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
+                        && s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
 
   genvar a;
   generate

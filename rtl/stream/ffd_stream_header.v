@@ -1,19 +1,19 @@
 // ffd_stream_header: what a beat would be as the header of a packet
 //
-// In front of the first register of the stream, so that the decoder finds it decided
-// (docs/interface.md section 2 has the fields).
+// In front of the first register of the stream (docs/interface.md section 2 has the fields).
 //
 // Formats:    kind as FFD_KIND_* in ffd_stream.vh: which opcode, whether dimensions are good, and
-//             whether the count is not 0.
+//             whether the count is 0. What the core lacks is no opcode.
 // Pipeline:   combinational.
-// Parameters: AXIS 4 to 16, the most points an axis of a lattice.
+// Parameters: AXIS 4 to 16, the most points an axis of a lattice; FEATURES as in ffd_stream.vh.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_stream.vh"
 
 module ffd_stream_header #(
-  parameter AXIS = 16
+  parameter AXIS     = 16,
+  parameter FEATURES = `FFD_FEATURES
 ) (
   input  wire [127:0]            data_i,
   output wire [`FFD_KIND_W-1:0]  kind_o
@@ -21,6 +21,9 @@ module ffd_stream_header #(
   generate
     if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
       ERROR_ffd_stream_header_axis_must_be_4_to_16 u_error ();
+    end
+    if (`FFD_FEATURES_BAD(FEATURES)) begin : gen_bad_features
+      ERROR_ffd_stream_header_features_are_unknown u_error ();
     end
   endgenerate
 
@@ -31,8 +34,17 @@ module ffd_stream_header #(
   localparam [31:0] AXIS_WORD          = AXIS;  // 32 bits where set from outside
   localparam [7:0] MOST                = AXIS_WORD[7:0];
 
+  localparam RESIDENT          = `FFD_FEATURE_RESIDENT(FEATURES);
+  localparam INTERLEAVED       = `FFD_FEATURE_INTERLEAVED(FEATURES);
+  localparam DERIVATIVES       = `FFD_FEATURE_DERIVATIVES(FEATURES);
+  localparam DETERMINANT       = `FFD_FEATURE_DETERMINANT(FEATURES);
+
   wire [7:0] opcode       = data_i[7:0];
-  wire       good_results = data_i[73:72] != `FFD_RESULTS_BAD;
+  wire [1:0] results      = data_i[73:72];
+  wire       good_results = results == `FFD_RESULTS_POSITION
+                         || (results == `FFD_RESULTS_DERIVATIVES && DERIVATIVES != 0)
+                         || (results == `FFD_RESULTS_DETERMINANT && DETERMINANT != 0);
+  wire       twice        = data_i[95];
   wire [2:0] good;
 
   genvar a;
@@ -43,12 +55,15 @@ module ffd_stream_header #(
     end
   endgenerate
 
-  assign kind_o[`FFD_KIND_COEFFICIENTS] = opcode == OPCODE_COEFFICIENTS;
-  assign kind_o[`FFD_KIND_LATTICE]      = opcode == OPCODE_LATTICE;
+  assign kind_o[`FFD_KIND_COEFFICIENTS] = opcode == OPCODE_COEFFICIENTS
+                                       && (DERIVATIVES != 0 || !twice);
+  assign kind_o[`FFD_KIND_LATTICE]      = opcode == OPCODE_LATTICE && RESIDENT != 0;
   assign kind_o[`FFD_KIND_DIMENSIONS]   = &good;
-  assign kind_o[`FFD_KIND_VERTICES]     = opcode == OPCODE_VERTICES && good_results;
-  assign kind_o[`FFD_KIND_INTERLEAVED]  = opcode == OPCODE_INTERLEAVED && good_results;
-  assign kind_o[`FFD_KIND_SOME]         = data_i[63:32] != 32'd0;
+  assign kind_o[`FFD_KIND_VERTICES]     = opcode == OPCODE_VERTICES && good_results
+                                       && RESIDENT != 0;
+  assign kind_o[`FFD_KIND_INTERLEAVED]  = opcode == OPCODE_INTERLEAVED && good_results
+                                       && INTERLEAVED != 0;
+  assign kind_o[`FFD_KIND_NONE]         = data_i[63:32] == 32'd0;
 
   wire unused_ok = &{1'b0, data_i};
 endmodule

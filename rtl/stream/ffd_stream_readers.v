@@ -1,43 +1,42 @@
-// ffd_stream_readers: which of two banks is still read by a vertex inside
+// ffd_stream_readers: whether the bank and the buffer that are not in use are still read
 //
-// Counts the vertices of either bank from the clock in which they leave the decoder until their
-// result has left. A bank may be overwritten when it has none.
+// Vertices keep their order, and those that read what was in use before the last change are older
+// than those that read what is in use now. So the bank that is not in use is free when a vertex has
+// left that read the one in use, or when none is inside; the buffer likewise. A vertex is inside
+// from its last beat on until at least the clock in which it leaves.
 //
-// Pipeline:   busy_o is a register, a clock behind the count: a bank that has come into use is not
-//             asked about for a packet's length.
-// Parameters: MOST >= 1, the most vertices inside.
+// Pipeline:   busy from the clock after the change until the clock after it became free.
 // Model:      none (order only).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_stream_readers #(
-  parameter MOST = 16
-) (
-  input  wire       clk,
-  input  wire       rst,
-  input  wire       enter_i,
-  input  wire       enter_bank_i,
-  input  wire       leave_i,
-  input  wire       leave_bank_i,
-  output reg  [1:0] busy_o
+module ffd_stream_readers (
+  input  wire clk,
+  input  wire rst,
+  input  wire leave_i,
+  input  wire leave_bank_i,
+  input  wire leave_buffer_i,
+  input  wire leave_lattice_i,  // it has read that buffer
+  input  wire new_bank_i,
+  input  wire new_buffer_i,
+  input  wire bank_i,           // in use
+  input  wire buffer_i,
+  input  wire inside_i,
+  output reg  bank_busy_o,
+  output reg  buffer_busy_o
 );
-  localparam COUNT_W = $clog2(MOST + 1);
+  wire bank_left   = leave_i && leave_bank_i == bank_i;
+  wire buffer_left = leave_i && leave_lattice_i && leave_buffer_i == buffer_i;
 
-  genvar b;
-  generate
-    for (b = 0; b < 2; b = b + 1) begin : gen_bank
-      localparam [0:0] BANK = b;
-      reg  [COUNT_W-1:0] inside_q;
-      wire               enter = enter_i && enter_bank_i == BANK;
-      wire               leave = leave_i && leave_bank_i == BANK;
-      always @(posedge clk) begin
-        if (rst) inside_q <= {COUNT_W{1'b0}};
-        else if (enter && !leave) inside_q <= inside_q + 1'b1;
-        else if (leave && !enter) inside_q <= inside_q - 1'b1;
-      end
-      always @(posedge clk) busy_o[b] <= !rst && inside_q != {COUNT_W{1'b0}};
+  always @(posedge clk) begin
+    if (rst) begin
+      bank_busy_o   <= 1'b0;
+      buffer_busy_o <= 1'b0;
+    end else begin
+      bank_busy_o   <= inside_i && (new_bank_i || (bank_busy_o && !bank_left));
+      buffer_busy_o <= inside_i && (new_buffer_i || (buffer_busy_o && !buffer_left));
     end
-  endgenerate
+  end
 endmodule
 
 `default_nettype wire

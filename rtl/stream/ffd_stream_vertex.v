@@ -1,147 +1,205 @@
 // ffd_stream_vertex: the beat of a vertex becomes what the evaluator takes
 //
-// Checks cell and coordinates, and by the mode of the packet (docs/interface.md section 2) clamps
-// them into the lattice, passes them or blanks the result. A cell of the resident lattice is always
-// brought inside, whatever the mode: nothing reads beyond the lattice.
+// Keeps what is known of a vertex until its last beat, and by the mode of its packet
+// (docs/interface.md section 2) clamps it into the lattice, passes it or blanks its result. The
+// cell of a resident lattice has been brought inside, whatever the mode. Whole vertices wait in a
+// queue for the evaluator.
 //
-// Formats:    coordinates {u, t, s} as stream words; results FFD_RESULTS_*;
-//             user {last, blank, status, tag}, status {unloaded, truncated, outside, NaN, clamped,
-//             0}.
-// Pipeline:   vertex_i while the beat of a vertex is due, taken or not; an interleaved vertex waits
-//             here for its points; the vertex is offered in the clock after finish_i.
-// Freezes:    finish_i only while no vertex is offered, or the one that is is taken.
-// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 1.
+// Formats:    coordinates {u, t, s} as weights; results FFD_RESULTS_*; user as FFD_USER_*.
+// Pipeline:   inputs up to tag_i .. exponent_i with the beat, *_there_i and below when its numbers
+//             are there, LATENCY clocks later; the vertex is offered 3 clocks behind.
+// Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
+// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 2, LATENCY >= 1, WAITING a power of two >= 2.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
+`include "ffd_stream.vh"
 
 module ffd_stream_vertex #(
   parameter FORMAT   = 18,
-  parameter SOURCE_W = 2
+  parameter SOURCE_W = 2,
+  parameter LATENCY  = 1,
+  parameter WAITING  = 16
 ) (
-  input  wire                                clk,
-  input  wire                                rst,
-  input  wire                                header_i,
-  input  wire                                vertex_i,
-  input  wire                                finish_i,
-  input  wire [127:0]                        data_i,
-  input  wire                                bounded_i,
-  input  wire [11:0]                         last_cell_i,
-  input  wire                                truncated_i,
-  input  wire                                unloaded_i,
-  input  wire                                last_i,
-  input  wire [SOURCE_W-1:0]                 source_i,
-  input  wire                                bank_i,
-  input  wire                                changed_i,
-  input  wire [1:0]                          results_i,
-  input  wire [`FFD_EXPONENT_W-1:0]          exponent_i,
-  output wire [11:0]                         cell_o,
-  output reg                                 m_vertex_valid,
-  input  wire                                m_vertex_ready,
-  output reg  [95:0]                         m_vertex_coordinates,
-  output reg  [11:0]                         m_vertex_cell,
-  output reg  [SOURCE_W-1:0]                 m_vertex_source,
-  output reg                                 m_vertex_bank,
-  output reg                                 m_vertex_changed,
-  output reg  [1:0]                          m_vertex_results,
-  output reg  [`FFD_EXPONENT_W-1:0]          m_vertex_exponent,
-  output reg  [23:0]                         m_vertex_user,
-  output wire                                nan_o,
-  output wire                                outside_o,
-  output wire                                cell_outside_o
+  input  wire                                 clk,
+  input  wire                                 rst,
+  input  wire                                 finish_i,
+  input  wire [11:0]                          cell_i,
+  input  wire                                 beyond_i,
+  input  wire                                 clamp_i,
+  input  wire                                 refuse_i,
+  input  wire                                 no_functions_i,
+  input  wire                                 no_lattice_i,
+  input  wire [15:0]                          tag_i,
+  input  wire [SOURCE_W-1:0]                  source_i,
+  input  wire                                 bank_i,
+  input  wire                                 changed_i,
+  input  wire [1:0]                           results_i,
+  input  wire [`FFD_EXPONENT_W-1:0]           exponent_i,
+  input  wire                                 vertex_there_i,
+  input  wire                                 finish_there_i,
+  input  wire                                 top_i,
+  input  wire                                 final_i,
+  input  wire [3*`FFD_POINT_W(FORMAT)-1:0]    numbers_i,
+  input  wire                                 nan_i,
+  input  wire                                 outside_i,
+  output wire [11:0]                          held_cell_o,
+  output wire [SOURCE_W-2:0]                  held_slot_o,
+  output wire                                 room_o,
+  output wire                                 rooms_o,  // for two
+  output wire                                 waiting_o,
+  output reg                                  m_vertex_valid,
+  input  wire                                 m_vertex_ready,
+  output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
+  output wire [11:0]                          m_vertex_cell,
+  output wire [SOURCE_W-1:0]                  m_vertex_source,
+  output wire                                 m_vertex_bank,
+  output wire                                 m_vertex_changed,
+  output wire [1:0]                           m_vertex_results,
+  output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
+  output wire [`FFD_USER_W-1:0]               m_vertex_user,
+  output wire                                 nan_o,
+  output wire                                 outside_o,
+  output wire                                 beyond_o,
+  output wire                                 no_functions_o,
+  output wire                                 no_lattice_o
 );
-  localparam VERTEX_W = 96 + 12 + 3 + 16;
+  localparam POINT_W  = `FFD_POINT_W(FORMAT);
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+  localparam COUNT_W  = $clog2(WAITING) + 1;
 
-  localparam [1:0] MODE_CLAMP = 2'd0;
-  localparam [1:0] MODE_PASS  = 2'd1;
+  // ---- room: vertices between their last beat and the evaluator
 
-  reg [1:0] mode_q;
+  reg  [COUNT_W-1:0] waiting_q;
+  wire               leave = m_vertex_valid && m_vertex_ready;
+  assign room_o    = !waiting_q[COUNT_W-1];
+  assign waiting_o = waiting_q != {COUNT_W{1'b0}};
+  assign rooms_o   = room_o && !(&waiting_q[COUNT_W-2:0]);
   always @(posedge clk) begin
-    if (header_i) mode_q <= data_i[65:64];
+    if (rst) waiting_q <= {COUNT_W{1'b0}};
+    else if (finish_i && !leave) waiting_q <= waiting_q + 1'b1;
+    else if (leave && !finish_i) waiting_q <= waiting_q - 1'b1;
   end
-  wire clamp = mode_q == MODE_CLAMP;
 
-  // ---- the beat
+  // ---- what came with the vertex's beat
 
-  wire [95:0] coordinates;
-  wire [11:0] cell_index;
-  wire [2:0]  nan;
-  wire [2:0]  outside;
-  wire [2:0]  beyond;
+  localparam KNOWN_W = 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + 5 + 16;
+  localparam NUMBERS_W = 3 * WEIGHT_W;
+  wire [KNOWN_W-1:0]         known;
+  wire [NUMBERS_W-1:0]       coordinates;
+  reg  [KNOWN_W-1:0]         known_q;
+  reg  [NUMBERS_W-1:0]       coordinates_q;
+  reg                        nan_q;
+  reg                        outside_q;
+
+  ffd_num_delay #(
+    .WIDTH  (KNOWN_W),
+    .LATENCY(LATENCY)
+  ) u_known (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i, refuse_i,
+          no_functions_i, no_lattice_i, tag_i}),
+    .q_o(known)
+  );
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
-      wire [31:0] clamped;
-      wire [3:0]  asked = data_i[112+4*a +: 4];
-      wire [3:0]  last  = last_cell_i[4*a +: 4];
-      assign beyond[a] = bounded_i && asked > last;
-      assign cell_index[4*a +: 4] = beyond[a] ? last : asked;
-
-      ffd_num_range #(
-        .FORMAT(FORMAT)
-      ) u_range (
-        .word_i   (data_i[32*a +: 32]),
-        .nan_o    (nan[a]),
-        .outside_o(outside[a]),
-        .clamped_o(clamped)
-      );
-
-      assign coordinates[32*a +: 32] = !clamp    ? data_i[32*a +: 32]
-                                     : beyond[a] ? `FFD_ONE_WORD(FORMAT) : clamped;
+      assign coordinates[a*WEIGHT_W +: WEIGHT_W] = numbers_i[a*POINT_W +: WEIGHT_W];
     end
   endgenerate
 
-  // ---- kept until its points have come
-
-  wire [VERTEX_W-1:0] beat = {coordinates, cell_index, |nan, |outside, |beyond, data_i[111:96]};
-  reg  [VERTEX_W-1:0] beat_q;
   always @(posedge clk) begin
-    if (vertex_i) beat_q <= beat;
-  end
-  wire [VERTEX_W-1:0] now = vertex_i ? beat : beat_q;
-
-  wire [95:0] now_coordinates;
-  wire [11:0] now_cell;
-  wire        now_nan;
-  wire        now_outside;
-  wire        now_beyond;
-  wire [15:0] now_tag;
-  assign {now_coordinates, now_cell, now_nan, now_outside, now_beyond, now_tag} = now;
-
-  assign cell_o         = beat_q[19 +: 12];
-  assign nan_o          = finish_i && now_nan;
-  assign outside_o      = finish_i && now_outside;
-  assign cell_outside_o = finish_i && now_beyond;
-
-  // ---- offered
-
-  wire       out     = now_outside || now_beyond;
-  wire       refused = out && !clamp && mode_q != MODE_PASS;
-  wire       blank   = truncated_i || unloaded_i || now_nan || refused;
-  wire [5:0] status  = {unloaded_i, truncated_i, out, now_nan, out && clamp, 1'b0};
-
-  always @(posedge clk) begin
-    if (rst) m_vertex_valid <= 1'b0;
-    else if (finish_i) m_vertex_valid <= 1'b1;
-    else if (m_vertex_ready) m_vertex_valid <= 1'b0;
-  end
-  // Whatever is here while nothing is offered, a vertex or not.
-  always @(posedge clk) begin
-    if (!m_vertex_valid || m_vertex_ready) begin
-      m_vertex_coordinates <= now_coordinates;
-      m_vertex_cell        <= now_cell;
-      m_vertex_source      <= source_i;
-      m_vertex_bank        <= bank_i;
-      m_vertex_changed     <= changed_i;
-      m_vertex_results     <= results_i;
-      m_vertex_exponent    <= exponent_i;
-      m_vertex_user        <= {last_i, blank, status, now_tag};
+    if (vertex_there_i) begin
+      known_q       <= known;
+      coordinates_q <= coordinates;
+      nan_q         <= nan_i;
+      outside_q     <= outside_i;
     end
   end
 
-  wire unused_ok = &{1'b0, data_i};
+  // ---- when it is whole: a vertex's only beat, or the last of its points
+
+  wire [4:0] facts   = vertex_there_i ? known[20:16] : known_q[20:16];
+  wire       nan     = vertex_there_i ? nan_i : nan_q;
+  wire       outside = vertex_there_i ? outside_i : outside_q;
+  assign beyond_o       = finish_there_i && facts[4];
+  assign no_functions_o = finish_there_i && facts[1];
+  assign no_lattice_o   = finish_there_i && facts[0];
+  assign nan_o          = finish_there_i && nan;
+  assign outside_o      = finish_there_i && outside;
+
+  reg whole_q;
+  reg top_q;
+  reg final_q;
+  always @(posedge clk) begin
+    whole_q <= finish_there_i && !rst;
+    top_q   <= top_i;
+    final_q <= final_i;
+  end
+
+  // ---- a clock later it goes into the queue
+
+  wire [1:0]                 results;
+  wire [`FFD_EXPONENT_W-1:0] exponent;
+  wire [SOURCE_W-1:0]        source;
+  wire                       bank;
+  wire                       changed;
+  wire [11:0]                cell_index;
+  wire                       beyond;
+  wire                       clamp;
+  wire                       refuse;
+  wire                       no_functions;
+  wire                       no_lattice;
+  wire [15:0]                tag;
+  assign {results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
+          no_functions, no_lattice, tag} = known_q;
+  assign held_cell_o = cell_index;
+  assign held_slot_o = source[SOURCE_W-2:0];
+
+  wire       resident  = source[SOURCE_W-1];
+  wire       truncated = !resident && !top_q;
+  wire       unloaded  = no_functions || no_lattice;
+  wire       out       = outside_q || beyond;
+  wire       blank     = truncated || unloaded || nan_q || (out && refuse);
+  wire [5:0] status    = {unloaded, truncated, out, nan_q, out && clamp, 1'b0};
+
+  // The buffer is that bit of the source where there is one.
+  wire [`FFD_USER_W-1:0] user = {resident, source[0], bank, final_q, blank, status, tag};
+
+  // The head of the queue waits in a register, near to the evaluator.
+  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + NUMBERS_W;
+  wire                queue_ready;
+  wire                next_valid;
+  wire                next_ready = !m_vertex_valid || m_vertex_ready;
+  wire [VERTEX_W-1:0] next;
+  reg  [VERTEX_W-1:0] vertex_q;
+
+  ffd_stream_fifo #(
+    .WIDTH(VERTEX_W),
+    .DEPTH(WAITING)
+  ) u_queue (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(whole_q),
+    .s_word_ready(queue_ready),
+    .s_word_data ({user, results, exponent, source, bank, changed, cell_index, coordinates_q}),
+    .m_word_valid(next_valid),
+    .m_word_ready(next_ready),
+    .m_word_data (next)
+  );
+
+  always @(posedge clk) begin
+    if (rst) m_vertex_valid <= 1'b0;
+    else if (next_ready) m_vertex_valid <= next_valid;
+  end
+  always @(posedge clk) if (next_ready) vertex_q <= next;
+  assign {m_vertex_user, m_vertex_results, m_vertex_exponent, m_vertex_source, m_vertex_bank,
+          m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q;
+
+  wire unused_ok = &{1'b0, queue_ready, numbers_i, facts};
 endmodule
 
 `default_nettype wire

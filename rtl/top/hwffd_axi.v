@@ -17,6 +17,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_eval.vh"
+`include "ffd_stream.vh"
 
 module hwffd_axi #(
   parameter ORG               = 0,
@@ -30,6 +31,8 @@ module hwffd_axi #(
   parameter CONVERT_LATENCY   = 1,
   parameter AXIS              = 16,
   parameter IN_FLIGHT         = 128,
+  parameter WAITING           = 16,
+  parameter FEATURES          = `FFD_FEATURES,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
@@ -79,7 +82,11 @@ module hwffd_axi #(
   assign m_axi_awprot  = PROT_WORD[2:0];
 
   wire clk = aclk;
-  wire rst = !aresetn;
+
+  // The reset inside is a clock longer than outside: it is high in the clock after, too.
+  reg  reset_q;
+  wire rst = !aresetn || reset_q;
+  always @(posedge clk) reset_q <= !aresetn;
 
   // ---- registers
 
@@ -333,7 +340,9 @@ module hwffd_axi #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .AXIS           (AXIS),
-    .IN_FLIGHT      (IN_FLIGHT)
+    .IN_FLIGHT      (IN_FLIGHT),
+    .WAITING        (WAITING),
+    .FEATURES       (FEATURES)
   ) u_core (
     .aclk          (clk),
     .aresetn       (!core_rst),

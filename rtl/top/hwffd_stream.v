@@ -13,7 +13,9 @@
 //             each vertex, a clock after its last result has left the evaluator; idle_o is 1 when
 //             no packet is under way and no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
-//             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside.
+//             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside; WAITING, one of
+//             two >= 2, the most vertices before them; FEATURES, what is built, as in
+//             ffd_stream.vh.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -32,7 +34,9 @@ module hwffd_stream #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 16,
-  parameter IN_FLIGHT       = 128
+  parameter IN_FLIGHT       = 128,
+  parameter WAITING         = 16,
+  parameter FEATURES        = `FFD_FEATURES
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -52,7 +56,8 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  localparam READ_LATENCY = 2;
+  // The paper's units are too fast for a register behind the choice of a single lane.
+  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 3;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
@@ -64,61 +69,68 @@ module hwffd_stream #(
   wire clk = aclk;
   wire rst = !aresetn;
 
-  wire [`FFD_KIND_W-1:0] kind;
-  wire                   in_valid;
-  wire                   in_ready;
-  wire [127:0]           in_data;
-  wire                   in_last;
-  wire [`FFD_KIND_W-1:0] in_kind;
+  wire                     take_in = s_axis_tvalid && s_axis_tready;
+  wire [`FFD_FRAME_W-1:0]  frame;
+  wire                     claims;
+  wire                     between;
+  wire                     slot_free;
+  wire                     rooms;
+  wire                     in_valid;
+  wire                     in_held;
+  wire                     in_go;
+  wire [127:0]             in_data;
+  wire                     in_last;
+  wire [`FFD_FRAME_W-1:0]  in_frame;
 
-  ffd_stream_header #(
-    .AXIS(AXIS)
-  ) u_header (
-    .data_i(s_axis_tdata),
-    .kind_o(kind)
+  ffd_stream_framer #(
+    .AXIS    (AXIS),
+    .FEATURES(FEATURES)
+  ) u_framer (
+    .clk     (clk),
+    .rst     (rst),
+    .take_i  (take_in),
+    .data_i  (s_axis_tdata),
+    .last_i  (s_axis_tlast),
+    .frame_o (frame),
+    .claims_o(claims),
+    .idle_o  (between)
   );
 
-  ffd_stream_skid #(
-    .WIDTH(`FFD_KIND_W + 129)
+  wire waits = frame[`FFD_FRAME_BANK] || frame[`FFD_FRAME_BUFFER] || (claims && !slot_free)
+            || (frame[`FFD_FRAME_FINISH] && !rooms);
+
+  ffd_stream_intake #(
+    .WIDTH(`FFD_FRAME_W + 129)
   ) u_in (
     .clk         (clk),
     .rst         (rst),
     .s_beat_valid(s_axis_tvalid),
     .s_beat_ready(s_axis_tready),
-    .s_beat_data ({kind, s_axis_tlast, s_axis_tdata}),
-    .m_beat_valid(in_valid),
-    .m_beat_ready(in_ready),
-    .m_beat_data ({in_kind, in_last, in_data})
+    .s_beat_waits(waits),
+    .s_beat_data ({frame, s_axis_tlast, s_axis_tdata}),
+    .go_i        (in_go),
+    .held_o      (in_held),
+    .beat_valid_o(in_valid),
+    .beat_data_o ({in_frame, in_last, in_data})
   );
 
+  wire [4*POINT_W-1:0]              numbers;
   wire                              load;
   wire [1:0]                        load_axis;
   wire [3:0]                        load_address;
+  wire [1:0]                        load_shift;
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
   wire                              lattice_write;
   wire                              lattice_buffer;
   wire [11:0]                       lattice_at;
-  wire [95:0]                       lattice_words;
   wire                              slot_write;
   wire [SLOT_W-1:0]                 slot;
   wire [11:0]                       slot_cell;
   wire [3:0]                        slot_group;
   wire [1:0]                        slot_phase;
-  wire [127:0]                      slot_words;
-  wire [`FFD_EXPONENT_W-1:0]        write_exponent;
-  wire                              decoded_valid;
-  wire                              decoded_ready;
-  wire [95:0]                       decoded_coordinates;
-  wire [11:0]                       decoded_cell;
-  wire [SOURCE_W-1:0]               decoded_source;
-  wire                              decoded_bank;
-  wire [`FFD_EXPONENT_W-1:0]        decoded_exponent;
-  wire                              decoded_changed;
-  wire [1:0]                        decoded_results;
-  wire [USER_W-1:0]                 decoded_user;
   wire                              vertex_valid;
   wire                              vertex_ready;
-  wire [95:0]                       vertex_coordinates;
+  wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire                              vertex_bank;
@@ -142,60 +154,64 @@ module hwffd_stream #(
   wire                              result_valid;
   wire                              result_ready;
   wire [95:0]                       result_words;
-  wire [1:0]                        result_flags;
+  wire [2:0]                        result_flags;
   wire                              result_determinant;
   wire                              result_final;
   wire [USER_W-1:0]                 result_user;
-  wire [127:0]                      result_beat;
+  wire                              evaluating;
   wire                              decoder_idle;
   wire                              leave  = result_valid && result_ready;
 
   // Of the bank and buffer that a vertex has read, a clock after it has left.
   reg                               retire_q;
   reg  [2:0]                        retire_user_q;
+  reg                               saturated_q;
   always @(posedge clk) begin
     retire_q      <= leave && result_final && !rst;
+    saturated_q   <= leave && result_flags[0] && !result_user[`FFD_USER_BLANK] && !rst;
     retire_user_q <= result_user[`FFD_USER_RETIRE(USER_W)];
   end
 
   ffd_stream_decoder #(
-    .FORMAT   (FORMAT),
-    .SLOTS    (SLOTS),
-    .IN_FLIGHT(IN_FLIGHT + 3)
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES),
+    .SLOTS   (SLOTS),
+    .WAITING (WAITING)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
-    .s_beat_valid        (in_valid),
-    .s_beat_ready        (in_ready),
-    .s_beat_data         (in_data),
-    .s_beat_kind         (in_kind),
-    .s_beat_last         (in_last),
+    .beat_valid_i        (in_valid),
+    .beat_data_i         (in_data),
+    .beat_last_i         (in_last),
+    .beat_frame_i        (in_frame),
+    .go_o                (in_go),
+    .numbers_o           (numbers),
     .load_o              (load),
     .load_axis_o         (load_axis),
     .load_address_o      (load_address),
-    .load_entry_o        (load_entry),
+    .load_shift_o        (load_shift),
     .lattice_write_o     (lattice_write),
     .lattice_buffer_o    (lattice_buffer),
     .lattice_at_o        (lattice_at),
-    .lattice_words_o     (lattice_words),
     .slot_write_o        (slot_write),
     .slot_o              (slot),
     .slot_cell_o         (slot_cell),
     .slot_group_o        (slot_group),
     .slot_phase_o        (slot_phase),
-    .slot_words_o        (slot_words),
-    .write_exponent_o    (write_exponent),
-    .m_vertex_valid      (decoded_valid),
-    .m_vertex_ready      (decoded_ready),
-    .m_vertex_coordinates(decoded_coordinates),
-    .m_vertex_cell       (decoded_cell),
-    .m_vertex_source     (decoded_source),
-    .m_vertex_bank       (decoded_bank),
-    .m_vertex_changed    (decoded_changed),
-    .m_vertex_results    (decoded_results),
-    .m_vertex_exponent   (decoded_exponent),
-    .m_vertex_user       (decoded_user),
+    .m_vertex_valid      (vertex_valid),
+    .m_vertex_ready      (vertex_ready),
+    .m_vertex_coordinates(vertex_coordinates),
+    .m_vertex_cell       (vertex_cell),
+    .m_vertex_source     (vertex_source),
+    .m_vertex_bank       (vertex_bank),
+    .m_vertex_changed    (vertex_changed),
+    .m_vertex_results    (vertex_results),
+    .m_vertex_exponent   (vertex_exponent),
+    .m_vertex_user       (vertex_user),
+    .slot_free_o         (slot_free),
+    .rooms_o             (rooms),
     .slot_free_i         (read_last && !read_again && !read_source[SLOT_W]),
+    .evaluating_i        (evaluating),
     .retire_i            (retire_q),
     .retire_user_i       (retire_user_q),
     .event_o             (event_o[`FFD_EVENTS-1:0]),
@@ -204,24 +220,16 @@ module hwffd_stream #(
     .idle_o              (decoder_idle)
   );
 
-  localparam VERTEX_W = USER_W + `FFD_EXPONENT_W + 2 + 1 + 1 + SOURCE_W + 12 + 96;
-
-  ffd_stream_skid #(
-    .WIDTH(VERTEX_W)
-  ) u_decoded (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(decoded_valid),
-    .s_beat_ready(decoded_ready),
-    .s_beat_data ({decoded_user, decoded_exponent, decoded_results, decoded_changed, decoded_bank,
-                   decoded_source, decoded_cell, decoded_coordinates}),
-    .m_beat_valid(vertex_valid),
-    .m_beat_ready(vertex_ready),
-    .m_beat_data ({vertex_user, vertex_exponent, vertex_results, vertex_changed, vertex_bank,
-                   vertex_source, vertex_cell, vertex_coordinates})
-  );
+  assign load_entry[4*WEIGHT_W +: 2] = load_shift;
+  genvar w;
+  generate
+    for (w = 0; w < 4; w = w + 1) begin : gen_power
+      assign load_entry[w*WEIGHT_W +: WEIGHT_W] = numbers[w*POINT_W +: WEIGHT_W];
+    end
+  endgenerate
 
   ffd_stream_derivatives #(
+    .FEATURES(FEATURES),
     .SOURCE_W(SOURCE_W),
     .USER_W  (USER_W),
     .LAST    (`FFD_USER_LAST)
@@ -243,23 +251,23 @@ module hwffd_stream #(
   );
 
   ffd_cache_points #(
-    .FORMAT(FORMAT),
-    .N     (N),
-    .SLOTS (SLOTS),
-    .AXIS  (AXIS)
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES),
+    .N       (N),
+    .SLOTS   (SLOTS),
+    .AXIS    (AXIS),
+    .LATENCY (READ_LATENCY)
   ) u_cache (
     .clk             (clk),
+    .numbers_i       (numbers),
     .lattice_write_i (lattice_write),
     .lattice_buffer_i(lattice_buffer),
     .lattice_at_i    (lattice_at),
-    .lattice_words_i (lattice_words),
     .slot_write_i    (slot_write),
     .slot_i          (slot),
     .slot_cell_i     (slot_cell),
     .slot_group_i    (slot_group),
     .slot_phase_i    (slot_phase),
-    .slot_words_i    (slot_words),
-    .write_exponent_i(write_exponent),
     .read_source_i   (read_source),
     .read_cell_i     (read_cell),
     .read_index_i    (read_index),
@@ -279,7 +287,8 @@ module hwffd_stream #(
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SOURCE_W + 1),
     .USER_W         (USER_W + 1),
-    .IN_FLIGHT      (IN_FLIGHT)
+    .IN_FLIGHT      (IN_FLIGHT),
+    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES))
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -303,6 +312,7 @@ module hwffd_stream #(
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points),
+    .evaluating_o        (evaluating),
     .m_result_valid      (result_valid),
     .m_result_ready      (result_ready),
     .m_result_words      (result_words),
@@ -311,32 +321,27 @@ module hwffd_stream #(
     .m_result_user       ({result_final, result_user})
   );
 
+  // The last register: a beat leaves it when it is taken, or when there was none.
   ffd_stream_encoder #(
     .FORMAT(FORMAT)
   ) u_encoder (
-    .words_i      (result_words),
-    .flags_i      (result_flags),
-    .determinant_i(result_determinant),
-    .user_i       (result_user[`FFD_USER_RESULT]),
-    .beat_o       (result_beat)
+    .clk               (clk),
+    .rst               (rst),
+    .s_word_valid      (result_valid),
+    .s_word_ready      (result_ready),
+    .s_word_data       (result_words),
+    .s_word_flags      (result_flags),
+    .s_word_determinant(result_determinant),
+    .s_word_user       (result_user),
+    .m_beat_valid      (m_axis_tvalid),
+    .m_beat_ready      (m_axis_tready),
+    .m_beat_data       (m_axis_tdata),
+    .m_beat_last       (m_axis_tlast)
   );
 
-  ffd_stream_skid #(
-    .WIDTH(129)
-  ) u_out (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(result_valid),
-    .s_beat_ready(result_ready),
-    .s_beat_data ({result_user[`FFD_USER_LAST], result_beat}),
-    .m_beat_valid(m_axis_tvalid),
-    .m_beat_ready(m_axis_tready),
-    .m_beat_data ({m_axis_tlast, m_axis_tdata})
-  );
-
-  assign event_o[`FFD_EVENT_SATURATED] = leave && result_flags[0] && !result_user[`FFD_USER_BLANK];
+  assign event_o[`FFD_EVENT_SATURATED] = saturated_q;
   assign vertex_o = retire_q;
-  assign idle_o = decoder_idle && !in_valid && !m_axis_tvalid;
+  assign idle_o = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
 
   wire unused_ok = &{1'b0, read};
 endmodule

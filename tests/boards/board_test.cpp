@@ -4,8 +4,8 @@
 
 #include "Vboard_icebreaker.h"
 #include "Vboard_ulx3s.h"
-#include "board_model.hpp"
 #include "frame_model.hpp"
+#include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "serial_host.hpp"
 #include "stimulus.hpp"
@@ -16,13 +16,15 @@ namespace {
 struct Ulx3s {
   using Dut = Vboard_ulx3s;
   static constexpr const char* kRow = HWFFD_ULX3S_ROW;
-  static constexpr BoardCore kCore = BoardCore::kStream;
+  static constexpr std::uint32_t kFeatures = model::kAllFeatures;
+  static constexpr int kAxis = 16;
 };
 
 struct Icebreaker {
   using Dut = Vboard_icebreaker;
   static constexpr const char* kRow = HWFFD_ICEBREAKER_ROW;
-  static constexpr BoardCore kCore = BoardCore::kSmall;
+  static constexpr std::uint32_t kFeatures = model::kResidentFeature;
+  static constexpr int kAxis = 4;
 };
 
 constexpr int kClocks = HWFFD_BOARD_CLOCKS;       // of a bit
@@ -61,7 +63,7 @@ class BoardTest : public ::testing::Test {
       : row_(find_configuration(Board::kRow)),
         codec_(row_.format),
         host_(1, kClocks),
-        model_(row_, Board::kCore) {}
+        model_(row_, Board::kFeatures, Board::kAxis) {}
 
   void send_bytes(const std::vector<std::uint8_t>& bytes) {
     for (std::uint8_t byte : bytes) {
@@ -121,7 +123,7 @@ class BoardTest : public ::testing::Test {
   tb::Random random_{7};
   SerialHost<typename Board::Dut> host_;
   FrameModel frames_;
-  BoardModel model_;
+  model::StreamModel model_;
   LatticeWords lattice_;
   std::size_t compared_ = 0;
 };
@@ -201,8 +203,7 @@ TYPED_TEST(BoardTest, FrameBrokenOffByABadCharacter) {
   EXPECT_GE(this->compared_, 3U * 16);
 }
 
-// Loads that are broken off: the old lattice stays; the old coefficients stay, or vertices are
-// marked unloaded until whole ones come.
+// Loads that are broken off: the old lattice and the old coefficients stay.
 TYPED_TEST(BoardTest, LoadsBrokenOff) {
   this->load();
   const std::vector<Beat> loads[] = {
@@ -247,7 +248,7 @@ TYPED_TEST(BoardTest, TooManyAtOnce) {
   for (std::uint8_t byte : frame(packet)) this->host_.send(byte);
   this->host_.level(true, 160 * 160 * kClocks);  // all that a core can hold
   const std::size_t bytes = this->host_.take_bytes().size();
-  if (TypeParam::kCore == BoardCore::kStream) {
+  if ((TypeParam::kFeatures & model::kDerivativesFeature) != 0) {
     EXPECT_GT(bytes, 0U);
     EXPECT_LT(bytes, 16 * 4 * many.size());
   } else {

@@ -29,20 +29,22 @@ module formal_axil_counter #(
   );
 
   (* hierconn *) wire [WIDTH-1:0] \u_dut.count_q ;
+  (* hierconn *) wire             \u_dut.event_q ;
   wire [WIDTH-1:0] count = \u_dut.count_q ;
 
   reg              first_q = 1'b1;
   reg              rst_q;
   reg              event_q;
+  reg              before_q;    // the event that was counted last
   reg              clear_q;
   reg              latch_q;
   reg [WIDTH-1:0]  count_q;
   reg [31:0]       high_q;
-  wire [WIDTH-1:0] base = clear_q ? {WIDTH {1'b0}} : count_q;
   always @(posedge clk) begin
     first_q <= 1'b0;
     rst_q   <= rst;
-    event_q <= event_in;
+    event_q <= event_in && !rst;
+    before_q <= \u_dut.event_q ;
     clear_q <= clear;
     latch_q <= latch;
     count_q <= count;
@@ -50,7 +52,8 @@ module formal_axil_counter #(
   end
 
   always @* if (!first_q) begin
-    counts: assert (count == (rst_q ? {WIDTH {1'b0}} : base + event_q) && low == count[31:0]);
+    counts: assert (count == (rst_q || clear_q ? {WIDTH {1'b0}} : count_q + before_q)
+                   && \u_dut.event_q == event_q && low == count[31:0]);
     latched: assert (high == (rst_q ? 32'd0 : latch_q ? count_q[WIDTH-1:32] : high_q));
   end
 endmodule

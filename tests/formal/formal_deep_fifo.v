@@ -33,7 +33,7 @@ module formal_deep_fifo #(
 
   properties_queue #(
     .WIDTH   (WIDTH),
-    .CAPACITY(DEPTH),
+    .CAPACITY(DEPTH + 1),
     .LATENCY (2),
     .WAIT    (0)
   ) u_properties (

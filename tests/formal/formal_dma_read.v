@@ -5,7 +5,7 @@
 // response. The window is any pair of addresses, held from reset on. A soft reset lasts until rst, as
 // the engine has it.
 //
-// `room` and `live` are inductive: each says besides how the module's registers and a list of open
+// `outstanding`, `room` and `live` are inductive: each says besides how the module's registers and a list of open
 // bursts that is kept here belong together.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -26,6 +26,7 @@ module formal_dma_read #(
   input wire [63:0]  s_address,
   input wire [31:0]  s_length,
   input wire         s_fetch,
+  input wire         s_check,
   input wire         arready,
   input wire         want_answer,
   input wire [127:0] rdata,
@@ -66,6 +67,7 @@ module formal_dma_read #(
     .s_request_address(s_address),
     .s_request_length (s_length),
     .s_request_fetch  (s_fetch),
+    .s_request_check  (s_check),
     .refused_o        (refused),
     .m_axi_arvalid    (arvalid),
     .m_axi_arready    (arready),
@@ -142,27 +144,42 @@ module formal_dma_read #(
   end
 
   // ---- what the address generator holds; once in BURST: first <= next <= last <= window's last
+  localparam BURST_W = $clog2(MAX_BURST);
   (* hierconn *) wire [59:0] \u_dut.u_address.next_q ;
   (* hierconn *) wire [59:0] \u_dut.u_address.last_q ;
-  (* hierconn *) wire [27:0] \u_dut.u_address.beats_q ;
+  (* hierconn *) wire [27:0] \u_dut.u_address.more_q ;
   (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
+  (* hierconn *) wire        \u_dut.u_address.none_q ;
   (* hierconn *) wire        \u_dut.u_address.wraps_q ;
-  (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
-  wire        sum;
-  wire        fits;
+  (* hierconn *) wire        \u_dut.u_address.below_q ;
+  (* hierconn *) wire        \u_dut.u_address.above_q ;
+  (* hierconn *) wire        \u_dut.u_address.same_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_address.left_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_address.offer_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_address.state_q ;
+  wire        holds;
   wire        ar_fits;
   wire        ar_page;
-  properties_burst burst (
+  properties_burst #(
+    .MAX_BURST(MAX_BURST)
+  ) burst (
+    .state_i       (\u_dut.u_address.state_q ),
     .next_i        (\u_dut.u_address.next_q ),
     .last_i        (\u_dut.u_address.last_q ),
-    .beats_i       (\u_dut.u_address.beats_q ),
+    .more_i        (\u_dut.u_address.more_q ),
+    .misaligned_i  (\u_dut.u_address.misaligned_q ),
+    .none_i        (\u_dut.u_address.none_q ),
     .wraps_i       (\u_dut.u_address.wraps_q ),
+    .below_i       (\u_dut.u_address.below_q ),
+    .above_i       (\u_dut.u_address.above_q ),
+    .same_i        (\u_dut.u_address.same_q ),
+    .left_i        (\u_dut.u_address.left_q ),
+    .offer_i       (\u_dut.u_address.offer_q ),
     .window_first_i(window_first),
     .window_last_i (window_last),
     .address_i     (araddr),
     .len_i         (arlen),
-    .sum_o         (sum),
-    .fits_o        (fits),
+    .holds_o       (holds),
     .inside_o      (ar_fits),
     .page_o        (ar_page)
   );
@@ -177,13 +194,16 @@ module formal_dma_read #(
   (* hierconn *) wire               \u_dut.burst_last ;
   (* hierconn *) wire               \u_dut.fetch_q ;
   (* hierconn *) wire               \u_dut.stop_q ;
-  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.memory_q[0] ;
-  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.memory_q[1] ;
+  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[0] ;
+  (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[1] ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.write_q ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.read_q ;
   (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.write_q ;
   (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.read_q ;
   (* hierconn *) wire [ROOM_W-1:0]  \u_dut.room_q ;
+  (* hierconn *) wire               \u_dut.left_q ;
+  (* hierconn *) wire               \u_dut.taken_q ;
+  (* hierconn *) wire               \u_dut.dropped_q ;
   (* hierconn *) wire               \u_dut.held_q ;
   (* hierconn *) wire               \u_dut.release_held ;
   (* hierconn *) wire               \u_dut.fifo_ready ;
@@ -213,7 +233,7 @@ module formal_dma_read #(
   reg  [1:0]  place_q;      // of its last burst
   reg  [27:0] left_q;       // beats that are in no burst yet
   reg  [33:0] budget_q;     // clocks that are left
-  wire        accept = s_valid && s_ready && follow && !follow_q;
+  wire        accept = s_valid && s_ready && follow && !follow_q && !s_check;
   always @(posedge clk) begin
     due_q <= 1'b0;
     if (rst || soft || fault) follow_q <= 1'b0;
@@ -232,7 +252,7 @@ module formal_dma_read #(
       due_q    <= follow_q && !due_q && place_q == 0;
       place_q  <= place_q - 1'b1;
     end
-    if (accept) budget_q <= {s_length[31:4], 2'd0} + 2 + busy;
+    if (accept) budget_q <= {s_length[31:4], 3'd0} + 3 + busy;
     else if (!stalled) budget_q <= budget_q - 1'b1;
   end
 
@@ -256,8 +276,8 @@ module formal_dma_read #(
       len = i == count_q ? arlen : lens_q[8*i +: 8];
       if (i < total) begin
         kept     = i[0] ^ \u_dut.u_outstanding.read_q [0]
-                 ? \u_dut.u_outstanding.u_memory.memory_q[1] [61:60]
-                 : \u_dut.u_outstanding.u_memory.memory_q[0] [61:60];
+                 ? \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[1] [61:60]
+                 : \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[0] [61:60];
         whole    = whole && len < MAX_BURST && kept == {last_q[i], fetch_q[i]};
         coming   = coming + len + 1'b1;
         promised = promised + (fetch_q[i] ? 0 : len + 1'b1);
@@ -268,14 +288,23 @@ module formal_dma_read #(
     before   = before - beat_q;
     promised = promised - (fetch_q[0] ? 0 : beat_q);
   end
-  wire [11:0] given  = \u_dut.room_q + level + \u_dut.held_q + promised;
-  wire [11:0] busy   = 2 * coming + arvalid + level + \u_dut.held_q ;
+  wire [11:0] given  = \u_dut.room_q + level + \u_dut.held_q + \u_dut.left_q
+                     + \u_dut.dropped_q + promised - (\u_dut.taken_q ? arlen + 12'd1 : 12'd0);
+  wire [11:0] busy   = 3 * coming + arvalid + 2 * level + 2 * \u_dut.held_q + \u_dut.left_q
+                     + \u_dut.dropped_q ;
   wire        credit = whole && level <= FIFO_DEPTH && (m_valid ? level != 0 : level < 2)
                     && given <= FIFO_DEPTH && (soft_q || given == FIFO_DEPTH)
+                    && !(\u_dut.taken_q && (\u_dut.dropped_q
+                        || (\u_dut.u_address.state_q != 0 && \u_dut.u_address.state_q != 5
+                            && !\u_dut.stop_q && !soft_q)))
+                    && (!\u_dut.taken_q || \u_dut.room_q > arlen)
                     && (rready || (total == 0 && \u_dut.u_address.state_q == 0));
 
   // The followed one in the generator, on its way, or answered in this clock; and the clocks it
   // may still take, which every clock without a stall makes fewer.
+  (* hierconn *) wire \u_dut.u_address.check_q ;
+  wire       reaches = {\u_dut.u_address.wraps_q , \u_dut.u_address.last_q }
+                    == {1'b0, \u_dut.u_address.next_q } + left_q - 61'd1;
   reg        known;
   reg [33:0] rank;
   always @* begin
@@ -283,16 +312,20 @@ module formal_dma_read #(
     if (inside_q) begin
       known = \u_dut.fetch_q == is_fetch_q && !due_q;
       case (\u_dut.u_address.state_q )
-        2'd0: known = known && refused;
-        2'd1: known = known && !refused && \u_dut.u_address.beats_q == left_q;
-        2'd2: known = known && !refused && \u_dut.u_address.beats_q == left_q
-                   && (\u_dut.u_address.misaligned_q || left_q == 0 || sum);
-        default: known = known && !refused && left_q != 0
-                      && {1'b0, \u_dut.u_address.last_q }
-                         == {1'b0, \u_dut.u_address.next_q } + left_q - 61'd1;
+        3'd0: known = known && refused;
+        3'd1: known = known && !refused
+                   && {\u_dut.u_address.none_q , \u_dut.u_address.more_q } == left_q - 29'd1;
+        3'd2, 3'd3: known = known && !refused && (\u_dut.u_address.misaligned_q
+                         || (\u_dut.u_address.none_q ? left_q == 0 : left_q != 0 && reaches));
+        3'd4: known = known && !refused && left_q != 0 && reaches;
+        default: known = known && !refused && left_q != 0 && \u_dut.u_address.state_q == 3'd5
+                      && {1'b0, \u_dut.u_address.last_q } == {1'b0, \u_dut.u_address.next_q }
+                         + \u_dut.u_address.more_q + left_q;
       endcase
+      known = known && !\u_dut.u_address.check_q ;
       if (\u_dut.u_address.state_q != 0)
-        rank = {left_q, 2'd0} + 2'd3 - \u_dut.u_address.state_q + busy;
+        rank = {left_q, 3'd0} + busy + (\u_dut.u_address.state_q == 3'd5 ? 3'd3
+                                        : 3'd4 - \u_dut.u_address.state_q );
     end else if (due_q) begin
       known = is_fetch_q ? fetched : finished;
       rank  = 1;
@@ -302,20 +335,18 @@ module formal_dma_read #(
     end
     known = known && !\u_dut.stop_q && !soft_q;
   end
-  localparam MOST_BUSY = FIFO_DEPTH + 2 * OUTSTANDING * MAX_BURST + 1;
+  localparam MOST_BUSY = 2 * FIFO_DEPTH + 3 * OUTSTANDING * MAX_BURST + 2;
 
   always @* if (!first_q && !rst) begin
     window: assert ((!arvalid || (ar_fits && ar_page && arlen < MAX_BURST && araddr[3:0] == 0))
-                    && (\u_dut.u_address.state_q != 2'd2 || \u_dut.u_address.misaligned_q
-                        || \u_dut.u_address.beats_q == 0 || sum)
-                    && (\u_dut.u_address.state_q != 2'd3 || fits));
+                    && holds);
     stable: assert (!wait_q || (arvalid && araddr == wait_address_q && arlen == wait_len_q));
-    outstanding: assert (count_q + arvalid <= OUTSTANDING);
+    outstanding: assert (credit && count_q + arvalid <= OUTSTANDING);
     room: assert (credit && (!\u_dut.release_held || \u_dut.fifo_ready ));
     answered: assert (!rvalid || rready);
     silent: assert (!failed_q || !arvalid || raised_q);
     quiet_means: assert (!quiet || (count_q == 0 && !arvalid));
-    live: assert (credit && busy <= MOST_BUSY && (!follow_q || (known && rank <= budget_q)));
+    live: assert (holds && credit && busy <= MOST_BUSY && (!follow_q || (known && rank <= budget_q)));
   end
 endmodule
 

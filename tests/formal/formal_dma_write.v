@@ -119,30 +119,52 @@ module formal_dma_write #(
     if (soft_q) assume (soft || rst);
   end
 
+  localparam BURST_W = $clog2(MAX_BURST);
   (* hierconn *) wire [59:0] \u_dut.u_address.next_q ;
   (* hierconn *) wire [59:0] \u_dut.u_address.last_q ;
-  (* hierconn *) wire [27:0] \u_dut.u_address.beats_q ;
+  (* hierconn *) wire [27:0] \u_dut.u_address.more_q ;
   (* hierconn *) wire        \u_dut.u_address.misaligned_q ;
+  (* hierconn *) wire        \u_dut.u_address.none_q ;
   (* hierconn *) wire        \u_dut.u_address.wraps_q ;
-  (* hierconn *) wire [1:0]  \u_dut.u_address.state_q ;
-  wire        sum;
-  wire        fits;
+  (* hierconn *) wire        \u_dut.u_address.below_q ;
+  (* hierconn *) wire        \u_dut.u_address.above_q ;
+  (* hierconn *) wire        \u_dut.u_address.same_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_address.left_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_address.offer_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_address.state_q ;
+  wire        holds;
   wire        aw_fits;
   wire        aw_page;
-  properties_burst burst (
+  properties_burst #(
+    .MAX_BURST(MAX_BURST)
+  ) burst (
+    .state_i       (\u_dut.u_address.state_q ),
     .next_i        (\u_dut.u_address.next_q ),
     .last_i        (\u_dut.u_address.last_q ),
-    .beats_i       (\u_dut.u_address.beats_q ),
+    .more_i        (\u_dut.u_address.more_q ),
+    .misaligned_i  (\u_dut.u_address.misaligned_q ),
+    .none_i        (\u_dut.u_address.none_q ),
     .wraps_i       (\u_dut.u_address.wraps_q ),
+    .below_i       (\u_dut.u_address.below_q ),
+    .above_i       (\u_dut.u_address.above_q ),
+    .same_i        (\u_dut.u_address.same_q ),
+    .left_i        (\u_dut.u_address.left_q ),
+    .offer_i       (\u_dut.u_address.offer_q ),
     .window_first_i(window_first),
     .window_last_i (window_last),
     .address_i     (awaddr),
     .len_i         (awlen),
-    .sum_o         (sum),
-    .fits_o        (fits),
+    .holds_o       (holds),
     .inside_o      (aw_fits),
     .page_o        (aw_page)
   );
+
+  // The length of the burst that may go is that of what is offered, or less.
+  (* hierconn *) wire       \u_dut.go_q ;
+  (* hierconn *) wire       \u_dut.limited_q ;
+  (* hierconn *) wire [7:0] \u_dut.limit_q ;
+  wire        measured = !\u_dut.go_q || \u_dut.u_address.state_q != 3'd4 || !\u_dut.limited_q
+                      || \u_dut.limit_q < \u_dut.u_address.offer_q ;
 
   // ---- bursts whose data has not left, the oldest first, each from the clock its address is raised
   localparam MOST    = 4;
@@ -153,11 +175,8 @@ module formal_dma_write #(
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_outstanding.read_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.write_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.read_q ;
-  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.memory_q[0] ;
-  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.memory_q[1] ;
-  (* hierconn *) wire             \u_dut.u_data.s_beat_ready ;
-  (* hierconn *) wire             \u_dut.u_data.waiting_q ;
-  (* hierconn *) wire [128:0]     \u_dut.u_data.waiting_data_q ;
+  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] ;
+  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1] ;
   reg  [2:0]          count_q;
   reg  [8*MOST-1:0]   lens_q;
   reg  [7:0]          beat_q;
@@ -184,7 +203,7 @@ module formal_dma_write #(
     lens_q <= ended ? lens[8*MOST-1:0] >> 8 : lens[8*MOST-1:0];
   end
 
-  // Through the module from the bus back: the skid's two beats, the burst under way, the lengths.
+  // Through the module from the bus back: the beat there, the burst under way, the lengths.
   integer   i;
   reg       ordered;
   reg [2:0] at;
@@ -194,18 +213,11 @@ module formal_dma_write #(
     beat    = beat_q;
     ordered = count_q <= OUTSTANDING && open_q <= OUTSTANDING && written_q <= OUTSTANDING
            && open <= OUTSTANDING && open == open_q + awvalid && open == total + written_q
-           && (!wait_q || awvalid)
-           && !(\u_dut.u_data.waiting_q && (\u_dut.u_data.s_beat_ready || !wvalid));
+           && (!wait_q || awvalid);
     if (wvalid) begin
       ordered = ordered && count_q != 0 && wlast == (beat == lens[7:0]);
       at      = wlast;
       beat    = wlast ? 0 : beat + 1'b1;
-    end
-    if (\u_dut.u_data.waiting_q ) begin
-      ordered = ordered && at < count_q
-             && \u_dut.u_data.waiting_data_q [128] == (beat == lens[8*at +: 8]);
-      at      = at + \u_dut.u_data.waiting_data_q [128];
-      beat    = \u_dut.u_data.waiting_data_q [128] ? 0 : beat + 1'b1;
     end
     if (\u_dut.active_q ) begin
       ordered = ordered && at < count_q && \u_dut.left_q == lens[8*at +: 8] - beat;
@@ -215,14 +227,12 @@ module formal_dma_write #(
     for (i = 0; i < 2; i = i + 1)
       if (i < lengths)
         ordered = ordered && lens[8*(at+i) +: 8] == (i[0] ^ \u_dut.u_lengths.read_q [0]
-                  ? \u_dut.u_lengths.u_memory.memory_q[1] : \u_dut.u_lengths.u_memory.memory_q[0] );
+                  ? \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1] : \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] );
   end
 
   always @* if (!first_q && !rst) begin
     window: assert ((!awvalid || (aw_fits && aw_page && awlen < MAX_BURST && awaddr[3:0] == 0))
-                    && (\u_dut.u_address.state_q != 2'd2 || \u_dut.u_address.misaligned_q
-                        || \u_dut.u_address.beats_q == 0 || sum)
-                    && (\u_dut.u_address.state_q != 2'd3 || fits));
+                    && holds && measured);
     stable: assert (!wait_q || (awvalid && awaddr == wait_address_q && awlen == wait_len_q));
     data_stable: assert (!wait_data_q || (wvalid && {wlast, wdata} == data_q));
     beats: assert (ordered && (!wvalid || (count_q != 0 && wlast == (beat_q == lens[7:0]))));

@@ -203,7 +203,7 @@ def test_formats():
 
 
 def test_what_is_committed_is_up_to_date(call):
-    assert len(PATHS) == 12
+    assert len(PATHS) == 13
     assert call(made.main, "check") == (0, [], [])
     assert call(registers.main, "check") == (0, [], [])
     assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"

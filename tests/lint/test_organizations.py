@@ -76,10 +76,10 @@ def test_bad_tables(tree, rows, line, word):
 
 
 @pytest.mark.parametrize("name, paper, with_fused, overlapped", (
-    ("basic", 640, 384, 384), ("cg1", 392, 292, 72), ("cg2", 356, 274, 64), ("cg3", 344, 268, 64),
-    ("tree", 96, 72, 48), ("parallel", 15, 12, 6)))
+    ("basic", 640, 384, 192), ("cg1", 392, 292, 64), ("cg2", 356, 274, 64), ("cg3", 344, 268, 64),
+    ("tree", 96, 72, 24), ("parallel", 15, 12, 3)))
 def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
-    unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 6, "read": 2, "contract": 5}
+    unfused, fused = ({"n": 8, "poly": poly, "add": add, "start": 3, "read": 2, "contract": 5}
                       for poly, add in ((6, 1), (3, 0)))
     formulas = organizations.read()[name].formulas
     assert formulas["paper"].value(**unfused) == paper

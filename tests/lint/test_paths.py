@@ -116,7 +116,7 @@ def test_registers_and_tops_have_none(look, module):
 
 
 @pytest.mark.parametrize("module, wanted", (("ffd_axil_slave", ["read_o", "write_o"]),
-                                            ("ffd_dma_engine", ["fault_o", "idle_o"])))
+                                            ("ffd_dma_engine", ["fault_o"])))
 def test_what_follows_inside_is_found_and_nothing_else(look, module, wanted):
     """The port of the slave follows ready, status of the DMA engine its bus, as their heads say:
     both are inside. What the engine gives to bus and streams follows nothing."""

@@ -11,7 +11,7 @@
 namespace hwffd::test {
 namespace {
 
-// A barrel of 2, 4, 5 or 8 contexts spreads its starts within its round; over whole rounds the
+// A barrel of 2, 3, 4, 5 or 8 contexts spreads its starts within its round; over whole rounds the
 // interval is exact.
 constexpr std::size_t kVertices = 1 + 120;
 
@@ -32,7 +32,7 @@ TEST_P(Throughput, ClocksPerVertexWhileTheSourceKeepsUp) {
 }
 
 // A vertex and its points take 49 beats: at one beat in four clocks that is 196 clocks, still less
-// than a vertex takes at the paper's schedule or with the iterative evaluator.
+// than a vertex takes at the paper's schedule, and hardly more than with iterative evaluators.
 TEST_P(Throughput, LoadsTheNextVertexDuringThePresentOne) {
   SystemRun run(GetParam(), 1, "sparse");
   run.send_bspline();
@@ -40,7 +40,7 @@ TEST_P(Throughput, LoadsTheNextVertexDuringThePresentOne) {
   ASSERT_TRUE(run.run());
   const double expected = std::max(4.0 * kVertexBeats, formula(GetParam()));
   // The first beat is offered out of the throttle's step, and a vertex every 196 clocks meets grids
-  // of 6 or 8 in rounds of three or two: whole rounds, later on.
+  // of 3, 8 or 9 in rounds of three, two or nine: whole rounds, later on.
   EXPECT_EQ(run.bench().clocks_per_result(12, 48), expected);
 }
 

@@ -13,7 +13,7 @@ ClockTerms terms_of(const Configuration& row) {
   terms.n = row.n;
   terms.poly = fused ? 3 : 6;
   terms.add = fused ? 0 : 1;
-  terms.start = std::string(row.evaluator) == "iterative" ? 6 : 1;
+  terms.start = std::string(row.evaluator) == "iterative" ? 3 : 1;
   terms.read = 2;
   const int sum = fused ? row.fma_latency + row.add_latency : 2 * row.add_latency;
   terms.contract = row.mul_latency + sum + row.convert_latency;

@@ -5,8 +5,11 @@
 
 namespace hwffd::model {
 
-StreamModel::StreamModel(const Configuration& configuration)
-    : evaluator_(make_evaluator_model(configuration)) {}
+StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
+                         int axis_points)
+    : evaluator_(make_evaluator_model(configuration)),
+      features_(features),
+      axis_points_(axis_points) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;
@@ -56,11 +59,38 @@ void StreamModel::accept(const Beat& beat) {
   state_ = State::kHeader;
 }
 
+/// Whether the core has what a header asks for.
+bool StreamModel::known(const Beat& header) const {
+  const auto has = [&](Feature feature) { return (features_ & feature) != 0; };
+  const std::uint32_t asked = header.words[2] >> 8 & 3;
+  const bool results = asked == static_cast<std::uint32_t>(Results::kDerivatives)
+                           ? has(kDerivativesFeature)
+                       : asked == static_cast<std::uint32_t>(Results::kDeterminant)
+                           ? has(kDeterminantFeature)
+                           : asked == static_cast<std::uint32_t>(Results::kPosition);
+  switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
+    case Opcode::kCoefficients:
+      return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;
+    case Opcode::kLattice:
+      return has(kResidentFeature);
+    case Opcode::kVertices:
+      return has(kResidentFeature) && results;
+    case Opcode::kInterleaved:
+      return has(kInterleavedFeature) && results;
+    default:
+      return false;
+  }
+}
+
 void StreamModel::header(const Beat& beat) {
   header_ = beat;
   beat_ = 0;
   vertices_left_ = beat.words[1];
   state_ = State::kDrop;
+  if (!known(beat)) {
+    ++events_[event::kUnknownOpcode];
+    return;
+  }
   bool starts = false;
   switch (static_cast<Opcode>(beat.words[0] & 0xFF)) {
     case Opcode::kCoefficients:
@@ -77,18 +107,11 @@ void StreamModel::header(const Beat& beat) {
       break;
     case Opcode::kVertices:
     case Opcode::kInterleaved:
-      if ((beat.words[2] >> 8 & 3) == 3) {
-        ++events_[event::kUnknownOpcode];
-        return;
-      }
       wanted_ = static_cast<Results>(beat.words[2] >> 8 & 3);
       resident_ = static_cast<Opcode>(beat.words[0] & 0xFF) == Opcode::kVertices;
       starts = vertices_left_ != 0;
       if (starts) state_ = State::kVertex;
       break;
-    default:
-      ++events_[event::kUnknownOpcode];
-      return;
   }
   if (!starts || beat.last) ++events_[event::kPacketShort];
 }
@@ -102,7 +125,7 @@ int StreamModel::header_exponent() const {
 bool StreamModel::start_lattice() {
   for (int axis = 0; axis < 3; ++axis) {
     new_dims_[axis] = static_cast<int>(header_.words[2] >> (8 * axis)) & 0xFF;
-    if (new_dims_[axis] < 4 || new_dims_[axis] > kAxisPoints) return false;
+    if (new_dims_[axis] < 4 || new_dims_[axis] > axis_points_) return false;
   }
   new_lattice_.clear();
   return true;

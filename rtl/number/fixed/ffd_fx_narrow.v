@@ -3,7 +3,7 @@
 // ffd_fx_round where a wide number is brought back to a narrow one: from sums to points and words.
 //
 // Formats:    as in ffd_fx_round; flags_o is flags_i, bit 0 raised where the value is saturated.
-// Pipeline:   LATENCY registers, II 1, never frozen: from 3 on one between rounding and saturation;
+// Pipeline:   LATENCY registers, II 1, never frozen: from 2 on one between rounding and saturation;
 //             of the others half in front (rounded down), the rest behind.
 // Parameters: IN_W >= 2, DROP >= 0, OUT_W >= 2, FLAGS_W >= 1, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (round_to).  Test: tests/unit/fixed.
@@ -23,7 +23,7 @@ module ffd_fx_narrow #(
   output wire signed [OUT_W-1:0] value_o,
   output wire [FLAGS_W-1:0]      flags_o
 );
-  localparam MIDDLE  = LATENCY > 2 ? 1 : 0;
+  localparam MIDDLE  = LATENCY > 1 ? 1 : 0;
   localparam BEFORE  = (LATENCY - MIDDLE) / 2;
   localparam AFTER   = LATENCY - MIDDLE - BEFORE;
   localparam WHOLE_W = (IN_W > OUT_W + DROP ? IN_W - DROP : OUT_W) + 1;  // holds what is rounded

@@ -1,7 +1,8 @@
 // DP16KD: the block memory of Lattice ECP5, as yosys uses it
 //
-// 512 rows of four bytes of nine bits. Port A writes and port B reads, each 9, 18 or 36 bits wide: the
-// address counts bits, a nine-bit byte as eight of them. An 18-bit port has its byte enables on address
+// 512 rows of four bytes of nine bits. Port A writes and port B reads, each 9, 18 or 36 bits wide, or
+// both 1, 2 or 4, which leave the ninth bits alone: the address counts bits, a nine-bit byte as eight
+// of them. An 18-bit port has its byte enables on address
 // pins 1 and 0, one of 36 bits on 3 to 0; that width takes the data pins of both ports, A's the low
 // half. Read data is registered. Bytes that are read in the clock in which they are written are x, as
 // yosys may not count on them; so are rows that port B writes, read data after a reset, and what port A
@@ -60,6 +61,7 @@ module DP16KD #(
   output wire DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6,
     DOB5, DOB4, DOB3, DOB2, DOB1, DOB0
 );
+  localparam NARROW = DATA_WIDTH_A == 1 || DATA_WIDTH_A == 2 || DATA_WIDTH_A == 4;
   localparam CONTENTS = |{INITVAL_00, INITVAL_01, INITVAL_02, INITVAL_03, INITVAL_04, INITVAL_05,
     INITVAL_06, INITVAL_07, INITVAL_08, INITVAL_09, INITVAL_0A, INITVAL_0B, INITVAL_0C,
     INITVAL_0D, INITVAL_0E, INITVAL_0F, INITVAL_10, INITVAL_11, INITVAL_12, INITVAL_13,
@@ -71,9 +73,10 @@ module DP16KD #(
     INITVAL_37, INITVAL_38, INITVAL_39, INITVAL_3A, INITVAL_3B, INITVAL_3C, INITVAL_3D,
     INITVAL_3E, INITVAL_3F};
   generate
-    if ((DATA_WIDTH_A != 9 && DATA_WIDTH_A != 18 && DATA_WIDTH_A != 36)
-        || (DATA_WIDTH_B != 9 && DATA_WIDTH_B != 18 && DATA_WIDTH_B != 36)) begin : gen_bad_width
-      ERROR_DP16KD_a_width_must_be_9_18_or_36 u_error ();
+    if ((DATA_WIDTH_A != 9 && DATA_WIDTH_A != 18 && DATA_WIDTH_A != 36 && !NARROW)
+        || (DATA_WIDTH_B != 9 && DATA_WIDTH_B != 18 && DATA_WIDTH_B != 36 && !NARROW)
+        || (NARROW && DATA_WIDTH_A != DATA_WIDTH_B)) begin : gen_bad_width
+      ERROR_DP16KD_widths_must_be_9_18_or_36_or_both_1_2_or_4 u_error ();
     end
     if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG") begin : gen_bad_register
       ERROR_DP16KD_the_model_has_no_output_register u_error ();
@@ -109,8 +112,13 @@ module DP16KD #(
 
   wire       write = CEA && WEA && {CSA2, CSA1, CSA0} == 3'd0;
   wire [3:0] bytes = write ? enabled_a << lane_a : 4'd0;
-  wire [35:0] mask = {{9{bytes[3]}}, {9{bytes[2]}}, {9{bytes[1]}}, {9{bytes[0]}}};
-  wire [35:0] shifted = written << 9 * lane_a;
+  // Of a narrow port the bits of its byte that it has.
+  wire [2:0] bit_a = NARROW ? address_a[2:0] : 3'd0;
+  wire [2:0] bit_b = NARROW ? address_b[2:0] : 3'd0;
+  wire [8:0] wide = NARROW ? ((9'd1 << DATA_WIDTH_A) - 9'd1) << bit_a : 9'h1FF;
+  wire [35:0] mask = {wide & {9{bytes[3]}}, wide & {9{bytes[2]}}, wide & {9{bytes[1]}},
+                      wide & {9{bytes[0]}}};
+  wire [35:0] shifted = written << (9 * lane_a + bit_a);
   always @(posedge CLKA) begin
     if (write) memory_q[address_a[13:5]] <= memory_q[address_a[13:5]] & ~mask | shifted & mask;
     if (CEB && WEB) memory_q[address_b[13:5]] <= 36'bx;
@@ -121,7 +129,7 @@ module DP16KD #(
   reg  [35:0] read_q;
   always @(posedge CLKB) begin
     if (RSTB) read_q <= 36'bx;
-    else if (CEB && {CSB2, CSB1, CSB0} == 3'd0) read_q <= row >> 9 * lane_b;
+    else if (CEB && {CSB2, CSB1, CSB0} == 3'd0) read_q <= row >> (9 * lane_b + bit_b);
   end
 
   assign {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5,

@@ -62,7 +62,7 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     dut.write_error_address_i = random.bits();
     dut.result_overflow_i = full;
     dut.timeout_i = static_cast<CData>(late);
-    dut.eval();
+    sim.tick();
 
     const std::uint32_t of_read = named(read, true), of_write = named(write, false);
     std::uint32_t events = core | of_read | of_write;
@@ -81,7 +81,6 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     }
     if ((events & (events - 1)) == 0) alone.insert(events);
     was_full = full;
-    sim.tick();
   }
   EXPECT_EQ(alone.size(), 25U) << "none, and each of 24";
   EXPECT_EQ(HWFFD_ERROR_STATUS_LATTICE_SIZE_SHIFT, 5);

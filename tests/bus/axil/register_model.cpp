@@ -22,6 +22,7 @@ void RegisterModel::reset() {
   }
   irq_ = false;
   located_ = false;
+  errors_ = 0;
 }
 
 std::uint32_t RegisterModel::field_value(const PortValues& inputs,
@@ -95,11 +96,11 @@ std::set<std::string> RegisterModel::store(const tb::AxiLiteWrite& write) {
 
 void RegisterModel::record(const PortValues& inputs, bool held, bool clear) {
   const std::uint64_t events = inputs.at("error_event_i");
-  if (clear) fields_.at("ERROR_COUNT.value") = 0;
-  std::uint64_t count = fields_.at("ERROR_COUNT.value");
-  for (unsigned code = 0; code < 64; ++code) count += events >> code & 1;
+  const std::uint64_t count = clear ? 0 : std::uint64_t{fields_.at("ERROR_COUNT.value")} + errors_;
   fields_.at("ERROR_COUNT.value") =
       static_cast<std::uint32_t>(count > 0xFFFFFFFFu ? 0xFFFFFFFFu : count);
+  errors_ = 0;
+  for (unsigned code = 0; code < 64; ++code) errors_ += events >> code & 1;
   const bool located = inputs.at("error_address_valid_i") != 0;
   if ((events != 0 && !held) || (located && !(held && located_))) {
     const std::uint64_t address = located ? inputs.at("error_address_i") : 0;
@@ -117,8 +118,8 @@ void RegisterModel::record(const PortValues& inputs, bool held, bool clear) {
 
 void RegisterModel::count(const PortValues& inputs, bool clear) {
   for (auto& [port, counter] : counters_) {
-    if (clear) counter.value = 0;
-    counter.value += inputs.at(port + "_event_i");
+    counter.value = clear ? 0 : counter.value + counter.event;
+    counter.event = inputs.at(port + "_event_i");
   }
 }
 

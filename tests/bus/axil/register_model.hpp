@@ -47,6 +47,7 @@ class RegisterModel {
   struct Counter {
     std::uint64_t value = 0;
     std::uint32_t kept = 0;
+    std::uint64_t event = 0;  // of the last clock: counted in this one
   };
 
   Answer do_read(const PortValues& inputs, std::uint32_t address);
@@ -61,6 +62,7 @@ class RegisterModel {
 
   std::map<std::string, std::uint32_t> fields_;  // by path: rw, w1s, w1c, event, log; w1: pulse
   std::map<std::string, Counter> counters_;      // by port
+  unsigned errors_ = 0;                          // of the last clock, as a counter's event
   bool irq_ = false;
   bool located_ = false;  // the record has an address
   std::map<std::string, std::uint64_t> seen_;

@@ -129,7 +129,7 @@ TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
 
 TEST(Rate, IsARequestAClockInBothDirections) {
   RegisterBench bench(4);
-  bench.steps(3);
+  bench.steps(20);  // reset is over, and ready high
   constexpr unsigned kRequests = 1000;
   for (unsigned i = 0; i < kRequests; ++i) {
     bench.driver().write({0x060, i, 0xF});

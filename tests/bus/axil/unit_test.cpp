@@ -32,6 +32,7 @@ TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
   auto& dut = sim->dut();
   dut.event_i = 0;
   dut.latch_i = 1;
+  sim->tick();  // and an event of before is counted
   sim->tick();
   const std::uint32_t high = dut.high_o;
   dut.latch_i = 0;
@@ -52,9 +53,18 @@ TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
   dut.latch_i = 0;
   dut.clear_i = 1;  // with an event in the same clock
   sim->tick();
-  EXPECT_EQ(dut.low_o, 1u);
+  EXPECT_EQ(dut.low_o, 0u);
   EXPECT_EQ(dut.high_o, high + 1);
   dut.event_i = 0;
+  dut.clear_i = 0;
+  sim->tick();
+  EXPECT_EQ(dut.low_o, 1u);
+  sim->tick();
+  EXPECT_EQ(dut.low_o, 1u);
+  dut.clear_i = 1;
+  sim->tick();
+  EXPECT_EQ(dut.low_o, 0u);
+  dut.clear_i = 0;
   sim->tick();
   EXPECT_EQ(dut.low_o, 0u);
 }
@@ -66,6 +76,7 @@ TEST(ErrorRecord, CountStaysAtItsLargest) {
   dut.held_i = 1;
   dut.event_i = 0xFFFF;
   dut.address_valid_i = 0;
+  sim->tick();  // and events of before are counted
   while (dut.count_o < ~0u - 16) {
     const std::uint32_t before = dut.count_o;
     sim->tick();
@@ -75,9 +86,16 @@ TEST(ErrorRecord, CountStaysAtItsLargest) {
   EXPECT_EQ(dut.count_o, ~0u);
   dut.event_i = 1;
   sim->tick();
+  sim->tick();
   EXPECT_EQ(dut.count_o, ~0u);
   dut.event_i = 0x0103;
   dut.clear_i = 1;
+  sim->tick();
+  EXPECT_EQ(dut.count_o, 0u);
+  dut.event_i = 0;
+  dut.clear_i = 0;
+  sim->tick();
+  EXPECT_EQ(dut.count_o, 3u);
   sim->tick();
   EXPECT_EQ(dut.count_o, 3u);
 }

@@ -85,9 +85,9 @@ TEST(Bandwidth, LatencyOfAnIdleBus) {
     const std::uint64_t start = bench.cycle() + 1;
     bench.start_ring();
     const auto& reads = bench.memory.reads();
-    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 1; }), 6u) << "descriptor";
-    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 2; }), 14u) << "address";
-    EXPECT_EQ(clocks_until(bench, start, [&] { return !bench.packets().empty(); }), 18u);
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 1; }), 12u) << "descriptor";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 2; }), 21u) << "address";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return !bench.packets().empty(); }), 25u);
   }
 }
 
@@ -100,9 +100,9 @@ TEST(Bandwidth, LatencyOfAResult) {
   const std::uint64_t taken =
       clocks_until(bench, 0, [&] { return bench.accepted_results().size() == 1; });
   const auto& memory = bench.memory;
-  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.writes().size() == 1; }), 2u);
-  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.write_beats() == 1; }), 4u);
-  EXPECT_EQ(clocks_until(bench, taken, [&] { return bench.status.result_count == 1; }), 6u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.writes().size() == 1; }), 4u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.write_beats() == 1; }), 6u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return bench.status.result_count == 1; }), 8u);
 }
 
 }  // namespace

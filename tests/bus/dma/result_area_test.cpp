@@ -60,7 +60,7 @@ std::uint64_t clocks_to_address(DmaBench& bench) {
 
 // However many beats a `last` has sent on, a beat without one then waits for others.
 TEST_P(ResultArea, AFlushEndsWithItsLastBeat) {
-  constexpr std::uint64_t kPatience = 20;  // FLUSH_CLOCKS, and four for the way to the bus
+  constexpr std::uint64_t kPatience = 21;  // FLUSH_CLOCKS, and five for the way to the bus
   const std::uint64_t burst = GetParam().max_burst;
   for (std::uint64_t flushed = 1; flushed <= std::min<std::uint64_t>(2 * burst + 1, 40);
        ++flushed) {

@@ -37,30 +37,36 @@ module number_units #(
   output wire                              out_saturated_o,
   output wire                              out_nan_o
 );
-  ffd_num_in #(
-    .FORMAT(FORMAT),
-    .ROLE  (`FFD_ROLE_COORDINATE)
-  ) u_coordinate (
-    .word_i    (word_i),
-    .exponent_i(exponent_i),
-    .number_o  (coordinate_o)
-  );
-  ffd_num_in #(
-    .FORMAT(FORMAT),
-    .ROLE  (`FFD_ROLE_COEFFICIENT)
-  ) u_coefficient (
-    .word_i    (word_i),
-    .exponent_i(exponent_i),
-    .number_o  (coefficient_o)
-  );
-  ffd_num_in #(
-    .FORMAT(FORMAT),
-    .ROLE  (`FFD_ROLE_POINT)
-  ) u_point (
-    .word_i    (word_i),
-    .exponent_i(exponent_i),
-    .number_o  (point_o)
-  );
+  localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
+
+  genvar r;
+  generate
+    for (r = 0; r < 3; r = r + 1) begin : gen_role
+      localparam [1:0] ROLE = r;
+      wire [`FFD_POINT_W(FORMAT)-1:0] number;
+      wire                            nan;
+      wire                            outside;
+      ffd_num_in #(
+        .FORMAT(FORMAT)
+      ) u_in (
+        .clk       (clk),
+        .role_i    (ROLE),
+        .clear_i   (1'b0),
+        .clamp_i   (1'b0),
+        .one_i     (1'b0),
+        .word_i    (word_i),
+        .exponent_i(exponent_i),
+        .number_o  (number),
+        .nan_o     (nan),
+        .outside_o (outside)
+      );
+      wire unused_ok = &{1'b0, number, nan, outside};
+    end
+  endgenerate
+  assign coordinate_o  = gen_role[`FFD_ROLE_COORDINATE].number[WEIGHT_W-1:0];
+  assign coefficient_o = gen_role[`FFD_ROLE_COEFFICIENT].number[WEIGHT_W-1:0];
+  assign point_o       = gen_role[`FFD_ROLE_POINT].number;
+
   ffd_num_mul #(
     .FORMAT (FORMAT),
     .LATENCY(MUL_LATENCY)

@@ -18,7 +18,7 @@ struct ClockTerms {
   double n;         ///< control points a step
   double poly;      ///< of a polynomial in the paper's unit times: 6, with fused units 3
   double add;       ///< of an addition behind a multiplication in these: 1, with fused units 0
-  double start;     ///< between polynomials of one evaluator: 1, iterative 6
+  double start;     ///< between polynomials of one evaluator when steps overlap: 1, iterative 3
   double read;      ///< from a read to its points
   double contract;  ///< of a sum of four products, narrowed
 };

@@ -14,11 +14,23 @@ namespace hwffd::model {
 /// How often each event of the stream occurred, by its number in `event::Code`.
 using StreamEvents = std::array<std::uint64_t, kStreamEvents>;
 
+/// What a core has, as the parameter FEATURES of `hwffd_stream` says it.
+enum Feature : std::uint32_t {
+  kResidentFeature = 1U << 8,
+  kInterleavedFeature = 1U << 9,
+  kDerivativesFeature = 1U << 10,
+  kDeterminantFeature = 1U << 11,
+  kAllFeatures = 0xFU << 8,
+};
+
 /// The bit-true model of `hwffd_stream`: command beats in, result beats out, bad packets included.
 /// docs/interface.md section 2. It knows order and bits, not clocks.
 class StreamModel {
  public:
-  explicit StreamModel(const Configuration& configuration);
+  /// @param features     bits of `Feature`; a packet of what is not there is one of unknown opcode
+  /// @param axis_points  of a resident lattice, at most
+  explicit StreamModel(const Configuration& configuration, std::uint32_t features = kAllFeatures,
+                       int axis_points = kAxisPoints);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -37,6 +49,7 @@ class StreamModel {
   enum class State { kHeader, kCoefficients, kLattice, kVertex, kPoints, kDone, kDrop };
   using LatticePoint = std::array<std::uint32_t, 3>;
 
+  bool known(const Beat& header) const;
   void header(const Beat& beat);
   bool start_lattice();
   void coefficients(const Beat& beat);
@@ -51,6 +64,8 @@ class StreamModel {
   int header_exponent() const;
 
   std::unique_ptr<EvaluatorModel> evaluator_;
+  std::uint32_t features_;
+  int axis_points_;
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;

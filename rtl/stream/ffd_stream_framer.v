@@ -1,0 +1,157 @@
+// ffd_stream_framer: what each beat is in its packet
+//
+// In front of the first register of the stream, so that what lies behind finds every beat decided:
+// what it is, which place of the payload it has, and whether something ends with it. A packet is a
+// header beat and its payload, ended by tlast (docs/interface.md section 2):
+//   1 coefficients   12 beats, one a blending function, or 24 with their derivatives
+//   2 lattice        a beat a control point
+//   3 vertices       count beats, one a vertex of the resident lattice
+//   4 interleaved    count vertices of 49 beats: the vertex, then its 64 points
+// The place is a number of three digits, each with a last value of its own: function, axis and
+// derivative of coefficients; k, j and i of a lattice; three beats in sixteen groups of points.
+//
+// Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
+//             belong to nothing, up to tlast. A tlast inside a vertex ends it.
+// Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
+// Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
+// Parameters: those of ffd_stream_header.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_stream.vh"
+
+module ffd_stream_framer #(
+  parameter AXIS     = 16,
+  parameter FEATURES = `FFD_FEATURES
+) (
+  input  wire                      clk,
+  input  wire                      rst,
+  input  wire                      take_i,
+  input  wire [127:0]              data_i,
+  input  wire                      last_i,
+  output wire [`FFD_FRAME_W-1:0]   frame_o,
+  output wire                      claims_o,  // a slot for its points
+  output wire                      idle_o
+);
+  wire [`FFD_KIND_W-1:0] kind;
+
+  ffd_stream_header #(
+    .AXIS    (AXIS),
+    .FEATURES(FEATURES)
+  ) u_header (
+    .data_i(data_i),
+    .kind_o(kind)
+  );
+
+  wire is_coefficients = kind[`FFD_KIND_COEFFICIENTS];
+  wire is_lattice      = kind[`FFD_KIND_LATTICE];
+  wire good_lattice    = is_lattice && kind[`FFD_KIND_DIMENSIONS];
+  wire is_vertices     = kind[`FFD_KIND_VERTICES];
+  wire is_interleaved  = kind[`FFD_KIND_INTERLEAVED];
+  wire of_vertices     = is_vertices || is_interleaved;
+  wire none            = kind[`FFD_KIND_NONE];
+
+  // What the next beat is: one of these, or none up to tlast.
+  reg  header_q;
+  reg  function_q;
+  reg  point_q;
+  reg  vertex_q;
+  reg  points_q;
+  reg  done;      // the first one behind the payload
+
+  reg  resident_q;  // vertices without points of their own
+  wire one;         // it is the last
+  wire top;
+  wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
+  wire payload_done = ((function_q || point_q) && top) || (vertex_done && one);
+
+  always @(posedge clk) begin
+    if (rst) begin
+      {function_q, point_q, vertex_q, points_q, done} <= 5'd0;
+      header_q                                          <= 1'b1;
+    end else if (take_i) begin
+      header_q   <= last_i;
+      function_q <= !last_i && (header_q ? is_coefficients : function_q && !top);
+      point_q    <= !last_i && (header_q ? good_lattice : point_q && !top);
+      vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
+      points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
+      done     <= !last_i && payload_done;
+    end
+  end
+
+  // ---- the number of a vertex in its packet, from 1 on
+
+  reg  [31:0] count_q;
+  reg  [31:0] number_q;
+  assign one = number_q == count_q;
+  always @(posedge clk) begin
+    if (take_i && header_q) begin
+      count_q    <= data_i[63:32];
+      resident_q <= is_vertices;
+    end
+  end
+  always @(posedge clk) begin
+    if (take_i && header_q) number_q <= 32'd1;
+    else if (take_i && vertex_done) number_q <= number_q + 32'd1;
+  end
+
+  // ---- the place
+
+  localparam [11:0] POINTS_TOP    = {4'd0, 4'd15, 4'd2};
+  localparam [7:0]  FUNCTIONS_TOP = {4'd2, 4'd3};
+
+  wire        counts  = function_q || point_q || points_q;
+  wire [2:0]  at_top;
+  wire [2:0]  step    = {at_top[1] && at_top[0], at_top[0], 1'b1};
+  wire [11:0] index;
+  wire [11:0] derivatives_top = {3'd0, data_i[95], FUNCTIONS_TOP};
+
+  genvar d;
+  generate
+    for (d = 0; d < 3; d = d + 1) begin : gen_digit
+      // Digit 0 of a lattice is k, the third axis.
+      wire [3:0] points = data_i[64+8*(2-d) +: 4];
+      reg  [3:0] top_q;
+      reg  [3:0] digit_q;
+      assign at_top[d]       = digit_q == top_q;
+      assign index[4*d +: 4] = digit_q;
+      always @(posedge clk) begin
+        if (take_i && header_q) begin
+          top_q <= is_coefficients ? derivatives_top[4*d +: 4]
+                 : is_lattice      ? points - 4'd1 : POINTS_TOP[4*d +: 4];
+        end
+        if (take_i && !counts) digit_q <= 4'd0;
+        else if (take_i && step[d]) digit_q <= at_top[d] ? 4'd0 : digit_q + 4'd1;
+      end
+    end
+  endgenerate
+
+  assign top = &at_top;
+
+  // ---- the frame
+
+  wire payload = function_q || point_q || vertex_q || points_q;
+  wire refused = !(is_coefficients || good_lattice || of_vertices);
+  wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
+
+  assign frame_o[`FFD_FRAME_INDEX]    = index;
+  assign frame_o[`FFD_FRAME_TOP]      = top;
+  assign frame_o[`FFD_FRAME_HEADER]   = header_q;
+  assign frame_o[`FFD_FRAME_BANK]     = header_q && is_coefficients;
+  assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice;
+  assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
+  assign frame_o[`FFD_FRAME_POINT]    = point_q;
+  assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
+  assign frame_o[`FFD_FRAME_POINTS]   = points_q;
+  assign frame_o[`FFD_FRAME_FINISH]   = finish;
+  assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
+  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
+  assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
+                                     || (header_q && !refused && (last_i || (of_vertices && none)));
+  assign frame_o[`FFD_FRAME_LONG]     = done;
+  assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
+  assign claims_o                     = vertex_q && !resident_q;
+  assign idle_o                       = header_q;
+endmodule
+
+`default_nettype wire
