@@ -79,14 +79,14 @@ def changed(root, folders):
 
 def inclusions(root, compiled):
     """file -> what it includes, as written or, where that is beside it, with its folder; sources
-    that build/ makes come last."""
+    that build/ makes come last, and those that it has not made yet are not there."""
     def named(file, name):
         return str(file.parent / name) if (file.parent / name).is_file() else name
 
     files = sorted({*compiled, *text_rules.Tree(root).cpp},
                    key=lambda file: (root / "build" in file.parents, file))
     return {file: [named(file, name) for name in _INCLUDE.findall(file.read_text(errors="replace"))]
-            for file in files}
+            for file in files if file.is_file()}
 
 
 def includer(header, includes, compiled):
