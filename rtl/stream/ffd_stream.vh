@@ -6,9 +6,8 @@
 `include "ffd_events.vh"
 `include "ffd_fields.vh"
 
-// Of the user word, a vertex's way around the evaluator: what the encoder makes a result of; and
-// its highest bits, which say what is free when the vertex has left.
-`define FFD_USER_RESULT        `FFD_USER_BLANK:0
+// Of the user word, a vertex's way around the evaluator: its highest bits, which say what is free
+// when the vertex has left.
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
 // What a beat would be as a header: its opcode, good dimensions, a count of 0.
@@ -24,7 +23,6 @@
 `define FFD_RESULTS_POSITION    2'd0
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
-`define FFD_RESULTS_BAD         2'd3
 
 // What a core has, bits of FEATURES; docs/interface.md section 1.
 `define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
