@@ -6,8 +6,9 @@
 // clock, each memory at the beat in question, and turned round by n.
 //
 // Formats:    numbers of four words; point {z, y, x} of the slot at local index {l, m, n}.
-// Pipeline:   2 clocks: memory | register; turned round behind it. II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2.
+// Pipeline:   AHEAD + 2 clocks: addresses, AHEAD registers | memory | register; turned round behind
+//             it. II 1, never frozen.
+// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2, AHEAD >= 0.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,6 +17,7 @@
 module ffd_cache_beats #(
   parameter FORMAT = 18,
   parameter SLOTS  = 3,
+  parameter AHEAD  = 0,
   parameter SLOT_W = $clog2(SLOTS)
 ) (
   input  wire                                 clk,
@@ -30,8 +32,9 @@ module ffd_cache_beats #(
 );
   localparam POINT_W = `FFD_POINT_W(FORMAT);
 
-  wire [3:0]           group = read_local_i[5:2];
-  wire [1:0]           n     = read_local_i[1:0];
+  wire [3:0]           group;
+  wire [1:0]           n;
+  wire [SLOT_W-1:0]    slot;
   wire [4*POINT_W-1:0] words;
   reg  [4*POINT_W-1:0] words_q;
   reg  [1:0]           n_q;
@@ -43,10 +46,21 @@ module ffd_cache_beats #(
   end
 
   // The beat of a group that has word w of point n, where there is such a word.
-  wire [7:0] phase = {n == 2'd0 ? 2'd0 : n - 2'd1,   // w = 3: points 1, 2, 3
-                      n > 2'd1 ? n - 2'd1 : 2'd0,    // w = 2: points 0, 2, 3
-                      n == 2'd3 ? 2'd2 : n,          // w = 1: points 0, 1, 3
-                      n};                            // w = 0: points 0, 1, 2
+  wire [1:0] first = read_local_i[1:0];
+  wire [7:0] phase;
+  ffd_num_delay #(
+    .WIDTH  (SLOT_W + 4 + 2 + 8),
+    .LATENCY(AHEAD)
+  ) u_ahead (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({read_slot_i, read_local_i,
+          first == 2'd0 ? 2'd0 : first - 2'd1,   // w = 3: points 1, 2, 3
+          first > 2'd1 ? first - 2'd1 : 2'd0,    // w = 2: points 0, 2, 3
+          first == 2'd3 ? 2'd2 : first,          // w = 1: points 0, 1, 3
+          first}),                               // w = 0: points 0, 1, 2
+    .q_o({slot, group, n, phase})
+  );
 
   genvar w;
   generate
@@ -62,7 +76,7 @@ module ffd_cache_beats #(
         .write_address_i({write_slot_i, write_group_i, write_phase_i}),
         .write_data_i   (write_numbers_i[w*POINT_W +: POINT_W]),
         .read_i         (1'b1),
-        .read_address_i ({read_slot_i, group, phase[2*w +: 2]}),
+        .read_address_i ({slot, group, phase[2*w +: 2]}),
         .read_data_o    (words[w*POINT_W +: POINT_W])
       );
     end
@@ -71,9 +85,14 @@ module ffd_cache_beats #(
   genvar c;
   generate
     for (c = 0; c < 3; c = c + 1) begin : gen_component
-      localparam [1:0] FIRST = c;
-      wire [1:0] word = FIRST - n_qq;  // 3 n + c modulo 4
-      assign point_o[c*POINT_W +: POINT_W] = words_q[word*POINT_W +: POINT_W];
+      // Word 3 n + c modulo 4.
+      localparam OF_0 = c;
+      localparam OF_1 = (c + 3) % 4;
+      localparam OF_2 = (c + 2) % 4;
+      localparam OF_3 = (c + 1) % 4;
+      assign point_o[c*POINT_W +: POINT_W] =
+        n_qq[1] ? (n_qq[0] ? words_q[OF_3*POINT_W +: POINT_W] : words_q[OF_2*POINT_W +: POINT_W])
+                : (n_qq[0] ? words_q[OF_1*POINT_W +: POINT_W] : words_q[OF_0*POINT_W +: POINT_W]);
     end
   endgenerate
 endmodule

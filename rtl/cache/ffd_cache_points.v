@@ -12,9 +12,10 @@
 //
 // Formats:    numbers of four words; at {k, j, i}; source {resident, slot or buffer}; N points a
 //             read, component x lowest, from bank read_index_i (a multiple of N) on.
-// Pipeline:   LATENCY: memory | register, with a third one behind the choice between lattice and
-//             slot. II 1, never frozen. What is written is there for reads from the second clock
-//             after it: no vertex reads its points sooner.
+// Pipeline:   LATENCY: memory | register; of a single lane the third is behind the choice between
+//             lattice and slot; one more is in front of the memories. II 1, never frozen. What is
+//             written is there for reads from the second clock after it: no vertex reads its points
+//             sooner.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, N a power of two from 1 to 64,
 //             SLOTS >= 2, AXIS 4 to 16, LATENCY >= 2.
 // Not checked: a cell outside the lattice reads some point, never an address outside the memory;
@@ -59,6 +60,8 @@ module ffd_cache_points #(
   localparam PLACE_W  = AXIS > 4 || N > 1 ? 1 + 3 * HIGH_W : 1;
   localparam HIGHS_W  = 1 + 3 * HIGH_W;
   localparam PLACES   = 2 ** PLACE_W;
+  localparam CHOICE   = N == 1 && LATENCY > 2 ? 1 : 0;
+  localparam AHEAD    = LATENCY - 2 - CHOICE;
 
   generate
     if (N < 1 || N > 64 || (N & (N - 1)) != 0) begin : gen_bad_n
@@ -126,7 +129,8 @@ module ffd_cache_points #(
                                   read_index_i[1:0] - cells[1:0]};
         ffd_cache_beats #(
           .FORMAT(FORMAT),
-          .SLOTS (SLOTS)
+          .SLOTS (SLOTS),
+          .AHEAD (AHEAD)
         ) u_beats (
           .clk            (clk),
           .write_i        (slot_write_i),
@@ -209,7 +213,8 @@ module ffd_cache_points #(
         .ROWS    (ROWS),
         .PLACES  (PLACES),
         .LATTICES(LATTICES),
-        .SLOTS   (N > 1 && COMING != 0 ? SLOTS : 0)
+        .SLOTS   (N > 1 && COMING != 0 ? SLOTS : 0),
+        .AHEAD   (AHEAD)
       ) u_lane (
         .clk          (clk),
         .write_i      (write[BUS] && here),
@@ -225,13 +230,17 @@ module ffd_cache_points #(
     end
 
     if (N == 1 && COMING != 0) begin : gen_choice
-      reg slot_q;
-      reg slot_qq;
-      always @(posedge clk) begin
-        slot_q  <= of_slot;
-        slot_qq <= slot_q;
-      end
-      assign chosen = LATTICES == 0 || slot_qq ? beat_point : points;
+      wire slot_read;
+      ffd_num_delay #(
+        .WIDTH  (1),
+        .LATENCY(AHEAD + 2)
+      ) u_slot_read (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(of_slot),
+        .q_o(slot_read)
+      );
+      assign chosen = LATTICES == 0 || slot_read ? beat_point : points;
     end else begin : gen_no_choice
       assign chosen = points;
     end
@@ -239,7 +248,7 @@ module ffd_cache_points #(
 
   ffd_num_delay #(
     .WIDTH  (N * 3 * POINT_W),
-    .LATENCY(LATENCY - 2)
+    .LATENCY(CHOICE)
   ) u_points (
     .clk(clk),
     .rst(1'b0),

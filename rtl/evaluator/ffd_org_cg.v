@@ -178,7 +178,9 @@ module ffd_org_cg #(
       localparam [3:0] FIRST   = FIRST_I[3:0];
       wire [3:0]          place = FIRST + {{(4 - FILL_W) {1'b0}}, fill};
       wire [1:0]          axis  = place[3:2];
-      wire [WEIGHT_W-1:0] coordinate = fill_coordinates[axis*WEIGHT_W +: WEIGHT_W];
+      wire [WEIGHT_W-1:0] coordinate = axis[1] ? fill_coordinates[2*WEIGHT_W +: WEIGHT_W] :
+                                        axis[0] ? fill_coordinates[1*WEIGHT_W +: WEIGHT_W] :
+                                                  fill_coordinates[0*WEIGHT_W +: WEIGHT_W];
       wire [1:0]          bank       = fill_bank[2*axis +: 2];
 
       wire                load;

@@ -4,15 +4,14 @@
 // into use with the last beat. The header waits until no vertex inside reads them: vertices before
 // it see the old, after it the new. The points of an interleaved vertex go into a free slot.
 //
-// All four words of a beat pass one row of converters, whatever they are; what belongs to the beat
-// goes with it, and is where it is written, or is offered as a vertex, when the numbers are there.
+// All four words of a beat pass one row of converters. What belongs to it goes with it, and is then
+// written, or offered as a vertex.
 //
 // Bad input:  banks and buffers cut short never come into use. Each event is a pulse of event_o
 //             (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    frame as FFD_FRAME_*; numbers_o weights or points, one a word of the beat; source
 //             {resident, slot or buffer}; changed: points or coefficients were loaded since the
-//             vertex before; user as FFD_USER_*. The exponent of points comes in the header of
-//             opcodes 2 and 4 and goes with each of their vertices.
+//             vertex before; user as FFD_USER_*. Vertices have their points' exponent.
 // Pipeline:   FFD_IN_LATENCY to numbers_o and the writes; a vertex is offered 3 clocks behind those
 //             of its last beat. II 1 resident, 49 interleaved.
 // Freezes:    never: it takes what comes. A beat that may have to wait comes when go_o was 1: its
@@ -20,7 +19,7 @@
 //             are converted or wait for the evaluator. A vertex that starts where slot_free_o is 1,
 //             or ends where rooms_o is, may come in the next clock.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
-//             two >= 2.
+//             two >= 2, EVERY_CLOCK as in ffd_stream_vertex.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,11 +28,12 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_decoder #(
-  parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
-  parameter SLOTS    = 3,
-  parameter SLOT_W   = $clog2(SLOTS),
-  parameter WAITING  = 16
+  parameter FORMAT      = 18,
+  parameter FEATURES    = `FFD_FEATURES,
+  parameter SLOTS       = 3,
+  parameter SLOT_W      = $clog2(SLOTS),
+  parameter WAITING     = 16,
+  parameter EVERY_CLOCK = 1
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -317,10 +317,11 @@ module ffd_stream_decoder #(
   wire              lattice_event;
 
   ffd_stream_vertex #(
-    .FORMAT  (FORMAT),
-    .SOURCE_W(SLOT_W + 1),
-    .LATENCY (LATENCY),
-    .WAITING (WAITING)
+    .FORMAT     (FORMAT),
+    .SOURCE_W   (SLOT_W + 1),
+    .LATENCY    (LATENCY),
+    .WAITING    (WAITING),
+    .EVERY_CLOCK(EVERY_CLOCK)
   ) u_vertex (
     .clk                 (clk),
     .rst                 (rst),

@@ -9,7 +9,9 @@
 // Pipeline:   inputs up to tag_i .. exponent_i with the beat, *_there_i and below when its numbers
 //             are there, LATENCY clocks later; the vertex is offered 3 clocks behind.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
-// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 2, LATENCY >= 1, WAITING a power of two >= 2.
+// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 2, LATENCY >= 1, WAITING a power of two >= 2;
+//             EVERY_CLOCK 0: vertices are offered in every other clock at most, and m_vertex_ready
+//             then ends at a register.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,10 +19,11 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_vertex #(
-  parameter FORMAT   = 18,
-  parameter SOURCE_W = 2,
-  parameter LATENCY  = 1,
-  parameter WAITING  = 16
+  parameter FORMAT      = 18,
+  parameter SOURCE_W    = 2,
+  parameter LATENCY     = 1,
+  parameter WAITING     = 16,
+  parameter EVERY_CLOCK = 1
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -173,7 +176,7 @@ module ffd_stream_vertex #(
   localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + NUMBERS_W;
   wire                queue_ready;
   wire                next_valid;
-  wire                next_ready = !m_vertex_valid || m_vertex_ready;
+  wire                next_ready = !m_vertex_valid || (EVERY_CLOCK != 0 && m_vertex_ready);
   wire [VERTEX_W-1:0] next;
   reg  [VERTEX_W-1:0] vertex_q;
 
@@ -193,7 +196,7 @@ module ffd_stream_vertex #(
 
   always @(posedge clk) begin
     if (rst) m_vertex_valid <= 1'b0;
-    else if (next_ready) m_vertex_valid <= next_valid;
+    else if (!m_vertex_valid || m_vertex_ready) m_vertex_valid <= next_ready && next_valid;
   end
   always @(posedge clk) if (next_ready) vertex_q <= next;
   assign {m_vertex_user, m_vertex_results, m_vertex_exponent, m_vertex_source, m_vertex_bank,

@@ -21,6 +21,7 @@
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
+`include "ffd_organizations.vh"
 `include "ffd_stream.vh"
 
 module hwffd_stream #(
@@ -56,8 +57,9 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  // The paper's units are too fast for a register behind the choice of a single lane.
-  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 3;
+  // A single lane has registers before its memories and behind its choice; the paper's units are
+  // too fast for them.
+  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 4;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
@@ -173,10 +175,11 @@ module hwffd_stream #(
   end
 
   ffd_stream_decoder #(
-    .FORMAT  (FORMAT),
-    .FEATURES(FEATURES),
-    .SLOTS   (SLOTS),
-    .WAITING (WAITING)
+    .FORMAT     (FORMAT),
+    .FEATURES   (FEATURES),
+    .SLOTS      (SLOTS),
+    .WAITING    (WAITING),
+    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
