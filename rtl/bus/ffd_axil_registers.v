@@ -37,6 +37,19 @@ module ffd_axil_registers #(
   input  wire        status_stopped_i,
   input  wire        status_ring_running_i,
   input  wire        status_done_set_i,
+  input  wire        features_pages_i,
+  input  wire        features_large_i,
+  input  wire        features_fourth_i,
+  input  wire        features_spans_i,
+  input  wire        features_grids_i,
+  input  wire        features_packed_i,
+  input  wire        features_marks_i,
+  input  wire        features_resident_i,
+  input  wire        features_interleaved_i,
+  input  wire        features_derivatives_i,
+  input  wire        features_determinant_i,
+  input  wire [15:0] limits2_pages_i,
+  input  wire [7:0]  limits2_spans_i,
   output reg  [63:0] ring_base_o,
   output reg  [3:0]  ring_log2_size_o,
   output reg  [15:0] ring_head_o,
@@ -561,6 +574,10 @@ module ffd_axil_registers #(
       10'h004: read_data = {29'h0, 1'b0, 1'b0, 1'b0};
       10'h005: read_data = {22'h0, status_start_refused_q, status_done_q, 4'h0,
         status_ring_running_i, status_stopped_i, status_idle_i, status_busy_i};
+      10'h006: read_data = {20'h0, features_determinant_i, features_derivatives_i,
+        features_interleaved_i, features_resident_i, 1'h0, features_marks_i, features_packed_i,
+        features_grids_i, features_spans_i, features_fourth_i, features_large_i, features_pages_i};
+      10'h007: read_data = {8'h0, limits2_spans_i, limits2_pages_i};
       10'h012: read_data = {28'h0, ring_log2_size_o};
       10'h013: read_data = {16'h0, ring_head_o};
       10'h014: read_data = {16'h0, ring_tail_i};

@@ -72,7 +72,10 @@ module hwffd_axi #(
   localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
   localparam [31:0] EVALUATOR_WORD = EVALUATOR;
   localparam [31:0] IN_FLIGHT_WORD = IN_FLIGHT;
-  localparam [31:0] AXIS_WORD      = AXIS;
+  // No lattice is kept: no points an axis, no pages.
+  localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
+  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? 2 : 0;
+  localparam [31:0] FEATURES_WORD  = FEATURES;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
 
@@ -140,6 +143,19 @@ module hwffd_axi #(
     .status_stopped_i        (stopped),
     .status_ring_running_i   (ring_running),
     .status_done_set_i       (done),
+    .features_pages_i        (FEATURES_WORD[0]),
+    .features_large_i        (FEATURES_WORD[1]),
+    .features_fourth_i       (FEATURES_WORD[2]),
+    .features_spans_i        (FEATURES_WORD[3]),
+    .features_grids_i        (FEATURES_WORD[4]),
+    .features_packed_i       (FEATURES_WORD[5]),
+    .features_marks_i        (FEATURES_WORD[6]),
+    .features_resident_i     (FEATURES_WORD[8]),
+    .features_interleaved_i  (FEATURES_WORD[9]),
+    .features_derivatives_i  (FEATURES_WORD[10]),
+    .features_determinant_i  (FEATURES_WORD[11]),
+    .limits2_pages_i         (PAGES_WORD[15:0]),
+    .limits2_spans_i         (8'd1),
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
     .ring_head_o             (ring_head),
