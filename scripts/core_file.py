@@ -11,7 +11,7 @@ import version
 
 NAME = "hwffd.core"
 GENERATED = "Made by scripts/made.py write; changes here are lost."
-TOPS = ("hwffd_stream", "hwffd_axi")
+TOPS = ("hwffd_stream", "hwffd_axi")  # hwffd_wishbone has the parameters of hwffd_axi
 EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/excerpt.cpp",
                    "golden/src/stream/packets.cpp", "golden/src/stream/word_codec.cpp")
 EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/formats.hpp", "stream/packets.hpp", "stream/status.hpp",

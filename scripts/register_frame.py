@@ -1,4 +1,4 @@
-"""Parts of ffd_axil_registers.v that stand around its fields (register_rtl.py): header, bus, settings
+"""Parts of ffd_bus_registers.v that stand around its fields (register_rtl.py): header, words, settings
 that are read from a memory, error record.
 
 SPDX-License-Identifier: Apache-2.0
@@ -7,64 +7,43 @@ SPDX-License-Identifier: Apache-2.0
 BUS = """\
   input  wire        clk,
   input  wire        rst,
-  `include "ffd_axil_ports.vh"
+  `include "ffd_word_ports.vh"
 """
 HEADER = """\
-// ffd_axil_registers: the registers of rtl/bus/registers.csv, from AXI4-Lite to the hardware
+// ffd_bus_registers: the registers of rtl/bus/registers.csv, from words to the hardware
 //
 // {generated}
 //
-// Registers, bus, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
+// Registers, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
 // a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
 // is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
 // error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
 //
-// Pipeline:   a write acts at the edge at which its response appears; irq_o follows a clock later.
-// Cuts:       every output leaves a register.
+// Writes and reads come as words, of any bus (ffd_word_ports.vh), and do not wait for each other.
+// In the same clock a read sees what was there before the write.
+//
+// Pipeline:   a write acts at the end of the clock of s_write_valid; irq_o follows a clock later.
+//             The word is decoded in the clock before.
+// Cuts:       every output to the hardware leaves a register. Answers follow the clock's values.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
-//             that pulse is refused here).
-// Parameters: SECURE_ONLY as in ffd_axil_slave.
+//             that pulse is refused here); a word, of a write or a read, in the clock before its
+//             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """
-SLAVE = """\
-  wire        write;
-  wire [9:0]  write_word;
-  wire [31:0] write_data;
-  wire [31:0] write_mask;
-  wire [3:0]  write_strobe = {write_mask[24], write_mask[16], write_mask[8], write_mask[0]};
-  reg         write_error;
-  wire        read;
-  wire [9:0]  read_word;
-  reg  [31:0] read_data;
-  reg         read_error;
-  wire        clearing;
-
-  ffd_axil_slave #(
-    .ADDRESS_W  (12),
-    .SECURE_ONLY(SECURE_ONLY)
-  ) u_slave (
-    .clk           (clk),
-    .rst           (rst || clearing),
-    `include "ffd_axil_connections.vh"
-    .write_o       (write),
-    .write_word_o  (write_word),
-    .write_data_o  (write_data),
-    .write_mask_o  (write_mask),
-    .write_error_i (write_error),
-    .read_o        (read),
-    .read_word_o   (read_word),
-    .read_data_i   (read_data),
-    .read_error_i  (read_error)
-  );
-
+WORDS = """\
   // The bits that a write sets: partial strobes leave the other bytes alone.
-  wire [31:0] ones = write_data & write_mask;
+  wire [31:0] ones = s_write_data &
+    {{8 {s_write_strobe[3]}}, {8 {s_write_strobe[2]}}, {8 {s_write_strobe[1]}},
+     {8 {s_write_strobe[0]}}};
 """
 STORED = """\
   // Settings of a whole word are read from a memory, in which four of them share a block.
   reg  {width:<6} write_block;
   reg  {width:<6} read_block;
+  reg  {slot:<6} write_slot_q;
+  reg  {slot:<6} read_slot_q;
+  wire        clearing;
   wire [31:0] stored_word;
 {hits}
 
@@ -73,22 +52,29 @@ STORED = """\
 {read_case}
   end
 
-  ffd_axil_stored #(
+  assign s_clearing = rst || clearing;
+
+  always @(posedge clk) begin
+    write_slot_q <= {{write_block, s_write_word[1:0]}};
+    read_slot_q  <= {{read_block, s_read_word[1:0]}};
+  end
+
+  ffd_bus_stored #(
     .WORDS({words})
   ) u_stored (
     .clk           (clk),
     .rst           (rst),
     .clearing_o    (clearing),
     .write_i       (write_stored),
-    .write_slot_i  ({{write_block, write_word[1:0]}}),
-    .write_data_i  (write_data),
-    .write_strobe_i(write_strobe),
-    .read_slot_i   ({{read_block, read_word[1:0]}}),
+    .write_slot_i  (write_slot_q),
+    .write_data_i  (s_write_data),
+    .write_strobe_i(s_write_strobe),
+    .read_slot_i   (read_slot_q),
     .word_o        (stored_word)
   );
 """
 ERRORS = """\
-  ffd_axil_errors #(
+  ffd_bus_errors #(
     .CODES({codes})
   ) u_errors (
     .clk            (clk),

@@ -1,7 +1,7 @@
-"""ffd_axil_registers.v, made from the table of registers (registers.py).
+"""ffd_bus_registers.v, made from the table of registers (registers.py).
 
 How a field becomes Verilog is in _Rtl: ports, declarations, what a write does, what a read gives,
-each by access. The parts around the fields (bus, error record, interrupt) are text as it stands.
+each by access. The parts around the fields (words, error record, interrupt) are text as it stands.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -57,7 +57,7 @@ def signal_name(field):
 
 
 class _Rtl:
-    """The lines of ffd_axil_registers, collected field by field."""
+    """The lines of ffd_bus_registers, collected field by field."""
 
     def __init__(self, registers):
         self.registers = registers
@@ -115,8 +115,9 @@ class _Rtl:
         name = register.name.lower()
         if register.writable:
             lock = self.lock(register)
-            self.hits.append(f"  wire write_{name} = write"
-                             f" && write_word == {_word(register)}{' && !' + lock if lock else ''};")
+            self.hits.append(textwrap.fill(
+                f"  wire write_{name} = s_write_valid && to_{name}_q"
+                f"{' && !' + lock if lock else ''};", 100, subsequent_indent=" " * 4))
         self.resets, self.lines = [], []
         if register.fields[0].access == "event":
             self.events(register)
@@ -158,8 +159,8 @@ class _Rtl:
         for byte in range(field.low // 8, (high + 7) // 8):
             low, top = max(8 * byte, field.low), min(8 * byte + 8, high) - 1
             part = _bits(base + top - field.low, base + low - field.low) if field.width > 1 else ""
-            lines.append(f"if (write_strobe[{byte}]) {name}_o{part} <= "
-                         f"write_data{_bits(top, low)}")
+            lines.append(f"if (s_write_strobe[{byte}]) {name}_o{part} <= "
+                         f"s_write_data{_bits(top, low)}")
         return lines
 
     def stored(self):
@@ -217,12 +218,12 @@ class _Rtl:
         register = next(r for r in self.registers if r.name == field.register)
         self.states.append(f"  wire [63:0] {name};")
         self.counters.append(f"""\
-  ffd_axil_counter u_{name} (
+  ffd_bus_counter u_{name} (
     .clk    (clk),
     .rst    (rst),
     .event_i({name}_event_i),
     .clear_i(control_clear_counters_o),
-    .latch_i(read && read_word == {_word(register)}),
+    .latch_i(s_read_valid && at_{register.name.lower()}_q),
     .low_o  ({name}[31:0]),
     .high_o ({name}[63:32])
   );""")
@@ -268,33 +269,55 @@ class _Rtl:
         width = max(len(blocks) - 1, 1).bit_length()
         hits = " || ".join(f"write_{register.name.lower()}" for register in words)
         return register_frame.STORED.format(
-            width=_range(width), words=4 << width, write_case=self.block_case(
-                "write_block", "write_word"),
-            read_case=self.block_case("read_block", "read_word"),
+            width=_range(width), slot=_range(width + 2), words=4 << width,
+            write_case=self.block_case("write_block", "s_write_word"),
+            read_case=self.block_case("read_block", "s_read_word"),
             hits=textwrap.fill(f"  wire write_stored = {hits};", 100, subsequent_indent=" " * 4))
 
-    def read_cases(self):
-        lines, stored = [], self.stored()[1]
-        words = ", ".join(map(_word, stored))
-        lines.append(textwrap.fill(f"{words}: read_data = stored_word;", 100,
-                                   initial_indent=" " * 6, subsequent_indent=" " * 6))
-        for register in self.registers:
-            if register in stored:
-                continue
-            line = f"      {_word(register)}: read_data = {self.read_value(register)};"
-            lines.append(textwrap.fill(line, 100, subsequent_indent=" " * 8, tabsize=1))
-        return "\n".join(lines)
+    def read_parts(self):
+        """(Name of the register that says so, words at which it is 1, value read there.)"""
+        stored = self.stored()[1]
+        parts = [("at_stored_q", stored, "stored_word")]
+        return parts + [(f"at_{register.name.lower()}_q", [register], self.read_value(register))
+                        for register in self.registers if register not in stored]
 
-    def write_cases(self):
-        """One arm for all registers that share a lock, or have none."""
-        arms = {}
+    def write_parts(self):
+        """The same of writes, and the lock; one for all registers that share a lock, or have none."""
+        groups = {}
         for register in self.registers:
             if register.writable:
-                arms.setdefault(self.lock(register) or "1'b0", []).append(_word(register))
-        return "\n".join(
-            textwrap.fill(f"{', '.join(words)}: write_error = {error};", 100,
-                          initial_indent=" " * 6, subsequent_indent=" " * 6)
-            for error, words in arms.items())
+                groups.setdefault(self.lock(register), []).append(register)
+        return [(f"to_{'locked' if lock else 'open'}_q" if at < 2 else f"to_locked{at}_q", group,
+                 lock) for at, (lock, group) in enumerate(groups.items())]
+
+    def decoded(self):
+        """Registers that say which word is asked for, from the clock before."""
+        reads = [(name, words) for name, words, _ in self.read_parts()]
+        writes = [(name, words) for name, words, _ in self.write_parts()]
+        writes += [(f"to_{register.name.lower()}_q", [register]) for register in self.registers
+                   if register.writable]
+        lines = [f"  reg {name};" for name, _ in writes + reads]
+        lines += ["", "  always @(posedge clk) begin"]
+        for parts, word in ((writes, "s_write_word"), (reads, "s_read_word")):
+            for name, words in parts:
+                # A comparison stays on a line.
+                hits = " || ".join(f"{word}~==~{_word(register)}" for register in words)
+                lines.append(textwrap.fill(f"    {name} <= {hits};", 100,
+                                           subsequent_indent=" " * 6).replace("~", " "))
+        return "\n".join([*lines, "  end"])
+
+    def write_error(self):
+        known = [f"({name} && !{lock})" if lock else name for name, _, lock in self.write_parts()]
+        return f"  assign s_write_error = !({' || '.join(known)});"
+
+    def read_data(self):
+        """What an unknown word reads is 0."""
+        parts = [textwrap.fill(f"({{32 {{{name}}}}} & {value})", 98, initial_indent=" " * 4,
+                               subsequent_indent=" " * 6) for name, _, value in self.read_parts()]
+        names = " || ".join(name for name, _, _ in self.read_parts())
+        error = textwrap.fill(f"  assign s_read_error = !({names});", 100,
+                              subsequent_indent=" " * 4)
+        return "\n".join(["  assign s_read_data =", " |\n".join(parts) + ";", error])
 
     def interrupts(self):
         names = [f.name for r in self.registers if r.name == "IRQ_STATE" for f in r.fields]
@@ -311,12 +334,12 @@ def rtl_text(registers):
     counters = "\n\n".join(rtl.counters)
     return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
-module ffd_axil_registers #(
-  parameter SECURE_ONLY = 0
-) (
+module ffd_bus_registers (
 {register_frame.BUS}{ports}
 );
-{register_frame.SLAVE}
+{register_frame.WORDS}
+{rtl.decoded()}
+
 {chr(10).join(rtl.wires)}
 
 {log}
@@ -336,25 +359,11 @@ module ffd_axil_registers #(
     end
   end
 
-  wire unused_ok = &{{1'b0, ones, write_mask}};
+  wire unused_ok = &{{1'b0, ones}};
 
-  always @* begin
-    case (write_word)
-{rtl.write_cases()}
-      default: write_error = 1'b1;
-    endcase
-  end
+{rtl.write_error()}
 
-  always @* begin
-    read_error = 1'b0;
-    case (read_word)
-{rtl.read_cases()}
-      default: begin
-        read_data  = 32'd0;
-        read_error = 1'b1;
-      end
-    endcase
-  end
+{rtl.read_data()}
 endmodule
 
 `default_nettype wire

@@ -195,7 +195,7 @@ def outputs(root=rtl.ROOT):
     """path below root -> the text that it must have"""
     registers = read(root)
     return {
-        "rtl/bus/ffd_axil_registers.v": register_rtl.rtl_text(registers),
+        "rtl/bus/ffd_bus_registers.v": register_rtl.rtl_text(registers),
         "driver/include/hwffd/registers.h": register_texts.header_text(registers),
         "rtl/stream/ffd_events.vh": register_texts.events_rtl_text(registers),
         "golden/include/hwffd/stream/events.hpp": register_texts.events_header_text(registers),

@@ -37,6 +37,11 @@ void prepare(tb::AxiSystem& system, Driver& driver, const std::vector<Beat>& pac
   const auto bytes = static_cast<std::uint32_t>(results * cores::kAxiBeatBytes);
   const AddressWindow read{kRing, buffers.limit}, write{kResults, kResults + bytes - 1};
   driver.probe();
+  bool first = true;
+  for (const Beat& beat : packets) {
+    if (first) driver.check(beat.words);
+    first = beat.last;
+  }
   driver.set_windows(read, write);
   driver.lock_windows();
   system.allow(read, write);

@@ -50,7 +50,29 @@ CoreIdentity Driver::probe() {
     throw DriverError("registers of version " + std::to_string(found.version_major) +
                       ", this driver knows " + std::to_string(kMajor));
   }
+  read_features(found);
+  core_ = found;
   return found;
+}
+
+/// Cores before these registers were there have all that the first ones had.
+void Driver::read_features(CoreIdentity& found) {
+  try {
+    found.features = port_.read32(HWFFD_FEATURES_OFFSET);
+    const std::uint32_t limits = port_.read32(HWFFD_LIMITS2_OFFSET);
+    found.pages = field(limits, HWFFD_LIMITS2_PAGES_MASK, HWFFD_LIMITS2_PAGES_SHIFT);
+    found.spans = field(limits, HWFFD_LIMITS2_SPANS_MASK, HWFFD_LIMITS2_SPANS_SHIFT);
+  } catch (const RegisterError&) {
+    found.features = HWFFD_FEATURES_RESIDENT_MASK | HWFFD_FEATURES_INTERLEAVED_MASK |
+                     HWFFD_FEATURES_DERIVATIVES_MASK | HWFFD_FEATURES_DETERMINANT_MASK;
+    found.pages = 2;
+    found.spans = 1;
+  }
+}
+
+void Driver::check(const PacketHeader& header) const {
+  if (!core_) throw DriverError("the core is not known yet: probe it first");
+  check_packet(*core_, header);
 }
 
 void Driver::set_windows(const AddressWindow& read, const AddressWindow& write) {

@@ -1,19 +1,19 @@
-// ffd_axil_slave: AXI4-Lite on one side, a write port and a read port of one clock on the other
+// ffd_axil_slave: AXI4-Lite on one side, words that are written and read on the other
 //
-// A write is handed on in the clock in which write_o is high, with the bits that its strobes allow;
-// a read in the clock of read_o. The port answers in the same clock (write_error_i; read_data_i,
-// read_error_i), and the response is on the bus from the next clock on: what a write does and its
-// response appear at the same edge. Address and data of a write come in any order. Writes and reads
-// do not wait for each other; in the same clock a read sees what was there before the write.
+// A write is handed on in the clock in which m_write_valid is high, a read in that of m_read_valid;
+// the word is there a clock before. The other side answers in the same clock (m_write_error;
+// m_read_data, m_read_error), and the response is on the bus from the next clock on: what a write
+// does and its response appear at the same edge. Address and data of a write come in any order.
+// Writes and reads do not wait for each other.
 //
-// Responses:  OKAY, or SLVERR where the port says error; the data of such a read is 0. With
+// Responses:  OKAY, or SLVERR where the other side says error; the data of such a read is 0. With
 //             SECURE_ONLY an access that is not secure (bit 1 of its *prot) is not handed on and
 //             answered in the same way.
-// Pipeline:   2 clocks from the later of address and data to the response, II 1. One response a
+// Pipeline:   3 clocks from the later of address and data to the response, II 3. One response a
 //             request, in order. Ready is 0 in reset and in the first clock after it.
-// Freezes:    a channel whose response is not taken; up to two requests wait in each channel.
-// Cuts:       every output to the bus leaves a register. write_o and read_o do not: they follow
-//             s_axil_bready and s_axil_rready.
+// Freezes:    a channel whose response is not taken; one more request waits in each channel.
+// Cuts:       everything: what goes to the bus and to the words leaves a register, and comes from
+//             them into one.
 // Not checked: the two low bits of an address (every access is a word; strobes name the bytes); the
 //             other bits of *prot.
 // Parameters: ADDRESS_W 3 to 64, the bits of a byte address; SECURE_ONLY 0 or 1.
@@ -28,33 +28,33 @@ module ffd_axil_slave #(
   input  wire                 clk,
   input  wire                 rst,
   input  wire                 s_axil_awvalid,
-  output wire                 s_axil_awready,
+  output reg                  s_axil_awready,
   input  wire [ADDRESS_W-1:0] s_axil_awaddr,
   input  wire [2:0]           s_axil_awprot,
   input  wire                 s_axil_wvalid,
-  output wire                 s_axil_wready,
+  output reg                  s_axil_wready,
   input  wire [31:0]          s_axil_wdata,
   input  wire [3:0]           s_axil_wstrb,
   output reg                  s_axil_bvalid,
   input  wire                 s_axil_bready,
   output wire [1:0]           s_axil_bresp,
   input  wire                 s_axil_arvalid,
-  output wire                 s_axil_arready,
+  output reg                  s_axil_arready,
   input  wire [ADDRESS_W-1:0] s_axil_araddr,
   input  wire [2:0]           s_axil_arprot,
   output reg                  s_axil_rvalid,
   input  wire                 s_axil_rready,
   output reg  [31:0]          s_axil_rdata,
   output wire [1:0]           s_axil_rresp,
-  output wire                 write_o,
-  output wire [ADDRESS_W-3:0] write_word_o,
-  output wire [31:0]          write_data_o,
-  output wire [31:0]          write_mask_o,
-  input  wire                 write_error_i,
-  output wire                 read_o,
-  output wire [ADDRESS_W-3:0] read_word_o,
-  input  wire [31:0]          read_data_i,
-  input  wire                 read_error_i
+  output reg                  m_write_valid,
+  output reg  [ADDRESS_W-3:0] m_write_word,
+  output reg  [31:0]          m_write_data,
+  output reg  [3:0]           m_write_strobe,
+  input  wire                 m_write_error,
+  output reg                  m_read_valid,
+  output reg  [ADDRESS_W-3:0] m_read_word,
+  input  wire [31:0]          m_read_data,
+  input  wire                 m_read_error
 );
   generate
     if (ADDRESS_W < 3 || ADDRESS_W > 64) begin : gen_bad_address
@@ -65,61 +65,61 @@ module ffd_axil_slave #(
     end
   endgenerate
 
-  wire       aw_valid;
-  wire       w_valid;
-  wire       ar_valid;
-  wire       aw_refused;
-  wire       ar_refused;
-  wire [3:0] strobe;
-  reg        write_error_q;
-  reg        read_error_q;
+  // Requests that are inside; in the clock of `act` they are answered.
+  reg  aw_held_q;
+  reg  w_held_q;
+  reg  ar_held_q;
+  reg  aw_refused_q;
+  reg  ar_refused_q;
+  reg  write_act_q;
+  reg  read_act_q;
+  reg  write_error_q;
+  reg  read_error_q;
+  wire aw_take = s_axil_awvalid && s_axil_awready;
+  wire w_take  = s_axil_wvalid && s_axil_wready;
+  wire ar_take = s_axil_arvalid && s_axil_arready;
+  wire write   = aw_held_q && w_held_q && !write_act_q && (!s_axil_bvalid || s_axil_bready);
+  wire read    = ar_held_q && !read_act_q && (!s_axil_rvalid || s_axil_rready);
 
-  wire write = aw_valid && w_valid && (!s_axil_bvalid || s_axil_bready);
-  wire read  = ar_valid && (!s_axil_rvalid || s_axil_rready);
+  // A request stays until it is answered: its word and its data are those of two clocks.
+  wire aw_held_d = aw_take || (aw_held_q && !write_act_q);
+  wire w_held_d  = w_take || (w_held_q && !write_act_q);
+  wire ar_held_d = ar_take || (ar_held_q && !read_act_q);
 
-  assign write_o = write && !aw_refused;
-  assign read_o  = read && !ar_refused;
+  always @(posedge clk) begin
+    if (rst) begin
+      s_axil_awready <= 1'b0;
+      s_axil_wready  <= 1'b0;
+      s_axil_arready <= 1'b0;
+      aw_held_q      <= 1'b0;
+      w_held_q       <= 1'b0;
+      ar_held_q      <= 1'b0;
+      write_act_q    <= 1'b0;
+      read_act_q     <= 1'b0;
+      m_write_valid  <= 1'b0;
+      m_read_valid   <= 1'b0;
+    end else begin
+      s_axil_awready <= !aw_held_d;
+      s_axil_wready  <= !w_held_d;
+      s_axil_arready <= !ar_held_d;
+      aw_held_q      <= aw_held_d;
+      w_held_q       <= w_held_d;
+      ar_held_q      <= ar_held_d;
+      write_act_q    <= write;
+      read_act_q     <= read;
+      m_write_valid  <= write && !aw_refused_q;
+      m_read_valid   <= read && !ar_refused_q;
+    end
+  end
 
-  ffd_stream_skid #(
-    .WIDTH(ADDRESS_W - 1)
-  ) u_aw (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(s_axil_awvalid),
-    .s_beat_ready(s_axil_awready),
-    .s_beat_data ({s_axil_awprot[1] && SECURE_ONLY != 0, s_axil_awaddr[ADDRESS_W-1:2]}),
-    .m_beat_valid(aw_valid),
-    .m_beat_ready(write),
-    .m_beat_data ({aw_refused, write_word_o})
-  );
+  always @(posedge clk) begin
+    if (aw_take) {aw_refused_q, m_write_word} <=
+      {s_axil_awprot[1] && SECURE_ONLY != 0, s_axil_awaddr[ADDRESS_W-1:2]};
+    if (w_take) {m_write_strobe, m_write_data} <= {s_axil_wstrb, s_axil_wdata};
+    if (ar_take) {ar_refused_q, m_read_word} <=
+      {s_axil_arprot[1] && SECURE_ONLY != 0, s_axil_araddr[ADDRESS_W-1:2]};
+  end
 
-  ffd_stream_skid #(
-    .WIDTH(36)
-  ) u_w (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(s_axil_wvalid),
-    .s_beat_ready(s_axil_wready),
-    .s_beat_data ({s_axil_wstrb, s_axil_wdata}),
-    .m_beat_valid(w_valid),
-    .m_beat_ready(write),
-    .m_beat_data ({strobe, write_data_o})
-  );
-
-  ffd_stream_skid #(
-    .WIDTH(ADDRESS_W - 1)
-  ) u_ar (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(s_axil_arvalid),
-    .s_beat_ready(s_axil_arready),
-    .s_beat_data ({s_axil_arprot[1] && SECURE_ONLY != 0, s_axil_araddr[ADDRESS_W-1:2]}),
-    .m_beat_valid(ar_valid),
-    .m_beat_ready(read),
-    .m_beat_data ({ar_refused, read_word_o})
-  );
-
-  assign write_mask_o = {{8{strobe[3]}}, {8{strobe[2]}}, {8{strobe[1]}}, {8{strobe[0]}}};
   assign s_axil_bresp = {write_error_q, 1'b0};
   assign s_axil_rresp = {read_error_q, 1'b0};
 
@@ -128,16 +128,16 @@ module ffd_axil_slave #(
       s_axil_bvalid <= 1'b0;
       s_axil_rvalid <= 1'b0;
     end else begin
-      s_axil_bvalid <= write || (s_axil_bvalid && !s_axil_bready);
-      s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);
+      s_axil_bvalid <= write_act_q || (s_axil_bvalid && !s_axil_bready);
+      s_axil_rvalid <= read_act_q || (s_axil_rvalid && !s_axil_rready);
     end
   end
 
   always @(posedge clk) begin
-    if (write) write_error_q <= write_error_i || aw_refused;
-    if (read) begin
-      read_error_q <= read_error_i || ar_refused;
-      s_axil_rdata <= read_error_i || ar_refused ? 32'd0 : read_data_i;
+    if (write_act_q) write_error_q <= m_write_error || aw_refused_q;
+    if (read_act_q) begin
+      read_error_q <= m_read_error || ar_refused_q;
+      s_axil_rdata <= m_read_error || ar_refused_q ? 32'd0 : m_read_data;
     end
   end
 

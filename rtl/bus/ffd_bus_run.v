@@ -1,6 +1,6 @@
 // ffd_bus_run: a run of the DMA and the core, from start_i to done_o
 //
-// Between registers (ffd_axil_registers), DMA engine (ffd_dma_engine) and core (hwffd_stream).
+// Between registers (ffd_bus_registers), DMA engine (ffd_dma_engine) and core (hwffd_stream).
 // CHECK: the result area is offered to the DMA, which may refuse it; then the run ends. RUN: the
 // ring is started, ring_head_o follows ring_head_i. The run ends when DMA and core have been idle
 // for 8 clocks; after a fault of the bus (stopped_o), when the DMA has been halted that long.

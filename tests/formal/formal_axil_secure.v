@@ -1,6 +1,6 @@
-// formal_axil_secure: ffd_axil_slave with SECURE_ONLY between any bus and a port that takes all
+// formal_axil_secure: ffd_axil_slave with SECURE_ONLY between any bus and words that take all
 //
-// The port says no error, so that each error on the bus is the slave's own: bit 1 of a request's
+// The words say no error, so that each error on the bus is the slave's own: bit 1 of a request's
 // protection must be bit 1 of its response.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -57,11 +57,11 @@ module formal_axil_secure #(
     .s_axil_rready (rready),
     .s_axil_rdata  (rdata),
     .s_axil_rresp  (rresp),
-    .write_o       (write),
-    .write_error_i (1'b0),
-    .read_o        (read),
-    .read_data_i   (read_data),
-    .read_error_i  (1'b0)
+    .m_write_valid (write),
+    .m_write_error (1'b0),
+    .m_read_valid  (read),
+    .m_read_data   (read_data),
+    .m_read_error  (1'b0)
   );
 
   reg first_q = 1'b1;
@@ -78,7 +78,7 @@ module formal_axil_secure #(
   end
   always @* if (first_q) assume (rst);
 
-  // Requests that were taken and not answered: the oldest first, three at most.
+  // Requests that were taken and not answered: the oldest first, two at most.
   reg [2:0] aw_q;
   reg [2:0] ar_q;
   reg [1:0] aw_count_q;

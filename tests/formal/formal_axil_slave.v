@@ -1,7 +1,7 @@
-// formal_axil_slave: ffd_axil_slave between any bus and any port
+// formal_axil_slave: ffd_axil_slave between any bus and any words
 //
 // Each channel is a queue of its own (properties_queue): requests to the clock in which they are
-// handed on, and what the port answers to the response on the bus.
+// handed on, and what the words answer to the response on the bus.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -37,7 +37,7 @@ module formal_axil_slave #(
   wire                 write;
   wire [ADDRESS_W-3:0] write_word;
   wire [31:0]          write_data;
-  wire [31:0]          write_mask;
+  wire [3:0]           write_strobe;
   wire                 read;
   wire [ADDRESS_W-3:0] read_word;
 
@@ -65,28 +65,28 @@ module formal_axil_slave #(
     .s_axil_rready (rready),
     .s_axil_rdata  (rdata),
     .s_axil_rresp  (rresp),
-    .write_o       (write),
-    .write_word_o  (write_word),
-    .write_data_o  (write_data),
-    .write_mask_o  (write_mask),
-    .write_error_i (write_error),
-    .read_o        (read),
-    .read_word_o   (read_word),
-    .read_data_i   (read_data),
-    .read_error_i  (read_error)
+    .m_write_valid (write),
+    .m_write_word  (write_word),
+    .m_write_data  (write_data),
+    .m_write_strobe(write_strobe),
+    .m_write_error (write_error),
+    .m_read_valid  (read),
+    .m_read_word   (read_word),
+    .m_read_data   (read_data),
+    .m_read_error  (read_error)
   );
 
-  properties_queue #(.WIDTH(ADDRESS_W - 2), .CAPACITY(2), .WAIT(1)) aw (
+  properties_queue #(.WIDTH(ADDRESS_W - 2), .CAPACITY(1), .WAIT(1)) aw (
     .clk(clk), .rst(rst), .follow_i(follow),
     .s_valid(awvalid), .s_ready(awready), .s_data(awaddr[ADDRESS_W-1:2]),
     .m_valid(write), .m_ready(1'b1), .m_data(write_word)
   );
 
-  properties_queue #(.WIDTH(64), .CAPACITY(2), .WAIT(1)) w (
+  properties_queue #(.WIDTH(36), .CAPACITY(1), .WAIT(1)) w (
     .clk(clk), .rst(rst), .follow_i(follow),
     .s_valid(wvalid), .s_ready(wready),
-    .s_data({{8{wstrb[3]}}, {8{wstrb[2]}}, {8{wstrb[1]}}, {8{wstrb[0]}}, wdata}),
-    .m_valid(write), .m_ready(1'b1), .m_data({write_mask, write_data})
+    .s_data({wstrb, wdata}),
+    .m_valid(write), .m_ready(1'b1), .m_data({write_strobe, write_data})
   );
 
   properties_queue #(.WIDTH(2), .CAPACITY(1)) b (
@@ -95,7 +95,7 @@ module formal_axil_slave #(
     .m_valid(bvalid), .m_ready(bready), .m_data(bresp)
   );
 
-  properties_queue #(.WIDTH(ADDRESS_W - 2), .CAPACITY(2), .WAIT(1)) ar (
+  properties_queue #(.WIDTH(ADDRESS_W - 2), .CAPACITY(1), .WAIT(1)) ar (
     .clk(clk), .rst(rst), .follow_i(follow),
     .s_valid(arvalid), .s_ready(arready), .s_data(araddr[ADDRESS_W-1:2]),
     .m_valid(read), .m_ready(1'b1), .m_data(read_word)
@@ -108,7 +108,7 @@ module formal_axil_slave #(
     .m_valid(rvalid), .m_ready(rready), .m_data({rresp, rdata})
   );
 
-  // Requests taken and not yet answered on the bus; three at most: one answered, two waiting.
+  // Requests taken and not yet answered on the bus; two at most: one answered, one waiting.
   reg       first_q = 1'b1;
   reg       rst_q;
   reg [2:0] aw_q;
@@ -136,11 +136,19 @@ module formal_axil_slave #(
     end
   end
 
+  reg [ADDRESS_W-3:0] write_word_q;
+  reg [ADDRESS_W-3:0] read_word_q;
+  always @(posedge clk) begin
+    write_word_q <= write_word;
+    read_word_q  <= read_word;
+  end
+
   always @* if (!first_q && !rst) begin
-    write_once: assert (aw_q <= 3 && w_q <= 3 && !(bvalid && (aw_q == 0 || w_q == 0)));
-    read_once: assert (ar_q <= 3 && !(rvalid && ar_q == 0));
-    write_live: assert (aw_q == 0 || w_q == 0 || bvalid || write_late_q < 1);
-    read_live: assert (ar_q == 0 || rvalid || read_late_q < 1);
+    early: assert ((!write || write_word == write_word_q) && (!read || read_word == read_word_q));
+    write_once: assert (aw_q <= 2 && w_q <= 2 && !(bvalid && (aw_q == 0 || w_q == 0)));
+    read_once: assert (ar_q <= 2 && !(rvalid && ar_q == 0));
+    write_live: assert (aw_q == 0 || w_q == 0 || bvalid || write_late_q < 2);
+    read_live: assert (ar_q == 0 || rvalid || read_late_q < 2);
     separate: assert (!(bresp[0] && bvalid) && !(rresp[0] && rvalid));
   end
   always @* if (!first_q) begin

@@ -96,7 +96,7 @@ REACHED = (
         stream_words.RTL: "`define FFD_STATUS_CLAMPED   2",
         stream_words.HEADER: "kStatusClamped = 1U << 18;"}),
     (registers.TABLE, (("value,3:0,rw,0", "value,4:0,rw,5"),), {
-        "rtl/bus/ffd_axil_registers.v": "ring_log2_size_o <= 5'h5;",
+        "rtl/bus/ffd_bus_registers.v": "ring_log2_size_o <= 5'h5;",
         "driver/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
         "docs/registers.md": "| 4:0 | `value` | rw | 0x5 |"}),
     (registers.TABLE, ((",no_lattice,4,", ",without_lattice,4,"),), {
@@ -107,7 +107,7 @@ REACHED = (
     (version.FILE, ((str(version.read(ROOT)), "3.41.59"),), {
         version.HEADER: '#define HWFFD_VERSION "3.41.59"\n',
         "driver/include/hwffd/registers.h": "HWFFD_VERSION_MAJOR_RESET 0x3u",
-        "rtl/bus/ffd_axil_registers.v": "{16'h3, 8'h29, 8'h3b}",
+        "rtl/bus/ffd_bus_registers.v": "{16'h3, 8'h29, 8'h3b}",
         "docs/registers.md": "| `minor` | const | 0x29 |",
         core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"'}),
 )
@@ -239,7 +239,7 @@ def test_a_new_source_is_listed(tree, write):
 
 
 @pytest.mark.parametrize("name, old, new", (
-    ("rtl/top/hwffd_axi.v", "AXIS  ", "AXES  "), ("rtl/hwffd.f", "number/ffd_num_add.v\n", "")))
+    ("rtl/bus/ffd_bus_parameters.vh", "AXIS  ", "AXES  "), ("rtl/hwffd.f", "number/ffd_num_add.v\n", "")))
 def test_a_parameter_or_a_file_more_makes_the_core_file_stale(tree, check, name, old, new):
     replace(tree, name, (old, new))
     assert (f"made.py: {core_file.NAME}: not what it is made from says: run scripts/made.py write"
@@ -262,10 +262,14 @@ def test_headers_of_the_tops():
     assert ports["s_axis_tdata"] == ("input", 128)
     assert ports["m_axis_tlast"] == ("output", 1)
     axi = module_header.read(sources, "hwffd_axi")
-    source = rtl.strip_comments(sources.files["hwffd_axi"].read_text())
-    lists = "".join((ROOT / f"rtl/bus/ffd_{bus}_ports.vh").read_text() for bus in ("axil", "axi"))
-    assert len(axi.ports) == len(re.findall(r"^ *(?:in|out)put ", source + lists, re.M)) == 51
-    assert len(axi.parameters) == len(re.findall(r"^  parameter ", source, re.M))
+    wishbone = module_header.read(sources, "hwffd_wishbone")
+    for top, bus, ports in ((axi, "axil", 51), (wishbone, "wb", 41)):
+        source = rtl.strip_comments(sources.files[top.name].read_text()) + "".join(
+            (ROOT / f"rtl/bus/ffd_{name}.vh").read_text()
+            for name in (f"{bus}_ports", "axi_ports", "bus_parameters"))
+        assert len(top.ports) == len(re.findall(r"^ *(?:in|out)put ", source, re.M)) == ports
+        assert len(top.parameters) == len(re.findall(r"^ *parameter ", source, re.M))
+    assert set(axi.parameters) - set(wishbone.parameters) == {"SECURE_ONLY"}
     for name, complaint in (("nothing", "no module nothing"),
                             ("ffd_org_select", "ffd_org_select: not a port")):
         with pytest.raises(module_header.HeaderError, match=complaint):

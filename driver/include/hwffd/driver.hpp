@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -20,17 +21,27 @@ class RegisterError : public DriverError {
   using DriverError::DriverError;
 };
 
-/// What was built: VERSION, CONFIG and LIMITS.
+/// What was built: VERSION, CONFIG, LIMITS, FEATURES and LIMITS2.
 struct CoreIdentity {
   unsigned version_major, version_minor, version_patch;
-  unsigned org;          ///< number in rtl/organizations.csv
-  unsigned n;            ///< units of a step
-  unsigned format;       ///< 0 fp32, W fxW, 99 bfp32
-  unsigned schedule;     ///< 0 overlapped, 1 paper
-  unsigned evaluator;    ///< 0 pipelined, 1 iterative, 2 bspline
-  unsigned in_flight;    ///< most vertices inside
-  unsigned points_axis;  ///< of the resident lattice; 0: none
+  unsigned org;            ///< number in rtl/organizations.csv
+  unsigned n;              ///< units of a step
+  unsigned format;         ///< 0 fp32, W fxW, 99 bfp32
+  unsigned schedule;       ///< 0 overlapped, 1 paper
+  unsigned evaluator;      ///< 0 pipelined, 1 iterative, 2 bspline
+  unsigned in_flight;      ///< most vertices inside
+  unsigned points_axis;    ///< of the resident lattice; 0: none
+  std::uint32_t features;  ///< HWFFD_FEATURES_*_MASK
+  unsigned pages;          ///< of points, the two buffers of opcode 2 among them; 0: none
+  unsigned spans;          ///< of an axis, each with functions of its own
 };
+
+/// A packet's first beat: the four words of its header (docs/interface.md section 2).
+using PacketHeader = std::array<std::uint32_t, 4>;
+
+/// Throws DriverError, which names what is missing and the cure, where a core that was built so
+/// would drop the packet, or give nothing but blanks for it. A header says all that is needed.
+void check_packet(const CoreIdentity& core, const PacketHeader& header);
 
 /// Addresses from base to limit, both included. Both 0, as after reset: too small for any transfer.
 struct AddressWindow {
@@ -78,6 +89,7 @@ struct CoreErrors {
 ///     driver.lock_windows();
 ///     driver.set_ring(ring);
 ///     driver.set_results(area);  // from here on once a run
+///     driver.check(header);      // of each packet
 ///     driver.push(packets);
 ///     driver.start();
 ///     if (!driver.wait_done(polls)) ...
@@ -92,6 +104,8 @@ class Driver {
 
   /// Step 1. Throws DriverError where ID is another, or VERSION.major is.
   CoreIdentity probe();
+  /// check_packet with what probe found; throws DriverError where it was not called.
+  void check(const PacketHeader& header) const;
 
   /// Step 2. Throws DriverError where the windows are locked, or a base is above its limit.
   void set_windows(const AddressWindow& read, const AddressWindow& write);
@@ -147,11 +161,13 @@ class Driver {
   void test_interrupts(std::uint32_t bits);
 
  private:
+  void read_features(CoreIdentity& found);
   std::uint32_t status();
   std::uint64_t read64(std::uint32_t low);
   void write64(std::uint32_t low, std::uint64_t value);
 
   RegisterPort& port_;
+  std::optional<CoreIdentity> core_;
   unsigned ring_size_ = 1;  // a power of two; 1 has no room
 };
 

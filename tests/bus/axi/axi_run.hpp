@@ -35,9 +35,9 @@ class AxiRun {
  public:
   /// Out of reset, windows set and locked, the ring open, all interrupts enabled.
   AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles = "always");
-  /// The same with a core of that row that is there already.
+  /// The same with a core of that row that is there already, and has these features.
   AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, std::uint64_t seed,
-         const std::string& throttles = "always");
+         const std::string& throttles = "always", std::uint32_t features = model::kAllFeatures);
 
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& packets);

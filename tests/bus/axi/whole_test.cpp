@@ -28,6 +28,9 @@ TEST_P(Axi, SaysWhatItIs) {
   EXPECT_EQ(identity.evaluator, 0U);
   EXPECT_EQ(identity.points_axis, static_cast<unsigned>(kAxisPoints));
   EXPECT_EQ(identity.in_flight, 128U);
+  EXPECT_EQ(identity.features, std::uint32_t{model::kAllFeatures});
+  EXPECT_EQ(identity.pages, 2U);
+  EXPECT_EQ(identity.spans, 1U);
 }
 
 /// Packets of every kind, good and bad, in several runs that go on from each other.

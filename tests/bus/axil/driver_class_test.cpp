@@ -18,9 +18,9 @@ class DriverClass : public testing::Test {
 
 TEST_F(DriverClass, KnowsTheCore) {
   const std::pair<const char*, std::uint64_t> parameters[] = {
-      {"config_org_i", 4},        {"config_n_i", 8},         {"config_format_i", 18},
-      {"config_schedule_i", 1},   {"config_evaluator_i", 2}, {"limits_in_flight_i", 16},
-      {"limits_points_axis_i", 9}};
+      {"config_org_i", 4},         {"config_n_i", 8},         {"config_format_i", 18},
+      {"config_schedule_i", 1},    {"config_evaluator_i", 2}, {"limits_in_flight_i", 16},
+      {"limits_points_axis_i", 9}, {"limits2_pages_i", 300},  {"limits2_spans_i", 128}};
   for (const auto& [port, value] : parameters) bench_.inputs()[port] = value;
   const CoreIdentity core = driver_.probe();
   EXPECT_EQ(core.version_major, unsigned{PROJECT_VERSION_MAJOR});
@@ -33,6 +33,33 @@ TEST_F(DriverClass, KnowsTheCore) {
   EXPECT_EQ(core.evaluator, 2u);
   EXPECT_EQ(core.in_flight, 16u);
   EXPECT_EQ(core.points_axis, 9u);
+  EXPECT_EQ(core.features, 0u);
+  EXPECT_EQ(core.pages, 300u);
+  EXPECT_EQ(core.spans, 128u);
+}
+
+TEST_F(DriverClass, KnowsEachFeature) {
+  const std::pair<const char*, std::uint32_t> features[] = {
+      {"pages", HWFFD_FEATURES_PAGES_MASK},
+      {"large", HWFFD_FEATURES_LARGE_MASK},
+      {"fourth", HWFFD_FEATURES_FOURTH_MASK},
+      {"spans", HWFFD_FEATURES_SPANS_MASK},
+      {"grids", HWFFD_FEATURES_GRIDS_MASK},
+      {"packed", HWFFD_FEATURES_PACKED_MASK},
+      {"marks", HWFFD_FEATURES_MARKS_MASK},
+      {"resident", HWFFD_FEATURES_RESIDENT_MASK},
+      {"interleaved", HWFFD_FEATURES_INTERLEAVED_MASK},
+      {"derivatives", HWFFD_FEATURES_DERIVATIVES_MASK},
+      {"determinant", HWFFD_FEATURES_DETERMINANT_MASK}};
+  EXPECT_THROW(driver_.check({1, 0, 0, 0}), DriverError) << "probe comes first";
+  for (const auto& [name, mask] : features) {
+    const std::string port = std::string("features_") + name + "_i";
+    bench_.inputs()[port] = 1;
+    EXPECT_EQ(driver_.probe().features, mask) << name;
+    bench_.inputs()[port] = 0;
+  }
+  EXPECT_NO_THROW(driver_.check({1, 0, 0, 0}));
+  EXPECT_THROW(driver_.check({4, 1, 0, 0}), DriverError);
 }
 
 /// Answers every read alike.
@@ -40,7 +67,11 @@ class ConstantPort final : public RegisterPort {
  public:
   std::uint32_t value = 0;
   std::uint32_t version = HWFFD_VERSION_MAJOR_RESET << HWFFD_VERSION_MAJOR_SHIFT;
+  bool first = false;  ///< a core without the registers that came later
   std::uint32_t read32(std::uint32_t offset) override {
+    if (first && (offset == HWFFD_FEATURES_OFFSET || offset == HWFFD_LIMITS2_OFFSET)) {
+      throw RegisterError("there is none");
+    }
     return offset == HWFFD_VERSION_OFFSET ? version : value;
   }
   void write32(std::uint32_t, std::uint32_t) override {}
@@ -52,6 +83,11 @@ TEST(DriverProbe, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(driver.probe(), DriverError);
   port.value = HWFFD_ID_RESET;
   EXPECT_NO_THROW(driver.probe());
+  port.first = true;
+  const CoreIdentity core = driver.probe();
+  EXPECT_EQ(core.features, 0xF00u);
+  EXPECT_EQ(core.pages, 2u);
+  EXPECT_EQ(core.spans, 1u);
   port.version += 1u << HWFFD_VERSION_MAJOR_SHIFT;
   EXPECT_THROW(driver.probe(), DriverError);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hwffd/cores/verilated_pins.hpp"
+#include "register_words.hpp"
 
 namespace hwffd::test {
 
@@ -18,6 +19,7 @@ constexpr std::size_t kMaxFailures = 20;
 
 RegisterBench::RegisterBench(std::uint64_t seed, const std::string& throttles)
     : sim_(seed, 2'000'000),
+      slave_(tb::derive_seed(seed, 3)),
       driver_(tb::derive_seed(seed, 1),
               tb::AxiThrottles::make(throttles, tb::derive_seed(seed, 2))),
       input_ports_(hardware_ports(*sim_.dut().contextp(), "_i")),
@@ -54,18 +56,20 @@ void RegisterBench::reset(unsigned clocks) {
   acted_writes_ = acted_reads_ = 0;
 }
 
+/// The pins of a clock, through to the answers; the words between the two are registers' outputs.
 void RegisterBench::drive(const AxiLiteMasterPins& pins) {
-  auto& dut = sim_.dut();
-  dut.rst = in_reset_ ? 1 : 0;
-  cores::drive_pins(dut, pins);
+  auto& registers = sim_.dut();
+  auto& slave = slave_.dut();
+  registers.rst = in_reset_ ? 1 : 0;
+  registers.eval();
+  slave.rst = registers.s_clearing;
+  cores::drive_pins(slave, pins);
+  slave.eval();
   for (const auto& [name, port] : input_ports_) port.drive(inputs_.at(name));
-  dut.eval();
-}
-
-AxiLiteSlavePins RegisterBench::sample() {
-  AxiLiteSlavePins pins;
-  cores::sample_pins(sim_.dut(), pins);
-  return pins;
+  connect_words(slave, registers);
+  registers.eval();
+  connect_answers(registers, slave);
+  slave.eval();
 }
 
 void RegisterBench::follow(const AxiLiteSlavePins& slave) {
@@ -114,7 +118,8 @@ void RegisterBench::step() {
   if (each_clock_) each_clock_();
   const AxiLiteMasterPins master = driver_.drive();
   drive(master);
-  const AxiLiteSlavePins slave = sample();
+  AxiLiteSlavePins slave;
+  cores::sample_pins(slave_.dut(), slave);
   checker_.observe({in_reset_, master, slave}, clock());
   if (known_) {
     follow(slave);
@@ -133,6 +138,7 @@ void RegisterBench::step() {
   was_slave_ = slave;
   was_master_ = master;
   sim_.tick();
+  slave_.tick();
 }
 
 void RegisterBench::steps(unsigned clocks) {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "Vaxil_registers.h"
+#include "Vaxil_slave.h"
+#include "Vbus_registers.h"
 #include "hwffd/driver.hpp"
 #include "hwffd/tb/axi_checker.hpp"
 #include "hwffd/tb/axil_driver.hpp"
@@ -18,8 +19,8 @@
 
 namespace hwffd::test {
 
-/// The register block between an AxiLiteDriver, an AxiChecker and the model: in every clock all
-/// output ports, and every response as it appears, are compared.
+/// The register block behind ffd_axil_slave, between an AxiLiteDriver, an AxiChecker and the model:
+/// in every clock all output ports, and every response as it appears, are compared.
 ///
 /// Which write and which read act in a clock is seen on the bus: their response appears at the end
 /// of it (docs/registers.md section 3).
@@ -75,12 +76,12 @@ class RegisterBench {
 
  private:
   void drive(const cores::AxiLiteMasterPins& pins);
-  cores::AxiLiteSlavePins sample();
   void follow(const cores::AxiLiteSlavePins& slave);
   void compare_outputs();
   void fail(const std::string& what);
 
-  tb::Sim<Vaxil_registers> sim_;
+  tb::Sim<Vbus_registers> sim_;
+  tb::Sim<Vaxil_slave> slave_;
   tb::AxiLiteDriver driver_;
   tb::AxiChecker checker_{true};
   RegisterModel model_;

@@ -1,11 +1,14 @@
-// Counter and error record where they are full. They never are in a test that starts from reset:
-// here they start from Verilator's random state instead, with a seed that is near the edge.
+// The register block without a bus. Counter and error record where they are full: they never are in
+// a test that starts from reset, so here they start from Verilator's random state, with a seed that
+// is near the edge.
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "Vaxil_counter.h"
-#include "Vaxil_errors.h"
+#include "Vbus_counter.h"
+#include "Vbus_errors.h"
+#include "Vbus_registers.h"
+#include "hwffd/registers.h"
 #include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
@@ -27,7 +30,7 @@ std::unique_ptr<tb::Sim<VDut>> near_the_edge(Low low, std::uint32_t distance) {
 }
 
 TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
-  auto sim = near_the_edge<Vaxil_counter>([](auto& dut) { return dut.low_o; }, 1u << 20);
+  auto sim = near_the_edge<Vbus_counter>([](auto& dut) { return dut.low_o; }, 1u << 20);
   ASSERT_NE(sim, nullptr);
   auto& dut = sim->dut();
   dut.event_i = 0;
@@ -70,7 +73,7 @@ TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
 }
 
 TEST(ErrorRecord, CountStaysAtItsLargest) {
-  auto sim = near_the_edge<Vaxil_errors>([](auto& dut) { return dut.count_o; }, 1u << 24);
+  auto sim = near_the_edge<Vbus_errors>([](auto& dut) { return dut.count_o; }, 1u << 24);
   ASSERT_NE(sim, nullptr);
   auto& dut = sim->dut();
   dut.held_i = 1;
@@ -98,6 +101,43 @@ TEST(ErrorRecord, CountStaysAtItsLargest) {
   EXPECT_EQ(dut.count_o, 3u);
   sim->tick();
   EXPECT_EQ(dut.count_o, 3u);
+}
+
+/// No bus that is there now writes in two clocks one after the other; the block itself refuses the
+/// second start.
+TEST(RegisterBlock, AStartInTheClockOfThePulseIsRefused) {
+  tb::Sim<Vbus_registers> sim(1);
+  auto& dut = sim.dut();
+  const auto write = [&](unsigned offset, std::uint32_t data, unsigned clocks) {
+    dut.s_write_word = offset / 4;
+    dut.s_write_valid = 0;
+    sim.tick();
+    dut.s_write_valid = 1;
+    dut.s_write_data = data;
+    dut.s_write_strobe = 0xF;
+    for (unsigned i = 0; i < clocks; ++i) sim.tick();
+    dut.s_write_valid = 0;
+  };
+  const auto status = [&] {
+    dut.s_read_word = HWFFD_STATUS_OFFSET / 4;
+    sim.tick();
+    dut.eval();
+    return dut.s_read_data;
+  };
+  dut.rst = 1;
+  dut.s_write_valid = dut.s_read_valid = 0;
+  dut.status_busy_i = dut.status_idle_i = dut.status_stopped_i = dut.status_ring_running_i = 0;
+  dut.status_done_set_i = 0;
+  sim.tick();
+  dut.rst = 0;
+  while (dut.s_clearing) sim.tick();
+  write(HWFFD_WINDOW_LOCK_OFFSET, 1, 1);
+  write(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK, 1);
+  EXPECT_TRUE(dut.control_start_o);
+  EXPECT_EQ(status(), 0u);
+  write(HWFFD_CONTROL_OFFSET, HWFFD_CONTROL_START_MASK, 2);
+  EXPECT_FALSE(dut.control_start_o) << "one pulse";
+  EXPECT_EQ(status(), HWFFD_STATUS_START_REFUSED_MASK);
 }
 
 }  // namespace

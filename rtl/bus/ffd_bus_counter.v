@@ -1,4 +1,4 @@
-// ffd_axil_counter: a count of clocks, wider than the bus that reads it
+// ffd_bus_counter: a count of clocks, wider than the bus that reads it
 //
 // Counts the clocks in which event_i is high, modulo 2^WIDTH. latch_i, the read of the low half,
 // keeps the high half of the same clock, so that two reads make one number. clear_i sets the count
@@ -11,7 +11,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_axil_counter #(
+module ffd_bus_counter #(
   parameter WIDTH = 64
 ) (
   input  wire        clk,
@@ -24,7 +24,7 @@ module ffd_axil_counter #(
 );
   generate
     if (WIDTH < 33 || WIDTH > 64) begin : gen_bad_width
-      ERROR_ffd_axil_counter_width_must_be_33_to_64 u_error ();
+      ERROR_ffd_bus_counter_width_must_be_33_to_64 u_error ();
     end
   endgenerate
 

@@ -1,4 +1,4 @@
-// ffd_axil_stored: settings of the registers, kept a second time, to be read without a multiplexer
+// ffd_bus_stored: settings of the registers, kept a second time, to be read without a multiplexer
 //
 // WORDS words of 32 bits in a memory. What is written to a setting is written here too, byte by
 // byte; word_o is the word of read_slot_i, in the same clock. After rst the words are set to 0, one
@@ -11,7 +11,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_axil_stored #(
+module ffd_bus_stored #(
   parameter WORDS  = 16,
   parameter SLOT_W = $clog2(WORDS)
 ) (
@@ -27,7 +27,7 @@ module ffd_axil_stored #(
 );
   generate
     if (WORDS < 2 || WORDS > 64 || (1 << SLOT_W) != WORDS) begin : gen_bad_words
-      ERROR_ffd_axil_stored_words_must_be_a_power_of_two_up_to_64 u_error ();
+      ERROR_ffd_bus_stored_words_must_be_a_power_of_two_up_to_64 u_error ();
     end
   endgenerate
 

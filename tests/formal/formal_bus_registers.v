@@ -1,24 +1,22 @@
-// formal_axil_registers: locks, sticky bits and settings of ffd_axil_registers
+// formal_bus_registers: locks, sticky bits and settings of ffd_bus_registers
 //
-// Looks at the write as the bus slave hands it on (that it is the bus's is proved of the slave),
-// and at each register in the clock before and after.
+// Writes and reads come as any bus hands them on (that they are the bus's is proved of each), with
+// the word a clock before the valid, and not while the block clears its memory. Looks at each
+// register in the clock before and after.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module formal_axil_registers #(
+module formal_bus_registers #(
   parameter ERRORS = 24
 ) (
   input wire        clk,
   input wire        rst,
-  input wire        awvalid,
-  input wire [11:0] awaddr,
-  input wire        wvalid,
-  input wire [31:0] wdata,
-  input wire [3:0]  wstrb,
-  input wire        bready,
-  input wire        arvalid,
-  input wire [11:0] araddr,
-  input wire        rready,
+  input wire        write,
+  input wire [9:0]  word,
+  input wire [31:0] data,
+  input wire [3:0]  strobe,
+  input wire        read,
+  input wire [9:0]  read_word,
   input wire        busy,
   input wire        stopped,
   input wire        done,
@@ -54,21 +52,22 @@ module formal_axil_registers #(
   wire        lock;
   wire [2:0]  enable;
   wire        irq;
+  wire        clearing;
+  wire        write_error;
+  wire [31:0] read_data;
 
-  ffd_axil_registers u_dut (
+  ffd_bus_registers u_dut (
     .clk                     (clk),
     .rst                     (rst),
-    .s_axil_awvalid          (awvalid),
-    .s_axil_awaddr           (awaddr),
-    .s_axil_awprot           (3'd0),
-    .s_axil_wvalid           (wvalid),
-    .s_axil_wdata            (wdata),
-    .s_axil_wstrb            (wstrb),
-    .s_axil_bready           (bready),
-    .s_axil_arvalid          (arvalid),
-    .s_axil_araddr           (araddr),
-    .s_axil_arprot           (3'd0),
-    .s_axil_rready           (rready),
+    .s_clearing              (clearing),
+    .s_write_valid           (write),
+    .s_write_word            (word),
+    .s_write_data            (data),
+    .s_write_strobe          (strobe),
+    .s_write_error           (write_error),
+    .s_read_valid            (read),
+    .s_read_word             (read_word),
+    .s_read_data             (read_data),
     .config_org_i            (8'd0),
     .config_n_i              (8'd0),
     .config_format_i         (8'd0),
@@ -76,6 +75,19 @@ module formal_axil_registers #(
     .config_evaluator_i      (2'd0),
     .limits_in_flight_i      (16'd0),
     .limits_points_axis_i    (8'd0),
+    .features_pages_i        (1'b0),
+    .features_large_i        (1'b0),
+    .features_fourth_i       (1'b0),
+    .features_spans_i        (1'b0),
+    .features_grids_i        (1'b0),
+    .features_packed_i       (1'b0),
+    .features_marks_i        (1'b0),
+    .features_resident_i     (1'b0),
+    .features_interleaved_i  (1'b0),
+    .features_derivatives_i  (1'b0),
+    .features_determinant_i  (1'b0),
+    .limits2_pages_i         (16'd0),
+    .limits2_spans_i         (8'd0),
     .control_start_o         (start),
     .status_busy_i           (busy),
     .status_idle_i           (1'b0),
@@ -108,11 +120,6 @@ module formal_axil_registers #(
     .irq_o                   (irq)
   );
 
-  (* hierconn *) wire        \u_dut.write ;
-  (* hierconn *) wire [9:0]  \u_dut.write_word ;
-  (* hierconn *) wire [31:0] \u_dut.write_data ;
-  (* hierconn *) wire [31:0] \u_dut.write_mask ;
-  (* hierconn *) wire        \u_dut.write_error ;
   (* hierconn *) wire        \u_dut.status_done_q ;
   (* hierconn *) wire        \u_dut.status_start_refused_q ;
   (* hierconn *) wire [ERRORS-1:0] \u_dut.error_status_q ;
@@ -122,9 +129,6 @@ module formal_axil_registers #(
   (* hierconn *) wire        \u_dut.irq_state_refused_q ;
 
   // Counters side by side: count, high word as it was latched, and what latches it.
-  (* hierconn *) wire        \u_dut.read ;
-  (* hierconn *) wire [9:0]  \u_dut.read_word ;
-  (* hierconn *) wire [31:0] \u_dut.read_data ;
   (* hierconn *) wire [63:0] \u_dut.u_counter_vertices.count_q ;
   (* hierconn *) wire [63:0] \u_dut.u_counter_stalls.count_q ;
   (* hierconn *) wire [63:0] \u_dut.u_counter_busy.count_q ;
@@ -141,23 +145,21 @@ module formal_axil_registers #(
                          \u_dut.u_counter_vertices.high_q };
   wire [2:0]  latches = {\u_dut.u_counter_busy.latch_i , \u_dut.u_counter_stalls.latch_i ,
                          \u_dut.u_counter_vertices.latch_i };
+  reg [9:0]   read_word_q;
   reg         counters_read;
   integer     c;
   always @* begin
     counters_read = 1'b1;
     for (c = 0; c < 3; c = c + 1) begin
-      if (latches[c] != (\u_dut.read && \u_dut.read_word == COUNTERS + 2 * c)) counters_read = 1'b0;
-      if (\u_dut.read_word == COUNTERS + 2 * c && \u_dut.read_data != lows[32*c +: 32])
-        counters_read = 1'b0;
-      if (\u_dut.read_word == COUNTERS + 2 * c + 1 && \u_dut.read_data != highs[32*c +: 32])
+      if (latches[c] != (read && read_word_q == COUNTERS + 2 * c)) counters_read = 1'b0;
+      if (read_word_q == COUNTERS + 2 * c && read_data != lows[32*c +: 32]) counters_read = 1'b0;
+      if (read_word_q == COUNTERS + 2 * c + 1 && read_data != highs[32*c +: 32])
         counters_read = 1'b0;
     end
   end
 
-  wire        write = \u_dut.write ;
-  wire [9:0]  word  = \u_dut.write_word ;
-  wire [31:0] mask  = \u_dut.write_mask ;
-  wire [31:0] ones  = \u_dut.write_data & mask;
+  wire [31:0] mask  = {{8 {strobe[3]}}, {8 {strobe[2]}}, {8 {strobe[1]}}, {8 {strobe[0]}}};
+  wire [31:0] ones  = data & mask;
 
   // Sticky bits side by side: as they are, what clears and what sets each of them.
   wire [2:0]  state   = {\u_dut.irq_state_refused_q , \u_dut.irq_state_error_q ,
@@ -181,6 +183,8 @@ module formal_axil_registers #(
                            word == RING_LOG2_SIZE, word == RING_HEAD, word == RESULT_BASE_HI,
                            word == RESULT_BASE_LO, word == RESULT_SIZE};
 
+  // A clock without a reset comes first: in the second, words are decoded and counters hold any count.
+  reg         zero_q  = 1'b1;
   reg         first_q = 1'b1;
   reg         rst_q;
   reg         write_q;
@@ -198,11 +202,13 @@ module formal_axil_registers #(
   reg         asked_q;
   reg         refused_q;
   always @(posedge clk) begin
-    first_q    <= 1'b0;
+    zero_q     <= 1'b0;
+    first_q    <= zero_q;
     rst_q      <= rst || first_q;
     write_q    <= write;
-    error_q    <= \u_dut.write_error ;
+    error_q    <= write_error;
     word_q     <= word;
+    read_word_q <= read_word;
     mask_q     <= mask;
     owners_q   <= owners;
     lock_q     <= lock;
@@ -216,7 +222,11 @@ module formal_axil_registers #(
     refused_q  <= refused;
   end
 
-  always @* if (first_q) assume (rst);
+  always @* if (first_q && !zero_q) assume (rst);
+
+  // A word comes a clock before its valid, and none is valid while the block clears its memory.
+  always @* assume (!write || (word == word_q && !clearing));
+  always @* assume (!read || (read_word == read_word_q && !clearing));
 
   reg [6:0] moved;       // settings that have changed, or bytes of them without a strobe
   reg [6:0] strayed;
@@ -243,10 +253,11 @@ module formal_axil_registers #(
     interrupt: assert (irq == (pending_q != 0));
   end
   always @* if (!first_q) begin
-    locked_error: assert (!(write && lock && (word >> 3) == (WINDOWS >> 3)) || \u_dut.write_error );
+    locked_error: assert (!(write && lock && (word >> 3) == (WINDOWS >> 3)) || write_error);
   end
-  // From the first clock on, in which counters may hold any count.
-  always @* counters: assert (counters_read);
+  always @* if (!zero_q) begin
+    counters: assert (counters_read);
+  end
 endmodule
 
 `default_nettype wire

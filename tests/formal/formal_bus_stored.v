@@ -1,9 +1,9 @@
-// formal_axil_stored: ffd_axil_stored and one word of it, chosen freely, beside a copy
+// formal_bus_stored: ffd_bus_stored and one word of it, chosen freely, beside a copy
 //
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module formal_axil_stored #(
+module formal_bus_stored #(
   parameter WORDS  = 16,
   parameter SLOT_W = $clog2(WORDS)
 ) (
@@ -18,7 +18,7 @@ module formal_axil_stored #(
   wire        clearing;
   wire [31:0] word;
 
-  ffd_axil_stored #(
+  ffd_bus_stored #(
     .WORDS(WORDS)
   ) u_dut (
     .clk           (clk),

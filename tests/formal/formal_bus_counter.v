@@ -1,10 +1,10 @@
-// formal_axil_counter: ffd_axil_counter from any count on, with any events and any reset
+// formal_bus_counter: ffd_bus_counter from any count on, with any events and any reset
 //
 // No reset is assumed at the start: the count begins anywhere, so that every carry is seen.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module formal_axil_counter #(
+module formal_bus_counter #(
   parameter WIDTH = 64
 ) (
   input wire clk,
@@ -16,7 +16,7 @@ module formal_axil_counter #(
   wire [31:0] low;
   wire [31:0] high;
 
-  ffd_axil_counter #(
+  ffd_bus_counter #(
     .WIDTH(WIDTH)
   ) u_dut (
     .clk    (clk),

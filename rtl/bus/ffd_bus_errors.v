@@ -1,4 +1,4 @@
-// ffd_axil_errors: the record of the first error, and how many there were
+// ffd_bus_errors: the record of the first error, and how many there were
 //
 // event_i has a bit a kind of error; its number is the code. An event is recorded, with packet and
 // beat of the same clock, unless held_i says that the record is in use; of several in one clock the
@@ -13,7 +13,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_axil_errors #(
+module ffd_bus_errors #(
   parameter CODES = 16
 ) (
   input  wire             clk,
@@ -33,7 +33,7 @@ module ffd_axil_errors #(
 );
   generate
     if (CODES < 1 || CODES > 32) begin : gen_bad_codes
-      ERROR_ffd_axil_errors_codes_must_be_1_to_32 u_error ();
+      ERROR_ffd_bus_errors_codes_must_be_1_to_32 u_error ();
     end
   endgenerate
 

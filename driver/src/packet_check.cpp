@@ -1,0 +1,146 @@
+// What a core can do with a packet, from the packet's header alone.
+#include <string>
+
+#include "hwffd/driver.hpp"
+#include "hwffd/registers.h"
+
+namespace hwffd {
+namespace {
+
+constexpr unsigned kCoefficients = 1, kLattice = 2, kVertices = 3, kInterleaved = 4, kPage = 5,
+                   kPoints = 6, kPageVertices = 7, kGrid = 8, kSpans = 9;
+constexpr unsigned kPositions = 0, kDerivatives = 1, kDeterminant = 2;
+constexpr unsigned kFewestPoints = 4, kLargePoints = 64;
+
+/// What a feature is, and how to do without it.
+struct Feature {
+  std::uint32_t mask;
+  const char* name;
+  const char* instead;
+};
+
+constexpr Feature kResidentLattices{HWFFD_FEATURES_RESIDENT_MASK, "resident lattices",
+                                    "send interleaved vertices"};
+constexpr Feature kInterleavedVertices{HWFFD_FEATURES_INTERLEAVED_MASK, "interleaved vertices",
+                                       "send a lattice and its vertices"};
+constexpr Feature kFunctionDerivatives{HWFFD_FEATURES_DERIVATIVES_MASK, "derivatives",
+                                       "send coefficients without theirs"};
+constexpr Feature kResultDerivatives{HWFFD_FEATURES_DERIVATIVES_MASK, "derivatives",
+                                     "ask for positions"};
+constexpr Feature kResultDeterminant{HWFFD_FEATURES_DETERMINANT_MASK, "determinant",
+                                     "ask for positions"};
+constexpr Feature kPages{HWFFD_FEATURES_PAGES_MASK, "pages", "send whole lattices (opcodes 2, 3)"};
+constexpr Feature kGrids{HWFFD_FEATURES_GRIDS_MASK, "grids", "send their vertices"};
+constexpr Feature kFunctionSpans{HWFFD_FEATURES_SPANS_MASK, "spans",
+                                 "send functions of every cell (opcode 1)"};
+
+/// Flags of a header's word 0 by their bits, from this one on (docs/interface.md section 10).
+constexpr unsigned kFirstFlag = 16;
+constexpr Feature kFlagged[] = {
+    {0, "", ""},  // that of its opcode will do
+    {HWFFD_FEATURES_FOURTH_MASK, "fourth component", "send it as x of a second lattice"},
+    {HWFFD_FEATURES_PACKED_MASK, "packed vertices", "send one vertex a beat"},
+    {HWFFD_FEATURES_LARGE_MASK, "large lattices", "cut the lattice into pages"},
+    {HWFFD_FEATURES_MARKS_MASK, "counts a packet", "give each packet a run of its own"},
+    {HWFFD_FEATURES_MARKS_MASK, "interrupts a packet", "wait for the end of the run"},
+};
+/// Which of them opcodes 5 to 9 have.
+constexpr std::uint32_t kFlagsOf[] = {0x0A, 0x02, 0x3F, 0x3A, 0x01};
+
+void require(const CoreIdentity& core, const Feature& feature) {
+  if ((core.features & feature.mask) == feature.mask) return;
+  throw DriverError(std::string("this core has no ") + feature.name + ": " + feature.instead +
+                    ", or build it with FEATURES + " + std::to_string(feature.mask));
+}
+
+void check_results(const CoreIdentity& core, std::uint32_t word) {
+  const unsigned results = word >> 8 & 3;
+  if (results == kPositions) return;
+  if (results > kDeterminant) throw DriverError("results 3: 0, 1 and 2 are possible");
+  require(core, kResultDerivatives);
+  if (results == kDeterminant) require(core, kResultDeterminant);
+}
+
+void check_points(const CoreIdentity& core, std::uint32_t word, bool large) {
+  const unsigned most = large ? kLargePoints : core.points_axis;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const unsigned points = word >> 8 * axis & 0xFF;
+    if (points >= kFewestPoints && points <= most) continue;
+    throw DriverError(std::to_string(points) + " points along axis " + "stu"[axis] +
+                      ": this core takes " + std::to_string(kFewestPoints) + " to " +
+                      std::to_string(most) + "; make the lattice smaller, or build with AXIS");
+  }
+}
+
+void check_page(const CoreIdentity& core, std::uint32_t word) {
+  const unsigned page = word >> 8 & 0xFF;
+  if (page < core.pages) return;
+  throw DriverError("page " + std::to_string(page) + ": this core has " +
+                    std::to_string(core.pages) + ", from 0 on; use one of them, or build with" +
+                    " PAGES");
+}
+
+void check_spans(const CoreIdentity& core, const PacketHeader& header) {
+  const std::uint64_t end = std::uint64_t{header[2] >> 8 & 0xFF} + header[1];
+  if (end <= core.spans) return;
+  throw DriverError("functions of " + std::to_string(end) + " spans: this core has " +
+                    std::to_string(core.spans) + "; send fewer, or build with SPANS");
+}
+
+/// Of opcodes 5 to 9; those before have none.
+void check_flags(const CoreIdentity& core, std::uint32_t word) {
+  const unsigned opcode = word & 0xFF;
+  for (unsigned flag = 0; flag < 32 - kFirstFlag; ++flag) {
+    if ((word >> (kFirstFlag + flag) & 1) == 0) continue;
+    if ((kFlagsOf[opcode - kPage] >> flag & 1) == 0) {
+      throw DriverError("bit " + std::to_string(kFirstFlag + flag) + " is no flag of opcode " +
+                        std::to_string(opcode) + ": clear it");
+    }
+    require(core, kFlagged[flag]);
+  }
+}
+
+}  // namespace
+
+void check_packet(const CoreIdentity& core, const PacketHeader& header) {
+  const unsigned opcode = header[0] & 0xFF;
+  const bool large = (header[0] >> (kFirstFlag + 3) & 1) != 0;
+  if (opcode >= kPage && opcode <= kSpans) check_flags(core, header[0]);
+  switch (opcode) {
+    case kCoefficients:
+      if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
+      return;
+    case kLattice:
+      require(core, kResidentLattices);
+      return check_points(core, header[2], false);
+    case kVertices:
+      require(core, kResidentLattices);
+      return check_results(core, header[2]);
+    case kInterleaved:
+      require(core, kInterleavedVertices);
+      return check_results(core, header[2]);
+    case kPage:
+      require(core, kPages);
+      check_page(core, header[0]);
+      return check_points(core, header[2], large);
+    case kPoints:
+      require(core, kPages);
+      return check_page(core, header[0]);
+    case kPageVertices:
+      require(core, kPages);
+      check_page(core, header[0]);
+      return check_results(core, header[2]);
+    case kGrid:
+      require(core, kGrids);
+      check_page(core, header[0]);
+      return check_results(core, header[2]);
+    case kSpans:
+      require(core, kFunctionSpans);
+      if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
+      return check_spans(core, header);
+    default:
+      throw DriverError("opcode " + std::to_string(opcode) + ": 1 to 9 are known");
+  }
+}
+
+}  // namespace hwffd

@@ -1,0 +1,366 @@
+// ffd_bus_core: hwffd_stream with DMA and registers, before the bus of the registers
+//
+// Registers (docs/registers.md), which come as words, start runs of the DMA (docs/interface.md
+// section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has no IDs:
+// answers come in order.
+//
+// Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
+// Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.
+// Cuts:       every output but the answers to words leaves a register, or is a constant.
+// Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
+//             BUS_TIMEOUT clocks.
+// Parameters: as in hwffd_axi, without SECURE_ONLY.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_eval.vh"
+`include "ffd_stream.vh"
+
+module ffd_bus_core #(
+  `include "ffd_bus_parameters.vh"
+) (
+  input  wire         aclk,
+  input  wire         aresetn,
+  `include "ffd_word_ports.vh"
+  output wire         irq_o,
+  `include "ffd_axi_ports.vh"
+);
+  generate
+    if (IN_FLIGHT >= 65536) begin : gen_bad_in_flight
+      ERROR_ffd_bus_core_in_flight_must_be_below_65536 u_error ();
+    end
+    if (AXI_PROT < 0 || AXI_PROT > 7) begin : gen_bad_prot
+      ERROR_ffd_bus_core_axi_prot_must_be_0_to_7 u_error ();
+    end
+    // To allocate in a cache, a transfer must be modifiable.
+    if (AXI_CACHE < 0 || AXI_CACHE > 15 || (AXI_CACHE > 3 && AXI_CACHE / 2 % 2 == 0))
+    begin : gen_bad_cache
+      ERROR_ffd_bus_core_axi_cache_must_be_a_memory_type_of_axi u_error ();
+    end
+  endgenerate
+
+  // A parameter that is set from outside has 32 bits.
+  localparam [31:0] ORG_WORD       = ORG;
+  localparam [31:0] N_WORD         = N;
+  localparam [31:0] FORMAT_WORD    = FORMAT;
+  localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
+  localparam [31:0] EVALUATOR_WORD = EVALUATOR;
+  localparam [31:0] IN_FLIGHT_WORD = IN_FLIGHT;
+  // No lattice is kept: no points an axis, no pages.
+  localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
+  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? 2 : 0;
+  localparam [31:0] FEATURES_WORD  = FEATURES;
+  localparam [31:0] PROT_WORD      = AXI_PROT;
+  localparam [31:0] CACHE_WORD     = AXI_CACHE;
+
+  assign m_axi_arcache = CACHE_WORD[3:0];
+  assign m_axi_awcache = CACHE_WORD[3:0];
+  assign m_axi_arprot  = PROT_WORD[2:0];
+  assign m_axi_awprot  = PROT_WORD[2:0];
+
+  wire clk = aclk;
+
+  // The reset inside is a clock longer than outside: it is high in the clock after, too.
+  reg  reset_q;
+  wire rst = !aresetn || reset_q;
+  always @(posedge clk) reset_q <= !aresetn;
+
+  // ---- registers
+
+  wire         start;
+  wire         soft_reset;
+  wire         busy;
+  wire         idle;
+  wire         stopped;
+  wire         done;
+  wire [63:0]  ring_base;
+  wire [3:0]   ring_log2_size;
+  wire [15:0]  ring_head;
+  wire [15:0]  ring_tail;
+  wire         ring_running;
+  wire [63:0]  result_base;
+  wire [31:0]  result_size;
+  wire [31:0]  result_count;
+  wire [63:0]  read_first;
+  wire [63:0]  read_last;
+  wire [63:0]  write_first;
+  wire [63:0]  write_last;
+  wire         vertex;
+  wire         stall;
+  wire [23:0]  error_event;
+  wire [31:0]  error_packet;
+  wire [31:0]  error_beat;
+  wire         error_address_valid;
+  wire [63:0]  error_address;
+  wire         clear_counters;
+  wire         locked;
+  wire [2:0]   irq_enable;
+
+  ffd_bus_registers u_registers (
+    .clk                     (clk),
+    .rst                     (rst),
+    .s_clearing              (s_clearing),
+    .s_write_valid           (s_write_valid),
+    .s_write_word            (s_write_word),
+    .s_write_data            (s_write_data),
+    .s_write_strobe          (s_write_strobe),
+    .s_write_error           (s_write_error),
+    .s_read_valid            (s_read_valid),
+    .s_read_word             (s_read_word),
+    .s_read_data             (s_read_data),
+    .s_read_error            (s_read_error),
+    .config_org_i            (ORG_WORD[7:0]),
+    .config_n_i              (N_WORD[7:0]),
+    .config_format_i         (FORMAT_WORD[7:0]),
+    .config_schedule_i       (SCHEDULE_WORD[0]),
+    .config_evaluator_i      (EVALUATOR_WORD[1:0]),
+    .limits_in_flight_i      (IN_FLIGHT_WORD[15:0]),
+    .limits_points_axis_i    (AXIS_WORD[7:0]),
+    .control_start_o         (start),
+    .control_soft_reset_o    (soft_reset),
+    .control_clear_counters_o(clear_counters),
+    .status_busy_i           (busy),
+    .status_idle_i           (idle),
+    .status_stopped_i        (stopped),
+    .status_ring_running_i   (ring_running),
+    .status_done_set_i       (done),
+    .features_pages_i        (FEATURES_WORD[0]),
+    .features_large_i        (FEATURES_WORD[1]),
+    .features_fourth_i       (FEATURES_WORD[2]),
+    .features_spans_i        (FEATURES_WORD[3]),
+    .features_grids_i        (FEATURES_WORD[4]),
+    .features_packed_i       (FEATURES_WORD[5]),
+    .features_marks_i        (FEATURES_WORD[6]),
+    .features_resident_i     (FEATURES_WORD[8]),
+    .features_interleaved_i  (FEATURES_WORD[9]),
+    .features_derivatives_i  (FEATURES_WORD[10]),
+    .features_determinant_i  (FEATURES_WORD[11]),
+    .limits2_pages_i         (PAGES_WORD[15:0]),
+    .limits2_spans_i         (8'd1),
+    .ring_base_o             (ring_base),
+    .ring_log2_size_o        (ring_log2_size),
+    .ring_head_o             (ring_head),
+    .ring_tail_i             (ring_tail),
+    .result_base_o           (result_base),
+    .result_size_o           (result_size),
+    .result_count_i          (result_count),
+    .read_window_base_o      (read_first),
+    .read_window_limit_o     (read_last),
+    .write_window_base_o     (write_first),
+    .write_window_limit_o    (write_last),
+    .window_lock_windows_o   (locked),
+    .counter_vertices_event_i(vertex),
+    .counter_stalls_event_i  (stall),
+    .counter_busy_event_i    (busy),
+    .error_event_i           (error_event),
+    .error_packet_i          (error_packet),
+    .error_beat_i            (error_beat),
+    .error_address_valid_i   (error_address_valid),
+    .error_address_i         (error_address),
+    .irq_enable_done_o       (irq_enable[0]),
+    .irq_enable_error_o      (irq_enable[1]),
+    .irq_enable_refused_o    (irq_enable[2]),
+    .irq_o                   (irq_o)
+  );
+
+  // ---- runs and their errors
+
+  wire        dma_ring_start;
+  wire [63:0] dma_ring_base;
+  wire [3:0]  dma_ring_entries_log2;
+  wire [15:0] dma_ring_head;
+  wire        dma_result_start;
+  wire        result_busy;
+  wire        result_running;
+  wire        result_overflow;
+  wire        read_error;
+  wire [3:0]  read_error_code;
+  wire [63:0] read_error_address;
+  wire        write_error;
+  wire [2:0]  write_error_code;
+  wire [63:0] write_error_address;
+  wire        clearing;
+  wire        halted;
+  wire        fault;
+  wire [4:0]  timeout;
+  wire        dma_idle;
+  wire        core_rst;
+  wire        core_idle;
+  wire [9:0]  core_event;
+  wire [31:0] core_packet;
+  wire [31:0] core_beat;
+
+  ffd_bus_run u_run (
+    .clk                (clk),
+    .rst                (rst),
+    .start_i            (start),
+    .soft_reset_i       (soft_reset),
+    .ring_base_i        (ring_base),
+    .ring_log2_size_i   (ring_log2_size),
+    .ring_head_i        (ring_head),
+    .busy_o             (busy),
+    .idle_o             (idle),
+    .stopped_o          (stopped),
+    .done_o             (done),
+    .ring_start_o       (dma_ring_start),
+    .ring_base_o        (dma_ring_base),
+    .ring_entries_log2_o(dma_ring_entries_log2),
+    .ring_head_o        (dma_ring_head),
+    .result_start_o     (dma_result_start),
+    .ring_running_i     (ring_running),
+    .write_error_i      (write_error),
+    .dma_fault_i        (fault),
+    .dma_clearing_i     (clearing),
+    .dma_halted_i       (halted),
+    .dma_idle_i         (dma_idle),
+    .core_rst_o         (core_rst),
+    .core_idle_i        (core_idle)
+  );
+
+  ffd_bus_events u_events (
+    .clk                  (clk),
+    .rst                  (rst),
+    .core_event_i         (core_event),
+    .core_packet_i        (core_packet),
+    .core_beat_i          (core_beat),
+    .read_error_i         (read_error),
+    .read_error_code_i    (read_error_code),
+    .read_error_address_i (read_error_address),
+    .write_error_i        (write_error),
+    .write_error_code_i   (write_error_code),
+    .write_error_address_i(write_error_address),
+    .result_overflow_i    (result_overflow),
+    .timeout_i            (timeout),
+    .error_event_o        (error_event),
+    .error_packet_o       (error_packet),
+    .error_beat_o         (error_beat),
+    .error_address_valid_o(error_address_valid),
+    .error_address_o      (error_address)
+  );
+
+  // ---- memory
+
+  wire         packet_valid;
+  wire         packet_ready;
+  wire [127:0] packet_data;
+  wire         packet_last;
+  wire         result_valid;
+  wire         result_ready;
+  wire [127:0] result_data;
+  wire         result_last;
+
+  ffd_dma_engine #(
+    .MAX_BURST        (MAX_BURST),
+    .READ_DEPTH       (READ_DEPTH),
+    .WRITE_DEPTH      (WRITE_DEPTH),
+    .READ_OUTSTANDING (READ_OUTSTANDING),
+    .WRITE_OUTSTANDING(WRITE_OUTSTANDING),
+    .FLUSH_CLOCKS     (FLUSH_CLOCKS),
+    .TIMEOUT          (BUS_TIMEOUT)
+  ) u_dma (
+    .clk                  (clk),
+    .rst                  (rst),
+    .soft_reset_i         (soft_reset),
+    .clearing_o           (clearing),
+    .halted_o             (halted),
+    .fault_o              (fault),
+    .timeout_o            (timeout),
+    .idle_o               (dma_idle),
+    .read_first_i         (read_first),
+    .read_last_i          (read_last),
+    .ring_start_i         (dma_ring_start),
+    .ring_base_i          (dma_ring_base),
+    .ring_entries_log2_i  (dma_ring_entries_log2),
+    .ring_head_i          (dma_ring_head),
+    .ring_tail_o          (ring_tail),
+    .ring_running_o       (ring_running),
+    .read_error_o         (read_error),
+    .read_error_code_o    (read_error_code),
+    .read_error_address_o (read_error_address),
+    .write_first_i        (write_first),
+    .write_last_i         (write_last),
+    .result_start_i       (dma_result_start),
+    .result_base_i        (result_base),
+    .result_size_i        (result_size),
+    .result_running_o     (result_running),
+    .result_busy_o        (result_busy),
+    .result_count_o       (result_count),
+    .result_overflow_o    (result_overflow),
+    .write_error_o        (write_error),
+    .write_error_code_o   (write_error_code),
+    .write_error_address_o(write_error_address),
+    .m_packet_valid       (packet_valid),
+    .m_packet_ready       (packet_ready),
+    .m_packet_data        (packet_data),
+    .m_packet_last        (packet_last),
+    .s_result_valid       (result_valid),
+    .s_result_ready       (result_ready),
+    .s_result_data        (result_data),
+    .s_result_last        (result_last),
+    .m_axi_arvalid        (m_axi_arvalid),
+    .m_axi_arready        (m_axi_arready),
+    .m_axi_araddr         (m_axi_araddr),
+    .m_axi_arlen          (m_axi_arlen),
+    .m_axi_arsize         (m_axi_arsize),
+    .m_axi_arburst        (m_axi_arburst),
+    .m_axi_rvalid         (m_axi_rvalid),
+    .m_axi_rready         (m_axi_rready),
+    .m_axi_rdata          (m_axi_rdata),
+    .m_axi_rresp          (m_axi_rresp),
+    .m_axi_rlast          (m_axi_rlast),
+    .m_axi_awvalid        (m_axi_awvalid),
+    .m_axi_awready        (m_axi_awready),
+    .m_axi_awaddr         (m_axi_awaddr),
+    .m_axi_awlen          (m_axi_awlen),
+    .m_axi_awsize         (m_axi_awsize),
+    .m_axi_awburst        (m_axi_awburst),
+    .m_axi_wvalid         (m_axi_wvalid),
+    .m_axi_wready         (m_axi_wready),
+    .m_axi_wdata          (m_axi_wdata),
+    .m_axi_wstrb          (m_axi_wstrb),
+    .m_axi_wlast          (m_axi_wlast),
+    .m_axi_bvalid         (m_axi_bvalid),
+    .m_axi_bready         (m_axi_bready),
+    .m_axi_bresp          (m_axi_bresp)
+  );
+
+  // ---- the core
+
+  hwffd_stream #(
+    .ORG            (ORG),
+    .N              (N),
+    .FORMAT         (FORMAT),
+    .SCHEDULE       (SCHEDULE),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .AXIS           (AXIS),
+    .IN_FLIGHT      (IN_FLIGHT),
+    .WAITING        (WAITING),
+    .FEATURES       (FEATURES)
+  ) u_core (
+    .aclk          (clk),
+    .aresetn       (!core_rst),
+    .s_axis_tvalid (packet_valid),
+    .s_axis_tready (packet_ready),
+    .s_axis_tdata  (packet_data),
+    .s_axis_tlast  (packet_last),
+    .m_axis_tvalid (result_valid),
+    .m_axis_tready (result_ready),
+    .m_axis_tdata  (result_data),
+    .m_axis_tlast  (result_last),
+    .event_o       (core_event),
+    .event_packet_o(core_packet),
+    .event_beat_o  (core_beat),
+    .vertex_o      (vertex),
+    .idle_o        (core_idle)
+  );
+
+  assign stall  = result_valid && !result_ready;
+
+  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running, result_busy};
+endmodule
+
+`default_nettype wire

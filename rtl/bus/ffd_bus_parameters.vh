@@ -1,0 +1,25 @@
+// Parameters of the core behind its buses, as all that hand them on have them: rtl/top/hwffd_axi.v.
+// To be included in a module's parameters.
+// SPDX-License-Identifier: Apache-2.0
+parameter ORG               = 0,
+parameter N                 = 1,
+parameter FORMAT            = 18,
+parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
+parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
+parameter MUL_LATENCY       = 2,
+parameter ADD_LATENCY       = 1,
+parameter FMA_LATENCY       = 0,
+parameter CONVERT_LATENCY   = 1,
+parameter AXIS              = 16,
+parameter IN_FLIGHT         = 128,
+parameter WAITING           = 16,
+parameter FEATURES          = `FFD_FEATURES,
+parameter MAX_BURST         = 256,
+parameter READ_DEPTH        = 512,
+parameter WRITE_DEPTH       = 512,
+parameter READ_OUTSTANDING  = 8,
+parameter WRITE_OUTSTANDING = 8,
+parameter FLUSH_CLOCKS      = 16,
+parameter BUS_TIMEOUT       = 1048576,
+parameter AXI_PROT          = 2,
+parameter AXI_CACHE         = 2

@@ -1,0 +1,132 @@
+// What the driver refuses to send to a core that was built without it, by the packet's header.
+#include <gtest/gtest.h>
+
+#include "hwffd/driver.hpp"
+#include "hwffd/registers.h"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint32_t kToday = 0xF00;  // resident, interleaved, derivatives, determinant
+constexpr std::uint32_t kEvery = 1U << 16, kFourth = 1U << 17, kPacked = 1U << 18,
+                        kLarge = 1U << 19, kResult = 1U << 20, kInterrupt = 1U << 21;
+constexpr std::uint32_t kDerivativesFollow = 1U << 31;
+
+CoreIdentity core_with(std::uint32_t features) {
+  CoreIdentity core{};
+  core.features = features;
+  core.points_axis = (features & HWFFD_FEATURES_RESIDENT_MASK) != 0 ? 16 : 0;
+  core.pages = 4;
+  core.spans = 9;
+  return core;
+}
+
+/// What is said of a packet; empty: it may be sent.
+std::string complaint(const CoreIdentity& core, const PacketHeader& header) {
+  try {
+    check_packet(core, header);
+  } catch (const DriverError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A packet, and the features that it wants.
+struct Wanted {
+  PacketHeader header;
+  std::uint32_t features;
+};
+
+constexpr std::uint32_t kPoints = 0x040506;
+const Wanted kPackets[] = {
+    {{1, 0, 0x3F, 0}, 0},
+    {{1, 0, kDerivativesFollow, 0}, 0x400},
+    {{2, 0, kPoints, 0}, 0x100},
+    {{3, 5, 2, 0}, 0x100},
+    {{3, 5, 0x100, 0}, 0x500},
+    {{3, 5, 0x200, 0}, 0xD00},
+    {{4, 5, 0, 0}, 0x200},
+    {{4, 5, 0x101, 0}, 0x600},
+    {{4, 5, 0x200, 0}, 0xE00},
+    {{5 | 0x300, 0, kPoints, 0}, 0x101},
+    {{5 | kLarge, 0, 0x404040, 0}, 0x103},
+    {{5 | kFourth, 0, kPoints, 0}, 0x105},
+    {{6, 2, 17, 0}, 0x101},
+    {{7 | kEvery, 0, 0, 0}, 0x101},
+    {{7 | kPacked, 2, 0x200, 0}, 0xD21},
+    {{7 | kResult, 2, 0, 0}, 0x141},
+    {{7 | kInterrupt, 2, 0, 0}, 0x141},
+    {{8, 8, 0x100, 0}, 0x510},
+    {{9 | kEvery, 9, 0, 0}, 8},
+    {{9, 4, kDerivativesFollow | 5 << 8, 0}, 0x408},
+};
+
+TEST(PacketCheck, AsksForNoMoreThanAPacketWants) {
+  for (const Wanted& packet : kPackets) {
+    // Lattices and vertices have somewhere to be, whatever else is not there.
+    EXPECT_EQ(complaint(core_with(packet.features), packet.header), "") << packet.header[0];
+    EXPECT_EQ(complaint(core_with(0xFFF), packet.header), "") << packet.header[0];
+  }
+}
+
+TEST(PacketCheck, NamesEachFeatureThatIsMissing) {
+  unsigned refused = 0;
+  for (const Wanted& packet : kPackets) {
+    for (unsigned bit = 0; bit < 12; ++bit) {
+      const std::uint32_t feature = 1U << bit;
+      const bool wanted = (packet.features & feature) != 0;
+      // Opcodes 5 to 8 say pages or grids; the lattice behind them is the core's affair.
+      if (!wanted || (bit == 8 && (packet.header[0] & 0xFF) > 4)) continue;
+      const std::string said = complaint(core_with(0xFFF & ~feature), packet.header);
+      const std::string cure = "or build it with FEATURES + " + std::to_string(feature);
+      EXPECT_NE(said.find("this core has no "), std::string::npos) << said;
+      EXPECT_NE(said.find(cure), std::string::npos) << said << " / " << cure;
+      ++refused;
+    }
+  }
+  EXPECT_EQ(refused, 34U);
+}
+
+TEST(PacketCheck, SaysItInOneLine) {
+  EXPECT_EQ(complaint(core_with(0x300), {3, 5, 0x100, 0}),
+            "this core has no derivatives: ask for positions, or build it with FEATURES + 1024");
+  EXPECT_EQ(complaint(core_with(0x100), {4, 5, 0, 0}),
+            "this core has no interleaved vertices: send a lattice and its vertices, or build it "
+            "with FEATURES + 512");
+  EXPECT_EQ(complaint(core_with(kToday), {2, 0, 0x111010, 0}),
+            "17 points along axis u: this core takes 4 to 16; make the lattice smaller, or build "
+            "with AXIS");
+}
+
+TEST(PacketCheck, KnowsTheLimits) {
+  const CoreIdentity core = core_with(0xFFF);
+  for (const std::uint32_t points : {0x040403U, 0x040304U, 0x030404U, 0x040411U, 0x110404U}) {
+    EXPECT_NE(complaint(core, {2, 0, points, 0}), "") << points;
+    EXPECT_NE(complaint(core, {5, 0, points, 0}), "") << points;
+  }
+  for (const std::uint32_t opcode : {5U, 6U, 7U, 8U}) {
+    EXPECT_EQ(complaint(core, {opcode | 0x300, 1, kPoints & 0x0F0F0F, 0}), "") << opcode;
+    EXPECT_NE(complaint(core, {opcode | 0x400, 1, kPoints & 0x0F0F0F, 0}), "") << opcode;
+  }
+  EXPECT_EQ(complaint(core, {9, 4, 5 << 8, 0}), "");
+  EXPECT_NE(complaint(core, {9, 5, 5 << 8, 0}), "");
+  EXPECT_NE(complaint(core, {9, 0xFFFFFFFF, 1 << 8, 0}), "") << "no wrap";
+  EXPECT_NE(complaint(core, {3, 1, 0x300, 0}), "") << "results 3";
+  EXPECT_NE(complaint(core, {0, 0, 0, 0}), "");
+  EXPECT_NE(complaint(core, {10, 0, 0, 0}), "");
+}
+
+TEST(PacketCheck, KnowsTheFlagsOfEachOpcode) {
+  const std::uint32_t flags[] = {0x0A, 0x02, 0x3F, 0x3A, 0x01};  // of opcodes 5 to 9
+  for (std::uint32_t opcode = 1; opcode <= 9; ++opcode) {
+    const std::uint32_t word = opcode <= 2 || opcode == 5 ? kPoints : 0;
+    for (unsigned flag = 0; flag < 16; ++flag) {
+      const bool known = opcode < 5 || (flags[opcode - 5] >> flag & 1) != 0;
+      const PacketHeader header{opcode | 0x10000U << flag, 1, word, 0};
+      EXPECT_EQ(complaint(core_with(0xFFF), header).empty(), known) << opcode << " " << flag;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hwffd::test
