@@ -19,7 +19,8 @@ HEADER = """\
 // is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
 // error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
 //
-// Pipeline:   a write acts at the edge at which its response appears; irq_o follows a clock later.
+// Pipeline:   a request is decoded in the clock before it acts; a write acts at the edge at which
+//             its response appears; irq_o follows a clock later.
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
@@ -28,34 +29,42 @@ HEADER = """\
 // SPDX-License-Identifier: Apache-2.0
 """
 SLAVE = """\
+  wire        write_next;
+  wire [9:0]  write_next_word;
   wire        write;
   wire [9:0]  write_word;
   wire [31:0] write_data;
   wire [31:0] write_mask;
   wire [3:0]  write_strobe = {write_mask[24], write_mask[16], write_mask[8], write_mask[0]};
-  reg         write_error;
+  wire        write_error;
+  wire        read_next;
+  wire [9:0]  read_next_word;
   wire        read;
   wire [9:0]  read_word;
-  reg  [31:0] read_data;
-  reg         read_error;
+  wire [31:0] read_data;
+  wire        read_error;
   wire        clearing;
 
   ffd_axil_slave #(
     .ADDRESS_W  (12),
     .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
-    .clk           (clk),
-    .rst           (rst || clearing),
+    .clk              (clk),
+    .rst              (rst || clearing),
     `include "ffd_axil_connections.vh"
-    .write_o       (write),
-    .write_word_o  (write_word),
-    .write_data_o  (write_data),
-    .write_mask_o  (write_mask),
-    .write_error_i (write_error),
-    .read_o        (read),
-    .read_word_o   (read_word),
-    .read_data_i   (read_data),
-    .read_error_i  (read_error)
+    .write_next_o     (write_next),
+    .write_next_word_o(write_next_word),
+    .write_o          (write),
+    .write_word_o     (write_word),
+    .write_data_o     (write_data),
+    .write_mask_o     (write_mask),
+    .write_error_i    (write_error),
+    .read_next_o      (read_next),
+    .read_next_word_o (read_next_word),
+    .read_o           (read),
+    .read_word_o      (read_word),
+    .read_data_i      (read_data),
+    .read_error_i     (read_error)
   );
 
   // The bits that a write sets: partial strobes leave the other bytes alone.
@@ -63,14 +72,21 @@ SLAVE = """\
 """
 STORED = """\
   // Settings of a whole word are read from a memory, in which four of them share a block.
-  reg  {width:<6} write_block;
-  reg  {width:<6} read_block;
+  reg  {width:<6} write_block_q;
+  reg  {width:<6} read_block_q;
+  reg         write_stored_q;
+  reg         read_stored_q;
   wire [31:0] stored_word;
-{hits}
 
-  always @* begin
+  always @(posedge clk) begin
+    if (write_next) begin
 {write_case}
+{write_words}
+    end
+    if (read_next) begin
 {read_case}
+{read_words}
+    end
   end
 
   ffd_axil_stored #(
@@ -79,11 +95,11 @@ STORED = """\
     .clk           (clk),
     .rst           (rst),
     .clearing_o    (clearing),
-    .write_i       (write_stored),
-    .write_slot_i  ({{write_block, write_word[1:0]}}),
+    .write_i       (write && write_stored_q && !write_error),
+    .write_slot_i  ({{write_block_q, write_word[1:0]}}),
     .write_data_i  (write_data),
     .write_strobe_i(write_strobe),
-    .read_slot_i   ({{read_block, read_word[1:0]}}),
+    .read_slot_i   ({{read_block_q, read_word[1:0]}}),
     .word_o        (stored_word)
   );
 """

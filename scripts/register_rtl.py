@@ -65,6 +65,7 @@ class _Rtl:
         self.ports, self.blocks, self.counters = [], [], []
         # Declarations, each before its use.
         self.hits, self.states, self.refusals, self.sets, self.more_sets = [], [], [], [], []
+        self.named = []  # registers of the clock before a write, which say what it writes
         self.resets, self.lines = [], []  # of the register at hand
         for register in registers:
             self.register(register)
@@ -115,8 +116,10 @@ class _Rtl:
         name = register.name.lower()
         if register.writable:
             lock = self.lock(register)
-            self.hits.append(f"  wire write_{name} = write"
-                             f" && write_word == {_word(register)}{' && !' + lock if lock else ''};")
+            self.hits += [f"  reg write_{name}_q;",
+                          f"  wire write_{name} = write && write_{name}_q"
+                          f"{' && !' + lock if lock else ''};"]
+            self.named.append(f"      write_{name}_q <= write_next_word == {_word(register)};")
         self.resets, self.lines = [], []
         if register.fields[0].access == "event":
             self.events(register)
@@ -222,7 +225,7 @@ class _Rtl:
     .rst    (rst),
     .event_i({name}_event_i),
     .clear_i(control_clear_counters_o),
-    .latch_i(read && read_word == {_word(register)}),
+    .latch_i(read && read_of_q[{self.read_place(register)}]),
     .low_o  ({name}[31:0]),
     .high_o ({name}[63:32])
   );""")
@@ -258,43 +261,68 @@ class _Rtl:
     def block_case(self, name, word):
         blocks = self.stored()[0]
         width = max(len(blocks) - 1, 1).bit_length()
-        arms = [f"      8'h{block:02x}: {name} = {width}'d{number};"
+        arms = [f"        8'h{block:02x}: {name} <= {width}'d{number};"
                 for block, number in blocks.items() if number]
-        return "\n".join([f"    case ({word}[9:2])", *arms,
-                          f"      default: {name} = {width}'d0;", "    endcase"])
+        return "\n".join([f"      case ({word}[9:2])", *arms,
+                          f"        default: {name} <= {width}'d0;", "      endcase"])
 
     def stored_text(self):
         blocks, words = self.stored()
         width = max(len(blocks) - 1, 1).bit_length()
-        hits = " || ".join(f"write_{register.name.lower()}" for register in words)
         return register_frame.STORED.format(
-            width=_range(width), words=4 << width, write_case=self.block_case(
-                "write_block", "write_word"),
-            read_case=self.block_case("read_block", "read_word"),
-            hits=textwrap.fill(f"  wire write_stored = {hits};", 100, subsequent_indent=" " * 4))
+            width=_range(width), words=4 << width,
+            write_case=self.block_case("write_block_q", "write_next_word"),
+            read_case=self.block_case("read_block_q", "read_next_word"),
+            write_words=self.word_case("write", "stored_q", words, "1'b1", "1'b0"),
+            read_words=self.word_case("read", "stored_q", words, "1'b1", "1'b0"))
 
-    def read_cases(self):
-        lines, stored = [], self.stored()[1]
-        words = ", ".join(map(_word, stored))
-        lines.append(textwrap.fill(f"{words}: read_data = stored_word;", 100,
-                                   initial_indent=" " * 6, subsequent_indent=" " * 6))
-        for register in self.registers:
-            if register in stored:
-                continue
-            line = f"      {_word(register)}: read_data = {self.read_value(register)};"
-            lines.append(textwrap.fill(line, 100, subsequent_indent=" " * 8, tabsize=1))
-        return "\n".join(lines)
+    @staticmethod
+    def word_case(side, name, registers, inside, outside):
+        words = ", ".join(map(_word, registers))
+        return "\n".join([
+            f"      case ({side}_next_word)",
+            textwrap.fill(f"{words}: {side}_{name} <= {inside};", 100,
+                          initial_indent=" " * 8, subsequent_indent=" " * 8),
+            f"        default: {side}_{name} <= {outside};", "      endcase"])
 
-    def write_cases(self):
-        """One arm for all registers that share a lock, or have none."""
-        arms = {}
+    def read_apart(self):
+        """The registers that are not read from the memory, in the order of read_of_q."""
+        stored = self.stored()[1]
+        return [register for register in self.registers if register not in stored]
+
+    def read_place(self, register):
+        return self.read_apart().index(register)
+
+    def reads(self):
+        """What the read at hand names, a bit a register, and the words that they choose from."""
+        words, decoded = ["(stored_word & {32 {read_stored_q}})"], []
+        for place, register in enumerate(self.read_apart()):
+            decoded.append(f"      read_of_q[{place}] <= read_next_word == {_word(register)};")
+            if register.fields[0].access != "w1":
+                words.append(textwrap.fill(
+                    f"({self.read_value(register)} & {{32{{read_of_q[{place}]}}}})", 94,
+                    subsequent_indent=" " * 4, tabsize=1).replace("\n", "\n    "))
+        return {"declared": f"  reg {_range(len(decoded))} read_of_q;",
+                "decoded": "\n".join(decoded), "words": " |\n    ".join(words),
+                "unknown": self.word_case("read", "unknown_q", self.registers, "1'b0", "1'b1")}
+
+    def refusals_of_writes(self):
+        """Unknown words, and those under a lock: declarations, cases, and the error."""
+        locks = {}
         for register in self.registers:
             if register.writable:
-                arms.setdefault(self.lock(register) or "1'b0", []).append(_word(register))
-        return "\n".join(
-            textwrap.fill(f"{', '.join(words)}: write_error = {error};", 100,
-                          initial_indent=" " * 6, subsequent_indent=" " * 6)
-            for error, words in arms.items())
+                locks.setdefault(self.lock(register), []).append(register)
+        open_ones = locks.pop(None, [])
+        every = open_ones + [register for group in locks.values() for register in group]
+        names = [(lock, f"locked{number or ''}", group)
+                 for number, (lock, group) in enumerate(locks.items())]
+        declared = ["  reg write_unknown_q;", *[f"  reg write_{name}_q;" for _, name, _ in names]]
+        cases = [self.word_case("write", "unknown_q", every, "1'b0", "1'b1")]
+        cases += [self.word_case("write", f"{name}_q", group, "1'b1", "1'b0")
+                  for _, name, group in names]
+        error = " || ".join(["write_unknown_q"]
+                            + [f"(write_{name}_q && {lock})" for lock, name, _ in names])
+        return {"declared": "\n".join(declared), "cases": "\n".join(cases), "error": error}
 
     def interrupts(self):
         names = [f.name for r in self.registers if r.name == "IRQ_STATE" for f in r.fields]
@@ -309,6 +337,7 @@ def rtl_text(registers):
     ports = ",\n".join(rtl.ports + ["  output reg         irq_o"])
     blocks = "\n\n".join(rtl.blocks)
     counters = "\n\n".join(rtl.counters)
+    reads, refusals = rtl.reads(), rtl.refusals_of_writes()
     return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
 module ffd_axil_registers #(
@@ -317,6 +346,9 @@ module ffd_axil_registers #(
 {register_frame.BUS}{ports}
 );
 {register_frame.SLAVE}
+{refusals["declared"]}
+  reg read_unknown_q;
+{reads["declared"]}
 {chr(10).join(rtl.wires)}
 
 {log}
@@ -336,25 +368,24 @@ module ffd_axil_registers #(
     end
   end
 
-  wire unused_ok = &{{1'b0, ones, write_mask}};
+  wire unused_ok = &{{1'b0, ones, write_mask, write_word[9:2], read_word[9:2], read_of_q}};
 
-  always @* begin
-    case (write_word)
-{rtl.write_cases()}
-      default: write_error = 1'b1;
-    endcase
+  // What the request of the next clock names.
+  always @(posedge clk) begin
+    if (write_next) begin
+{chr(10).join(rtl.named)}
+{refusals["cases"]}
+    end
+    if (read_next) begin
+{reads["decoded"]}
+{reads["unknown"]}
+    end
   end
 
-  always @* begin
-    read_error = 1'b0;
-    case (read_word)
-{rtl.read_cases()}
-      default: begin
-        read_data  = 32'd0;
-        read_error = 1'b1;
-      end
-    endcase
-  end
+  assign write_error = {refusals["error"]};
+  assign read_error  = read_unknown_q;
+  assign read_data   =
+    {reads["words"]};
 endmodule
 
 `default_nettype wire

@@ -7,7 +7,8 @@
 // is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
 // error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
 //
-// Pipeline:   a write acts at the edge at which its response appears; irq_o follows a clock later.
+// Pipeline:   a request is decoded in the clock before it acts; a write acts at the edge at which
+//             its response appears; irq_o follows a clock later.
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
@@ -62,62 +63,97 @@ module ffd_axil_registers #(
   output reg         irq_enable_refused_o,
   output reg         irq_o
 );
+  wire        write_next;
+  wire [9:0]  write_next_word;
   wire        write;
   wire [9:0]  write_word;
   wire [31:0] write_data;
   wire [31:0] write_mask;
   wire [3:0]  write_strobe = {write_mask[24], write_mask[16], write_mask[8], write_mask[0]};
-  reg         write_error;
+  wire        write_error;
+  wire        read_next;
+  wire [9:0]  read_next_word;
   wire        read;
   wire [9:0]  read_word;
-  reg  [31:0] read_data;
-  reg         read_error;
+  wire [31:0] read_data;
+  wire        read_error;
   wire        clearing;
 
   ffd_axil_slave #(
     .ADDRESS_W  (12),
     .SECURE_ONLY(SECURE_ONLY)
   ) u_slave (
-    .clk           (clk),
-    .rst           (rst || clearing),
+    .clk              (clk),
+    .rst              (rst || clearing),
     `include "ffd_axil_connections.vh"
-    .write_o       (write),
-    .write_word_o  (write_word),
-    .write_data_o  (write_data),
-    .write_mask_o  (write_mask),
-    .write_error_i (write_error),
-    .read_o        (read),
-    .read_word_o   (read_word),
-    .read_data_i   (read_data),
-    .read_error_i  (read_error)
+    .write_next_o     (write_next),
+    .write_next_word_o(write_next_word),
+    .write_o          (write),
+    .write_word_o     (write_word),
+    .write_data_o     (write_data),
+    .write_mask_o     (write_mask),
+    .write_error_i    (write_error),
+    .read_next_o      (read_next),
+    .read_next_word_o (read_next_word),
+    .read_o           (read),
+    .read_word_o      (read_word),
+    .read_data_i      (read_data),
+    .read_error_i     (read_error)
   );
 
   // The bits that a write sets: partial strobes leave the other bytes alone.
   wire [31:0] ones = write_data & write_mask;
 
-  wire write_control = write && write_word == 10'h004;
-  wire write_status = write && write_word == 10'h005;
-  wire write_ring_base_lo = write && write_word == 10'h010;
-  wire write_ring_base_hi = write && write_word == 10'h011;
-  wire write_ring_log2_size = write && write_word == 10'h012;
-  wire write_ring_head = write && write_word == 10'h013;
-  wire write_result_base_lo = write && write_word == 10'h018;
-  wire write_result_base_hi = write && write_word == 10'h019;
-  wire write_result_size = write && write_word == 10'h01a;
-  wire write_read_window_base_lo = write && write_word == 10'h020 && !window_lock_windows_o;
-  wire write_read_window_base_hi = write && write_word == 10'h021 && !window_lock_windows_o;
-  wire write_read_window_limit_lo = write && write_word == 10'h022 && !window_lock_windows_o;
-  wire write_read_window_limit_hi = write && write_word == 10'h023 && !window_lock_windows_o;
-  wire write_write_window_base_lo = write && write_word == 10'h024 && !window_lock_windows_o;
-  wire write_write_window_base_hi = write && write_word == 10'h025 && !window_lock_windows_o;
-  wire write_write_window_limit_lo = write && write_word == 10'h026 && !window_lock_windows_o;
-  wire write_write_window_limit_hi = write && write_word == 10'h027 && !window_lock_windows_o;
-  wire write_window_lock = write && write_word == 10'h028;
-  wire write_error_status = write && write_word == 10'h040;
-  wire write_error_first = write && write_word == 10'h042;
-  wire write_irq_enable = write && write_word == 10'h050;
-  wire write_irq_state = write && write_word == 10'h051;
-  wire write_irq_test = write && write_word == 10'h052;
+  reg write_unknown_q;
+  reg write_locked_q;
+  reg read_unknown_q;
+  reg [26:0] read_of_q;
+  reg write_control_q;
+  wire write_control = write && write_control_q;
+  reg write_status_q;
+  wire write_status = write && write_status_q;
+  reg write_ring_base_lo_q;
+  wire write_ring_base_lo = write && write_ring_base_lo_q;
+  reg write_ring_base_hi_q;
+  wire write_ring_base_hi = write && write_ring_base_hi_q;
+  reg write_ring_log2_size_q;
+  wire write_ring_log2_size = write && write_ring_log2_size_q;
+  reg write_ring_head_q;
+  wire write_ring_head = write && write_ring_head_q;
+  reg write_result_base_lo_q;
+  wire write_result_base_lo = write && write_result_base_lo_q;
+  reg write_result_base_hi_q;
+  wire write_result_base_hi = write && write_result_base_hi_q;
+  reg write_result_size_q;
+  wire write_result_size = write && write_result_size_q;
+  reg write_read_window_base_lo_q;
+  wire write_read_window_base_lo = write && write_read_window_base_lo_q && !window_lock_windows_o;
+  reg write_read_window_base_hi_q;
+  wire write_read_window_base_hi = write && write_read_window_base_hi_q && !window_lock_windows_o;
+  reg write_read_window_limit_lo_q;
+  wire write_read_window_limit_lo = write && write_read_window_limit_lo_q && !window_lock_windows_o;
+  reg write_read_window_limit_hi_q;
+  wire write_read_window_limit_hi = write && write_read_window_limit_hi_q && !window_lock_windows_o;
+  reg write_write_window_base_lo_q;
+  wire write_write_window_base_lo = write && write_write_window_base_lo_q && !window_lock_windows_o;
+  reg write_write_window_base_hi_q;
+  wire write_write_window_base_hi = write && write_write_window_base_hi_q && !window_lock_windows_o;
+  reg write_write_window_limit_lo_q;
+  wire write_write_window_limit_lo = write && write_write_window_limit_lo_q && !window_lock_windows_o;
+  reg write_write_window_limit_hi_q;
+  wire write_write_window_limit_hi = write && write_write_window_limit_hi_q && !window_lock_windows_o;
+  reg write_window_lock_q;
+  wire write_window_lock = write && write_window_lock_q;
+  reg write_error_status_q;
+  wire write_error_status = write && write_error_status_q;
+  reg write_error_first_q;
+  wire write_error_first = write && write_error_first_q;
+  reg write_irq_enable_q;
+  wire write_irq_enable = write && write_irq_enable_q;
+  reg write_irq_state_q;
+  wire write_irq_state = write && write_irq_state_q;
+  reg write_irq_test_q;
+  wire write_irq_test = write && write_irq_test_q;
   reg status_done_q;
   reg status_start_refused_q;
   wire [63:0] counter_vertices;
@@ -154,28 +190,39 @@ module ffd_axil_registers #(
   wire [63:0] log_address;
 
   // Settings of a whole word are read from a memory, in which four of them share a block.
-  reg  [1:0]  write_block;
-  reg  [1:0]  read_block;
+  reg  [1:0]  write_block_q;
+  reg  [1:0]  read_block_q;
+  reg         write_stored_q;
+  reg         read_stored_q;
   wire [31:0] stored_word;
-  wire write_stored = write_ring_base_lo || write_ring_base_hi || write_result_base_lo ||
-    write_result_base_hi || write_result_size || write_read_window_base_lo ||
-    write_read_window_base_hi || write_read_window_limit_lo || write_read_window_limit_hi ||
-    write_write_window_base_lo || write_write_window_base_hi || write_write_window_limit_lo ||
-    write_write_window_limit_hi;
 
-  always @* begin
-    case (write_word[9:2])
-      8'h06: write_block = 2'd1;
-      8'h08: write_block = 2'd2;
-      8'h09: write_block = 2'd3;
-      default: write_block = 2'd0;
-    endcase
-    case (read_word[9:2])
-      8'h06: read_block = 2'd1;
-      8'h08: read_block = 2'd2;
-      8'h09: read_block = 2'd3;
-      default: read_block = 2'd0;
-    endcase
+  always @(posedge clk) begin
+    if (write_next) begin
+      case (write_next_word[9:2])
+        8'h06: write_block_q <= 2'd1;
+        8'h08: write_block_q <= 2'd2;
+        8'h09: write_block_q <= 2'd3;
+        default: write_block_q <= 2'd0;
+      endcase
+      case (write_next_word)
+        10'h010, 10'h011, 10'h018, 10'h019, 10'h01a, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
+        10'h025, 10'h026, 10'h027: write_stored_q <= 1'b1;
+        default: write_stored_q <= 1'b0;
+      endcase
+    end
+    if (read_next) begin
+      case (read_next_word[9:2])
+        8'h06: read_block_q <= 2'd1;
+        8'h08: read_block_q <= 2'd2;
+        8'h09: read_block_q <= 2'd3;
+        default: read_block_q <= 2'd0;
+      endcase
+      case (read_next_word)
+        10'h010, 10'h011, 10'h018, 10'h019, 10'h01a, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
+        10'h025, 10'h026, 10'h027: read_stored_q <= 1'b1;
+        default: read_stored_q <= 1'b0;
+      endcase
+    end
   end
 
   ffd_axil_stored #(
@@ -184,11 +231,11 @@ module ffd_axil_registers #(
     .clk           (clk),
     .rst           (rst),
     .clearing_o    (clearing),
-    .write_i       (write_stored),
-    .write_slot_i  ({write_block, write_word[1:0]}),
+    .write_i       (write && write_stored_q && !write_error),
+    .write_slot_i  ({write_block_q, write_word[1:0]}),
     .write_data_i  (write_data),
     .write_strobe_i(write_strobe),
-    .read_slot_i   ({read_block, read_word[1:0]}),
+    .read_slot_i   ({read_block_q, read_word[1:0]}),
     .word_o        (stored_word)
   );
 
@@ -216,7 +263,7 @@ module ffd_axil_registers #(
     .rst    (rst),
     .event_i(counter_vertices_event_i),
     .clear_i(control_clear_counters_o),
-    .latch_i(read && read_word == 10'h030),
+    .latch_i(read && read_of_q[11]),
     .low_o  (counter_vertices[31:0]),
     .high_o (counter_vertices[63:32])
   );
@@ -226,7 +273,7 @@ module ffd_axil_registers #(
     .rst    (rst),
     .event_i(counter_stalls_event_i),
     .clear_i(control_clear_counters_o),
-    .latch_i(read && read_word == 10'h032),
+    .latch_i(read && read_of_q[13]),
     .low_o  (counter_stalls[31:0]),
     .high_o (counter_stalls[63:32])
   );
@@ -236,7 +283,7 @@ module ffd_axil_registers #(
     .rst    (rst),
     .event_i(counter_busy_event_i),
     .clear_i(control_clear_counters_o),
-    .latch_i(read && read_word == 10'h034),
+    .latch_i(read && read_of_q[15]),
     .low_o  (counter_busy[31:0]),
     .high_o (counter_busy[63:32])
   );
@@ -536,58 +583,116 @@ module ffd_axil_registers #(
     end
   end
 
-  wire unused_ok = &{1'b0, ones, write_mask};
+  wire unused_ok = &{1'b0, ones, write_mask, write_word[9:2], read_word[9:2], read_of_q};
 
-  always @* begin
-    case (write_word)
-      10'h004, 10'h005, 10'h010, 10'h011, 10'h012, 10'h013, 10'h018, 10'h019, 10'h01a, 10'h028,
-      10'h040, 10'h042, 10'h050, 10'h051, 10'h052: write_error = 1'b0;
-      10'h020, 10'h021, 10'h022, 10'h023, 10'h024, 10'h025, 10'h026, 10'h027: write_error =
-      window_lock_windows_o;
-      default: write_error = 1'b1;
-    endcase
+  // What the request of the next clock names.
+  always @(posedge clk) begin
+    if (write_next) begin
+      write_control_q <= write_next_word == 10'h004;
+      write_status_q <= write_next_word == 10'h005;
+      write_ring_base_lo_q <= write_next_word == 10'h010;
+      write_ring_base_hi_q <= write_next_word == 10'h011;
+      write_ring_log2_size_q <= write_next_word == 10'h012;
+      write_ring_head_q <= write_next_word == 10'h013;
+      write_result_base_lo_q <= write_next_word == 10'h018;
+      write_result_base_hi_q <= write_next_word == 10'h019;
+      write_result_size_q <= write_next_word == 10'h01a;
+      write_read_window_base_lo_q <= write_next_word == 10'h020;
+      write_read_window_base_hi_q <= write_next_word == 10'h021;
+      write_read_window_limit_lo_q <= write_next_word == 10'h022;
+      write_read_window_limit_hi_q <= write_next_word == 10'h023;
+      write_write_window_base_lo_q <= write_next_word == 10'h024;
+      write_write_window_base_hi_q <= write_next_word == 10'h025;
+      write_write_window_limit_lo_q <= write_next_word == 10'h026;
+      write_write_window_limit_hi_q <= write_next_word == 10'h027;
+      write_window_lock_q <= write_next_word == 10'h028;
+      write_error_status_q <= write_next_word == 10'h040;
+      write_error_first_q <= write_next_word == 10'h042;
+      write_irq_enable_q <= write_next_word == 10'h050;
+      write_irq_state_q <= write_next_word == 10'h051;
+      write_irq_test_q <= write_next_word == 10'h052;
+      case (write_next_word)
+        10'h004, 10'h005, 10'h010, 10'h011, 10'h012, 10'h013, 10'h018, 10'h019, 10'h01a, 10'h028,
+        10'h040, 10'h042, 10'h050, 10'h051, 10'h052, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
+        10'h025, 10'h026, 10'h027: write_unknown_q <= 1'b0;
+        default: write_unknown_q <= 1'b1;
+      endcase
+      case (write_next_word)
+        10'h020, 10'h021, 10'h022, 10'h023, 10'h024, 10'h025, 10'h026, 10'h027: write_locked_q <=
+        1'b1;
+        default: write_locked_q <= 1'b0;
+      endcase
+    end
+    if (read_next) begin
+      read_of_q[0] <= read_next_word == 10'h000;
+      read_of_q[1] <= read_next_word == 10'h001;
+      read_of_q[2] <= read_next_word == 10'h002;
+      read_of_q[3] <= read_next_word == 10'h003;
+      read_of_q[4] <= read_next_word == 10'h004;
+      read_of_q[5] <= read_next_word == 10'h005;
+      read_of_q[6] <= read_next_word == 10'h012;
+      read_of_q[7] <= read_next_word == 10'h013;
+      read_of_q[8] <= read_next_word == 10'h014;
+      read_of_q[9] <= read_next_word == 10'h01b;
+      read_of_q[10] <= read_next_word == 10'h028;
+      read_of_q[11] <= read_next_word == 10'h030;
+      read_of_q[12] <= read_next_word == 10'h031;
+      read_of_q[13] <= read_next_word == 10'h032;
+      read_of_q[14] <= read_next_word == 10'h033;
+      read_of_q[15] <= read_next_word == 10'h034;
+      read_of_q[16] <= read_next_word == 10'h035;
+      read_of_q[17] <= read_next_word == 10'h040;
+      read_of_q[18] <= read_next_word == 10'h041;
+      read_of_q[19] <= read_next_word == 10'h042;
+      read_of_q[20] <= read_next_word == 10'h043;
+      read_of_q[21] <= read_next_word == 10'h044;
+      read_of_q[22] <= read_next_word == 10'h045;
+      read_of_q[23] <= read_next_word == 10'h046;
+      read_of_q[24] <= read_next_word == 10'h050;
+      read_of_q[25] <= read_next_word == 10'h051;
+      read_of_q[26] <= read_next_word == 10'h052;
+      case (read_next_word)
+        10'h000, 10'h001, 10'h002, 10'h003, 10'h004, 10'h005, 10'h010, 10'h011, 10'h012, 10'h013,
+        10'h014, 10'h018, 10'h019, 10'h01a, 10'h01b, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
+        10'h025, 10'h026, 10'h027, 10'h028, 10'h030, 10'h031, 10'h032, 10'h033, 10'h034, 10'h035,
+        10'h040, 10'h041, 10'h042, 10'h043, 10'h044, 10'h045, 10'h046, 10'h050, 10'h051, 10'h052:
+        read_unknown_q <= 1'b0;
+        default: read_unknown_q <= 1'b1;
+      endcase
+    end
   end
 
-  always @* begin
-    read_error = 1'b0;
-    case (read_word)
-      10'h010, 10'h011, 10'h018, 10'h019, 10'h01a, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
-      10'h025, 10'h026, 10'h027: read_data = stored_word;
-      10'h000: read_data = 32'h48464644;
-      10'h001: read_data = {16'h0, 8'h2, 8'h0};
-      10'h002: read_data = {2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i,
-        config_n_i, config_org_i};
-      10'h003: read_data = {8'h0, limits_points_axis_i, limits_in_flight_i};
-      10'h004: read_data = {29'h0, 1'b0, 1'b0, 1'b0};
-      10'h005: read_data = {22'h0, status_start_refused_q, status_done_q, 4'h0,
-        status_ring_running_i, status_stopped_i, status_idle_i, status_busy_i};
-      10'h012: read_data = {28'h0, ring_log2_size_o};
-      10'h013: read_data = {16'h0, ring_head_o};
-      10'h014: read_data = {16'h0, ring_tail_i};
-      10'h01b: read_data = result_count_i;
-      10'h028: read_data = {31'h0, window_lock_windows_o};
-      10'h030: read_data = counter_vertices[31:0];
-      10'h031: read_data = counter_vertices[63:32];
-      10'h032: read_data = counter_stalls[31:0];
-      10'h033: read_data = counter_stalls[63:32];
-      10'h034: read_data = counter_busy[31:0];
-      10'h035: read_data = counter_busy[63:32];
-      10'h040: read_data = {8'h0, error_status_q};
-      10'h041: read_data = log_count;
-      10'h042: read_data = {error_first_valid_q, 26'h0, log_code};
-      10'h043: read_data = log_packet;
-      10'h044: read_data = log_beat;
-      10'h045: read_data = log_address[31:0];
-      10'h046: read_data = log_address[63:32];
-      10'h050: read_data = {29'h0, irq_enable_refused_o, irq_enable_error_o, irq_enable_done_o};
-      10'h051: read_data = {29'h0, irq_state_refused_q, irq_state_error_q, irq_state_done_q};
-      10'h052: read_data = {29'h0, 1'b0, 1'b0, 1'b0};
-      default: begin
-        read_data  = 32'd0;
-        read_error = 1'b1;
-      end
-    endcase
-  end
+  assign write_error = write_unknown_q || (write_locked_q && window_lock_windows_o);
+  assign read_error  = read_unknown_q;
+  assign read_data   =
+    (stored_word & {32 {read_stored_q}}) |
+    (32'h48464644 & {32{read_of_q[0]}}) |
+    ({16'h0, 8'h2, 8'h0} & {32{read_of_q[1]}}) |
+    ({2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i, config_n_i,
+        config_org_i} & {32{read_of_q[2]}}) |
+    ({8'h0, limits_points_axis_i, limits_in_flight_i} & {32{read_of_q[3]}}) |
+    ({22'h0, status_start_refused_q, status_done_q, 4'h0, status_ring_running_i, status_stopped_i,
+        status_idle_i, status_busy_i} & {32{read_of_q[5]}}) |
+    ({28'h0, ring_log2_size_o} & {32{read_of_q[6]}}) |
+    ({16'h0, ring_head_o} & {32{read_of_q[7]}}) |
+    ({16'h0, ring_tail_i} & {32{read_of_q[8]}}) |
+    (result_count_i & {32{read_of_q[9]}}) |
+    ({31'h0, window_lock_windows_o} & {32{read_of_q[10]}}) |
+    (counter_vertices[31:0] & {32{read_of_q[11]}}) |
+    (counter_vertices[63:32] & {32{read_of_q[12]}}) |
+    (counter_stalls[31:0] & {32{read_of_q[13]}}) |
+    (counter_stalls[63:32] & {32{read_of_q[14]}}) |
+    (counter_busy[31:0] & {32{read_of_q[15]}}) |
+    (counter_busy[63:32] & {32{read_of_q[16]}}) |
+    ({8'h0, error_status_q} & {32{read_of_q[17]}}) |
+    (log_count & {32{read_of_q[18]}}) |
+    ({error_first_valid_q, 26'h0, log_code} & {32{read_of_q[19]}}) |
+    (log_packet & {32{read_of_q[20]}}) |
+    (log_beat & {32{read_of_q[21]}}) |
+    (log_address[31:0] & {32{read_of_q[22]}}) |
+    (log_address[63:32] & {32{read_of_q[23]}}) |
+    ({29'h0, irq_enable_refused_o, irq_enable_error_o, irq_enable_done_o} & {32{read_of_q[24]}}) |
+    ({29'h0, irq_state_refused_q, irq_state_error_q, irq_state_done_q} & {32{read_of_q[25]}});
 endmodule
 
 `default_nettype wire

@@ -134,6 +134,12 @@ module formal_axil_registers #(
   (* hierconn *) wire        \u_dut.u_counter_vertices.latch_i ;
   (* hierconn *) wire        \u_dut.u_counter_stalls.latch_i ;
   (* hierconn *) wire        \u_dut.u_counter_busy.latch_i ;
+  // What was decoded of a read, a bit a register that is not in the memory; the counters' first.
+  localparam READS = 27;
+  localparam FIRST = 11;
+  (* hierconn *) wire [READS-1:0] \u_dut.read_of_q ;
+  (* hierconn *) wire        \u_dut.read_stored_q ;
+  wire [READS-1:0] named = \u_dut.read_of_q ;
   wire [95:0] lows    = {\u_dut.u_counter_busy.count_q [31:0],
                          \u_dut.u_counter_stalls.count_q [31:0],
                          \u_dut.u_counter_vertices.count_q [31:0]};
@@ -245,7 +251,16 @@ module formal_axil_registers #(
   always @* if (!first_q) begin
     locked_error: assert (!(write && lock && (word >> 3) == (WINDOWS >> 3)) || \u_dut.write_error );
   end
-  // From the first clock on, in which counters may hold any count.
+  // From the first clock on, in which counters may hold any count, and what was decoded of a read is
+  // no more than what its word says.
+  reg decoded;
+  always @* begin
+    decoded = (named & (named - 1'b1)) == 0 && !(\u_dut.read_stored_q && named != 0);
+    for (c = 0; c < 6; c = c + 1)
+      if ((\u_dut.read_word == COUNTERS + c) != named[FIRST + c]) decoded = 1'b0;
+  end
+  always @* if (first_q) assume (decoded && (\u_dut.read_word >> 3 != COUNTERS >> 3
+                                             || !\u_dut.read_stored_q ));
   always @* counters: assert (counters_read);
 endmodule
 

@@ -78,17 +78,17 @@ module formal_axil_secure #(
   end
   always @* if (first_q) assume (rst);
 
-  // Requests that were taken and not answered: the oldest first, three at most.
-  reg [2:0] aw_q;
-  reg [2:0] ar_q;
-  reg [1:0] aw_count_q;
-  reg [1:0] ar_count_q;
+  // Requests that were taken and not answered: the oldest first, four at most.
+  reg [3:0] aw_q;
+  reg [3:0] ar_q;
+  reg [2:0] aw_count_q;
+  reg [2:0] ar_count_q;
   wire      aw   = awvalid && awready;
   wire      ar   = arvalid && arready;
   wire      b    = bvalid && bready;
   wire      r    = rvalid && rready;
-  wire [1:0] aw_at = aw_count_q - b;
-  wire [1:0] ar_at = ar_count_q - r;
+  wire [2:0] aw_at = aw_count_q - b;
+  wire [2:0] ar_at = ar_count_q - r;
   always @(posedge clk) begin
     if (rst) begin
       aw_count_q <= 0;
@@ -99,8 +99,8 @@ module formal_axil_secure #(
     end
     aw_q <= b ? aw_q >> 1 : aw_q;
     ar_q <= r ? ar_q >> 1 : ar_q;
-    if (aw) aw_q[aw_at] <= awprot[1];
-    if (ar) ar_q[ar_at] <= arprot[1];
+    if (aw) aw_q[aw_at[1:0]] <= awprot[1];
+    if (ar) ar_q[ar_at[1:0]] <= arprot[1];
   end
 
   always @* if (!first_q && !rst) begin

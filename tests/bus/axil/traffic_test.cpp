@@ -139,8 +139,8 @@ TEST(Rate, IsARequestAClockInBothDirections) {
   bench.run();
   const auto& writes = bench.driver().write_responses();
   const auto& reads = bench.driver().read_responses();
-  EXPECT_EQ(writes.front().cycle - first, 2u);  // latency
-  EXPECT_EQ(reads.front().cycle - first, 2u);
+  EXPECT_EQ(writes.front().cycle - first, 3u);  // latency
+  EXPECT_EQ(reads.front().cycle - first, 3u);
   EXPECT_EQ(writes.back().cycle - writes.front().cycle, kRequests - 1);
   EXPECT_EQ(reads.back().cycle - reads.front().cycle, kRequests - 1);
   // Read and write of one clock: the read sees what was before.
