@@ -6,7 +6,7 @@
 // 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and beat are
 // the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 //
-// Pipeline:   1 clock.  Freezes: never.
+// Pipeline:   1 clock, the core's events 2.  Freezes: never.
 // Cuts:       every output leaves a register.
 // Model:      none.  Test: tests/bus/axil/events_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
@@ -39,28 +39,38 @@ module ffd_bus_events (
   wire [8:0] read_codes  = read_error_i ? 9'd1 << read_error_code_i : 9'd0;
   wire [7:0] write_codes = write_error_i ? 8'd1 << write_error_code_i : 8'd0;
   wire [4:0] refusals    = read_codes[5:1] | write_codes[5:1];
-  wire       core        = |core_event_i;
   wire       write_first = write_error_i && (!read_error_i || read_error_code_i == RING
                            || (write_error_code_i < SLAVE_ERROR
                                && {1'b0, write_error_code_i} < read_error_code_i));
   reg        overflow_q;
+  // The core's, once more in a register on their way here, and whether there is one.
+  reg        core_q;
+  reg [9:0]  core_event_q;
+  reg [31:0] core_packet_q;
+  reg [31:0] core_beat_q;
 
   always @(posedge clk) begin
     if (rst) begin
       overflow_q            <= 1'b0;
+      core_q                <= 1'b0;
+      core_event_q          <= 10'd0;
       error_event_o         <= 24'd0;
       error_address_valid_o <= 1'b0;
     end else begin
       overflow_q            <= result_overflow_i;
+      core_q                <= |core_event_i;
+      core_event_q          <= core_event_i;
       error_event_o         <= {timeout_i, read_codes[8], result_overflow_i && !overflow_q,
-                                |write_codes[7:6], |read_codes[7:6], refusals, core_event_i};
+                                |write_codes[7:6], |read_codes[7:6], refusals, core_event_q};
       error_address_valid_o <= read_error_i || write_error_i;
     end
   end
 
   always @(posedge clk) begin
-    error_packet_o  <= core ? core_packet_i : 32'd0;
-    error_beat_o    <= core ? core_beat_i : 32'd0;
+    core_packet_q   <= core_packet_i;
+    core_beat_q     <= core_beat_i;
+    error_packet_o  <= core_q ? core_packet_q : 32'd0;
+    error_beat_o    <= core_q ? core_beat_q : 32'd0;
     error_address_o <= write_first ? write_error_address_i : read_error_address_i;
   end
 

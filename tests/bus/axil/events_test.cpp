@@ -43,15 +43,16 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
   sim.tick();
   dut.rst = 0;
   bool was_full = false;
+  std::uint32_t core = 0, core_packet = 0, core_beat = 0;  // of the clock before
   std::set<std::uint32_t> alone;
   for (int clock = 0; clock < 200'000; ++clock) {
     const unsigned read = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 8));
     const unsigned write = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 7));
-    const auto core = static_cast<std::uint32_t>(
+    const auto next_core = static_cast<std::uint32_t>(
         random.chance(0.5) ? 0 : random.pick({1U << random.below(10), random.word() & 0x3FF}));
     const unsigned late = random.chance(0.5) ? 0 : random.word() & 31;
     const bool full = random.chance(was_full ? 0.8 : 0.2);
-    dut.core_event_i = static_cast<SData>(core);
+    dut.core_event_i = static_cast<SData>(next_core);
     dut.core_packet_i = random.word();
     dut.core_beat_i = random.word();
     dut.read_error_i = read != 0;
@@ -71,8 +72,8 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     }
     if (full && !was_full) events |= HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK;  // once an area
     ASSERT_EQ(dut.error_event_o, events) << "clock " << clock;
-    ASSERT_EQ(dut.error_packet_o, core != 0 ? dut.core_packet_i : 0);
-    ASSERT_EQ(dut.error_beat_o, core != 0 ? dut.core_beat_i : 0);
+    ASSERT_EQ(dut.error_packet_o, core != 0 ? core_packet : 0);
+    ASSERT_EQ(dut.error_beat_o, core != 0 ? core_beat : 0);
     ASSERT_EQ(dut.error_address_valid_o != 0, read != 0 || write != 0);
     const bool by_read = read != 0 && (write == 0 || of_read <= of_write);
     if (read != 0 || write != 0) {
@@ -81,6 +82,9 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     }
     if ((events & (events - 1)) == 0) alone.insert(events);
     was_full = full;
+    core = next_core;
+    core_packet = dut.core_packet_i;
+    core_beat = dut.core_beat_i;
   }
   EXPECT_EQ(alone.size(), 25U) << "none, and each of 24";
   EXPECT_EQ(HWFFD_ERROR_STATUS_LATTICE_SIZE_SHIFT, 5);
