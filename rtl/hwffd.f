@@ -18,7 +18,9 @@ bus/ffd_bus_errors.v
 bus/ffd_bus_events.v
 bus/ffd_bus_registers.v
 bus/ffd_bus_run.v
+bus/ffd_bus_sleep.v
 bus/ffd_bus_stored.v
+bus/ffd_bus_waits.v
 bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
 bus/ffd_dma_read.v

@@ -28,6 +28,7 @@ HEADER = """\
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """

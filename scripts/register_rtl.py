@@ -300,9 +300,11 @@ class _Rtl:
         lines += ["", "  always @(posedge clk) begin"]
         for parts, word in ((writes, "s_write_word"), (reads, "s_read_word")):
             for name, words in parts:
+                needs = sorted({f"{target} != 0 && " for register in words
+                                for field in register.fields for target in field.linked("if")})
                 # A comparison stays on a line.
                 hits = " || ".join(f"{word}~==~{_word(register)}" for register in words)
-                lines.append(textwrap.fill(f"    {name} <= {hits};", 100,
+                lines.append(textwrap.fill(f"    {name} <= {''.join(needs)}{hits};", 100,
                                            subsequent_indent=" " * 6).replace("~", " "))
         return "\n".join([*lines, "  end"])
 
@@ -334,7 +336,9 @@ def rtl_text(registers):
     counters = "\n\n".join(rtl.counters)
     return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
-module ffd_bus_registers (
+module ffd_bus_registers #(
+  parameter WAITS = 1
+) (
 {register_frame.BUS}{ports}
 );
 {register_frame.WORDS}

@@ -59,7 +59,7 @@ def _bits(field):
 def _markdown_link(field):
     words = {"locked": "locked by", "unless": "refused while", "needs": "needs",
              "refused": "refused: sets",
-             "with": "set with", "sets": "sets"}
+             "with": "set with", "sets": "sets", "if": "there with parameter"}
     return "; ".join(f"{words[kind]} `{target}`" for kind, target in field.links
                      if kind != "sets")
 

@@ -25,7 +25,7 @@ COLUMNS = ("offset", "register", "field", "bits", "access", "reset", "link", "de
 
 # access -> the links that it may have
 ACCESSES = {
-    "const": (), "ro": (), "log": (), "counter": (),
+    "const": (), "ro": ("if",), "log": (), "counter": (),
     "rw": ("locked",), "w1s": (), "w1": ("unless", "needs", "refused", "sets"),
     "w1c": ("with",), "event": (),
 }
@@ -141,6 +141,8 @@ def _check_register(register):
         raise TableError(f"{register.name}: events take the bits from 0 on, and nothing else does")
 
 
+# Parameters of the RTL, 0 or 1, without which a register is not there: link "if".
+PARAMETERS = ("WAITS",)
 # link -> accesses of what it names
 TARGETS = {"locked": ("w1s",), "unless": ("ro",), "needs": ("w1s",), "refused": ("w1c",),
            "sets": ("w1c",), "with": ("w1c", "event")}
@@ -151,6 +153,10 @@ def _check_links(registers):
     events = {r.name: r.fields[0] for r in registers if r.fields[0].access == "event"}
     for field in fields.values():
         for kind, target in field.links:
+            if kind == "if":
+                if target not in PARAMETERS:
+                    raise TableError(f"{field.path}: if:{target} is none of {', '.join(PARAMETERS)}")
+                continue
             found = fields.get(target) or (events.get(target) if kind == "with" else None)
             if found is None or found.access not in TARGETS[kind]:
                 raise TableError(f"{field.path}: {kind}:{target} does not name a field of access"

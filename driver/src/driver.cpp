@@ -61,6 +61,8 @@ void Driver::read_features(CoreIdentity& found) {
     found.features = port_.read32(HWFFD_FEATURES_OFFSET);
     const std::uint32_t limits = port_.read32(HWFFD_LIMITS2_OFFSET);
     found.pages = field(limits, HWFFD_LIMITS2_PAGES_MASK, HWFFD_LIMITS2_PAGES_SHIFT);
+    found.count_width =
+        field(limits, HWFFD_LIMITS2_COUNT_WIDTH_MASK, HWFFD_LIMITS2_COUNT_WIDTH_SHIFT);
     found.spans = field(limits, HWFFD_LIMITS2_SPANS_MASK, HWFFD_LIMITS2_SPANS_SHIFT);
   } catch (const RegisterError&) {
     found.features = HWFFD_FEATURES_RESIDENT_MASK | HWFFD_FEATURES_INTERLEAVED_MASK |
@@ -200,6 +202,21 @@ CoreCounters Driver::counters() {
   counters.stalls = read64(HWFFD_COUNTER_STALLS_LO_OFFSET);
   counters.busy = read64(HWFFD_COUNTER_BUSY_LO_OFFSET);
   return counters;
+}
+
+CoreWaits Driver::waits() {
+  if (!core_) throw DriverError("the core is not known yet: probe it first");
+  if (core_->count_width == 0) {
+    throw DriverError("this core counts no waits: build it with COUNT_WIDTH 32");
+  }
+  CoreWaits waits;
+  waits.input = port_.read32(HWFFD_WAIT_INPUT_OFFSET);
+  waits.memory = port_.read32(HWFFD_WAIT_MEMORY_OFFSET);
+  waits.evaluator = port_.read32(HWFFD_WAIT_EVALUATOR_OFFSET);
+  waits.forming = port_.read32(HWFFD_WAIT_FORMING_OFFSET);
+  waits.read = port_.read32(HWFFD_WAIT_READ_OFFSET);
+  waits.write = port_.read32(HWFFD_WAIT_WRITE_OFFSET);
+  return waits;
 }
 
 void Driver::clear_counters() {

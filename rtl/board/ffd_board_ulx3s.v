@@ -40,6 +40,7 @@ module ffd_board_ulx3s #(
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;
+  wire [2:0]   waits;
   wire         idle;
 
   ffd_board_reset u_reset (
@@ -92,10 +93,11 @@ module ffd_board_ulx3s #(
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
+    .wait_o        (waits),
     .idle_o        (idle)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, idle};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle};
 endmodule
 
 `default_nettype wire

@@ -46,6 +46,7 @@ module ffd_axil_slave #(
   input  wire                 s_axil_rready,
   output reg  [31:0]          s_axil_rdata,
   output wire [1:0]           s_axil_rresp,
+  output wire                 m_awake,
   output reg                  m_write_valid,
   output reg  [ADDRESS_W-3:0] m_write_word,
   output reg  [31:0]          m_write_data,
@@ -85,6 +86,10 @@ module ffd_axil_slave #(
   wire aw_held_d = aw_take || (aw_held_q && !write_act_q);
   wire w_held_d  = w_take || (w_held_q && !write_act_q);
   wire ar_held_d = ar_take || (ar_held_q && !read_act_q);
+
+  // Something is offered or inside: the clock must not stop.
+  assign m_awake = s_axil_awvalid || s_axil_wvalid || s_axil_arvalid || aw_held_q || w_held_q
+                || ar_held_q || s_axil_bvalid || s_axil_rvalid;
 
   always @(posedge clk) begin
     if (rst) begin

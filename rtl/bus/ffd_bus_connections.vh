@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: Apache-2.0
 .aclk          (aclk),
 .aresetn       (aresetn),
+.awake_i       (awake),
+.sleep_o       (sleep_o),
 .irq_o         (irq_o),
 .s_clearing    (clearing),
 .s_write_valid (write_valid),

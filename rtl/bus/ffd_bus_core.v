@@ -22,6 +22,8 @@ module ffd_bus_core #(
   input  wire         aclk,
   input  wire         aresetn,
   `include "ffd_word_ports.vh"
+  input  wire         awake_i,  // a word comes, or is answered
+  output wire         sleep_o,
   output wire         irq_o,
   `include "ffd_axi_ports.vh"
 );
@@ -50,6 +52,7 @@ module ffd_bus_core #(
   localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
   localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? 2 : 0;
   localparam [31:0] FEATURES_WORD  = FEATURES;
+  localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
 
@@ -93,22 +96,16 @@ module ffd_bus_core #(
   wire         error_address_valid;
   wire [63:0]  error_address;
   wire         clear_counters;
+  wire [191:0] waits;
   wire         locked;
   wire [2:0]   irq_enable;
 
-  ffd_bus_registers u_registers (
+  ffd_bus_registers #(
+    .WAITS(COUNT_WIDTH != 0)
+  ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
-    .s_clearing              (s_clearing),
-    .s_write_valid           (s_write_valid),
-    .s_write_word            (s_write_word),
-    .s_write_data            (s_write_data),
-    .s_write_strobe          (s_write_strobe),
-    .s_write_error           (s_write_error),
-    .s_read_valid            (s_read_valid),
-    .s_read_word             (s_read_word),
-    .s_read_data             (s_read_data),
-    .s_read_error            (s_read_error),
+    `include "ffd_word_connections.vh"
     .config_org_i            (ORG_WORD[7:0]),
     .config_n_i              (N_WORD[7:0]),
     .config_format_i         (FORMAT_WORD[7:0]),
@@ -124,19 +121,10 @@ module ffd_bus_core #(
     .status_stopped_i        (stopped),
     .status_ring_running_i   (ring_running),
     .status_done_set_i       (done),
-    .features_pages_i        (FEATURES_WORD[0]),
-    .features_large_i        (FEATURES_WORD[1]),
-    .features_fourth_i       (FEATURES_WORD[2]),
-    .features_spans_i        (FEATURES_WORD[3]),
-    .features_grids_i        (FEATURES_WORD[4]),
-    .features_packed_i       (FEATURES_WORD[5]),
-    .features_marks_i        (FEATURES_WORD[6]),
-    .features_resident_i     (FEATURES_WORD[8]),
-    .features_interleaved_i  (FEATURES_WORD[9]),
-    .features_derivatives_i  (FEATURES_WORD[10]),
-    .features_determinant_i  (FEATURES_WORD[11]),
+    `include "ffd_features_connections.vh"
     .limits2_pages_i         (PAGES_WORD[15:0]),
     .limits2_spans_i         (8'd1),
+    .limits2_count_width_i   (COUNT_WORD[5:0]),
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
     .ring_head_o             (ring_head),
@@ -152,6 +140,12 @@ module ffd_bus_core #(
     .counter_vertices_event_i(vertex),
     .counter_stalls_event_i  (stall),
     .counter_busy_event_i    (busy),
+    .wait_input_i            (waits[0 +: 32]),
+    .wait_memory_i           (waits[32 +: 32]),
+    .wait_evaluator_i        (waits[64 +: 32]),
+    .wait_forming_i          (waits[96 +: 32]),
+    .wait_read_i             (waits[128 +: 32]),
+    .wait_write_i            (waits[160 +: 32]),
     .error_event_i           (error_event),
     .error_packet_i          (error_packet),
     .error_beat_i            (error_beat),
@@ -187,6 +181,7 @@ module ffd_bus_core #(
   wire        core_rst;
   wire        core_idle;
   wire [9:0]  core_event;
+  wire [2:0]  core_wait;
   wire [31:0] core_packet;
   wire [31:0] core_beat;
 
@@ -355,12 +350,43 @@ module ffd_bus_core #(
     .event_packet_o(core_packet),
     .event_beat_o  (core_beat),
     .vertex_o      (vertex),
+    .wait_o        (core_wait),
     .idle_o        (core_idle)
   );
 
   assign stall  = result_valid && !result_ready;
 
-  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running, result_busy};
+  // ---- whether the clock may stop
+
+  ffd_bus_sleep u_sleep (
+    .clk    (clk),
+    .rst    (rst),
+    .calm_i (!awake_i && !busy && idle && !s_clearing && error_event == 24'd0),
+    .sleep_o(sleep_o)
+  );
+
+  // ---- why it is slow
+
+  wire starved = busy && packet_ready && !packet_valid;
+
+  ffd_bus_waits #(
+    .COUNT_WIDTH(COUNT_WIDTH),
+    .OPEN       (READ_OUTSTANDING > WRITE_OUTSTANDING ? READ_OUTSTANDING : WRITE_OUTSTANDING)
+  ) u_waits (
+    .clk           (clk),
+    .rst           (rst),
+    .open_rst_i    (core_rst),
+    .clear_i       (clear_counters),
+    .core_i        ({core_wait[2], core_wait[1], core_wait[0], starved}),
+    .read_begins_i (m_axi_arvalid && m_axi_arready),
+    .read_beat_i   (m_axi_rvalid),
+    .read_ends_i   (m_axi_rvalid && m_axi_rlast),
+    .write_begins_i(m_axi_wvalid && m_axi_wready && m_axi_wlast),
+    .write_ends_i  (m_axi_bvalid),
+    .counts_o      (waits)
+  );
+
+  wire unused_ok = &{1'b0, locked, irq_enable, result_running, result_busy};
 endmodule
 
 `default_nettype wire

@@ -20,6 +20,7 @@ parameter WRITE_DEPTH       = 512,
 parameter READ_OUTSTANDING  = 8,
 parameter WRITE_OUTSTANDING = 8,
 parameter FLUSH_CLOCKS      = 16,
+parameter COUNT_WIDTH       = 0,
 parameter BUS_TIMEOUT       = 1048576,
 parameter AXI_PROT          = 2,
 parameter AXI_CACHE         = 2

@@ -16,11 +16,14 @@
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_bus_registers (
+module ffd_bus_registers #(
+  parameter WAITS = 1
+) (
   input  wire        clk,
   input  wire        rst,
   `include "ffd_word_ports.vh"
@@ -52,6 +55,7 @@ module ffd_bus_registers (
   input  wire        features_determinant_i,
   input  wire [15:0] limits2_pages_i,
   input  wire [7:0]  limits2_spans_i,
+  input  wire [5:0]  limits2_count_width_i,
   output reg  [63:0] ring_base_o,
   output reg  [3:0]  ring_log2_size_o,
   output reg  [15:0] ring_head_o,
@@ -67,6 +71,12 @@ module ffd_bus_registers (
   input  wire        counter_vertices_event_i,
   input  wire        counter_stalls_event_i,
   input  wire        counter_busy_event_i,
+  input  wire [31:0] wait_input_i,
+  input  wire [31:0] wait_memory_i,
+  input  wire [31:0] wait_evaluator_i,
+  input  wire [31:0] wait_forming_i,
+  input  wire [31:0] wait_read_i,
+  input  wire [31:0] wait_write_i,
   input  wire [23:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
@@ -127,6 +137,12 @@ module ffd_bus_registers (
   reg at_counter_stalls_hi_q;
   reg at_counter_busy_lo_q;
   reg at_counter_busy_hi_q;
+  reg at_wait_input_q;
+  reg at_wait_memory_q;
+  reg at_wait_evaluator_q;
+  reg at_wait_forming_q;
+  reg at_wait_read_q;
+  reg at_wait_write_q;
   reg at_error_status_q;
   reg at_error_count_q;
   reg at_error_first_q;
@@ -194,6 +210,12 @@ module ffd_bus_registers (
     at_counter_stalls_hi_q <= s_read_word == 10'h033;
     at_counter_busy_lo_q <= s_read_word == 10'h034;
     at_counter_busy_hi_q <= s_read_word == 10'h035;
+    at_wait_input_q <= WAITS != 0 && s_read_word == 10'h036;
+    at_wait_memory_q <= WAITS != 0 && s_read_word == 10'h037;
+    at_wait_evaluator_q <= WAITS != 0 && s_read_word == 10'h038;
+    at_wait_forming_q <= WAITS != 0 && s_read_word == 10'h039;
+    at_wait_read_q <= WAITS != 0 && s_read_word == 10'h03a;
+    at_wait_write_q <= WAITS != 0 && s_read_word == 10'h03b;
     at_error_status_q <= s_read_word == 10'h040;
     at_error_count_q <= s_read_word == 10'h041;
     at_error_first_q <= s_read_word == 10'h042;
@@ -682,7 +704,7 @@ module ffd_bus_registers (
     ({32 {at_features_q}} & {20'h0, features_determinant_i, features_derivatives_i,
       features_interleaved_i, features_resident_i, 1'h0, features_marks_i, features_packed_i,
       features_grids_i, features_spans_i, features_fourth_i, features_large_i, features_pages_i}) |
-    ({32 {at_limits2_q}} & {8'h0, limits2_spans_i, limits2_pages_i}) |
+    ({32 {at_limits2_q}} & {2'h0, limits2_count_width_i, limits2_spans_i, limits2_pages_i}) |
     ({32 {at_ring_log2_size_q}} & {28'h0, ring_log2_size_o}) |
     ({32 {at_ring_head_q}} & {16'h0, ring_head_o}) |
     ({32 {at_ring_tail_q}} & {16'h0, ring_tail_i}) |
@@ -694,6 +716,12 @@ module ffd_bus_registers (
     ({32 {at_counter_stalls_hi_q}} & counter_stalls[63:32]) |
     ({32 {at_counter_busy_lo_q}} & counter_busy[31:0]) |
     ({32 {at_counter_busy_hi_q}} & counter_busy[63:32]) |
+    ({32 {at_wait_input_q}} & wait_input_i) |
+    ({32 {at_wait_memory_q}} & wait_memory_i) |
+    ({32 {at_wait_evaluator_q}} & wait_evaluator_i) |
+    ({32 {at_wait_forming_q}} & wait_forming_i) |
+    ({32 {at_wait_read_q}} & wait_read_i) |
+    ({32 {at_wait_write_q}} & wait_write_i) |
     ({32 {at_error_status_q}} & {8'h0, error_status_q}) |
     ({32 {at_error_count_q}} & log_count) |
     ({32 {at_error_first_q}} & {error_first_valid_q, 26'h0, log_code}) |
@@ -709,10 +737,11 @@ module ffd_bus_registers (
     at_control_q || at_status_q || at_features_q || at_limits2_q || at_ring_log2_size_q ||
     at_ring_head_q || at_ring_tail_q || at_result_count_q || at_window_lock_q ||
     at_counter_vertices_lo_q || at_counter_vertices_hi_q || at_counter_stalls_lo_q ||
-    at_counter_stalls_hi_q || at_counter_busy_lo_q || at_counter_busy_hi_q || at_error_status_q ||
-    at_error_count_q || at_error_first_q || at_error_packet_q || at_error_beat_q ||
-    at_error_address_lo_q || at_error_address_hi_q || at_irq_enable_q || at_irq_state_q ||
-    at_irq_test_q);
+    at_counter_stalls_hi_q || at_counter_busy_lo_q || at_counter_busy_hi_q || at_wait_input_q ||
+    at_wait_memory_q || at_wait_evaluator_q || at_wait_forming_q || at_wait_read_q ||
+    at_wait_write_q || at_error_status_q || at_error_count_q || at_error_first_q ||
+    at_error_packet_q || at_error_beat_q || at_error_address_lo_q || at_error_address_hi_q ||
+    at_irq_enable_q || at_irq_state_q || at_irq_test_q);
 endmodule
 
 `default_nettype wire

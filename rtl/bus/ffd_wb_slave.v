@@ -32,6 +32,7 @@ module ffd_wb_slave #(
   output reg  [31:0]          s_wb_dat_r,
   output reg                  s_wb_ack,
   output reg                  s_wb_err,
+  output wire                 m_awake,
   output reg                  m_write_valid,
   output wire [ADDRESS_W-3:0] m_write_word,
   output reg  [31:0]          m_write_data,
@@ -58,6 +59,9 @@ module ffd_wb_slave #(
   wire                 take  = asked && !held_q && !act_q && !s_wb_ack && !s_wb_err;
   wire                 error = write_q ? m_write_error : m_read_error;
   wire                 told  = act_q && wanted_q && asked;
+
+  // Something is asked or inside: the clock must not stop.
+  assign m_awake = asked || held_q || act_q || s_wb_ack || s_wb_err;
 
   assign m_write_word = word_q;
   assign m_read_word  = word_q;

@@ -1,6 +1,7 @@
 // Ports of the bus of the registers to words, each joined with its wire (ffd_word_wires.vh). To be
 // included in an instance, as the last of its ports.
 // SPDX-License-Identifier: Apache-2.0
+.m_awake       (awake),
 .m_write_valid (write_valid),
 .m_write_word  (write_word),
 .m_write_data  (write_data),

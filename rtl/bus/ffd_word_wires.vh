@@ -1,6 +1,7 @@
 // Wires between the bus of the registers and the core behind it (ffd_word_ports.vh).
 // SPDX-License-Identifier: Apache-2.0
 wire        clearing;
+wire        awake;
 wire        write_valid;
 wire [9:0]  write_word;
 wire [31:0] write_data;

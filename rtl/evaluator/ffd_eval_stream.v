@@ -62,6 +62,7 @@ module ffd_eval_stream #(
   output wire [5:0]                                      read_index_o,
   input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
   output wire                                            evaluating_o,  // any vertex
+  output wire                                            forming_o,
   output wire                                            m_result_valid,
   input  wire                                            m_result_ready,
   output wire [95:0]                                     m_result_words,
@@ -152,6 +153,7 @@ module ffd_eval_stream #(
     .read_cell_o         (read_cell_o),
     .read_index_o        (read_index_o),
     .read_points_i       (read_points_i),
+    .forming_o           (forming_o),
     .result_valid_o      (sum_valid),
     .result_sum_o        (sum)
   );

@@ -160,6 +160,8 @@ module ffd_org_factored #(
 
   assign read_index_o = 6'd0;
   wire unused_ok = &{1'b0, s_vertex_changed, step_first};
+
+  assign forming_o = 1'b0;
 endmodule
 
 `default_nettype wire

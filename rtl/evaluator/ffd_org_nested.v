@@ -74,6 +74,7 @@ module ffd_org_nested #(
   wire             done;
 
   assign s_vertex_ready = turn && fits;
+  assign forming_o      = forming_q;
 
   always @(posedge clk) begin
     if (rst || start) formed_q <= 1'b0;

@@ -31,6 +31,9 @@ output wire [11:0]                                     read_cell_o,
 output wire [5:0]                                      read_index_o,
 input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
 
+// It works on what all vertices of a cell share, and takes none meanwhile.
+output wire                                            forming_o,
+
 // The sum {z, y, x}, for one clock, in the order of the vertices.
 output wire                                            result_valid_o,
 output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o

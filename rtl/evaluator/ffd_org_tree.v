@@ -195,6 +195,8 @@ module ffd_org_tree #(
     .result_valid_o(result_valid_o),
     .result_sum_o  (result_sum_o)
   );
+
+  assign forming_o = 1'b0;
 endmodule
 
 `default_nettype wire

@@ -6,6 +6,7 @@
 // Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
+// Clock:      it may stop where sleep_o is 1 and no request is offered (docs/interface.md).
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
 //             BUS_TIMEOUT clocks.
 // Parameters: ffd_bus_parameters.vh: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS);
@@ -25,6 +26,7 @@ module hwffd_axi #(
   input  wire         aclk,
   input  wire         aresetn,
   output wire         irq_o,
+  output wire         sleep_o,
 
   `include "ffd_axil_ports.vh"
   `include "ffd_axi_ports.vh"

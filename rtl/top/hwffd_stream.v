@@ -10,8 +10,9 @@
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
 // Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
 //             event_o has a pulse for each kind (ffd_stream.vh), for registers, vertex_o one for
-//             each vertex, a clock after its last result has left the evaluator; idle_o is 1 when
-//             no packet is under way and no vertex inside.
+//             each vertex, a clock after its last result has left the evaluator; wait_o is high
+//             for each clock of a wait (docs/interface.md); idle_o is 1 when no packet is under way
+//             and no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
 //             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside; WAITING, one of
 //             two >= 2, the most vertices before them; FEATURES, what is built, as in
@@ -53,6 +54,7 @@ module hwffd_stream #(
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
+  output wire [2:0]   wait_o,
   output wire         idle_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
@@ -161,6 +163,7 @@ module hwffd_stream #(
   wire                              result_final;
   wire [USER_W-1:0]                 result_user;
   wire                              evaluating;
+  wire                              forming;
   wire                              decoder_idle;
   wire                              leave  = result_valid && result_ready;
 
@@ -316,6 +319,7 @@ module hwffd_stream #(
     .read_index_o        (read_index),
     .read_points_i       (points),
     .evaluating_o        (evaluating),
+    .forming_o           (forming),
     .m_result_valid      (result_valid),
     .m_result_ready      (result_ready),
     .m_result_words      (result_words),
@@ -344,6 +348,12 @@ module hwffd_stream #(
 
   assign event_o[`FFD_EVENT_SATURATED] = saturated_q;
   assign vertex_o = retire_q;
+
+  // Why a beat is held: for a bank or a buffer that is still read, or because the evaluator has no
+  // room; and whether `nested` forms coefficients.
+  wire   held_back = in_held && !in_go;
+  wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
+  assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
   assign idle_o = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
 
   wire unused_ok = &{1'b0, read};

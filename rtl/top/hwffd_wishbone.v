@@ -17,6 +17,7 @@ module hwffd_wishbone #(
   input  wire         aclk,
   input  wire         aresetn,
   output wire         irq_o,
+  output wire         sleep_o,
 
   `include "ffd_wb_ports.vh"
   `include "ffd_axi_ports.vh"

@@ -11,6 +11,7 @@ module hwffd_axi_ids (
   input  wire         aclk,
   input  wire         aresetn,
   output wire         irq_o,
+  output wire         sleep_o,
   output wire [0:0]   m_axi_arid,
   input  wire [0:0]   m_axi_rid,
   output wire [0:0]   m_axi_awid,
@@ -32,6 +33,7 @@ module hwffd_axi_ids (
     .aclk          (aclk),
     .aresetn       (aresetn),
     .irq_o         (irq_o),
+    .sleep_o       (sleep_o),
     `include "ffd_axil_connections.vh"
     .m_axi_arvalid (m_axi_arvalid),
     .m_axi_arready (m_axi_arready),

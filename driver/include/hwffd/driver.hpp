@@ -33,6 +33,7 @@ struct CoreIdentity {
   unsigned points_axis;    ///< of the resident lattice; 0: none
   std::uint32_t features;  ///< HWFFD_FEATURES_*_MASK
   unsigned pages;          ///< of points, the two buffers of opcode 2 among them; 0: none
+  unsigned count_width;    ///< bits of the counts of waits, 8 to 32; 0: there are none
   unsigned spans;          ///< of an axis, each with functions of its own
 };
 
@@ -65,6 +66,16 @@ struct CoreCounters {
   std::uint64_t vertices = 0;
   std::uint64_t stalls = 0;
   std::uint64_t busy = 0;
+};
+
+/// Clocks in which something waited; each wraps at 2^CoreIdentity::count_width.
+struct CoreWaits {
+  std::uint32_t input = 0;      ///< the core for a beat, during a run
+  std::uint32_t memory = 0;     ///< coefficients or a lattice, for what they overwrite
+  std::uint32_t evaluator = 0;  ///< a vertex, for room in the evaluator
+  std::uint32_t forming = 0;    ///< vertices, for the coefficients of their cell (`nested`)
+  std::uint32_t read = 0;       ///< a read burst for its data
+  std::uint32_t write = 0;      ///< a burst of results for its response
 };
 
 /// The first error since the record was last cleared.
@@ -150,7 +161,9 @@ class Driver {
   /// Clocks and vertices, each once however many results it has, since they were last cleared. Each
   /// is one number, but not of one clock.
   CoreCounters counters();
-  /// Sets the counters and ERROR_COUNT to 0.
+  /// Why the core is slow. Throws DriverError where it does not count that, or before probe.
+  CoreWaits waits();
+  /// Sets the counters, the waits and ERROR_COUNT to 0.
   void clear_counters();
 
   /// @param bits  HWFFD_IRQ_ENABLE_*_MASK; what is not among them is disabled

@@ -18,9 +18,10 @@ class DriverClass : public testing::Test {
 
 TEST_F(DriverClass, KnowsTheCore) {
   const std::pair<const char*, std::uint64_t> parameters[] = {
-      {"config_org_i", 4},         {"config_n_i", 8},         {"config_format_i", 18},
-      {"config_schedule_i", 1},    {"config_evaluator_i", 2}, {"limits_in_flight_i", 16},
-      {"limits_points_axis_i", 9}, {"limits2_pages_i", 300},  {"limits2_spans_i", 128}};
+      {"config_org_i", 4},          {"config_n_i", 8},         {"config_format_i", 18},
+      {"config_schedule_i", 1},     {"config_evaluator_i", 2}, {"limits_in_flight_i", 16},
+      {"limits_points_axis_i", 9},  {"limits2_pages_i", 300},  {"limits2_spans_i", 128},
+      {"limits2_count_width_i", 17}};
   for (const auto& [port, value] : parameters) bench_.inputs()[port] = value;
   const CoreIdentity core = driver_.probe();
   EXPECT_EQ(core.version_major, unsigned{PROJECT_VERSION_MAJOR});
@@ -36,6 +37,7 @@ TEST_F(DriverClass, KnowsTheCore) {
   EXPECT_EQ(core.features, 0u);
   EXPECT_EQ(core.pages, 300u);
   EXPECT_EQ(core.spans, 128u);
+  EXPECT_EQ(core.count_width, 17u);
 }
 
 TEST_F(DriverClass, KnowsEachFeature) {

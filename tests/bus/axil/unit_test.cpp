@@ -3,12 +3,15 @@
 // is near the edge.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 
 #include "Vbus_counter.h"
 #include "Vbus_errors.h"
 #include "Vbus_registers.h"
+#include "Vbus_waits.h"
 #include "hwffd/registers.h"
+#include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
 
 namespace hwffd::test {
@@ -101,6 +104,57 @@ TEST(ErrorRecord, CountStaysAtItsLargest) {
   EXPECT_EQ(dut.count_o, 3u);
   sim->tick();
   EXPECT_EQ(dut.count_o, 3u);
+}
+
+/// Every count, as it is counted here, wraps at 2^8; a clear and a reset of the bus in between.
+TEST(Waits, AreCountedAndWrap) {
+  tb::Sim<Vbus_waits> sim(1);
+  tb::Random random(2);
+  auto& dut = sim.dut();
+  std::array<std::uint8_t, 6> counts{};
+  std::array<std::uint64_t, 6> all{};
+  unsigned reads = 0, writes = 0;
+  dut.rst = 1;
+  dut.open_rst_i = dut.clear_i = 0;
+  for (int i = 0; i < 3; ++i) sim.tick();
+  dut.rst = 0;
+  const auto settle = [&] {  // what was counted is there
+    dut.core_i = dut.read_begins_i = dut.read_ends_i = dut.write_begins_i = dut.write_ends_i = 0;
+    dut.read_beat_i = dut.write_ends_i = 0;
+    dut.open_rst_i = 1;
+    for (int i = 0; i < 3; ++i) sim.tick();
+    dut.open_rst_i = 0;
+    reads = writes = 0;
+  };
+  for (int part = 0; part < 40; ++part) {
+    for (int i = 0; i < 400; ++i) {
+      dut.core_i = random.word() & 0xF;
+      dut.read_begins_i = reads < 3 && random.chance(0.3);
+      dut.read_beat_i = reads > 0 && random.chance(0.5);
+      dut.read_ends_i = dut.read_beat_i && random.chance(0.4);
+      dut.write_begins_i = writes < 3 && random.chance(0.3);
+      dut.write_ends_i = writes > 0 && random.chance(0.4);
+      const bool now[] = {(dut.core_i & 1) != 0,         (dut.core_i & 2) != 0,
+                          (dut.core_i & 4) != 0,         (dut.core_i & 8) != 0,
+                          reads > 0 && !dut.read_beat_i, writes > 0 && !dut.write_ends_i};
+      for (unsigned k = 0; k < 6; ++k) {
+        counts[k] = static_cast<std::uint8_t>(counts[k] + (now[k] ? 1 : 0));
+        all[k] += now[k] ? 1 : 0;
+      }
+      reads += dut.read_begins_i - dut.read_ends_i;
+      writes += dut.write_begins_i - dut.write_ends_i;
+      sim.tick();
+    }
+    settle();
+    for (unsigned k = 0; k < 6; ++k) EXPECT_EQ(dut.counts_o[k], counts[k]) << part << " " << k;
+    if (part % 3 != 2) continue;
+    dut.clear_i = 1;
+    sim.tick();
+    dut.clear_i = 0;
+    counts = {};
+    for (unsigned k = 0; k < 6; ++k) EXPECT_EQ(dut.counts_o[k], 0U);
+  }
+  for (const std::uint64_t count : all) EXPECT_GT(count, 1000U);
 }
 
 /// No bus that is there now writes in two clocks one after the other; the block itself refuses the

@@ -52,6 +52,7 @@ class VerilatedAxiCore final : public AxiCore {
     waveform_.half_clock();
   }
   bool interrupt() const override { return dut_->irq_o != 0; }
+  const VDut& dut() const { return *dut_; }
 
   /// Writes a waveform from now on; throws as Waveform::open does.
   void trace(const std::string& path) { waveform_.open(*dut_, path); }

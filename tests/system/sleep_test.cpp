@@ -1,0 +1,114 @@
+// The clock of hwffd_stream is stopped, at random, wherever idle_o allows it: no beat is lost, and
+// results and events are those of a clock that runs.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "Vcg1_fx18_overlapped_1792.h"
+#include "Vtree8_fx18_overlapped_512.h"
+#include "bad_packets.hpp"
+#include "hwffd/cores/verilated_stream_core.hpp"
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/stream_bench.hpp"
+#include "named.hpp"
+#include "stimulus.hpp"
+
+namespace hwffd::test {
+namespace {
+
+/// A core whose clock stands still in half of the clocks in which it may: idle, and no beat
+/// offered.
+template <class Dut>
+class SleepyCore final : public cores::StreamCore {
+ public:
+  /// @param deaf  it does not look whether a beat is offered
+  SleepyCore(std::uint64_t seed, bool deaf, std::uint64_t& stopped)
+      : core_(seed), random_(seed + 1), deaf_(deaf), stopped_(stopped) {}
+
+  void drive_reset(bool asserted) override {
+    in_reset_ = asserted;
+    core_.drive_reset(asserted);
+  }
+  void drive_input(bool valid, const Beat& beat) override {
+    offered_ = valid;
+    core_.drive_input(valid, beat);
+  }
+  void drive_output_ready(bool ready) override { core_.drive_output_ready(ready); }
+  void settle() override { core_.settle(); }
+  void clock() override {
+    const bool may = core_.idle() && !in_reset_ && (deaf_ || !offered_);
+    const bool stop = may && random_.chance(0.5);
+    stopped_ += stop ? 1 : 0;
+    if (!stop) core_.clock();
+  }
+  bool input_ready() const override { return core_.input_ready(); }
+  bool output_valid() const override { return core_.output_valid(); }
+  Beat output() const override { return core_.output(); }
+  std::uint32_t events() const override { return core_.events(); }
+  bool idle() const override { return core_.idle(); }
+
+ private:
+  cores::VerilatedStreamCore<Dut> core_;
+  tb::Random random_;
+  bool deaf_;
+  std::uint64_t& stopped_;
+  bool in_reset_ = true, offered_ = false;
+};
+
+/// Packets of every kind with pauses between them: whether all was right.
+template <class Dut>
+::testing::AssertionResult run_stopping(const char* name, std::uint32_t features, bool deaf,
+                                        std::uint64_t& stopped) {
+  const Configuration& row = find_configuration(name);
+  const WordCodec codec(row.format);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SleepyCore<Dut> core(seed, deaf, stopped);
+    tb::StreamBenchOptions options;
+    options.test = {name, seed, "SEED=" + std::to_string(seed)};
+    options.source_throttle = "bernoulli";
+    options.sink_throttle = seed == 1 ? "always" : "bursts";
+    tb::StreamBench bench(core, options);
+    model::StreamModel model(row, features);
+    tb::Random random(seed);
+    bench.reset(3);
+    for (int round = 0; round < 30; ++round) {
+      const auto send = [&](const std::vector<Beat>& beats) {
+        bench.send(beats);
+        bench.expect(model.run(beats));
+      };
+      send(coefficients_packet(watertight_bspline(codec), codec));
+      send(random_packets(codec, random, 2));
+      send(vertices_packet(random_vertices(codec, random, {6, 6, 6}, 2, true)));
+      send(interleaved_packet(make_stimulus("extreme", codec, 1, seed)));
+      bench.run_for(random.below(2000));
+    }
+    bench.run();
+    if (!bench.finish()) return ::testing::AssertionFailure() << bench.report();
+    if (bench.events() != model.events()) return ::testing::AssertionFailure() << "events";
+  }
+  return ::testing::AssertionSuccess();
+}
+
+constexpr std::uint32_t kTree8 = model::kInterleavedFeature;
+constexpr std::uint32_t kCg1 =
+    model::kResidentFeature | model::kInterleavedFeature | model::kDerivativesFeature;
+
+TEST(Sleep, AStoppedClockLosesNothing) {
+  std::uint64_t stopped = 0;
+  EXPECT_TRUE(run_stopping<Vcg1_fx18_overlapped_1792>("cg1-fx18-overlapped", kCg1, false, stopped));
+  EXPECT_GT(stopped, 1000U);
+  std::uint64_t more = 0;
+  EXPECT_TRUE(
+      run_stopping<Vtree8_fx18_overlapped_512>("tree8-fx18-overlapped", kTree8, false, more));
+  EXPECT_GT(more, 1000U);
+  fmt::print("{} clocks stopped\n", stopped + more);
+}
+
+TEST(Sleep, ABeatMustWakeIt) {
+  std::uint64_t stopped = 0;
+  EXPECT_FALSE(
+      run_stopping<Vtree8_fx18_overlapped_512>("tree8-fx18-overlapped", kTree8, true, stopped));
+}
+
+}  // namespace
+}  // namespace hwffd::test
