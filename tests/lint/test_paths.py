@@ -121,7 +121,8 @@ def test_tops_have_none(look, module):
     ("ffd_dma_engine", ["fault_o"])))
 def test_what_follows_inside_is_found_and_nothing_else(look, module, wanted):
     """Answers of the register block follow what the hardware says, whether a bus is awake its
-    requests, status of the DMA engine its bus, as their heads say: all are inside. What the engine gives to bus and streams follows nothing."""
+    requests, status of the DMA engine its bus, as their heads say: all are inside. What the engine
+    gives to bus and streams follows nothing."""
     status, lines = look(module)
     assert status == 1
     assert sorted(line.split()[1] for line in lines[:-1]) == wanted
