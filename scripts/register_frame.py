@@ -24,7 +24,8 @@ HEADER = """\
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
-// Parameters: SECURE_ONLY as in ffd_axil_slave.
+// Parameters: SECURE_ONLY as in ffd_axil_slave; ADDRESS_WIDTH 32 to 64, the bits of an address on
+//             the memory's bus: those above are 0 in settings, whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """
@@ -69,6 +70,9 @@ SLAVE = """\
 
   // The bits that a write sets: partial strobes leave the other bytes alone.
   wire [31:0] ones = write_data & write_mask;
+  // What the high half of an address may hold.
+  localparam [31:0] HIGH = 32'hffff_ffff >> (64 - ADDRESS_WIDTH);
+  wire [31:0] high_data = write_data & HIGH;
 """
 STORED = """\
   // Settings of a whole word are read from a memory, in which four of them share a block.
@@ -76,12 +80,14 @@ STORED = """\
   reg  {width:<6} read_block_q;
   reg         write_stored_q;
   reg         read_stored_q;
+  reg         write_high_q;
   wire [31:0] stored_word;
 
   always @(posedge clk) begin
     if (write_next) begin
 {write_case}
 {write_words}
+{write_highs}
     end
     if (read_next) begin
 {read_case}
@@ -97,7 +103,7 @@ STORED = """\
     .clearing_o    (clearing),
     .write_i       (write && write_stored_q && !write_error),
     .write_slot_i  ({{write_block_q, write_word[1:0]}}),
-    .write_data_i  (write_data),
+    .write_data_i  (write_high_q ? high_data : write_data),
     .write_strobe_i(write_strobe),
     .read_slot_i   ({{read_block_q, read_word[1:0]}}),
     .word_o        (stored_word)

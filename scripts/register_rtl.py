@@ -117,8 +117,9 @@ class _Rtl:
         if register.writable:
             lock = self.lock(register)
             self.hits += [f"  reg write_{name}_q;",
-                          f"  wire write_{name} = write && write_{name}_q"
-                          f"{' && !' + lock if lock else ''};"]
+                          textwrap.fill(f"  wire write_{name} = write && write_{name}_q"
+                                        f"{' && !' + lock if lock else ''};", 100,
+                                        subsequent_indent=" " * 4)]
             self.named.append(f"      write_{name}_q <= write_next_word == {_word(register)};")
         self.resets, self.lines = [], []
         if register.fields[0].access == "event":
@@ -161,8 +162,8 @@ class _Rtl:
         for byte in range(field.low // 8, (high + 7) // 8):
             low, top = max(8 * byte, field.low), min(8 * byte + 8, high) - 1
             part = _bits(base + top - field.low, base + low - field.low) if field.width > 1 else ""
-            lines.append(f"if (write_strobe[{byte}]) {name}_o{part} <= "
-                         f"write_data{_bits(top, low)}")
+            data = "high_data" if base else "write_data"
+            lines.append(f"if (write_strobe[{byte}]) {name}_o{part} <= {data}{_bits(top, low)}")
         return lines
 
     def stored(self):
@@ -274,6 +275,8 @@ class _Rtl:
             write_case=self.block_case("write_block_q", "write_next_word"),
             read_case=self.block_case("read_block_q", "read_next_word"),
             write_words=self.word_case("write", "stored_q", words, "1'b1", "1'b0"),
+            write_highs=self.word_case(
+                "write", "high_q", [r for r in words if r.name.endswith("_HI")], "1'b1", "1'b0"),
             read_words=self.word_case("read", "stored_q", words, "1'b1", "1'b0"))
 
     @staticmethod
@@ -329,11 +332,14 @@ class _Rtl:
         return " ||\n        ".join(f"(irq_state_{n}_q && irq_enable_{n}_o)" for n in names)
 
 
+def _log_wires():
+    return "\n".join(f"  wire {_range(width):<6} log_{name};" for name, width in (
+        ("count", 32), ("code", 5), ("packet", 32), ("beat", 32), ("address", 64)))
+
+
 def rtl_text(registers):
     rtl = _Rtl(registers)
     codes = next(len(r.fields) for r in registers if r.name == "ERROR_STATUS")
-    log = "\n".join(f"  wire {_range(width):<6} log_{name};" for name, width in (
-        ("count", 32), ("code", 5), ("packet", 32), ("beat", 32), ("address", 64)))
     ports = ",\n".join(rtl.ports + ["  output reg         irq_o"])
     blocks = "\n\n".join(rtl.blocks)
     counters = "\n\n".join(rtl.counters)
@@ -341,7 +347,8 @@ def rtl_text(registers):
     return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
 module ffd_axil_registers #(
-  parameter SECURE_ONLY = 0
+  parameter SECURE_ONLY   = 0,
+  parameter ADDRESS_WIDTH = 64
 ) (
 {register_frame.BUS}{ports}
 );
@@ -351,7 +358,7 @@ module ffd_axil_registers #(
 {reads["declared"]}
 {chr(10).join(rtl.wires)}
 
-{log}
+{_log_wires()}
 
 {rtl.stored_text()}
 {register_frame.ERRORS.format(codes=codes)}

@@ -12,13 +12,15 @@
 // Cuts:       every output leaves a register.
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here).
-// Parameters: SECURE_ONLY as in ffd_axil_slave.
+// Parameters: SECURE_ONLY as in ffd_axil_slave; ADDRESS_WIDTH 32 to 64, the bits of an address on
+//             the memory's bus: those above are 0 in settings, whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_axil_registers #(
-  parameter SECURE_ONLY = 0
+  parameter SECURE_ONLY   = 0,
+  parameter ADDRESS_WIDTH = 64
 ) (
   input  wire        clk,
   input  wire        rst,
@@ -103,6 +105,9 @@ module ffd_axil_registers #(
 
   // The bits that a write sets: partial strobes leave the other bytes alone.
   wire [31:0] ones = write_data & write_mask;
+  // What the high half of an address may hold.
+  localparam [31:0] HIGH = 32'hffff_ffff >> (64 - ADDRESS_WIDTH);
+  wire [31:0] high_data = write_data & HIGH;
 
   reg write_unknown_q;
   reg write_locked_q;
@@ -139,9 +144,11 @@ module ffd_axil_registers #(
   reg write_write_window_base_hi_q;
   wire write_write_window_base_hi = write && write_write_window_base_hi_q && !window_lock_windows_o;
   reg write_write_window_limit_lo_q;
-  wire write_write_window_limit_lo = write && write_write_window_limit_lo_q && !window_lock_windows_o;
+  wire write_write_window_limit_lo = write && write_write_window_limit_lo_q &&
+    !window_lock_windows_o;
   reg write_write_window_limit_hi_q;
-  wire write_write_window_limit_hi = write && write_write_window_limit_hi_q && !window_lock_windows_o;
+  wire write_write_window_limit_hi = write && write_write_window_limit_hi_q &&
+    !window_lock_windows_o;
   reg write_window_lock_q;
   wire write_window_lock = write && write_window_lock_q;
   reg write_error_status_q;
@@ -194,6 +201,7 @@ module ffd_axil_registers #(
   reg  [1:0]  read_block_q;
   reg         write_stored_q;
   reg         read_stored_q;
+  reg         write_high_q;
   wire [31:0] stored_word;
 
   always @(posedge clk) begin
@@ -208,6 +216,10 @@ module ffd_axil_registers #(
         10'h010, 10'h011, 10'h018, 10'h019, 10'h01a, 10'h020, 10'h021, 10'h022, 10'h023, 10'h024,
         10'h025, 10'h026, 10'h027: write_stored_q <= 1'b1;
         default: write_stored_q <= 1'b0;
+      endcase
+      case (write_next_word)
+        10'h011, 10'h019, 10'h021, 10'h023, 10'h025, 10'h027: write_high_q <= 1'b1;
+        default: write_high_q <= 1'b0;
       endcase
     end
     if (read_next) begin
@@ -233,7 +245,7 @@ module ffd_axil_registers #(
     .clearing_o    (clearing),
     .write_i       (write && write_stored_q && !write_error),
     .write_slot_i  ({write_block_q, write_word[1:0]}),
-    .write_data_i  (write_data),
+    .write_data_i  (write_high_q ? high_data : write_data),
     .write_strobe_i(write_strobe),
     .read_slot_i   ({read_block_q, read_word[1:0]}),
     .word_o        (stored_word)
@@ -332,10 +344,10 @@ module ffd_axil_registers #(
       ring_base_o[63:32] <= 32'h0;
     end else begin
       if (write_ring_base_hi) begin
-        if (write_strobe[0]) ring_base_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) ring_base_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) ring_base_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) ring_base_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) ring_base_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) ring_base_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) ring_base_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) ring_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -383,10 +395,10 @@ module ffd_axil_registers #(
       result_base_o[63:32] <= 32'h0;
     end else begin
       if (write_result_base_hi) begin
-        if (write_strobe[0]) result_base_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) result_base_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) result_base_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) result_base_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) result_base_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) result_base_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) result_base_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) result_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -425,10 +437,10 @@ module ffd_axil_registers #(
       read_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_base_hi) begin
-        if (write_strobe[0]) read_window_base_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) read_window_base_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) read_window_base_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) read_window_base_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) read_window_base_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) read_window_base_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) read_window_base_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) read_window_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -453,10 +465,10 @@ module ffd_axil_registers #(
       read_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_limit_hi) begin
-        if (write_strobe[0]) read_window_limit_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) read_window_limit_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) read_window_limit_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) read_window_limit_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) read_window_limit_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) read_window_limit_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) read_window_limit_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) read_window_limit_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -481,10 +493,10 @@ module ffd_axil_registers #(
       write_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_base_hi) begin
-        if (write_strobe[0]) write_window_base_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) write_window_base_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) write_window_base_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) write_window_base_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) write_window_base_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) write_window_base_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) write_window_base_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) write_window_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -509,10 +521,10 @@ module ffd_axil_registers #(
       write_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_limit_hi) begin
-        if (write_strobe[0]) write_window_limit_o[39:32] <= write_data[7:0];
-        if (write_strobe[1]) write_window_limit_o[47:40] <= write_data[15:8];
-        if (write_strobe[2]) write_window_limit_o[55:48] <= write_data[23:16];
-        if (write_strobe[3]) write_window_limit_o[63:56] <= write_data[31:24];
+        if (write_strobe[0]) write_window_limit_o[39:32] <= high_data[7:0];
+        if (write_strobe[1]) write_window_limit_o[47:40] <= high_data[15:8];
+        if (write_strobe[2]) write_window_limit_o[55:48] <= high_data[23:16];
+        if (write_strobe[3]) write_window_limit_o[63:56] <= high_data[31:24];
       end
     end
   end

@@ -1,10 +1,10 @@
 // hwffd_axi: the core in a system: commands from memory, results to memory, registers
 //
 // AXI4-Lite registers (docs/registers.md) start runs of the DMA (docs/interface.md section 8),
-// which feeds hwffd_stream and writes down what comes out. The AXI4 master has no IDs: answers come
-// in order.
+// which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID for all
+// bursts: answers come in order.
 //
-// Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
@@ -12,7 +12,9 @@
 // Parameters: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS); MAX_BURST to
 //             FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch; AXI_PROT and
 //             AXI_CACHE, what the master drives on *prot (010: not secure) and *cache (0010:
-//             normal, not cacheable, not bufferable); SECURE_ONLY as in ffd_axil_slave.
+//             normal, not cacheable, not bufferable); SECURE_ONLY as in ffd_axil_slave;
+//             ADDRESS_WIDTH 32 to 64, an address beyond being outside of every window; ID_WIDTH 1
+//             to 16 and ID, what the master drives on *id.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -42,13 +44,18 @@ module hwffd_axi #(
   parameter BUS_TIMEOUT       = 1048576,
   parameter AXI_PROT          = 2,
   parameter AXI_CACHE         = 2,
-  parameter SECURE_ONLY       = 0
+  parameter SECURE_ONLY       = 0,
+  parameter ADDRESS_WIDTH     = 64,
+  parameter ID_WIDTH          = 1,
+  parameter ID                = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
   output wire         irq_o,
 
   `include "ffd_axil_ports.vh"
+  output wire [ID_WIDTH-1:0] m_axi_arid,
+  output wire [ID_WIDTH-1:0] m_axi_awid,
   `include "ffd_axi_ports.vh"
 );
   generate
@@ -57,6 +64,12 @@ module hwffd_axi #(
     end
     if (AXI_PROT < 0 || AXI_PROT > 7) begin : gen_bad_prot
       ERROR_hwffd_axi_axi_prot_must_be_0_to_7 u_error ();
+    end
+    if (ADDRESS_WIDTH < 32 || ADDRESS_WIDTH > 64) begin : gen_bad_address_width
+      ERROR_hwffd_axi_address_width_must_be_32_to_64 u_error ();
+    end
+    if (ID_WIDTH < 1 || ID_WIDTH > 16 || ID < 0 || ID >= (1 << ID_WIDTH)) begin : gen_bad_id
+      ERROR_hwffd_axi_id_must_have_at_most_id_width_bits_and_16 u_error ();
     end
     // To allocate in a cache, a transfer must be modifiable.
     if (AXI_CACHE < 0 || AXI_CACHE > 15 || (AXI_CACHE > 3 && AXI_CACHE / 2 % 2 == 0))
@@ -75,11 +88,20 @@ module hwffd_axi #(
   localparam [31:0] AXIS_WORD      = AXIS;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
+  localparam [31:0] ID_WORD        = ID;
 
   assign m_axi_arcache = CACHE_WORD[3:0];
   assign m_axi_awcache = CACHE_WORD[3:0];
   assign m_axi_arprot  = PROT_WORD[2:0];
   assign m_axi_awprot  = PROT_WORD[2:0];
+  assign m_axi_arid    = ID_WORD[ID_WIDTH-1:0];
+  assign m_axi_awid    = ID_WORD[ID_WIDTH-1:0];
+
+  // The windows' bounds have no bits above ADDRESS_WIDTH, and so has no address of a burst.
+  wire [63:0] read_address;
+  wire [63:0] write_address;
+  assign m_axi_araddr = read_address[ADDRESS_WIDTH-1:0];
+  assign m_axi_awaddr = write_address[ADDRESS_WIDTH-1:0];
 
   wire clk = aclk;
 
@@ -120,7 +142,8 @@ module hwffd_axi #(
   wire [2:0]   irq_enable;
 
   ffd_axil_registers #(
-    .SECURE_ONLY(SECURE_ONLY)
+    .SECURE_ONLY  (SECURE_ONLY),
+    .ADDRESS_WIDTH(ADDRESS_WIDTH)
   ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
@@ -189,6 +212,7 @@ module hwffd_axi #(
   wire        dma_idle;
   wire        core_rst;
   wire        core_idle;
+  reg         core_idle_q;
   wire [9:0]  core_event;
   wire [31:0] core_packet;
   wire [31:0] core_beat;
@@ -217,7 +241,7 @@ module hwffd_axi #(
     .dma_halted_i       (halted),
     .dma_idle_i         (dma_idle),
     .core_rst_o         (core_rst),
-    .core_idle_i        (core_idle)
+    .core_idle_i        (core_idle_q)
   );
 
   ffd_bus_events u_events (
@@ -302,7 +326,7 @@ module hwffd_axi #(
     .s_result_last        (result_last),
     .m_axi_arvalid        (m_axi_arvalid),
     .m_axi_arready        (m_axi_arready),
-    .m_axi_araddr         (m_axi_araddr),
+    .m_axi_araddr         (read_address),
     .m_axi_arlen          (m_axi_arlen),
     .m_axi_arsize         (m_axi_arsize),
     .m_axi_arburst        (m_axi_arburst),
@@ -313,7 +337,7 @@ module hwffd_axi #(
     .m_axi_rlast          (m_axi_rlast),
     .m_axi_awvalid        (m_axi_awvalid),
     .m_axi_awready        (m_axi_awready),
-    .m_axi_awaddr         (m_axi_awaddr),
+    .m_axi_awaddr         (write_address),
     .m_axi_awlen          (m_axi_awlen),
     .m_axi_awsize         (m_axi_awsize),
     .m_axi_awburst        (m_axi_awburst),
@@ -362,8 +386,10 @@ module hwffd_axi #(
   );
 
   assign stall  = result_valid && !result_ready;
+  always @(posedge clk) core_idle_q <= core_idle;
 
-  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running, result_busy};
+  wire unused_ok = &{1'b0, clear_counters, locked, irq_enable, result_running, result_busy,
+                     read_address, write_address};
 endmodule
 
 `default_nettype wire
