@@ -103,7 +103,10 @@ stream/ffd_stream_intake.v
 stream/ffd_stream_place.v
 stream/ffd_stream_readers.v
 stream/ffd_stream_slots.v
+stream/ffd_stream_units_in.v
+stream/ffd_stream_units_out.v
 stream/ffd_stream_vertex.v
 top/hwffd_axi.v
 top/hwffd_stream.v
+top/hwffd_stream_bus.v
 top/hwffd_wishbone.v

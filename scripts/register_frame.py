@@ -28,7 +28,9 @@ HEADER = """\
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
-// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. ADDRESS_WIDTH 32 to
+//             64, the bits of an address on the memory's bus: those above are 0 in settings,
+//             whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """
@@ -37,6 +39,9 @@ WORDS = """\
   wire [31:0] ones = s_write_data &
     {{8 {s_write_strobe[3]}}, {8 {s_write_strobe[2]}}, {8 {s_write_strobe[1]}},
      {8 {s_write_strobe[0]}}};
+  // What the high half of an address may hold.
+  localparam [31:0] HIGH = 32'hffff_ffff >> (64 - ADDRESS_WIDTH);
+  wire [31:0] high_data = s_write_data & HIGH;
 """
 STORED = """\
   // Settings of a whole word are read from a memory, in which four of them share a block.
@@ -47,6 +52,7 @@ STORED = """\
   wire        clearing;
   wire [31:0] stored_word;
 {hits}
+{high_hits}
 
   always @* begin
 {write_case}
@@ -68,7 +74,7 @@ STORED = """\
     .clearing_o    (clearing),
     .write_i       (write_stored),
     .write_slot_i  (write_slot_q),
-    .write_data_i  (s_write_data),
+    .write_data_i  (write_high ? high_data : s_write_data),
     .write_strobe_i(s_write_strobe),
     .read_slot_i   (read_slot_q),
     .word_o        (stored_word)

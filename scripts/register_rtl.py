@@ -159,8 +159,8 @@ class _Rtl:
         for byte in range(field.low // 8, (high + 7) // 8):
             low, top = max(8 * byte, field.low), min(8 * byte + 8, high) - 1
             part = _bits(base + top - field.low, base + low - field.low) if field.width > 1 else ""
-            lines.append(f"if (s_write_strobe[{byte}]) {name}_o{part} <= "
-                         f"s_write_data{_bits(top, low)}")
+            data = "high_data" if base else "s_write_data"
+            lines.append(f"if (s_write_strobe[{byte}]) {name}_o{part} <= {data}{_bits(top, low)}")
         return lines
 
     def stored(self):
@@ -267,12 +267,15 @@ class _Rtl:
     def stored_text(self):
         blocks, words = self.stored()
         width = max(len(blocks) - 1, 1).bit_length()
-        hits = " || ".join(f"write_{register.name.lower()}" for register in words)
+        hits = {name: textwrap.fill(
+            f"  wire write_{name} = " + " || ".join(f"write_{one.name.lower()}" for one in own) + ";",
+            100, subsequent_indent=" " * 4) for name, own in (
+                ("stored", words), ("high", [one for one in words if one.name.endswith("_HI")]))}
         return register_frame.STORED.format(
             width=_range(width), slot=_range(width + 2), words=4 << width,
             write_case=self.block_case("write_block", "s_write_word"),
             read_case=self.block_case("read_block", "s_read_word"),
-            hits=textwrap.fill(f"  wire write_stored = {hits};", 100, subsequent_indent=" " * 4))
+            hits=hits["stored"], high_hits=hits["high"])
 
     def read_parts(self):
         """(Name of the register that says so, words at which it is 1, value read there.)"""
@@ -337,7 +340,8 @@ def rtl_text(registers):
     return f"""{register_frame.HEADER.format(generated=GENERATED)}`default_nettype none
 
 module ffd_bus_registers #(
-  parameter WAITS = 1
+  parameter WAITS         = 1,
+  parameter ADDRESS_WIDTH = 64
 ) (
 {register_frame.BUS}{ports}
 );

@@ -1,11 +1,12 @@
-// Ports of an AXI4 master, 64 bits of address and 128 of data, without ID: all reads are in order,
-// and all writes (docs/interface.md section 8). To be included as the last of a module's ports.
+// Ports of an AXI4 master, ADDRESS_WIDTH bits of address, a parameter of the module, and 128 of
+// data, without ID: all reads are in order, and all writes (docs/interface.md section 8). To be
+// included as the last of a module's ports.
 // SPDX-License-Identifier: Apache-2.0
 
 // Reads: bursts of whole beats at rising addresses.
 output wire         m_axi_arvalid,
 input  wire         m_axi_arready,
-output wire [63:0]  m_axi_araddr,
+output wire [ADDRESS_WIDTH-1:0] m_axi_araddr,
 output wire [7:0]   m_axi_arlen,
 output wire [2:0]   m_axi_arsize,
 output wire [1:0]   m_axi_arburst,
@@ -20,7 +21,7 @@ input  wire         m_axi_rlast,
 // Writes: the same, each byte of a beat written.
 output wire         m_axi_awvalid,
 input  wire         m_axi_awready,
-output wire [63:0]  m_axi_awaddr,
+output wire [ADDRESS_WIDTH-1:0] m_axi_awaddr,
 output wire [7:0]   m_axi_awlen,
 output wire [2:0]   m_axi_awsize,
 output wire [1:0]   m_axi_awburst,

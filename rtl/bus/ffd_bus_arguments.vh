@@ -1,19 +1,6 @@
 // The parameters of ffd_bus_parameters.vh, handed on under the same names. To be included in an
 // instance.
 // SPDX-License-Identifier: Apache-2.0
-.ORG              (ORG),
-.N                (N),
-.FORMAT           (FORMAT),
-.SCHEDULE         (SCHEDULE),
-.EVALUATOR        (EVALUATOR),
-.MUL_LATENCY      (MUL_LATENCY),
-.ADD_LATENCY      (ADD_LATENCY),
-.FMA_LATENCY      (FMA_LATENCY),
-.CONVERT_LATENCY  (CONVERT_LATENCY),
-.AXIS             (AXIS),
-.IN_FLIGHT        (IN_FLIGHT),
-.WAITING          (WAITING),
-.FEATURES         (FEATURES),
 .MAX_BURST        (MAX_BURST),
 .READ_DEPTH       (READ_DEPTH),
 .WRITE_DEPTH      (WRITE_DEPTH),
@@ -23,4 +10,8 @@
 .COUNT_WIDTH      (COUNT_WIDTH),
 .BUS_TIMEOUT      (BUS_TIMEOUT),
 .AXI_PROT         (AXI_PROT),
-.AXI_CACHE        (AXI_CACHE)
+.AXI_CACHE        (AXI_CACHE),
+.ADDRESS_WIDTH    (ADDRESS_WIDTH),
+.ID_WIDTH         (ID_WIDTH),
+.ID               (ID),
+`include "ffd_stream_arguments.vh"

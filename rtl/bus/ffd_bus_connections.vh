@@ -16,6 +16,8 @@
 .s_read_word   (read_word),
 .s_read_data   (read_data),
 .s_read_error  (read_error),
+.m_axi_arid    (m_axi_arid),
+.m_axi_awid    (m_axi_awid),
 .m_axi_arvalid (m_axi_arvalid),
 .m_axi_arready (m_axi_arready),
 .m_axi_araddr  (m_axi_araddr),

@@ -1,10 +1,10 @@
 // ffd_bus_core: hwffd_stream with DMA and registers, before the bus of the registers
 //
 // Registers (docs/registers.md), which come as words, start runs of the DMA (docs/interface.md
-// section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has no IDs:
-// answers come in order.
+// section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID for all
+// bursts: answers come in order.
 //
-// Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.
 // Cuts:       every output but the answers to words leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
@@ -25,6 +25,8 @@ module ffd_bus_core #(
   input  wire         awake_i,  // a word comes, or is answered
   output wire         sleep_o,
   output wire         irq_o,
+  output wire [ID_WIDTH-1:0] m_axi_arid,
+  output wire [ID_WIDTH-1:0] m_axi_awid,
   `include "ffd_axi_ports.vh"
 );
   generate
@@ -34,6 +36,12 @@ module ffd_bus_core #(
     if (AXI_PROT < 0 || AXI_PROT > 7) begin : gen_bad_prot
       ERROR_ffd_bus_core_axi_prot_must_be_0_to_7 u_error ();
     end
+    if (ADDRESS_WIDTH < 32 || ADDRESS_WIDTH > 64) begin : gen_bad_address_width
+      ERROR_ffd_bus_core_address_width_must_be_32_to_64 u_error ();
+    end
+    if (ID_WIDTH < 1 || ID_WIDTH > 16 || ID < 0 || ID >= (1 << ID_WIDTH)) begin : gen_bad_id
+      ERROR_ffd_bus_core_id_must_have_at_most_id_width_bits_and_16 u_error ();
+    end
     // To allocate in a cache, a transfer must be modifiable.
     if (AXI_CACHE < 0 || AXI_CACHE > 15 || (AXI_CACHE > 3 && AXI_CACHE / 2 % 2 == 0))
     begin : gen_bad_cache
@@ -41,7 +49,7 @@ module ffd_bus_core #(
     end
   endgenerate
 
-  // A parameter that is set from outside has 32 bits.
+  // Parameters set from outside have 32 bits.
   localparam [31:0] ORG_WORD       = ORG;
   localparam [31:0] N_WORD         = N;
   localparam [31:0] FORMAT_WORD    = FORMAT;
@@ -55,11 +63,20 @@ module ffd_bus_core #(
   localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
+  localparam [31:0] ID_WORD        = ID;
 
   assign m_axi_arcache = CACHE_WORD[3:0];
   assign m_axi_awcache = CACHE_WORD[3:0];
   assign m_axi_arprot  = PROT_WORD[2:0];
   assign m_axi_awprot  = PROT_WORD[2:0];
+  assign m_axi_arid    = ID_WORD[ID_WIDTH-1:0];
+  assign m_axi_awid    = ID_WORD[ID_WIDTH-1:0];
+
+  // The windows' bounds have no bits above ADDRESS_WIDTH, and so has no address of a burst.
+  wire [63:0] read_address;
+  wire [63:0] write_address;
+  assign m_axi_araddr = read_address[ADDRESS_WIDTH-1:0];
+  assign m_axi_awaddr = write_address[ADDRESS_WIDTH-1:0];
 
   wire clk = aclk;
 
@@ -101,7 +118,8 @@ module ffd_bus_core #(
   wire [2:0]   irq_enable;
 
   ffd_bus_registers #(
-    .WAITS(COUNT_WIDTH != 0)
+    .WAITS        (COUNT_WIDTH != 0),
+    .ADDRESS_WIDTH(ADDRESS_WIDTH)
   ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
@@ -180,6 +198,7 @@ module ffd_bus_core #(
   wire        dma_idle;
   wire        core_rst;
   wire        core_idle;
+  reg         core_idle_q;
   wire [9:0]  core_event;
   wire [2:0]  core_wait;
   wire [31:0] core_packet;
@@ -209,7 +228,7 @@ module ffd_bus_core #(
     .dma_halted_i       (halted),
     .dma_idle_i         (dma_idle),
     .core_rst_o         (core_rst),
-    .core_idle_i        (core_idle)
+    .core_idle_i        (core_idle_q)
   );
 
   ffd_bus_events u_events (
@@ -294,7 +313,7 @@ module ffd_bus_core #(
     .s_result_last        (result_last),
     .m_axi_arvalid        (m_axi_arvalid),
     .m_axi_arready        (m_axi_arready),
-    .m_axi_araddr         (m_axi_araddr),
+    .m_axi_araddr         (read_address),
     .m_axi_arlen          (m_axi_arlen),
     .m_axi_arsize         (m_axi_arsize),
     .m_axi_arburst        (m_axi_arburst),
@@ -305,7 +324,7 @@ module ffd_bus_core #(
     .m_axi_rlast          (m_axi_rlast),
     .m_axi_awvalid        (m_axi_awvalid),
     .m_axi_awready        (m_axi_awready),
-    .m_axi_awaddr         (m_axi_awaddr),
+    .m_axi_awaddr         (write_address),
     .m_axi_awlen          (m_axi_awlen),
     .m_axi_awsize         (m_axi_awsize),
     .m_axi_awburst        (m_axi_awburst),
@@ -322,19 +341,7 @@ module ffd_bus_core #(
   // ---- the core
 
   hwffd_stream #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .AXIS           (AXIS),
-    .IN_FLIGHT      (IN_FLIGHT),
-    .WAITING        (WAITING),
-    .FEATURES       (FEATURES)
+    `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (clk),
     .aresetn       (!core_rst),
@@ -354,9 +361,9 @@ module ffd_bus_core #(
     .idle_o        (core_idle)
   );
 
-  assign stall  = result_valid && !result_ready;
+  assign stall = result_valid && !result_ready;
+  always @(posedge clk) core_idle_q <= core_idle;
 
-  // ---- whether the clock may stop
 
   ffd_bus_sleep u_sleep (
     .clk    (clk),
@@ -386,7 +393,8 @@ module ffd_bus_core #(
     .counts_o      (waits)
   );
 
-  wire unused_ok = &{1'b0, locked, irq_enable, result_running, result_busy};
+  wire unused_ok = &{1'b0, locked, irq_enable, result_running, result_busy, read_address,
+                     write_address};
 endmodule
 
 `default_nettype wire

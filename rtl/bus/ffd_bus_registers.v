@@ -16,13 +16,16 @@
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
-// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. ADDRESS_WIDTH 32 to
+//             64, the bits of an address on the memory's bus: those above are 0 in settings,
+//             whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_bus_registers #(
-  parameter WAITS = 1
+  parameter WAITS         = 1,
+  parameter ADDRESS_WIDTH = 64
 ) (
   input  wire        clk,
   input  wire        rst,
@@ -91,6 +94,9 @@ module ffd_bus_registers #(
   wire [31:0] ones = s_write_data &
     {{8 {s_write_strobe[3]}}, {8 {s_write_strobe[2]}}, {8 {s_write_strobe[1]}},
      {8 {s_write_strobe[0]}}};
+  // What the high half of an address may hold.
+  localparam [31:0] HIGH = 32'hffff_ffff >> (64 - ADDRESS_WIDTH);
+  wire [31:0] high_data = s_write_data & HIGH;
 
   reg to_open_q;
   reg to_locked_q;
@@ -306,6 +312,8 @@ module ffd_bus_registers #(
     write_read_window_base_hi || write_read_window_limit_lo || write_read_window_limit_hi ||
     write_write_window_base_lo || write_write_window_base_hi || write_write_window_limit_lo ||
     write_write_window_limit_hi;
+  wire write_high = write_ring_base_hi || write_result_base_hi || write_read_window_base_hi ||
+    write_read_window_limit_hi || write_write_window_base_hi || write_write_window_limit_hi;
 
   always @* begin
     case (s_write_word[9:2])
@@ -337,7 +345,7 @@ module ffd_bus_registers #(
     .clearing_o    (clearing),
     .write_i       (write_stored),
     .write_slot_i  (write_slot_q),
-    .write_data_i  (s_write_data),
+    .write_data_i  (write_high ? high_data : s_write_data),
     .write_strobe_i(s_write_strobe),
     .read_slot_i   (read_slot_q),
     .word_o        (stored_word)
@@ -436,10 +444,10 @@ module ffd_bus_registers #(
       ring_base_o[63:32] <= 32'h0;
     end else begin
       if (write_ring_base_hi) begin
-        if (s_write_strobe[0]) ring_base_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) ring_base_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) ring_base_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) ring_base_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) ring_base_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) ring_base_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) ring_base_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) ring_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -487,10 +495,10 @@ module ffd_bus_registers #(
       result_base_o[63:32] <= 32'h0;
     end else begin
       if (write_result_base_hi) begin
-        if (s_write_strobe[0]) result_base_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) result_base_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) result_base_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) result_base_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) result_base_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) result_base_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) result_base_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) result_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -529,10 +537,10 @@ module ffd_bus_registers #(
       read_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_base_hi) begin
-        if (s_write_strobe[0]) read_window_base_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) read_window_base_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) read_window_base_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) read_window_base_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) read_window_base_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) read_window_base_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) read_window_base_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) read_window_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -557,10 +565,10 @@ module ffd_bus_registers #(
       read_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_read_window_limit_hi) begin
-        if (s_write_strobe[0]) read_window_limit_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) read_window_limit_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) read_window_limit_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) read_window_limit_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) read_window_limit_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) read_window_limit_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) read_window_limit_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) read_window_limit_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -585,10 +593,10 @@ module ffd_bus_registers #(
       write_window_base_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_base_hi) begin
-        if (s_write_strobe[0]) write_window_base_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) write_window_base_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) write_window_base_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) write_window_base_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) write_window_base_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) write_window_base_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) write_window_base_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) write_window_base_o[63:56] <= high_data[31:24];
       end
     end
   end
@@ -613,10 +621,10 @@ module ffd_bus_registers #(
       write_window_limit_o[63:32] <= 32'h0;
     end else begin
       if (write_write_window_limit_hi) begin
-        if (s_write_strobe[0]) write_window_limit_o[39:32] <= s_write_data[7:0];
-        if (s_write_strobe[1]) write_window_limit_o[47:40] <= s_write_data[15:8];
-        if (s_write_strobe[2]) write_window_limit_o[55:48] <= s_write_data[23:16];
-        if (s_write_strobe[3]) write_window_limit_o[63:56] <= s_write_data[31:24];
+        if (s_write_strobe[0]) write_window_limit_o[39:32] <= high_data[7:0];
+        if (s_write_strobe[1]) write_window_limit_o[47:40] <= high_data[15:8];
+        if (s_write_strobe[2]) write_window_limit_o[55:48] <= high_data[23:16];
+        if (s_write_strobe[3]) write_window_limit_o[63:56] <= high_data[31:24];
       end
     end
   end

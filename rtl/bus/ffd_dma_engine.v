@@ -5,9 +5,10 @@
 // 16-byte beats.
 // docs/interface.md has the descriptor, the ring, the area and the codes of errors.
 //
-// A bus error on either half raises no further address on both: the half that failed stops, the
-// other is held, with nothing lost, until the half that failed is started again. halted_o: the half
-// that failed has ended, no burst is open, and such a start is waited for.
+// A bus error on either half raises no further address on both, from the fourth clock after it on.
+// The half that failed stops, the other is held, with nothing lost, until the half that failed is
+// started again. halted_o: the half that failed has ended, no burst is open, and such a start is
+// waited for.
 // A channel that waits TIMEOUT clocks for the slave (timeout_o, a pulse a channel: bit 0 AR, 1 R,
 // 2 AW, 3 W, 4 B) stops both halves, too, and only a soft reset ends that; halted_o does not wait
 // for bursts whose channel is late. fault_o: a bus error or a time-out.
@@ -40,8 +41,8 @@ module ffd_dma_engine #(
   input  wire         rst,
   input  wire         soft_reset_i,
   output wire         clearing_o,
-  output wire         idle_o,
-  output wire         halted_o,
+  output reg          idle_o,
+  output reg          halted_o,
   output wire         fault_o,
   output wire [4:0]   timeout_o,
 
@@ -133,10 +134,11 @@ module ffd_dma_engine #(
   wire write_late = |late[4:2];
   wire read_ends  = read_quiet || read_late;
   wire write_ends = !write_busy || write_late;
-  wire cleared  = soft_q && read_ends && write_ends;
-  wire half_rst = rst || cleared;
+  reg  cleared_q;
+  wire half_rst = rst || cleared_q;
 
   always @(posedge clk) begin
+    cleared_q <= soft_q && read_ends && write_ends && !half_rst;
     if (half_rst) begin
       soft_q       <= soft_reset_i && !rst;
       hold_read_q  <= 1'b0;
@@ -153,10 +155,12 @@ module ffd_dma_engine #(
   assign clearing_o    = soft_q;
   assign result_busy_o = write_busy;
   assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
-  assign halted_o      = (!read_open || read_late) && write_ends
-                      && (late_q || (hold_write_q && !ring_running_o)
-                          || (hold_read_q && !result_running_o));
-  assign idle_o = !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
+
+  always @(posedge clk) begin
+    halted_o <= (!read_open || read_late) && write_ends && !half_rst
+             && (late_q || (hold_write_q && !ring_running_o) || (hold_read_q && !result_running_o));
+    idle_o   <= !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
+  end
 
   // ---- the ring, whose errors never come with one of the bus; addresses are 0 but with an error
   wire         request_valid;
@@ -222,7 +226,7 @@ module ffd_dma_engine #(
     .rst              (half_rst),
     .start_i          (ring_started),
     .soft_i           (soft_q),
-    .hold_i           (hold_read_q || late_q || write_fault),
+    .hold_i           (hold_read_q || late_q),
     .window_first_i   (read_first_i),
     .window_last_i    (read_last_i),
     .s_request_valid  (request_valid),
@@ -268,7 +272,7 @@ module ffd_dma_engine #(
     .rst            (half_rst),
     .start_i        (result_start_i),
     .soft_i         (soft_q),
-    .hold_i         (hold_write_q || late_q || read_fault),
+    .hold_i         (hold_write_q || late_q),
     .window_first_i (write_first_i),
     .window_last_i  (write_last_i),
     .base_i         (result_base_i),

@@ -6,16 +6,16 @@
 // for the whole burst, so m_axi_rready is 1 from the first clock after reset on. One ID: answers
 // come in order; a queue of OUTSTANDING bursts says what each is.
 //
-// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From that clock on no
-// address is raised (one that waits for arready must stay), the request is forgotten and all data
-// to come is dropped. The packet ends with the last good beat before, marked `last`; had it none,
-// it leaves no trace. So each beat is held until the next one is seen to be good. start_i, given
-// when quiet_o is 1, ends this state.
+// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From fault_o on, a
+// clock after the answer, no address is raised (one that waits for arready must stay), the request
+// is forgotten and all data to come is dropped. The packet ends with the last good beat before,
+// marked `last`; had it none, it leaves no trace. So each beat is held until the next one is seen
+// to be good. start_i, given when quiet_o is 1, ends this state.
 // A request with s_request_check is checked, and asks for nothing.
 // soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
 // hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
 //
-// Pipeline:   4 clocks request to burst; data 3 clocks from bus to stream, II 1. No path from an
+// Pipeline:   4 clocks request to burst; data 5 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
 //             MAX_BURST as in ffd_dma_address.
@@ -131,8 +131,17 @@ module ffd_dma_read #(
   wire        owner_last;
   wire        owner_fetch;
   wire [59:0] owner_beat;
-  wire        beat  = m_axi_rvalid && m_axi_rready && queue_valid;
-  wire        done  = beat && m_axi_rlast;
+  wire        beat   = m_axi_rvalid && m_axi_rready && queue_valid;
+  wire        done   = beat && m_axi_rlast;
+  wire        failed = m_axi_rresp != 2'b00;
+  // Beats that were taken in the clock before, and of what.
+  reg         good_q;
+  reg         bad_q;
+  reg         fetched_q;
+  reg         end_q;       // of its request
+  reg         decode_q;    // its code is DECODE_ERROR
+  reg [59:0]  beat_q;
+  reg [127:0] data_q;
 
   ffd_stream_fifo #(
     .WIDTH(62),
@@ -148,15 +157,27 @@ module ffd_dma_read #(
     .m_word_data ({owner_last, owner_fetch, owner_beat})
   );
 
-  assign open_o  = queue_valid;
-  assign quiet_o = !queue_valid && address_ready && !refused_o;
+  assign open_o  = queue_valid || good_q || bad_q;
+  assign quiet_o = !open_o && address_ready && !refused_o;
 
   // ---- answers
-  wire fine    = !beat || m_axi_rresp == 2'b00 || discard;
-  wire bad     = !fine;
-  wire good    = beat && m_axi_rresp == 2'b00 && !discard;
-  wire arrives = good && !owner_fetch;
-  wire dropped = beat && !good && !owner_fetch;
+  wire bad     = bad_q && !discard;
+  wire good    = good_q && !discard;
+  wire arrives = good && !fetched_q;
+  wire dropped = (bad_q || (good_q && discard)) && !fetched_q;
+
+  always @(posedge clk) begin
+    good_q <= beat && !failed && !rst;
+    bad_q  <= beat && failed && !rst;
+  end
+
+  always @(posedge clk) begin
+    end_q     <= owner_last && m_axi_rlast;
+    fetched_q <= owner_fetch;
+    decode_q  <= m_axi_rresp == 2'b11;
+    beat_q    <= owner_beat;
+    data_q    <= m_axi_rdata;
+  end
 
   assign fault_o = bad;
 
@@ -171,15 +192,15 @@ module ffd_dma_read #(
       m_axi_rready <= 1'b1;
       stop_q       <= bad || (stop_q && !start_i);
       error_o      <= bad;
-      fetched_o    <= good && owner_fetch;
-      finished_o   <= arrives && owner_last && m_axi_rlast;
+      fetched_o    <= good && fetched_q;
+      finished_o   <= arrives && end_q;
     end
   end
 
   always @(posedge clk) begin
-    fetched_data_o  <= m_axi_rdata;
-    error_code_o    <= m_axi_rresp == 2'b11 ? DECODE_ERROR : SLAVE_ERROR;
-    error_address_o <= fine ? 64'd0 : {owner_beat, 4'd0};
+    fetched_data_o  <= data_q;
+    error_code_o    <= decode_q ? DECODE_ERROR : SLAVE_ERROR;
+    error_address_o <= bad ? {beat_q, 4'd0} : 64'd0;
   end
 
   // ---- the beat that is held: only the next one tells whether it is the packet's last
@@ -196,12 +217,12 @@ module ffd_dma_read #(
 
   always @(posedge clk) begin
     if (arrives) begin
-      held_data_q <= m_axi_rdata;
-      held_last_q <= owner_last && m_axi_rlast;
+      held_data_q <= data_q;
+      held_last_q <= end_q;
     end
   end
 
-  ffd_stream_deep_fifo #(
+  ffd_stream_queue #(
     .WIDTH(129),
     .DEPTH(FIFO_DEPTH)
   ) u_fifo (

@@ -15,9 +15,10 @@
 // then running_o falls. start_i begins at tail_o; it is taken where nothing runs or nothing is
 // left, checks ring and head anew, and is ignored else. Only rst sets tail_o to 0.
 //
-// Pipeline:   a start and a head act a clock later, when all of their bits have been looked at;
-//             a request every five clocks, fetches included, the first for a packet or a descriptor
-//             five after the check.
+// Pipeline:   a start and a head act a clock later, when all of their bits have been looked at,
+//             and what to ask next is decided in the clock before it is asked; a request every five
+//             clocks, fetches included, the first for a packet or a descriptor five after the
+//             check.
 // Parameters: DESCRIPTORS a power of two, 2 to 256: those fetched and not yet requested.
 // Not checked: base_i, entries_log2_i and the window are to be held from start_i on while entries
 //             are left; every address is still checked by the reader.
@@ -86,7 +87,9 @@ module ffd_dma_ring #(
   wire [14:0] mask       = ~above[14:0];
   wire [19:0] bytes      = {{mask_q, 1'b1} & ~{1'b0, mask_q}, 4'd0};    // of the ring
   wire        legal      = !misaligned_q && !beyond_q && mask_q[0];
-  wire        over       = empty_o && !stop_q && quiet_i && !m_request_valid;
+  // Nothing was left a clock ago; what a head brings in that clock is asked for later.
+  reg         over_q;
+  wire        over       = over_q && !stop_q && !m_request_valid;
   wire        accept     = start_q && (!running_q || over);
 
   assign running_o = running_q;
@@ -95,6 +98,7 @@ module ffd_dma_ring #(
   assign started_o = accept && legal;
 
   always @(posedge clk) begin
+    over_q       <= empty_o && !stop_q && quiet_i && !m_request_valid && !accept && !rst;
     start_q      <= start_i && !rst;
     mask_q       <= mask;
     head_q       <= head_i[14:0] & mask;
@@ -124,19 +128,36 @@ module ffd_dma_ring #(
     .m_word_data ({head_bad, head_length, head_address})
   );
 
-  // What to ask next: the ring, then descriptors first, since packets wait for them.
+  // What to ask next: the ring, then descriptors first, since packets wait for them. Decided in the
+  // clock before it is asked, and not in that in which something is.
+  reg         plan_check_q;
+  reg         plan_fetch_q;
+  reg         plan_data_q;
+  wire        planned   = plan_check_q || plan_fetch_q || plan_data_q;
   wire        fetch     = fetch_q != head_q && !ahead_q[AHEAD_W];
   wire        allowed   = running_q && !stop_q && !refused_i && !stop_i && !beyond_q;
   wire        free      = !m_request_valid || m_request_ready;
   wire        bad_head  = head_valid && head_bad;
   // Not before the reader is done with the request before: that one is still to be read.
-  wire        bad_flags = allowed && bad_head && !m_request_valid && m_request_ready;
-  wire        ask_check = allowed && free && check_q;
-  wire        ask_fetch = allowed && free && !check_q && fetch && !bad_head;
-  wire        ask_data  = allowed && free && !check_q && !fetch && head_valid && !head_bad;
-  wire        ask       = ask_check || ask_fetch || ask_data;
+  wire        bad_flags = allowed && bad_head && !planned && !m_request_valid && m_request_ready;
+  wire        ask       = allowed && free && planned;
+  wire        ask_check = ask && plan_check_q;
+  wire        ask_fetch = ask && plan_fetch_q;
+  wire        ask_data  = ask && plan_data_q;
 
   assign head_pop = ask_data;
+
+  always @(posedge clk) begin
+    if (rst || accept || ask || !running_q) begin
+      plan_check_q <= 1'b0;
+      plan_fetch_q <= 1'b0;
+      plan_data_q  <= 1'b0;
+    end else begin
+      plan_check_q <= check_q;
+      plan_fetch_q <= !check_q && fetch && !bad_head;
+      plan_data_q  <= !check_q && !fetch && head_valid && !head_bad;
+    end
+  end
 
   always @(posedge clk) begin
     if (rst) begin
@@ -181,13 +202,13 @@ module ffd_dma_ring #(
   end
 
   always @(posedge clk) begin
-    if (ask) begin
-      m_request_check   <= ask_check;
-      m_request_fetch   <= ask_fetch;
-      m_request_length  <= ask_data ? head_length : ask_check ? {12'd0, bytes} : 32'd16;
-      m_request_address <= ask_data ? head_address
-                                    : {base_i[63:19], base_i[18:0] | {fetch_q, 4'd0}};
-      entry_q           <= ask_data ? next_q : fetch_q;
+    if (free) begin
+      m_request_check   <= plan_check_q;
+      m_request_fetch   <= plan_fetch_q;
+      m_request_length  <= plan_data_q ? head_length : plan_check_q ? {12'd0, bytes} : 32'd16;
+      m_request_address <= plan_data_q ? head_address
+                                       : {base_i[63:19], base_i[18:0] | {fetch_q, 4'd0}};
+      entry_q           <= plan_data_q ? next_q : fetch_q;
     end
     if (m_request_valid && m_request_ready) asked_q <= entry_q;
   end

@@ -6,13 +6,13 @@
 // for FLUSH_CLOCKS. So nothing stays behind, and write data never waits for the stream. Beats past
 // the area are dropped and set overflow_o (until start_i). count_o: beats acknowledged since start.
 //
-// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From that clock on no
-// address is raised, started bursts get their data, then running_o falls. What was in no burst
-// waits in the FIFO for the next start_i; count_o stays at the beats before the failed burst. An
-// area that is refused: error_o with code (1 to 4) and its base.
+// Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From fault_o on, a
+// clock after the answer, no address is raised, started bursts get their data, then running_o
+// falls. What was in no burst waits in the FIFO for the next start_i; count_o stays at the beats
+// before the failed burst. An area that is refused: error_o with code (1 to 4) and its base.
 // start_i is ignored while busy_o is 1 (bursts out, or stopping).
 // soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
-// hold_i (level): no new address, nothing lost.
+// hold_i (level): no new address from the clock after next on, nothing lost.
 //
 // Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
@@ -164,7 +164,8 @@ module ffd_dma_write #(
 
   ffd_stream_deep_fifo #(
     .WIDTH(128),
-    .DEPTH(FIFO_DEPTH)
+    .DEPTH(FIFO_DEPTH),
+    .EARLY(1)
   ) u_fifo (
     .clk         (clk),
     .rst         (rst),
@@ -183,7 +184,7 @@ module ffd_dma_write #(
   reg  [QUIET_W-1:0] quiet_q;     // clocks without a beat
   // A burst is made of the beats that were there two clocks ago. First behind_q and flush_q are of
   // one clock; then go_q, and with it the length. What is there only grows while a burst waits, and
-  // the next burst comes four clocks later.
+  // the next burst comes four clocks later. So does what has room for its address.
   reg  [COUNT_W-1:0] behind_q;    // those beats less one
   reg                some_q;
   reg                all_q;       // the burst takes all of them
@@ -197,6 +198,7 @@ module ffd_dma_write #(
   // One chain of carries: less the burst's beats or a beat that is dropped, one more for a push.
   wire [COUNT_W-1:0] more    = step ? {{(COUNT_W - 8) {1'b1}}, ~burst_len} : {COUNT_W {drop}};
   wire [COUNT_W:0]   sum     = {pending_q, 1'b1} + {more, push};
+  wire               room;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -209,7 +211,7 @@ module ffd_dma_write #(
     end else begin
       pending_q <= sum[COUNT_W:1];
       some_q    <= !none && !step;
-      go_q      <= burst_valid && some_q && (whole || flush_q) && !step;
+      go_q      <= burst_valid && some_q && (whole || flush_q) && !step && room && !hold_i;
       marked_q  <= push && s_result_last;
       flush_q   <= marked_q || mark_q || ((flush_q || late) && !(step && all_q));
       mark_q    <= marked_q;
@@ -236,10 +238,16 @@ module ffd_dma_write #(
   wire [7:0]  out_len;
   wire [59:0] out_beat;
   wire        answer = m_axi_bvalid && m_axi_bready && out_valid;
+  // The answer that was taken in the clock before.
+  reg         good_q;
+  reg         bad_q;
+  reg         decode_q;    // its code is DECODE_ERROR
+  reg  [7:0]  len_q;
+  reg  [59:0] beat_q;
 
-  assign bursts_out  = out_valid;
-  assign burst_ready = go_q && aw_free && lengths_ready && outstanding_ready
-                    && !hold_i && !soft_i && !stop_q && !bad;
+  assign bursts_out  = out_valid || good_q || bad_q;
+  assign room        = aw_free && lengths_ready && outstanding_ready;
+  assign burst_ready = go_q && !soft_i && !stop_q && !bad_q;
 
   always @(posedge clk) begin
     if (rst) m_axi_awvalid <= 1'b0;
@@ -288,8 +296,14 @@ module ffd_dma_write #(
   wire       move  = active_q && fifo_valid && w_free;
   wire       ended = move && left_q == 8'd0;
 
+  // All data of the area has left: what comes behind it is dropped, until the next start.
+  reg        past_q;
+  always @(posedge clk) begin
+    past_q <= full_q && !active_q && !length_valid && !accept && !bad && !rst;
+  end
+
   assign length_pop = !active_q || ended;
-  assign drop       = full_q && !active_q && !length_valid && fifo_valid && !soft_i;
+  assign drop       = past_q && fifo_valid && !soft_i;
   assign fifo_pop   = (active_q && w_free) || drop;
   assign empty_o    = none;
 
@@ -313,8 +327,19 @@ module ffd_dma_write #(
   end
 
   // ---- answers
-  assign bad     = answer && m_axi_bresp != 2'b00 && !stop_q && !soft_i;
+  assign bad     = bad_q && !stop_q && !soft_i;
   assign fault_o = bad;
+
+  always @(posedge clk) begin
+    good_q <= answer && m_axi_bresp == 2'b00 && !rst;
+    bad_q  <= answer && m_axi_bresp != 2'b00 && !rst;
+  end
+
+  always @(posedge clk) begin
+    decode_q <= m_axi_bresp == 2'b11;
+    len_q    <= out_len;
+    beat_q   <= out_beat;
+  end
 
   always @(posedge clk) begin
     if (rst) begin
@@ -327,13 +352,13 @@ module ffd_dma_write #(
       error_o      <= bad || refused;
       overflow_o   <= drop || (overflow_o && !accept);
       if (accept) count_o <= 32'd0;
-      else if (answer && !bad && !stop_q && !soft_i) count_o <= count_o + {24'd0, out_len} + 32'd1;
+      else if (good_q && !stop_q && !soft_i) count_o <= count_o + {24'd0, len_q} + 32'd1;
     end
   end
 
   always @(posedge clk) begin
-    error_code_o    <= refused ? refused_code : m_axi_bresp == 2'b11 ? DECODE_ERROR : SLAVE_ERROR;
-    error_address_o <= refused ? base_q : {out_beat, 4'd0};
+    error_code_o    <= refused ? refused_code : decode_q ? DECODE_ERROR : SLAVE_ERROR;
+    error_address_o <= refused ? base_q : {beat_q, 4'd0};
   end
 
   wire unused_ok = &{1'b0, burst_address[3:0], sum[0]};

@@ -1,11 +1,13 @@
 // ffd_stream_deep_fifo: first in, first out in block memory, DEPTH words
 //
 // For depths at which ffd_stream_fifo's combinational read would be large. The memory's own output
-// register holds the word that is offered, so one more than DEPTH are inside.
+// register holds the word that is offered, so one more than DEPTH are inside. With EARLY what
+// s_word_ready says is worked out a clock before, so that it leaves a register: 0 while DEPTH - 1
+// words were there, so that one fewer may have to do.
 //
 // Pipeline:   2 clocks from in to out, II 1.  Freezes: s_ready is 0 when full. valid and ready
 //             come from registers; m_word_ready reaches the memory's read enable, no output.
-// Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
+// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, with EARLY >= 4; EARLY 0 or 1.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -13,6 +15,7 @@
 module ffd_stream_deep_fifo #(
   parameter WIDTH     = 128,
   parameter DEPTH     = 512,
+  parameter EARLY     = 0,
   parameter ADDRESS_W = $clog2(DEPTH)
 ) (
   input  wire             clk,
@@ -25,7 +28,7 @@ module ffd_stream_deep_fifo #(
   output wire [WIDTH-1:0] m_word_data
 );
   generate
-    if (DEPTH < 2 || (1 << ADDRESS_W) != DEPTH) begin : gen_bad_depth
+    if (DEPTH < 2 + 2 * EARLY || (1 << ADDRESS_W) != DEPTH) begin : gen_bad_depth
       ERROR_ffd_stream_deep_fifo_depth_must_be_a_power_of_two u_error ();
     end
   endgenerate
@@ -34,12 +37,21 @@ module ffd_stream_deep_fifo #(
   // that is offered has left the memory for its register, and the pointer is one ahead of it.
   reg  [ADDRESS_W:0] write_q;
   reg  [ADDRESS_W:0] read_q;
-  wire [ADDRESS_W:0] full = {!read_q[ADDRESS_W], read_q[ADDRESS_W-1:0]};
   wire               push = s_word_valid && s_word_ready;
   wire               load = !m_word_valid || m_word_ready;
   wire               some = read_q != write_q;
 
-  assign s_word_ready = write_q != full;
+  generate
+    if (EARLY) begin : gen_early
+      // A word may come in the clock in which they are counted, and one in that of the answer.
+      reg                ready_q;
+      wire [ADDRESS_W:0] level = write_q - read_q;
+      always @(posedge clk) ready_q <= !rst && !level[ADDRESS_W] && !(&level[ADDRESS_W-1:0]);
+      assign s_word_ready = ready_q;
+    end else begin : gen_exact
+      assign s_word_ready = write_q != {!read_q[ADDRESS_W], read_q[ADDRESS_W-1:0]};
+    end
+  endgenerate
 
   always @(posedge clk) begin
     if (rst) begin

@@ -3,7 +3,7 @@
 // The registers of docs/registers.md behind ffd_axil_slave; they start runs of the DMA
 // (docs/interface.md section 8), which feeds hwffd_stream and writes down what comes out.
 //
-// Formats:    as hwffd_stream; addresses of 64 bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
 // Clock:      it may stop where sleep_o is 1 and no request is offered (docs/interface.md).
@@ -12,7 +12,9 @@
 // Parameters: ffd_bus_parameters.vh: as in hwffd_stream, IN_FLIGHT below 65536 (register LIMITS);
 //             MAX_BURST to FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch;
 //             AXI_PROT and AXI_CACHE, what the master drives on *prot (010: not secure) and *cache
-//             (0010: normal, not cacheable, not bufferable). SECURE_ONLY as in ffd_axil_slave.
+//             (0010: normal, not cacheable, not bufferable); ADDRESS_WIDTH 32 to 64, an address
+//             beyond being outside of every window; ID_WIDTH 1 to 16 and ID, what the master drives
+//             on *id. SECURE_ONLY as in ffd_axil_slave.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,6 +31,8 @@ module hwffd_axi #(
   output wire         sleep_o,
 
   `include "ffd_axil_ports.vh"
+  output wire [ID_WIDTH-1:0] m_axi_arid,
+  output wire [ID_WIDTH-1:0] m_axi_awid,
   `include "ffd_axi_ports.vh"
 );
   // Registers are read and written in words; not in reset and not while they are cleared.

@@ -20,6 +20,8 @@ module hwffd_wishbone #(
   output wire         sleep_o,
 
   `include "ffd_wb_ports.vh"
+  output wire [ID_WIDTH-1:0] m_axi_arid,
+  output wire [ID_WIDTH-1:0] m_axi_awid,
   `include "ffd_axi_ports.vh"
 );
   // Registers are read and written in words; not in reset and not while they are cleared.

@@ -10,7 +10,7 @@ namespace {
 
 bool same(const cores::AxiAddressChannel& a, const cores::AxiAddressChannel& b) {
   return a.address == b.address && a.len == b.len && a.size == b.size && a.burst == b.burst &&
-         a.cache == b.cache && a.prot == b.prot;
+         a.cache == b.cache && a.prot == b.prot && a.id == b.id;
 }
 bool same(const cores::AxiReadChannel& a, const cores::AxiReadChannel& b) {
   return a.data == b.data && a.response == b.response && a.last == b.last;
@@ -129,13 +129,14 @@ void AxiChecker::check_address(const cores::AxiAddressChannel& channel, bool rea
 
 void AxiChecker::check_errors(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (lite_) return;
-  if (error_seen_) {
+  if (error_seen_ && cycle - error_cycle_ > kAxiAddressesAfterError) {
     if (raised(before_.ar, pins.ar)) report(AxiRule::kAfterError, cycle, "AR");
     if (raised(before_.aw, pins.aw)) report(AxiRule::kAfterError, cycle, "AW");
   }
-  error_seen_ = error_seen_ ||
-                (pins.r.valid && pins.r.ready && pins.r.response != cores::kAxiOkay) ||
-                (pins.b.valid && pins.b.ready && pins.b.response != cores::kAxiOkay);
+  const bool error = (pins.r.valid && pins.r.ready && pins.r.response != cores::kAxiOkay) ||
+                     (pins.b.valid && pins.b.ready && pins.b.response != cores::kAxiOkay);
+  if (error && !error_seen_) error_cycle_ = cycle;
+  error_seen_ = error_seen_ || error;
 }
 
 void AxiChecker::observe_reads(const cores::AxiPins& pins, std::uint64_t cycle) {

@@ -146,7 +146,7 @@ AxiMemory::Open AxiMemory::open(const cores::AxiAddressChannel& channel, std::ui
       open.response = failure.response;
     }
   }
-  log.push_back({open.address, open.beats, cycle, channel.cache, channel.prot});
+  log.push_back({open.address, open.beats, cycle, channel.cache, channel.prot, channel.id});
   return open;
 }
 

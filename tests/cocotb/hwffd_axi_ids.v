@@ -7,7 +7,9 @@
 `timescale 1ns / 1ns
 `default_nettype none
 
-module hwffd_axi_ids (
+module hwffd_axi_ids #(
+  parameter ADDRESS_WIDTH = 64
+) (
   input  wire         aclk,
   input  wire         aresetn,
   output wire         irq_o,
@@ -19,9 +21,6 @@ module hwffd_axi_ids (
   `include "ffd_axil_ports.vh"
   `include "ffd_axi_ports.vh"
 );
-  assign m_axi_arid = 1'b0;
-  assign m_axi_awid = 1'b0;
-
   hwffd_axi #(
     .ORG            (0),
     .N              (1),
@@ -34,6 +33,8 @@ module hwffd_axi_ids (
     .aresetn       (aresetn),
     .irq_o         (irq_o),
     .sleep_o       (sleep_o),
+    .m_axi_arid    (m_axi_arid),
+    .m_axi_awid    (m_axi_awid),
     `include "ffd_axil_connections.vh"
     .m_axi_arvalid (m_axi_arvalid),
     .m_axi_arready (m_axi_arready),

@@ -193,13 +193,18 @@ module formal_dma_read #(
   (* hierconn *) wire [7:0]         \u_dut.burst_len ;
   (* hierconn *) wire               \u_dut.burst_last ;
   (* hierconn *) wire               \u_dut.fetch_q ;
+  (* hierconn *) wire               \u_dut.end_q ;
   (* hierconn *) wire               \u_dut.stop_q ;
   (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[0] ;
   (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[1] ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.write_q ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.read_q ;
-  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.write_q ;
-  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.read_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.u_fifo.write_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.u_fifo.read_q ;
+  (* hierconn *) wire               \u_dut.u_fifo.stored_valid ;
+  (* hierconn *) wire               \u_dut.good_q ;
+  (* hierconn *) wire               \u_dut.bad_q ;
+  (* hierconn *) wire               \u_dut.fetched_q ;
   (* hierconn *) wire [ROOM_W-1:0]  \u_dut.room_q ;
   (* hierconn *) wire               \u_dut.left_q ;
   (* hierconn *) wire               \u_dut.taken_q ;
@@ -213,7 +218,10 @@ module formal_dma_read #(
   wire [2:0]       total  = count_q + arvalid;
   wire [2:0]       behind = total - done;
   wire [PLACE_W:0] open   = \u_dut.u_outstanding.write_q - \u_dut.u_outstanding.read_q ;
-  wire [LEVEL_W:0] level  = \u_dut.u_fifo.write_q - \u_dut.u_fifo.read_q ;
+  wire [LEVEL_W:0] level  = \u_dut.u_fifo.u_fifo.write_q - \u_dut.u_fifo.u_fifo.read_q ;
+  wire             stored = \u_dut.u_fifo.stored_valid ;
+  wire             came   = \u_dut.good_q || \u_dut.bad_q ;
+  wire             data   = came && !\u_dut.fetched_q ;
   always @(posedge clk) begin
     fetch_q <= done ? fetch_q >> 1 : fetch_q;
     last_q  <= done ? last_q >> 1 : last_q;
@@ -229,17 +237,19 @@ module formal_dma_read #(
   reg         follow_q;
   reg         inside_q;     // in the address generator
   reg         due_q;        // its last beat was taken in the clock before
+  reg         told_q;       // two clocks before
   reg         is_fetch_q;
   reg  [1:0]  place_q;      // of its last burst
   reg  [27:0] left_q;       // beats that are in no burst yet
   reg  [33:0] budget_q;     // clocks that are left
   wire        accept = s_valid && s_ready && follow && !follow_q && !s_check;
   always @(posedge clk) begin
-    due_q <= 1'b0;
+    due_q  <= 1'b0;
+    told_q <= due_q && follow_q && !rst && !soft && !fault;
     if (rst || soft || fault) follow_q <= 1'b0;
     else if (accept) follow_q <= 1'b1;
     else if (refused && inside_q) follow_q <= 1'b0;
-    else if (due_q && (is_fetch_q ? fetched : finished)) follow_q <= 1'b0;
+    else if (told_q && (is_fetch_q ? fetched : finished)) follow_q <= 1'b0;
     if (accept) begin
       inside_q   <= 1'b1;
       is_fetch_q <= s_fetch;
@@ -249,10 +259,10 @@ module formal_dma_read #(
       left_q   <= left_q - \u_dut.burst_len - 1'b1;
       place_q  <= behind[1:0];
     end else if (!inside_q && done) begin
-      due_q    <= follow_q && !due_q && place_q == 0;
+      due_q    <= follow_q && !due_q && !told_q && place_q == 0;
       place_q  <= place_q - 1'b1;
     end
-    if (accept) budget_q <= {s_length[31:4], 3'd0} + 3 + busy;
+    if (accept) budget_q <= {s_length[31:4], 4'd0} + 3 + busy;
     else if (!stalled) budget_q <= budget_q - 1'b1;
   end
 
@@ -288,11 +298,13 @@ module formal_dma_read #(
     before   = before - beat_q;
     promised = promised - (fetch_q[0] ? 0 : beat_q);
   end
-  wire [11:0] given  = \u_dut.room_q + level + \u_dut.held_q + \u_dut.left_q
-                     + \u_dut.dropped_q + promised - (\u_dut.taken_q ? arlen + 12'd1 : 12'd0);
-  wire [11:0] busy   = 3 * coming + arvalid + 2 * level + 2 * \u_dut.held_q + \u_dut.left_q
-                     + \u_dut.dropped_q ;
-  wire        credit = whole && level <= FIFO_DEPTH && (m_valid ? level != 0 : level < 2)
+  wire [11:0] given  = \u_dut.room_q + level + stored + m_valid + \u_dut.held_q + data
+                     + \u_dut.left_q + \u_dut.dropped_q + promised
+                     - (\u_dut.taken_q ? arlen + 12'd1 : 12'd0);
+  // The clocks that are left to all that is inside: what a step makes of a beat weighs one less.
+  wire [11:0] busy   = 7 * coming + arvalid + 6 * came + 5 * \u_dut.held_q + 4 * level + 3 * stored
+                     + 2 * m_valid + \u_dut.left_q + \u_dut.dropped_q ;
+  wire        credit = whole && level <= FIFO_DEPTH && !(\u_dut.good_q && \u_dut.bad_q )
                     && given <= FIFO_DEPTH && (soft_q || given == FIFO_DEPTH)
                     && !(\u_dut.taken_q && (\u_dut.dropped_q
                         || (\u_dut.u_address.state_q != 0 && \u_dut.u_address.state_q != 5
@@ -310,7 +322,7 @@ module formal_dma_read #(
   always @* begin
     rank = 0;
     if (inside_q) begin
-      known = \u_dut.fetch_q == is_fetch_q && !due_q;
+      known = \u_dut.fetch_q == is_fetch_q && !due_q && !told_q;
       case (\u_dut.u_address.state_q )
         3'd0: known = known && refused;
         3'd1: known = known && !refused
@@ -324,18 +336,22 @@ module formal_dma_read #(
       endcase
       known = known && !\u_dut.u_address.check_q ;
       if (\u_dut.u_address.state_q != 0)
-        rank = {left_q, 3'd0} + busy + (\u_dut.u_address.state_q == 3'd5 ? 3'd3
+        rank = {left_q, 4'd0} + busy + (\u_dut.u_address.state_q == 3'd5 ? 3'd3
                                         : 3'd4 - \u_dut.u_address.state_q );
-    end else if (due_q) begin
-      known = is_fetch_q ? fetched : finished;
+    end else if (told_q) begin
+      known = !due_q && (is_fetch_q ? fetched : finished);
       rank  = 1;
+    end else if (due_q) begin
+      known = \u_dut.good_q ? \u_dut.fetched_q == is_fetch_q && (is_fetch_q || \u_dut.end_q )
+                            : \u_dut.bad_q ;
+      rank  = 2;
     end else begin
       known = place_q < total && last_q[place_q] && fetch_q[place_q] == is_fetch_q;
-      rank  = before + (arvalid && place_q == count_q) + 1'b1;
+      rank  = before + (arvalid && place_q == count_q) + 2'd2;
     end
     known = known && !\u_dut.stop_q && !soft_q;
   end
-  localparam MOST_BUSY = 2 * FIFO_DEPTH + 3 * OUTSTANDING * MAX_BURST + 2;
+  localparam MOST_BUSY = 6 * FIFO_DEPTH + 7 * OUTSTANDING * MAX_BURST + 7;
 
   always @* if (!first_q && !rst) begin
     window: assert ((!arvalid || (ar_fits && ar_page && arlen < MAX_BURST && araddr[3:0] == 0))

@@ -92,6 +92,11 @@ module formal_dma_ring #(
   (* hierconn *) wire        \u_dut.queue_ready ;
   (* hierconn *) wire [$clog2(DESCRIPTORS):0] \u_dut.u_queue.write_q ;
   (* hierconn *) wire [$clog2(DESCRIPTORS):0] \u_dut.u_queue.read_q ;
+  (* hierconn *) wire        \u_dut.over_q ;
+  (* hierconn *) wire        \u_dut.planned ;
+  (* hierconn *) wire        \u_dut.plan_check_q ;
+  (* hierconn *) wire        \u_dut.plan_fetch_q ;
+  (* hierconn *) wire        \u_dut.plan_data_q ;
   wire [$clog2(DESCRIPTORS):0] queued = \u_dut.u_queue.write_q - \u_dut.u_queue.read_q ;
 
   wire        beyond = (head >> entries_log2) != 0;
@@ -151,6 +156,12 @@ module formal_dma_ring #(
   wire [16:0] packets = packets_q + (asked && !kind_q) + (asks && !is_fetch);
   wire [14:0] ahead   = to_fetch - to_next;
   wire [14:0] entry   = address[18:4] & mask;
+  // What was decided a clock before can still be asked.
+  wire        planned = (\u_dut.check_q || !\u_dut.plan_check_q )
+                     && !(\u_dut.check_q && (\u_dut.plan_fetch_q || \u_dut.plan_data_q ))
+                     && !(\u_dut.plan_fetch_q && \u_dut.plan_data_q )
+                     && (!\u_dut.plan_fetch_q || (to_fetch < to_limit && ahead < DESCRIPTORS))
+                     && (!\u_dut.plan_data_q || queued != 0);
   wire        ordered = running
                      ? \u_dut.mask_q == mask && (\u_dut.head_q & ~mask) == 0
                        && (to_limit <= to_head)
@@ -165,7 +176,9 @@ module formal_dma_ring #(
                        && fetches <= ahead && packets <= to_next
                        && (\u_dut.stop_q || (fetches == ahead && packets == to_next
                            && expected_q == ((fetch - (asks && is_fetch)) & mask)))
-                       && (!\u_dut.stop_q || !valid)
+                       && (!\u_dut.stop_q || !valid) && planned
+                       && (!\u_dut.over_q || (!\u_dut.check_q && !taken_q && !valid && ahead == 0
+                           && fetches == 0 && packets == 0 && !\u_dut.planned ))
                      : quiet && !valid;
   wire        between = !(asks && is_fetch)
                      || (address == (base | {entry, 4'd0}) && entry == expected_q

@@ -213,7 +213,8 @@ module formal_dma_write #(
     beat    = beat_q;
     ordered = count_q <= OUTSTANDING && open_q <= OUTSTANDING && written_q <= OUTSTANDING
            && open <= OUTSTANDING && open == open_q + awvalid && open == total + written_q
-           && (!wait_q || awvalid);
+           && (!wait_q || awvalid)
+           && (!\u_dut.go_q || (!awvalid && open < OUTSTANDING && lengths < OUTSTANDING));
     if (wvalid) begin
       ordered = ordered && count_q != 0 && wlast == (beat == lens[7:0]);
       at      = wlast;

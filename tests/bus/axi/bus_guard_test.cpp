@@ -29,12 +29,13 @@ class Guarded {
 };
 
 /// Every burst has these, each way.
-void expect_attributes(AxiRun& run, unsigned cache, unsigned prot) {
+void expect_attributes(AxiRun& run, unsigned cache, unsigned prot, unsigned id) {
   for (const auto* bursts : {&run.system().memory.reads(), &run.system().memory.writes()}) {
     EXPECT_FALSE(bursts->empty());
     for (const tb::AxiMemory::Burst& burst : *bursts) {
       EXPECT_EQ(unsigned{burst.cache}, cache);
       EXPECT_EQ(unsigned{burst.prot}, prot);
+      EXPECT_EQ(unsigned{burst.id}, id);
     }
   }
 }
@@ -42,11 +43,40 @@ void expect_attributes(AxiRun& run, unsigned cache, unsigned prot) {
 TEST(AxiGuard, TheMasterSaysWhatItsParametersSay) {
   AxiRun plain(guarded_row(), 1);
   ASSERT_TRUE(plain.good_run());
-  expect_attributes(plain, 2, 2);  // not cacheable, not bufferable; not secure
+  expect_attributes(plain, 2, 2, 0);  // not cacheable, not bufferable; not secure
   Guarded run(1);
   ASSERT_TRUE(run->good_run());
-  expect_attributes(*run, 15, 1);
+  expect_attributes(*run, 15, 1, 9);
   EXPECT_TRUE(run->clean());
+}
+
+/// Bits above ADDRESS_WIDTH are 0 in every setting, and an address that has one is in no window,
+/// not even in the largest.
+TEST(AxiGuard, AddressesEndAtTheirWidth) {
+  constexpr std::uint32_t kHigh[] = {
+      HWFFD_RING_BASE_HI_OFFSET,         HWFFD_RESULT_BASE_HI_OFFSET,
+      HWFFD_READ_WINDOW_BASE_HI_OFFSET,  HWFFD_READ_WINDOW_LIMIT_HI_OFFSET,
+      HWFFD_WRITE_WINDOW_BASE_HI_OFFSET, HWFFD_WRITE_WINDOW_LIMIT_HI_OFFSET};
+  constexpr std::uint64_t kBeyond = std::uint64_t{1} << 40;
+  cores::VerilatedAxiCore<Vaxi_guarded> core(5);
+  tb::AxiSystem system(core, 5);
+  for (const std::uint32_t offset : kHigh) {
+    system.write32(offset, 0xFFFF'FFFF);
+    EXPECT_EQ(system.read32(offset), 0xFFU) << offset;
+    system.write32(offset, 0);
+  }
+  Driver driver(system);
+  driver.probe();
+  driver.set_windows({0, ~std::uint64_t{0}}, {0, ~std::uint64_t{0}});
+  driver.lock_windows();
+  system.allow({0, kBeyond - 1}, {0, kBeyond - 1});
+  tb::PacketRing ring(system.memory, driver, kRing, kBuffers);
+  ring.open();
+  ring.put_descriptor(kBuffers.limit + 1 + kBeyond, 16, 0);
+  driver.set_results({kWriteWindow.base - kWriteWindow.base % 16, 16});
+  driver.start();
+  ASSERT_TRUE(driver.wait_done(kPolls));
+  EXPECT_EQ(system.read32(HWFFD_ERROR_STATUS_OFFSET), HWFFD_ERROR_STATUS_DMA_WINDOW_MASK);
 }
 
 TEST(AxiGuard, AnyoneMayReachTheRegisters) {

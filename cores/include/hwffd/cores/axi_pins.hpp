@@ -22,6 +22,7 @@ struct AxiAddressChannel {
   std::uint8_t burst = 1;  ///< 1 is INCR
   std::uint8_t cache = 0;
   std::uint8_t prot = 0;
+  std::uint16_t id = 0;
 };
 
 /// R.

@@ -44,6 +44,8 @@ class VerilatedAxiCore final : public AxiCore {
     bus.ar.prot = dut_->m_axi_arprot;
     bus.aw.cache = dut_->m_axi_awcache;
     bus.aw.prot = dut_->m_axi_awprot;
+    bus.ar.id = dut_->m_axi_arid;
+    bus.aw.id = dut_->m_axi_awid;
   }
   void clock() override {
     waveform_.half_clock();

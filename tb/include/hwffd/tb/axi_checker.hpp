@@ -12,6 +12,9 @@
 
 namespace hwffd::tb {
 
+/// In so many clocks after that of an error response an address may still be raised.
+constexpr std::uint64_t kAxiAddressesAfterError = 3;
+
 /// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this project promises
 /// beyond it (marked "promise"): on AXI4 the master, on AXI4-Lite the slave.
 enum class AxiRule : std::size_t {
@@ -29,7 +32,7 @@ enum class AxiRule : std::size_t {
   kWindow,       ///< a byte outside the window (promise)
   kStall,        ///< write data paused inside a burst (promise)
   kReadyFell,    ///< RREADY or BREADY fell outside reset (promise: room is kept)
-  kAfterError,   ///< an address was raised after an error response (promise)
+  kAfterError,   ///< an address was raised later than promised after an error response (promise)
   kCount
 };
 
@@ -92,6 +95,7 @@ class AxiChecker {
   cores::AxiPins before_;
   bool ready_may_fall_ = false;
   bool error_seen_ = false;
+  std::uint64_t error_cycle_ = 0;
   std::deque<std::uint64_t> reads_;   // beats still to come, a burst each
   std::deque<std::uint64_t> writes_;  // lengths of addresses without their data
   std::deque<std::uint64_t> data_;    // lengths of data without their address

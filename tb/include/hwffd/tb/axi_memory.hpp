@@ -33,6 +33,7 @@ class AxiMemory {
     std::uint64_t beats;
     std::uint64_t cycle;
     std::uint8_t cache, prot;
+    std::uint16_t id;
   };
   /// First and last byte.
   using Range = std::pair<std::uint64_t, std::uint64_t>;

@@ -1,0 +1,285 @@
+// Buses of 64 and 256 bits: beats become units of 16 bytes and back, in any rhythm, at full rate,
+// and the whole core behind them gives the results of the model.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "Vbus_256.h"
+#include "Vbus_64.h"
+#include "Vunits_in_256.h"
+#include "Vunits_in_64.h"
+#include "Vunits_out_256.h"
+#include "Vunits_out_64.h"
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/sim.hpp"
+#include "stimulus.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint32_t kLowHalf = 0x0000FFFF, kBoth = 0xFFFFFFFF;
+
+/// What stands on a bus for a clock: of 64 bits two words, of 256 bits eight.
+struct BusBeat {
+  std::vector<std::uint32_t> words;
+  bool upper = true;
+  bool last = false;
+};
+
+/// An upper half that is left out may be anything.
+bool operator==(const BusBeat& a, const BusBeat& b) {
+  const auto meant = a.words.begin() + (a.upper ? a.words.size() : a.words.size() / 2);
+  return a.words.size() == b.words.size() && std::equal(a.words.begin(), meant, b.words.begin()) &&
+         a.upper == b.upper && a.last == b.last;
+}
+
+/// Packets as such a bus carries them.
+std::vector<BusBeat> on_bus(const std::vector<Beat>& units, unsigned width) {
+  std::vector<BusBeat> beats;
+  bool whole = true;  // of 256 bits: the last beat
+  for (const Beat& unit : units) {
+    if (width == 64) {
+      beats.push_back({{unit.words[0], unit.words[1]}, true, false});
+      beats.push_back({{unit.words[2], unit.words[3]}, true, unit.last});
+    } else if (whole) {
+      beats.push_back({{unit.words.begin(), unit.words.end()}, false, unit.last});
+      beats.back().words.resize(8);
+      whole = unit.last;
+    } else {
+      std::copy(unit.words.begin(), unit.words.end(), beats.back().words.begin() + 4);
+      beats.back().upper = true;
+      beats.back().last = unit.last;
+      whole = true;
+    }
+  }
+  return beats;
+}
+
+/// Words of a port, which is a number up to 64 bits and an array above.
+void put(QData& port, const std::vector<std::uint32_t>& words) {
+  port = words[0] | std::uint64_t{words[1]} << 32;
+}
+template <class Wide>
+void put(Wide& port, const std::vector<std::uint32_t>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) port[i] = words[i];
+}
+std::vector<std::uint32_t> get(QData port, std::size_t) {
+  return {static_cast<std::uint32_t>(port), static_cast<std::uint32_t>(port >> 32)};
+}
+template <class Wide>
+std::vector<std::uint32_t> get(const Wide& port, std::size_t count) {
+  std::vector<std::uint32_t> words;
+  for (std::size_t i = 0; i < count; ++i) words.push_back(port[i]);
+  return words;
+}
+
+/// How often either side waits: 0 is never.
+struct Waits {
+  double source, sink;
+};
+const Waits kWaits[] = {{0, 0}, {0.5, 0}, {0, 0.5}, {0.3, 0.3}, {0.8, 0.1}, {0.1, 0.8}};
+
+/// Packets of 1 to 9 units, as many odd as even ones.
+std::vector<Beat> any_packets(tb::Random& random, int packets) {
+  std::vector<Beat> units;
+  for (int packet = 0; packet < packets; ++packet) {
+    for (std::uint64_t left = 1 + random.below(9); left > 0; --left) {
+      Beat unit;
+      for (std::uint32_t& word : unit.words) word = random.word();
+      unit.last = left == 1;
+      units.push_back(unit);
+    }
+  }
+  return units;
+}
+
+/// Runs `offer` and `take`, what both sides do in a clock, until all has come.
+template <class Dut, class Offer, class Take>
+std::uint64_t run(tb::Sim<Dut>& sim, tb::Random& random, const Waits& waits, std::size_t sent_all,
+                  std::size_t got_all, Offer offer, Take take) {
+  std::size_t sent = 0, got = 0;
+  bool offered = false;
+  sim->rst = 1;
+  sim.tick();
+  sim->rst = 0;
+  sim.tick();
+  const std::uint64_t start = sim.cycle();
+  while (got < got_all) {
+    offered = sent < sent_all && (offered || !random.chance(waits.source));
+    const bool ready = !random.chance(waits.sink);
+    const bool taken = offer(offered, sent, ready);
+    got += take(ready, got) ? 1 : 0;
+    if (offered && taken) {
+      ++sent;
+      offered = false;
+    }
+    sim.tick();
+    if (sim.cycle() - start > 100'000) throw std::runtime_error("no end");
+  }
+  return sim.cycle() - start;
+}
+
+template <class Dut>
+void to_units(unsigned width, std::uint64_t per_unit, std::uint64_t per_beat) {
+  for (const Waits& waits : kWaits) {
+    tb::Sim<Dut> sim(1);
+    tb::Random random(tb::seed_from_environment(3));
+    const std::vector<Beat> units = any_packets(random, 300);
+    const std::vector<BusBeat> beats = on_bus(units, width);
+    const std::uint64_t clocks = run(
+        sim, random, waits, beats.size(), units.size(),
+        [&](bool valid, std::size_t at, bool ready) {
+          const BusBeat& beat = beats[std::min(at, beats.size() - 1)];
+          sim->s_beat_valid = valid;
+          put(sim->s_beat_data, beat.words);
+          sim->s_beat_upper = beat.upper;
+          sim->s_beat_last = beat.last;
+          sim->m_unit_ready = ready;
+          sim->eval();
+          return sim->s_beat_ready != 0;
+        },
+        [&](bool ready, std::size_t at) {
+          if (!ready || sim->m_unit_valid == 0) return false;
+          EXPECT_EQ(get(sim->m_unit_data, 4),
+                    std::vector<std::uint32_t>(units[at].words.begin(), units[at].words.end()));
+          EXPECT_EQ(sim->m_unit_last != 0, units[at].last) << at;
+          return true;
+        });
+    if (waits.source + waits.sink == 0) {
+      EXPECT_LE(clocks, std::max(per_unit * units.size(), per_beat * beats.size()) + 3);
+    }
+    sim.tick();
+    EXPECT_NE(sim->idle_o, 0);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+TEST(Width, BeatsOf64BitsBecomeUnitsABeatAClock) { to_units<Vunits_in_64>(64, 2, 1); }
+TEST(Width, BeatsOf256BitsBecomeUnitsAUnitAClock) { to_units<Vunits_in_256>(256, 1, 1); }
+
+template <class Dut>
+void to_beats(unsigned width, std::uint64_t per_unit) {
+  for (const Waits& waits : kWaits) {
+    tb::Sim<Dut> sim(1);
+    tb::Random random(tb::seed_from_environment(4));
+    const std::vector<Beat> units = any_packets(random, 300);
+    const std::vector<BusBeat> beats = on_bus(units, width);
+    const std::uint64_t clocks = run(
+        sim, random, waits, units.size(), beats.size(),
+        [&](bool valid, std::size_t at, bool ready) {
+          const Beat& unit = units[std::min(at, units.size() - 1)];
+          sim->s_unit_valid = valid;
+          put(sim->s_unit_data, {unit.words.begin(), unit.words.end()});
+          sim->s_unit_last = unit.last;
+          sim->m_beat_ready = ready;
+          sim->eval();
+          return sim->s_unit_ready != 0;
+        },
+        [&](bool ready, std::size_t at) {
+          if (!ready || sim->m_beat_valid == 0) return false;
+          const BusBeat got{get(sim->m_beat_data, width / 32), sim->m_beat_upper != 0,
+                            sim->m_beat_last != 0};
+          EXPECT_TRUE(got == beats[at]) << at;
+          return true;
+        });
+    if (waits.source + waits.sink == 0) {
+      EXPECT_LE(clocks, per_unit * units.size() + 3);
+    }
+    sim.tick();
+    EXPECT_NE(sim->idle_o, 0);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+TEST(Width, UnitsBecomeBeatsOf64BitsABeatAClock) { to_beats<Vunits_out_64>(64, 2); }
+TEST(Width, UnitsBecomeBeatsOf256BitsAUnitAClock) { to_beats<Vunits_out_256>(256, 1); }
+
+/// The upper half of a low half that ends a packet is 0.
+TEST(Width, APacketThatEndsInAHalfUnitEndsAWholeOne) {
+  tb::Sim<Vunits_in_64> sim(1);
+  sim->rst = 1;
+  sim.tick();
+  sim->rst = 0;
+  sim.tick();
+  sim->s_beat_valid = 1;
+  sim->s_beat_data = 0x123456789ABCDEF0;
+  sim->s_beat_last = 1;
+  sim->m_unit_ready = 0;
+  sim.tick();
+  EXPECT_NE(sim->m_unit_valid, 0);
+  EXPECT_NE(sim->m_unit_last, 0);
+  EXPECT_EQ(get(sim->m_unit_data, 4), (std::vector<std::uint32_t>{0x9ABCDEF0, 0x12345678, 0, 0}));
+}
+
+/// A core behind such a bus, sent packets of every kind, bad ones among them.
+template <class Dut>
+void whole_core(unsigned width, bool wrong_keep) {
+  using Keep = std::remove_reference_t<decltype(std::declval<Dut&>().s_axis_tkeep)>;
+  for (const Waits& waits : {Waits{0, 0}, Waits{0.3, 0.3}}) {
+    const Configuration& row = find_configuration("cg1-fx18-overlapped");
+    const WordCodec codec(row.format);
+    tb::Random random(tb::seed_from_environment(5));
+    model::StreamModel model(row);
+    std::vector<Beat> units;
+    for (int i = 0; i < 4; ++i) {
+      const std::vector<Beat> more = random_packets(codec, random, 25);
+      units.insert(units.end(), more.begin(), more.end());
+    }
+    const std::vector<BusBeat> sent = on_bus(units, width);
+    const std::vector<BusBeat> expected = on_bus(model.run(units), width);
+    ASSERT_GT(expected.size(), 50U);
+
+    VerilatedContext context;
+    context.randReset(2);
+    context.randSeed(7);
+    Dut dut(&context);
+    std::size_t at = 0, got = 0;
+    bool offered = false;
+    dut.aresetn = 0;
+    for (std::uint64_t clock = 0; got < expected.size() || dut.idle_o == 0; ++clock) {
+      ASSERT_LT(clock, 2'000'000U) << got << " of " << expected.size();
+      offered = clock > 3 && at < sent.size() && (offered || !random.chance(waits.source));
+      const BusBeat& beat = sent[std::min(at, sent.size() - 1)];
+      dut.s_axis_tvalid = offered;
+      put(dut.s_axis_tdata, beat.words);
+      // Only bit 16 of the last beat's counts.
+      const std::uint32_t keep = beat.upper ? kBoth : kLowHalf;
+      const std::uint32_t noise = beat.last ? random.word() & ~(1U << 16) : random.word();
+      dut.s_axis_tkeep = static_cast<Keep>(wrong_keep ? keep ^ noise : keep);
+      dut.s_axis_tlast = beat.last;
+      dut.m_axis_tready = !random.chance(waits.sink);
+      dut.aclk = 0;
+      dut.eval();
+      if (offered && dut.s_axis_tready != 0) {
+        ++at;
+        offered = false;
+      }
+      if (dut.m_axis_tready != 0 && dut.m_axis_tvalid != 0 && dut.aresetn != 0) {
+        ASSERT_LT(got, expected.size());
+        const BusBeat result{get(dut.m_axis_tdata, width / 32),
+                             width == 64 || dut.m_axis_tkeep == static_cast<Keep>(kBoth),
+                             dut.m_axis_tlast != 0};
+        ASSERT_TRUE(result == expected[got]) << "beat " << got;
+        ++got;
+      }
+      dut.aclk = 1;
+      dut.eval();
+      dut.aresetn = clock >= 2;
+    }
+    EXPECT_EQ(at, sent.size());
+    dut.final();
+  }
+}
+
+TEST(Width, TheCoreBehind64Bits) { whole_core<Vbus_64>(64, false); }
+TEST(Width, TheCoreBehind256Bits) { whole_core<Vbus_256>(256, false); }
+TEST(Width, OnlyOneBitOfKeepCounts) { whole_core<Vbus_256>(256, true); }
+
+}  // namespace
+}  // namespace hwffd::test
