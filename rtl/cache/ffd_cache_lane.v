@@ -1,12 +1,12 @@
 // ffd_cache_lane: one of the N memories of control points
 //
-// Lane p has the banks q of all supports with q mod N = p, in rows q / N: of two buffers of
+// Lane p has the banks q of all supports with q mod N = p, in rows q / N: of the pages of
 // resident lattices at each place, and of SLOTS supports that came with their vertices. Both share
 // a memory where that is no deeper than a block memory is at its full width; else each has its own.
 //
-// Formats:    place {buffer, i / 4, j / 4, k / 4}, or the slot; points {z, y, x}.
+// Formats:    place {page, i / 4, j / 4, k / 4}, or the slot; points {z, y, x}.
 // Pipeline:   2 clocks: memory | register. II 1, never frozen.
-// Parameters: WIDTH of a point; ROWS and PLACES powers of two; LATTICES 0 or 1; SLOTS >= 2, or 0.
+// Parameters: WIDTH of a point; ROWS a power of two; PLACES >= 2; LATTICES 0 or 1; SLOTS 0 or >= 2.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,7 +36,8 @@ module ffd_cache_lane #(
   localparam SLOT_DEPTH  = SLOTS * ROWS;
   localparam ROW_BITS    = ROWS > 1 ? ROW_W : 0;
   localparam ADDRESS_W   = PLACE_W + ROW_BITS;
-  localparam JOINED      = LATTICES != 0 && SLOTS != 0 && DEPTH + SLOT_DEPTH <= BLOCK_DEPTH;
+  localparam JOINED      = LATTICES != 0 && SLOTS != 0 && DEPTH == 2 ** ADDRESS_W
+                      && DEPTH + SLOT_DEPTH <= BLOCK_DEPTH;
 
   wire [ADDRESS_W-1:0] write_address;
   wire [ADDRESS_W-1:0] read_address;
