@@ -4,7 +4,7 @@
 // coefficients, to which point of which page, into which slot, or that they are a vertex. So are
 // the events of the beat's place in its packet, whose number and place are counted here.
 //
-// Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_*, of a header of a page; at {k, j, i};
+// Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at {k, j, i};
 //             address {derivative, bank, function}.
 // Pipeline:   LATENCY; moving: something is on its way, or was in the clock before.
 // Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1.
@@ -24,6 +24,7 @@ module ffd_stream_beside #(
   input  wire                             last_i,
   input  wire [`FFD_FRAME_W-1:0]          frame_i,
   input  wire [`FFD_PAGE_W-1:0]           verdict_i,
+  input  wire                             empty_i,
   input  wire [PAGE_W-1:0]                page_i,
   input  wire                             fourth_i,
   input  wire                             bank_i,
@@ -53,11 +54,13 @@ module ffd_stream_beside #(
   // A header of a page that is refused has no other fault.
   wire                   of_page = frame_i[`FFD_FRAME_PAGE];
   wire [`FFD_PAGE_W-1:0] verdict = verdict_i & {`FFD_PAGE_W{of_page}};
+  wire                   stunted = of_page && verdict_i == {`FFD_PAGE_W{1'b0}}
+                                && (last_i || empty_i);
   wire [6:0] found = {verdict[`FFD_PAGE_FOURTH], verdict[`FFD_PAGE_POINTS],
                       verdict[`FFD_PAGE_BEYOND],
                       of_page ? verdict[`FFD_PAGE_SIZE] : frame_i[`FFD_FRAME_SIZE],
                       frame_i[`FFD_FRAME_LONG],
-                      frame_i[`FFD_FRAME_SHORT] && verdict == {`FFD_PAGE_W{1'b0}},
+                      frame_i[`FFD_FRAME_SHORT] || stunted,
                       frame_i[`FFD_FRAME_UNKNOWN] || verdict[`FFD_PAGE_UNKNOWN]};
   wire [4:0] kinds = {frame_i[`FFD_FRAME_FUNCTION], frame_i[`FFD_FRAME_POINT],
                       frame_i[`FFD_FRAME_POINTS], frame_i[`FFD_FRAME_VERTEX],

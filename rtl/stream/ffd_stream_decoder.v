@@ -156,6 +156,7 @@ module ffd_stream_decoder #(
   wire [SLOT_W-1:0]      slot;
   wire                   page_go;
   wire [`FFD_PAGE_W-1:0] page_verdict;
+  wire                   page_empty;
   wire [2:0]             beyond;
   wire [11:0]            cell_index;
   wire [15:0]            tag;
@@ -184,6 +185,7 @@ module ffd_stream_decoder #(
     .place_o      (place_o),
     .tops_o       (tops_o),
     .verdict_o    (page_verdict),
+    .empty_o      (page_empty),
     .new_page_o   (new_page),
     .loaded_o     (lattice_loaded),
     .exponent_o   (lattice_exponent),
@@ -305,6 +307,7 @@ module ffd_stream_decoder #(
     .last_i          (beat_last_i),
     .frame_i         (beat_frame_i),
     .verdict_i       (page_verdict),
+    .empty_i         (page_empty),
     .page_i          (new_page),
     .fourth_i        (fourth),
     .bank_i          (!bank_q),

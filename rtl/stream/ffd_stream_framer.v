@@ -15,7 +15,8 @@
 //
 // Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
 //             belong to nothing, up to tlast. A tlast inside a vertex ends it. With refuse_i the
-//             packet whose header is held belongs to nothing either.
+//             packet whose header is held belongs to nothing either. Whether such a header is too
+//             short is known there.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
 // Parameters: those of ffd_stream_header.
@@ -63,6 +64,7 @@ module ffd_stream_framer #(
   wire of_vertices     = is_vertices || is_interleaved;
   wire none            = kind[`FFD_KIND_NONE];
   wire is_part         = kind[`FFD_KIND_PART];
+  wire of_page         = PAGES != 0 && (is_lattice || is_vertices || is_part);
 
   // What the next beat is: one of these, or none up to tlast.
   reg  header_q;
@@ -175,13 +177,12 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
   assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
-                                     || (header_q && !refused
-                                         && (last_i || ((of_vertices || is_part) && none)));
+                                     || (header_q && !of_page && !refused
+                                         && (last_i || (of_vertices && none)));
   assign frame_o[`FFD_FRAME_LONG]     = done;
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
   assign frame_o[`FFD_FRAME_HIGH]     = high;
-  assign frame_o[`FFD_FRAME_PAGE]     = header_q && (is_lattice || is_vertices || is_part)
-                                     && PAGES != 0;
+  assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
   assign claims_o                     = vertex_q && !resident_q;
   assign idle_o                       = header_q;
 

@@ -50,9 +50,10 @@ module ffd_stream_pages #(
   output wire [PLACE_W-1:0]           place_o,
   output wire [PLACE_W-1:0]           tops_o,
   output reg  [`FFD_PAGE_W-1:0]       verdict_o,
+  output reg                          empty_o,      // it counts its payload, and has none
   output wire [PAGE_W-1:0]            page_o,
   output wire                         loaded_o,
-  output wire [PLACE_W-1:0]           last_cell_o,  // {k, j, i}
+  output reg  [PLACE_W-1:0]           last_cell_o,  // {k, j, i}
   output wire [`FFD_EXPONENT_W-1:0]   exponent_o,
   output wire                         large_o,
   output wire                         fourth_o
@@ -129,6 +130,7 @@ module ffd_stream_pages #(
       strange_q      <= newer && strange;
       beyond_q       <= beyond;
       many_q         <= data_i[63:51] != 13'd0;
+      empty_o        <= data_i[63:32] == 32'd0 && (part || (vertices && !(newer && data_i[16])));
       place_end_q    <= place_end;
       large_q        <= LARGE != 0 && newer && data_i[19];
       wants_fourth_q <= FOURTH != 0 && newer && data_i[17];
@@ -218,8 +220,8 @@ module ffd_stream_pages #(
         if (header_i) begin
           new_tops_q[AXIS_W*(2-a) +: AXIS_W] <= data_i[64+8*a +: AXIS_W] - 1'b1;
         end
+        last_cell_o[AXIS_W*a +: AXIS_W] <= tops_o[AXIS_W*(2-a) +: AXIS_W] - NOT_CELLS;
       end
-      assign last_cell_o[AXIS_W*a +: AXIS_W] = tops_o[AXIS_W*(2-a) +: AXIS_W] - NOT_CELLS;
     end
   endgenerate
   always @(posedge clk) begin

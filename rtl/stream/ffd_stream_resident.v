@@ -43,6 +43,7 @@ module ffd_stream_resident #(
   output wire [PLACE_W-1:0]          place_o,
   output wire [PLACE_W-1:0]          tops_o,
   output wire [`FFD_PAGE_W-1:0]      verdict_o,
+  output wire                        empty_o,
   output wire [PAGE_W-1:0]           new_page_o,  // that points go to
   output wire                        loaded_o,
   output wire [`FFD_EXPONENT_W-1:0]  exponent_o,
@@ -91,6 +92,7 @@ module ffd_stream_resident #(
         .place_o      (place_o),
         .tops_o       (tops_o),
         .verdict_o    (verdict_o),
+        .empty_o      (empty_o),
         .page_o       (page),
         .loaded_o     (loaded_o),
         .last_cell_o  (last_cell),
@@ -125,6 +127,7 @@ module ffd_stream_resident #(
       assign place_o       = {PLACE_W{1'b0}};
       assign tops_o        = {PLACE_W{1'b0}};
       assign verdict_o     = {`FFD_PAGE_W{1'b0}};
+      assign empty_o       = 1'b0;
       assign of_large      = 1'b0;
       assign fourth_o      = 1'b0;
       wire unused_ok = &{1'b0, held_i, of_page, leave_i};

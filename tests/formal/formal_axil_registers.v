@@ -6,7 +6,7 @@
 `default_nettype none
 
 module formal_axil_registers #(
-  parameter ERRORS = 24
+  parameter ERRORS = 28
 ) (
   input wire        clk,
   input wire        rst,

@@ -333,6 +333,16 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   results_.back().last = last;
 }
 
+std::uint32_t StreamModel::error_status() const {
+  std::uint32_t status = 0;
+  for (unsigned code = 0; code < 32; ++code) {
+    const bool of_stream = code <= event::kSaturated || code >= event::kPagePoints;
+    const unsigned bit = stream_event(static_cast<event::Code>(code));
+    if (of_stream && bit < kStreamEvents && events_[bit] != 0) status |= 1U << code;
+  }
+  return status;
+}
+
 Beat StreamModel::blank_result(Beat result) const {
   for (int c = 0; c < 3; ++c) result.words[c] = evaluator_->blank_word();
   return result;

@@ -46,6 +46,8 @@ class StreamModel {
   void reset();
 
   const StreamEvents& events() const { return events_; }
+  /// Those that occurred, as the bits of ERROR_STATUS (docs/registers.md).
+  std::uint32_t error_status() const;
   /// Vertices that have given their results, each once however many those are.
   std::uint64_t vertices() const { return vertices_; }
 
