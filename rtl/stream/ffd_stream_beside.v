@@ -4,8 +4,8 @@
 // coefficients, to which point of which page, into which slot, or that they are a vertex. So are
 // the events of the beat's place in its packet, whose number and place are counted here.
 //
-// Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at {k, j, i};
-//             address {derivative, bank, function}.
+// Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at
+//             {k, j, i}; address {derivative, bank, function}.
 // Pipeline:   LATENCY; moving: something is on its way, or was in the clock before.
 // Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
