@@ -7,11 +7,15 @@
 //   2 lattice        a beat a control point
 //   3 vertices       count beats, one a vertex of the resident lattice
 //   4 interleaved    count vertices of 49 beats: the vertex, then its 64 points
+//   5 page           as a lattice
+//   6 points         count of a page, from the place on that place_i says
+//   7 of a page      as vertices; or as many as come
 // The place is a number of three digits, each with a last value of its own: function, axis and
 // derivative of coefficients; k, j and i of a lattice; three beats in sixteen groups of points.
 //
 // Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
-//             belong to nothing, up to tlast. A tlast inside a vertex ends it.
+//             belong to nothing, up to tlast. A tlast inside a vertex ends it. With refuse_i the
+//             packet whose header is held belongs to nothing either.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
 // Parameters: those of ffd_stream_header.
@@ -30,9 +34,17 @@ module ffd_stream_framer #(
   input  wire [127:0]              data_i,
   input  wire                      last_i,
   output wire [`FFD_FRAME_W-1:0]   frame_o,
+  // Behind the header of a page, before its next beat can come.
+  input  wire                      refuse_i,
+  input  wire                      place_valid_i,
+  input  wire [3*`FFD_AXIS_W(AXIS)-1:0] place_i,  // {i, j, k}
+  input  wire [3*`FFD_AXIS_W(AXIS)-1:0] tops_i,
   output wire                      claims_o,  // a slot for its points
   output wire                      idle_o
 );
+  localparam AXIS_W = `FFD_AXIS_W(AXIS);
+  localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
+
   wire [`FFD_KIND_W-1:0] kind;
 
   ffd_stream_header #(
@@ -50,6 +62,7 @@ module ffd_stream_framer #(
   wire is_interleaved  = kind[`FFD_KIND_INTERLEAVED];
   wire of_vertices     = is_vertices || is_interleaved;
   wire none            = kind[`FFD_KIND_NONE];
+  wire is_part         = kind[`FFD_KIND_PART];
 
   // What the next beat is: one of these, or none up to tlast.
   reg  header_q;
@@ -60,68 +73,83 @@ module ffd_stream_framer #(
   reg  done;      // the first one behind the payload
 
   reg  resident_q;  // vertices without points of their own
+  reg  part_q;      // points are counted
+  reg  every_q;     // vertices are not
   wire one;         // it is the last
   wire top;
   wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
-  wire payload_done = ((function_q || point_q) && top) || (vertex_done && one);
+  wire point_done   = point_q && (part_q ? one : top);
+  wire payload_done = (function_q && top) || point_done || (vertex_done && one);
 
   always @(posedge clk) begin
-    if (rst) begin
+    if (rst) header_q <= 1'b1;
+    else if (take_i) header_q <= last_i;
+  end
+  always @(posedge clk) begin
+    if (rst || refuse_i) begin
       {function_q, point_q, vertex_q, points_q, done} <= 5'd0;
-      header_q                                          <= 1'b1;
     end else if (take_i) begin
-      header_q   <= last_i;
       function_q <= !last_i && (header_q ? is_coefficients : function_q && !top);
-      point_q    <= !last_i && (header_q ? good_lattice : point_q && !top);
+      point_q    <= !last_i && (header_q ? good_lattice || (is_part && !none)
+                                         : point_q && !point_done);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
       points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
       done     <= !last_i && payload_done;
     end
   end
 
-  // ---- the number of a vertex in its packet, from 1 on
+  // ---- the number of a vertex, or of a point, in its packet, from 1 on
 
   reg  [31:0] count_q;
   reg  [31:0] number_q;
-  assign one = number_q == count_q;
+  assign one = every_q ? last_i : number_q == count_q;
   always @(posedge clk) begin
     if (take_i && header_q) begin
       count_q    <= data_i[63:32];
       resident_q <= is_vertices;
+      part_q     <= is_part;
+      every_q    <= kind[`FFD_KIND_EVERY];
     end
   end
   always @(posedge clk) begin
     if (take_i && header_q) number_q <= 32'd1;
-    else if (take_i && vertex_done) number_q <= number_q + 32'd1;
+    else if (take_i && (vertex_done || point_q)) number_q <= number_q + 32'd1;
   end
 
   // ---- the place
 
-  localparam [11:0] POINTS_TOP    = {4'd0, 4'd15, 4'd2};
-  localparam [7:0]  FUNCTIONS_TOP = {4'd2, 4'd3};
+  localparam [17:0] POINTS_TOP    = {6'd0, 6'd15, 6'd2};
+  localparam [11:0] FUNCTIONS_TOP = {6'd2, 6'd3};
 
   wire        counts  = function_q || point_q || points_q;
   wire [2:0]  at_top;
   wire [2:0]  step    = {at_top[1] && at_top[0], at_top[0], 1'b1};
   wire [11:0] index;
-  wire [11:0] derivatives_top = {3'd0, data_i[95], FUNCTIONS_TOP};
+  wire [5:0]  high;
+  wire [17:0] derivatives_top = {5'd0, data_i[95], FUNCTIONS_TOP};
 
   genvar d;
   generate
     for (d = 0; d < 3; d = d + 1) begin : gen_digit
       // Digit 0 of a lattice is k, the third axis.
-      wire [3:0] points = data_i[64+8*(2-d) +: 4];
-      reg  [3:0] top_q;
-      reg  [3:0] digit_q;
+      wire [AXIS_W-1:0] points = data_i[64+8*(2-d) +: AXIS_W];
+      wire [5:0]        digit;
+      reg  [AXIS_W-1:0] top_q;
+      reg  [AXIS_W-1:0] digit_q;
+      assign digit           = {{(6 - AXIS_W) {1'b0}}, digit_q};
       assign at_top[d]       = digit_q == top_q;
-      assign index[4*d +: 4] = digit_q;
+      assign index[4*d +: 4] = digit[3:0];
+      assign high[2*d +: 2]  = digit[5:4];
       always @(posedge clk) begin
         if (take_i && header_q) begin
-          top_q <= is_coefficients ? derivatives_top[4*d +: 4]
-                 : is_lattice      ? points - 4'd1 : POINTS_TOP[4*d +: 4];
+          top_q <= is_coefficients ? derivatives_top[6*d +: AXIS_W]
+                 : is_lattice      ? points - 1'b1 : POINTS_TOP[6*d +: AXIS_W];
+        end else if (PAGES != 0 && place_valid_i) begin
+          top_q <= tops_i[AXIS_W*d +: AXIS_W];
         end
-        if (take_i && !counts) digit_q <= 4'd0;
-        else if (take_i && step[d]) digit_q <= at_top[d] ? 4'd0 : digit_q + 4'd1;
+        if (take_i && !counts) digit_q <= {AXIS_W{1'b0}};
+        else if (take_i && step[d]) digit_q <= at_top[d] ? {AXIS_W{1'b0}} : digit_q + 1'b1;
+        else if (PAGES != 0 && place_valid_i) digit_q <= place_i[AXIS_W*d +: AXIS_W];
       end
     end
   endgenerate
@@ -131,14 +159,14 @@ module ffd_stream_framer #(
   // ---- the frame
 
   wire payload = function_q || point_q || vertex_q || points_q;
-  wire refused = !(is_coefficients || good_lattice || of_vertices);
+  wire refused = !(is_coefficients || good_lattice || of_vertices || is_part);
   wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
   assign frame_o[`FFD_FRAME_HEADER]   = header_q;
   assign frame_o[`FFD_FRAME_BANK]     = header_q && is_coefficients;
-  assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice;
+  assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice && PAGES == 0;
   assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
   assign frame_o[`FFD_FRAME_POINT]    = point_q;
   assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
@@ -147,11 +175,17 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
   assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
-                                     || (header_q && !refused && (last_i || (of_vertices && none)));
+                                     || (header_q && !refused
+                                         && (last_i || ((of_vertices || is_part) && none)));
   assign frame_o[`FFD_FRAME_LONG]     = done;
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
+  assign frame_o[`FFD_FRAME_HIGH]     = high;
+  assign frame_o[`FFD_FRAME_PAGE]     = header_q && (is_lattice || is_vertices || is_part)
+                                     && PAGES != 0;
   assign claims_o                     = vertex_q && !resident_q;
   assign idle_o                       = header_q;
+
+  wire unused_ok = &{1'b0, place_valid_i, place_i, tops_i, derivatives_top};
 endmodule
 
 `default_nettype wire

@@ -9,9 +9,9 @@
 // Pipeline:   inputs up to tag_i .. exponent_i with the beat, *_there_i and below when its numbers
 //             are there, LATENCY clocks later; the vertex is offered 3 clocks behind.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
-// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 2, LATENCY >= 1, WAITING a power of two >= 2;
-//             EVERY_CLOCK 0: vertices are offered in every other clock at most, and m_vertex_ready
-//             then ends at a register.
+// Parameters: FORMAT as in ffd_num.vh, SOURCE_W > SLOT_W >= 1, LATENCY >= 1, WAITING a power of
+//             two >= 2; EVERY_CLOCK 0: vertices are offered in every other clock at most, and
+//             m_vertex_ready then ends at a register.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -21,6 +21,7 @@
 module ffd_stream_vertex #(
   parameter FORMAT      = 18,
   parameter SOURCE_W    = 2,
+  parameter SLOT_W      = 1,
   parameter LATENCY     = 1,
   parameter WAITING     = 16,
   parameter EVERY_CLOCK = 1
@@ -48,7 +49,7 @@ module ffd_stream_vertex #(
   input  wire                                 nan_i,
   input  wire                                 outside_i,
   output wire [11:0]                          held_cell_o,
-  output wire [SOURCE_W-2:0]                  held_slot_o,
+  output wire [SLOT_W-1:0]                    held_slot_o,
   output wire                                 room_o,
   output wire                                 rooms_o,  // for two
   output wire                                 waiting_o,
@@ -62,11 +63,7 @@ module ffd_stream_vertex #(
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
   output wire [`FFD_USER_W-1:0]               m_vertex_user,
-  output wire                                 nan_o,
-  output wire                                 outside_o,
-  output wire                                 beyond_o,
-  output wire                                 no_functions_o,
-  output wire                                 no_lattice_o
+  output reg  [`FFD_EVENTS-1:0]               event_o
 );
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
@@ -128,11 +125,14 @@ module ffd_stream_vertex #(
   wire [4:0] facts   = vertex_there_i ? known[20:16] : known_q[20:16];
   wire       nan     = vertex_there_i ? nan_i : nan_q;
   wire       outside = vertex_there_i ? outside_i : outside_q;
-  assign beyond_o       = finish_there_i && facts[4];
-  assign no_functions_o = finish_there_i && facts[1];
-  assign no_lattice_o   = finish_there_i && facts[0];
-  assign nan_o          = finish_there_i && nan;
-  assign outside_o      = finish_there_i && outside;
+  always @* begin
+    event_o                             = {`FFD_EVENTS{1'b0}};
+    event_o[`FFD_EVENT_CELL_OUTSIDE]       = finish_there_i && facts[4];
+    event_o[`FFD_EVENT_NO_COEFFICIENTS]    = finish_there_i && facts[1];
+    event_o[`FFD_EVENT_NO_LATTICE]         = finish_there_i && facts[0];
+    event_o[`FFD_EVENT_COORDINATE_NAN]     = finish_there_i && nan;
+    event_o[`FFD_EVENT_COORDINATE_OUTSIDE] = finish_there_i && outside;
+  end
 
   reg whole_q;
   reg top_q;
@@ -160,7 +160,7 @@ module ffd_stream_vertex #(
   assign {results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
           no_functions, no_lattice, tag} = known_q;
   assign held_cell_o = cell_index;
-  assign held_slot_o = source[SOURCE_W-2:0];
+  assign held_slot_o = source[SLOT_W-1:0];
 
   wire       resident  = source[SOURCE_W-1];
   wire       truncated = !resident && !top_q;

@@ -30,6 +30,7 @@ module hwffd_axi #(
   parameter FMA_LATENCY       = 0,
   parameter CONVERT_LATENCY   = 1,
   parameter AXIS              = 16,
+  parameter PAGES             = 2,
   parameter IN_FLIGHT         = 128,
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
@@ -110,7 +111,7 @@ module hwffd_axi #(
   wire [63:0]  write_last;
   wire         vertex;
   wire         stall;
-  wire [23:0]  error_event;
+  wire [27:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -189,7 +190,7 @@ module hwffd_axi #(
   wire        dma_idle;
   wire        core_rst;
   wire        core_idle;
-  wire [9:0]  core_event;
+  wire [13:0] core_event;
   wire [31:0] core_packet;
   wire [31:0] core_beat;
 
@@ -340,6 +341,7 @@ module hwffd_axi #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .AXIS           (AXIS),
+    .PAGES          (PAGES),
     .IN_FLIGHT      (IN_FLIGHT),
     .WAITING        (WAITING),
     .FEATURES       (FEATURES)
