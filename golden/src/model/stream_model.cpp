@@ -97,6 +97,8 @@ void StreamModel::header(const Beat& beat) {
       state_ = State::kCoefficients;
       starts = true;
       break;
+    case Opcode::kSpans:
+      break;
     case Opcode::kLattice:
       if (!start_lattice()) {
         ++events_[event::kLatticeSize];

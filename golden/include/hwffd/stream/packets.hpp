@@ -15,7 +15,8 @@ enum class Opcode : std::uint8_t {
   kCoefficients = 1,
   kLattice = 2,
   kVertices = 3,
-  kInterleaved = 4
+  kInterleaved = 4,
+  kSpans = 9  ///< hwffd/stream/spans.hpp
 };
 
 /// What becomes of a vertex outside the lattice, in a header of vertices. All modes flag it.
@@ -42,6 +43,7 @@ enum class Functions { kBlending, kDerivativesToo };
 
 constexpr int kCoefficientBeats = 12;                   ///< three axes, four functions
 constexpr std::uint32_t kDerivativesFollow = 1U << 31;  ///< in word 2 of a header of coefficients
+constexpr std::uint32_t kEndsSet = 1U << 16;  ///< in word 0 of a header of spans
 constexpr int kPointBeats = 48;                         ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
 constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
