@@ -52,7 +52,7 @@ module ffd_axil_registers #(
   input  wire        counter_vertices_event_i,
   input  wire        counter_stalls_event_i,
   input  wire        counter_busy_event_i,
-  input  wire [23:0] error_event_i,
+  input  wire [27:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
   input  wire        error_address_valid_i,
@@ -123,7 +123,7 @@ module ffd_axil_registers #(
   wire [63:0] counter_vertices;
   wire [63:0] counter_stalls;
   wire [63:0] counter_busy;
-  reg [23:0] error_status_q;
+  reg [27:0] error_status_q;
   reg error_first_valid_q;
   reg irq_state_done_q;
   reg irq_state_error_q;
@@ -137,7 +137,7 @@ module ffd_axil_registers #(
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
   wire error_any = |error_event_i;
-  wire [23:0] error_status_held = error_status_q & ~(ones[23:0] & {24 {write_error_status}});
+  wire [27:0] error_status_held = error_status_q & ~(ones[27:0] & {28 {write_error_status}});
   wire error_first_valid_set = error_any;
   wire error_first_valid_held = error_first_valid_q && !(write_error_first && ones[31]);
   wire irq_state_done_set = status_done_set || (write_irq_test && ones[0]);
@@ -193,7 +193,7 @@ module ffd_axil_registers #(
   );
 
   ffd_axil_errors #(
-    .CODES(24)
+    .CODES(28)
   ) u_errors (
     .clk            (clk),
     .rst            (rst),
@@ -482,7 +482,7 @@ module ffd_axil_registers #(
   // 0x100 ERROR_STATUS
   always @(posedge clk) begin
     if (rst) begin
-      error_status_q <= 24'h0;
+      error_status_q <= 28'h0;
     end else begin
       error_status_q <= error_event_i | error_status_held;
     end
@@ -572,7 +572,7 @@ module ffd_axil_registers #(
       10'h033: read_data = counter_stalls[63:32];
       10'h034: read_data = counter_busy[31:0];
       10'h035: read_data = counter_busy[63:32];
-      10'h040: read_data = {8'h0, error_status_q};
+      10'h040: read_data = {4'h0, error_status_q};
       10'h041: read_data = log_count;
       10'h042: read_data = {error_first_valid_q, 26'h0, log_code};
       10'h043: read_data = log_packet;

@@ -19,7 +19,7 @@
 //             are converted or wait for the evaluator. A vertex that starts where slot_free_o is 1,
 //             or ends where rooms_o is, may come in the next clock.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
-//             two >= 2, EVERY_CLOCK as in ffd_stream_vertex.
+//             two >= 2, EVERY_CLOCK as in ffd_stream_vertex, SPANS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -33,7 +33,8 @@ module ffd_stream_decoder #(
   parameter SLOTS       = 3,
   parameter SLOT_W      = $clog2(SLOTS),
   parameter WAITING     = 16,
-  parameter EVERY_CLOCK = 1
+  parameter EVERY_CLOCK = 1,
+  parameter SPANS       = 1
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -45,7 +46,7 @@ module ffd_stream_decoder #(
   output wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_o,
   output wire                                 load_o,
   output wire [1:0]                           load_axis_o,
-  output wire [3:0]                           load_address_o,
+  output wire [`FFD_OWN_W(SPANS)-1:0]         load_address_o,
   output wire [1:0]                           load_shift_o,
   output wire                                 lattice_write_o,
   output wire                                 lattice_buffer_o,
@@ -60,7 +61,7 @@ module ffd_stream_decoder #(
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
   output wire [11:0]                          m_vertex_cell,
   output wire [SLOT_W:0]                      m_vertex_source,
-  output wire                                 m_vertex_bank,
+  output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
   output wire                                 m_vertex_changed,
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
@@ -97,10 +98,6 @@ module ffd_stream_decoder #(
   reg                   resident_q;
   reg  [1:0]            mode_q;
   reg  [1:0]            results_q;
-  reg  [5:0]            degree_q;
-  reg  [5:0]            shift_q;
-  reg  [5:0]            derivative_shift_q;
-  reg                   twice_q;
   reg  [11:0]           new_last_cell_q;
   reg  [EXPONENT_W-1:0] exponent_q;
   always @(posedge clk) begin
@@ -108,10 +105,6 @@ module ffd_stream_decoder #(
       resident_q         <= beat_data_i[0];  // opcode 3, not 4
       mode_q             <= beat_data_i[65:64];
       results_q          <= beat_data_i[73:72];
-      degree_q           <= beat_data_i[69:64];
-      shift_q            <= beat_data_i[77:72];
-      derivative_shift_q <= beat_data_i[85:80];
-      twice_q            <= beat_data_i[95];
       new_last_cell_q    <= {beat_data_i[83:80] - 4'd4, beat_data_i[75:72] - 4'd4,
                              beat_data_i[67:64] - 4'd4};
       exponent_q         <= beat_data_i[96 +: EXPONENT_W]
@@ -121,33 +114,23 @@ module ffd_stream_decoder #(
 
   // ---- what is in use
 
-  reg                   bank_q;
-  reg                   coefficients_loaded_q;
-  reg                   derivatives_loaded_q;
+  wire                  bank;
+  wire                  coefficients_loaded;
+  wire                  derivatives_loaded;
   reg                   buffer_q;
   reg                   lattice_loaded_q;
   reg  [11:0]           last_cell_q;
   reg  [EXPONENT_W-1:0] lattice_exponent_q;
-  wire                  new_bank   = take && function_beat && top;
+  wire                  new_bank;
   wire                  new_buffer = take && point && top;
 
   always @(posedge clk) begin
     if (rst) begin
-      bank_q                <= 1'b0;
-      coefficients_loaded_q <= 1'b0;
-      derivatives_loaded_q  <= 1'b0;
-      buffer_q              <= 1'b0;
-      lattice_loaded_q      <= 1'b0;
-    end else begin
-      if (new_bank) begin
-        bank_q                <= !bank_q;
-        coefficients_loaded_q <= 1'b1;
-        derivatives_loaded_q  <= twice_q;
-      end
-      if (new_buffer) begin
-        buffer_q         <= !buffer_q;
-        lattice_loaded_q <= 1'b1;
-      end
+      buffer_q         <= 1'b0;
+      lattice_loaded_q <= 1'b0;
+    end else if (new_buffer) begin
+      buffer_q         <= !buffer_q;
+      lattice_loaded_q <= 1'b1;
     end
   end
   always @(posedge clk) begin
@@ -160,16 +143,16 @@ module ffd_stream_decoder #(
   // ---- when a beat may come
 
   wire bank_busy;
+  wire functions_busy;
   wire buffer_busy;
   wire slot_free;
   wire room;
-  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && bank_busy)
+  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
              && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy)
              && !(vertex && !resident_q && !slot_free)
              && !(finish && !room);
 
   assign slot_free_o = slot_free;
-
   wire [SLOT_W-1:0] slot;
   wire              waiting;
   wire              any_inside = waiting || evaluating_i;
@@ -182,7 +165,7 @@ module ffd_stream_decoder #(
     .leave_lattice_i(retire_user_i[`FFD_RETIRE_RESIDENT]),
     .new_bank_i     (new_bank),
     .new_buffer_i   (new_buffer),
-    .bank_i         (bank_q),
+    .bank_i         (bank),
     .buffer_i       (buffer_q),
     .inside_i       (any_inside),
     .bank_busy_o    (bank_busy),
@@ -214,8 +197,7 @@ module ffd_stream_decoder #(
   wire       clamp   = mode_q == MODE_CLAMP;
   wire [1:0] role    = function_beat ? `FFD_ROLE_COEFFICIENT
                      : vertex        ? `FFD_ROLE_COORDINATE : `FFD_ROLE_POINT;
-  wire [1:0] axis    = index[5:4];
-  wire [1:0] degree  = degree_q[2*axis +: 2];
+  wire [1:0] degree;
   wire       bounded = resident_q && lattice_loaded_q;
   wire [2:0] beyond;
   wire [3:0] nan;
@@ -256,10 +238,9 @@ module ffd_stream_decoder #(
 
   // ---- what goes with them
 
-  wire [5:0] shift = index[8] ? derivative_shift_q : shift_q;
   wire       taken;
   wire       taken_last;
-  wire [3:0] framing;  // size, long, short, unknown
+  wire [4:0] framing;  // span, size, long, short, unknown
   wire       vertex_there;
   wire       finish_there;
   wire       finish_top;
@@ -273,41 +254,64 @@ module ffd_stream_decoder #(
   end
 
   ffd_num_delay #(
-    .WIDTH  (10),
+    .WIDTH  (11),
     .LATENCY(LATENCY),
     .RESET  (1)
   ) u_taken (
     .clk(clk),
     .rst(rst),
     .d_i({take, take && function_beat, take && point, take && points, take && vertex,
-          take && finish, {4{take}} & {beat_frame_i[`FFD_FRAME_SIZE], beat_frame_i[`FFD_FRAME_LONG],
-          beat_frame_i[`FFD_FRAME_SHORT], beat_frame_i[`FFD_FRAME_UNKNOWN]}}),
+          take && finish, {5{take}} & {beat_frame_i[`FFD_FRAME_SPAN], beat_frame_i[`FFD_FRAME_SIZE],
+          beat_frame_i[`FFD_FRAME_LONG], beat_frame_i[`FFD_FRAME_SHORT],
+          beat_frame_i[`FFD_FRAME_UNKNOWN]}}),
     .q_o({taken, load_o, lattice_write_o, slot_write_o, vertex_there, finish_there, framing})
   );
 
   ffd_num_delay #(
-    .WIDTH  (3 + 12 + 1 + 1 + 2),
+    .WIDTH  (3 + 12 + 1),
     .LATENCY(LATENCY)
   ) u_place (
     .clk(clk),
     .rst(1'b0),
-    .d_i({beat_last_i, points && top, beat_frame_i[`FFD_FRAME_FINAL], index, !buffer_q, !bank_q,
-          shift[2*axis +: 2]}),
+    .d_i({beat_last_i, points && top, beat_frame_i[`FFD_FRAME_FINAL], index, !buffer_q}),
     .q_o({taken_last, finish_top, finish_final, lattice_at_o[3:0], lattice_at_o[7:4],
-          lattice_at_o[11:8], lattice_buffer_o, load_address_o[2], load_shift_o})
+          lattice_at_o[11:8], lattice_buffer_o})
   );
 
   // Digits of a lattice are k, j, i from the lowest on: the delay has turned them round.
-  assign load_axis_o         = lattice_at_o[5:4];
-  assign load_address_o[3]   = lattice_at_o[0];
-  assign load_address_o[1:0] = lattice_at_o[9:8];
-  assign slot_group_o        = lattice_at_o[7:4];
-  assign slot_phase_o        = lattice_at_o[9:8];
+  assign slot_group_o = lattice_at_o[7:4];
+  assign slot_phase_o = lattice_at_o[9:8];
+
+  wire [11:0]                     known_cell;
+  wire [`FFD_PLACES_W(SPANS)-1:0] places;
+  ffd_stream_functions #(
+    .SPANS  (SPANS),
+    .LATENCY(LATENCY)
+  ) u_functions (
+    .clk           (clk),
+    .rst           (rst),
+    .take_i        (take),
+    .data_i        (beat_data_i),
+    .frame_i       (beat_frame_i),
+    .degree_o      (degree),
+    .change_o      (new_bank),
+    .busy_o        (functions_busy),
+    .bank_o        (bank),
+    .loaded_o      (coefficients_loaded),
+    .derivatives_o (derivatives_loaded),
+    .place_there_i (lattice_at_o),
+    .load_axis_o   (load_axis_o),
+    .load_address_o(load_address_o),
+    .load_shift_o  (load_shift_o),
+    .cell_valid_i  (vertex_there),
+    .cell_i        (known_cell),
+    .places_o      (places)
+  );
 
   // ---- vertices
 
   wire              position     = results_q == `FFD_RESULTS_POSITION;
-  wire              no_functions = !coefficients_loaded_q || (!position && !derivatives_loaded_q);
+  wire              no_functions = !coefficients_loaded || (!position && !derivatives_loaded);
   wire              no_lattice   = resident_q && !lattice_loaded_q;
   wire [SLOT_W-1:0] at_buffer    = {{(SLOT_W - 1) {1'b0}}, buffer_q};
   wire              nan_event;
@@ -321,7 +325,8 @@ module ffd_stream_decoder #(
     .SOURCE_W   (SLOT_W + 1),
     .LATENCY    (LATENCY),
     .WAITING    (WAITING),
-    .EVERY_CLOCK(EVERY_CLOCK)
+    .EVERY_CLOCK(EVERY_CLOCK),
+    .SPANS      (SPANS)
   ) u_vertex (
     .clk                 (clk),
     .rst                 (rst),
@@ -334,7 +339,8 @@ module ffd_stream_decoder #(
     .no_lattice_i        (no_lattice),
     .tag_i               (beat_data_i[111:96]),
     .source_i            ({resident_q, resident_q ? at_buffer : slot}),
-    .bank_i              (bank_q),
+    .bank_i              (bank),
+    .places_i            (places),
     .changed_i           (changed_q || !resident_q),
     .results_i           (results_q),
     .exponent_i          (resident_q ? lattice_exponent_q : exponent_q),
@@ -345,6 +351,7 @@ module ffd_stream_decoder #(
     .numbers_i           (numbers_o[3*POINT_W-1:0]),
     .nan_i               (|nan[2:0]),
     .outside_i           (|outside[2:0]),
+    .known_cell_o        (known_cell),
     .held_cell_o         (slot_cell_o),
     .held_slot_o         (slot_o),
     .room_o              (room),
@@ -369,15 +376,9 @@ module ffd_stream_decoder #(
 
   // ---- events
 
-  assign event_o[`FFD_EVENT_UNKNOWN_OPCODE]     = framing[0];
-  assign event_o[`FFD_EVENT_PACKET_SHORT]       = framing[1];
-  assign event_o[`FFD_EVENT_PACKET_LONG]        = framing[2];
-  assign event_o[`FFD_EVENT_LATTICE_SIZE]       = framing[3];
-  assign event_o[`FFD_EVENT_NO_COEFFICIENTS]    = functions_event;
-  assign event_o[`FFD_EVENT_NO_LATTICE]         = lattice_event;
-  assign event_o[`FFD_EVENT_CELL_OUTSIDE]       = beyond_event;
-  assign event_o[`FFD_EVENT_COORDINATE_NAN]     = nan_event;
-  assign event_o[`FFD_EVENT_COORDINATE_OUTSIDE] = outside_event;
+  // In the order of their bits; saturated is the result's.
+  assign event_o = {2'd0, framing[4], 1'd0, 1'b0, outside_event, nan_event, beyond_event, framing[3],
+                    lattice_event, functions_event, framing[2:0]};
 
   ffd_stream_place u_event_place (
     .clk     (clk),
@@ -388,8 +389,7 @@ module ffd_stream_decoder #(
     .beat_o  (event_beat_o)
   );
 
-  // What has been taken is known behind the converters.
-  reg [LATENCY:0] moving_q;
+  reg [LATENCY:0] moving_q;  // what has been taken is known behind the converters
   always @(posedge clk) moving_q <= rst ? {(LATENCY + 1) {1'b0}} : {moving_q[LATENCY-1:0], take};
 
   assign idle_o = !any_inside && moving_q == {(LATENCY + 1) {1'b0}};

@@ -7,10 +7,11 @@
 //   2 lattice        a beat a control point
 //   3 vertices       count beats, one a vertex of the resident lattice
 //   4 interleaved    count vertices of 49 beats: the vertex, then its 64 points
+//   9 spans          count spans of 4 beats, or of 8 with their derivatives
 // The place is a number of three digits, each with a last value of its own: function, axis and
-// derivative of coefficients; k, j and i of a lattice; three beats in sixteen groups of points.
+// derivative of coefficients; function and derivative of a span; k, j and i of a lattice; three beats in sixteen groups of points.
 //
-// Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
+// Bad input:  an unknown opcode or kind of results, bad dimensions, spans beyond SPANS, and beats after a packet's end
 //             belong to nothing, up to tlast. A tlast inside a vertex ends it.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
@@ -22,7 +23,8 @@
 
 module ffd_stream_framer #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES
+  parameter FEATURES = `FFD_FEATURES,
+  parameter SPANS    = 1
 ) (
   input  wire                      clk,
   input  wire                      rst,
@@ -37,7 +39,8 @@ module ffd_stream_framer #(
 
   ffd_stream_header #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_header (
     .data_i(data_i),
     .kind_o(kind)
@@ -50,6 +53,8 @@ module ffd_stream_framer #(
   wire is_interleaved  = kind[`FFD_KIND_INTERLEAVED];
   wire of_vertices     = is_vertices || is_interleaved;
   wire none            = kind[`FFD_KIND_NONE];
+  wire is_spans        = kind[`FFD_KIND_SPANS];
+  wire good_spans      = is_spans && !kind[`FFD_KIND_BEYOND];
 
   // What the next beat is: one of these, or none up to tlast.
   reg  header_q;
@@ -60,10 +65,12 @@ module ffd_stream_framer #(
   reg  done;      // the first one behind the payload
 
   reg  resident_q;  // vertices without points of their own
+  reg  spans_q;     // functions are those of so many spans
   wire one;         // it is the last
   wire top;
   wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
-  wire payload_done = ((function_q || point_q) && top) || (vertex_done && one);
+  wire functions    = top && (!spans_q || one);
+  wire payload_done = (function_q && functions) || (point_q && top) || (vertex_done && one);
 
   always @(posedge clk) begin
     if (rst) begin
@@ -71,7 +78,8 @@ module ffd_stream_framer #(
       header_q                                          <= 1'b1;
     end else if (take_i) begin
       header_q   <= last_i;
-      function_q <= !last_i && (header_q ? is_coefficients : function_q && !top);
+      function_q <= !last_i && (header_q ? is_coefficients || (good_spans && !none)
+                                         : function_q && !functions);
       point_q    <= !last_i && (header_q ? good_lattice : point_q && !top);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
       points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
@@ -79,7 +87,7 @@ module ffd_stream_framer #(
     end
   end
 
-  // ---- the number of a vertex in its packet, from 1 on
+  // ---- the number of a vertex or span in its packet, from 1 on
 
   reg  [31:0] count_q;
   reg  [31:0] number_q;
@@ -89,10 +97,14 @@ module ffd_stream_framer #(
       count_q    <= data_i[63:32];
       resident_q <= is_vertices;
     end
+    if (SPANS == 1) spans_q <= 1'b0;
+    else if (take_i && header_q) spans_q <= is_spans;
   end
   always @(posedge clk) begin
     if (take_i && header_q) number_q <= 32'd1;
-    else if (take_i && vertex_done) number_q <= number_q + 32'd1;
+    else if (take_i && (vertex_done || (function_q && spans_q && top))) begin
+      number_q <= number_q + 32'd1;
+    end
   end
 
   // ---- the place
@@ -105,6 +117,7 @@ module ffd_stream_framer #(
   wire [2:0]  step    = {at_top[1] && at_top[0], at_top[0], 1'b1};
   wire [11:0] index;
   wire [11:0] derivatives_top = {3'd0, data_i[95], FUNCTIONS_TOP};
+  wire [11:0] spans_top       = {4'd0, 3'd0, data_i[95], FUNCTIONS_TOP[3:0]};
 
   genvar d;
   generate
@@ -118,6 +131,7 @@ module ffd_stream_framer #(
       always @(posedge clk) begin
         if (take_i && header_q) begin
           top_q <= is_coefficients ? derivatives_top[4*d +: 4]
+                 : is_spans        ? spans_top[4*d +: 4]
                  : is_lattice      ? points - 4'd1 : POINTS_TOP[4*d +: 4];
         end
         if (take_i && !counts) digit_q <= 4'd0;
@@ -131,25 +145,27 @@ module ffd_stream_framer #(
   // ---- the frame
 
   wire payload = function_q || point_q || vertex_q || points_q;
-  wire refused = !(is_coefficients || good_lattice || of_vertices);
+  wire refused = !(is_coefficients || good_lattice || of_vertices || good_spans);
+  wire nothing = (of_vertices || is_spans) && none;
   wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
   assign frame_o[`FFD_FRAME_HEADER]   = header_q;
-  assign frame_o[`FFD_FRAME_BANK]     = header_q && is_coefficients;
+  assign frame_o[`FFD_FRAME_BANK]     = header_q && (is_coefficients || good_spans);
   assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice;
   assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
   assign frame_o[`FFD_FRAME_POINT]    = point_q;
   assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
-  assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
-  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
+  assign frame_o[`FFD_FRAME_FINAL]    = one || (last_i && !(spans_q && function_q));
+  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
-                                     || (header_q && !refused && (last_i || (of_vertices && none)));
+                                     || (header_q && !refused && (last_i || nothing));
   assign frame_o[`FFD_FRAME_LONG]     = done;
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
+  assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign claims_o                     = vertex_q && !resident_q;
   assign idle_o                       = header_q;
 endmodule

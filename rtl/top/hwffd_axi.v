@@ -33,6 +33,7 @@ module hwffd_axi #(
   parameter IN_FLIGHT         = 128,
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
+  parameter SPANS             = 1,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
@@ -110,7 +111,7 @@ module hwffd_axi #(
   wire [63:0]  write_last;
   wire         vertex;
   wire         stall;
-  wire [23:0]  error_event;
+  wire [27:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -189,7 +190,7 @@ module hwffd_axi #(
   wire        dma_idle;
   wire        core_rst;
   wire        core_idle;
-  wire [9:0]  core_event;
+  wire [13:0] core_event;
   wire [31:0] core_packet;
   wire [31:0] core_beat;
 
@@ -342,7 +343,8 @@ module hwffd_axi #(
     .AXIS           (AXIS),
     .IN_FLIGHT      (IN_FLIGHT),
     .WAITING        (WAITING),
-    .FEATURES       (FEATURES)
+    .FEATURES       (FEATURES),
+    .SPANS          (SPANS)
   ) u_core (
     .aclk          (clk),
     .aresetn       (!core_rst),

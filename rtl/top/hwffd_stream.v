@@ -15,7 +15,8 @@
 // Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
 //             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside; WAITING, one of
 //             two >= 2, the most vertices before them; FEATURES, what is built, as in
-//             ffd_stream.vh.
+//             ffd_stream.vh; SPANS 1 to 128, the runs of cells of an axis with functions of their
+//             own, above 1 only with their feature.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -37,7 +38,8 @@ module hwffd_stream #(
   parameter AXIS            = 16,
   parameter IN_FLIGHT       = 128,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES
+  parameter FEATURES        = `FFD_FEATURES,
+  parameter SPANS           = 1
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -49,7 +51,7 @@ module hwffd_stream #(
   input  wire         m_axis_tready,
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
-  output wire [9:0]   event_o,
+  output wire [13:0]  event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
@@ -80,13 +82,15 @@ module hwffd_stream #(
   wire                     in_valid;
   wire                     in_held;
   wire                     in_go;
+  wire [`FFD_EVENTS-1:0]   decoder_event;
   wire [127:0]             in_data;
   wire                     in_last;
   wire [`FFD_FRAME_W-1:0]  in_frame;
 
   ffd_stream_framer #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_framer (
     .clk     (clk),
     .rst     (rst),
@@ -119,7 +123,7 @@ module hwffd_stream #(
   wire [4*POINT_W-1:0]              numbers;
   wire                              load;
   wire [1:0]                        load_axis;
-  wire [3:0]                        load_address;
+  wire [`FFD_OWN_W(SPANS)-1:0]      load_address;
   wire [1:0]                        load_shift;
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
   wire                              lattice_write;
@@ -135,7 +139,7 @@ module hwffd_stream #(
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
-  wire                              vertex_bank;
+  wire [`FFD_PLACES_W(SPANS)-1:0]   vertex_bank;
   wire [`FFD_EXPONENT_W-1:0]        vertex_exponent;
   wire                              vertex_changed;
   wire [1:0]                        vertex_results;
@@ -143,7 +147,7 @@ module hwffd_stream #(
   wire                              part_valid;
   wire                              part_ready;
   wire [SOURCE_W:0]                 part_source;
-  wire [5:0]                        part_bank;
+  wire [3*`FFD_PLACE_W(SPANS)-1:0]  part_bank;
   wire [1:0]                        part_column;
   wire [USER_W:0]                   part_user;
   wire                              read;
@@ -179,7 +183,8 @@ module hwffd_stream #(
     .FEATURES   (FEATURES),
     .SLOTS      (SLOTS),
     .WAITING    (WAITING),
-    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1)
+    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1),
+    .SPANS      (SPANS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
@@ -217,7 +222,7 @@ module hwffd_stream #(
     .evaluating_i        (evaluating),
     .retire_i            (retire_q),
     .retire_user_i       (retire_user_q),
-    .event_o             (event_o[`FFD_EVENTS-1:0]),
+    .event_o             (decoder_event),
     .event_packet_o      (event_packet_o),
     .event_beat_o        (event_beat_o),
     .idle_o              (decoder_idle)
@@ -235,7 +240,8 @@ module hwffd_stream #(
     .FEATURES(FEATURES),
     .SOURCE_W(SOURCE_W),
     .USER_W  (USER_W),
-    .LAST    (`FFD_USER_LAST)
+    .LAST    (`FFD_USER_LAST),
+    .SPANS   (SPANS)
   ) u_derivatives (
     .clk             (clk),
     .rst             (rst),
@@ -291,7 +297,8 @@ module hwffd_stream #(
     .SOURCE_W       (SOURCE_W + 1),
     .USER_W         (USER_W + 1),
     .IN_FLIGHT      (IN_FLIGHT),
-    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES))
+    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
+    .SPANS          (SPANS)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -342,7 +349,8 @@ module hwffd_stream #(
     .m_beat_last       (m_axis_tlast)
   );
 
-  assign event_o[`FFD_EVENT_SATURATED] = saturated_q;
+  localparam [`FFD_EVENTS-1:0] SATURATED = 1 << `FFD_EVENT_SATURATED;
+  assign event_o  = decoder_event | (SATURATED & {`FFD_EVENTS{saturated_q}});
   assign vertex_o = retire_q;
   assign idle_o = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
 

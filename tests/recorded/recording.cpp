@@ -123,6 +123,18 @@ tb::EvaluatorStimulus stimulus_of(const std::vector<Beat>& packet) {
 
 }  // namespace
 
+RecordedEvents recorded_events(const std::array<std::uint64_t, kStreamEvents>& events) {
+  RecordedEvents known{};
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    if (e < known.size()) {
+      known[e] = events[e];
+    } else if (events[e] != 0) {
+      throw Error(fmt::format("event {} in a stream that was recorded without it", e));
+    }
+  }
+  return known;
+}
+
 std::uint64_t hash_of(const std::vector<Beat>& beats) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   const auto take = [&hash](std::uint32_t byte) { hash = (hash ^ byte) * 0x100000001B3U; };

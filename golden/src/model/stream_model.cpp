@@ -6,16 +6,18 @@
 namespace hwffd::model {
 
 StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
-                         int axis_points)
+                         int axis_points, int spans)
     : evaluator_(make_evaluator_model(configuration)),
       features_(features),
-      axis_points_(axis_points) {}
+      axis_points_(axis_points),
+      spans_(spans) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;
   bank_ = 0;
   loaded_ = false;
   derivatives_loaded_ = false;
+  spans_.reset();
   lattice_.clear();
   results_.clear();
   events_ = {};
@@ -37,6 +39,9 @@ void StreamModel::accept(const Beat& beat) {
       break;
     case State::kCoefficients:
       coefficients(beat);
+      break;
+    case State::kSpans:
+      span(beat);
       break;
     case State::kLattice:
       lattice_point(beat);
@@ -71,6 +76,12 @@ bool StreamModel::known(const Beat& header) const {
   switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
     case Opcode::kCoefficients:
       return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;
+    case Opcode::kSpans: {
+      const std::uint32_t axis = header.words[2] >> 22 & 3;
+      return has(kSpansFeature) && axis < 3 && (header.words[0] & ~(kEndsSet | 0xFFU)) == 0 &&
+             (header.words[2] & 0x7F3300CCU) == 0 && header.words[3] == 0 &&
+             (has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0);
+    }
     case Opcode::kLattice:
       return has(kResidentFeature);
     case Opcode::kVertices:
@@ -98,6 +109,12 @@ void StreamModel::header(const Beat& beat) {
       starts = true;
       break;
     case Opcode::kSpans:
+      if (!start_spans()) {
+        ++events_[stream_event(event::kSpanBeyond)];
+        return;
+      }
+      starts = vertices_left_ != 0;
+      if (starts) state_ = State::kSpans;
       break;
     case Opcode::kLattice:
       if (!start_lattice()) {
@@ -144,11 +161,55 @@ void StreamModel::coefficients(const Beat& beat) {
   } else {
     evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
   }
+  const bool of_derivative = beat_ >= kCoefficientBeats;
+  spans_.set_common(axis, beat_ % 4, of_derivative,
+                    {field(0), field(of_derivative ? 16 : 8), beat.words});
   if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
     bank_ = 1 - bank_;
+    spans_.take_common();
     loaded_ = true;
     derivatives_loaded_ = derivatives;
     state_ = State::kDone;
+  }
+}
+
+/// Whether the spans of a header are all there.
+bool StreamModel::start_spans() {
+  const std::uint64_t first = header_.words[2] >> 8 & 0xFF;
+  return first + header_.words[1] <= static_cast<std::uint64_t>(spans_.spans());
+}
+
+void StreamModel::span(const Beat& beat) {
+  const std::uint32_t word = header_.words[2];
+  const bool derivatives = (word & kDerivativesFollow) != 0;
+  const auto field = [&](int low) { return static_cast<int>(word >> low) & 3; };
+  const bool of_derivative = beat_ >= 4;
+  const auto first = static_cast<std::uint32_t>(word >> 8 & 0xFF);
+  const auto at = static_cast<int>(first + header_.words[1] - vertices_left_);
+  spans_.receive(field(22), at, beat_ % 4, of_derivative,
+                 {field(0), field(of_derivative ? 18 : 4), beat.words});
+  if (++beat_ < (derivatives ? 8 : 4)) return;
+  beat_ = 0;
+  spans_.complete(field(22), at, derivatives);
+  if (--vertices_left_ != 0) return;
+  state_ = State::kDone;
+  if ((header_.words[0] & kEndsSet) == 0) return;
+  derivatives_loaded_ = derivatives_loaded_ && spans_.set_has_derivatives();
+  spans_.take_set();
+}
+
+/// Gives the evaluator the functions of the vertex's cell.
+void StreamModel::use_spans() {
+  if (spans_.spans() == 1) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const AxisFunctions& used = spans_.of_cell(axis, vertex_.cell[axis]);
+    for (int function = 0; function < 4; ++function) {
+      const FunctionWords& own = used.function[function];
+      const FunctionWords& derivative = used.derivative[function];
+      evaluator_->load(bank_, axis, function, own.degree, own.shift, own.words);
+      evaluator_->load_derivative(bank_, axis, function, derivative.degree, derivative.shift,
+                                  derivative.words);
+    }
   }
 }
 
@@ -240,6 +301,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
   const bool blank = truncated || unloaded || nan_ || refused;
+  if (!blank) use_spans();
   for (int part = 0; part < results_of(wanted_); ++part) {
     results_.push_back(blank ? blank_result(result) : evaluated(result, part));
   }

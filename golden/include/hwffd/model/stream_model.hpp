@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
+#include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
@@ -16,6 +17,7 @@ using StreamEvents = std::array<std::uint64_t, kStreamEvents>;
 
 /// What a core has, as the parameter FEATURES of `hwffd_stream` says it.
 enum Feature : std::uint32_t {
+  kSpansFeature = 1U << 3,
   kResidentFeature = 1U << 8,
   kInterleavedFeature = 1U << 9,
   kDerivativesFeature = 1U << 10,
@@ -29,8 +31,9 @@ class StreamModel {
  public:
   /// @param features     bits of `Feature`; a packet of what is not there is one of unknown opcode
   /// @param axis_points  of a resident lattice, at most
+  /// @param spans        of an axis, more than 1 with `kSpansFeature`
   explicit StreamModel(const Configuration& configuration, std::uint32_t features = kAllFeatures,
-                       int axis_points = kAxisPoints);
+                       int axis_points = kAxisPoints, int spans = 1);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -46,13 +49,16 @@ class StreamModel {
   std::uint64_t vertices() const { return vertices_; }
 
  private:
-  enum class State { kHeader, kCoefficients, kLattice, kVertex, kPoints, kDone, kDrop };
+  enum class State { kHeader, kCoefficients, kSpans, kLattice, kVertex, kPoints, kDone, kDrop };
   using LatticePoint = std::array<std::uint32_t, 3>;
 
   bool known(const Beat& header) const;
   void header(const Beat& beat);
   bool start_lattice();
   void coefficients(const Beat& beat);
+  bool start_spans();
+  void span(const Beat& beat);
+  void use_spans();
   void lattice_point(const Beat& beat);
   void vertex(const Beat& beat);
   void points(const Beat& beat);
@@ -66,6 +72,7 @@ class StreamModel {
   std::unique_ptr<EvaluatorModel> evaluator_;
   std::uint32_t features_;
   int axis_points_;
+  SpanTable spans_;
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;
