@@ -35,6 +35,7 @@ common/ffd_stream_fifo.v
 common/ffd_stream_queue.v
 common/ffd_stream_skid.v
 evaluator/ffd_eval_accumulator.v
+evaluator/ffd_eval_address.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
 evaluator/ffd_eval_contraction.v
@@ -96,6 +97,7 @@ stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
 stream/ffd_stream_framer.v
+stream/ffd_stream_functions.v
 stream/ffd_stream_header.v
 stream/ffd_stream_intake.v
 stream/ffd_stream_locate.v

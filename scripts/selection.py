@@ -3,7 +3,6 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import configurations
 import front
 import synthesis
 
@@ -48,8 +47,3 @@ def chosen(found, name, options):
                           if value)
         raise front.Request(f"no row is mapped for {asked} in the set '{name}'")
     return left
-
-
-def subjects(root):
-    """All that the table of a checkout gives. Raises configurations.TableError."""
-    return synthesis.subjects(configurations.read(root / "rtl" / "configurations.csv"))

@@ -27,9 +27,10 @@ def collect(work, found):
     for subject in found:
         result = work.result(subject)
         if result is not None:
-            row = subject.row
+            row, (variant, meaning) = subject.row, subject.variant
             shown.append({
-                "subject": subject, "name": row.name, "org": row.org, "n": row.n,
+                "subject": subject, "name": row.name, "variant": variant, "meaning": meaning,
+                "org": row.org, "n": row.n,
                 "format": row.format, "schedule": row.schedule, "target": subject.target,
                 "top": subject.top, **{field: result.get(field) for field in FIELDS},
                 **clock(place, subject, result), "flat": subject.flat, "seconds": result["seconds"],

@@ -16,6 +16,7 @@ import liberty
 import mapped
 import rtl
 import timing
+import variants
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 TARGETS = mapped.TARGETS
@@ -76,6 +77,12 @@ class Subject:
         return hash(self.name)
 
     @property
+    def variant(self):
+        """The word of a variant, and what that means; None of a row as it stands."""
+        is_one = isinstance(self.row, variants.Variant)
+        return (self.row.variant, self.row.meaning) if is_one else (None, None)
+
+    @property
     def fixed(self):
         return self.row.format != "fp32"
 
@@ -108,22 +115,28 @@ def makes_sense(row, target):
     return organization.mapped in ("every", row.format)
 
 
-def subjects(rows):
-    """The runs that are worth their time, in the table's order: of every overlapped row the
-    organization on each target where it makes sense, and on ECP5 the whole core where the row has
-    streams, outside fixed point of `basic` only, with DMA and registers where it has those; then the
-    binary32 units.
+def subjects(rows, changed=()):
+    """The runs that are worth their time, of overlapped rows: on ECP5 those with streams as whole
+    cores, outside fixed point of `basic` only, and those with DMA and registers, or of `basic` with
+    the pipelined evaluator, with these; the variants, pairs of one and its top; the organization of
+    every row on each target where it makes sense; and the binary32 units.
     """
-    found = []
     overlapped = [row for row in rows if row.schedule == "overlapped"]
-    for row in overlapped:
-        found += [Subject(row, ORGANIZATION, target) for target in TARGETS
-                  if makes_sense(row, target)]
-        if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every"):
-            found.append(Subject(row, CORE, "ecp5"))
-        if row.top == "axi":
-            found.append(Subject(row, SYSTEM, "ecp5"))
+    found = [Subject(row, SYSTEM, "ecp5") for row in overlapped
+             if row.top == "axi" or (row.stream and row.organization.mapped == "every"
+                                     and row.evaluator == "pipelined")]
+    found += [Subject(row, CORE, "ecp5") for row in overlapped
+              if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every")]
+    found += [Subject(variant, top, "ecp5") for variant, top in changed]
+    found += [Subject(row, ORGANIZATION, target) for row in overlapped for target in TARGETS
+              if makes_sense(row, target)]
     return found + units(overlapped)
+
+
+def of_checkout(root):
+    """All that the tables of a checkout give. Raises TableError."""
+    rows = configurations.read(root / "rtl" / "configurations.csv")
+    return subjects(rows, variants.read(root / "synth" / "variants.csv", rows, (CORE, SYSTEM)))
 
 
 def units(rows):

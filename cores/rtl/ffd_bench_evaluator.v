@@ -56,70 +56,39 @@ module ffd_bench_evaluator #(
   wire [3*POINT_W-1:0]              point;
   wire [3*WEIGHT_W-1:0]             coordinates;
 
+  // The words that come, and their roles: coordinates, points, coefficients from the lowest on.
+  wire [10*32-1:0]      words = {load_words_i, write_words_i, s_vertex_words};
+  wire [10*POINT_W-1:0] numbers;
+
   genvar i;
   generate
-    for (i = 0; i < 4; i = i + 1) begin : gen_coefficient
-      wire [POINT_W-1:0] number;
+    for (i = 0; i < 10; i = i + 1) begin : gen_number
       wire nan;
       wire outside;
       ffd_num_in #(
         .FORMAT(FORMAT)
       ) u_in (
         .clk       (clk),
-        .role_i    (`FFD_ROLE_COEFFICIENT),
+        .role_i    (i < 3 ? `FFD_ROLE_COORDINATE : i < 6 ? `FFD_ROLE_POINT : `FFD_ROLE_COEFFICIENT),
         .clear_i   (1'b0),
         .clamp_i   (1'b0),
         .one_i     (1'b0),
-        .word_i    (load_words_i[32*i +: 32]),
-        .exponent_i(10'd0),
-        .number_o  (number),
-        .nan_o     (nan),
-        .outside_o (outside)
-      );
-      assign entry[i*WEIGHT_W +: WEIGHT_W] = number[WEIGHT_W-1:0];
-      wire unused_ok = &{1'b0, number, nan, outside};
-    end
-    for (i = 0; i < 3; i = i + 1) begin : gen_component
-      wire nan;
-      wire outside;
-      ffd_num_in #(
-        .FORMAT(FORMAT)
-      ) u_point (
-        .clk       (clk),
-        .role_i    (`FFD_ROLE_POINT),
-        .clear_i   (1'b0),
-        .clamp_i   (1'b0),
-        .one_i     (1'b0),
-        .word_i    (write_words_i[32*i +: 32]),
+        .word_i    (words[32*i +: 32]),
         .exponent_i(write_exponent_i),
-        .number_o  (point[i*POINT_W +: POINT_W]),
+        .number_o  (numbers[i*POINT_W +: POINT_W]),
         .nan_o     (nan),
         .outside_o (outside)
       );
       wire unused_ok = &{1'b0, nan, outside};
     end
     for (i = 0; i < 3; i = i + 1) begin : gen_coordinate
-      wire [POINT_W-1:0] number;
-      wire nan;
-      wire outside;
-      ffd_num_in #(
-        .FORMAT(FORMAT)
-      ) u_in (
-        .clk       (clk),
-        .role_i    (`FFD_ROLE_COORDINATE),
-        .clear_i   (1'b0),
-        .clamp_i   (1'b0),
-        .one_i     (1'b0),
-        .word_i    (s_vertex_words[32*i +: 32]),
-        .exponent_i(10'd0),
-        .number_o  (number),
-        .nan_o     (nan),
-        .outside_o (outside)
-      );
-      assign coordinates[i*WEIGHT_W +: WEIGHT_W] = number[WEIGHT_W-1:0];
-      wire unused_ok = &{1'b0, number, nan, outside};
+      assign coordinates[i*WEIGHT_W +: WEIGHT_W] = numbers[i*POINT_W +: WEIGHT_W];
+    end
+    for (i = 0; i < 4; i = i + 1) begin : gen_coefficient
+      assign entry[i*WEIGHT_W +: WEIGHT_W] = numbers[(6+i)*POINT_W +: WEIGHT_W];
     end
   endgenerate
+  assign point = numbers[3*POINT_W +: 3*POINT_W];
   assign entry[4*WEIGHT_W +: 2] = load_shift_i;
 
   // Supports by local index; read by bank of a cell, one lookup a point.
@@ -201,7 +170,7 @@ module ffd_bench_evaluator #(
     .m_result_user       (m_result_tag)
   );
 
-  wire unused_ok = &{1'b0, determinant, folded, evaluating, read, read_last, read_cell};
+  wire unused_ok = &{1'b0, determinant, folded, evaluating, read, read_last, read_cell, numbers};
 endmodule
 
 `default_nettype wire

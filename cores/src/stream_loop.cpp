@@ -3,7 +3,7 @@
 namespace hwffd::cores {
 namespace {
 
-// Tells the fraction that moved, in steps of at least 1 %.
+// Tells the fraction that moved, in steps of at least 1 %, up to the end, which is told but once.
 class Teller {
  public:
   Teller(std::uint64_t total, const StreamLoop::Progress& progress)
@@ -11,9 +11,9 @@ class Teller {
 
   void tell(std::uint64_t left) {
     const std::uint64_t moved = total_ > left ? total_ - left : 0;
-    if (!progress_ || (moved < next_ && left != 0)) return;
+    if (!progress_ || moved < next_ || left == 0) return;
     next_ = moved + step_;
-    progress_(left == 0 ? 1.0 : static_cast<double>(moved) / static_cast<double>(total_));
+    progress_(static_cast<double>(moved) / static_cast<double>(total_));
   }
 
  private:
@@ -65,6 +65,7 @@ StreamEnd StreamLoop::run(StreamParty& party, const StreamLimits& limits,
     }
     if (left != 0 && clocks_ - start >= limits.cycles) return StreamEnd::kLate;
   }
+  if (progress) progress(1);
   return StreamEnd::kDone;
 }
 

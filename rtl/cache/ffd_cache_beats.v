@@ -71,9 +71,14 @@ module ffd_cache_beats #(
   genvar c;
   generate
     for (c = 0; c < 3; c = c + 1) begin : gen_component
-      localparam [1:0] FIRST = c;
-      wire [1:0] word = FIRST - n_qq;  // 3 n + c modulo 4
-      assign point_o[c*POINT_W +: POINT_W] = words_q[word*POINT_W +: POINT_W];
+      // Word 3 n + c modulo 4.
+      localparam OF_0 = c;
+      localparam OF_1 = (c + 3) % 4;
+      localparam OF_2 = (c + 2) % 4;
+      localparam OF_3 = (c + 1) % 4;
+      assign point_o[c*POINT_W +: POINT_W] =
+        n_qq[1] ? (n_qq[0] ? words_q[OF_3*POINT_W +: POINT_W] : words_q[OF_2*POINT_W +: POINT_W])
+                : (n_qq[0] ? words_q[OF_1*POINT_W +: POINT_W] : words_q[OF_0*POINT_W +: POINT_W]);
     end
   endgenerate
 endmodule

@@ -6,13 +6,12 @@
 `include "ffd_events.vh"
 `include "ffd_fields.vh"
 
-// Of the user word, a vertex's way around the evaluator: what the encoder makes a result of; and
-// its highest bits, which say what is free when the vertex has left.
-`define FFD_USER_RESULT        `FFD_USER_BLANK:0
+// Of the user word, a vertex's way around the evaluator: its highest bits, which say what is free
+// when the vertex has left.
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
 // What a beat would be as a header: its opcode, good dimensions, a count of 0; points of a part of
-// a page; vertices until tlast.
+// a page; vertices until tlast; spans, and whether they are beyond the table.
 `define FFD_KIND_COEFFICIENTS 0
 `define FFD_KIND_LATTICE      1
 `define FFD_KIND_DIMENSIONS   2
@@ -21,25 +20,27 @@
 `define FFD_KIND_NONE         5
 `define FFD_KIND_PART         6
 `define FFD_KIND_EVERY        7
-`define FFD_KIND_W            8
+`define FFD_KIND_SPANS        8
+`define FFD_KIND_BEYOND       9
+`define FFD_KIND_W            10
 
 // What a packet of vertices asks for; docs/interface.md section 2.
 `define FFD_RESULTS_POSITION    2'd0
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
-`define FFD_RESULTS_BAD         2'd3
 
 // What a core has, bits of FEATURES; docs/interface.md section 1.
 `define FFD_FEATURE_PAGES(FEATURES)       ((FEATURES) % 2)
 `define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
 `define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
+`define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
 `define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
 `define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
 `define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
 `define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
 `define FFD_FEATURES                      3840
 `define FFD_FEATURES_BAD(FEATURES) \
-  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 || (FEATURES) % 256 > 7 \
+  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 || (FEATURES) % 256 > 15 \
    || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2 \
    || ((FEATURES) % 8 != 0 && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))
 
@@ -49,11 +50,6 @@
 `define FFD_HIGH_W(AXIS) (`FFD_AXIS_W(AXIS) - 4)
 `define FFD_AXIS_BAD(AXIS, FEATURES) \
   ((AXIS) < 4 || (AXIS) > 64 || ((AXIS) > 32) != (`FFD_FEATURE_LARGE(FEATURES) != 0))
-
-// Whether a single lane of the point store is of so many block memories that its address wants a
-// register of its own.
-`define FFD_STORE_DEEP(PAGES, AXIS) \
-  ((PAGES) * ((AXIS) > 32 ? 4096 : (AXIS) > 16 ? 512 : (AXIS) > 8 ? 64 : 8) > 128)
 
 // Of the source of a vertex {resident, fourth component, high bits of the cell, slot or page}.
 `define FFD_AT_W(SLOTS, PAGES) \

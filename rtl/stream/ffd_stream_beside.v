@@ -5,7 +5,7 @@
 // the events of the beat's place in its packet, whose number and place are counted here.
 //
 // Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at
-//             {k, j, i}; address {derivative, bank, function}.
+//             {k, j, i}.
 // Pipeline:   LATENCY; moving: something is on its way, or was in the clock before.
 // Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -27,12 +27,8 @@ module ffd_stream_beside #(
   input  wire                             empty_i,
   input  wire [PAGE_W-1:0]                page_i,
   input  wire                             fourth_i,
-  input  wire                             bank_i,
-  input  wire [1:0]                       shift_i,
   output wire                             load_o,
-  output wire [1:0]                       load_axis_o,
-  output wire [3:0]                       load_address_o,
-  output wire [1:0]                       load_shift_o,
+  output wire [11:0]                      place_o,   // as FFD_FRAME_INDEX
   output wire                             lattice_write_o,
   output wire [PAGE_W-1:0]                lattice_page_o,
   output wire [3*`FFD_AXIS_W(AXIS)-1:0]   lattice_at_o,
@@ -56,8 +52,8 @@ module ffd_stream_beside #(
   wire [`FFD_PAGE_W-1:0] verdict = verdict_i & {`FFD_PAGE_W{of_page}};
   wire                   stunted = of_page && verdict_i == {`FFD_PAGE_W{1'b0}}
                                 && (last_i || empty_i);
-  wire [6:0] found = {verdict[`FFD_PAGE_FOURTH], verdict[`FFD_PAGE_POINTS],
-                      verdict[`FFD_PAGE_BEYOND],
+  wire [7:0] found = {frame_i[`FFD_FRAME_SPAN], verdict[`FFD_PAGE_FOURTH],
+                      verdict[`FFD_PAGE_POINTS], verdict[`FFD_PAGE_BEYOND],
                       of_page ? verdict[`FFD_PAGE_SIZE] : frame_i[`FFD_FRAME_SIZE],
                       frame_i[`FFD_FRAME_LONG],
                       frame_i[`FFD_FRAME_SHORT] || stunted,
@@ -69,30 +65,28 @@ module ffd_stream_beside #(
 
   wire        taken;
   wire        taken_last;
-  wire [6:0]  framing;
-  wire [11:0] place;
+  wire [7:0]  framing;
   wire [5:0]  high;
 
   ffd_num_delay #(
-    .WIDTH  (13),
+    .WIDTH  (14),
     .LATENCY(LATENCY),
     .RESET  (1)
   ) u_taken (
     .clk(clk),
     .rst(rst),
-    .d_i({13{take_i}} & {1'b1, kinds, found}),
+    .d_i({14{take_i}} & {1'b1, kinds, found}),
     .q_o({taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
   );
 
   ffd_num_delay #(
-    .WIDTH  (3 + 12 + 1 + 2),
+    .WIDTH  (3 + 12),
     .LATENCY(LATENCY)
   ) u_place (
     .clk(clk),
     .rst(1'b0),
-    .d_i({last_i, points_top, frame_i[`FFD_FRAME_FINAL], frame_i[`FFD_FRAME_INDEX], bank_i,
-          shift_i}),
-    .q_o({taken_last, top_o, final_o, place, load_address_o[2], load_shift_o})
+    .d_i({last_i, points_top, frame_i[`FFD_FRAME_FINAL], frame_i[`FFD_FRAME_INDEX]}),
+    .q_o({taken_last, top_o, final_o, place_o})
   );
 
   ffd_num_delay #(
@@ -105,17 +99,14 @@ module ffd_stream_beside #(
     .q_o({lattice_page_o, lattice_fourth_o, high})
   );
 
-  assign load_axis_o         = place[5:4];
-  assign load_address_o[3]   = place[8];
-  assign load_address_o[1:0] = place[1:0];
-  assign slot_group_o        = place[7:4];
-  assign slot_phase_o        = place[1:0];
+  assign slot_group_o = place_o[7:4];
+  assign slot_phase_o = place_o[1:0];
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       // Digits of a lattice are k, j, i from the lowest on.
-      wire [5:0] digit = {high[2*(2-a) +: 2], place[4*(2-a) +: 4]};
+      wire [5:0] digit = {high[2*(2-a) +: 2], place_o[4*(2-a) +: 4]};
       assign lattice_at_o[AXIS_W*a +: AXIS_W] = digit[AXIS_W-1:0];
       wire unused_ok = &{1'b0, digit};
     end
@@ -130,6 +121,7 @@ module ffd_stream_beside #(
     event_o[`FFD_EVENT_NO_LATTICE]                     = framing[4];
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_PAGE_POINTS)] = framing[5];
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_NO_FOURTH)]   = framing[6];
+    event_o[`FFD_STREAM_EVENT(`FFD_EVENT_SPAN_BEYOND)] = framing[7];
   end
 
   ffd_stream_place u_event_place (

@@ -1,27 +1,23 @@
 // ffd_stream_decoder: framed beats become coefficients, control points and vertices
 //
-// Coefficients and lattices are loaded into the bank and the buffer that are not in use, which come
-// into use with the last beat. The header waits until no vertex inside reads them: vertices before
-// it see the old, after it the new. The points of an interleaved vertex go into a free slot. Where
-// there are pages, ffd_stream_pages knows them, else ffd_stream_buffers the two buffers.
-//
-// All four words of a beat pass one row of converters, whatever they are; what belongs to the beat
-// goes with it, and is where it is written, or is offered as a vertex, when the numbers are there.
+// Coefficients and lattices are loaded into the bank and the buffer or page that no vertex inside
+// reads; their header waits for that. Vertices before it see the old, after it the new. The points
+// of an interleaved vertex go into a free slot. All words of a beat pass one row of converters, and
+// what belongs to it goes beside them.
 //
 // Bad input:  banks and buffers cut short never come into use. Each event is a pulse of event_o
 //             (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    frame as FFD_FRAME_*; numbers_o weights or points, one a word of the beat; source
-//             as in ffd_stream.vh; changed: points or coefficients were loaded since the
-//             vertex before; user as FFD_USER_*. The exponent of points comes in the header of
-//             opcodes 2 and 4 and goes with each of their vertices.
+//             as in ffd_stream.vh; changed: points or coefficients were loaded since the vertex
+//             before; user as FFD_USER_*. Vertices have their points' exponent.
 // Pipeline:   FFD_IN_LATENCY to numbers_o and the writes; a vertex is offered 3 clocks behind those
 //             of its last beat. II 1 resident, 49 interleaved.
 // Freezes:    never: it takes what comes. A beat that may have to wait comes when go_o was 1: its
-//             bank or buffer is free, there is a slot, and room for the end of a vertex: WAITING
-//             are converted or wait for the evaluator. A vertex that starts where slot_free_o is 1,
-//             or ends where rooms_o is, may come in the next clock.
+//             bank or page is free, there is a slot, and room for a vertex's end: WAITING. One
+//             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
-//             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING.
+//             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING;
+//             EVERY_CLOCK as in ffd_stream_vertex, SPANS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -30,17 +26,19 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_decoder #(
-  parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
-  parameter SLOTS    = 3,
-  parameter SLOT_W   = $clog2(SLOTS),
-  parameter WAITING  = 16,
-  parameter PAGES    = 2,
-  parameter AXIS     = 16,
-  parameter IN_FLIGHT = 128,
-  parameter PAGE_W   = $clog2(PAGES),
-  parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS),
-  parameter SOURCE_W = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
+  parameter FORMAT      = 18,
+  parameter FEATURES    = `FFD_FEATURES,
+  parameter SLOTS       = 3,
+  parameter SLOT_W      = $clog2(SLOTS),
+  parameter WAITING     = 16,
+  parameter EVERY_CLOCK = 1,
+  parameter PAGES       = 2,
+  parameter AXIS        = 16,
+  parameter IN_FLIGHT   = 128,
+  parameter SPANS       = 1,
+  parameter PAGE_W      = $clog2(PAGES),
+  parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
+  parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -57,7 +55,7 @@ module ffd_stream_decoder #(
   output wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_o,
   output wire                                 load_o,
   output wire [1:0]                           load_axis_o,
-  output wire [3:0]                           load_address_o,
+  output wire [`FFD_OWN_W(SPANS)-1:0]         load_address_o,
   output wire [1:0]                           load_shift_o,
   output wire                                 lattice_write_o,
   output wire [PAGE_W-1:0]                    lattice_buffer_o,
@@ -73,7 +71,7 @@ module ffd_stream_decoder #(
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
   output wire [11:0]                          m_vertex_cell,
   output wire [SOURCE_W-1:0]                  m_vertex_source,
-  output wire                                 m_vertex_bank,
+  output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
   output wire                                 m_vertex_changed,
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
@@ -102,7 +100,6 @@ module ffd_stream_decoder #(
   wire        vertex   = beat_frame_i[`FFD_FRAME_VERTEX];
   wire        top      = beat_frame_i[`FFD_FRAME_TOP];
   wire        finish   = beat_frame_i[`FFD_FRAME_FINISH];
-  wire [11:0] index    = beat_frame_i[`FFD_FRAME_INDEX];
   wire        of_page  = beat_frame_i[`FFD_FRAME_PAGE];
 
   // ---- what the header says
@@ -110,48 +107,27 @@ module ffd_stream_decoder #(
   reg                   resident_q;
   reg  [1:0]            mode_q;
   reg  [1:0]            results_q;
-  reg  [5:0]            degree_q;
-  reg  [5:0]            shift_q;
-  reg  [5:0]            derivative_shift_q;
-  reg                   twice_q;
   reg  [EXPONENT_W-1:0] exponent_q;
   always @(posedge clk) begin
     if (take && header) begin
-      resident_q         <= beat_data_i[0];  // opcode 3, not 4
-      mode_q             <= beat_data_i[65:64];
-      results_q          <= beat_data_i[73:72];
-      degree_q           <= beat_data_i[69:64];
-      shift_q            <= beat_data_i[77:72];
-      derivative_shift_q <= beat_data_i[85:80];
-      twice_q            <= beat_data_i[95];
-      exponent_q         <= beat_data_i[96 +: EXPONENT_W]
-                          & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
+      resident_q <= beat_data_i[0];  // opcode 3, not 4
+      mode_q     <= beat_data_i[65:64];
+      results_q  <= beat_data_i[73:72];
+      exponent_q <= beat_data_i[96 +: EXPONENT_W] & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
     end
   end
 
   // ---- what is in use
 
-  reg                   bank_q;
-  reg                   coefficients_loaded_q;
-  reg                   derivatives_loaded_q;
+  wire                  bank;
+  wire                  coefficients_loaded;
+  wire                  derivatives_loaded;
+  wire                  new_bank;
   wire [PAGE_W-1:0]     new_page;   // that points go to
   wire                  lattice_loaded;
   wire [EXPONENT_W-1:0] lattice_exponent;
   wire                  fourth;
-  wire                  new_bank   = take && function_beat && top;
   wire                  new_buffer = take && point && top;
-
-  always @(posedge clk) begin
-    if (rst) begin
-      bank_q                <= 1'b0;
-      coefficients_loaded_q <= 1'b0;
-      derivatives_loaded_q  <= 1'b0;
-    end else if (new_bank) begin
-      bank_q                <= !bank_q;
-      coefficients_loaded_q <= 1'b1;
-      derivatives_loaded_q  <= twice_q;
-    end
-  end
 
   wire [SLOT_W-1:0]      slot;
   wire                   page_go;
@@ -159,6 +135,8 @@ module ffd_stream_decoder #(
   wire                   page_empty;
   wire [2:0]             beyond;
   wire [11:0]            cell_index;
+  wire [PLACE_W-1:0]     whole_cell;
+  wire [20:0]            origin;
   wire [15:0]            tag;
   wire [SOURCE_W-1:0]    source;
   ffd_stream_resident #(
@@ -167,7 +145,8 @@ module ffd_stream_decoder #(
     .SLOTS   (SLOTS),
     .PAGES   (PAGES),
     .AXIS    (AXIS),
-    .INSIDE  (IN_FLIGHT + WAITING + 8)
+    .INSIDE  (IN_FLIGHT + WAITING + 8),
+    .SPANS   (SPANS)
   ) u_resident (
     .clk          (clk),
     .rst          (rst),
@@ -192,6 +171,8 @@ module ffd_stream_decoder #(
     .fourth_o     (fourth),
     .beyond_o     (beyond),
     .cell_o       (cell_index),
+    .whole_cell_o (whole_cell),
+    .origin_o     (origin),
     .tag_o        (tag),
     .source_o     (source)
   );
@@ -199,16 +180,15 @@ module ffd_stream_decoder #(
   // ---- when a beat may come
 
   wire bank_busy;
+  wire functions_busy;
   wire buffer_busy;
   wire slot_free;
   wire room;
-  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && bank_busy)
+  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
              && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy) && !(of_page && !page_go)
-             && !(vertex && !resident_q && !slot_free)
-             && !(finish && !room);
+             && !(vertex && !resident_q && !slot_free) && !(finish && !room);
 
   assign slot_free_o = slot_free;
-
   wire              waiting;
   wire              any_inside = waiting || evaluating_i;
   ffd_stream_readers u_readers (
@@ -220,7 +200,7 @@ module ffd_stream_decoder #(
     .leave_lattice_i(retire_user_i[`FFD_RETIRE_RESIDENT]),
     .new_bank_i     (new_bank),
     .new_buffer_i   (new_buffer),
-    .bank_i         (bank_q),
+    .bank_i         (bank),
     .buffer_i       (!new_page[0]),
     .inside_i       (any_inside),
     .bank_busy_o    (bank_busy),
@@ -245,8 +225,7 @@ module ffd_stream_decoder #(
   wire       clamp   = mode_q == MODE_CLAMP;
   wire [1:0] role    = function_beat ? `FFD_ROLE_COEFFICIENT
                      : vertex        ? `FFD_ROLE_COORDINATE : `FFD_ROLE_POINT;
-  wire [1:0] axis    = index[5:4];
-  wire [1:0] degree  = degree_q[2*axis +: 2];
+  wire [1:0] degree;
   wire [3:0] nan;
   wire [3:0] outside;
 
@@ -280,7 +259,7 @@ module ffd_stream_decoder #(
 
   // ---- what goes with them
 
-  wire [5:0]                 shift = index[8] ? derivative_shift_q : shift_q;
+  wire [11:0]                place;
   wire                       vertex_there;
   wire                       finish_there;
   wire                       finish_top;
@@ -310,12 +289,8 @@ module ffd_stream_decoder #(
     .empty_i         (page_empty),
     .page_i          (new_page),
     .fourth_i        (fourth),
-    .bank_i          (!bank_q),
-    .shift_i         (shift[2*axis +: 2]),
     .load_o          (load_o),
-    .load_axis_o     (load_axis_o),
-    .load_address_o  (load_address_o),
-    .load_shift_o    (load_shift_o),
+    .place_o         (place),
     .lattice_write_o (lattice_write_o),
     .lattice_page_o  (lattice_buffer_o),
     .lattice_at_o    (lattice_at_o),
@@ -333,18 +308,47 @@ module ffd_stream_decoder #(
     .event_beat_o    (event_beat_o)
   );
 
+  wire [`FFD_PLACES_W(SPANS)-1:0] places;
+  ffd_stream_functions #(
+    .SPANS  (SPANS),
+    .LATENCY(LATENCY),
+    .AXIS   (AXIS)
+  ) u_functions (
+    .clk           (clk),
+    .rst           (rst),
+    .take_i        (take),
+    .data_i        (beat_data_i),
+    .frame_i       (beat_frame_i),
+    .degree_o      (degree),
+    .change_o      (new_bank),
+    .busy_o        (functions_busy),
+    .bank_o        (bank),
+    .loaded_o      (coefficients_loaded),
+    .derivatives_o (derivatives_loaded),
+    .place_there_i (place),
+    .load_axis_o   (load_axis_o),
+    .load_address_o(load_address_o),
+    .load_shift_o  (load_shift_o),
+    .cell_i        (whole_cell),
+    .origin_i      (origin),
+    .cell_there_i  (vertex_there),
+    .places_o      (places)
+  );
+
   // ---- vertices
 
   wire              position     = results_q == `FFD_RESULTS_POSITION;
-  wire              no_functions = !coefficients_loaded_q || (!position && !derivatives_loaded_q);
+  wire              no_functions = !coefficients_loaded || (!position && !derivatives_loaded);
   wire              no_lattice   = resident_q && !lattice_loaded;
 
   ffd_stream_vertex #(
-    .FORMAT  (FORMAT),
-    .SOURCE_W(SOURCE_W),
-    .SLOT_W  (SLOT_W),
-    .LATENCY (LATENCY),
-    .WAITING (WAITING)
+    .FORMAT     (FORMAT),
+    .SOURCE_W   (SOURCE_W),
+    .SLOT_W     (SLOT_W),
+    .LATENCY    (LATENCY),
+    .WAITING    (WAITING),
+    .EVERY_CLOCK(EVERY_CLOCK),
+    .SPANS      (SPANS)
   ) u_vertex (
     .clk                 (clk),
     .rst                 (rst),
@@ -357,7 +361,8 @@ module ffd_stream_decoder #(
     .no_lattice_i        (no_lattice),
     .tag_i               (tag),
     .source_i            (source),
-    .bank_i              (bank_q),
+    .bank_i              (bank),
+    .places_i            (places),
     .changed_i           (changed_q || !resident_q),
     .results_i           (results_q),
     .exponent_i          (resident_q ? lattice_exponent : exponent_q),
@@ -389,7 +394,7 @@ module ffd_stream_decoder #(
   assign event_o = framing | of_vertex;
   assign idle_o  = !any_inside && !moving;
 
-  wire unused_ok = &{1'b0, nan[3], outside[3], index};
+  wire unused_ok = &{1'b0, nan[3], outside[3]};
 endmodule
 
 `default_nettype wire

@@ -10,13 +10,15 @@
 //   5 page           as a lattice
 //   6 points         count of a page, from the place on that place_i says
 //   7 of a page      as vertices; or as many as come
+//   9 spans          count spans of 4 beats, or of 8 with their derivatives
 // The place is a number of three digits, each with a last value of its own: function, axis and
-// derivative of coefficients; k, j and i of a lattice; three beats in sixteen groups of points.
+// derivative of coefficients; function and derivative of a span; k, j and i of a lattice; three
+// beats in sixteen groups of points.
 //
-// Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
-//             belong to nothing, up to tlast. A tlast inside a vertex ends it. With refuse_i the
-//             packet whose header is held belongs to nothing either. Whether such a header is too
-//             short is known there.
+// Bad input:  an unknown opcode or kind of results, bad dimensions, spans beyond SPANS, and beats
+//             after a packet's end belong to nothing, up to tlast. A tlast inside a vertex ends it.
+//             With refuse_i the packet whose header is held belongs to nothing either. Whether such
+//             a header is too short is known there.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
 // Parameters: those of ffd_stream_header.
@@ -27,7 +29,8 @@
 
 module ffd_stream_framer #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES
+  parameter FEATURES = `FFD_FEATURES,
+  parameter SPANS    = 1
 ) (
   input  wire                      clk,
   input  wire                      rst,
@@ -50,7 +53,8 @@ module ffd_stream_framer #(
 
   ffd_stream_header #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_header (
     .data_i(data_i),
     .kind_o(kind)
@@ -65,6 +69,8 @@ module ffd_stream_framer #(
   wire none            = kind[`FFD_KIND_NONE];
   wire is_part         = kind[`FFD_KIND_PART];
   wire of_page         = PAGES != 0 && (is_lattice || is_vertices || is_part);
+  wire is_spans        = kind[`FFD_KIND_SPANS];
+  wire good_spans      = is_spans && !kind[`FFD_KIND_BEYOND];
 
   // What the next beat is: one of these, or none up to tlast.
   reg  header_q;
@@ -77,11 +83,13 @@ module ffd_stream_framer #(
   reg  resident_q;  // vertices without points of their own
   reg  part_q;      // points are counted
   reg  every_q;     // vertices are not
+  reg  spans_q;     // functions are those of so many spans
   wire one;         // it is the last
   wire top;
   wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
   wire point_done   = point_q && (part_q ? one : top);
-  wire payload_done = (function_q && top) || point_done || (vertex_done && one);
+  wire functions    = top && (!spans_q || one);
+  wire payload_done = (function_q && functions) || point_done || (vertex_done && one);
 
   always @(posedge clk) begin
     if (rst) header_q <= 1'b1;
@@ -91,7 +99,8 @@ module ffd_stream_framer #(
     if (rst || refuse_i) begin
       {function_q, point_q, vertex_q, points_q, done} <= 5'd0;
     end else if (take_i) begin
-      function_q <= !last_i && (header_q ? is_coefficients : function_q && !top);
+      function_q <= !last_i && (header_q ? is_coefficients || (good_spans && !none)
+                                         : function_q && !functions);
       point_q    <= !last_i && (header_q ? good_lattice || (is_part && !none)
                                          : point_q && !point_done);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
@@ -100,7 +109,7 @@ module ffd_stream_framer #(
     end
   end
 
-  // ---- the number of a vertex, or of a point, in its packet, from 1 on
+  // ---- the number of a vertex, a point or a span in its packet, from 1 on
 
   reg  [31:0] count_q;
   reg  [31:0] number_q;
@@ -112,10 +121,14 @@ module ffd_stream_framer #(
       part_q     <= is_part;
       every_q    <= kind[`FFD_KIND_EVERY];
     end
+    if (SPANS == 1) spans_q <= 1'b0;
+    else if (take_i && header_q) spans_q <= is_spans;
   end
   always @(posedge clk) begin
     if (take_i && header_q) number_q <= 32'd1;
-    else if (take_i && (vertex_done || point_q)) number_q <= number_q + 32'd1;
+    else if (take_i && (vertex_done || point_q || (function_q && spans_q && top))) begin
+      number_q <= number_q + 32'd1;
+    end
   end
 
   // ---- the place
@@ -129,6 +142,7 @@ module ffd_stream_framer #(
   wire [11:0] index;
   wire [5:0]  high;
   wire [17:0] derivatives_top = {5'd0, data_i[95], FUNCTIONS_TOP};
+  wire [17:0] spans_top       = {6'd0, 5'd0, data_i[95], FUNCTIONS_TOP[5:0]};
 
   genvar d;
   generate
@@ -145,6 +159,7 @@ module ffd_stream_framer #(
       always @(posedge clk) begin
         if (take_i && header_q) begin
           top_q <= is_coefficients ? derivatives_top[6*d +: AXIS_W]
+                 : is_spans        ? spans_top[6*d +: AXIS_W]
                  : is_lattice      ? points - 1'b1 : POINTS_TOP[6*d +: AXIS_W];
         end else if (PAGES != 0 && place_valid_i) begin
           top_q <= tops_i[AXIS_W*d +: AXIS_W];
@@ -161,32 +176,33 @@ module ffd_stream_framer #(
   // ---- the frame
 
   wire payload = function_q || point_q || vertex_q || points_q;
-  wire refused = !(is_coefficients || good_lattice || of_vertices || is_part);
+  wire refused = !(is_coefficients || good_lattice || of_vertices || is_part || good_spans);
+  wire nothing = (of_vertices || is_part || is_spans) && none;
   wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
   assign frame_o[`FFD_FRAME_HEADER]   = header_q;
-  assign frame_o[`FFD_FRAME_BANK]     = header_q && is_coefficients;
+  assign frame_o[`FFD_FRAME_BANK]     = header_q && (is_coefficients || good_spans);
   assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice && PAGES == 0;
   assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
   assign frame_o[`FFD_FRAME_POINT]    = point_q;
   assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
-  assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
-  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
+  assign frame_o[`FFD_FRAME_FINAL]    = one || (last_i && !(spans_q && function_q));
+  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
-                                     || (header_q && !of_page && !refused
-                                         && (last_i || (of_vertices && none)));
+                                     || (header_q && !of_page && !refused && (last_i || nothing));
   assign frame_o[`FFD_FRAME_LONG]     = done;
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
   assign frame_o[`FFD_FRAME_HIGH]     = high;
   assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
+  assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign claims_o                     = vertex_q && !resident_q;
   assign idle_o                       = header_q;
 
-  wire unused_ok = &{1'b0, place_valid_i, place_i, tops_i, derivatives_top};
+  wire unused_ok = &{1'b0, place_valid_i, place_i, tops_i, derivatives_top, spans_top};
 endmodule
 
 `default_nettype wire

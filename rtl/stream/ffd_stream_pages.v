@@ -12,11 +12,12 @@
 //             looks old. A page that is not loaded is read by no vertex whose result is used.
 // Bad input:  verdict_o, one of FFD_PAGE_*: such a header refuses its packet; refuse_o tells the
 //             framer. A page counts as not loaded from its header on, until its last point.
-// Formats:    place, tops and last cell {i, j, k}, tops = points an axis - 1.
+// Formats:    place, tops and last cell {i, j, k}, tops = points an axis - 1; origin {u, t, s}.
 // Pipeline:   look up | verdict | go: 3 clocks behind the first in which the header is held, for a
 //             place within a page later by ffd_stream_locate. The facts stay until the next one.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, PAGES 2 to 256, AXIS as in
-//             ffd_stream_header, INSIDE >= the most vertices inside.
+//             ffd_stream_header, INSIDE >= the most vertices inside. Origins are kept where SPANS
+//             is above 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system/pages_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,6 +30,7 @@ module ffd_stream_pages #(
   parameter PAGES    = 2,
   parameter AXIS     = 16,
   parameter INSIDE   = 160,
+  parameter SPANS    = 1,
   parameter PAGE_W   = $clog2(PAGES),
   parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS)
 ) (
@@ -56,7 +58,8 @@ module ffd_stream_pages #(
   output reg  [PLACE_W-1:0]           last_cell_o,  // {k, j, i}
   output wire [`FFD_EXPONENT_W-1:0]   exponent_o,
   output wire                         large_o,
-  output wire                         fourth_o
+  output wire                         fourth_o,
+  output wire [20:0]                  origin_o
 );
   localparam AXIS_W     = `FFD_AXIS_W(AXIS);
   localparam LARGE      = `FFD_FEATURE_LARGE(FEATURES);
@@ -256,6 +259,36 @@ module ffd_stream_pages #(
     .read_address_i (page),
     .read_data_o    (facts)
   );
+
+  // Only opcode 5 brings an origin.
+  generate
+    if (SPANS > 1) begin : gen_origins
+      reg  [20:0] new_origin_q;
+      reg  [20:0] origin_q;
+      wire [20:0] origin;
+      always @(posedge clk) begin
+        if (header_i) new_origin_q <= data_i[126:106] & {21{newer_q}};
+        if (look) origin_q <= origin;
+      end
+      assign origin_o = origin_q;
+
+      ffd_mem_sdp #(
+        .WIDTH       (21),
+        .DEPTH       (PAGES),
+        .READ_LATENCY(0)
+      ) u_origins (
+        .clk            (clk),
+        .write_i        (whole),
+        .write_address_i(page_q),
+        .write_data_i   (new_origin_q),
+        .read_i         (1'b1),
+        .read_address_i (page),
+        .read_data_o    (origin)
+      );
+    end else begin : gen_no_origins
+      assign origin_o = 21'd0;
+    end
+  endgenerate
 
   // A page that is just loaded has a reader of long ago.
   ffd_mem_sdp #(

@@ -4,9 +4,9 @@
 // of it whose cell is beyond the last one is brought into that one. Where its points are goes with
 // it as its source, with the bits of its cell for which twelve are too few.
 //
-// Formats:    cell {k, j, i}, four bits each; source as in ffd_stream.vh. In word 3 of a vertex a
-//             cell has four bits an axis; above 16 points five, the highest in bits 30 to 28; with
-//             the flag L six, and a tag of 14 bits.
+// Formats:    cell {k, j, i}, four bits each, the whole cell as many as AXIS wants; source as in
+//             ffd_stream.vh. In word 3 of a vertex a cell has four bits an axis; above 16 points
+//             five, the highest in bits 30 to 28; with the flag L six, and a tag of 14 bits.
 // Pipeline:   cell, tag and source with the beat; the others as in ffd_stream_pages.
 // Parameters: those of ffd_stream_pages; SLOTS >= 2.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -22,6 +22,7 @@ module ffd_stream_resident #(
   parameter PAGES    = 2,
   parameter AXIS     = 16,
   parameter INSIDE   = 160,
+  parameter SPANS    = 1,
   parameter SLOT_W   = $clog2(SLOTS),
   parameter PAGE_W   = $clog2(PAGES),
   parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS),
@@ -50,6 +51,8 @@ module ffd_stream_resident #(
   output wire                        fourth_o,
   output wire [2:0]                  beyond_o,
   output wire [11:0]                 cell_o,
+  output wire [PLACE_W-1:0]          whole_cell_o,
+  output wire [20:0]                 origin_o,    // {u, t, s}, of the page: added to its cells
   output wire [15:0]                 tag_o,
   output wire [SOURCE_W-1:0]         source_o
 );
@@ -64,6 +67,7 @@ module ffd_stream_resident #(
   wire [PAGE_W-1:0]  page;
   wire [PLACE_W-1:0] last_cell;
   wire               of_large;
+  wire [20:0]        origin;
 
   generate
     if (`FFD_FEATURE_PAGES(FEATURES) != 0) begin : gen_pages
@@ -72,7 +76,8 @@ module ffd_stream_resident #(
         .FEATURES(FEATURES),
         .PAGES   (PAGES),
         .AXIS    (AXIS),
-        .INSIDE  (INSIDE)
+        .INSIDE  (INSIDE),
+        .SPANS   (SPANS)
       ) u_pages (
         .clk          (clk),
         .rst          (rst),
@@ -98,7 +103,8 @@ module ffd_stream_resident #(
         .last_cell_o  (last_cell),
         .exponent_o   (exponent_o),
         .large_o      (of_large),
-        .fourth_o     (fourth_o)
+        .fourth_o     (fourth_o),
+        .origin_o     (origin)
       );
       assign new_page_o = page;
     end else begin : gen_buffers
@@ -129,21 +135,24 @@ module ffd_stream_resident #(
       assign verdict_o     = {`FFD_PAGE_W{1'b0}};
       assign empty_o       = 1'b0;
       assign of_large      = 1'b0;
+      assign origin        = 21'd0;
       assign fourth_o      = 1'b0;
       wire unused_ok = &{1'b0, held_i, of_page, leave_i};
     end
   endgenerate
 
   wire bounded = resident_i && loaded_o;
+  wire in_large = resident_i && of_large;  // as the last packet of a page said
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       wire [5:0]        few     = {1'b0, AXIS_W > 4 && data_i[124+a], data_i[112+4*a +: 4]};
-      wire [5:0]        asked   = of_large ? data_i[110+6*a +: 6] : few;
+      wire [5:0]        asked   = in_large ? data_i[110+6*a +: 6] : few;
       wire [AXIS_W-1:0] last    = last_cell[AXIS_W*a +: AXIS_W];
       wire [AXIS_W-1:0] nearest = beyond_o[a] ? last : asked[AXIS_W-1:0];
       assign beyond_o[a]      = bounded && asked[AXIS_W-1:0] > last;
       assign cell_o[4*a +: 4] = nearest[3:0];
+      assign whole_cell_o[AXIS_W*a +: AXIS_W] = nearest;
       if (HIGH_W > 0) begin : gen_high
         assign source_o[AT_W+HIGH_W*a +: HIGH_W] = nearest[AXIS_W-1:4];
       end
@@ -158,7 +167,8 @@ module ffd_stream_resident #(
   wire [AT_W:0] at_slot = {{(AT_W + 1 - SLOT_W) {1'b0}}, slot_i};
   assign source_o[AT_W-1:0]   = resident_i ? at_page[AT_W-1:0] : at_slot[AT_W-1:0];
   assign source_o[SOURCE_W-1] = resident_i;
-  assign tag_o = {data_i[111:110] & {2{!(of_large && resident_i)}}, data_i[109:96]};
+  assign origin_o = origin & {21{resident_i}};
+  assign tag_o = {data_i[111:110] & {2{!in_large}}, data_i[109:96]};
 
   wire unused_ok = &{1'b0, data_i, frame_i, at_page, at_slot};
 endmodule

@@ -10,19 +10,23 @@
 //             are there, LATENCY clocks later; the vertex is offered 3 clocks behind.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
 // Parameters: FORMAT as in ffd_num.vh, SOURCE_W > SLOT_W >= 1, LATENCY >= 1, WAITING a power of
-//             two >= 2.
+//             two >= 2; EVERY_CLOCK 0: vertices are offered in every other clock at most, and
+//             m_vertex_ready then ends at a register. SPANS as in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
+`include "ffd_eval.vh"
 `include "ffd_stream.vh"
 
 module ffd_stream_vertex #(
-  parameter FORMAT   = 18,
-  parameter SOURCE_W = 2,
-  parameter SLOT_W   = 1,
-  parameter LATENCY  = 1,
-  parameter WAITING  = 16
+  parameter FORMAT      = 18,
+  parameter SOURCE_W    = 2,
+  parameter SLOT_W      = 1,
+  parameter LATENCY     = 1,
+  parameter WAITING     = 16,
+  parameter EVERY_CLOCK = 1,
+  parameter SPANS       = 1
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -36,6 +40,7 @@ module ffd_stream_vertex #(
   input  wire [15:0]                          tag_i,
   input  wire [SOURCE_W-1:0]                  source_i,
   input  wire                                 bank_i,
+  input  wire [`FFD_PLACES_W(SPANS)-1:0]      places_i,  // a clock behind vertex_there_i
   input  wire                                 changed_i,
   input  wire [1:0]                           results_i,
   input  wire [`FFD_EXPONENT_W-1:0]           exponent_i,
@@ -56,7 +61,7 @@ module ffd_stream_vertex #(
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
   output wire [11:0]                          m_vertex_cell,
   output wire [SOURCE_W-1:0]                  m_vertex_source,
-  output wire                                 m_vertex_bank,
+  output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
   output wire                                 m_vertex_changed,
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
@@ -171,10 +176,13 @@ module ffd_stream_vertex #(
   wire [`FFD_USER_W-1:0] user = {resident, source[0], bank, final_q, blank, status, tag};
 
   // The head of the queue waits in a register, near to the evaluator.
-  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + NUMBERS_W;
+  localparam PLACES_W = `FFD_PLACES_W(SPANS);
+  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + PLACES_W + 1 + 12
+                      + NUMBERS_W;
+  wire [PLACES_W-1:0] places = SPANS == 1 ? {PLACES_W{bank}} : places_i;
   wire                queue_ready;
   wire                next_valid;
-  wire                next_ready = !m_vertex_valid || m_vertex_ready;
+  wire                next_ready = !m_vertex_valid || (EVERY_CLOCK != 0 && m_vertex_ready);
   wire [VERTEX_W-1:0] next;
   reg  [VERTEX_W-1:0] vertex_q;
 
@@ -186,7 +194,7 @@ module ffd_stream_vertex #(
     .rst         (rst),
     .s_word_valid(whole_q),
     .s_word_ready(queue_ready),
-    .s_word_data ({user, results, exponent, source, bank, changed, cell_index, coordinates_q}),
+    .s_word_data ({user, results, exponent, source, places, changed, cell_index, coordinates_q}),
     .m_word_valid(next_valid),
     .m_word_ready(next_ready),
     .m_word_data (next)
@@ -194,13 +202,13 @@ module ffd_stream_vertex #(
 
   always @(posedge clk) begin
     if (rst) m_vertex_valid <= 1'b0;
-    else if (next_ready) m_vertex_valid <= next_valid;
+    else if (!m_vertex_valid || m_vertex_ready) m_vertex_valid <= next_ready && next_valid;
   end
   always @(posedge clk) if (next_ready) vertex_q <= next;
   assign {m_vertex_user, m_vertex_results, m_vertex_exponent, m_vertex_source, m_vertex_bank,
           m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q;
 
-  wire unused_ok = &{1'b0, queue_ready, numbers_i, facts};
+  wire unused_ok = &{1'b0, queue_ready, numbers_i, facts, places_i};
 endmodule
 
 `default_nettype wire

@@ -34,6 +34,7 @@ module hwffd_axi #(
   parameter IN_FLIGHT         = 128,
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
+  parameter SPANS             = 1,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
@@ -344,7 +345,8 @@ module hwffd_axi #(
     .PAGES          (PAGES),
     .IN_FLIGHT      (IN_FLIGHT),
     .WAITING        (WAITING),
-    .FEATURES       (FEATURES)
+    .FEATURES       (FEATURES),
+    .SPANS          (SPANS)
   ) u_core (
     .aclk          (clk),
     .aresetn       (!core_rst),

@@ -1,27 +1,25 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
-// Packets in (coefficients, lattices, vertices, vertices with their control points), result beats
-// out, one a vertex or with its derivatives four, in order: docs/interface.md. Every ready, valid
+// Packets in, result beats out, in the order of the vertices: docs/interface.md. Every ready, valid
 // and data bit of the streams leaves a register.
 //
-// Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface.md,
-//             section 3).
+// Formats:    128-bit beats, four little-endian words; words by FORMAT (interface.md section 3).
 // Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
-// Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
-//             event_o has a pulse for each kind (ffd_stream.vh), for registers, vertex_o one for
-//             each vertex, a clock after its last result has left the evaluator; idle_o is 1 when
-//             no packet is under way and no vertex inside.
+// Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind, vertex_o one
+//             for each vertex, a clock after its last result has left the evaluator; idle_o is 1
+//             when no packet is under way and no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
-//             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages;
-//             IN_FLIGHT a power of two >= 4, the most evaluations inside; WAITING, one of
-//             two >= 2, the most vertices before them; FEATURES, what is built, as in
-//             ffd_stream.vh.
+//             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages; IN_FLIGHT
+//             a power of two >= 4, the most evaluations inside; WAITING, one >= 2, the most
+//             vertices before them; FEATURES, what is built, as in ffd_stream.vh; SPANS 1 to 128,
+//             the runs of cells of an axis with functions of their own, 1 without that feature.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
+`include "ffd_organizations.vh"
 `include "ffd_stream.vh"
 
 module hwffd_stream #(
@@ -38,7 +36,8 @@ module hwffd_stream #(
   parameter PAGES           = 2,
   parameter IN_FLIGHT       = 128,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES
+  parameter FEATURES        = `FFD_FEATURES,
+  parameter SPANS           = 1
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -58,9 +57,9 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  // The paper's units are too fast for a register behind the choice of a single lane, and for one
-  // in front of its memory.
-  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : `FFD_STORE_DEEP(PAGES, AXIS) ? 4 : 3;
+  // A single lane has registers before its memories and behind its choice; the paper's units are
+  // too fast for them.
+  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 4;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
@@ -95,7 +94,8 @@ module hwffd_stream #(
 
   ffd_stream_framer #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_framer (
     .clk     (clk),
     .rst     (rst),
@@ -112,8 +112,7 @@ module hwffd_stream #(
   );
 
   wire waits = frame[`FFD_FRAME_BANK] || frame[`FFD_FRAME_BUFFER] || frame[`FFD_FRAME_PAGE]
-            || (claims && !slot_free)
-            || (frame[`FFD_FRAME_FINISH] && !rooms);
+            || (claims && !slot_free) || (frame[`FFD_FRAME_FINISH] && !rooms);
 
   ffd_stream_intake #(
     .WIDTH(`FFD_FRAME_W + 129)
@@ -133,7 +132,7 @@ module hwffd_stream #(
   wire [4*POINT_W-1:0]              numbers;
   wire                              load;
   wire [1:0]                        load_axis;
-  wire [3:0]                        load_address;
+  wire [`FFD_OWN_W(SPANS)-1:0]      load_address;
   wire [1:0]                        load_shift;
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
   wire                              lattice_write;
@@ -150,7 +149,7 @@ module hwffd_stream #(
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
-  wire                              vertex_bank;
+  wire [`FFD_PLACES_W(SPANS)-1:0]   vertex_bank;
   wire [`FFD_EXPONENT_W-1:0]        vertex_exponent;
   wire                              vertex_changed;
   wire [1:0]                        vertex_results;
@@ -158,7 +157,7 @@ module hwffd_stream #(
   wire                              part_valid;
   wire                              part_ready;
   wire [SOURCE_W:0]                 part_source;
-  wire [5:0]                        part_bank;
+  wire [3*`FFD_PLACE_W(SPANS)-1:0]  part_bank;
   wire [1:0]                        part_column;
   wire                              part_fourth;
   wire [PART_W-1:0]                 part_words;
@@ -195,13 +194,15 @@ module hwffd_stream #(
   end
 
   ffd_stream_decoder #(
-    .FORMAT  (FORMAT),
-    .FEATURES(FEATURES),
-    .SLOTS   (SLOTS),
-    .WAITING (WAITING),
-    .PAGES   (PAGES),
-    .AXIS    (AXIS),
-    .IN_FLIGHT(IN_FLIGHT)
+    .FORMAT     (FORMAT),
+    .FEATURES   (FEATURES),
+    .SLOTS      (SLOTS),
+    .WAITING    (WAITING),
+    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1),
+    .PAGES      (PAGES),
+    .AXIS       (AXIS),
+    .IN_FLIGHT  (IN_FLIGHT),
+    .SPANS      (SPANS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
@@ -263,7 +264,8 @@ module hwffd_stream #(
     .FEATURES(FEATURES),
     .SOURCE_W(SOURCE_W),
     .USER_W  (USER_W),
-    .LAST    (`FFD_USER_LAST)
+    .LAST    (`FFD_USER_LAST),
+    .SPANS   (SPANS)
   ) u_derivatives (
     .clk             (clk),
     .rst             (rst),
@@ -336,7 +338,8 @@ module hwffd_stream #(
     .SOURCE_W       (SOURCE_W + 1),
     .USER_W         (PART_W),
     .IN_FLIGHT      (IN_FLIGHT),
-    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES))
+    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
+    .SPANS          (SPANS)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -387,11 +390,10 @@ module hwffd_stream #(
     .m_beat_last       (m_axis_tlast)
   );
 
-  localparam [`FFD_EVENTS-1:0] SATURATED = 1 << `FFD_EVENT_SATURATED;
-  assign event_o  = decoder_event | (SATURATED & {`FFD_EVENTS{saturated_q}});
+  wire [`FFD_EVENTS-1:0] saturated = {{(`FFD_EVENTS - 1) {1'b0}}, saturated_q};
+  assign event_o  = decoder_event | saturated << `FFD_EVENT_SATURATED;
   assign vertex_o = retire_q;
-  assign idle_o = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
-
+  assign idle_o   = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
   wire unused_ok = &{1'b0, read};
 endmodule
 

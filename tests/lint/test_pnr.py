@@ -176,6 +176,6 @@ def test_tables_that_make_no_sense(tree, pnr, lines, wrong):
 
 
 def test_the_table_of_this_tree():
-    aims = placement.read(ROOT / "synth/clocks.csv", synthesis.subjects(configurations.read()))
+    aims = placement.read(ROOT / "synth/clocks.csv", synthesis.of_checkout(ROOT))
     assert len(aims) == len({aim.subject for aim in aims}) >= 10
     assert len(nextpnr.SEEDS) >= 3

@@ -18,7 +18,9 @@ import liberty
 import pytest
 import selection
 import synthesis
+import tables
 import timing
+import variants
 from rtl import ROOT
 
 HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
@@ -75,10 +77,10 @@ open(re.search(r"json -o (\\S+)", script).group(1), "w").write(json.dumps({{"mod
 LIST = """
 import pathlib, sys
 sys.path.insert(0, sys.argv[1])
-import selection, synthesis
+import synthesis
 root = pathlib.Path(sys.argv[2])
 work = synthesis.Synthesis(root)
-print(*(work.file(subject).name for subject in selection.subjects(root)))
+print(*(work.file(subject).name for subject in synthesis.of_checkout(root)))
 """
 STAND_IN_STA = """\
 #!/bin/sh
@@ -112,6 +114,7 @@ class Tree:
             "rtl/hwffd.f": "+incdir+number\nevaluator/ffd_org_select.v\n" + "".join(
                 f"evaluator/{name}.v\n" for name in others),
             "rtl/number/ffd_num.vh": "`define ONE 4'd1\n", "rtl/configurations.csv": TABLE,
+            "synth/variants.csv": ",".join(variants.COLUMNS) + "\n",
             **select(GOOD), **{
                 f"rtl/evaluator/{name}.v": MODULE.format(name=name, parameters=own, body=GOOD)
                 for name, own in others.items()}})
@@ -268,7 +271,7 @@ def test_stale_results_are_not_reported(tree):
 
 
 def test_selection(tree):
-    found = selection.subjects(tree.root)
+    found = synthesis.of_checkout(tree.root)
     parser = selection.Parser()
     parser.add_argument("--set", default="all")
     for words, count in (("--target up5k", 2), ("--org tree", 4), ("--n 2", 4), ("--org unit", 8),
@@ -352,14 +355,14 @@ def interrupt(tree, number):
 
 
 def test_rows_of_this_tree():
-    found = synthesis.subjects(configurations.read())
+    found = synthesis.of_checkout(ROOT)
     names = [subject.name for subject in found]
     assert len(names) == len(set(names)) >= 40
     assert {subject.target for subject in found} == set(synthesis.TARGETS)
     assert {subject.top for subject in found} == {
         synthesis.ORGANIZATION, synthesis.CORE, synthesis.SYSTEM, *synthesis.FLOAT_UNITS}
-    assert {subject.row.name for subject in found if subject.top == synthesis.SYSTEM} == {
-        row.name for row in configurations.read() if row.top == "axi"}
+    assert {subject.row.name for subject in found if subject.top == synthesis.SYSTEM} >= {
+        row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}
     wired = {name for name in names if name.split(".")[0].endswith("-bspline")}
     assert wired and {name.replace("-bspline", "") for name in wired} <= set(names)
     few = synthesis.of_set(found, "ci")
@@ -369,3 +372,24 @@ def test_rows_of_this_tree():
     assert [subject for subject in guarded if subject in few] == few
     assert {(subject.top, subject.target) for subject in guarded if subject not in few} == {
         (top, target) for top in synthesis.FLOAT_UNITS for target in synthesis.UNIT_TARGETS}
+
+
+@pytest.mark.parametrize("line, wrong", (
+    ("basic,more,hwffd_stream,A=1,-", "unknown name 'basic'"),
+    ("basic-fx18-overlapped,more,ffd_org_select,A=1,-", "unknown top 'ffd_org_select'"),
+    ("basic-fx18-overlapped,more,hwffd_stream,A=x,-", "parameters are NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,,-", "parameters are NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,A=1,-\n" * 2, "is there twice")))
+def test_variants_that_make_no_sense(tree, line, wrong):
+    tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n" + line + "\n"})
+    with pytest.raises(tables.TableError, match=wrong):
+        synthesis.of_checkout(tree.root)
+
+
+def test_a_variant_has_the_parameters_of_its_row_and_its_own(tree):
+    tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n"
+              "basic-fx18-overlapped,few,hwffd_stream,FORMAT=16 FEATURES=256,only a few\n"})
+    one, = (one for one in synthesis.of_checkout(tree.root) if one.variant[0])
+    assert (one.name, one.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
+                                       ("few", "only a few"))
+    assert one.row.parameters == {**one.row.row.parameters, "FORMAT": 16, "FEATURES": 256}

@@ -19,7 +19,7 @@ std::unique_ptr<cores::StreamCore> make_page_core(std::uint64_t seed) {
   return std::make_unique<cores::VerilatedStreamCore<Dut>>(seed);
 }
 
-/// A core with pages of tests/system/CMakeLists.txt.
+/// A core with pages or spans of tests/system/CMakeLists.txt.
 struct PageBuild {
   std::string name;
   const char* row;
@@ -29,7 +29,7 @@ struct PageBuild {
 
 inline void PrintTo(const PageBuild& build, std::ostream* out) { *out << build.name; }
 
-/// A core with pages, its model and the bench between them.
+/// Such a core, its model and the bench between them.
 class PageRun {
  public:
   PageRun(const PageBuild& build, std::uint64_t seed, const std::string& source = "always",
@@ -37,7 +37,7 @@ class PageRun {
       : row_(find_configuration(build.row)),
         codec_(row_.format),
         core_(build.make(seed)),
-        model_(row_, build.core.features, build.core.axis, build.core.pages) {
+        model_(row_, build.core.features, build.core.axis, build.core.pages, build.core.spans) {
     tb::StreamBenchOptions options;
     options.test = {build.name, seed, "SEED=" + std::to_string(seed)};
     options.source_throttle = source;
@@ -63,6 +63,12 @@ class PageRun {
       return ::testing::AssertionFailure() << "other events than the model's";
     }
     return ::testing::AssertionSuccess();
+  }
+
+  /// What is loaded and what came of a packet is forgotten.
+  void reset() {
+    bench_->reset(1);
+    model_.reset();
   }
 
   const WordCodec& codec() const { return codec_; }

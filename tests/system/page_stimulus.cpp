@@ -48,7 +48,12 @@ std::vector<Beat> PagePackets::load(int page) {
     lattice = with_fourth(lattice, codec_, random_);
   }
   if (page < core_.pages) lattices_[page] = lattice;
-  return page_packet(page, lattice);
+  std::array<int, 3> origin{};
+  if (has(model::kSpansFeature)) {
+    for (int& cells : origin)
+      cells = static_cast<int>(random_.below(random_.chance(0.5) ? 8 : 128));
+  }
+  return page_packet(page, lattice, origin);
 }
 
 std::vector<Beat> PagePackets::points(int page) {

@@ -8,11 +8,12 @@
 
 namespace hwffd::test {
 
-/// What a core with pages has.
+/// What a core with pages or spans has.
 struct PageCore {
   std::uint32_t features = 0;
   int axis = kAxisPoints;
   int pages = kPages;
+  int spans = 1;
 };
 
 /// A lattice with a fourth component of its own words.

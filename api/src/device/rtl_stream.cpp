@@ -69,17 +69,12 @@ class RtlStream final : public CommandStream {
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
                         const Progress& progress) override {
     Conversation conversation(loop_, *core_, commands, results);
-    // The end is told once, below, whether the core is idle with its last result or later.
-    const auto before_end = [&progress](double done) {
-      if (done < 1) progress(done);
-    };
-    if (loop_.run(conversation, {kPatience}, before_end) == cores::StreamEnd::kStalled) {
+    if (loop_.run(conversation, {kPatience}, progress) == cores::StreamEnd::kStalled) {
       throw Error(
           fmt::format("{}: {} of {} results came, then none for {} clocks; this is a "
                       "fault of the hardware: please report it",
                       name_, conversation.came(), results, kPatience));
     }
-    progress(1);
     return conversation.take();
   }
 

@@ -8,12 +8,13 @@
 namespace hwffd::model {
 
 StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
-                         int axis_points, int pages)
+                         int axis_points, int pages, int spans)
     : evaluator_(make_evaluator_model(configuration)),
       block_(WordCodec(configuration.format).is_block()),
       features_(features),
       axis_points_(axis_points),
-      pages_(pages) {}
+      pages_(pages),
+      spans_(spans) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;
@@ -22,6 +23,7 @@ void StreamModel::reset() {
   derivatives_loaded_ = false;
   pages_.assign(pages_.size(), {});
   newest_ = 0;
+  spans_.reset();
   results_.clear();
   events_ = {};
   vertices_ = 0;
@@ -42,6 +44,9 @@ void StreamModel::accept(const Beat& beat) {
       break;
     case State::kCoefficients:
       coefficients(beat);
+      break;
+    case State::kSpans:
+      span(beat);
       break;
     case State::kLattice:
       lattice_point(beat);
@@ -67,54 +72,6 @@ void StreamModel::accept(const Beat& beat) {
   state_ = State::kHeader;
 }
 
-/// Whether the core has what a header asks for.
-bool StreamModel::known(const Beat& header) const {
-  const std::uint32_t asked = header.words[2] >> 8 & 3;
-  const bool results = asked == static_cast<std::uint32_t>(Results::kDerivatives)
-                           ? has(kDerivativesFeature)
-                       : asked == static_cast<std::uint32_t>(Results::kDeterminant)
-                           ? has(kDeterminantFeature)
-                           : asked == static_cast<std::uint32_t>(Results::kPosition);
-  switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
-    case Opcode::kCoefficients:
-      return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;
-    case Opcode::kLattice:
-      return has(kResidentFeature);
-    case Opcode::kVertices:
-      return has(kResidentFeature) && results;
-    case Opcode::kInterleaved:
-      return has(kInterleavedFeature) && results;
-    case Opcode::kPage:
-    case Opcode::kPoints:
-      return has(kPagesFeature) && known_of_page(header);
-    case Opcode::kPageVertices:
-      return has(kPagesFeature) && known_of_page(header) && results;
-    default:
-      return false;
-  }
-}
-
-/// Whether a header of opcodes 5 to 7 has only flags that the core knows, and no bit that means
-/// nothing.
-bool StreamModel::known_of_page(const Beat& header) const {
-  const auto opcode = static_cast<Opcode>(header.words[0] & 0xFF);
-  std::uint32_t flags = has(kFourthFeature) ? kFourthFlag : 0;
-  if (opcode != Opcode::kPoints && has(kLargeFeature)) flags |= kLargeFlag;
-  if (opcode == Opcode::kPageVertices) flags |= kEveryFlag;
-  const std::uint32_t second = opcode == Opcode::kPage     ? 0x00FFFFFF   // points an axis
-                               : opcode == Opcode::kPoints ? 0x0003FFFF   // place
-                                                           : 0x00000303;  // results, mode
-  const std::uint32_t third = opcode == Opcode::kPage ? 0x7FFFFFFF : 0x000003FF;
-  return (header.words[0] & 0xFFFF0000 & ~flags) == 0 && (header.words[2] & ~second) == 0 &&
-         (header.words[3] & ~third) == 0;
-}
-
-/// Whether a header of opcodes 5 to 7 has that flag; the others have none.
-bool StreamModel::flagged(std::uint32_t flag) const {
-  const auto opcode = static_cast<Opcode>(header_.words[0] & 0xFF);
-  return opcode >= Opcode::kPage && (header_.words[0] & flag) != 0;
-}
-
 void StreamModel::header(const Beat& beat) {
   header_ = beat;
   beat_ = 0;
@@ -138,6 +95,8 @@ bool StreamModel::start(Opcode opcode, int number) {
     case Opcode::kCoefficients:
       state_ = State::kCoefficients;
       return true;
+    case Opcode::kSpans:
+      return start_spans();
     case Opcode::kLattice:
     case Opcode::kPage:
       return start_lattice(opcode, number);
@@ -172,6 +131,9 @@ bool StreamModel::start_lattice(Opcode opcode, int number) {
   page_->dims = dims;
   page_->fourth = flagged(kFourthFlag);
   page_->exponent = header_exponent();
+  for (int axis = 0; axis < 3 && opcode == Opcode::kPage; ++axis) {
+    page_->origin[axis] = static_cast<int>(header_.words[3] >> (10 + 7 * axis) & 127);
+  }
   turn_ = opcode == Opcode::kLattice;
   state_ = State::kLattice;
   return true;
@@ -216,11 +178,58 @@ void StreamModel::coefficients(const Beat& beat) {
   } else {
     evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
   }
+  const bool of_derivative = beat_ >= kCoefficientBeats;
+  spans_.set_common(axis, beat_ % 4, of_derivative,
+                    {field(0), field(of_derivative ? 16 : 8), beat.words});
   if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
     bank_ = 1 - bank_;
+    spans_.take_common();
     loaded_ = true;
     derivatives_loaded_ = derivatives;
     state_ = State::kDone;
+  }
+}
+
+bool StreamModel::start_spans() {
+  const std::uint64_t first = header_.words[2] >> 8 & 0xFF;
+  const bool beyond = first + left_ > static_cast<std::uint64_t>(spans_.spans());
+  if (beyond) return refuse(event::kSpanBeyond);
+  if (left_ != 0) state_ = State::kSpans;
+  return true;
+}
+
+void StreamModel::span(const Beat& beat) {
+  const std::uint32_t word = header_.words[2];
+  const bool derivatives = (word & kDerivativesFollow) != 0;
+  const auto field = [&](int low) { return static_cast<int>(word >> low) & 3; };
+  const bool of_derivative = beat_ >= 4;
+  const auto first = static_cast<std::uint32_t>(word >> 8 & 0xFF);
+  const auto at = static_cast<int>(first + header_.words[1] - left_);
+  spans_.receive(field(22), at, beat_ % 4, of_derivative,
+                 {field(0), field(of_derivative ? 18 : 4), beat.words});
+  if (++beat_ < (derivatives ? 8 : 4)) return;
+  beat_ = 0;
+  spans_.complete(field(22), at, derivatives);
+  if (--left_ != 0) return;
+  state_ = State::kDone;
+  if ((header_.words[0] & kEndsSet) == 0) return;
+  derivatives_loaded_ = derivatives_loaded_ && spans_.set_has_derivatives();
+  spans_.take_set();
+}
+
+/// Gives the evaluator the functions of the vertex's cell.
+void StreamModel::use_spans() {
+  if (spans_.spans() == 1) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int origin = page_ != nullptr ? page_->origin[axis] : 0;
+    const AxisFunctions& used = spans_.of_cell(axis, origin + vertex_.cell[axis]);
+    for (int function = 0; function < 4; ++function) {
+      const FunctionWords& own = used.function[function];
+      const FunctionWords& derivative = used.derivative[function];
+      evaluator_->load(bank_, axis, function, own.degree, own.shift, own.words);
+      evaluator_->load_derivative(bank_, axis, function, derivative.degree, derivative.shift,
+                                  derivative.words);
+    }
   }
 }
 
@@ -324,6 +333,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
   const bool blank = truncated || unloaded || nan_ || refused;
+  if (!blank) use_spans();
   for (int part = 0; part < results_of(wanted_); ++part) {
     for (const bool fourth : {false, true}) {
       if (fourth && !flagged(kFourthFlag)) continue;

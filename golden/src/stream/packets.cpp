@@ -107,13 +107,20 @@ std::vector<Beat> lattice_packet(const LatticeWords& lattice) {
   return beats;
 }
 
-std::vector<Beat> page_packet(int page, const LatticeWords& lattice) {
+std::vector<Beat> page_packet(int page, const LatticeWords& lattice,
+                              const std::array<int, 3>& origin) {
   std::vector<Beat> beats(1);
   beats[0].words = {page_word(Opcode::kPage, page),
                     static_cast<std::uint32_t>(lattice.points.size()), dims_word(lattice),
                     exponent_word(lattice.exponent)};
   if (*std::max_element(lattice.dims.begin(), lattice.dims.end()) > kSmallAxisPoints) {
     beats[0].words[0] |= kLargeFlag;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (origin[axis] < 0 || origin[axis] > 127) {
+      throw std::invalid_argument("an origin beyond 127 cells");
+    }
+    beats[0].words[3] |= static_cast<std::uint32_t>(origin[axis]) << (10 + 7 * axis);
   }
   append_points(beats, lattice, 0, lattice.points.size());
   return beats;

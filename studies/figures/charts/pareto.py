@@ -1,47 +1,47 @@
-"""Vertices a second against size on each target, and which rows no other beats: docs/pareto.svg.
+"""Vertices a second against size of whole cores, and which rows no other beats: docs/pareto.svg.
 
 SPDX-License-Identifier: Apache-2.0
 """
+
+import dataclasses
 
 from matplotlib import pyplot
 
 from figures.charts import BLUE, LIGHT, save
 from figures.charts.labels import Labels
-from figures.studies.throughput import front, targets, throughputs
+from figures.studies.throughput import CORE, front, throughputs
 
-COLUMNS = 2
-
-
-def of_panel(found, target):
-    """Those of a target that its panel can compare: with a clock, or all if none has one."""
-    own = [one for one in found if one.target == target]
-    return [one for one in own if one.per_second is not None] or own
+TARGET = "ecp5"
 
 
-def panel(axes, found):
+def panels(reports):
+    """[(title, axis, rows)]: those that have been routed by the second, all by the clock."""
+    found = [one for one in throughputs(reports, CORE) if one.target == TARGET]
+    routed = [one for one in found if one.per_second is not None]
+    mapped = [dataclasses.replace(one, clock_mhz=None) for one in found]
+    both = [("routed", "vertices per second", routed),
+            ("mapped", "vertices per clock cycle", mapped)]
+    return [one for one in both if one[2]] or both[1:]
+
+
+def panel(axes, title, axis, found):
     best = front(found)
     axes.loglog()
     axes.scatter([one.size for one in found], [one.rate for one in found], s=16, color=LIGHT)
     axes.plot([one.size for one in best], [one.rate for one in best], "o-", color=BLUE,
               markersize=4, linewidth=1)
-    axes.set(title=found[0].target, xlabel=found[0].unit,
-             ylabel="vertices per second" if found[0].per_second else "vertices per clock cycle")
+    axes.set(title=f"{CORE} on {TARGET}, {title}", xlabel="LUTs", ylabel=axis)
     axes.margins(0.12, 0.12)
     return best
 
 
 def draw(reports, folder):
-    found = throughputs(reports)
-    names = targets(found)
-    lines = -(-len(names) // COLUMNS)
-    figure, grid = pyplot.subplots(lines, COLUMNS, figsize=(11, 4.2 * lines), squeeze=False,
+    shown = panels(reports)
+    figure, grid = pyplot.subplots(1, len(shown), figsize=(5.5 * len(shown), 4.2), squeeze=False,
                                    layout="constrained")
-    panels = [of_panel(found, target) for target in names]
-    fronts = [panel(axes, own) for axes, own in zip(grid.flat, panels)]
-    for axes in grid.flat[len(names):]:
-        axes.remove()
+    fronts = [panel(axes, *one) for axes, one in zip(grid.flat, shown)]
     figure.canvas.draw()
-    for axes, own, best in zip(grid.flat, panels, fronts):
+    for axes, (_, _, own), best in zip(grid.flat, shown, fronts):
         labels = Labels(axes)
         for one in own:
             labels.keep_free(one.size, one.rate)

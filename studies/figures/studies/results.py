@@ -8,30 +8,35 @@ from figures.studies.organizations import is_plain, rows
 from figures.table import Table
 from organizations import label
 
-_PLACE = {"target": "ecp5", "top": "ffd_org_select"}
+EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
 
 
-def _by_name(reports, name):
-    return {row["name"]: row for row in reports.rows(name, **_PLACE)}
+def _by_name(reports, name, top):
+    return {row["name"]: row for row in reports.rows(name, target="ecp5", top=top)}
+
+
+def _luts(area):
+    return shown(area["lut"] + area["lutram"]) if area else "-"
 
 
 def organizations(reports, *names):
-    """Organizations in fx18, overlapped, on ECP5, all or those named; the clock where they have
-    been routed.
+    """Organizations in fx18, overlapped, on ECP5, all or those named: the whole core, its clock where
+    it has been routed, and what the evaluator is of it.
     """
-    mapped, routed, lines = _by_name(reports, "synth"), _by_name(reports, "pnr"), []
+    cores, clocks = (_by_name(reports, name, CORE) for name in ("synth", "pnr"))
+    evaluators, lines = _by_name(reports, "synth", EVALUATOR), []
     for row in rows(reports, format="fx18", schedule="overlapped"):
         name = label(row)
         if not is_plain(row) or names and name.replace(" ", "") not in names:
             continue
-        area, clock = mapped.get(row["name"], {}), routed.get(row["name"], {}).get("fmax_mhz")
-        interval = row["interval_overlapped"]
+        core, evaluator = (found.get(row["name"], {}) for found in (cores, evaluators))
+        clock, interval = clocks.get(row["name"], {}).get("fmax_mhz"), row["interval_overlapped"]
         lines.append([
-            f"`{name}`", shown(interval, "g"), shown(area.get("dsp")),
-            shown(area["lut"] + area["lutram"]) if area else "-", shown(clock, ".1f"),
+            f"`{name}`", shown(interval, "g"), shown(core.get("dsp")), _luts(core),
+            _luts(evaluator), shown(clock, ".1f"),
             shown(clock / interval if clock else None, ".2f"), shown(row["max_error"], ".1e")])
-    return Table(["organization", "cycles per vertex", "multipliers", "LUT", "MHz",
-                  "million vertices per second", "max error"], lines)
+    return Table(["organization", "cycles per vertex", "multipliers", "LUT", "of these, evaluator",
+                  "MHz", "million vertices per second", "max error"], lines)
 
 
 TABLES = {"organizations": organizations}

@@ -56,9 +56,37 @@ def organizations(reports, target="ecp5"):
     return made
 
 
-def cores(reports, target="ecp5"):
-    """Whole cores in fx18, overlapped, on one target."""
-    return mapped(reports.rows("synth", target=target, top=CORE, format="fx18"), target)
+def cores(reports, target="ecp5", top=CORE):
+    """Whole cores in fx18, overlapped, as their rows say."""
+    return mapped([row for row in reports.rows("synth", target=target, top=top, format="fx18")
+                   if not row.get("variant")], target)
+
+
+def systems(reports, target="ecp5"):
+    """Those with DMA and registers, in every format."""
+    return mapped([row for row in reports.rows("synth", target=target, top=SYSTEM)
+                   if not row.get("variant")], target)
+
+
+def prices(reports, target="ecp5"):
+    """Cores with a feature more or less than their row, beside that row: what the feature costs."""
+    rows, lines, shown_last = reports.rows("synth", target=target), [], None
+    plain = {(row["name"], row["top"]): row for row in rows if not row.get("variant")}
+    fields = [field for field in ("lut", "lutram", "ff", "dsp", "bram")
+              if field in columns(rows)]
+    for row in sorted((row for row in rows if row.get("variant")),
+                      key=lambda row: (row["name"].split("+")[0], row["top"])):
+        name = row["name"].split("+")[0]
+        base = plain.get((name, row["top"]))
+        if base is None:
+            continue
+        if base is not shown_last:
+            lines.append([f"`{name}`, `{row['top']}`", "as in the table",
+                          *(number(base[field]) for field in fields)])
+        shown_last = base
+        lines.append(["", row["meaning"], *(
+            f"{number(row[field])} ({row[field] - base[field]:+,})" for field in fields)])
+    return Table(["core", "built with", *(head(target, field) for field in fields)], lines)
 
 
 def _rows_of(title, tops, fixed):
@@ -68,10 +96,10 @@ def _rows_of(title, tops, fixed):
 
 
 GROUPS = (
+    _rows_of("With DMA and registers, `hwffd_axi`", (SYSTEM,), None),
+    _rows_of("Whole cores, `hwffd_stream`", (CORE,), None),
     _rows_of("Fixed and block floating point, `ffd_org_select`", (ORGANIZATION,), True),
     _rows_of("Binary32, `ffd_org_select`", (ORGANIZATION,), False),
-    _rows_of("Whole cores, `hwffd_stream`", (CORE,), None),
-    _rows_of("With DMA and registers, `hwffd_axi`", (SYSTEM,), None),
     ("Binary32 units by themselves",
      lambda row: row["top"] not in (ORGANIZATION, CORE, SYSTEM)),
 )
@@ -162,6 +190,9 @@ def document(reports):
     targets = _targets(rows)
     for target in targets:
         parts += _target_parts(rows, target)
+    if any(row.get("variant") for row in rows):
+        parts += ["## What features cost", "Cores of `synth/variants.csv` on ECP5, with the "
+                  "difference to their rows.", prices(reports).markdown()]
     priced = [(target, generality(reports, target)) for target in targets]
     if any(made.rows for _, made in priced):
         parts += ["## The price of generality", "`basic` with the general evaluator, whose blending "
@@ -198,5 +229,5 @@ def missing(reports):
     return f"{absent} rows" if absent or report["failed"] else ""
 
 
-TABLES = {"organizations": organizations, "cores": cores, "generality": generality,
-          "matrix": matrix, "critical_paths": critical_paths}
+TABLES = {"organizations": organizations, "cores": cores, "systems": systems, "prices": prices,
+          "generality": generality, "matrix": matrix, "critical_paths": critical_paths}

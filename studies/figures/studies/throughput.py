@@ -1,5 +1,5 @@
-"""Vertices a second of the overlapped organizations on each target: clocks of `make organizations`
-joined with the areas and clocks of `make synth` and `make pnr`.
+"""Vertices a second of the overlapped rows, as whole cores or as evaluators: clocks of `make
+organizations` joined with the areas and clocks of `make synth` and `make pnr`.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -12,6 +12,7 @@ from figures.table import Table
 
 # What a target counts first, and the unit of that.
 SIZES = (("lut", "LUTs"), ("area_um2", "um2"), ("cells", "cells"))
+EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
 
 
 @dataclass(frozen=True)
@@ -65,10 +66,10 @@ def _size(mapped):
     return next(((mapped[field], unit) for field, unit in SIZES if mapped.get(field)), None)
 
 
-def throughputs(reports):
-    """One for each overlapped row on each target on which its organization has been mapped."""
+def throughputs(reports, top=EVALUATOR):
+    """One for each overlapped row on each target on which it has been mapped with this top."""
     areas = {}
-    for mapped in reports.rows("synth", top="ffd_org_select"):
+    for mapped in reports.rows("synth", top=top):
         if _size(mapped):
             areas.setdefault(mapped["name"], []).append(mapped)
     found = []
@@ -101,17 +102,14 @@ def front(found):
     return sorted(best, key=lambda one: one.size)
 
 
-def targets(found):
-    return list(dict.fromkeys(one.target for one in found))
-
-
 def table(reports):
-    found = throughputs(reports)
+    """Whole cores first, then evaluators."""
+    found = [(top, one) for top in (CORE, EVALUATOR) for one in throughputs(reports, top)]
     return Table(
-        ["target", "row", "size", "", "multipliers", "MHz", "vertex/clock", "vertex/s",
+        ["top", "target", "row", "size", "", "multipliers", "MHz", "vertex/clock", "vertex/s",
          "per size", "per multiplier"],
-        [[one.target, one.name, shown(one.size, ".0f"), one.unit, shown(one.multipliers, "d"),
+        [[top, one.target, one.name, shown(one.size, ".0f"), one.unit, shown(one.multipliers, "d"),
           shown(one.clock_mhz, ".1f"), shown(1 / one.interval, ".4f"),
           shown(one.per_second, ".4g"), shown(one.per_size, ".4g"),
           shown(one.per_multiplier, ".4g")]
-         for target in targets(found) for one in found if one.target == target])
+         for top, one in found])

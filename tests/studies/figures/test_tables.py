@@ -93,10 +93,16 @@ def test_a_report_that_is_not_whole(checkout, data):
     assert re.search("^[0-9]+ rows, the first basic-fp32-paper", organizations.missing(data))
 
 
-def test_the_table_of_results_joins_three_reports(data):
+def test_the_table_of_results_joins_three_reports(reports):
+    cores = [samples.mapped(name, lut, top="hwffd_stream", dsp=11)
+             for name, lut in (("basic-fx18-overlapped", 1500), ("tree8-fx18-overlapped", 1900))]
+    clock = {**samples.PNR["rows"][0], "top": "hwffd_stream", "fmax_mhz": 110.0}
+    data = reports(organizations=samples.ORGANIZATIONS,
+                   synth={**samples.SYNTH, "rows": [*samples.SYNTH["rows"], *cores]},
+                   pnr={**samples.PNR, "rows": [*samples.PNR["rows"], clock]})
     made = markers.table(data, "results.organizations")
-    assert made.rows[0] == ["`basic`", "64", "8", "504", "-", "-", "8.7e-05"]
-    assert made.rows[1][4:6] == ["120.0", "15.00"]
+    assert made.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "8.7e-05"]
+    assert made.rows[1][5:7] == ["110.0", "13.75"]
     assert [line[0] for line in markers.table(data, "results.organizations tree8 nested").rows] == [
         "`tree 8`", "`nested`"]
 
@@ -148,6 +154,18 @@ def test_the_document_of_synth(reports):
                  "|  | general / wired in | 2.00 | 1.00 |", "| `LUT4` | 500 | 900 |",
                  "Lattice ECP5, LUT, memory included:", "| `basic` | 504 | 954 |"):
         assert line in text
+
+
+def test_the_price_of_a_feature_stands_beside_its_row(reports):
+    core, few = (samples.mapped(name, lut, top="hwffd_stream", variant=variant, meaning=variant)
+                 for name, lut, variant in (("cg1-fx18-overlapped", 2400, None),
+                                            ("cg1-fx18-overlapped+few", 1700, "few")))
+    data = reports(synth={**samples.SYNTH, "rows": [few, core]})
+    assert [line[:3] for line in synth.prices(data).rows] == [
+        ["`cg1-fx18-overlapped`, `hwffd_stream`", "as in the table", "2,400"],
+        ["", "few", "1,700 (-700)"]]
+    assert [line[0] for line in synth.cores(data).rows] == ["`cg1-fx18-overlapped`"]
+    assert "## What features cost" in synth.document(data)
 
 
 def test_what_ctest_wrote(checkout, reports):

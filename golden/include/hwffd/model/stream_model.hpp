@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
+#include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
@@ -19,6 +20,7 @@ enum Feature : std::uint32_t {
   kPagesFeature = 1U << 0,
   kLargeFeature = 1U << 1,
   kFourthFeature = 1U << 2,
+  kSpansFeature = 1U << 3,
   kResidentFeature = 1U << 8,
   kInterleavedFeature = 1U << 9,
   kDerivativesFeature = 1U << 10,
@@ -33,8 +35,9 @@ class StreamModel {
   /// @param features     bits of `Feature`; a packet of what is not there is one of unknown opcode
   /// @param axis_points  of a resident lattice, at most
   /// @param pages        of the point store
+  /// @param spans        of an axis, more than 1 with `kSpansFeature`
   explicit StreamModel(const Configuration& configuration, std::uint32_t features = kAllFeatures,
-                       int axis_points = kAxisPoints, int pages = kPages);
+                       int axis_points = kAxisPoints, int pages = kPages, int spans = 1);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -52,7 +55,17 @@ class StreamModel {
   std::uint64_t vertices() const { return vertices_; }
 
  private:
-  enum class State { kHeader, kCoefficients, kLattice, kPart, kVertex, kPoints, kDone, kDrop };
+  enum class State {
+    kHeader,
+    kCoefficients,
+    kSpans,
+    kLattice,
+    kPart,
+    kVertex,
+    kPoints,
+    kDone,
+    kDrop
+  };
   using LatticePoint = std::array<std::uint32_t, 4>;
 
   /// A page of the point store.
@@ -61,6 +74,7 @@ class StreamModel {
     bool fourth = false;
     int exponent = 0;
     std::array<int, 3> dims{};
+    std::array<int, 3> origin{};  // the cell of the whole lattice at which it begins
     std::vector<LatticePoint> points;
   };
 
@@ -75,6 +89,9 @@ class StreamModel {
   bool start_part(int number);
   bool start_vertices(Opcode opcode, int number);
   void coefficients(const Beat& beat);
+  bool start_spans();
+  void span(const Beat& beat);
+  void use_spans();
   void lattice_point(const Beat& beat);
   void part_point(const Beat& beat);
   void vertex(const Beat& beat);
@@ -95,6 +112,7 @@ class StreamModel {
   bool turn_ = false;      // a lattice comes by opcode 2
   Page* page_ = nullptr;   // of the packet under way; of vertices, none if there is none
   std::size_t place_ = 0;  // of the next point of a part
+  SpanTable spans_;
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;
@@ -108,7 +126,7 @@ class StreamModel {
 
   bool resident_ = false;
   Results wanted_ = Results::kPosition;
-  std::uint32_t left_ = 0;  // vertices, or points of a part
+  std::uint32_t left_ = 0;  // vertices, points of a part or spans
   VertexWords vertex_;
   std::array<std::uint32_t, 64> fourth_{};  // components of the vertex's points
   std::uint16_t tag_ = 0;

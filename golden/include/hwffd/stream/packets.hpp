@@ -18,7 +18,8 @@ enum class Opcode : std::uint8_t {
   kInterleaved = 4,
   kPage = 5,
   kPoints = 6,
-  kPageVertices = 7
+  kPageVertices = 7,
+  kSpans = 9  ///< hwffd/stream/spans.hpp
 };
 
 /// Flags of opcodes 5 to 7, bits of a header's word 0. docs/interface.md section 2.
@@ -50,6 +51,7 @@ enum class Functions { kBlending, kDerivativesToo };
 
 constexpr int kCoefficientBeats = 12;                   ///< three axes, four functions
 constexpr std::uint32_t kDerivativesFollow = 1U << 31;  ///< in word 2 of a header of coefficients
+constexpr std::uint32_t kEndsSet = 1U << 16;            ///< in word 0 of a header of spans
 constexpr int kPointBeats = 48;                         ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
 constexpr int kAxisPoints = 16;       ///< of a resident lattice, at most, in a core as it comes
@@ -108,10 +110,11 @@ std::vector<Beat> lattice_packet(const LatticeWords& lattice);
 
 /// Of a core with pages: the packet that makes a lattice resident in a page, with its fourth
 /// component if it has one, and with `kLargeFlag` if it has more than 32 points along an axis.
-/// @throws std::invalid_argument unless the page is 0 to 255 and there is a fourth component for
-/// each
-///         point or for none
-std::vector<Beat> page_packet(int page, const LatticeWords& lattice);
+/// @param origin  the cell of the whole lattice at which the page begins, which chooses spans
+/// @throws std::invalid_argument unless the page is 0 to 255, the origin 0 to 127 along each axis,
+///   and there is a fourth component for each point or for none
+std::vector<Beat> page_packet(int page, const LatticeWords& lattice,
+                              const std::array<int, 3>& origin = {});
 
 /// Of a core with pages: the packet that changes `count` points of a page, from number `first` of
 /// the lattice on, to those of `lattice`, which has all points of the page.
