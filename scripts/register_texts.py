@@ -43,11 +43,18 @@ def events_header_text(registers):
     lines = ",\n".join(f"  {constant(field)} = {field.low}" for field in events(registers))
     return "\n".join([f"// {GENERATED}", "#pragma once", "", "namespace hwffd::event {", "",
                       "/// What may go wrong in the core and on its buses: bits of ERROR_STATUS",
-                      "/// (docs/registers.md). Those up to kSaturated are events of the stream.",
+                      "/// (docs/registers.md). Those up to kSaturated and from kPagePoints on are",
+                      "/// events of the stream.",
                       "enum Code : unsigned {", lines, "};", "",
                       "}  // namespace hwffd::event", "", "namespace hwffd {", "",
+                      "/// The bit of event_o: those of the DMA lie between in ERROR_STATUS.",
+                      "constexpr unsigned stream_event(event::Code code) {",
+                      "  return code <= event::kSaturated ? code",
+                      "                                   : code - event::kPagePoints + 1 + "
+                      "event::kSaturated;",
+                      "}", "",
                       "/// Kinds of events of the stream.",
-                      "constexpr int kStreamEvents = event::kSaturated + 1;", "",
+                      "constexpr int kStreamEvents = stream_event(event::kGridCount) + 1;", "",
                       "}  // namespace hwffd"]) + "\n"
 
 

@@ -72,13 +72,11 @@ bool start_and_wait(tb::AxiSystem& system, Driver& driver, std::uint64_t results
 /// Step 8: what the registers say against what the model says.
 std::string registers_against_model(Driver& driver, const model::StreamModel& model,
                                     std::uint64_t results) {
-  const auto counts = model.events();
-  std::uint32_t status = 0;
-  for (std::size_t code = 0; code < counts.size(); ++code) status |= (counts[code] != 0) << code;
+  const std::uint32_t status = model.error_status();
   const CoreErrors errors = driver.take_errors();
   std::string text;
   if (errors.status != status) {
-    text += fmt::format("ERROR_STATUS is {:05x}, the model's {:05x}\n", errors.status, status);
+    text += fmt::format("ERROR_STATUS is {:07x}, the model's {:07x}\n", errors.status, status);
   }
   const std::uint64_t vertices = driver.counters().vertices;
   if (driver.result_count() != results || vertices != model.vertices()) {

@@ -36,7 +36,7 @@ module ffd_board_ulx3s #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
-  wire [9:0]   events;
+  wire [13:0]  events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;

@@ -49,7 +49,6 @@ module ffd_bus_core #(
     end
   endgenerate
 
-  // Parameters set from outside have 32 bits.
   localparam [31:0] ORG_WORD       = ORG;
   localparam [31:0] N_WORD         = N;
   localparam [31:0] FORMAT_WORD    = FORMAT;
@@ -58,7 +57,8 @@ module ffd_bus_core #(
   localparam [31:0] IN_FLIGHT_WORD = IN_FLIGHT;
   // No lattice is kept: no points an axis, no pages.
   localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
-  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? 2 : 0;
+  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
+  localparam [31:0] SPANS_WORD     = SPANS;
   localparam [31:0] FEATURES_WORD  = FEATURES;
   localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
   localparam [31:0] PROT_WORD      = AXI_PROT;
@@ -107,7 +107,7 @@ module ffd_bus_core #(
   wire [63:0]  write_last;
   wire         vertex;
   wire         stall;
-  wire [23:0]  error_event;
+  wire [27:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -141,7 +141,7 @@ module ffd_bus_core #(
     .status_done_set_i       (done),
     `include "ffd_features_connections.vh"
     .limits2_pages_i         (PAGES_WORD[15:0]),
-    .limits2_spans_i         (8'd1),
+    .limits2_spans_i         (SPANS_WORD[7:0]),
     .limits2_count_width_i   (COUNT_WORD[5:0]),
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
@@ -199,7 +199,7 @@ module ffd_bus_core #(
   wire        core_rst;
   wire        core_idle;
   reg         core_idle_q;
-  wire [9:0]  core_event;
+  wire [13:0] core_event;
   wire [2:0]  core_wait;
   wire [31:0] core_packet;
   wire [31:0] core_beat;
@@ -368,7 +368,7 @@ module ffd_bus_core #(
   ffd_bus_sleep u_sleep (
     .clk    (clk),
     .rst    (rst),
-    .calm_i (!awake_i && !busy && idle && !s_clearing && error_event == 24'd0),
+    .calm_i (!awake_i && !busy && idle && !s_clearing && error_event == 28'd0),
     .sleep_o(sleep_o)
   );
 

@@ -1,10 +1,10 @@
 // ffd_bus_events: what went wrong in the core and in the DMA, as events of the registers
 //
-// Bits 0 to 9 are the core's events (ffd_stream.vh), 10 to 14 the DMA's refusals (its codes 1 to 5,
-// of either half), 15 and 16 the bus's answer to a read and to a write (codes 6 and 7), 17 a result
-// that the area has no room for, once a run, 18 a ring refused for its size or head (code 8), 19 to
-// 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and beat are
-// the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
+// Bits 0 to 9 and 24 to 27 are the core's events (ffd_stream.vh), 10 to 14 the DMA's refusals (its
+// codes 1 to 5, of either half), 15 and 16 the bus's answer to a read and to a write (codes 6 and
+// 7), 17 a result that the area has no room for, once a run, 18 a ring refused for its size or head
+// (code 8), 19 to 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and
+// beat are the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 //
 // Pipeline:   1 clock, the core's events 2.  Freezes: never.
 // Cuts:       every output leaves a register.
@@ -15,7 +15,7 @@
 module ffd_bus_events (
   input  wire        clk,
   input  wire        rst,
-  input  wire [9:0]  core_event_i,
+  input  wire [13:0] core_event_i,
   input  wire [31:0] core_packet_i,
   input  wire [31:0] core_beat_i,
   input  wire        read_error_i,
@@ -26,7 +26,7 @@ module ffd_bus_events (
   input  wire [63:0] write_error_address_i,
   input  wire        result_overflow_i,
   input  wire [4:0]  timeout_i,
-  output reg  [23:0] error_event_o,
+  output reg  [27:0] error_event_o,
   output reg  [31:0] error_packet_o,
   output reg  [31:0] error_beat_o,
   output reg         error_address_valid_o,
@@ -45,7 +45,7 @@ module ffd_bus_events (
   reg        overflow_q;
   // The core's, once more in a register on their way here, and whether there is one.
   reg        core_q;
-  reg [9:0]  core_event_q;
+  reg [13:0] core_event_q;
   reg [31:0] core_packet_q;
   reg [31:0] core_beat_q;
 
@@ -53,15 +53,16 @@ module ffd_bus_events (
     if (rst) begin
       overflow_q            <= 1'b0;
       core_q                <= 1'b0;
-      core_event_q          <= 10'd0;
-      error_event_o         <= 24'd0;
+      core_event_q          <= 14'd0;
+      error_event_o         <= 28'd0;
       error_address_valid_o <= 1'b0;
     end else begin
       overflow_q            <= result_overflow_i;
       core_q                <= |core_event_i;
       core_event_q          <= core_event_i;
-      error_event_o         <= {timeout_i, read_codes[8], result_overflow_i && !overflow_q,
-                                |write_codes[7:6], |read_codes[7:6], refusals, core_event_q};
+      error_event_o         <= {core_event_q[13:10], timeout_i, read_codes[8],
+                                result_overflow_i && !overflow_q, |write_codes[7:6],
+                                |read_codes[7:6], refusals, core_event_q[9:0]};
       error_address_valid_o <= read_error_i || write_error_i;
     end
   end

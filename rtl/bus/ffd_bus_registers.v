@@ -80,7 +80,7 @@ module ffd_bus_registers #(
   input  wire [31:0] wait_forming_i,
   input  wire [31:0] wait_read_i,
   input  wire [31:0] wait_write_i,
-  input  wire [23:0] error_event_i,
+  input  wire [27:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
   input  wire        error_address_valid_i,
@@ -270,7 +270,7 @@ module ffd_bus_registers #(
   wire [63:0] counter_vertices;
   wire [63:0] counter_stalls;
   wire [63:0] counter_busy;
-  reg [23:0] error_status_q;
+  reg [27:0] error_status_q;
   reg error_first_valid_q;
   reg irq_state_done_q;
   reg irq_state_error_q;
@@ -284,7 +284,7 @@ module ffd_bus_registers #(
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
   wire error_any = |error_event_i;
-  wire [23:0] error_status_held = error_status_q & ~(ones[23:0] & {24 {write_error_status}});
+  wire [27:0] error_status_held = error_status_q & ~(ones[27:0] & {28 {write_error_status}});
   wire error_first_valid_set = error_any;
   wire error_first_valid_held = error_first_valid_q && !(write_error_first && ones[31]);
   wire irq_state_done_set = status_done_set || (write_irq_test && ones[0]);
@@ -352,7 +352,7 @@ module ffd_bus_registers #(
   );
 
   ffd_bus_errors #(
-    .CODES(24)
+    .CODES(28)
   ) u_errors (
     .clk            (clk),
     .rst            (rst),
@@ -641,7 +641,7 @@ module ffd_bus_registers #(
   // 0x100 ERROR_STATUS
   always @(posedge clk) begin
     if (rst) begin
-      error_status_q <= 24'h0;
+      error_status_q <= 28'h0;
     end else begin
       error_status_q <= error_event_i | error_status_held;
     end
@@ -730,7 +730,7 @@ module ffd_bus_registers #(
     ({32 {at_wait_forming_q}} & wait_forming_i) |
     ({32 {at_wait_read_q}} & wait_read_i) |
     ({32 {at_wait_write_q}} & wait_write_i) |
-    ({32 {at_error_status_q}} & {8'h0, error_status_q}) |
+    ({32 {at_error_status_q}} & {4'h0, error_status_q}) |
     ({32 {at_error_count_q}} & log_count) |
     ({32 {at_error_first_q}} & {error_first_valid_q, 26'h0, log_code}) |
     ({32 {at_error_packet_q}} & log_packet) |

@@ -6,9 +6,8 @@
 // clock, each memory at the beat in question, and turned round by n.
 //
 // Formats:    numbers of four words; point {z, y, x} of the slot at local index {l, m, n}.
-// Pipeline:   AHEAD + 2 clocks: addresses, AHEAD registers | memory | register; turned round behind
-//             it. II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2, AHEAD >= 0.
+// Pipeline:   2 clocks: memory | register; turned round behind it. II 1, never frozen.
+// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,7 +16,6 @@
 module ffd_cache_beats #(
   parameter FORMAT = 18,
   parameter SLOTS  = 3,
-  parameter AHEAD  = 0,
   parameter SLOT_W = $clog2(SLOTS)
 ) (
   input  wire                                 clk,
@@ -32,9 +30,8 @@ module ffd_cache_beats #(
 );
   localparam POINT_W = `FFD_POINT_W(FORMAT);
 
-  wire [3:0]           group;
-  wire [1:0]           n;
-  wire [SLOT_W-1:0]    slot;
+  wire [3:0]           group = read_local_i[5:2];
+  wire [1:0]           n     = read_local_i[1:0];
   wire [4*POINT_W-1:0] words;
   reg  [4*POINT_W-1:0] words_q;
   reg  [1:0]           n_q;
@@ -46,21 +43,10 @@ module ffd_cache_beats #(
   end
 
   // The beat of a group that has word w of point n, where there is such a word.
-  wire [1:0] first = read_local_i[1:0];
-  wire [7:0] phase;
-  ffd_num_delay #(
-    .WIDTH  (SLOT_W + 4 + 2 + 8),
-    .LATENCY(AHEAD)
-  ) u_ahead (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({read_slot_i, read_local_i,
-          first == 2'd0 ? 2'd0 : first - 2'd1,   // w = 3: points 1, 2, 3
-          first > 2'd1 ? first - 2'd1 : 2'd0,    // w = 2: points 0, 2, 3
-          first == 2'd3 ? 2'd2 : first,          // w = 1: points 0, 1, 3
-          first}),                               // w = 0: points 0, 1, 2
-    .q_o({slot, group, n, phase})
-  );
+  wire [7:0] phase = {n == 2'd0 ? 2'd0 : n - 2'd1,   // w = 3: points 1, 2, 3
+                      n > 2'd1 ? n - 2'd1 : 2'd0,    // w = 2: points 0, 2, 3
+                      n == 2'd3 ? 2'd2 : n,          // w = 1: points 0, 1, 3
+                      n};                            // w = 0: points 0, 1, 2
 
   genvar w;
   generate
@@ -76,7 +62,7 @@ module ffd_cache_beats #(
         .write_address_i({write_slot_i, write_group_i, write_phase_i}),
         .write_data_i   (write_numbers_i[w*POINT_W +: POINT_W]),
         .read_i         (1'b1),
-        .read_address_i ({slot, group, phase[2*w +: 2]}),
+        .read_address_i ({read_slot_i, group, phase[2*w +: 2]}),
         .read_data_o    (words[w*POINT_W +: POINT_W])
       );
     end

@@ -1,13 +1,12 @@
 // ffd_cache_lane: one of the N memories of control points
 //
-// Lane p has the banks q of all supports with q mod N = p, in rows q / N: of two buffers of
+// Lane p has the banks q of all supports with q mod N = p, in rows q / N: of the pages of
 // resident lattices at each place, and of SLOTS supports that came with their vertices. Both share
 // a memory where that is no deeper than a block memory is at its full width; else each has its own.
 //
-// Formats:    place {buffer, i / 4, j / 4, k / 4}, or the slot; points {z, y, x}.
-// Pipeline:   AHEAD + 2 clocks: addresses, AHEAD registers | memory | register. II 1, never frozen.
-// Parameters: WIDTH of a point; ROWS and PLACES powers of two; LATTICES 0 or 1; SLOTS >= 2, or 0;
-//             AHEAD >= 0.
+// Formats:    place {page, i / 4, j / 4, k / 4}, or the slot; points {z, y, x}.
+// Pipeline:   2 clocks: memory | register. II 1, never frozen.
+// Parameters: WIDTH of a point; ROWS a power of two; PLACES >= 2; LATTICES 0 or 1; SLOTS 0 or >= 2.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -18,7 +17,6 @@ module ffd_cache_lane #(
   parameter PLACES   = 128,
   parameter LATTICES = 1,
   parameter SLOTS    = 3,
-  parameter AHEAD    = 0,
   parameter ROW_W    = ROWS > 1 ? $clog2(ROWS) : 1,
   parameter PLACE_W  = $clog2(PLACES)
 ) (
@@ -38,31 +36,19 @@ module ffd_cache_lane #(
   localparam SLOT_DEPTH  = SLOTS * ROWS;
   localparam ROW_BITS    = ROWS > 1 ? ROW_W : 0;
   localparam ADDRESS_W   = PLACE_W + ROW_BITS;
-  localparam JOINED      = LATTICES != 0 && SLOTS != 0 && DEPTH + SLOT_DEPTH <= BLOCK_DEPTH;
-
-  wire               read_slot;
-  wire [PLACE_W-1:0] read_place;
-  wire [ROW_W-1:0]   read_row;
-  ffd_num_delay #(
-    .WIDTH  (1 + PLACE_W + ROW_W),
-    .LATENCY(AHEAD)
-  ) u_ahead (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({read_slot_i, read_place_i, read_row_i}),
-    .q_o({read_slot, read_place, read_row})
-  );
+  localparam JOINED      = LATTICES != 0 && SLOTS != 0 && DEPTH == 2 ** ADDRESS_W
+                      && DEPTH + SLOT_DEPTH <= BLOCK_DEPTH;
 
   wire [ADDRESS_W-1:0] write_address;
   wire [ADDRESS_W-1:0] read_address;
   generate
     if (ROWS > 1) begin : gen_rows
       assign write_address = {write_place_i, write_row_i};
-      assign read_address  = {read_place, read_row};
+      assign read_address  = {read_place_i, read_row_i};
     end else begin : gen_one_row
       assign write_address = write_place_i;
-      assign read_address  = read_place;
-      wire unused_rows = &{1'b0, write_row_i, read_row};
+      assign read_address  = read_place_i;
+      wire unused_rows = &{1'b0, write_row_i, read_row_i};
     end
 
     if (JOINED) begin : gen_joined
@@ -78,7 +64,7 @@ module ffd_cache_lane #(
         .write_address_i({write_slot_i, write_address}),
         .write_data_i   (write_point_i),
         .read_i         (1'b1),
-        .read_address_i ({read_slot, read_address}),
+        .read_address_i ({read_slot_i, read_address}),
         .read_data_o    (point)
       );
       always @(posedge clk) point_q <= point;
@@ -89,7 +75,7 @@ module ffd_cache_lane #(
       wire [WIDTH-1:0] of_lattice;
       wire [WIDTH-1:0] of_slot;
       always @(posedge clk) begin
-        slot_q  <= read_slot;
+        slot_q  <= read_slot_i;
         slot_qq <= slot_q;
       end
       assign point_o = SLOTS == 0   ? of_lattice

@@ -8,8 +8,8 @@
 // Formats:    at {k, j, i}; bank {i, j, k} mod 4; place as in ffd_cache_lane; a slot's points come
 //             in local order and lie in bank local + cell modulo 4 an axis.
 // Pipeline:   1 clock, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh; HIGH_W bits of an index above its two of bank; SLOT_W at
-//             most PLACE_W, which is that of the lanes.
+// Parameters: FORMAT as in ffd_num.vh; AXIS_W bits of an index, HIGH_W used above its two of bank;
+//             PAGE_W >= 1; SLOT_W at most PLACE_W, which is that of the lanes.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,15 +17,17 @@
 
 module ffd_cache_writer #(
   parameter FORMAT  = 18,
+  parameter AXIS_W  = 4,
   parameter HIGH_W  = 2,
+  parameter PAGE_W  = 1,
   parameter SLOT_W  = 2,
-  parameter PLACE_W = 3 * HIGH_W + 1
+  parameter PLACE_W = 3 * HIGH_W + PAGE_W
 ) (
   input  wire                                 clk,
   input  wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_i,
   input  wire                                 lattice_write_i,
-  input  wire                                 lattice_buffer_i,
-  input  wire [11:0]                          lattice_at_i,
+  input  wire [PAGE_W-1:0]                    lattice_buffer_i,
+  input  wire [3*AXIS_W-1:0]                  lattice_at_i,
   input  wire                                 slot_write_i,
   input  wire [SLOT_W-1:0]                    slot_i,
   input  wire [11:0]                          slot_cell_i,
@@ -66,13 +68,15 @@ module ffd_cache_writer #(
   wire [1:0] l       = slot_group_i[3:2] + slot_cell_i[1:0];
   wire [1:0] m       = slot_group_i[1:0] + slot_cell_i[5:4];
   wire [1:0] n       = slot_phase_i + slot_cell_i[9:8];
-  wire [5:0] at_bank = {lattice_at_i[1:0], lattice_at_i[5:4], lattice_at_i[9:8]};
+  wire [5:0] at_bank = {lattice_at_i[1:0], lattice_at_i[AXIS_W +: 2],
+                        lattice_at_i[2*AXIS_W +: 2]};
   wire [5:0] bank    = slot_write_i ? {l, m, n} : at_bank;
   wire [5:0] next    = {bank[5:2], bank[1:0] + 2'd1};
   wire       odd     = bank[0];
 
   wire [PLACE_W-1:0] at_place = {lattice_buffer_i, lattice_at_i[2 +: HIGH_W],
-                                 lattice_at_i[6 +: HIGH_W], lattice_at_i[10 +: HIGH_W]};
+                                 lattice_at_i[AXIS_W+2 +: HIGH_W],
+                                 lattice_at_i[2*AXIS_W+2 +: HIGH_W]};
   wire [PLACE_W-1:0] at_slot  = {{(PLACE_W - SLOT_W) {1'b0}}, slot_i};
 
   always @(posedge clk) begin

@@ -65,6 +65,17 @@
 `define FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY) \
   (3 * `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) + 2 * (MUL_LATENCY) + 3 * (ADD_LATENCY) + 2)
 
+// Where an axis has its functions, an address of them: {derivative, bank}, or with spans {uniform,
+// span, derivative, bank}, where uniform functions are those of opcode 1, whatever the span. A file
+// of all axes has the uniform functions where a fourth axis would be, so span holds an axis.
+`define FFD_SPAN_W(SPANS)   ((SPANS) > 4 ? $clog2(SPANS) : 2)
+`define FFD_PLACE_W(SPANS)  ((SPANS) == 1 ? 2 : 3 + `FFD_SPAN_W(SPANS))
+`define FFD_OWN_W(SPANS)    (`FFD_PLACE_W(SPANS) + 2)
+`define FFD_SHARED_W(SPANS) ((SPANS) == 1 ? 6 : 6 + `FFD_SPAN_W(SPANS))
+// Of the three axes as the decoder gives them, without derivatives: a bank for all, or with spans
+// {uniform, span, bank} of each.
+`define FFD_PLACES_W(SPANS) ((SPANS) == 1 ? 1 : 3 * (2 + `FFD_SPAN_W(SPANS)))
+
 // One blending function in the coefficient file: {shift, coefficients of x^3, x^2, x, 1}.
 `define FFD_ENTRY_W(WEIGHT_W) (4 * (WEIGHT_W) + 2)
 

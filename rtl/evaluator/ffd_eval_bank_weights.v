@@ -27,18 +27,19 @@ module ffd_eval_bank_weights #(
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
-  parameter DISTANCE        = 5
+  parameter DISTANCE        = 5,
+  parameter SPANS           = 1
 ) (
   input  wire                                            clk,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [3:0]                                      load_address_i,
+  input  wire [`FFD_OWN_W(SPANS)-1:0]                    load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            step_valid_i,
   input  wire [1:0]                                      step_i,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              coordinates_i,
   input  wire [11:0]                                     cell_i,
-  input  wire [5:0]                                      bank_i,
+  input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                bank_i,
   output wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]            weights_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
@@ -49,7 +50,8 @@ module ffd_eval_bank_weights #(
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
   localparam SETS         = 3 / FOLD;
-  localparam ADDRESS_W    = FOLD == 1 ? 4 : 6;
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam ADDRESS_W    = FOLD == 1 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
@@ -69,18 +71,19 @@ module ffd_eval_bank_weights #(
       wire [WEIGHT_W-1:0]  coordinate;
       wire [WEIGHT_W-1:0]  chosen_coordinate;
       wire [1:0]           residue;  // of the cell, modulo 4
-      wire [1:0]           bank;
+      wire [PLACE_W-1:0]   bank;
       wire                 load;
       wire [ADDRESS_W-1:0] load_address;
 
       if (FOLD == 1) begin : gen_own_axis
         ffd_num_delay #(
-          .WIDTH  (WEIGHT_W + 4),
+          .WIDTH  (WEIGHT_W + 2 + PLACE_W),
           .LATENCY((2 - set) * DISTANCE)
         ) u_later (
           .clk(clk),
           .rst(1'b0),
-          .d_i({coordinates_i[set*WEIGHT_W +: WEIGHT_W], cell_i[4*set +: 2], bank_i[2*set +: 2]}),
+          .d_i({coordinates_i[set*WEIGHT_W +: WEIGHT_W], cell_i[4*set +: 2],
+                 bank_i[PLACE_W*set +: PLACE_W]}),
           .q_o({coordinate, residue, bank})
         );
         assign load         = load_i && load_axis_i == set;
@@ -91,10 +94,17 @@ module ffd_eval_bank_weights #(
                                                coordinates_i[0*WEIGHT_W +: WEIGHT_W];
         assign residue      = step_i == 2'd0 ? cell_i[9:8] : step_i == 2'd1 ? cell_i[5:4] :
                                                cell_i[1:0];
-        assign bank         = step_i == 2'd0 ? bank_i[5:4] : step_i == 2'd1 ? bank_i[3:2] :
-                                               bank_i[1:0];
+        assign bank         = step_i == 2'd0 ? bank_i[2*PLACE_W +: PLACE_W] :
+                              step_i == 2'd1 ? bank_i[1*PLACE_W +: PLACE_W] :
+                                               bank_i[0*PLACE_W +: PLACE_W];
         assign load         = load_i;
-        assign load_address = {load_axis_i, load_address_i};
+        ffd_eval_address #(
+          .SPANS(SPANS)
+        ) u_load_address (
+          .axis_i   (load_axis_i),
+          .place_i  (load_address_i),
+          .address_o(load_address)
+        );
       end
 
       ffd_num_delay #(
@@ -117,7 +127,13 @@ module ffd_eval_bank_weights #(
         if (FOLD == 1) begin : gen_own_file
           assign address = {bank, blending};
         end else begin : gen_three_files
-          assign address = {2'd2 - step_i, bank, blending};
+          ffd_eval_address #(
+            .SPANS(SPANS)
+          ) u_file_address (
+            .axis_i   (2'd2 - step_i),
+            .place_i  ({bank, blending}),
+            .address_o(address)
+          );
         end
 
         ffd_num_delay #(

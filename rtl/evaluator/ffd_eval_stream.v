@@ -15,7 +15,8 @@
 //             ffd_eval_determinant.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
-//             rate; DETERMINANT 0 or 1; the others are the organization's.
+//             rate; DETERMINANT 0 or 1; SPANS 1 to 128, above 1 only in the overlapped schedule
+//             and not with EVALUATOR 2; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -37,20 +38,21 @@ module ffd_eval_stream #(
   parameter SOURCE_W        = 2,
   parameter USER_W          = 16,
   parameter IN_FLIGHT       = 16,
-  parameter DETERMINANT     = 1
+  parameter DETERMINANT     = 1,
+  parameter SPANS           = 1
 ) (
   input  wire                                            clk,
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [3:0]                                      load_address_i,
+  input  wire [`FFD_OWN_W(SPANS)-1:0]                    load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            s_vertex_valid,
   output wire                                            s_vertex_ready,
   input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
   input  wire [11:0]                                     s_vertex_cell,
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
-  input  wire [5:0]                                      s_vertex_bank,
+  input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
   input  wire                                            s_vertex_changed,
   input  wire [1:0]                                      s_vertex_column,
   input  wire [`FFD_EXPONENT_W-1:0]                      s_vertex_exponent,
@@ -76,6 +78,20 @@ module ffd_eval_stream #(
   generate
     if (IN_FLIGHT < 4) begin : gen_bad_in_flight
       ERROR_ffd_eval_stream_in_flight_must_be_at_least_4 u_error ();
+    end
+  endgenerate
+
+  // A table of spans is read into a register, which the paper's schedule has no clock for, and it
+  // holds what a wired-in B-spline does not look at.
+  generate
+    if (SPANS < 1 || SPANS > 128) begin : gen_bad_spans
+      ERROR_ffd_eval_stream_spans_must_be_1_to_128 u_error ();
+    end
+    if (SPANS > 1 && SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
+      ERROR_ffd_eval_stream_spans_want_the_overlapped_schedule u_error ();
+    end
+    if (SPANS > 1 && EVALUATOR == `FFD_EVALUATOR_BSPLINE) begin : gen_bad_evaluator
+      ERROR_ffd_eval_stream_spans_want_functions_that_are_loaded u_error ();
     end
   endgenerate
 
@@ -132,7 +148,8 @@ module ffd_eval_stream #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SOURCE_W)
+    .SOURCE_W       (SOURCE_W),
+    .SPANS          (SPANS)
   ) u_org (
     .clk                 (clk),
     .rst                 (rst),

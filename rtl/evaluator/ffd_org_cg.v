@@ -46,7 +46,8 @@ module ffd_org_cg #(
   localparam SETS         = CONTEXTS + 2;
   localparam SET_W        = $clog2(SETS);
   localparam FILL_W       = $clog2(POLYNOMIALS);
-  localparam SELECT_W     = SIZE == 3 ? 4 : 6;
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam SELECT_W     = SIZE == 3 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
   generate
     if (SIZE < 1 || SIZE > 3) begin : gen_bad_size
@@ -93,11 +94,11 @@ module ffd_org_cg #(
   wire [3*WEIGHT_W-1:0] fill_coordinates;
   wire [11:0]           fill_cell;
   wire [SOURCE_W-1:0]   fill_source;
-  wire [5:0]            fill_bank;
+  wire [3*PLACE_W-1:0]  fill_bank;
   wire [SET_W-1:0]      fill_set;
 
   ffd_eval_sequencer #(
-    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 6 + SET_W),
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W + SET_W),
     .STEPS    (POLYNOMIALS),
     .CONTEXTS (1),
     .INTERVAL (FILL),
@@ -181,7 +182,9 @@ module ffd_org_cg #(
       wire [WEIGHT_W-1:0] coordinate = axis[1] ? fill_coordinates[2*WEIGHT_W +: WEIGHT_W] :
                                         axis[0] ? fill_coordinates[1*WEIGHT_W +: WEIGHT_W] :
                                                   fill_coordinates[0*WEIGHT_W +: WEIGHT_W];
-      wire [1:0]          bank       = fill_bank[2*axis +: 2];
+      wire [PLACE_W-1:0]  bank       = axis[1] ? fill_bank[2*PLACE_W +: PLACE_W] :
+                                       axis[0] ? fill_bank[1*PLACE_W +: PLACE_W] :
+                                                 fill_bank[0*PLACE_W +: PLACE_W];
 
       wire                load;
       wire [SELECT_W-1:0] load_select;
@@ -192,8 +195,20 @@ module ffd_org_cg #(
         assign select      = {bank, place[1:0]};
       end else begin : gen_all_axes
         assign load        = load_i;
-        assign load_select = {load_axis_i, load_address_i};
-        assign select      = {axis, bank, place[1:0]};
+        ffd_eval_address #(
+          .SPANS(SPANS)
+        ) u_load_select (
+          .axis_i   (load_axis_i),
+          .place_i  (load_address_i),
+          .address_o(load_select)
+        );
+        ffd_eval_address #(
+          .SPANS(SPANS)
+        ) u_select (
+          .axis_i   (axis),
+          .place_i  ({bank, place[1:0]}),
+          .address_o(select)
+        );
       end
 
       ffd_eval_poly #(

@@ -26,6 +26,7 @@ module ffd_org_factored #(
   `include "ffd_org_ports.vh"
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
@@ -57,11 +58,11 @@ module ffd_org_factored #(
   wire [3*WEIGHT_W-1:0] coordinates;
   wire [11:0]           cell_index;
   wire [SOURCE_W-1:0]   source;
-  wire [5:0]            bank;
+  wire [3*PLACE_W-1:0]  bank;
   wire [1:0]            step = {{(2 - STEP_W) {1'b0}}, step_count};
 
   ffd_eval_sequencer #(
-    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 6),
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
     .STEPS    (FOLD),
     .CONTEXTS (1),
     .INTERVAL (1)
@@ -88,7 +89,8 @@ module ffd_org_factored #(
     .ADD_LATENCY    (ADD_LATENCY),
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
-    .DISTANCE       (CONTRACT)
+    .DISTANCE       (CONTRACT),
+    .SPANS          (SPANS)
   ) u_weights (
     .clk           (clk),
     .load_i        (load_i),

@@ -32,7 +32,7 @@ module ffd_org_nested #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  localparam KEY_W        = 12 + SOURCE_W + 6;
+  localparam KEY_W        = 12 + SOURCE_W + 6;  // with one span
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   // Clocks from a vertex's entry to its last use of a coefficient, and to the first overwritten.
@@ -55,6 +55,9 @@ module ffd_org_nested #(
     if (POINT_W != WEIGHT_W) begin : gen_bad_format
       ERROR_ffd_org_nested_points_and_weights_must_be_equally_wide u_error ();
     end
+    if (SPANS != 1) begin : gen_bad_spans
+      ERROR_ffd_org_nested_spans_must_be_1 u_error ();
+    end
     if (LAST_USE > FORMED) begin : gen_bad_latency
       ERROR_ffd_org_nested_latencies_are_too_long u_error ();
     end
@@ -66,7 +69,7 @@ module ffd_org_nested #(
   reg              fresh_q;    // of the vertex that waits, which has not yet entered
   reg              forming_q;
   reg  [KEY_W-1:0] key_q;
-  wire [KEY_W-1:0] key   = {s_vertex_cell, s_vertex_source, s_vertex_bank};
+  wire [KEY_W-1:0] key   = {s_vertex_cell, s_vertex_source, s_vertex_bank[5:0]};
   wire             fits  = fresh_q || (formed_q && !s_vertex_changed && key == key_q);
   wire             start = s_vertex_valid && !fits && !forming_q;
   wire             enter = s_vertex_valid && s_vertex_ready;
@@ -117,7 +120,7 @@ module ffd_org_nested #(
     .rst             (rst),
     .load_i          (load_i),
     .load_axis_i     (load_axis_i),
-    .load_address_i  (load_address_i),
+    .load_address_i  (load_address_i[3:0]),
     .load_entry_i    (load_entry_i),
     .start_i         (start),
     .cell_i          (formed_cell),
@@ -183,7 +186,7 @@ module ffd_org_nested #(
     .result_sum_o      (result_sum_o)
   );
 
-  wire unused_ok = &{1'b0, step_first};
+  wire unused_ok = &{1'b0, step_first, load_address_i, s_vertex_bank};
 endmodule
 
 `default_nettype wire

@@ -16,4 +16,6 @@ parameter CONVERT_LATENCY = 1,
 // Clocks from a read to its points.
 parameter READ_LATENCY    = 2,
 // Bits that say where the points of a vertex are; they go from the vertex to its reads.
-parameter SOURCE_W        = 2
+parameter SOURCE_W        = 2,
+// Runs of cells along an axis with blending functions of their own; 1: all cells have the same.
+parameter SPANS           = 1

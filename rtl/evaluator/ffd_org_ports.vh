@@ -5,21 +5,22 @@
 input  wire                                            clk,
 input  wire                                            rst,   // nothing is inside
 
-// One blending function {shift, c3, c2, c1, c0}: of axis 0 to 2, at {derivative, bank, function}.
+// One blending function {shift, c3, c2, c1, c0}: of axis 0 to 2, at {place, function}, where the
+// place is {derivative, bank}, or with spans FFD_PLACE_W in ffd_eval.vh.
 input  wire                                            load_i,
 input  wire [1:0]                                      load_axis_i,
-input  wire [3:0]                                      load_address_i,
+input  wire [`FFD_OWN_W(SPANS)-1:0]                    load_address_i,
 input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
 
-// A vertex: coordinates {u, t, s}, cell {k, j, i}, where its points are, and banks {u, t, s}, each
-// {derivative, coefficient bank}. Changed: what source and banks name may have been loaded since
+// A vertex: coordinates {u, t, s}, cell {k, j, i}, where its points are, and the places of its
+// functions {u, t, s}. Changed: what source and banks name may have been loaded since
 // the vertex before. Ready is the only brake: who offers a vertex has room for its result.
 input  wire                                            s_vertex_valid,
 output wire                                            s_vertex_ready,
 input  wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]              s_vertex_coordinates,
 input  wire [11:0]                                     s_vertex_cell,
 input  wire [SOURCE_W-1:0]                             s_vertex_source,
-input  wire [5:0]                                      s_vertex_bank,
+input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
 input  wire                                            s_vertex_changed,
 
 // The points wanted, N from index on; last: the vertex reads no more. They come as {z, y, x} each,

@@ -52,7 +52,8 @@ module ffd_org_tree #(
   localparam PAPER        = SCHEDULE == `FFD_SCHEDULE_PAPER;
   localparam INTERVAL     = PAPER ? PASS : `FFD_POLY_INTERVAL(EVALUATOR);
   localparam CONTEXTS     = `FFD_CONTEXTS(ACCUMULATE, INTERVAL);
-  localparam PAYLOAD_W    = 3 * WEIGHT_W + 12 + SOURCE_W + 6;
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam PAYLOAD_W    = 3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W;
 
   generate
     if (N < 1 || N > 64 || (N & (N - 1)) != 0) begin : gen_bad_n
@@ -70,7 +71,7 @@ module ffd_org_tree #(
   wire [3*WEIGHT_W-1:0] coordinates;
   wire [11:0]           cell_index;
   wire [SOURCE_W-1:0]   source;
-  wire [5:0]            bank;
+  wire [3*PLACE_W-1:0]  bank;
 
   ffd_eval_sequencer #(
     .PAYLOAD_W(PAYLOAD_W),
@@ -117,7 +118,7 @@ module ffd_org_tree #(
           .ADD_LATENCY    (ADD_LATENCY),
           .FMA_LATENCY    (FMA_LATENCY),
           .CONVERT_LATENCY(CONVERT_LATENCY),
-          .ADDRESS_W      (4)
+          .ADDRESS_W      (PLACE_W + 2)
         ) u_poly (
           .clk           (clk),
           .load_i        (load_i && load_axis_i == a),
@@ -125,7 +126,7 @@ module ffd_org_tree #(
           .load_entry_i  (load_entry_i),
           .start_i       (step_valid),
           .coordinate_i  (coordinates[a*WEIGHT_W +: WEIGHT_W]),
-          .address_i     ({bank[2*a +: 2], blending}),
+          .address_i     ({bank[PLACE_W*a +: PLACE_W], blending}),
           .weight_o      (weights[e*WEIGHT_W +: WEIGHT_W])
         );
       end

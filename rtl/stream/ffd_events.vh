@@ -27,4 +27,8 @@
 `define FFD_EVENT_TIMEOUT_AW           21
 `define FFD_EVENT_TIMEOUT_W            22
 `define FFD_EVENT_TIMEOUT_B            23
+`define FFD_EVENT_PAGE_POINTS          24
+`define FFD_EVENT_SPAN_BEYOND          25
+`define FFD_EVENT_NO_FOURTH            26
+`define FFD_EVENT_GRID_COUNT           27
 `endif

@@ -35,6 +35,9 @@
 `define FFD_FRAME_SHORT      23    // event: packet too short
 `define FFD_FRAME_LONG       24    // event: packet too long
 `define FFD_FRAME_SIZE       25    // event: dimensions of a lattice
+`define FFD_FRAME_HIGH       31:26 // bits 5, 4 of each digit of the place, where axes are long
+`define FFD_FRAME_PAGE       32    // a header that waits for what is known of its page
+`define FFD_FRAME_SPAN       33    // event: spans beyond the table
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -44,5 +47,5 @@
 `define FFD_USER_W           27    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
-`define FFD_FRAME_W          26    // width
+`define FFD_FRAME_W          34    // width
 `endif

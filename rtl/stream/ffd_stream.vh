@@ -10,14 +10,19 @@
 // when the vertex has left.
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
-// What a beat would be as a header: its opcode, good dimensions, a count of 0.
+// What a beat would be as a header: its opcode, good dimensions, a count of 0; points of a part of
+// a page; vertices until tlast; spans, and whether they are beyond the table.
 `define FFD_KIND_COEFFICIENTS 0
 `define FFD_KIND_LATTICE      1
 `define FFD_KIND_DIMENSIONS   2
 `define FFD_KIND_VERTICES     3
 `define FFD_KIND_INTERLEAVED  4
 `define FFD_KIND_NONE         5
-`define FFD_KIND_W            6
+`define FFD_KIND_PART         6
+`define FFD_KIND_EVERY        7
+`define FFD_KIND_SPANS        8
+`define FFD_KIND_BEYOND       9
+`define FFD_KIND_W            10
 
 // What a packet of vertices asks for; docs/interface.md section 2.
 `define FFD_RESULTS_POSITION    2'd0
@@ -25,17 +30,44 @@
 `define FFD_RESULTS_DETERMINANT 2'd2
 
 // What a core has, bits of FEATURES; docs/interface.md section 1.
+`define FFD_FEATURE_PAGES(FEATURES)       ((FEATURES) % 2)
+`define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
+`define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
+`define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
 `define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
 `define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
 `define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
 `define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
 `define FFD_FEATURES                      3840
 `define FFD_FEATURES_BAD(FEATURES) \
-  ((FEATURES) < 256 || (FEATURES) > `FFD_FEATURES || (FEATURES) % 256 != 0 \
-   || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2)
+  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 || (FEATURES) % 256 > 15 \
+   || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2 \
+   || ((FEATURES) % 8 != 0 && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))
 
-// How many events the input has, one pulse each; docs/interface.md section 5. One more is the
-// result's.
-`define FFD_EVENTS `FFD_EVENT_SATURATED
+// Bits of an index of a point or a cell along an axis; those above four, which go from the vertex
+// to its reads as part of its source; and whether AXIS is no number of points.
+`define FFD_AXIS_W(AXIS) ((AXIS) > 32 ? 6 : (AXIS) > 16 ? 5 : 4)
+`define FFD_HIGH_W(AXIS) (`FFD_AXIS_W(AXIS) - 4)
+`define FFD_AXIS_BAD(AXIS, FEATURES) \
+  ((AXIS) < 4 || (AXIS) > 64 || ((AXIS) > 32) != (`FFD_FEATURE_LARGE(FEATURES) != 0))
+
+// Of the source of a vertex {resident, fourth component, high bits of the cell, slot or page}.
+`define FFD_AT_W(SLOTS, PAGES) \
+  ($clog2(SLOTS) > $clog2(PAGES) ? $clog2(SLOTS) : $clog2(PAGES))
+`define FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES) \
+  (1 + `FFD_FEATURE_FOURTH(FEATURES) + 3 * `FFD_HIGH_W(AXIS) + `FFD_AT_W(SLOTS, PAGES))
+
+// What is known of the header of a page, and of its payload.
+`define FFD_PAGE_UNKNOWN 0
+`define FFD_PAGE_BEYOND  1
+`define FFD_PAGE_SIZE    2
+`define FFD_PAGE_POINTS  3
+`define FFD_PAGE_FOURTH  4
+`define FFD_PAGE_W       5
+
+// Events of the core, a pulse each (docs/interface.md section 5), and the bit of one of them. In
+// ERROR_STATUS those of the DMA lie between the first ten and the last four.
+`define FFD_EVENTS            14
+`define FFD_STREAM_EVENT(BIT) ((BIT) > `FFD_EVENT_SATURATED ? (BIT) - 14 : (BIT))
 
 `endif

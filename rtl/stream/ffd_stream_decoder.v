@@ -1,25 +1,23 @@
 // ffd_stream_decoder: framed beats become coefficients, control points and vertices
 //
-// Coefficients and lattices are loaded into the bank and the buffer that are not in use, which come
-// into use with the last beat. The header waits until no vertex inside reads them: vertices before
-// it see the old, after it the new. The points of an interleaved vertex go into a free slot.
-//
-// All four words of a beat pass one row of converters. What belongs to it goes with it, and is then
-// written, or offered as a vertex.
+// Coefficients and lattices are loaded into the bank and the buffer or page that no vertex inside
+// reads; their header waits for that. Vertices before it see the old, after it the new. The points
+// of an interleaved vertex go into a free slot. All words of a beat pass one row of converters, and
+// what belongs to it goes beside them.
 //
 // Bad input:  banks and buffers cut short never come into use. Each event is a pulse of event_o
 //             (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    frame as FFD_FRAME_*; numbers_o weights or points, one a word of the beat; source
-//             {resident, slot or buffer}; changed: points or coefficients were loaded since the
-//             vertex before; user as FFD_USER_*. Vertices have their points' exponent.
+//             as in ffd_stream.vh; changed: points or coefficients were loaded since the vertex
+//             before; user as FFD_USER_*. Vertices have their points' exponent.
 // Pipeline:   FFD_IN_LATENCY to numbers_o and the writes; a vertex is offered 3 clocks behind those
 //             of its last beat. II 1 resident, 49 interleaved.
 // Freezes:    never: it takes what comes. A beat that may have to wait comes when go_o was 1: its
-//             bank or buffer is free, there is a slot, and room for the end of a vertex: WAITING
-//             are converted or wait for the evaluator. A vertex that starts where slot_free_o is 1,
-//             or ends where rooms_o is, may come in the next clock.
+//             bank or page is free, there is a slot, and room for a vertex's end: WAITING. One
+//             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
-//             two >= 2, EVERY_CLOCK as in ffd_stream_vertex.
+//             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING;
+//             EVERY_CLOCK as in ffd_stream_vertex, SPANS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -33,7 +31,14 @@ module ffd_stream_decoder #(
   parameter SLOTS       = 3,
   parameter SLOT_W      = $clog2(SLOTS),
   parameter WAITING     = 16,
-  parameter EVERY_CLOCK = 1
+  parameter EVERY_CLOCK = 1,
+  parameter PAGES       = 2,
+  parameter AXIS        = 16,
+  parameter IN_FLIGHT   = 128,
+  parameter SPANS       = 1,
+  parameter PAGE_W      = $clog2(PAGES),
+  parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
+  parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -41,15 +46,21 @@ module ffd_stream_decoder #(
   input  wire [127:0]                         beat_data_i,
   input  wire                                 beat_last_i,
   input  wire [`FFD_FRAME_W-1:0]              beat_frame_i,
+  input  wire                                 beat_held_i,   // it waits for go_o
   output wire                                 go_o,
+  output wire                                 refuse_o,
+  output wire                                 place_valid_o,
+  output wire [PLACE_W-1:0]                   place_o,
+  output wire [PLACE_W-1:0]                   tops_o,
   output wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_o,
   output wire                                 load_o,
   output wire [1:0]                           load_axis_o,
-  output wire [3:0]                           load_address_o,
+  output wire [`FFD_OWN_W(SPANS)-1:0]         load_address_o,
   output wire [1:0]                           load_shift_o,
   output wire                                 lattice_write_o,
-  output wire                                 lattice_buffer_o,
-  output wire [11:0]                          lattice_at_o,
+  output wire [PAGE_W-1:0]                    lattice_buffer_o,
+  output wire [PLACE_W-1:0]                   lattice_at_o,
+  output wire                                 lattice_fourth_o,
   output wire                                 slot_write_o,
   output wire [SLOT_W-1:0]                    slot_o,
   output wire [11:0]                          slot_cell_o,
@@ -59,8 +70,8 @@ module ffd_stream_decoder #(
   input  wire                                 m_vertex_ready,
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
   output wire [11:0]                          m_vertex_cell,
-  output wire [SLOT_W:0]                      m_vertex_source,
-  output wire                                 m_vertex_bank,
+  output wire [SOURCE_W-1:0]                  m_vertex_source,
+  output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
   output wire                                 m_vertex_changed,
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
@@ -87,90 +98,97 @@ module ffd_stream_decoder #(
   wire        function_beat = beat_frame_i[`FFD_FRAME_FUNCTION];
   wire        point    = beat_frame_i[`FFD_FRAME_POINT];
   wire        vertex   = beat_frame_i[`FFD_FRAME_VERTEX];
-  wire        points   = beat_frame_i[`FFD_FRAME_POINTS];
   wire        top      = beat_frame_i[`FFD_FRAME_TOP];
   wire        finish   = beat_frame_i[`FFD_FRAME_FINISH];
-  wire [11:0] index    = beat_frame_i[`FFD_FRAME_INDEX];
+  wire        of_page  = beat_frame_i[`FFD_FRAME_PAGE];
 
   // ---- what the header says
 
   reg                   resident_q;
   reg  [1:0]            mode_q;
   reg  [1:0]            results_q;
-  reg  [5:0]            degree_q;
-  reg  [5:0]            shift_q;
-  reg  [5:0]            derivative_shift_q;
-  reg                   twice_q;
-  reg  [11:0]           new_last_cell_q;
   reg  [EXPONENT_W-1:0] exponent_q;
   always @(posedge clk) begin
     if (take && header) begin
-      resident_q         <= beat_data_i[0];  // opcode 3, not 4
-      mode_q             <= beat_data_i[65:64];
-      results_q          <= beat_data_i[73:72];
-      degree_q           <= beat_data_i[69:64];
-      shift_q            <= beat_data_i[77:72];
-      derivative_shift_q <= beat_data_i[85:80];
-      twice_q            <= beat_data_i[95];
-      new_last_cell_q    <= {beat_data_i[83:80] - 4'd4, beat_data_i[75:72] - 4'd4,
-                             beat_data_i[67:64] - 4'd4};
-      exponent_q         <= beat_data_i[96 +: EXPONENT_W]
-                          & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
+      resident_q <= beat_data_i[0];  // opcode 3, not 4
+      mode_q     <= beat_data_i[65:64];
+      results_q  <= beat_data_i[73:72];
+      exponent_q <= beat_data_i[96 +: EXPONENT_W] & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
     end
   end
 
   // ---- what is in use
 
-  reg                   bank_q;
-  reg                   coefficients_loaded_q;
-  reg                   derivatives_loaded_q;
-  reg                   buffer_q;
-  reg                   lattice_loaded_q;
-  reg  [11:0]           last_cell_q;
-  reg  [EXPONENT_W-1:0] lattice_exponent_q;
-  wire                  new_bank   = take && function_beat && top;
+  wire                  bank;
+  wire                  coefficients_loaded;
+  wire                  derivatives_loaded;
+  wire                  new_bank;
+  wire [PAGE_W-1:0]     new_page;   // that points go to
+  wire                  lattice_loaded;
+  wire [EXPONENT_W-1:0] lattice_exponent;
+  wire                  fourth;
   wire                  new_buffer = take && point && top;
 
-  always @(posedge clk) begin
-    if (rst) begin
-      bank_q                <= 1'b0;
-      coefficients_loaded_q <= 1'b0;
-      derivatives_loaded_q  <= 1'b0;
-      buffer_q              <= 1'b0;
-      lattice_loaded_q      <= 1'b0;
-    end else begin
-      if (new_bank) begin
-        bank_q                <= !bank_q;
-        coefficients_loaded_q <= 1'b1;
-        derivatives_loaded_q  <= twice_q;
-      end
-      if (new_buffer) begin
-        buffer_q         <= !buffer_q;
-        lattice_loaded_q <= 1'b1;
-      end
-    end
-  end
-  always @(posedge clk) begin
-    if (new_buffer) begin
-      last_cell_q        <= new_last_cell_q;
-      lattice_exponent_q <= exponent_q;
-    end
-  end
+  wire [SLOT_W-1:0]      slot;
+  wire                   page_go;
+  wire [`FFD_PAGE_W-1:0] page_verdict;
+  wire                   page_empty;
+  wire [2:0]             beyond;
+  wire [11:0]            cell_index;
+  wire [PLACE_W-1:0]     whole_cell;
+  wire [20:0]            origin;
+  wire [15:0]            tag;
+  wire [SOURCE_W-1:0]    source;
+  ffd_stream_resident #(
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES),
+    .SLOTS   (SLOTS),
+    .PAGES   (PAGES),
+    .AXIS    (AXIS),
+    .INSIDE  (IN_FLIGHT + WAITING + 8),
+    .SPANS   (SPANS)
+  ) u_resident (
+    .clk          (clk),
+    .rst          (rst),
+    .take_i       (take),
+    .held_i       (beat_held_i),
+    .data_i       (beat_data_i),
+    .frame_i      (beat_frame_i),
+    .exponent_i   (exponent_q),
+    .resident_i   (resident_q),
+    .slot_i       (slot),
+    .leave_i      (retire_i),
+    .go_o         (page_go),
+    .refuse_o     (refuse_o),
+    .place_valid_o(place_valid_o),
+    .place_o      (place_o),
+    .tops_o       (tops_o),
+    .verdict_o    (page_verdict),
+    .empty_o      (page_empty),
+    .new_page_o   (new_page),
+    .loaded_o     (lattice_loaded),
+    .exponent_o   (lattice_exponent),
+    .fourth_o     (fourth),
+    .beyond_o     (beyond),
+    .cell_o       (cell_index),
+    .whole_cell_o (whole_cell),
+    .origin_o     (origin),
+    .tag_o        (tag),
+    .source_o     (source)
+  );
 
   // ---- when a beat may come
 
   wire bank_busy;
+  wire functions_busy;
   wire buffer_busy;
   wire slot_free;
   wire room;
-  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && bank_busy)
-             && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy)
-             && !(vertex && !resident_q && !slot_free)
-             && !(finish && !room);
+  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
+             && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy) && !(of_page && !page_go)
+             && !(vertex && !resident_q && !slot_free) && !(finish && !room);
 
   assign slot_free_o = slot_free;
-
-  wire [SLOT_W-1:0] slot;
   wire              waiting;
   wire              any_inside = waiting || evaluating_i;
   ffd_stream_readers u_readers (
@@ -182,45 +200,34 @@ module ffd_stream_decoder #(
     .leave_lattice_i(retire_user_i[`FFD_RETIRE_RESIDENT]),
     .new_bank_i     (new_bank),
     .new_buffer_i   (new_buffer),
-    .bank_i         (bank_q),
-    .buffer_i       (buffer_q),
+    .bank_i         (bank),
+    .buffer_i       (!new_page[0]),
     .inside_i       (any_inside),
     .bank_busy_o    (bank_busy),
     .buffer_busy_o  (buffer_busy)
   );
 
-  generate
-    if (`FFD_FEATURE_INTERLEAVED(FEATURES) != 0) begin : gen_slots
-      ffd_stream_slots #(
-        .SLOTS(SLOTS)
-      ) u_slots (
-        .clk    (clk),
-        .rst    (rst),
-        .claim_i(take && vertex && !resident_q),
-        .next_i (take && finish && !resident_q),
-        .free_i (slot_free_i),
-        .slot_o (slot),
-        .free_o (slot_free)
-      );
-    end else begin : gen_no_slots
-      assign slot      = {SLOT_W{1'b0}};
-      assign slot_free = 1'b1;
-      wire unused_ok = &{1'b0, slot_free_i};
-    end
-  endgenerate
+  ffd_stream_slots #(
+    .FEATURES(FEATURES),
+    .SLOTS   (SLOTS)
+  ) u_slots (
+    .clk    (clk),
+    .rst    (rst),
+    .claim_i(take && vertex && !resident_q),
+    .next_i (take && finish && !resident_q),
+    .free_i (slot_free_i),
+    .slot_o (slot),
+    .free_o (slot_free)
+  );
 
   // ---- numbers
 
   wire       clamp   = mode_q == MODE_CLAMP;
   wire [1:0] role    = function_beat ? `FFD_ROLE_COEFFICIENT
                      : vertex        ? `FFD_ROLE_COORDINATE : `FFD_ROLE_POINT;
-  wire [1:0] axis    = index[5:4];
-  wire [1:0] degree  = degree_q[2*axis +: 2];
-  wire       bounded = resident_q && lattice_loaded_q;
-  wire [2:0] beyond;
+  wire [1:0] degree;
   wire [3:0] nan;
   wire [3:0] outside;
-  wire [11:0] cell_index;
 
   genvar w;
   generate
@@ -228,10 +235,6 @@ module ffd_stream_decoder #(
       localparam [3:0] ABOVE = (1 << w) - 1;  // the degrees that this power is above
       wire at_end;
       if (w < 3) begin : gen_axis
-        wire [3:0] asked = beat_data_i[112+4*w +: 4];
-        wire [3:0] last  = last_cell_q[4*w +: 4];
-        assign beyond[w] = bounded && asked > last;
-        assign cell_index[4*w +: 4] = beyond[w] ? last : asked;
         assign at_end = beyond[w];
       end else begin : gen_no_axis
         assign at_end = 1'b0;
@@ -256,72 +259,96 @@ module ffd_stream_decoder #(
 
   // ---- what goes with them
 
-  wire [5:0] shift = index[8] ? derivative_shift_q : shift_q;
-  wire       taken;
-  wire       taken_last;
-  wire [3:0] framing;  // size, long, short, unknown
-  wire       vertex_there;
-  wire       finish_there;
-  wire       finish_top;
-  wire       finish_final;
+  wire [11:0]                place;
+  wire                       vertex_there;
+  wire                       finish_there;
+  wire                       finish_top;
+  wire                       finish_final;
+  wire [`FFD_EVENTS-1:0]     framing;
+  wire [`FFD_EVENTS-1:0]     of_vertex;
+  wire                       moving;
 
-  // Whether bank, buffer or slot may hold other numbers than for the vertex before.
+  // Whether bank, page or slot may hold other numbers than for the vertex before.
   reg changed_q;
   always @(posedge clk) begin
     if (rst || (take && (function_beat || point))) changed_q <= 1'b1;
     else if (take && vertex) changed_q <= 1'b0;
   end
 
-  ffd_num_delay #(
-    .WIDTH  (10),
+  ffd_stream_beside #(
     .LATENCY(LATENCY),
-    .RESET  (1)
-  ) u_taken (
-    .clk(clk),
-    .rst(rst),
-    .d_i({take, take && function_beat, take && point, take && points, take && vertex,
-          take && finish, {4{take}} & {beat_frame_i[`FFD_FRAME_SIZE], beat_frame_i[`FFD_FRAME_LONG],
-          beat_frame_i[`FFD_FRAME_SHORT], beat_frame_i[`FFD_FRAME_UNKNOWN]}}),
-    .q_o({taken, load_o, lattice_write_o, slot_write_o, vertex_there, finish_there, framing})
+    .AXIS   (AXIS),
+    .PAGE_W (PAGE_W)
+  ) u_beside (
+    .clk             (clk),
+    .rst             (rst),
+    .take_i          (take),
+    .last_i          (beat_last_i),
+    .frame_i         (beat_frame_i),
+    .verdict_i       (page_verdict),
+    .empty_i         (page_empty),
+    .page_i          (new_page),
+    .fourth_i        (fourth),
+    .load_o          (load_o),
+    .place_o         (place),
+    .lattice_write_o (lattice_write_o),
+    .lattice_page_o  (lattice_buffer_o),
+    .lattice_at_o    (lattice_at_o),
+    .lattice_fourth_o(lattice_fourth_o),
+    .slot_write_o    (slot_write_o),
+    .slot_group_o    (slot_group_o),
+    .slot_phase_o    (slot_phase_o),
+    .vertex_o        (vertex_there),
+    .finish_o        (finish_there),
+    .top_o           (finish_top),
+    .final_o         (finish_final),
+    .moving_o        (moving),
+    .event_o         (framing),
+    .event_packet_o  (event_packet_o),
+    .event_beat_o    (event_beat_o)
   );
 
-  ffd_num_delay #(
-    .WIDTH  (3 + 12 + 1 + 1 + 2),
-    .LATENCY(LATENCY)
-  ) u_place (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({beat_last_i, points && top, beat_frame_i[`FFD_FRAME_FINAL], index, !buffer_q, !bank_q,
-          shift[2*axis +: 2]}),
-    .q_o({taken_last, finish_top, finish_final, lattice_at_o[3:0], lattice_at_o[7:4],
-          lattice_at_o[11:8], lattice_buffer_o, load_address_o[2], load_shift_o})
+  wire [`FFD_PLACES_W(SPANS)-1:0] places;
+  ffd_stream_functions #(
+    .SPANS  (SPANS),
+    .LATENCY(LATENCY),
+    .AXIS   (AXIS)
+  ) u_functions (
+    .clk           (clk),
+    .rst           (rst),
+    .take_i        (take),
+    .data_i        (beat_data_i),
+    .frame_i       (beat_frame_i),
+    .degree_o      (degree),
+    .change_o      (new_bank),
+    .busy_o        (functions_busy),
+    .bank_o        (bank),
+    .loaded_o      (coefficients_loaded),
+    .derivatives_o (derivatives_loaded),
+    .place_there_i (place),
+    .load_axis_o   (load_axis_o),
+    .load_address_o(load_address_o),
+    .load_shift_o  (load_shift_o),
+    .cell_i        (whole_cell),
+    .origin_i      (origin),
+    .cell_there_i  (vertex_there),
+    .places_o      (places)
   );
-
-  // Digits of a lattice are k, j, i from the lowest on: the delay has turned them round.
-  assign load_axis_o         = lattice_at_o[5:4];
-  assign load_address_o[3]   = lattice_at_o[0];
-  assign load_address_o[1:0] = lattice_at_o[9:8];
-  assign slot_group_o        = lattice_at_o[7:4];
-  assign slot_phase_o        = lattice_at_o[9:8];
 
   // ---- vertices
 
   wire              position     = results_q == `FFD_RESULTS_POSITION;
-  wire              no_functions = !coefficients_loaded_q || (!position && !derivatives_loaded_q);
-  wire              no_lattice   = resident_q && !lattice_loaded_q;
-  wire [SLOT_W-1:0] at_buffer    = {{(SLOT_W - 1) {1'b0}}, buffer_q};
-  wire              nan_event;
-  wire              outside_event;
-  wire              beyond_event;
-  wire              functions_event;
-  wire              lattice_event;
+  wire              no_functions = !coefficients_loaded || (!position && !derivatives_loaded);
+  wire              no_lattice   = resident_q && !lattice_loaded;
 
   ffd_stream_vertex #(
     .FORMAT     (FORMAT),
-    .SOURCE_W   (SLOT_W + 1),
+    .SOURCE_W   (SOURCE_W),
+    .SLOT_W     (SLOT_W),
     .LATENCY    (LATENCY),
     .WAITING    (WAITING),
-    .EVERY_CLOCK(EVERY_CLOCK)
+    .EVERY_CLOCK(EVERY_CLOCK),
+    .SPANS      (SPANS)
   ) u_vertex (
     .clk                 (clk),
     .rst                 (rst),
@@ -332,12 +359,13 @@ module ffd_stream_decoder #(
     .refuse_i            (!clamp && mode_q != MODE_PASS),
     .no_functions_i      (no_functions),
     .no_lattice_i        (no_lattice),
-    .tag_i               (beat_data_i[111:96]),
-    .source_i            ({resident_q, resident_q ? at_buffer : slot}),
-    .bank_i              (bank_q),
+    .tag_i               (tag),
+    .source_i            (source),
+    .bank_i              (bank),
+    .places_i            (places),
     .changed_i           (changed_q || !resident_q),
     .results_i           (results_q),
-    .exponent_i          (resident_q ? lattice_exponent_q : exponent_q),
+    .exponent_i          (resident_q ? lattice_exponent : exponent_q),
     .vertex_there_i      (vertex_there),
     .finish_there_i      (finish_there),
     .top_i               (finish_top),
@@ -360,39 +388,11 @@ module ffd_stream_decoder #(
     .m_vertex_results    (m_vertex_results),
     .m_vertex_exponent   (m_vertex_exponent),
     .m_vertex_user       (m_vertex_user),
-    .nan_o               (nan_event),
-    .outside_o           (outside_event),
-    .beyond_o            (beyond_event),
-    .no_functions_o      (functions_event),
-    .no_lattice_o        (lattice_event)
+    .event_o             (of_vertex)
   );
 
-  // ---- events
-
-  assign event_o[`FFD_EVENT_UNKNOWN_OPCODE]     = framing[0];
-  assign event_o[`FFD_EVENT_PACKET_SHORT]       = framing[1];
-  assign event_o[`FFD_EVENT_PACKET_LONG]        = framing[2];
-  assign event_o[`FFD_EVENT_LATTICE_SIZE]       = framing[3];
-  assign event_o[`FFD_EVENT_NO_COEFFICIENTS]    = functions_event;
-  assign event_o[`FFD_EVENT_NO_LATTICE]         = lattice_event;
-  assign event_o[`FFD_EVENT_CELL_OUTSIDE]       = beyond_event;
-  assign event_o[`FFD_EVENT_COORDINATE_NAN]     = nan_event;
-  assign event_o[`FFD_EVENT_COORDINATE_OUTSIDE] = outside_event;
-
-  ffd_stream_place u_event_place (
-    .clk     (clk),
-    .rst     (rst),
-    .take_i  (taken),
-    .last_i  (taken_last),
-    .packet_o(event_packet_o),
-    .beat_o  (event_beat_o)
-  );
-
-  // What has been taken is known behind the converters.
-  reg [LATENCY:0] moving_q;
-  always @(posedge clk) moving_q <= rst ? {(LATENCY + 1) {1'b0}} : {moving_q[LATENCY-1:0], take};
-
-  assign idle_o = !any_inside && moving_q == {(LATENCY + 1) {1'b0}};
+  assign event_o = framing | of_vertex;
+  assign idle_o  = !any_inside && !moving;
 
   wire unused_ok = &{1'b0, nan[3], outside[3]};
 endmodule

@@ -1,58 +1,86 @@
-// ffd_stream_derivatives: a vertex is evaluated once, or four times
+// ffd_stream_derivatives: a vertex is evaluated once, or four times, each perhaps twice
 //
 // Between decoder and evaluator. By what its packet asks for (docs/interface.md section 2) a vertex
 // goes on as it is, or four times with the same coordinates, cell and points: the position, then
-// the derivatives along s, t and u, for which that axis takes its derivative functions. It waits in
-// the decoder until the last time.
+// the derivatives along s, t and u, for which that axis takes its derivative functions. With a
+// fourth component each of them goes twice, the second time for that component alone. The vertex
+// waits in the decoder until the last time.
 //
-// Formats:    bank {u, t, s}, each {derivative, bank}; source {again, that of the decoder}: 1 where
+// Formats:    bank {u, t, s}, each FFD_PLACE_W; source {again, that of the decoder}: 1 where
 //             the points are read once more, so that a slot is freed behind the last time; column 0
 //             a result of its own, 1 to 3 a column of J, from whose three comes one result; user
 //             {result_final, that of the decoder}: 1 with the vertex's last result, and tlast only
-//             there.
+//             there. The bit of source that asks for the fourth component (ffd_stream.vh) becomes
+//             the one that says that this evaluation is of it.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
-// Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 1: of the decoder's source; USER_W >= 1
-//             likewise; LAST the bit of user with tlast.
+// Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 3: of the decoder's source; USER_W >= 1
+//             likewise; LAST the bit of user with tlast; SPANS >= 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_eval.vh"
 `include "ffd_stream.vh"
 
 module ffd_stream_derivatives #(
   parameter FEATURES = `FFD_FEATURES,
   parameter SOURCE_W = 2,
   parameter USER_W   = 27,
-  parameter LAST     = 23
+  parameter LAST     = 23,
+  parameter SPANS    = 1
 ) (
   input  wire                 clk,
   input  wire                 rst,
   input  wire                 s_vertex_valid,
   output wire                 s_vertex_ready,
   input  wire [SOURCE_W-1:0]  s_vertex_source,
-  input  wire                 s_vertex_bank,
+  input  wire [`FFD_PLACES_W(SPANS)-1:0]   s_vertex_bank,
   input  wire [1:0]           s_vertex_results,
   input  wire [USER_W-1:0]    s_vertex_user,
   output wire                 m_vertex_valid,
   input  wire                 m_vertex_ready,
   output wire [SOURCE_W:0]    m_vertex_source,
-  output wire [5:0]           m_vertex_bank,
+  output wire [3*`FFD_PLACE_W(SPANS)-1:0]  m_vertex_bank,
   output wire [1:0]           m_vertex_column,
+  output wire                 m_vertex_fourth,
   output reg  [USER_W:0]      m_vertex_user
 );
   // 0 the position, 1 to 3 the derivative along s, t, u.
   reg  [1:0] part_q;
-  wire       result_final = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
-                         || s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+  wire       part_final = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
+                       || s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+  wire       part_whole;
+  wire       fourth;
+  wire       result_final = part_final && part_whole;
+  wire       next = m_vertex_valid && m_vertex_ready;
 
   always @(posedge clk) begin
     if (rst) part_q <= 2'd0;
-    else if (m_vertex_valid && m_vertex_ready) part_q <= result_final ? 2'd0 : part_q + 2'd1;
+    else if (next && part_whole) part_q <= part_final ? 2'd0 : part_q + 2'd1;
   end
+
+  wire [SOURCE_W-1:0] source;
+  generate
+    if (`FFD_FEATURE_FOURTH(FEATURES) != 0) begin : gen_fourth
+      reg fourth_q;
+      always @(posedge clk) begin
+        if (rst) fourth_q <= 1'b0;
+        else if (next) fourth_q <= !part_whole;
+      end
+      assign part_whole = fourth_q || !s_vertex_source[SOURCE_W-2];
+      assign fourth     = fourth_q;
+      assign source     = {s_vertex_source[SOURCE_W-1], fourth_q, s_vertex_source[SOURCE_W-3:0]};
+    end else begin : gen_no_fourth
+      assign part_whole = 1'b1;
+      assign fourth     = 1'b0;
+      assign source     = s_vertex_source;
+    end
+  endgenerate
 
   assign s_vertex_ready  = m_vertex_ready && result_final;
   assign m_vertex_valid  = s_vertex_valid;
-  assign m_vertex_source = {!result_final, s_vertex_source};
+  assign m_vertex_source = {!result_final, source};
+  assign m_vertex_fourth = fourth;
   assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
                         && s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
 
@@ -60,7 +88,13 @@ module ffd_stream_derivatives #(
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       localparam [1:0] PART = a + 1;
-      assign m_vertex_bank[2*a +: 2] = {part_q == PART, s_vertex_bank};
+      if (SPANS == 1) begin : gen_bank
+        assign m_vertex_bank[2*a +: 2] = {part_q == PART, s_vertex_bank};
+      end else begin : gen_place
+        localparam PLACE_W = `FFD_PLACE_W(SPANS);
+        wire [PLACE_W-2:0] place = s_vertex_bank[(PLACE_W-1)*a +: PLACE_W-1];
+        assign m_vertex_bank[PLACE_W*a +: PLACE_W] = {place[PLACE_W-2:1], part_q == PART, place[0]};
+      end
     end
   endgenerate
 

@@ -7,11 +7,18 @@
 //   2 lattice        a beat a control point
 //   3 vertices       count beats, one a vertex of the resident lattice
 //   4 interleaved    count vertices of 49 beats: the vertex, then its 64 points
+//   5 page           as a lattice
+//   6 points         count of a page, from the place on that place_i says
+//   7 of a page      as vertices; or as many as come
+//   9 spans          count spans of 4 beats, or of 8 with their derivatives
 // The place is a number of three digits, each with a last value of its own: function, axis and
-// derivative of coefficients; k, j and i of a lattice; three beats in sixteen groups of points.
+// derivative of coefficients; function and derivative of a span; k, j and i of a lattice; three
+// beats in sixteen groups of points.
 //
-// Bad input:  an unknown opcode or kind of results, bad dimensions, and beats after a packet's end
-//             belong to nothing, up to tlast. A tlast inside a vertex ends it.
+// Bad input:  an unknown opcode or kind of results, bad dimensions, spans beyond SPANS, and beats
+//             after a packet's end belong to nothing, up to tlast. A tlast inside a vertex ends it.
+//             With refuse_i the packet whose header is held belongs to nothing either. Whether such
+//             a header is too short is known there.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
 // Parameters: those of ffd_stream_header.
@@ -22,7 +29,8 @@
 
 module ffd_stream_framer #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES
+  parameter FEATURES = `FFD_FEATURES,
+  parameter SPANS    = 1
 ) (
   input  wire                      clk,
   input  wire                      rst,
@@ -30,14 +38,23 @@ module ffd_stream_framer #(
   input  wire [127:0]              data_i,
   input  wire                      last_i,
   output wire [`FFD_FRAME_W-1:0]   frame_o,
+  // Behind the header of a page, before its next beat can come.
+  input  wire                      refuse_i,
+  input  wire                      place_valid_i,
+  input  wire [3*`FFD_AXIS_W(AXIS)-1:0] place_i,  // {i, j, k}
+  input  wire [3*`FFD_AXIS_W(AXIS)-1:0] tops_i,
   output wire                      claims_o,  // a slot for its points
   output wire                      idle_o
 );
+  localparam AXIS_W = `FFD_AXIS_W(AXIS);
+  localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
+
   wire [`FFD_KIND_W-1:0] kind;
 
   ffd_stream_header #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_header (
     .data_i(data_i),
     .kind_o(kind)
@@ -50,6 +67,10 @@ module ffd_stream_framer #(
   wire is_interleaved  = kind[`FFD_KIND_INTERLEAVED];
   wire of_vertices     = is_vertices || is_interleaved;
   wire none            = kind[`FFD_KIND_NONE];
+  wire is_part         = kind[`FFD_KIND_PART];
+  wire of_page         = PAGES != 0 && (is_lattice || is_vertices || is_part);
+  wire is_spans        = kind[`FFD_KIND_SPANS];
+  wire good_spans      = is_spans && !kind[`FFD_KIND_BEYOND];
 
   // What the next beat is: one of these, or none up to tlast.
   reg  header_q;
@@ -60,68 +81,92 @@ module ffd_stream_framer #(
   reg  done;      // the first one behind the payload
 
   reg  resident_q;  // vertices without points of their own
+  reg  part_q;      // points are counted
+  reg  every_q;     // vertices are not
+  reg  spans_q;     // functions are those of so many spans
   wire one;         // it is the last
   wire top;
   wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
-  wire payload_done = ((function_q || point_q) && top) || (vertex_done && one);
+  wire point_done   = point_q && (part_q ? one : top);
+  wire functions    = top && (!spans_q || one);
+  wire payload_done = (function_q && functions) || point_done || (vertex_done && one);
 
   always @(posedge clk) begin
-    if (rst) begin
+    if (rst) header_q <= 1'b1;
+    else if (take_i) header_q <= last_i;
+  end
+  always @(posedge clk) begin
+    if (rst || refuse_i) begin
       {function_q, point_q, vertex_q, points_q, done} <= 5'd0;
-      header_q                                          <= 1'b1;
     end else if (take_i) begin
-      header_q   <= last_i;
-      function_q <= !last_i && (header_q ? is_coefficients : function_q && !top);
-      point_q    <= !last_i && (header_q ? good_lattice : point_q && !top);
+      function_q <= !last_i && (header_q ? is_coefficients || (good_spans && !none)
+                                         : function_q && !functions);
+      point_q    <= !last_i && (header_q ? good_lattice || (is_part && !none)
+                                         : point_q && !point_done);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
       points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
       done     <= !last_i && payload_done;
     end
   end
 
-  // ---- the number of a vertex in its packet, from 1 on
+  // ---- the number of a vertex, a point or a span in its packet, from 1 on
 
   reg  [31:0] count_q;
   reg  [31:0] number_q;
-  assign one = number_q == count_q;
+  assign one = every_q ? last_i : number_q == count_q;
   always @(posedge clk) begin
     if (take_i && header_q) begin
       count_q    <= data_i[63:32];
       resident_q <= is_vertices;
+      part_q     <= is_part;
+      every_q    <= kind[`FFD_KIND_EVERY];
     end
+    if (SPANS == 1) spans_q <= 1'b0;
+    else if (take_i && header_q) spans_q <= is_spans;
   end
   always @(posedge clk) begin
     if (take_i && header_q) number_q <= 32'd1;
-    else if (take_i && vertex_done) number_q <= number_q + 32'd1;
+    else if (take_i && (vertex_done || point_q || (function_q && spans_q && top))) begin
+      number_q <= number_q + 32'd1;
+    end
   end
 
   // ---- the place
 
-  localparam [11:0] POINTS_TOP    = {4'd0, 4'd15, 4'd2};
-  localparam [7:0]  FUNCTIONS_TOP = {4'd2, 4'd3};
+  localparam [17:0] POINTS_TOP    = {6'd0, 6'd15, 6'd2};
+  localparam [11:0] FUNCTIONS_TOP = {6'd2, 6'd3};
 
   wire        counts  = function_q || point_q || points_q;
   wire [2:0]  at_top;
   wire [2:0]  step    = {at_top[1] && at_top[0], at_top[0], 1'b1};
   wire [11:0] index;
-  wire [11:0] derivatives_top = {3'd0, data_i[95], FUNCTIONS_TOP};
+  wire [5:0]  high;
+  wire [17:0] derivatives_top = {5'd0, data_i[95], FUNCTIONS_TOP};
+  wire [17:0] spans_top       = {6'd0, 5'd0, data_i[95], FUNCTIONS_TOP[5:0]};
 
   genvar d;
   generate
     for (d = 0; d < 3; d = d + 1) begin : gen_digit
       // Digit 0 of a lattice is k, the third axis.
-      wire [3:0] points = data_i[64+8*(2-d) +: 4];
-      reg  [3:0] top_q;
-      reg  [3:0] digit_q;
+      wire [AXIS_W-1:0] points = data_i[64+8*(2-d) +: AXIS_W];
+      wire [5:0]        digit;
+      reg  [AXIS_W-1:0] top_q;
+      reg  [AXIS_W-1:0] digit_q;
+      assign digit           = {{(6 - AXIS_W) {1'b0}}, digit_q};
       assign at_top[d]       = digit_q == top_q;
-      assign index[4*d +: 4] = digit_q;
+      assign index[4*d +: 4] = digit[3:0];
+      assign high[2*d +: 2]  = digit[5:4];
       always @(posedge clk) begin
         if (take_i && header_q) begin
-          top_q <= is_coefficients ? derivatives_top[4*d +: 4]
-                 : is_lattice      ? points - 4'd1 : POINTS_TOP[4*d +: 4];
+          top_q <= is_coefficients ? derivatives_top[6*d +: AXIS_W]
+                 : is_spans        ? spans_top[6*d +: AXIS_W]
+                 : is_lattice      ? points - 1'b1 : POINTS_TOP[6*d +: AXIS_W];
+        end else if (PAGES != 0 && place_valid_i) begin
+          top_q <= tops_i[AXIS_W*d +: AXIS_W];
         end
-        if (take_i && !counts) digit_q <= 4'd0;
-        else if (take_i && step[d]) digit_q <= at_top[d] ? 4'd0 : digit_q + 4'd1;
+        if (take_i && !counts) digit_q <= {AXIS_W{1'b0}};
+        else if (take_i && step[d]) digit_q <= at_top[d] ? {AXIS_W{1'b0}} : digit_q + 1'b1;
+        else if (PAGES != 0 && place_valid_i) digit_q <= place_i[AXIS_W*d +: AXIS_W];
       end
     end
   endgenerate
@@ -131,27 +176,33 @@ module ffd_stream_framer #(
   // ---- the frame
 
   wire payload = function_q || point_q || vertex_q || points_q;
-  wire refused = !(is_coefficients || good_lattice || of_vertices);
+  wire refused = !(is_coefficients || good_lattice || of_vertices || is_part || good_spans);
+  wire nothing = (of_vertices || is_part || is_spans) && none;
   wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
   assign frame_o[`FFD_FRAME_HEADER]   = header_q;
-  assign frame_o[`FFD_FRAME_BANK]     = header_q && is_coefficients;
-  assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice;
+  assign frame_o[`FFD_FRAME_BANK]     = header_q && (is_coefficients || good_spans);
+  assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice && PAGES == 0;
   assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
   assign frame_o[`FFD_FRAME_POINT]    = point_q;
   assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
-  assign frame_o[`FFD_FRAME_FINAL]    = one || last_i;
-  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice;
+  assign frame_o[`FFD_FRAME_FINAL]    = one || (last_i && !(spans_q && function_q));
+  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
-                                     || (header_q && !refused && (last_i || (of_vertices && none)));
+                                     || (header_q && !of_page && !refused && (last_i || nothing));
   assign frame_o[`FFD_FRAME_LONG]     = done;
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
+  assign frame_o[`FFD_FRAME_HIGH]     = high;
+  assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
+  assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign claims_o                     = vertex_q && !resident_q;
   assign idle_o                       = header_q;
+
+  wire unused_ok = &{1'b0, place_valid_i, place_i, tops_i, derivatives_top, spans_top};
 endmodule
 
 `default_nettype wire

@@ -2,10 +2,13 @@
 //
 // In front of the first register of the stream (docs/interface.md section 2 has the fields).
 //
-// Formats:    kind as FFD_KIND_* in ffd_stream.vh: which opcode, whether dimensions are good, and
-//             whether the count is 0. What the core lacks is no opcode.
+// Formats:    kind as FFD_KIND_* in ffd_stream.vh: which opcode, whether dimensions are good,
+//             whether the count is 0, whether spans are beyond the table. What the core lacks is no
+//             opcode. Pages are lattices, and their vertices are vertices; what else their headers
+//             say, ffd_stream_pages checks.
 // Pipeline:   combinational.
-// Parameters: AXIS 4 to 16, the most points an axis of a lattice; FEATURES as in ffd_stream.vh.
+// Parameters: AXIS 4 to 32, or to 64 where FEATURES says so, the most points an axis of a lattice;
+//             FEATURES as in ffd_stream.vh, with the bit of spans where SPANS is above 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -13,14 +16,18 @@
 
 module ffd_stream_header #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES
+  parameter FEATURES = `FFD_FEATURES,
+  parameter SPANS    = 1
 ) (
   input  wire [127:0]            data_i,
   output wire [`FFD_KIND_W-1:0]  kind_o
 );
   generate
-    if (AXIS < 4 || AXIS > 16) begin : gen_bad_axis
-      ERROR_ffd_stream_header_axis_must_be_4_to_16 u_error ();
+    if (`FFD_AXIS_BAD(AXIS, FEATURES)) begin : gen_bad_axis
+      ERROR_ffd_stream_header_axis_must_be_4_to_32_or_large_to_64 u_error ();
+    end
+    if ((SPANS > 1) != (`FFD_FEATURE_SPANS(FEATURES) != 0)) begin : gen_bad_spans
+      ERROR_ffd_stream_header_spans_and_their_feature_come_together u_error ();
     end
     if (`FFD_FEATURES_BAD(FEATURES)) begin : gen_bad_features
       ERROR_ffd_stream_header_features_are_unknown u_error ();
@@ -31,9 +38,17 @@ module ffd_stream_header #(
   localparam [7:0] OPCODE_LATTICE      = 8'd2;
   localparam [7:0] OPCODE_VERTICES     = 8'd3;
   localparam [7:0] OPCODE_INTERLEAVED  = 8'd4;
+  localparam [7:0] OPCODE_PAGE         = 8'd5;
+  localparam [7:0] OPCODE_PART         = 8'd6;
+  localparam [7:0] OPCODE_OF_PAGE      = 8'd7;
+  localparam [7:0] OPCODE_SPANS        = 8'd9;
+  localparam [31:0] SPANS_WORD         = SPANS;
   localparam [31:0] AXIS_WORD          = AXIS;  // 32 bits where set from outside
   localparam [7:0] MOST                = AXIS_WORD[7:0];
+  localparam [7:0] SMALL               = 8'd32;  // the most without the flag L
 
+  localparam PAGES             = `FFD_FEATURE_PAGES(FEATURES);
+  localparam LARGE             = `FFD_FEATURE_LARGE(FEATURES);
   localparam RESIDENT          = `FFD_FEATURE_RESIDENT(FEATURES);
   localparam INTERLEAVED       = `FFD_FEATURE_INTERLEAVED(FEATURES);
   localparam DERIVATIVES       = `FFD_FEATURE_DERIVATIVES(FEATURES);
@@ -45,25 +60,50 @@ module ffd_stream_header #(
                          || (results == `FFD_RESULTS_DERIVATIVES && DERIVATIVES != 0)
                          || (results == `FFD_RESULTS_DETERMINANT && DETERMINANT != 0);
   wire       twice        = data_i[95];
+  wire       page         = opcode == OPCODE_PAGE && PAGES != 0;
+  wire       of_page      = opcode == OPCODE_OF_PAGE && PAGES != 0;
+  wire       every        = of_page && data_i[16];
+  wire [7:0] most         = LARGE == 0 || (page && data_i[19]) ? MOST : SMALL;
   wire [2:0] good;
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       wire [7:0] points = data_i[64+8*a +: 8];
-      assign good[a] = points >= 8'd4 && points <= MOST;
+      assign good[a] = points >= 8'd4 && points <= most;
     end
   endgenerate
 
   assign kind_o[`FFD_KIND_COEFFICIENTS] = opcode == OPCODE_COEFFICIENTS
                                        && (DERIVATIVES != 0 || !twice);
-  assign kind_o[`FFD_KIND_LATTICE]      = opcode == OPCODE_LATTICE && RESIDENT != 0;
+  assign kind_o[`FFD_KIND_LATTICE]      = (opcode == OPCODE_LATTICE && RESIDENT != 0) || page;
   assign kind_o[`FFD_KIND_DIMENSIONS]   = &good;
-  assign kind_o[`FFD_KIND_VERTICES]     = opcode == OPCODE_VERTICES && good_results
-                                       && RESIDENT != 0;
+  assign kind_o[`FFD_KIND_VERTICES]     = ((opcode == OPCODE_VERTICES && RESIDENT != 0) || of_page)
+                                       && good_results;
   assign kind_o[`FFD_KIND_INTERLEAVED]  = opcode == OPCODE_INTERLEAVED && good_results
                                        && INTERLEAVED != 0;
-  assign kind_o[`FFD_KIND_NONE]         = data_i[63:32] == 32'd0;
+  assign kind_o[`FFD_KIND_NONE]         = data_i[63:32] == 32'd0 && !every;
+  assign kind_o[`FFD_KIND_PART]         = opcode == OPCODE_PART && PAGES != 0;
+  assign kind_o[`FFD_KIND_EVERY]        = every;
+
+  // Bits that have no meaning must be 0, and there is no axis 3.
+  generate
+    if (`FFD_FEATURE_SPANS(FEATURES) != 0) begin : gen_spans
+      localparam [31:0] UNKNOWN_FLAGS = 32'hFFFE_FF00;
+      localparam [31:0] UNKNOWN_BITS  = 32'h7F33_00CC;
+      wire strange = (data_i[31:0] & UNKNOWN_FLAGS) != 32'd0
+                  || (data_i[95:64] & UNKNOWN_BITS) != 32'd0
+                  || data_i[127:96] != 32'd0 || data_i[87:86] == 2'd3;
+      wire [8:0] behind = {1'b0, data_i[79:72]} + {1'b0, data_i[39:32]};
+      assign kind_o[`FFD_KIND_SPANS]  = opcode == OPCODE_SPANS && !strange
+                                     && (DERIVATIVES != 0 || !twice);
+      assign kind_o[`FFD_KIND_BEYOND] = data_i[63:40] != 24'd0 || behind > SPANS_WORD[8:0];
+    end else begin : gen_no_spans
+      assign kind_o[`FFD_KIND_SPANS]  = 1'b0;
+      assign kind_o[`FFD_KIND_BEYOND] = 1'b0;
+      wire unused_spans = &{1'b0, OPCODE_SPANS, SPANS_WORD};
+    end
+  endgenerate
 
   wire unused_ok = &{1'b0, data_i};
 endmodule

@@ -9,21 +9,24 @@
 // Pipeline:   inputs up to tag_i .. exponent_i with the beat, *_there_i and below when its numbers
 //             are there, LATENCY clocks later; the vertex is offered 3 clocks behind.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
-// Parameters: FORMAT as in ffd_num.vh, SOURCE_W >= 2, LATENCY >= 1, WAITING a power of two >= 2;
-//             EVERY_CLOCK 0: vertices are offered in every other clock at most, and m_vertex_ready
-//             then ends at a register.
+// Parameters: FORMAT as in ffd_num.vh, SOURCE_W > SLOT_W >= 1, LATENCY >= 1, WAITING a power of
+//             two >= 2; EVERY_CLOCK 0: vertices are offered in every other clock at most, and
+//             m_vertex_ready then ends at a register. SPANS as in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
+`include "ffd_eval.vh"
 `include "ffd_stream.vh"
 
 module ffd_stream_vertex #(
   parameter FORMAT      = 18,
   parameter SOURCE_W    = 2,
+  parameter SLOT_W      = 1,
   parameter LATENCY     = 1,
   parameter WAITING     = 16,
-  parameter EVERY_CLOCK = 1
+  parameter EVERY_CLOCK = 1,
+  parameter SPANS       = 1
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -37,6 +40,7 @@ module ffd_stream_vertex #(
   input  wire [15:0]                          tag_i,
   input  wire [SOURCE_W-1:0]                  source_i,
   input  wire                                 bank_i,
+  input  wire [`FFD_PLACES_W(SPANS)-1:0]      places_i,  // a clock behind vertex_there_i
   input  wire                                 changed_i,
   input  wire [1:0]                           results_i,
   input  wire [`FFD_EXPONENT_W-1:0]           exponent_i,
@@ -48,7 +52,7 @@ module ffd_stream_vertex #(
   input  wire                                 nan_i,
   input  wire                                 outside_i,
   output wire [11:0]                          held_cell_o,
-  output wire [SOURCE_W-2:0]                  held_slot_o,
+  output wire [SLOT_W-1:0]                    held_slot_o,
   output wire                                 room_o,
   output wire                                 rooms_o,  // for two
   output wire                                 waiting_o,
@@ -57,16 +61,12 @@ module ffd_stream_vertex #(
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
   output wire [11:0]                          m_vertex_cell,
   output wire [SOURCE_W-1:0]                  m_vertex_source,
-  output wire                                 m_vertex_bank,
+  output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
   output wire                                 m_vertex_changed,
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
   output wire [`FFD_USER_W-1:0]               m_vertex_user,
-  output wire                                 nan_o,
-  output wire                                 outside_o,
-  output wire                                 beyond_o,
-  output wire                                 no_functions_o,
-  output wire                                 no_lattice_o
+  output reg  [`FFD_EVENTS-1:0]               event_o
 );
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
@@ -128,11 +128,14 @@ module ffd_stream_vertex #(
   wire [4:0] facts   = vertex_there_i ? known[20:16] : known_q[20:16];
   wire       nan     = vertex_there_i ? nan_i : nan_q;
   wire       outside = vertex_there_i ? outside_i : outside_q;
-  assign beyond_o       = finish_there_i && facts[4];
-  assign no_functions_o = finish_there_i && facts[1];
-  assign no_lattice_o   = finish_there_i && facts[0];
-  assign nan_o          = finish_there_i && nan;
-  assign outside_o      = finish_there_i && outside;
+  always @* begin
+    event_o                             = {`FFD_EVENTS{1'b0}};
+    event_o[`FFD_EVENT_CELL_OUTSIDE]       = finish_there_i && facts[4];
+    event_o[`FFD_EVENT_NO_COEFFICIENTS]    = finish_there_i && facts[1];
+    event_o[`FFD_EVENT_NO_LATTICE]         = finish_there_i && facts[0];
+    event_o[`FFD_EVENT_COORDINATE_NAN]     = finish_there_i && nan;
+    event_o[`FFD_EVENT_COORDINATE_OUTSIDE] = finish_there_i && outside;
+  end
 
   reg whole_q;
   reg top_q;
@@ -160,7 +163,7 @@ module ffd_stream_vertex #(
   assign {results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
           no_functions, no_lattice, tag} = known_q;
   assign held_cell_o = cell_index;
-  assign held_slot_o = source[SOURCE_W-2:0];
+  assign held_slot_o = source[SLOT_W-1:0];
 
   wire       resident  = source[SOURCE_W-1];
   wire       truncated = !resident && !top_q;
@@ -173,7 +176,10 @@ module ffd_stream_vertex #(
   wire [`FFD_USER_W-1:0] user = {resident, source[0], bank, final_q, blank, status, tag};
 
   // The head of the queue waits in a register, near to the evaluator.
-  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + NUMBERS_W;
+  localparam PLACES_W = `FFD_PLACES_W(SPANS);
+  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + PLACES_W + 1 + 12
+                      + NUMBERS_W;
+  wire [PLACES_W-1:0] places = SPANS == 1 ? {PLACES_W{bank}} : places_i;
   wire                queue_ready;
   wire                next_valid;
   wire                next_ready = !m_vertex_valid || (EVERY_CLOCK != 0 && m_vertex_ready);
@@ -188,7 +194,7 @@ module ffd_stream_vertex #(
     .rst         (rst),
     .s_word_valid(whole_q),
     .s_word_ready(queue_ready),
-    .s_word_data ({user, results, exponent, source, bank, changed, cell_index, coordinates_q}),
+    .s_word_data ({user, results, exponent, source, places, changed, cell_index, coordinates_q}),
     .m_word_valid(next_valid),
     .m_word_ready(next_ready),
     .m_word_data (next)
@@ -202,7 +208,7 @@ module ffd_stream_vertex #(
   assign {m_vertex_user, m_vertex_results, m_vertex_exponent, m_vertex_source, m_vertex_bank,
           m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q;
 
-  wire unused_ok = &{1'b0, queue_ready, numbers_i, facts};
+  wire unused_ok = &{1'b0, queue_ready, numbers_i, facts, places_i};
 endmodule
 
 `default_nettype wire

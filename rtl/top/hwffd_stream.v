@@ -1,22 +1,19 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
-// Packets in (coefficients, lattices, vertices, vertices with their control points), result beats
-// out, one a vertex or with its derivatives four, in order: docs/interface.md. Every ready, valid
+// Packets in, result beats out, in the order of the vertices: docs/interface.md. Every ready, valid
 // and data bit of the streams leaves a register.
 //
-// Formats:    128-bit beats, four little-endian 32-bit words; words by FORMAT (interface.md,
-//             section 3).
-// Pipeline:   see the organization; the next vertex is loaded while the present one is evaluated.
+// Formats:    128-bit beats, four little-endian words; words by FORMAT (interface.md section 3).
+// Pipeline:   the organization's; the next vertex is loaded while the present one is evaluated.
 // Freezes:    backpressure holds back vertices at the evaluator's entry (credits), then the input.
-// Not checked: nothing on the input can hang it; what it does with bad packets is in the decoder.
-//             event_o has a pulse for each kind (ffd_stream.vh), for registers, vertex_o one for
-//             each vertex, a clock after its last result has left the evaluator; wait_o is high
-//             for each clock of a wait (docs/interface.md); idle_o is 1 when no packet is under way
-//             and no vertex inside.
-// Parameters: a row of configurations.csv; AXIS 4 to 16, the most points an axis of a resident
-//             lattice; IN_FLIGHT a power of two >= 4, the most evaluations inside; WAITING, one of
-//             two >= 2, the most vertices before them; FEATURES, what is built, as in
-//             ffd_stream.vh.
+// Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind, vertex_o one
+//             for each vertex, a clock after its last result has left the evaluator; wait_o says
+//             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
+// Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
+//             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages; IN_FLIGHT
+//             a power of two >= 4, the most evaluations inside; WAITING, one >= 2, the most
+//             vertices before them; FEATURES, what is built, as in ffd_stream.vh; SPANS 1 to 128,
+//             the runs of cells of an axis with functions of their own, 1 without that feature.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,9 +33,11 @@ module hwffd_stream #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 16,
+  parameter PAGES           = 2,
   parameter IN_FLIGHT       = 128,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES
+  parameter FEATURES        = `FFD_FEATURES,
+  parameter SPANS           = 1
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -50,7 +49,7 @@ module hwffd_stream #(
   input  wire         m_axis_tready,
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
-  output wire [9:0]   event_o,
+  output wire [13:0]  event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
@@ -59,16 +58,19 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  // A single lane has registers before its memories and behind its choice; the paper's units are
-  // too fast for them.
+  // A single lane has registers around its memories; the paper's units are too fast for them.
   localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 4;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
   localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
-  localparam SOURCE_W     = SLOT_W + 1;  // of a vertex; of an evaluation one more
-  localparam USER_W       = `FFD_USER_W; // of a vertex; of an evaluation one more
+  // Of a vertex; of an evaluation one more, and the user word another with a fourth component.
+  localparam SOURCE_W     = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES);
+  localparam USER_W       = `FFD_USER_W;
+  localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
+  localparam PAGE_W       = $clog2(PAGES);
+  localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
 
   wire clk = aclk;
   wire rst = !aresetn;
@@ -85,23 +87,32 @@ module hwffd_stream #(
   wire [127:0]             in_data;
   wire                     in_last;
   wire [`FFD_FRAME_W-1:0]  in_frame;
+  wire                     refuse;
+  wire                     place_valid;
+  wire [PLACE_W-1:0]       place;
+  wire [PLACE_W-1:0]       tops;
 
   ffd_stream_framer #(
     .AXIS    (AXIS),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SPANS   (SPANS)
   ) u_framer (
     .clk     (clk),
     .rst     (rst),
     .take_i  (take_in),
     .data_i  (s_axis_tdata),
     .last_i  (s_axis_tlast),
+    .refuse_i(refuse),
+    .place_valid_i(place_valid),
+    .place_i (place),
+    .tops_i  (tops),
     .frame_o (frame),
     .claims_o(claims),
     .idle_o  (between)
   );
 
-  wire waits = frame[`FFD_FRAME_BANK] || frame[`FFD_FRAME_BUFFER] || (claims && !slot_free)
-            || (frame[`FFD_FRAME_FINISH] && !rooms);
+  wire waits = frame[`FFD_FRAME_BANK] || frame[`FFD_FRAME_BUFFER] || frame[`FFD_FRAME_PAGE]
+            || (claims && !slot_free) || (frame[`FFD_FRAME_FINISH] && !rooms);
 
   ffd_stream_intake #(
     .WIDTH(`FFD_FRAME_W + 129)
@@ -121,12 +132,13 @@ module hwffd_stream #(
   wire [4*POINT_W-1:0]              numbers;
   wire                              load;
   wire [1:0]                        load_axis;
-  wire [3:0]                        load_address;
+  wire [`FFD_OWN_W(SPANS)-1:0]      load_address;
   wire [1:0]                        load_shift;
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] load_entry;
   wire                              lattice_write;
-  wire                              lattice_buffer;
-  wire [11:0]                       lattice_at;
+  wire [PAGE_W-1:0]                 lattice_buffer;
+  wire [PLACE_W-1:0]                lattice_at;
+  wire                              lattice_fourth;
   wire                              slot_write;
   wire [SLOT_W-1:0]                 slot;
   wire [11:0]                       slot_cell;
@@ -137,7 +149,7 @@ module hwffd_stream #(
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
-  wire                              vertex_bank;
+  wire [`FFD_PLACES_W(SPANS)-1:0]   vertex_bank;
   wire [`FFD_EXPONENT_W-1:0]        vertex_exponent;
   wire                              vertex_changed;
   wire [1:0]                        vertex_results;
@@ -145,8 +157,10 @@ module hwffd_stream #(
   wire                              part_valid;
   wire                              part_ready;
   wire [SOURCE_W:0]                 part_source;
-  wire [5:0]                        part_bank;
+  wire [3*`FFD_PLACE_W(SPANS)-1:0]  part_bank;
   wire [1:0]                        part_column;
+  wire                              part_fourth;
+  wire [PART_W-1:0]                 part_words;
   wire [USER_W:0]                   part_user;
   wire                              read;
   wire                              read_last;
@@ -160,6 +174,9 @@ module hwffd_stream #(
   wire [95:0]                       result_words;
   wire [2:0]                        result_flags;
   wire                              result_determinant;
+  wire                              result_fourth;
+  wire [PART_W-1:0]                 result_words_user;
+  wire [`FFD_EVENTS-1:0]            decoder_event;
   wire                              result_final;
   wire [USER_W-1:0]                 result_user;
   wire                              evaluating;
@@ -182,7 +199,11 @@ module hwffd_stream #(
     .FEATURES   (FEATURES),
     .SLOTS      (SLOTS),
     .WAITING    (WAITING),
-    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1)
+    .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1),
+    .PAGES      (PAGES),
+    .AXIS       (AXIS),
+    .IN_FLIGHT  (IN_FLIGHT),
+    .SPANS      (SPANS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
@@ -190,7 +211,12 @@ module hwffd_stream #(
     .beat_data_i         (in_data),
     .beat_last_i         (in_last),
     .beat_frame_i        (in_frame),
+    .beat_held_i         (in_held),
     .go_o                (in_go),
+    .refuse_o            (refuse),
+    .place_valid_o       (place_valid),
+    .place_o             (place),
+    .tops_o              (tops),
     .numbers_o           (numbers),
     .load_o              (load),
     .load_axis_o         (load_axis),
@@ -199,6 +225,7 @@ module hwffd_stream #(
     .lattice_write_o     (lattice_write),
     .lattice_buffer_o    (lattice_buffer),
     .lattice_at_o        (lattice_at),
+    .lattice_fourth_o    (lattice_fourth),
     .slot_write_o        (slot_write),
     .slot_o              (slot),
     .slot_cell_o         (slot_cell),
@@ -216,11 +243,11 @@ module hwffd_stream #(
     .m_vertex_user       (vertex_user),
     .slot_free_o         (slot_free),
     .rooms_o             (rooms),
-    .slot_free_i         (read_last && !read_again && !read_source[SLOT_W]),
+    .slot_free_i         (read_last && !read_again && !read_source[SOURCE_W-1]),
     .evaluating_i        (evaluating),
     .retire_i            (retire_q),
     .retire_user_i       (retire_user_q),
-    .event_o             (event_o[`FFD_EVENTS-1:0]),
+    .event_o             (decoder_event),
     .event_packet_o      (event_packet_o),
     .event_beat_o        (event_beat_o),
     .idle_o              (decoder_idle)
@@ -238,7 +265,8 @@ module hwffd_stream #(
     .FEATURES(FEATURES),
     .SOURCE_W(SOURCE_W),
     .USER_W  (USER_W),
-    .LAST    (`FFD_USER_LAST)
+    .LAST    (`FFD_USER_LAST),
+    .SPANS   (SPANS)
   ) u_derivatives (
     .clk             (clk),
     .rst             (rst),
@@ -253,14 +281,30 @@ module hwffd_stream #(
     .m_vertex_source (part_source),
     .m_vertex_bank   (part_bank),
     .m_vertex_column (part_column),
+    .m_vertex_fourth (part_fourth),
     .m_vertex_user   (part_user)
   );
+
+  // {result_final, fourth component, that of the vertex}
+  generate
+    if (`FFD_FEATURE_FOURTH(FEATURES) != 0) begin : gen_fourth
+      assign part_words    = {part_user[USER_W], part_fourth, part_user[USER_W-1:0]};
+      assign result_fourth = result_words_user[USER_W];
+    end else begin : gen_no_fourth
+      assign part_words    = part_user;
+      assign result_fourth = 1'b0;
+      wire unused_fourth = &{1'b0, part_fourth};
+    end
+  endgenerate
+  assign result_final = result_words_user[PART_W-1];
+  assign result_user  = result_words_user[USER_W-1:0];
 
   ffd_cache_points #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
     .N       (N),
     .SLOTS   (SLOTS),
+    .PAGES   (PAGES),
     .AXIS    (AXIS),
     .LATENCY (READ_LATENCY)
   ) u_cache (
@@ -269,6 +313,7 @@ module hwffd_stream #(
     .lattice_write_i (lattice_write),
     .lattice_buffer_i(lattice_buffer),
     .lattice_at_i    (lattice_at),
+    .lattice_fourth_i(lattice_fourth),
     .slot_write_i    (slot_write),
     .slot_i          (slot),
     .slot_cell_i     (slot_cell),
@@ -281,20 +326,13 @@ module hwffd_stream #(
   );
 
   ffd_eval_stream #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
+    `include "ffd_row_arguments.vh"
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SOURCE_W + 1),
-    .USER_W         (USER_W + 1),
+    .USER_W         (PART_W),
     .IN_FLIGHT      (IN_FLIGHT),
-    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES))
+    .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
+    .SPANS          (SPANS)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -311,7 +349,7 @@ module hwffd_stream #(
     .s_vertex_changed    (vertex_changed),
     .s_vertex_exponent   (vertex_exponent),
     .s_vertex_column     (part_column),
-    .s_vertex_user       (part_user),
+    .s_vertex_user       (part_words),
     .read_o              (read),
     .read_last_o         (read_last),
     .read_source_o       ({read_again, read_source}),
@@ -325,7 +363,7 @@ module hwffd_stream #(
     .m_result_words      (result_words),
     .m_result_flags      (result_flags),
     .m_result_determinant(result_determinant),
-    .m_result_user       ({result_final, result_user})
+    .m_result_user       (result_words_user)
   );
 
   // The last register: a beat leaves it when it is taken, or when there was none.
@@ -338,7 +376,7 @@ module hwffd_stream #(
     .s_word_ready      (result_ready),
     .s_word_data       (result_words),
     .s_word_flags      (result_flags),
-    .s_word_determinant(result_determinant),
+    .s_word_determinant(result_determinant || result_fourth),
     .s_word_user       (result_user),
     .m_beat_valid      (m_axis_tvalid),
     .m_beat_ready      (m_axis_tready),
@@ -346,7 +384,8 @@ module hwffd_stream #(
     .m_beat_last       (m_axis_tlast)
   );
 
-  assign event_o[`FFD_EVENT_SATURATED] = saturated_q;
+  wire [`FFD_EVENTS-1:0] saturated = {{(`FFD_EVENTS - 1) {1'b0}}, saturated_q};
+  assign event_o  = decoder_event | saturated << `FFD_EVENT_SATURATED;
   assign vertex_o = retire_q;
 
   // Why a beat is held: for a bank or a buffer that is still read, or because the evaluator has no
@@ -354,8 +393,7 @@ module hwffd_stream #(
   wire   held_back = in_held && !in_go;
   wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
   assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
-  assign idle_o = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
-
+  assign idle_o    = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
   wire unused_ok = &{1'b0, read};
 endmodule
 

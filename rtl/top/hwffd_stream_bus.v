@@ -30,9 +30,11 @@ module hwffd_stream_bus #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 16,
+  parameter PAGES           = 2,
   parameter IN_FLIGHT       = 128,
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
+  parameter SPANS           = 1,
   parameter DATA_WIDTH      = 64
 ) (
   input  wire                    aclk,
@@ -47,7 +49,7 @@ module hwffd_stream_bus #(
   output wire [DATA_WIDTH-1:0]   m_axis_tdata,
   output wire [DATA_WIDTH/8-1:0] m_axis_tkeep,
   output wire                    m_axis_tlast,
-  output wire [9:0]              event_o,
+  output wire [13:0]             event_o,
   output wire [31:0]             event_packet_o,
   output wire [31:0]             event_beat_o,
   output wire                    vertex_o,

@@ -7,7 +7,7 @@
 `default_nettype none
 
 module formal_bus_registers #(
-  parameter ERRORS = 24
+  parameter ERRORS = 28
 ) (
   input wire        clk,
   input wire        rst,

@@ -79,7 +79,7 @@ module formal_bus_run (
     .wait_read_i             (32'd0),
     .wait_write_i            (32'd0),
     .counter_busy_event_i    (1'b0),
-    .error_event_i           (24'd0),
+    .error_event_i           (28'd0),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),
     .error_address_valid_i   (1'b0),

@@ -28,6 +28,10 @@ module formal_stream_framer #(
     .take_i  (take),
     .data_i  (data),
     .last_i  (last),
+    .refuse_i(1'b0),
+    .place_valid_i(1'b0),
+    .place_i (12'd0),
+    .tops_i  (12'd0),
     .frame_o (frame),
     .claims_o(claims),
     .idle_o  (idle)

@@ -65,7 +65,7 @@ TEST_P(RecordedStream, CoreAnswersCommandsAsEver) {
   got.row = GetParam().name;
   got.results = run.bench().results().size();
   got.hash = hash_of(run.bench().results());
-  got.events = run.bench().events();
+  got.events = recorded_events(run.bench().events());
   expect_equal(got, recorded("commands", GetParam()));
 }
 
@@ -77,7 +77,7 @@ TEST(Recordings, HaveEveryRowAndEveryEvent) {
     for (const Configuration& row : recorded_rows())
       EXPECT_EQ(rows.count(row.name), 1U) << row.name;
   }
-  std::array<std::uint64_t, kStreamEvents> events{};
+  RecordedEvents events{};
   for (const Recording& recording : read_table(table_path("commands"))) {
     for (std::size_t e = 0; e < events.size(); ++e) events[e] += recording.events[e];
   }

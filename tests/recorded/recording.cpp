@@ -123,6 +123,15 @@ tb::EvaluatorStimulus stimulus_of(const std::vector<Beat>& packet) {
 
 }  // namespace
 
+RecordedEvents recorded_events(const std::array<std::uint64_t, kStreamEvents>& events) {
+  RecordedEvents known{};
+  std::copy_n(events.begin(), known.size(), known.begin());
+  if (std::any_of(events.begin() + known.size(), events.end(), [](auto n) { return n != 0; })) {
+    throw Error("a recorded stream has an event that recordings do not know");
+  }
+  return known;
+}
+
 std::uint64_t hash_of(const std::vector<Beat>& beats) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   const auto take = [&hash](std::uint32_t byte) { hash = (hash ^ byte) * 0x100000001B3U; };

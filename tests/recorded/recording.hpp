@@ -16,13 +16,19 @@
 /// of a hash names its reason in CHANGELOG.md.
 namespace hwffd::test {
 
+/// Events that recorded streams know: those of the packets that every core has.
+constexpr int kRecordedEvents = event::kSaturated + 1;
+using RecordedEvents = std::array<std::uint64_t, kRecordedEvents>;
+
+/// Those of a core. Throws hwffd::Error if it has counted any other.
+RecordedEvents recorded_events(const std::array<std::uint64_t, kStreamEvents>& events);
+
 /// What comes of a recorded stream.
 struct Recording {
   std::string row;
   std::size_t results = 0;
-  std::uint64_t hash = 0;  ///< of the results in their order, see `hash_of`
-  std::array<std::uint64_t, kStreamEvents>
-      events{};  ///< of the input, by number; none at the read port
+  std::uint64_t hash = 0;   ///< of the results in their order, see `hash_of`
+  RecordedEvents events{};  ///< of the input, by number; none at the read port
 };
 
 /// FNV-1a, 64 bits, over the little-endian words of each beat and one byte for its tlast.

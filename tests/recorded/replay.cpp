@@ -19,7 +19,7 @@ Recording recording_of(const Configuration& row, const std::vector<Beat>& result
 Recording model_answers(const Configuration& row, const std::vector<Beat>& commands) {
   model::StreamModel model(row);
   Recording recording = recording_of(row, model.run(commands));
-  recording.events = model.events();
+  recording.events = recorded_events(model.events());
   return recording;
 }
 

@@ -3,20 +3,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "hwffd/stream/word_codec.hpp"
+
 namespace hwffd::model {
 
 StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
-                         int axis_points)
+                         int axis_points, int pages, int spans)
     : evaluator_(make_evaluator_model(configuration)),
+      block_(WordCodec(configuration.format).is_block()),
       features_(features),
-      axis_points_(axis_points) {}
+      axis_points_(axis_points),
+      pages_(pages),
+      spans_(spans) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;
   bank_ = 0;
   loaded_ = false;
   derivatives_loaded_ = false;
-  lattice_.clear();
+  pages_.assign(pages_.size(), {});
+  newest_ = 0;
+  spans_.reset();
   results_.clear();
   events_ = {};
   vertices_ = 0;
@@ -38,8 +45,14 @@ void StreamModel::accept(const Beat& beat) {
     case State::kCoefficients:
       coefficients(beat);
       break;
+    case State::kSpans:
+      span(beat);
+      break;
     case State::kLattice:
       lattice_point(beat);
+      break;
+    case State::kPart:
+      part_point(beat);
       break;
     case State::kVertex:
       vertex(beat);
@@ -59,61 +72,44 @@ void StreamModel::accept(const Beat& beat) {
   state_ = State::kHeader;
 }
 
-/// Whether the core has what a header asks for.
-bool StreamModel::known(const Beat& header) const {
-  const auto has = [&](Feature feature) { return (features_ & feature) != 0; };
-  const std::uint32_t asked = header.words[2] >> 8 & 3;
-  const bool results = asked == static_cast<std::uint32_t>(Results::kDerivatives)
-                           ? has(kDerivativesFeature)
-                       : asked == static_cast<std::uint32_t>(Results::kDeterminant)
-                           ? has(kDeterminantFeature)
-                           : asked == static_cast<std::uint32_t>(Results::kPosition);
-  switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
-    case Opcode::kCoefficients:
-      return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;
-    case Opcode::kLattice:
-      return has(kResidentFeature);
-    case Opcode::kVertices:
-      return has(kResidentFeature) && results;
-    case Opcode::kInterleaved:
-      return has(kInterleavedFeature) && results;
-    default:
-      return false;
-  }
-}
-
 void StreamModel::header(const Beat& beat) {
   header_ = beat;
   beat_ = 0;
-  vertices_left_ = beat.words[1];
+  left_ = beat.words[1];
   state_ = State::kDrop;
   if (!known(beat)) {
-    ++events_[event::kUnknownOpcode];
+    refuse(event::kUnknownOpcode);
     return;
   }
-  bool starts = false;
-  switch (static_cast<Opcode>(beat.words[0] & 0xFF)) {
+  const auto opcode = static_cast<Opcode>(beat.words[0] & 0xFF);
+  const int number = opcode == Opcode::kLattice    ? 1 - newest_
+                     : opcode == Opcode::kVertices ? newest_
+                                                   : static_cast<int>(beat.words[0] >> 8 & 0xFF);
+  if (!start(opcode, number)) return;
+  if (state_ == State::kDrop || beat.last) ++events_[event::kPacketShort];
+}
+
+/// Makes ready for the payload, if there shall be any; false: the packet is refused.
+bool StreamModel::start(Opcode opcode, int number) {
+  switch (opcode) {
     case Opcode::kCoefficients:
       state_ = State::kCoefficients;
-      starts = true;
-      break;
+      return true;
+    case Opcode::kSpans:
+      return start_spans();
     case Opcode::kLattice:
-      if (!start_lattice()) {
-        ++events_[event::kLatticeSize];
-        return;
-      }
-      state_ = State::kLattice;
-      starts = true;
-      break;
-    case Opcode::kVertices:
-    case Opcode::kInterleaved:
-      wanted_ = static_cast<Results>(beat.words[2] >> 8 & 3);
-      resident_ = static_cast<Opcode>(beat.words[0] & 0xFF) == Opcode::kVertices;
-      starts = vertices_left_ != 0;
-      if (starts) state_ = State::kVertex;
-      break;
+    case Opcode::kPage:
+      return start_lattice(opcode, number);
+    case Opcode::kPoints:
+      return start_part(number);
+    default:
+      return start_vertices(opcode, number);
   }
-  if (!starts || beat.last) ++events_[event::kPacketShort];
+}
+
+bool StreamModel::refuse(event::Code code) {
+  ++events_[stream_event(code)];
+  return false;
 }
 
 /// Ten bits of word 3, two's complement.
@@ -122,12 +118,52 @@ int StreamModel::header_exponent() const {
   return low < 512 ? low : low - 1024;
 }
 
-bool StreamModel::start_lattice() {
+bool StreamModel::start_lattice(Opcode opcode, int number) {
+  if (number >= static_cast<int>(pages_.size())) return refuse(event::kNoLattice);
+  const int most = flagged(kLargeFlag) ? axis_points_ : std::min(axis_points_, kSmallAxisPoints);
+  std::array<int, 3> dims{};
   for (int axis = 0; axis < 3; ++axis) {
-    new_dims_[axis] = static_cast<int>(header_.words[2] >> (8 * axis)) & 0xFF;
-    if (new_dims_[axis] < 4 || new_dims_[axis] > axis_points_) return false;
+    dims[axis] = static_cast<int>(header_.words[2] >> (8 * axis)) & 0xFF;
+    if (dims[axis] < 4 || dims[axis] > most) return refuse(event::kLatticeSize);
   }
-  new_lattice_.clear();
+  page_ = &pages_[number];
+  *page_ = {};
+  page_->dims = dims;
+  page_->fourth = flagged(kFourthFlag);
+  page_->exponent = header_exponent();
+  for (int axis = 0; axis < 3 && opcode == Opcode::kPage; ++axis) {
+    page_->origin[axis] = static_cast<int>(header_.words[3] >> (10 + 7 * axis) & 127);
+  }
+  turn_ = opcode == Opcode::kLattice;
+  state_ = State::kLattice;
+  return true;
+}
+
+bool StreamModel::start_part(int number) {
+  if (number >= static_cast<int>(pages_.size())) return refuse(event::kNoLattice);
+  page_ = &pages_[number];
+  place_ = header_.words[2];
+  const bool same_exponent = !block_ || page_->exponent == header_exponent();
+  if (!page_->loaded || !same_exponent || place_ + std::uint64_t{left_} > page_->points.size()) {
+    return refuse(event::kPagePoints);
+  }
+  if (flagged(kFourthFlag) && !page_->fourth) return refuse(event::kNoFourth);
+  if (left_ != 0) state_ = State::kPart;
+  return true;
+}
+
+bool StreamModel::start_vertices(Opcode opcode, int number) {
+  wanted_ = static_cast<Results>(header_.words[2] >> 8 & 3);
+  resident_ = opcode != Opcode::kInterleaved;
+  page_ = nullptr;
+  if (resident_ && number < static_cast<int>(pages_.size()) && pages_[number].loaded) {
+    page_ = &pages_[number];
+  }
+  if (flagged(kFourthFlag) &&
+      (page_ == nullptr || !page_->fourth || wanted_ == Results::kDeterminant)) {
+    return refuse(event::kNoFourth);
+  }
+  if (left_ != 0 || flagged(kEveryFlag)) state_ = State::kVertex;
   return true;
 }
 
@@ -142,32 +178,89 @@ void StreamModel::coefficients(const Beat& beat) {
   } else {
     evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
   }
+  const bool of_derivative = beat_ >= kCoefficientBeats;
+  spans_.set_common(axis, beat_ % 4, of_derivative,
+                    {field(0), field(of_derivative ? 16 : 8), beat.words});
   if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
     bank_ = 1 - bank_;
+    spans_.take_common();
     loaded_ = true;
     derivatives_loaded_ = derivatives;
     state_ = State::kDone;
   }
 }
 
-void StreamModel::lattice_point(const Beat& beat) {
-  new_lattice_.push_back({beat.words[0], beat.words[1], beat.words[2]});
-  const int all = new_dims_[0] * new_dims_[1] * new_dims_[2];
-  if (static_cast<int>(new_lattice_.size()) < all) return;
-  dims_ = new_dims_;
-  lattice_ = std::exchange(new_lattice_, {});
-  lattice_exponent_ = header_exponent();
+bool StreamModel::start_spans() {
+  const std::uint64_t first = header_.words[2] >> 8 & 0xFF;
+  const bool beyond = first + left_ > static_cast<std::uint64_t>(spans_.spans());
+  if (beyond) return refuse(event::kSpanBeyond);
+  if (left_ != 0) state_ = State::kSpans;
+  return true;
+}
+
+void StreamModel::span(const Beat& beat) {
+  const std::uint32_t word = header_.words[2];
+  const bool derivatives = (word & kDerivativesFollow) != 0;
+  const auto field = [&](int low) { return static_cast<int>(word >> low) & 3; };
+  const bool of_derivative = beat_ >= 4;
+  const auto first = static_cast<std::uint32_t>(word >> 8 & 0xFF);
+  const auto at = static_cast<int>(first + header_.words[1] - left_);
+  spans_.receive(field(22), at, beat_ % 4, of_derivative,
+                 {field(0), field(of_derivative ? 18 : 4), beat.words});
+  if (++beat_ < (derivatives ? 8 : 4)) return;
+  beat_ = 0;
+  spans_.complete(field(22), at, derivatives);
+  if (--left_ != 0) return;
   state_ = State::kDone;
+  if ((header_.words[0] & kEndsSet) == 0) return;
+  derivatives_loaded_ = derivatives_loaded_ && spans_.set_has_derivatives();
+  spans_.take_set();
+}
+
+/// Gives the evaluator the functions of the vertex's cell.
+void StreamModel::use_spans() {
+  if (spans_.spans() == 1) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int origin = page_ != nullptr ? page_->origin[axis] : 0;
+    const AxisFunctions& used = spans_.of_cell(axis, origin + vertex_.cell[axis]);
+    for (int function = 0; function < 4; ++function) {
+      const FunctionWords& own = used.function[function];
+      const FunctionWords& derivative = used.derivative[function];
+      evaluator_->load(bank_, axis, function, own.degree, own.shift, own.words);
+      evaluator_->load_derivative(bank_, axis, function, derivative.degree, derivative.shift,
+                                  derivative.words);
+    }
+  }
+}
+
+void StreamModel::lattice_point(const Beat& beat) {
+  page_->points.push_back(beat.words);
+  const std::array<int, 3>& dims = page_->dims;
+  if (static_cast<int>(page_->points.size()) < dims[0] * dims[1] * dims[2]) return;
+  page_->loaded = true;
+  if (turn_) newest_ = 1 - newest_;
+  state_ = State::kDone;
+}
+
+/// A point of a part; without its flag the fourth component stays.
+void StreamModel::part_point(const Beat& beat) {
+  LatticePoint& point = page_->points[place_++];
+  std::copy_n(beat.words.begin(), flagged(kFourthFlag) ? 4 : 3, point.begin());
+  if (--left_ == 0) state_ = State::kDone;
 }
 
 void StreamModel::vertex(const Beat& beat) {
   vertex_ = {};
+  const bool large = flagged(kLargeFlag);
   for (int axis = 0; axis < 3; ++axis) {
     vertex_.local[axis] = beat.words[axis];
-    vertex_.cell[axis] = static_cast<int>(beat.words[3] >> (16 + 4 * axis)) & 15;
+    const std::uint32_t word = beat.words[3];
+    const std::uint32_t fifth = axis_points_ > 16 ? word >> (28 + axis) & 1 : 0;
+    vertex_.cell[axis] = static_cast<int>(large ? word >> (14 + 6 * axis) & 63
+                                                : (word >> (16 + 4 * axis) & 15) | fifth << 4);
   }
-  vertex_.exponent = resident_ ? lattice_exponent_ : header_exponent();
-  tag_ = static_cast<std::uint16_t>(beat.words[3]);
+  vertex_.exponent = page_ != nullptr ? page_->exponent : header_exponent();
+  tag_ = static_cast<std::uint16_t>(beat.words[3] & (large ? 0x3FFF : 0xFFFF));
   beat_ = 0;
   check_vertex();
   if (!resident_) {
@@ -175,8 +268,8 @@ void StreamModel::vertex(const Beat& beat) {
     if (beat.last) finish_vertex(true, true);
     return;
   }
-  if (!lattice_.empty()) gather_support();
-  const bool complete = vertices_left_ == 1;
+  if (page_ != nullptr) gather_support();
+  const bool complete = flagged(kEveryFlag) ? beat.last : left_ == 1;
   finish_vertex(false, complete || beat.last);
   state_ = complete ? State::kDone : State::kVertex;
 }
@@ -189,9 +282,9 @@ void StreamModel::check_vertex() {
     nan_ |= range.nan;
     outside_ |= range.outside;
     if (clamp) vertex_.local[axis] = range.clamped;
-    if (!resident_ || lattice_.empty() || vertex_.cell[axis] <= dims_[axis] - 4) continue;
+    if (page_ == nullptr || vertex_.cell[axis] <= page_->dims[axis] - 4) continue;
     cell_outside_ = true;
-    vertex_.cell[axis] = dims_[axis] - 4;
+    vertex_.cell[axis] = page_->dims[axis] - 4;
     if (clamp) vertex_.local[axis] = evaluator_->one_word();
   }
 }
@@ -201,9 +294,11 @@ void StreamModel::gather_support() {
     const std::array<int, 3> offset = {p / 16, p / 4 % 4, p % 4};
     int at = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      at = at * dims_[axis] + vertex_.cell[axis] + offset[axis];
+      at = at * page_->dims[axis] + vertex_.cell[axis] + offset[axis];
     }
-    for (int c = 0; c < 3; ++c) vertex_.points[3 * p + c] = lattice_[at][c];
+    const LatticePoint& point = page_->points[at];
+    std::copy_n(point.begin(), 3, &vertex_.points[3 * p]);
+    fourth_[p] = point[3];
   }
 }
 
@@ -212,15 +307,15 @@ void StreamModel::points(const Beat& beat) {
   ++beat_;
   const bool complete = beat_ == kPointBeats;
   if (!complete && !beat.last) return;
-  const bool last_vertex = vertices_left_ == 1;
+  const bool last_vertex = left_ == 1;
   finish_vertex(!complete, last_vertex || beat.last);
   if (complete) state_ = last_vertex ? State::kDone : State::kVertex;
 }
 
 void StreamModel::finish_vertex(bool truncated, bool last) {
-  --vertices_left_;
+  --left_;
   ++vertices_;
-  const bool no_lattice = resident_ && lattice_.empty();
+  const bool no_lattice = resident_ && page_ == nullptr;
   const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
   const bool unloaded = no_functions || no_lattice;
   const bool out = outside_ || cell_outside_;
@@ -238,10 +333,24 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
   const bool blank = truncated || unloaded || nan_ || refused;
+  if (!blank) use_spans();
   for (int part = 0; part < results_of(wanted_); ++part) {
-    results_.push_back(blank ? blank_result(result) : evaluated(result, part));
+    for (const bool fourth : {false, true}) {
+      if (fourth && !flagged(kFourthFlag)) continue;
+      results_.push_back(blank ? blank_result(result) : evaluated(result, part, fourth));
+    }
   }
   results_.back().last = last;
+}
+
+std::uint32_t StreamModel::error_status() const {
+  std::uint32_t status = 0;
+  for (unsigned code = 0; code < 32; ++code) {
+    const bool of_stream = code <= event::kSaturated || code >= event::kPagePoints;
+    const unsigned bit = stream_event(static_cast<event::Code>(code));
+    if (of_stream && bit < kStreamEvents && events_[bit] != 0) status |= 1U << code;
+  }
+  return status;
 }
 
 Beat StreamModel::blank_result(Beat result) const {
@@ -249,14 +358,16 @@ Beat StreamModel::blank_result(Beat result) const {
   return result;
 }
 
-Beat StreamModel::evaluated(Beat result, int part) {
+Beat StreamModel::evaluated(Beat result, int part, bool fourth) {
   const bool determinant = part > 0 && wanted_ == Results::kDeterminant;
   vertex_.derivative = part == 0 ? VertexWords::kPosition : part - 1;
+  VertexWords vertex = vertex_;
+  for (int word = 0; word < 192 && fourth; ++word) vertex.points[word] = fourth_[word / 3];
   const ResultWords words =
-      determinant ? evaluator_->determinant(bank_, vertex_) : evaluator_->evaluate(bank_, vertex_);
+      determinant ? evaluator_->determinant(bank_, vertex) : evaluator_->evaluate(bank_, vertex);
   const std::uint32_t x = words.words[0];
   const bool folded = determinant && (x == 0 || (x >> 31) != 0);
-  for (int c = 0; c < 3; ++c) result.words[c] = words.words[c];
+  for (int c = 0; c < (fourth ? 1 : 3); ++c) result.words[c] = words.words[c];
   result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0) |
                      (folded ? kStatusFolded : 0);
   events_[event::kSaturated] += words.saturated ? 1 : 0;

@@ -154,11 +154,15 @@ int derivative_exponent(const Blending& blending) {
 }
 
 AxisWords encode(const Blending& blending, const WordCodec& codec) {
+  return encode(blending, codec, derivative_exponent(blending));
+}
+
+AxisWords encode(const Blending& blending, const WordCodec& codec, int exponent) {
   AxisWords axis;
   axis.degree = blending.degree;
   DerivativeWords& derivative = axis.derivative;
   if (codec.has_fixed_weights()) {
-    derivative.exponent = derivative_exponent(blending);
+    derivative.exponent = exponent;
     axis.shift = shift_for(horner_magnitude(blending));
     derivative.shift = shift_for(
         std::ldexp(horner_magnitude(blending.derivative, blending.degree), -derivative.exponent));

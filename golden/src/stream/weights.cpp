@@ -8,6 +8,7 @@
 #include "hwffd/numerics/block.hpp"
 #include "hwffd/numerics/fixed.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "hwffd/stream/spans.hpp"
 
 namespace hwffd {
 namespace {
@@ -60,13 +61,18 @@ bool is_watertight(const AxisWords& axis, const std::string& format, int stride,
   if (stride < 1 || stride > 3) {
     throw UsageError("stride " + std::to_string(stride) + " between cells: 1 to 3");
   }
+  return is_watertight(axis, axis, format, stride, fused);
+}
+
+bool is_watertight(const AxisWords& lower, const AxisWords& upper, const std::string& format,
+                   int stride, bool fused) {
   const WordCodec codec(format);
-  const auto lower = weights(axis, format, codec.coordinate(1.0), fused);
-  const auto upper = weights(axis, format, codec.coordinate(0.0), fused);
+  const auto end = weights(lower, format, codec.coordinate(1.0), fused);
+  const auto begin = weights(upper, format, codec.coordinate(0.0), fused);
   for (int l = 0; l < 4; ++l) {
-    if (l < stride && lower[l] != 0) return false;
+    if (l < stride && end[l] != 0) return false;
     const bool shared = l + stride < 4;
-    if (upper[l] != (shared ? lower[l + stride] : 0.0)) return false;
+    if (begin[l] != (shared ? end[l + stride] : 0.0)) return false;
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
+#include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
@@ -16,11 +17,15 @@ using StreamEvents = std::array<std::uint64_t, kStreamEvents>;
 
 /// What a core has, as the parameter FEATURES of `hwffd_stream` says it.
 enum Feature : std::uint32_t {
+  kPagesFeature = 1U << 0,
+  kLargeFeature = 1U << 1,
+  kFourthFeature = 1U << 2,
+  kSpansFeature = 1U << 3,
   kResidentFeature = 1U << 8,
   kInterleavedFeature = 1U << 9,
   kDerivativesFeature = 1U << 10,
   kDeterminantFeature = 1U << 11,
-  kAllFeatures = 0xFU << 8,
+  kAllFeatures = 0xFU << 8,  ///< of a core as it comes
 };
 
 /// The bit-true model of `hwffd_stream`: command beats in, result beats out, bad packets included.
@@ -29,8 +34,10 @@ class StreamModel {
  public:
   /// @param features     bits of `Feature`; a packet of what is not there is one of unknown opcode
   /// @param axis_points  of a resident lattice, at most
+  /// @param pages        of the point store
+  /// @param spans        of an axis, more than 1 with `kSpansFeature`
   explicit StreamModel(const Configuration& configuration, std::uint32_t features = kAllFeatures,
-                       int axis_points = kAxisPoints);
+                       int axis_points = kAxisPoints, int pages = kPages, int spans = 1);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -42,30 +49,70 @@ class StreamModel {
   void reset();
 
   const StreamEvents& events() const { return events_; }
+  /// Those that occurred, as the bits of ERROR_STATUS (docs/registers.md).
+  std::uint32_t error_status() const;
   /// Vertices that have given their results, each once however many those are.
   std::uint64_t vertices() const { return vertices_; }
 
  private:
-  enum class State { kHeader, kCoefficients, kLattice, kVertex, kPoints, kDone, kDrop };
-  using LatticePoint = std::array<std::uint32_t, 3>;
+  enum class State {
+    kHeader,
+    kCoefficients,
+    kSpans,
+    kLattice,
+    kPart,
+    kVertex,
+    kPoints,
+    kDone,
+    kDrop
+  };
+  using LatticePoint = std::array<std::uint32_t, 4>;
 
+  /// A page of the point store.
+  struct Page {
+    bool loaded = false;
+    bool fourth = false;
+    int exponent = 0;
+    std::array<int, 3> dims{};
+    std::array<int, 3> origin{};  // the cell of the whole lattice at which it begins
+    std::vector<LatticePoint> points;
+  };
+
+  bool has(Feature feature) const { return (features_ & feature) != 0; }
   bool known(const Beat& header) const;
+  bool known_of_page(const Beat& header) const;
+  bool flagged(std::uint32_t flag) const;
   void header(const Beat& beat);
-  bool start_lattice();
+  bool start(Opcode opcode, int number);
+  bool refuse(event::Code code);
+  bool start_lattice(Opcode opcode, int number);
+  bool start_part(int number);
+  bool start_vertices(Opcode opcode, int number);
   void coefficients(const Beat& beat);
+  bool start_spans();
+  void span(const Beat& beat);
+  void use_spans();
   void lattice_point(const Beat& beat);
+  void part_point(const Beat& beat);
   void vertex(const Beat& beat);
   void points(const Beat& beat);
   void check_vertex();
   void gather_support();
   void finish_vertex(bool truncated, bool last);
   Beat blank_result(Beat result) const;
-  Beat evaluated(Beat result, int part);
+  Beat evaluated(Beat result, int part, bool fourth);
   int header_exponent() const;
 
   std::unique_ptr<EvaluatorModel> evaluator_;
+  bool block_;  // points have an exponent
   std::uint32_t features_;
   int axis_points_;
+  std::vector<Page> pages_;
+  int newest_ = 0;         // the page that opcode 2 filled last
+  bool turn_ = false;      // a lattice comes by opcode 2
+  Page* page_ = nullptr;   // of the packet under way; of vertices, none if there is none
+  std::size_t place_ = 0;  // of the next point of a part
+  SpanTable spans_;
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;
@@ -77,16 +124,11 @@ class StreamModel {
   bool loaded_ = false;
   bool derivatives_loaded_ = false;  // of the bank in use
 
-  std::array<int, 3> new_dims_{};
-  std::vector<LatticePoint> new_lattice_;
-  std::array<int, 3> dims_{};
-  std::vector<LatticePoint> lattice_;  // empty: none came yet
-  int lattice_exponent_ = 0;
-
   bool resident_ = false;
   Results wanted_ = Results::kPosition;
-  std::uint32_t vertices_left_ = 0;
+  std::uint32_t left_ = 0;  // vertices, points of a part or spans
   VertexWords vertex_;
+  std::array<std::uint32_t, 64> fourth_{};  // components of the vertex's points
   std::uint16_t tag_ = 0;
   bool nan_ = false;
   bool outside_ = false;  // a coordinate

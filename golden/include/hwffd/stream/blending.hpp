@@ -61,6 +61,9 @@ int derivative_exponent(const Blending& blending);
 /// derivatives are stored times 2^-r as well, r from derivative_exponent().
 AxisWords encode(const Blending& blending, const WordCodec& codec);
 
+/// The same with a larger r, as of an axis whose other cells have steeper functions.
+AxisWords encode(const Blending& blending, const WordCodec& codec, int exponent);
+
 /// The packet that loads the same blending functions for all three axes.
 std::vector<Beat> coefficients_packet(const Blending& blending, const WordCodec& codec,
                                       Functions functions = Functions::kBlending);

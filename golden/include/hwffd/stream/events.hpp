@@ -4,7 +4,8 @@
 namespace hwffd::event {
 
 /// What may go wrong in the core and on its buses: bits of ERROR_STATUS
-/// (docs/registers.md). Those up to kSaturated are events of the stream.
+/// (docs/registers.md). Those up to kSaturated and from kPagePoints on are
+/// events of the stream.
 enum Code : unsigned {
   kUnknownOpcode = 0,
   kPacketShort = 1,
@@ -29,14 +30,24 @@ enum Code : unsigned {
   kTimeoutR = 20,
   kTimeoutAw = 21,
   kTimeoutW = 22,
-  kTimeoutB = 23
+  kTimeoutB = 23,
+  kPagePoints = 24,
+  kSpanBeyond = 25,
+  kNoFourth = 26,
+  kGridCount = 27
 };
 
 }  // namespace hwffd::event
 
 namespace hwffd {
 
+/// The bit of event_o: those of the DMA lie between in ERROR_STATUS.
+constexpr unsigned stream_event(event::Code code) {
+  return code <= event::kSaturated ? code
+                                   : code - event::kPagePoints + 1 + event::kSaturated;
+}
+
 /// Kinds of events of the stream.
-constexpr int kStreamEvents = event::kSaturated + 1;
+constexpr int kStreamEvents = stream_event(event::kGridCount) + 1;
 
 }  // namespace hwffd

@@ -15,8 +15,17 @@ enum class Opcode : std::uint8_t {
   kCoefficients = 1,
   kLattice = 2,
   kVertices = 3,
-  kInterleaved = 4
+  kInterleaved = 4,
+  kPage = 5,
+  kPoints = 6,
+  kPageVertices = 7,
+  kSpans = 9  ///< hwffd/stream/spans.hpp
 };
+
+/// Flags of opcodes 5 to 7, bits of a header's word 0. docs/interface.md section 2.
+constexpr std::uint32_t kEveryFlag = 1U << 16;   ///< vertices come until tlast
+constexpr std::uint32_t kFourthFlag = 1U << 17;  ///< points have a fourth component
+constexpr std::uint32_t kLargeFlag = 1U << 19;   ///< more than 32 points an axis, tags of 14 bits
 
 /// What becomes of a vertex outside the lattice, in a header of vertices. All modes flag it.
 enum class OutsideMode : std::uint8_t {
@@ -42,9 +51,13 @@ enum class Functions { kBlending, kDerivativesToo };
 
 constexpr int kCoefficientBeats = 12;                   ///< three axes, four functions
 constexpr std::uint32_t kDerivativesFollow = 1U << 31;  ///< in word 2 of a header of coefficients
+constexpr std::uint32_t kEndsSet = 1U << 16;            ///< in word 0 of a header of spans
 constexpr int kPointBeats = 48;                         ///< 64 points, three words each
 constexpr int kVertexBeats = 1 + kPointBeats;
-constexpr int kAxisPoints = 16;  ///< of a resident lattice, at most
+constexpr int kAxisPoints = 16;       ///< of a resident lattice, at most, in a core as it comes
+constexpr int kSmallAxisPoints = 32;  ///< at most without `kLargeFlag`
+constexpr int kLargeAxisPoints = 64;  ///< at most with it
+constexpr int kPages = 2;             ///< of the point store, in a core as it comes
 
 /// Vertices a packet where many go to the core; tags of 16 bits stay unique within one.
 constexpr std::size_t kPacketVertices = 1024;
@@ -69,7 +82,7 @@ struct AxisWords {
 /// A vertex as stream words.
 struct VertexBeat {
   std::array<std::uint32_t, 3> local{};  ///< s, t, u
-  std::array<int, 3> cell{};             ///< i, j, k, 0 to 15 each
+  std::array<int, 3> cell{};             ///< i, j, k, 0 to 15 each, in larger lattices to 31 or 63
   std::uint16_t tag = 0;                 ///< comes back with the result
 };
 
@@ -81,17 +94,47 @@ struct InterleavedVertex : VertexBeat {
 
 /// A lattice as stream words: points[(i * dims[1] + j) * dims[2] + k].
 struct LatticeWords {
-  std::array<int, 3> dims{};  ///< points an axis, 4 to kAxisPoints
+  std::array<int, 3> dims{};  ///< points an axis, 4 to what the core takes
   std::vector<std::array<std::uint32_t, 3>> points;
-  int exponent = 0;  ///< of all points, -512 to 511; only bfp32 looks at it
+  int exponent = 0;                     ///< of all points, -512 to 511; only bfp32 looks at it
+  std::vector<std::uint32_t> fourth{};  ///< a fourth component for each point, or none at all
 };
 
 /// The packet that loads a bank of coefficients: 13 beats, or 25. Axes s, t, u.
 std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes,
                                       Functions functions = Functions::kBlending);
 
-/// The packet that makes a lattice resident: a beat a point after the header.
+/// The packet that makes a lattice resident: a beat a point after the header. Its fourth component
+/// does not go with it.
 std::vector<Beat> lattice_packet(const LatticeWords& lattice);
+
+/// Of a core with pages: the packet that makes a lattice resident in a page, with its fourth
+/// component if it has one, and with `kLargeFlag` if it has more than 32 points along an axis.
+/// @param origin  the cell of the whole lattice at which the page begins, which chooses spans
+/// @throws std::invalid_argument unless the page is 0 to 255, the origin 0 to 127 along each axis,
+///   and there is a fourth component for each point or for none
+std::vector<Beat> page_packet(int page, const LatticeWords& lattice,
+                              const std::array<int, 3>& origin = {});
+
+/// Of a core with pages: the packet that changes `count` points of a page, from number `first` of
+/// the lattice on, to those of `lattice`, which has all points of the page.
+/// @throws std::invalid_argument as above, and if those points are not all of the lattice
+std::vector<Beat> points_packet(int page, const LatticeWords& lattice, std::size_t first,
+                                std::size_t count);
+
+/// How vertices of a page are evaluated and counted.
+struct PageVertices {
+  OutsideMode mode = OutsideMode::kClamp;
+  Results results = Results::kPosition;
+  bool fourth = false;  ///< each result is followed by one of the fourth component
+  bool large = false;   ///< six bits of cell an axis, tags of 14 bits
+  bool every = false;   ///< no count: vertices come until tlast
+};
+
+/// Of a core with pages: the packet of vertices of one of them, 1 + n beats, in the order given.
+/// @throws std::invalid_argument unless the page is 0 to 255
+std::vector<Beat> page_vertices_packet(int page, const std::vector<VertexBeat>& vertices,
+                                       const PageVertices& how = {});
 
 /// The packet of vertices of the resident lattice: 1 + n beats, in the order given.
 std::vector<Beat> vertices_packet(const std::vector<VertexBeat>& vertices,

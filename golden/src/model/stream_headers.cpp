@@ -1,0 +1,61 @@
+// What a stream model knows of a header before anything of its packet is done.
+#include "hwffd/model/stream_model.hpp"
+
+namespace hwffd::model {
+
+/// Whether the core has what a header asks for.
+bool StreamModel::known(const Beat& header) const {
+  const std::uint32_t asked = header.words[2] >> 8 & 3;
+  const bool results = asked == static_cast<std::uint32_t>(Results::kDerivatives)
+                           ? has(kDerivativesFeature)
+                       : asked == static_cast<std::uint32_t>(Results::kDeterminant)
+                           ? has(kDeterminantFeature)
+                           : asked == static_cast<std::uint32_t>(Results::kPosition);
+  switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
+    case Opcode::kCoefficients:
+      return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;
+    case Opcode::kSpans: {
+      const std::uint32_t axis = header.words[2] >> 22 & 3;
+      return has(kSpansFeature) && axis < 3 && (header.words[0] & ~(kEndsSet | 0xFFU)) == 0 &&
+             (header.words[2] & 0x7F3300CCU) == 0 && header.words[3] == 0 &&
+             (has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0);
+    }
+    case Opcode::kLattice:
+      return has(kResidentFeature);
+    case Opcode::kVertices:
+      return has(kResidentFeature) && results;
+    case Opcode::kInterleaved:
+      return has(kInterleavedFeature) && results;
+    case Opcode::kPage:
+    case Opcode::kPoints:
+      return has(kPagesFeature) && known_of_page(header);
+    case Opcode::kPageVertices:
+      return has(kPagesFeature) && known_of_page(header) && results;
+    default:
+      return false;
+  }
+}
+
+/// Whether a header of opcodes 5 to 7 has only flags that the core knows, and no bit that means
+/// nothing.
+bool StreamModel::known_of_page(const Beat& header) const {
+  const auto opcode = static_cast<Opcode>(header.words[0] & 0xFF);
+  std::uint32_t flags = has(kFourthFeature) ? kFourthFlag : 0;
+  if (opcode != Opcode::kPoints && has(kLargeFeature)) flags |= kLargeFlag;
+  if (opcode == Opcode::kPageVertices) flags |= kEveryFlag;
+  const std::uint32_t second = opcode == Opcode::kPage     ? 0x00FFFFFF   // points an axis
+                               : opcode == Opcode::kPoints ? 0x0003FFFF   // place
+                                                           : 0x00000303;  // results, mode
+  const std::uint32_t third = opcode == Opcode::kPage ? 0x7FFFFFFF : 0x000003FF;
+  return (header.words[0] & 0xFFFF0000 & ~flags) == 0 && (header.words[2] & ~second) == 0 &&
+         (header.words[3] & ~third) == 0;
+}
+
+/// Whether a header of opcodes 5 to 7 has that flag; the others have none.
+bool StreamModel::flagged(std::uint32_t flag) const {
+  const auto opcode = static_cast<Opcode>(header_.words[0] & 0xFF);
+  const bool of_page = opcode >= Opcode::kPage && opcode <= Opcode::kPageVertices;
+  return of_page && (header_.words[0] & flag) != 0;
+}
+
+}  // namespace hwffd::model

@@ -1,0 +1,146 @@
+// ffd_stream_beside: what goes beside the numbers of a beat
+//
+// While the words of a beat are converted, where they go is delayed: to which function of the
+// coefficients, to which point of which page, into which slot, or that they are a vertex. So are
+// the events of the beat's place in its packet, whose number and place are counted here.
+//
+// Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at
+//             {k, j, i}.
+// Pipeline:   LATENCY; moving: something is on its way, or was in the clock before.
+// Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1.
+// Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_stream.vh"
+
+module ffd_stream_beside #(
+  parameter LATENCY = 1,
+  parameter AXIS    = 16,
+  parameter PAGE_W  = 1
+) (
+  input  wire                             clk,
+  input  wire                             rst,
+  input  wire                             take_i,
+  input  wire                             last_i,
+  input  wire [`FFD_FRAME_W-1:0]          frame_i,
+  input  wire [`FFD_PAGE_W-1:0]           verdict_i,
+  input  wire                             empty_i,
+  input  wire [PAGE_W-1:0]                page_i,
+  input  wire                             fourth_i,
+  output wire                             load_o,
+  output wire [11:0]                      place_o,   // as FFD_FRAME_INDEX
+  output wire                             lattice_write_o,
+  output wire [PAGE_W-1:0]                lattice_page_o,
+  output wire [3*`FFD_AXIS_W(AXIS)-1:0]   lattice_at_o,
+  output wire                             lattice_fourth_o,
+  output wire                             slot_write_o,
+  output wire [3:0]                       slot_group_o,
+  output wire [1:0]                       slot_phase_o,
+  output wire                             vertex_o,
+  output wire                             finish_o,
+  output wire                             top_o,     // the last point of a vertex
+  output wire                             final_o,
+  output wire                             moving_o,
+  output reg  [`FFD_EVENTS-1:0]           event_o,
+  output wire [31:0]                      event_packet_o,
+  output wire [31:0]                      event_beat_o
+);
+  localparam AXIS_W = `FFD_AXIS_W(AXIS);
+
+  // A header of a page that is refused has no other fault.
+  wire                   of_page = frame_i[`FFD_FRAME_PAGE];
+  wire [`FFD_PAGE_W-1:0] verdict = verdict_i & {`FFD_PAGE_W{of_page}};
+  wire                   stunted = of_page && verdict_i == {`FFD_PAGE_W{1'b0}}
+                                && (last_i || empty_i);
+  wire [7:0] found = {frame_i[`FFD_FRAME_SPAN], verdict[`FFD_PAGE_FOURTH],
+                      verdict[`FFD_PAGE_POINTS], verdict[`FFD_PAGE_BEYOND],
+                      of_page ? verdict[`FFD_PAGE_SIZE] : frame_i[`FFD_FRAME_SIZE],
+                      frame_i[`FFD_FRAME_LONG],
+                      frame_i[`FFD_FRAME_SHORT] || stunted,
+                      frame_i[`FFD_FRAME_UNKNOWN] || verdict[`FFD_PAGE_UNKNOWN]};
+  wire [4:0] kinds = {frame_i[`FFD_FRAME_FUNCTION], frame_i[`FFD_FRAME_POINT],
+                      frame_i[`FFD_FRAME_POINTS], frame_i[`FFD_FRAME_VERTEX],
+                      frame_i[`FFD_FRAME_FINISH]};
+  wire       points_top = frame_i[`FFD_FRAME_POINTS] && frame_i[`FFD_FRAME_TOP];
+
+  wire        taken;
+  wire        taken_last;
+  wire [7:0]  framing;
+  wire [5:0]  high;
+
+  ffd_num_delay #(
+    .WIDTH  (14),
+    .LATENCY(LATENCY),
+    .RESET  (1)
+  ) u_taken (
+    .clk(clk),
+    .rst(rst),
+    .d_i({14{take_i}} & {1'b1, kinds, found}),
+    .q_o({taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (3 + 12),
+    .LATENCY(LATENCY)
+  ) u_place (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({last_i, points_top, frame_i[`FFD_FRAME_FINAL], frame_i[`FFD_FRAME_INDEX]}),
+    .q_o({taken_last, top_o, final_o, place_o})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (PAGE_W + 1 + 6),
+    .LATENCY(LATENCY)
+  ) u_page (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({page_i, fourth_i, frame_i[`FFD_FRAME_HIGH]}),
+    .q_o({lattice_page_o, lattice_fourth_o, high})
+  );
+
+  assign slot_group_o = place_o[7:4];
+  assign slot_phase_o = place_o[1:0];
+
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_axis
+      // Digits of a lattice are k, j, i from the lowest on.
+      wire [5:0] digit = {high[2*(2-a) +: 2], place_o[4*(2-a) +: 4]};
+      assign lattice_at_o[AXIS_W*a +: AXIS_W] = digit[AXIS_W-1:0];
+      wire unused_ok = &{1'b0, digit};
+    end
+  endgenerate
+
+  always @* begin
+    event_o                                            = {`FFD_EVENTS{1'b0}};
+    event_o[`FFD_EVENT_UNKNOWN_OPCODE]                 = framing[0];
+    event_o[`FFD_EVENT_PACKET_SHORT]                   = framing[1];
+    event_o[`FFD_EVENT_PACKET_LONG]                    = framing[2];
+    event_o[`FFD_EVENT_LATTICE_SIZE]                   = framing[3];
+    event_o[`FFD_EVENT_NO_LATTICE]                     = framing[4];
+    event_o[`FFD_STREAM_EVENT(`FFD_EVENT_PAGE_POINTS)] = framing[5];
+    event_o[`FFD_STREAM_EVENT(`FFD_EVENT_NO_FOURTH)]   = framing[6];
+    event_o[`FFD_STREAM_EVENT(`FFD_EVENT_SPAN_BEYOND)] = framing[7];
+  end
+
+  ffd_stream_place u_event_place (
+    .clk     (clk),
+    .rst     (rst),
+    .take_i  (taken),
+    .last_i  (taken_last),
+    .packet_o(event_packet_o),
+    .beat_o  (event_beat_o)
+  );
+
+  // What has been taken is known behind the converters.
+  reg [LATENCY:0] moving_q;
+  always @(posedge clk) begin
+    moving_q <= rst ? {(LATENCY + 1) {1'b0}} : {moving_q[LATENCY-1:0], take_i};
+  end
+  assign moving_o = moving_q != {(LATENCY + 1) {1'b0}};
+
+  wire unused_ok = &{1'b0, frame_i};
+endmodule
+
+`default_nettype wire
