@@ -78,7 +78,7 @@ void expect_met(const RegisterModel& model, bool successive) {
     if (field.name.find("refused") != std::string::npos) continue;
     wanted.push_back(field.path + " set and cleared");
   }
-  EXPECT_EQ(wanted.size(), 4u + 3 * 30 - 2 + (successive ? 1 : 0));
+  EXPECT_EQ(wanted.size(), 4u + 3 * 34 - 2 + (successive ? 1 : 0));
   for (const std::string& what : wanted) EXPECT_GT(model.seen(what), 0u) << what;
 }
 
