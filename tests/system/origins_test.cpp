@@ -142,7 +142,9 @@ TEST_P(Origins, PacketsWithoutPagesHaveNone) {
   run.send(page_packet(1, lattice, {3, 2, 1}));
   run.send(page_vertices_packet(1, vertices, how));
   run.send(interleaved_packet(interleaved));
-  run.send(lattice_packet(lattice));
+  auto packet = lattice_packet(lattice);
+  packet[0].words[3] |= 0x7FFFFC00;  // opcode 2 has nothing where opcode 5 has its origin
+  run.send(packet);
   run.send(vertices_packet(vertices));
   run.send(page_vertices_packet(1, vertices, how));
   ASSERT_TRUE(run.run());
