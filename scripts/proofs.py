@@ -114,7 +114,12 @@ class Proofs:
         harness = self.harnesses / f"{one.harness}.v"
         if not harness.is_file():
             raise ProofError(f"no harness tests/formal/{one.harness}.v")
-        words = set(re.findall(r"\w+", rtl.strip_comments(harness.read_text())))
+        there = {path.stem: path for path in sorted(self.harnesses.glob("*.v"))}
+        words, files = set(), [harness]
+        for path in files:  # grows by what the files before it name
+            said = set(re.findall(r"\w+", rtl.strip_comments(path.read_text())))
+            files += [there[stem] for stem in there if stem in said and there[stem] not in files]
+            words |= said
         needed = {}
         for module in self.sources.modules():
             if module in words or module == one.module:
@@ -122,9 +127,7 @@ class Proofs:
                     needed[pathlib.Path(path).stem] = pathlib.Path(path)
         if one.file not in needed:
             raise ProofError(f"the planted bug is in {one.file}, which is not under proof")
-        shared = sorted(path for path in self.harnesses.glob("*.v")
-                        if path.stem in words and path != harness)
-        return needed, [*shared, harness]
+        return needed, [*sorted(files[1:]), harness]
 
     def mutated(self, one):
         """The text of a module with its bug. Raises ProofError."""

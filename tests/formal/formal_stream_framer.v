@@ -113,7 +113,8 @@ module formal_stream_framer #(
   wire [11:0] digits = \u_dut.index ;
   wire [11:0] top    = {\u_dut.gen_digit[2].top_q , \u_dut.gen_digit[1].top_q ,
                        \u_dut.gen_digit[0].top_q };
-  wire        below = digits[3:0] <= top[3:0] && digits[7:4] <= top[7:4] && digits[11:8] <= top[11:8];
+  wire        below  = digits[3:0] <= top[3:0] && digits[7:4] <= top[7:4]
+                    && digits[11:8] <= top[11:8];
   wire        same_left   = left_q != 0 && \u_dut.count_q - \u_dut.number_q == left_q - 1
                          && \u_dut.resident_q == (opcode_q == VERTICES);
   wire        begins      = opcode_q == VERTICES || at_q == 0;
@@ -139,11 +140,12 @@ module formal_stream_framer #(
 
   // ---- what the frame must say
 
-  wire [5:0]  kinds  = {header_q, payload && opcode_q == COEFFICIENTS, payload && opcode_q == LATTICE,
-                        vertices && begins, vertices && !begins, vertices && opcode_q == INTERLEAVED
-                                                                 && begins};
-  wire [5:0]  framed = {frame[`FFD_FRAME_HEADER], frame[`FFD_FRAME_FUNCTION], frame[`FFD_FRAME_POINT],
-                        frame[`FFD_FRAME_VERTEX], frame[`FFD_FRAME_POINTS], claims};
+  wire [5:0]  kinds  = {header_q, payload && opcode_q == COEFFICIENTS,
+                        payload && opcode_q == LATTICE, vertices && begins, vertices && !begins,
+                        vertices && begins && opcode_q == INTERLEAVED};
+  wire [5:0]  framed = {frame[`FFD_FRAME_HEADER], frame[`FFD_FRAME_FUNCTION],
+                        frame[`FFD_FRAME_POINT], frame[`FFD_FRAME_VERTEX],
+                        frame[`FFD_FRAME_POINTS], claims};
   wire [11:0] place  = frame[`FFD_FRAME_INDEX];
   wire        within = place[3:0] <= size_q[3:0] && place[7:4] <= size_q[7:4]
                     && place[11:8] <= size_q[11:8];
