@@ -216,8 +216,7 @@ module model_decoder #(
   assign buffer_busy_o  = \u_dut.buffer_busy ;
   assign room_o         = !whole || \u_dut.u_vertex.queue_ready ;
 
-  // ---- the vertices inside: with the evaluator, offered to it, in the queue, in front of it, in the
-  // converters
+  // ---- the vertices inside: with the evaluator, offered, queued, in front of that, converted
 
   wire [2:0]      out       = {2'd0, there_i[0]} + {2'd0, there_i[1]};
   wire [2:0]      out_head  = out + m_valid;
@@ -299,11 +298,15 @@ module model_decoder #(
 
   // ---- what is in use, and the beats in the converters
 
-  assign sized_o  = (!loaded_q || sized(size_q, \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ))
-                 && (!lattice_i || sized(new_size_q, \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ));
+  wire        own_buffer    = \u_dut.u_resident.gen_buffers.u_buffers.buffer_o ;
+  wire        own_loaded    = \u_dut.u_resident.gen_buffers.u_buffers.loaded_o ;
+  wire [11:0] last_cell     = \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ;
+  wire [11:0] new_last_cell = \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ;
+  assign sized_o  = (!loaded_q || sized(size_q, last_cell))
+                 && (!lattice_i || sized(new_size_q, new_last_cell));
   assign moving_o = {taken_1[13], place_1[14], taken_0[13], place_0[14]};
   wire in_use = {bank_q, buffer_q, loaded_q, results_q, written_q, slot_q}
-                == {\u_dut.u_functions.bank_o , \u_dut.u_resident.gen_buffers.u_buffers.buffer_o , \u_dut.u_resident.gen_buffers.u_buffers.loaded_o ,
+                == {\u_dut.u_functions.bank_o , own_buffer, own_loaded,
                     \u_dut.results_q ,
                     \u_dut.changed_q , \u_dut.u_slots.gen_slots.slot_q }
              && sized_o && !(functions_i && \u_dut.bank_busy )
