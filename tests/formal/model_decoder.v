@@ -83,6 +83,7 @@ module model_decoder #(
     .beat_data_i         (s_data),
     .beat_last_i         (s_last),
     .beat_frame_i        (s_frame),
+    .beat_held_i         (1'b0),  // of a page
     .go_o                (go_o),
     .load_o              (load_o),
     .load_axis_o         (load_axis_o),
@@ -118,16 +119,23 @@ module model_decoder #(
 
   // ---- its registers; of two in the converters, _0 is the younger
 
-  (* hierconn *) wire        \u_dut.resident_q , \u_dut.bank_q , \u_dut.buffer_q ;
-  (* hierconn *) wire        \u_dut.lattice_loaded_q , \u_dut.changed_q ;
+  (* hierconn *) wire        \u_dut.resident_q , \u_dut.u_functions.bank_o , \u_dut.changed_q ;
+  (* hierconn *) wire        \u_dut.u_resident.gen_buffers.u_buffers.buffer_o ;
+  (* hierconn *) wire        \u_dut.u_resident.gen_buffers.u_buffers.loaded_o ;
   (* hierconn *) wire        \u_dut.bank_busy , \u_dut.buffer_busy ;
-  (* hierconn *) wire [1:0]  \u_dut.results_q , \u_dut.gen_slots.u_slots.slot_q ;
-  (* hierconn *) wire [2:0]  \u_dut.moving_q , \u_dut.gen_slots.u_slots.used_q ;
-  (* hierconn *) wire [11:0] \u_dut.last_cell_q , \u_dut.new_last_cell_q , \u_dut.cell_index ;
-  (* hierconn *) wire [9:0]  \u_dut.u_taken.gen_stage[0].data_q ;
-  (* hierconn *) wire [9:0]  \u_dut.u_taken.gen_stage[1].data_q ;
-  (* hierconn *) wire [18:0] \u_dut.u_place.gen_stage[0].data_q ;
-  (* hierconn *) wire [18:0] \u_dut.u_place.gen_stage[1].data_q ;
+  (* hierconn *) wire [1:0]  \u_dut.results_q , \u_dut.u_slots.gen_slots.slot_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_beside.moving_q , \u_dut.u_slots.gen_slots.used_q ;
+  (* hierconn *) wire [11:0] \u_dut.cell_index ;
+  (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ;
+  (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ;
+  (* hierconn *) wire [13:0] \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
+  (* hierconn *) wire [13:0] \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[0].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[1].data_q ;
+  (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[0].data_q ;
+  (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[1].data_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
   (* hierconn *) wire [49:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
   (* hierconn *) wire [49:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
   (* hierconn *) wire [49:0] \u_dut.u_vertex.known_q ;
@@ -139,10 +147,14 @@ module model_decoder #(
   (* hierconn *) wire [82:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
   wire [82:0] memory_0 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
   wire [82:0] memory_1 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
-  wire [9:0]  taken_0  = \u_dut.u_taken.gen_stage[0].data_q ;
-  wire [9:0]  taken_1  = \u_dut.u_taken.gen_stage[1].data_q ;
-  wire [18:0] place_0  = \u_dut.u_place.gen_stage[0].data_q ;
-  wire [18:0] place_1  = \u_dut.u_place.gen_stage[1].data_q ;
+  wire [13:0] taken_0  = \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
+  wire [13:0] taken_1  = \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
+  wire [14:0] place_0  = \u_dut.u_beside.u_place.gen_stage[0].data_q ;
+  wire [14:0] place_1  = \u_dut.u_beside.u_place.gen_stage[1].data_q ;
+  wire [7:0]  page_0   = \u_dut.u_beside.u_page.gen_stage[0].data_q ;
+  wire [7:0]  page_1   = \u_dut.u_beside.u_page.gen_stage[1].data_q ;
+  wire [2:0]  loads_0  = \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
+  wire [2:0]  loads_1  = \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
   wire [49:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
   wire [49:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
   wire [49:0] known    = \u_dut.u_vertex.known_q ;
@@ -150,11 +162,11 @@ module model_decoder #(
   wire [1:0]  waiting  = \u_dut.u_vertex.waiting_q ;
   wire [1:0]  read     = \u_dut.u_vertex.u_queue.read_q ;
   wire [1:0]  queued   = \u_dut.u_vertex.u_queue.write_q - read;
-  wire [2:0]  used     = \u_dut.gen_slots.u_slots.used_q ;
-  wire        function_0 = taken_0[8], point_0 = taken_0[7], points_0 = taken_0[6];
-  wire        function_1 = taken_1[8], point_1 = taken_1[7], points_1 = taken_1[6];
-  wire        vertex_0   = taken_0[5], finish_0 = taken_0[4];
-  wire        vertex_1   = taken_1[5], finish_1 = taken_1[4];
+  wire [2:0]  used     = \u_dut.u_slots.gen_slots.used_q ;
+  wire        function_0 = taken_0[12], point_0 = taken_0[11], points_0 = taken_0[10];
+  wire        function_1 = taken_1[12], point_1 = taken_1[11], points_1 = taken_1[10];
+  wire        vertex_0   = taken_0[9], finish_0 = taken_0[8];
+  wire        vertex_1   = taken_1[9], finish_1 = taken_1[8];
 
   // ---- what the stream has said up to here
 
@@ -204,8 +216,7 @@ module model_decoder #(
   assign buffer_busy_o  = \u_dut.buffer_busy ;
   assign room_o         = !whole || \u_dut.u_vertex.queue_ready ;
 
-  // ---- the vertices inside: with the evaluator, offered to it, in the queue, in front of it, in the
-  // converters
+  // ---- the vertices inside: with the evaluator, offered, queued, in front of that, converted
 
   wire [2:0]      out       = {2'd0, there_i[0]} + {2'd0, there_i[1]};
   wire [2:0]      out_head  = out + m_valid;
@@ -234,10 +245,10 @@ module model_decoder #(
     .young_i       (finish_0),
     .evaluated_i   (there_i),
     .freed_i       (~holds_i),
-    .function_0_i  ({function_0, place_0[3:2]}),
-    .function_1_i  ({function_1, place_1[3:2]}),
-    .point_0_i     ({point_0, place_0[3:2]}),
-    .point_1_i     ({point_1, place_1[3:2]}),
+    .function_0_i  ({function_0, page_0[7], loads_0[2]}),
+    .function_1_i  ({function_1, page_1[7], loads_1[2]}),
+    .point_0_i     ({point_0, page_0[7], loads_0[2]}),
+    .point_1_i     ({point_1, page_1[7], loads_1[2]}),
     .slot_write_i  ({slot_write_o, slot_o}),
     .ordered_o     (ordered),
     .bank_clash_o  (bank_clash_o),
@@ -281,28 +292,33 @@ module model_decoder #(
               && (queued < 2 || same_word(read[0] ? memory_0 : memory_1, at(list, out_head + 3'd1)))
               && (!whole || {\u_dut.u_vertex.final_q , of_known(known)}
                             == {e_whole[48], e_whole[34:0]})
-              && (!finish_1 || {place_1[16], of_known(vertex_1 ? known_1 : known)}
+              && (!finish_1 || {place_1[12], of_known(vertex_1 ? known_1 : known)}
                                == {e_1[48], e_1[34:0]})
-              && (!finish_0 || {place_0[16], of_known(newest)} == {e_0[48], e_0[34:0]});
+              && (!finish_0 || {place_0[12], of_known(newest)} == {e_0[48], e_0[34:0]});
 
   // ---- what is in use, and the beats in the converters
 
-  assign sized_o  = (!loaded_q || sized(size_q, \u_dut.last_cell_q ))
-                 && (!lattice_i || sized(new_size_q, \u_dut.new_last_cell_q ));
-  assign moving_o = {taken_1[9], place_1[18], taken_0[9], place_0[18]};
+  wire        own_buffer    = \u_dut.u_resident.gen_buffers.u_buffers.buffer_o ;
+  wire        own_loaded    = \u_dut.u_resident.gen_buffers.u_buffers.loaded_o ;
+  wire [11:0] last_cell     = \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ;
+  wire [11:0] new_last_cell = \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ;
+  assign sized_o  = (!loaded_q || sized(size_q, last_cell))
+                 && (!lattice_i || sized(new_size_q, new_last_cell));
+  assign moving_o = {taken_1[13], place_1[14], taken_0[13], place_0[14]};
   wire in_use = {bank_q, buffer_q, loaded_q, results_q, written_q, slot_q}
-                == {\u_dut.bank_q , \u_dut.buffer_q , \u_dut.lattice_loaded_q , \u_dut.results_q ,
-                    \u_dut.changed_q , \u_dut.gen_slots.u_slots.slot_q }
+                == {\u_dut.u_functions.bank_o , own_buffer, own_loaded,
+                    \u_dut.results_q ,
+                    \u_dut.changed_q , \u_dut.u_slots.gen_slots.slot_q }
              && sized_o && !(functions_i && \u_dut.bank_busy )
              && !(lattice_i && \u_dut.buffer_busy );
 
-  wire [3:0] kinds_0 = taken_0[8:5];
-  wire [3:0] kinds_1 = taken_1[8:5];
+  wire [3:0] kinds_0 = taken_0[12:9];
+  wire [3:0] kinds_1 = taken_1[12:9];
   wire stages = (kinds_0 & (kinds_0 - 4'd1)) == 0 && (kinds_1 & (kinds_1 - 4'd1)) == 0
              && (!finish_0 || vertex_0 || points_0) && (!finish_1 || vertex_1 || points_1)
-             && (taken_0[9] || taken_0 == 0) && (taken_1[9] || taken_1 == 0)
-             && \u_dut.moving_q [1:0] == {taken_1[9], taken_0[9]}
-             && (!(vertex_1 || points_1) || finish_1 || (taken_0[9] ? points_0 : midst_i))
+             && (taken_0[13] || taken_0 == 0) && (taken_1[13] || taken_1 == 0)
+             && \u_dut.u_beside.moving_q [1:0] == {taken_1[13], taken_0[13]}
+             && (!(vertex_1 || points_1) || finish_1 || (taken_0[13] ? points_0 : midst_i))
              && (!(vertex_0 || points_0) || finish_0 || midst_i)
              && (!midst_i || (of_known(newest) == begun_q
                               && begun_q[32:29] == {1'b0, slot_q, bank_q}));

@@ -52,6 +52,10 @@ module model_intake #(
     .take_i  (s_valid && s_ready),
     .data_i  (s_data),
     .last_i  (s_last),
+    .refuse_i(1'b0),
+    .place_valid_i(1'b0),
+    .place_i (12'd0),
+    .tops_i  (12'd0),
     .frame_o (frame),
     .claims_o(claims),
     .idle_o  (idle_o)
