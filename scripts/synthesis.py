@@ -19,6 +19,7 @@ import timing
 import variants
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
+BUS = "hwffd_stream_bus"
 TARGETS = mapped.TARGETS
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")
@@ -136,7 +137,8 @@ def subjects(rows, changed=()):
 def of_checkout(root):
     """All that the tables of a checkout give. Raises TableError."""
     rows = configurations.read(root / "rtl" / "configurations.csv")
-    return subjects(rows, variants.read(root / "synth" / "variants.csv", rows, (CORE, SYSTEM)))
+    return subjects(rows, variants.read(root / "synth" / "variants.csv", rows,
+                                         (CORE, BUS, SYSTEM)))
 
 
 def units(rows):

@@ -100,6 +100,7 @@ module ffd_bench_evaluator #(
   wire        determinant;
   wire        folded;
   wire        evaluating;
+  wire        forming;
   wire        read;
   wire        read_last;
   wire [7:0]  read_support;
@@ -162,6 +163,7 @@ module ffd_bench_evaluator #(
     .read_index_o        (read_index),
     .read_points_i       (points_q),
     .evaluating_o        (evaluating),
+    .forming_o           (forming),
     .m_result_valid      (m_result_valid),
     .m_result_ready      (m_result_ready),
     .m_result_words      (m_result_words),
@@ -170,7 +172,8 @@ module ffd_bench_evaluator #(
     .m_result_user       (m_result_tag)
   );
 
-  wire unused_ok = &{1'b0, determinant, folded, evaluating, read, read_last, read_cell, numbers};
+  wire unused_ok = &{1'b0, determinant, folded, evaluating, forming, read, read_last, read_cell,
+                     numbers};
 endmodule
 
 `default_nettype wire

@@ -1,8 +1,8 @@
 // ffd_bus_core: hwffd_stream with DMA and registers, before the bus of the registers
 //
 // Registers (docs/registers.md), which come as words, start runs of the DMA (docs/interface.md
-// section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID for all
-// bursts: answers come in order.
+// section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID
+// for all bursts: answers come in order.
 //
 // Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
 // Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.

@@ -263,7 +263,7 @@ def test_headers_of_the_tops():
     assert ports["m_axis_tlast"] == ("output", 1)
     axi = module_header.read(sources, "hwffd_axi")
     wishbone = module_header.read(sources, "hwffd_wishbone")
-    for top, bus, ports in ((axi, "axil", 52), (wishbone, "wb", 42)):
+    for top, bus, ports in ((axi, "axil", 54), (wishbone, "wb", 44)):
         source = rtl.strip_comments(sources.files[top.name].read_text()) + "".join(
             (ROOT / f"rtl/bus/ffd_{name}.vh").read_text()
             for name in (f"{bus}_ports", "axi_ports", "bus_parameters"))

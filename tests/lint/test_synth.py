@@ -360,7 +360,8 @@ def test_rows_of_this_tree():
     assert len(names) == len(set(names)) >= 40
     assert {subject.target for subject in found} == set(synthesis.TARGETS)
     assert {subject.top for subject in found} == {
-        synthesis.ORGANIZATION, synthesis.CORE, synthesis.SYSTEM, *synthesis.FLOAT_UNITS}
+        synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM,
+        *synthesis.FLOAT_UNITS}
     assert {subject.row.name for subject in found if subject.top == synthesis.SYSTEM} >= {
         row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}
     wired = {name for name in names if name.split(".")[0].endswith("-bspline")}

@@ -7,6 +7,7 @@ from figures.expressions import shown
 from figures.table import Table
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
+BUS = "hwffd_stream_bus"  # that core on streams of other widths
 TITLES = {
     "generic": "Generic gates", "ecp5": "Lattice ECP5", "up5k": "Lattice iCE40 UltraPlus (UP5K)",
     "hx8k": "Lattice iCE40 HX8K", "xilinx7": "Xilinx 7 series",
@@ -74,14 +75,13 @@ def prices(reports, target="ecp5"):
     plain = {(row["name"], row["top"]): row for row in rows if not row.get("variant")}
     fields = [field for field in ("lut", "lutram", "ff", "dsp", "bram")
               if field in columns(rows)]
-    for row in sorted((row for row in rows if row.get("variant")),
-                      key=lambda row: (row["name"].split("+")[0], row["top"])):
+    for row in (row for row in rows if row.get("variant")):
         name = row["name"].split("+")[0]
-        base = plain.get((name, row["top"]))
+        base = plain.get((name, CORE if row["top"] == BUS else row["top"]))
         if base is None:
             continue
         if base is not shown_last:
-            lines.append([f"`{name}`, `{row['top']}`", "as in the table",
+            lines.append([f"`{name}`, `{base['top']}`", "as in the table",
                           *(number(base[field]) for field in fields)])
         shown_last = base
         lines.append(["", row["meaning"], *(
@@ -97,11 +97,11 @@ def _rows_of(title, tops, fixed):
 
 GROUPS = (
     _rows_of("With DMA and registers, `hwffd_axi`", (SYSTEM,), None),
-    _rows_of("Whole cores, `hwffd_stream`", (CORE,), None),
+    _rows_of("Whole cores, `hwffd_stream`", (CORE, BUS), None),
     _rows_of("Fixed and block floating point, `ffd_org_select`", (ORGANIZATION,), True),
     _rows_of("Binary32, `ffd_org_select`", (ORGANIZATION,), False),
     ("Binary32 units by themselves",
-     lambda row: row["top"] not in (ORGANIZATION, CORE, SYSTEM)),
+     lambda row: row["top"] not in (ORGANIZATION, CORE, BUS, SYSTEM)),
 )
 
 
