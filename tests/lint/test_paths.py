@@ -108,21 +108,20 @@ def test_faults_are_one_line(sample, words):
     assert (status, len(lines)) == (2, 1)
 
 
-@pytest.mark.parametrize("module", ("hwffd_stream", "hwffd_axi", "hwffd_wishbone"))
+@pytest.mark.parametrize("module", ("hwffd_stream", "hwffd_axi", "hwffd_wishbone",
+                                    "hwffd_stream_bus", "ffd_dma_engine"))
 def test_tops_have_none(look, module):
     status, (line,) = look(module)
     assert status == 0
-    assert re.search(r"\b[234]\d\d output bits, 0 reached", line)
+    assert re.search(r"\b[1-6]\d\d output bits, 0 reached", line)
 
 
 @pytest.mark.parametrize("module, wanted", (
     ("ffd_bus_registers", ["s_clearing", *sorted(f"s_read_data[{bit}]" for bit in range(32))]),
-    ("ffd_axil_slave", ["m_awake"]), ("ffd_wb_slave", ["m_awake"]),
-    ("ffd_dma_engine", ["fault_o"])))
+    ("ffd_axil_slave", ["m_awake"]), ("ffd_wb_slave", ["m_awake"])))
 def test_what_follows_inside_is_found_and_nothing_else(look, module, wanted):
     """Answers of the register block follow what the hardware says, whether a bus is awake its
-    requests, status of the DMA engine its bus, as their heads say: all are inside. What the engine
-    gives to bus and streams follows nothing."""
+    requests, as their heads say: all are inside."""
     status, lines = look(module)
     assert status == 1
     assert sorted(line.split()[1] for line in lines[:-1]) == wanted

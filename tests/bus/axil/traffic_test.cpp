@@ -63,12 +63,13 @@ TEST_P(EveryThrottle, EqualsTheModelInEveryClock) {
     bench.run();
     answered += 500;
     for (const auto& answer : bench.driver().write_responses()) errors += answer.code != 0 ? 1 : 0;
-    if (random.chance(0.5)) {  // reset in mid-traffic, what is under way is lost
+    while (random.chance(0.7)) {  // reset in mid-traffic, what is under way is lost
       for (unsigned i = 0; i < 50; ++i) {
         bench.driver().write(random_write(random));
         bench.driver().read(random_address(random));
       }
       bench.steps(static_cast<unsigned>(random.below(60)));
+      bench.reset(static_cast<unsigned>(random.between(1, 3)));
     }
     bench.reset(static_cast<unsigned>(random.between(1, 3)));
   }
