@@ -10,7 +10,7 @@
 namespace hwffd::test {
 namespace {
 
-constexpr unsigned kWidth = 12;  // COUNT_WIDTH in tests/bus/axi/CMakeLists.txt
+constexpr unsigned kWidth = 12;          // COUNT_WIDTH in tests/bus/axi/CMakeLists.txt
 constexpr std::uint32_t kForming = 240;  // clocks for a cell: 208 + 4 (READ_LATENCY 3 + 5)
 
 const Configuration& waits_row() { return find_configuration("nested-fx18-overlapped"); }

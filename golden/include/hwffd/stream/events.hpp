@@ -43,8 +43,7 @@ namespace hwffd {
 
 /// The bit of event_o: those of the DMA lie between in ERROR_STATUS.
 constexpr unsigned stream_event(event::Code code) {
-  return code <= event::kSaturated ? code
-                                   : code - event::kPagePoints + 1 + event::kSaturated;
+  return code <= event::kSaturated ? code : code - event::kPagePoints + 1 + event::kSaturated;
 }
 
 /// Kinds of events of the stream.
