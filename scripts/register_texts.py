@@ -49,8 +49,7 @@ def events_header_text(registers):
                       "}  // namespace hwffd::event", "", "namespace hwffd {", "",
                       "/// The bit of event_o: those of the DMA lie between in ERROR_STATUS.",
                       "constexpr unsigned stream_event(event::Code code) {",
-                      "  return code <= event::kSaturated ? code",
-                      "                                   : code - event::kPagePoints + 1 + "
+                      "  return code <= event::kSaturated ? code : code - event::kPagePoints + 1 + "
                       "event::kSaturated;",
                       "}", "",
                       "/// Kinds of events of the stream.",

@@ -63,7 +63,8 @@
 // Clocks from the third column of a Jacobian to its determinant: columns and cofactor narrowed,
 // three steps, a product, a sum of three.
 `define FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY) \
-  (3 * `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) + 2 * (MUL_LATENCY) + 3 * (ADD_LATENCY) + 2)
+  (2 * `FFD_NARROW_LATENCY(FORMAT, CONVERT_LATENCY) \
+   + `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) + 2 * (MUL_LATENCY) + 3 * (ADD_LATENCY) + 2)
 
 // Where an axis has its functions, an address of them: {derivative, bank}, or with spans {uniform,
 // span, derivative, bank}, where uniform functions are those of opcode 1, whatever the span. A file

@@ -10,9 +10,9 @@
 //             them. fxW: columns in [-1, 1), the word is det J / 4 (|det J| <= 4: numerics.md,
 //             section 9); products and sums are exact, a cofactor is halved and rounded. Block:
 //             the same, times 2^(3 exponent_i), in binary32.
-// Pipeline:   the third column | CONVERT | 1: the first step | MUL + ADD + CONVERT | MUL, the
-//             term | 1 + 2 ADD | CONVERT = FFD_OUT_LATENCY: the word. II 4 clocks a vertex, which
-//             is what a vertex of four evaluations takes at least.
+// Pipeline:   the third column | FFD_NARROW_LATENCY | 1: the first step | MUL + ADD +
+//             FFD_NARROW_LATENCY | MUL, the term | 1 + 2 ADD | FFD_OUT_LATENCY: the word. II 4
+//             clocks a vertex, which is what a vertex of four evaluations takes at least.
 // Freezes:    never.
 // Parameters: FORMAT as in ffd_num.vh, latencies as in every organization.
 // Model:      golden/include/hwffd/model/determinant.hpp.  Test: tests/unit/determinant.
@@ -39,8 +39,9 @@ module ffd_eval_determinant #(
 );
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
-  localparam CONVERT  = `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY);
-  localparam COFACTOR = MUL_LATENCY + ADD_LATENCY + CONVERT;
+  localparam NARROW   = `FFD_NARROW_LATENCY(FORMAT, CONVERT_LATENCY);
+  localparam OUT      = `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY);
+  localparam COFACTOR = MUL_LATENCY + ADD_LATENCY + NARROW;
 
   // ---- columns as points, kept until the third is there
 
@@ -50,7 +51,7 @@ module ffd_eval_determinant #(
 
   ffd_num_delay #(
     .WIDTH  (2),
-    .LATENCY(CONVERT),
+    .LATENCY(NARROW),
     .RESET  (1)
   ) u_valid (
     .clk(clk),
@@ -64,7 +65,7 @@ module ffd_eval_determinant #(
     for (c = 0; c < 3; c = c + 1) begin : gen_component
       ffd_num_narrow #(
         .FORMAT (FORMAT),
-        .LATENCY(CONVERT)
+        .LATENCY(NARROW)
       ) u_narrow (
         .clk    (clk),
         .sum_i  (column_i[c*SUM_W +: SUM_W]),
@@ -164,7 +165,7 @@ module ffd_eval_determinant #(
   ffd_num_narrow #(
     .FORMAT (FORMAT),
     .SHIFT  (2),
-    .LATENCY(CONVERT)
+    .LATENCY(NARROW)
   ) u_cofactor (
     .clk    (clk),
     .sum_i  (difference),
@@ -246,7 +247,7 @@ module ffd_eval_determinant #(
 
   ffd_num_delay #(
     .WIDTH  (`FFD_EXPONENT_W),
-    .LATENCY(CONVERT + 3 + COFACTOR + MUL_LATENCY + 2 * ADD_LATENCY - 1)
+    .LATENCY(NARROW + 3 + COFACTOR + MUL_LATENCY + 2 * ADD_LATENCY - 1)
   ) u_exponent (
     .clk(clk),
     .rst(1'b0),
@@ -258,7 +259,7 @@ module ffd_eval_determinant #(
     .FORMAT (FORMAT),
     .SHIFT  (2),
     .POWER  (3),
-    .LATENCY(CONVERT)
+    .LATENCY(OUT)
   ) u_out (
     .clk        (clk),
     .sum_i      (sum),
@@ -271,7 +272,7 @@ module ffd_eval_determinant #(
   // From the last step: its term, that term's place in the sum, the word.
   ffd_num_delay #(
     .WIDTH  (1),
-    .LATENCY(COFACTOR + MUL_LATENCY + 2 * ADD_LATENCY - 1 + CONVERT),
+    .LATENCY(COFACTOR + MUL_LATENCY + 2 * ADD_LATENCY - 1 + OUT),
     .RESET  (1)
   ) u_word_valid (
     .clk(clk),

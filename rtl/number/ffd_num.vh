@@ -38,8 +38,12 @@
 // The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
 `define FFD_EXPONENT_W 10
 
-// Registers of ffd_num_out: in fixed point rounding and saturation of so many bits want one each.
+// Registers of ffd_num_out and of ffd_num_narrow where it stands behind a sum: in fixed point
+// rounding and saturation of so many bits want one each, and a block's word is made in six steps.
 `define FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY) \
+  ((CONVERT_LATENCY) == 0 || (FORMAT) == 0 ? (CONVERT_LATENCY) : (CONVERT_LATENCY) \
+   + (`FFD_FORMAT_BLOCK(FORMAT) ? 3 : 1))
+`define FFD_NARROW_LATENCY(FORMAT, CONVERT_LATENCY) \
   ((CONVERT_LATENCY) == 0 || (FORMAT) == 0 || `FFD_FORMAT_BLOCK(FORMAT) ? (CONVERT_LATENCY) \
                                                                        : (CONVERT_LATENCY) + 1)
 

@@ -2,14 +2,14 @@
 //
 //   word = (value x 2^(exponent - (2W - 3))) rounded to binary32
 //
-// Three steps: magnitude and its leading zeros; the leading one brought to the top, which gives the
-// exponent field; where that is below 1, significand and field become those of a subnormal, and all
+// Six steps: magnitude; its leading zeros; the leading one brought to the top, which gives the
+// exponent field; how far below 1 that is; significand and field become those of a subnormal; all
 // is rounded.
 //
 // Formats:    sum_i {minus, plus, saturated, Q9.(2W-3)}; exponent_i signed. plus alone is an
 //             infinity, minus alone one below 0, both a NaN (0x7FC00000), whatever the value.
 // Rounding:   to nearest even, once (ffd_fp_round). Overflow gives infinity; a zero is +0.
-// Pipeline:   LATENCY registers over the three steps, II 1, never frozen.
+// Pipeline:   LATENCY registers spread over the six steps, II 1, never frozen.
 // Parameters: 8 <= W <= 40, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/block.hpp (out).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
@@ -38,9 +38,13 @@ module ffd_bfp_normalise #(
   localparam [FIELD_W-1:0] ONE      = 1;
   localparam [FIELD_W-1:0] FARTHEST = KEPT_W;
 
-  localparam FIRST   = LATENCY / 3;
-  localparam SECOND  = (2 * LATENCY) / 3 - FIRST;
-  localparam THIRD   = LATENCY - SECOND - FIRST;
+  // Registers behind each step; the last has one before any other.
+  localparam FIRST  = LATENCY / 6;
+  localparam SECOND = LATENCY / 3 - LATENCY / 6;
+  localparam THIRD  = LATENCY / 2 - LATENCY / 3;
+  localparam FOURTH = (2 * LATENCY) / 3 - LATENCY / 2;
+  localparam FIFTH  = (5 * LATENCY) / 6 - (2 * LATENCY) / 3;
+  localparam SIXTH  = LATENCY - (5 * LATENCY) / 6;
 
   generate
     if (W < 8 || W > 40) begin : gen_bad_width
@@ -53,13 +57,28 @@ module ffd_bfp_normalise #(
   wire               sign      = sum_i[VALUE_W-1];
   wire [VALUE_W-1:0] value     = sum_i[VALUE_W-1:0];
   wire [VALUE_W-1:0] magnitude = sign ? -value : value;
+
+  wire [VALUE_W-1:0]         p0_magnitude;
+  wire [`FFD_EXPONENT_W-1:0] p0_exponent;
+  wire [CLASS_W-1:0]         p0_class;
+
+  ffd_num_delay #(
+    .WIDTH  (VALUE_W + `FFD_EXPONENT_W + CLASS_W),
+    .LATENCY(FIRST)
+  ) u_magnitude (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({magnitude, exponent_i, sum_i[VALUE_W +: 3], sign}),
+    .q_o({p0_magnitude, p0_exponent, p0_class})
+  );
+
   wire [COUNT_W-1:0] zeros;
   wire               none;
 
   ffd_fp_lzc #(
     .WIDTH(VALUE_W)
   ) u_zeros (
-    .x_i    (magnitude),
+    .x_i    (p0_magnitude),
     .count_o(zeros),
     .none_o (none)
   );
@@ -72,11 +91,11 @@ module ffd_bfp_normalise #(
 
   ffd_num_delay #(
     .WIDTH  (VALUE_W + COUNT_W + 1 + `FFD_EXPONENT_W + CLASS_W),
-    .LATENCY(FIRST)
-  ) u_first (
+    .LATENCY(SECOND)
+  ) u_counted (
     .clk(clk),
     .rst(1'b0),
-    .d_i({magnitude, zeros, none, exponent_i, sum_i[VALUE_W +: 3], sign}),
+    .d_i({p0_magnitude, zeros, none, p0_exponent, p0_class}),
     .q_o({p1_magnitude, p1_zeros, p1_none, p1_exponent, p1_class})
   );
 
@@ -111,8 +130,8 @@ module ffd_bfp_normalise #(
 
   ffd_num_delay #(
     .WIDTH  (KEPT_W + FIELD_W + 1 + CLASS_W),
-    .LATENCY(SECOND)
-  ) u_second (
+    .LATENCY(THIRD)
+  ) u_at_top (
     .clk(clk),
     .rst(1'b0),
     .d_i({kept, field, p1_none, p1_class}),
@@ -124,49 +143,87 @@ module ffd_bfp_normalise #(
   wire               below  = p2_field[FIELD_W-1] || p2_field == {FIELD_W{1'b0}};
   wire [FIELD_W-1:0] down   = ONE - p2_field;
   wire [4:0]         amount = !below ? 5'd0 : down > FARTHEST ? FARTHEST[4:0] : down[4:0];
-  wire [KEPT_W-1:0]  shifted;
-  wire               sticky;
+
+  wire [KEPT_W-1:0]  p3_kept;
+  wire [FIELD_W-1:0] p3_field;
+  wire [4:0]         p3_amount;
+  wire               p3_below;
+  wire               p3_none;
+  wire [CLASS_W-1:0] p3_class;
+
+  ffd_num_delay #(
+    .WIDTH  (KEPT_W + FIELD_W + 5 + 2 + CLASS_W),
+    .LATENCY(FOURTH)
+  ) u_amount (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({p2_kept, p2_field, amount, below, p2_none, p2_class}),
+    .q_o({p3_kept, p3_field, p3_amount, p3_below, p3_none, p3_class})
+  );
+
+  wire [KEPT_W-1:0] shifted;
+  wire              sticky;
 
   ffd_fp_shift_right #(
     .WIDTH   (KEPT_W),
     .AMOUNT_W(5)
   ) u_subnormal (
-    .x_i     (p2_kept),
-    .amount_i(amount),
+    .x_i     (p3_kept),
+    .amount_i(p3_amount),
     .y_o     (shifted),
     .sticky_o(sticky)
   );
 
-  wire        plus     = p2_class[2];
-  wire        minus    = p2_class[3];
-  wire        huge     = !below && p2_field > LARGEST && !p2_none;
+  wire        plus     = p3_class[2];
+  wire        minus    = p3_class[3];
+  wire        huge     = !p3_below && p3_field > LARGEST && !p3_none;
   wire        infinite = plus || minus || huge;
   wire        nan      = plus && minus;
-  wire [31:0] word;
 
-  wire [FIELD_W-1:0] biased = below || p2_none ? {FIELD_W{1'b0}} : p2_field - ONE;
+  wire [FIELD_W-1:0] biased = p3_below || p3_none ? {FIELD_W{1'b0}} : p3_field - ONE;
+
+  wire              p4_sign;
+  wire [7:0]        p4_exponent;
+  wire [KEPT_W-1:0] p4_significand;
+  wire              p4_sticky;
+  wire              p4_infinite;
+  wire              p4_nan;
+  wire              p4_saturated;
+
+  ffd_num_delay #(
+    .WIDTH  (1 + 8 + KEPT_W + 4),
+    .LATENCY(FIFTH)
+  ) u_shifted (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({plus || minus ? minus : p3_class[0], biased[7:0], shifted, sticky, infinite, nan,
+          p3_class[1]}),
+    .q_o({p4_sign, p4_exponent, p4_significand, p4_sticky, p4_infinite, p4_nan, p4_saturated})
+  );
+
+  wire [31:0] word;
 
   ffd_fp_round #(
     .EXP_W(8),
     .SIG_W(24)
   ) u_round (
-    .sign_i       (plus || minus ? minus : p2_class[0]),
-    .exponent_i   (biased[7:0]),
-    .significand_i(shifted[KEPT_W-1:2]),
-    .guard_i      (shifted[1]),
-    .sticky_i     (shifted[0] || sticky),
-    .infinite_i   (infinite),
-    .nan_i        (nan),
+    .sign_i       (p4_sign),
+    .exponent_i   (p4_exponent),
+    .significand_i(p4_significand[KEPT_W-1:2]),
+    .guard_i      (p4_significand[1]),
+    .sticky_i     (p4_significand[0] || p4_sticky),
+    .infinite_i   (p4_infinite),
+    .nan_i        (p4_nan),
     .result_o     (word)
   );
 
   ffd_num_delay #(
     .WIDTH  (34),
-    .LATENCY(THIRD)
-  ) u_third (
+    .LATENCY(SIXTH)
+  ) u_word (
     .clk(clk),
     .rst(1'b0),
-    .d_i({nan, p2_class[1], word}),
+    .d_i({p4_nan, p4_saturated, word}),
     .q_o({nan_o, saturated_o, word_o})
   );
 
