@@ -125,15 +125,7 @@ module ffd_bench_evaluator #(
   endgenerate
 
   ffd_eval_stream #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
+    `include "ffd_row_arguments.vh"
     .READ_LATENCY   (2),
     .SOURCE_W       (8),
     .USER_W         (16),

@@ -74,15 +74,7 @@ module ffd_board_icebreaker #(
   );
 
   hwffd_stream #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
+    `include "ffd_row_arguments.vh"
     .AXIS           (AXIS),
     .IN_FLIGHT      (IN_FLIGHT),
     .WAITING        (WAITING),

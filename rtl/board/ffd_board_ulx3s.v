@@ -9,15 +9,7 @@
 `include "ffd_eval.vh"
 
 module ffd_board_ulx3s #(
-  parameter ORG             = 0,
-  parameter N               = 1,
-  parameter FORMAT          = 18,
-  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
-  parameter MUL_LATENCY     = 2,
-  parameter ADD_LATENCY     = 1,
-  parameter FMA_LATENCY     = 0,
-  parameter CONVERT_LATENCY = 1,
+  `include "ffd_row_parameters.vh"
   parameter AXIS            = 16,
   parameter IN_FLIGHT       = 128,
   parameter CLOCKS          = 25,
@@ -67,15 +59,7 @@ module ffd_board_ulx3s #(
   );
 
   hwffd_stream #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
+    `include "ffd_row_arguments.vh"
     .AXIS           (AXIS),
     .IN_FLIGHT      (IN_FLIGHT)
   ) u_core (

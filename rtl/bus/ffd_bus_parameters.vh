@@ -1,15 +1,7 @@
 // Parameters of the core behind its buses, as all that hand them on have them: rtl/top/hwffd_axi.v.
 // To be included in a module's parameters.
 // SPDX-License-Identifier: Apache-2.0
-parameter ORG               = 0,
-parameter N                 = 1,
-parameter FORMAT            = 18,
-parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
-parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
-parameter MUL_LATENCY       = 2,
-parameter ADD_LATENCY       = 1,
-parameter FMA_LATENCY       = 0,
-parameter CONVERT_LATENCY   = 1,
+`include "ffd_row_parameters.vh"
 parameter AXIS              = 16,
 parameter PAGES             = 2,
 parameter IN_FLIGHT         = 128,

@@ -25,15 +25,7 @@
 `include "ffd_organizations.vh"
 
 module ffd_eval_stream #(
-  parameter ORG             = 0,
-  parameter N               = 1,
-  parameter FORMAT          = 18,
-  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
-  parameter MUL_LATENCY     = 2,
-  parameter ADD_LATENCY     = 1,
-  parameter FMA_LATENCY     = 0,
-  parameter CONVERT_LATENCY = 1,
+  `include "ffd_row_parameters.vh"
   parameter READ_LATENCY    = 2,
   parameter SOURCE_W        = 2,
   parameter USER_W          = 16,
@@ -138,15 +130,7 @@ module ffd_eval_stream #(
   wire [3*SUM_W-1:0] sum;
 
   ffd_org_select #(
-    .ORG            (ORG),
-    .N              (N),
-    .FORMAT         (FORMAT),
-    .SCHEDULE       (SCHEDULE),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
+    `include "ffd_row_arguments.vh"
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SOURCE_W),
     .SPANS          (SPANS)

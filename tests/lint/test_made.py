@@ -265,8 +265,9 @@ def test_headers_of_the_tops():
     wishbone = module_header.read(sources, "hwffd_wishbone")
     for top, bus, ports in ((axi, "axil", 54), (wishbone, "wb", 44)):
         source = rtl.strip_comments(sources.files[top.name].read_text()) + "".join(
-            (ROOT / f"rtl/bus/ffd_{name}.vh").read_text()
-            for name in (f"{bus}_ports", "axi_ports", "bus_parameters"))
+            (ROOT / f"rtl/{name}.vh").read_text()
+            for name in (f"bus/ffd_{bus}_ports", "bus/ffd_axi_ports", "bus/ffd_bus_parameters",
+                         "evaluator/ffd_row_parameters"))
         assert len(top.ports) == len(re.findall(r"^ *(?:in|out)put ", source, re.M)) == ports
         assert len(top.parameters) == len(re.findall(r"^ *parameter ", source, re.M))
     assert set(axi.parameters) - set(wishbone.parameters) == {"SECURE_ONLY"}
