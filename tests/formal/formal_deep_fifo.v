@@ -36,7 +36,7 @@ module formal_deep_fifo #(
     .CAPACITY(DEPTH + 1),
     .LATENCY (2),
     .WAIT    (0)
-  ) u_properties (
+  ) exact (
     .clk     (clk),
     .rst     (rst),
     .s_valid (s_valid),
@@ -73,7 +73,7 @@ module formal_deep_fifo #(
     .CAPACITY(DEPTH + 1),
     .LATENCY (2),
     .WAIT    (16)
-  ) u_early_properties (
+  ) early (
     .clk     (clk),
     .rst     (rst),
     .s_valid (s_valid),

@@ -6,7 +6,7 @@
 // checked is refused or let in, no more. The ring is held from the start on while it runs, and the
 // head never goes back or round past the tail.
 //
-// `range` and `room` are inductive: tail <= next <= fetch <= head round the ring, and what lies
+// `range`, `room` and `live` are inductive: tail <= next <= fetch <= head round the ring, and what lies
 // between them is with the reader, on the way to it or in the queue.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -185,7 +185,19 @@ module formal_dma_ring #(
                          && ((entry - tail[14:0]) & mask) < to_limit);
   wire [19:0] bytes   = 20'd16 << entries_log2;
 
+  // Clocks in which the reader is free, entries are left and nothing is asked for.
+  localparam MOST_IDLE = 2;
+  reg  [2:0]  idle_q;
+  wire        inside  = running && !\u_dut.stop_q && (\u_dut.check_q || to_limit != 0);
+  always @(posedge clk) begin
+    if (rst || started || valid || !inside || !quiet) idle_q <= 0;
+    else if (ready) idle_q <= idle_q + 1'b1;
+  end
+
   always @* if (!first_q && !rst) begin
+    live: assert (looked && ordered && between && idle_q <= MOST_IDLE
+                  && (idle_q == 0 || \u_dut.planned || valid || !inside)
+                  && (idle_q < MOST_IDLE || valid || !inside));
     range: assert (looked && ordered && between);
     size: assert (looked && (!running || entries_log2_q != 0));
     checked: assert (looked && ordered && (!valid || (is_check ? address == base && length == bytes : seen_q)));

@@ -1,4 +1,4 @@
-// formal_queue: ffd_stream_queue with any traffic and any reset
+// formal_queue: ffd_stream_queue with any traffic and any reset, in each kind of memory
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -19,8 +19,9 @@ module formal_queue #(
 
   ffd_stream_queue #(
     .WIDTH(WIDTH),
-    .DEPTH(DEPTH)
-  ) u_dut (
+    .DEPTH(DEPTH),
+    .BLOCK(1)
+  ) u_block (
     .clk         (clk),
     .rst         (rst),
     .s_word_valid(s_valid),
@@ -36,7 +37,7 @@ module formal_queue #(
     .CAPACITY(DEPTH + 2),
     .LATENCY (3),
     .WAIT    (0)
-  ) u_properties (
+  ) block (
     .clk     (clk),
     .rst     (rst),
     .s_valid (s_valid),
@@ -45,6 +46,42 @@ module formal_queue #(
     .m_valid (m_valid),
     .m_ready (m_ready),
     .m_data  (m_data),
+    .follow_i(follow)
+  );
+
+  wire             d_ready;
+  wire             d_valid;
+  wire [WIDTH-1:0] d_data;
+
+  ffd_stream_queue #(
+    .WIDTH(WIDTH),
+    .DEPTH(DEPTH),
+    .BLOCK(0)
+  ) u_distributed (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(s_valid),
+    .s_word_ready(d_ready),
+    .s_word_data (s_data),
+    .m_word_valid(d_valid),
+    .m_word_ready(m_ready),
+    .m_word_data (d_data)
+  );
+
+  properties_queue #(
+    .WIDTH   (WIDTH),
+    .CAPACITY(DEPTH + 1),
+    .LATENCY (2),
+    .WAIT    (0)
+  ) distributed (
+    .clk     (clk),
+    .rst     (rst),
+    .s_valid (s_valid),
+    .s_ready (d_ready),
+    .s_data  (s_data),
+    .m_valid (d_valid),
+    .m_ready (m_ready),
+    .m_data  (d_data),
     .follow_i(follow)
   );
 endmodule
