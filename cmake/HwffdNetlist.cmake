@@ -4,7 +4,8 @@
 find_program(YOSYS yosys REQUIRED)
 get_filename_component(yosys_folder ${YOSYS} DIRECTORY)
 set(netlist_scripts ${CMAKE_SOURCE_DIR}/scripts)
-file(GLOB netlist_steps CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.ys)
+file(GLOB netlist_steps CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.ys
+     ${CMAKE_SOURCE_DIR}/synth/*/*.v)
 
 # The cells of a target: ours, and yosys' own for the others. (Gates need none.)
 find_file(YOSYS_ECP5_CELLS ecp5/cells_sim.v PATHS ${yosys_folder}/../share/yosys NO_DEFAULT_PATH REQUIRED)

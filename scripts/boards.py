@@ -73,7 +73,7 @@ class Flow:
 
     def script(self, board):
         """The steps of yosys, with files named from the root. They end before the netlist."""
-        return [self.work.read(board.top), *self._steps(board)]
+        return [self.work.read(board.top, board.target), *self._steps(board)]
 
     def pins(self, board):
         return (self.root / "synth" / "boards" / board.name
@@ -92,7 +92,7 @@ class Flow:
     def key(self, board):
         """Of sources, steps, pins and programs. Raises NextpnrError."""
         router, (packer, *packing) = nextpnr.version(self.root, board.target), self.pack(board)
-        return digest.of(self.work.design(board.top, self._steps(board)), router,
+        return digest.of(self.work.design(board.top, board.target, self._steps(board)), router,
                          digest.lines(self.pins(board)), pathlib.Path(packer).name, *packing,
                          board.device, board.package, str(board.clock_mhz))
 

@@ -42,7 +42,7 @@ CELLS = {
     "generic": {f"$_{gate}_": ("logic", {"cells": 1}) for gate in _GATES},
     "ecp5": {
         "LUT4": _LUT, "CCU2C": ("ccu2c", {"lut": 2}), "TRELLIS_FF": _FF,
-        "MULT18X18D": ("logic", {"dsp": 1}),
+        "MULT18X18D": ("mult18", {"dsp": 1}),
         "TRELLIS_DPR16X4": ("ram", {"lutram": 4}), "DP16KD": _BLOCK, "PDPW16KD": _BLOCK,
     },
     "up5k": {**_ICE40, "SB_MAC16": ("mac16", {"dsp": 1})},
@@ -276,6 +276,16 @@ def _staged(module, cell, pins, before, inside, behind):
         module.start(_bits(cell, "output"), 1)
 
 
+def _mult18(module, cell):
+    def has(*stages):
+        return any(cell["parameters"].get(f"REG_{stage}_CLK", "NONE") != "NONE"
+                   for stage in stages)
+
+    for pins, before in (("A\\d|SIGNEDA", "INPUTA"), ("B\\d|SIGNEDB", "INPUTB")):
+        _staged(module, cell, pins, has(before), has("PIPELINE"), has("OUTPUT"))
+    module.end(_bits(cell, "input", "CE|RST|CLK"))
+
+
 def _mac16(module, cell):
     inside = _set(cell, "PIPELINE_16x16_MULT_REG1", "PIPELINE_16x16_MULT_REG2",
                   "TOP_8x8_MULT_REG", "BOT_8x8_MULT_REG")
@@ -299,7 +309,7 @@ def _dsp48e1(module, cell):
 
 
 _ADD = {"logic": _logic, "carry": _carry, "register": _register, "ram": _ram, "ccu2c": _ccu2c,
-        "carry4": _carry4, "mac16": _mac16, "dsp48e1": _dsp48e1}
+        "carry4": _carry4, "mult18": _mult18, "mac16": _mac16, "dsp48e1": _dsp48e1}
 
 
 def _instance(module, cell, inner):

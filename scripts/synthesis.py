@@ -35,6 +35,8 @@ UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do.
 ABSORBING = (*ICE40, "xilinx7")
+# Where a module of synth/TARGET has cells that only yosys knows.
+BLACK_BOXES = {"ecp5": "+/ecp5/cells_bb.v"}
 # Of standard cells: gates and flip-flops become cells of the library.
 CELL_STEPS = (f"read_liberty -lib {liberty.PATH}", f"dfflibmap -liberty {liberty.PATH}",
               f"abc -liberty {liberty.PATH} -constr synth/osu018.constr -script synth/osu018.abc",
@@ -187,11 +189,20 @@ class Synthesis:
             timing.PROGRAM) else ""
         self._keys = {}
 
-    def read(self, top):
-        """The step that reads a module and all that it needs."""
+    def files(self, top, target):
+        """The files that a module needs: a target has modules of its own, synth/TARGET/*.v, that take
+        the place of those of the same name."""
+        own = {path.name: path for path in (self.root / "synth" / target).glob("*.v")}
+        return [own.get(pathlib.Path(path).name, path) for path in self.sources.needed(top)]
+
+    def read(self, top, target):
+        """The step that reads a module and all that it needs, cells of the target that have no logic
+        among it."""
         files, folders = ([os.path.relpath(path, self.root) for path in paths]
-                          for paths in (self.sources.needed(top), self.sources.includes))
-        return "read_verilog " + "".join(f"-I {folder} " for folder in folders) + " ".join(files)
+                          for paths in (self.files(top, target), self.sources.includes))
+        cells = f"read_verilog -lib {BLACK_BOXES[target]}; " if target in BLACK_BOXES else ""
+        return (f"{cells}read_verilog " + "".join(f"-I {folder} " for folder in folders)
+                + " ".join(files))
 
     @staticmethod
     def _steps(subject):
@@ -210,17 +221,17 @@ class Synthesis:
 
     def script(self, subject):
         """The steps of yosys, with files named from the root. They end before the netlist."""
-        return [self.read(subject.top), *self._steps(subject)]
+        return [self.read(subject.top, subject.target), *self._steps(subject)]
 
-    def design(self, top, steps):
+    def design(self, top, target, steps):
         """The key of a netlist: of yosys, of the sources below its top, and of the steps that follow
         with the scripts that they name."""
         scripts = [self.root / step.split()[1] for step in steps if step.startswith("script ")]
         return digest.of(self.version, *steps, digest.lines(*scripts), digest.tokens(
-            tuple(self.sources.needed(top)), tuple(self.sources.includes), "YOSYS", "SYNTHESIS"))
+            tuple(self.files(top, target)), tuple(self.sources.includes), "YOSYS", "SYNTHESIS"))
 
     def netlist_key(self, subject):
-        return self.design(subject.top, self._steps(subject))
+        return self.design(subject.top, subject.target, self._steps(subject))
 
     def key(self, subject):
         """Of a result: of its netlist and of what counts it."""

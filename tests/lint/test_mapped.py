@@ -156,6 +156,15 @@ def test_registers_inside_dsp48(stages, levels):
 
 
 @pytest.mark.parametrize("stages, levels", (
+    ({}, 3), ({"REG_OUTPUT_CLK": "NONE"}, 3), ({"REG_INPUTA_CLK": "CLK0"}, 2),
+    ({"REG_INPUTB_CLK": "CLK0"}, 3), ({"REG_PIPELINE_CLK": "CLK0"}, 2),
+    ({"REG_INPUTA_CLK": "CLK0", "REG_OUTPUT_CLK": "CLK0"}, 1)))
+def test_registers_inside_mult18(stages, levels):
+    assert depth([ff(9, 2), lut([2], 3), cell("MULT18X18D", {"A3": [3]}, {"P7": [4]}, **stages),
+                  lut([4], 5), ff(5, 6)]) == levels
+
+
+@pytest.mark.parametrize("stages, levels", (
     ({}, 3), ({"TOPOUTPUT_SELECT": "11", "A_REG": "0"}, 3),
     ({"TOPOUTPUT_SELECT": "11", "A_REG": "1"}, 2), ({"TOPOUTPUT_SELECT": "01"}, 2)))
 def test_registers_inside_mac16(stages, levels):

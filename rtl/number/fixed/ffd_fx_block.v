@@ -1,18 +1,19 @@
 // ffd_fx_block: product_o = a_i * b_i in one block multiplier, between registers of its own
 //
-// One of the four of a wide product. A module by itself, which synthesis may map by itself
-// (scripts/synthesis.py): the four blocks then share no register, and wires to them are short.
+// A module by itself, so that a target may have one of its own, whose registers are those of the
+// block: synth/ecp5/ffd_fx_block.v.
 //
 // Formats:    signed W bits each, product signed 2W bits, exact.
-// Pipeline:   BEFORE registers | multiplier, one register; II 1, never frozen.
-// Parameters: W >= 2 (one block up to 18), BEFORE >= 0.
+// Pipeline:   BEFORE registers | multiplier, BEHIND registers; II 1, never frozen.
+// Parameters: W >= 2 (one block up to 18), BEFORE >= 0, BEHIND >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (operator *).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_fx_block #(
-  parameter W      = 17,
-  parameter BEFORE = 0
+  parameter W      = 18,
+  parameter BEFORE = 0,
+  parameter BEHIND = 1
 ) (
   input  wire                  clk,
   input  wire signed [W-1:0]   a_i,
@@ -41,9 +42,15 @@ module ffd_fx_block #(
   wire signed [2*W-1:0] wide_a = {{W{a[W-1]}}, a};
   wire signed [2*W-1:0] wide_b = {{W{b[W-1]}}, b};
 
-  reg signed  [2*W-1:0] product_q;
-  always @(posedge clk) product_q <= wide_a * wide_b;
-  assign product_o = product_q;
+  ffd_num_delay #(
+    .WIDTH  (2 * W),
+    .LATENCY(BEHIND)
+  ) u_product (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(wide_a * wide_b),
+    .q_o(product_o)
+  );
 endmodule
 
 `default_nettype wire

@@ -34,44 +34,42 @@ module ffd_fx_product #(
   localparam BEHIND  = LATENCY > 3 ? 2 : LATENCY > 0 ? 1 : 0;  // behind the one, or in the sum
   localparam BEFORE  = LATENCY - BLOCKS - BEHIND;
 
-  wire signed [W-1:0] a;
-  wire signed [W-1:0] b;
-
-  ffd_num_delay #(
-    .WIDTH  (W),
-    .LATENCY(BEFORE)
-  ) u_a (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(a_i),
-    .q_o(a)
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (W),
-    .LATENCY(BEFORE)
-  ) u_b (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(b_i),
-    .q_o(b)
-  );
-
   generate
     if (CUT == 0) begin : gen_whole
-      wire signed [2*W-1:0] wide_a = {{W{a[W-1]}}, a};
-      wire signed [2*W-1:0] wide_b = {{W{b[W-1]}}, b};
-
-      ffd_num_delay #(
-        .WIDTH  (2 * W),
-        .LATENCY(BEHIND)
-      ) u_product (
-        .clk(clk),
-        .rst(1'b0),
-        .d_i(wide_a * wide_b),
-        .q_o(product_o)
+      ffd_fx_block #(
+        .W     (W),
+        .BEFORE(BEFORE),
+        .BEHIND(BEHIND)
+      ) u_block (
+        .clk      (clk),
+        .a_i      (a_i),
+        .b_i      (b_i),
+        .product_o(product_o)
       );
     end else begin : gen_halves
+      wire signed [W-1:0] a;
+      wire signed [W-1:0] b;
+
+      ffd_num_delay #(
+        .WIDTH  (W),
+        .LATENCY(BEFORE)
+      ) u_a (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(a_i),
+        .q_o(a)
+      );
+
+      ffd_num_delay #(
+        .WIDTH  (W),
+        .LATENCY(BEFORE)
+      ) u_b (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(b_i),
+        .q_o(b)
+      );
+
       // x = high 2^LOW_W + low, low not negative: products of HALF_W signed bits.
       localparam LOW_W  = (W - 1) / 2;
       localparam HALF_W = W - LOW_W;
@@ -87,7 +85,8 @@ module ffd_fx_product #(
           wire signed [PART_W-1:0] part;
           ffd_fx_block #(
             .W     (HALF_W),
-            .BEFORE(BLOCKS - 1)
+            .BEFORE(BLOCKS - 1),
+            .BEHIND(1)
           ) u_block (
             .clk      (clk),
             .a_i      (a_halves[i*HALF_W +: HALF_W]),
