@@ -1,8 +1,8 @@
 // ffd_board_icebreaker: hwffd_stream behind the serial line of an iCEBreaker (iCE40 UP5K)
 //
 // What fits the chip: positions of vertices in resident lattices of 4 points an axis. It has no
-// memory that is read at once, so vertices wait in flip-flops, two of them; IN_FLIGHT is the
-// smallest whose queues yosys puts into block memory.
+// memory that is read at once, so vertices wait in flip-flops, two of them, and IN_FLIGHT is the
+// smallest whose queues are in block memory.
 //
 // Formats:    frames of ffd_board_bridge; 8 data bits, no parity, 1 stop bit.
 // Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING, FEATURES as in hwffd_stream;
@@ -24,7 +24,7 @@ module ffd_board_icebreaker #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 4,
-  parameter IN_FLIGHT       = 8,
+  parameter IN_FLIGHT       = 32,
   parameter WAITING         = 2,
   parameter FEATURES        = 256,
   parameter CLOCKS          = 12,

@@ -11,7 +11,7 @@
 module ffd_board_ulx3s #(
   `include "ffd_row_parameters.vh"
   parameter AXIS            = 16,
-  parameter IN_FLIGHT       = 128,
+  parameter IN_FLIGHT       = 0,
   parameter CLOCKS          = 25,
   parameter PAUSE_W         = 20
 ) (

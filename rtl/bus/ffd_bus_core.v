@@ -54,7 +54,7 @@ module ffd_bus_core #(
   localparam [31:0] FORMAT_WORD    = FORMAT;
   localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
   localparam [31:0] EVALUATOR_WORD = EVALUATOR;
-  localparam [31:0] IN_FLIGHT_WORD = IN_FLIGHT;
+  localparam [31:0] IN_FLIGHT_WORD = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
   // No lattice is kept: no points an axis, no pages.
   localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
   localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;

@@ -183,7 +183,7 @@ module ffd_dma_engine #(
 
   assign read_error_o         = ring_error || bus_error;
   assign read_error_code_o    = bus_error ? {1'b0, bus_error_code} : ring_error_code;
-  assign read_error_address_o = bus_error_address | ring_error_address;
+  assign read_error_address_o = bus_error ? bus_error_address : ring_error_address;
 
   ffd_dma_ring #(
     .DESCRIPTORS(DESCRIPTORS)

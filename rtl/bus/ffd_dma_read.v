@@ -200,7 +200,7 @@ module ffd_dma_read #(
   always @(posedge clk) begin
     fetched_data_o  <= data_q;
     error_code_o    <= decode_q ? DECODE_ERROR : SLAVE_ERROR;
-    error_address_o <= bad ? {beat_q, 4'd0} : 64'd0;
+    error_address_o <= {beat_q, 4'd0};
   end
 
   // ---- the beat that is held: only the next one tells whether it is the packet's last

@@ -217,12 +217,11 @@ module ffd_dma_ring #(
   wire        error  = !rst && ((accept && !legal) || wrong);
   wire [14:0] guilty = refused_i ? asked_q : bad_flags && !beyond_q ? next_q : 15'd0;
 
-  // The address is 0 where there is no error.
   always @(posedge clk) begin
     error_o         <= error;
     error_code_o    <= accept ? (misaligned_q ? MISALIGNED : RING)
                               : refused_i ? {1'b0, refused_code_i} : beyond_q ? RING : FLAGS;
-    error_address_o <= error ? {base_i[63:19], base_i[18:0] | {guilty, 4'd0}} : 64'd0;
+    error_address_o <= {base_i[63:19], base_i[18:0] | {guilty, 4'd0}};
   end
 
   wire unused_ok = &{1'b0, queue_ready};

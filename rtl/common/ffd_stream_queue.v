@@ -1,18 +1,20 @@
-// ffd_stream_queue: a FIFO in block memory whose words leave a register
+// ffd_stream_queue: a FIFO whose words leave a register
 //
-// ffd_stream_deep_fifo, and a register for the word that is next: what a block memory gives comes
-// too late in its clock for any logic.
+// Up to 16 words, what a look-up table holds, wait in distributed memory, more in block memory; and
+// there is a register for the word that is next: what a memory gives comes too late in its clock
+// for any logic.
 //
-// Pipeline:   a word can leave in the third clock after it came; II 1.
+// Pipeline:   a word can leave in the third clock after it came, without BLOCK in the second; II 1.
 // Freezes:    s_word_ready is 0 while DEPTH words wait in the memory.
-// Parameters: WIDTH >= 1, DEPTH a power of two >= 2.
+// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, BLOCK 0 or 1: which memory.
 // Model:      none (storage only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_stream_queue #(
   parameter WIDTH = 32,
-  parameter DEPTH = 128
+  parameter DEPTH = 128,
+  parameter BLOCK = DEPTH > 16
 ) (
   input  wire             clk,
   input  wire             rst,
@@ -27,19 +29,37 @@ module ffd_stream_queue #(
   wire             stored_ready = !m_word_valid || m_word_ready;
   wire [WIDTH-1:0] stored_data;
 
-  ffd_stream_deep_fifo #(
-    .WIDTH(WIDTH),
-    .DEPTH(DEPTH)
-  ) u_fifo (
-    .clk         (clk),
-    .rst         (rst),
-    .s_word_valid(s_word_valid),
-    .s_word_ready(s_word_ready),
-    .s_word_data (s_word_data),
-    .m_word_valid(stored_valid),
-    .m_word_ready(stored_ready),
-    .m_word_data (stored_data)
-  );
+  generate
+    if (BLOCK) begin : gen_block
+      ffd_stream_deep_fifo #(
+        .WIDTH(WIDTH),
+        .DEPTH(DEPTH)
+      ) u_fifo (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(s_word_valid),
+        .s_word_ready(s_word_ready),
+        .s_word_data (s_word_data),
+        .m_word_valid(stored_valid),
+        .m_word_ready(stored_ready),
+        .m_word_data (stored_data)
+      );
+    end else begin : gen_distributed
+      ffd_stream_fifo #(
+        .WIDTH(WIDTH),
+        .DEPTH(DEPTH)
+      ) u_fifo (
+        .clk         (clk),
+        .rst         (rst),
+        .s_word_valid(s_word_valid),
+        .s_word_ready(s_word_ready),
+        .s_word_data (s_word_data),
+        .m_word_valid(stored_valid),
+        .m_word_ready(stored_ready),
+        .m_word_data (stored_data)
+      );
+    end
+  endgenerate
 
   always @(posedge clk) begin
     if (rst) m_word_valid <= 1'b0;

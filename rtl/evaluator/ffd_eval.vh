@@ -3,6 +3,8 @@
 `ifndef FFD_EVAL_VH
 `define FFD_EVAL_VH
 
+`include "ffd_organizations.vh"
+
 `define FFD_SCHEDULE_OVERLAPPED 0
 `define FFD_SCHEDULE_PAPER      1
 
@@ -59,6 +61,11 @@
 // Clocks between the results of an organization at least: one that adds all 64 products of weights
 // and points, N in a clock, has the others in between. Wants ffd_organizations.vh.
 `define FFD_RESULT_INTERVAL(ORG, N) (`FFD_ORG_PRODUCT(ORG) ? 64 / (N) : 1)
+
+// Evaluations inside, and places for their results: MOST, or with 0 what an organization needs to
+// keep its rate. Pipelines are some 100 clocks long, and at long intervals ten vertices take turns.
+`define FFD_IN_FLIGHT(MOST, ORG, N) \
+  ((MOST) != 0 ? (MOST) : `FFD_RESULT_INTERVAL(ORG, N) >= 16 ? 16 : 128)
 
 // Clocks from the third column of a Jacobian to its determinant: columns and cofactor narrowed,
 // three steps, a product, a sum of three.

@@ -74,11 +74,14 @@ module ffd_eval_sequencer #(
       localparam               TOP_PHASE  = INTERVAL - 1;
       localparam [PHASE_W-1:0] LAST_PHASE = TOP_PHASE[PHASE_W-1:0];
       reg [PHASE_W-1:0] phase_q;
+      reg               turn_q;     // phase_q is 0
+      wire              stays = turn_q && ALIGNED == 0 && !emit;
       always @(posedge clk) begin
         if (rst || phase_q == LAST_PHASE) phase_q <= {PHASE_W{1'b0}};
-        else if (ALIGNED != 0 || emit || !turn) phase_q <= phase_q + 1'b1;
+        else if (!stays) phase_q <= phase_q + 1'b1;
+        turn_q <= rst || phase_q == LAST_PHASE || stays;
       end
-      assign turn = phase_q == {PHASE_W{1'b0}};
+      assign turn = turn_q;
     end
   endgenerate
 
@@ -90,12 +93,20 @@ module ffd_eval_sequencer #(
       localparam              LEFT   = START_GAP - 1;
       localparam [WAIT_W-1:0] WAIT   = LEFT[WAIT_W-1:0];
       reg [WAIT_W-1:0] wait_q;
+      reg              may_start_q;    // wait_q is 0
       always @(posedge clk) begin
-        if (rst) wait_q <= {WAIT_W{1'b0}};
-        else if (start) wait_q <= WAIT;
-        else if (!may_start) wait_q <= wait_q - 1'b1;
+        if (rst) begin
+          wait_q      <= {WAIT_W{1'b0}};
+          may_start_q <= 1'b1;
+        end else if (start) begin
+          wait_q      <= WAIT;
+          may_start_q <= LEFT == 0;
+        end else if (!may_start) begin
+          wait_q      <= wait_q - 1'b1;
+          may_start_q <= wait_q == 1;
+        end
       end
-      assign may_start = wait_q == {WAIT_W{1'b0}};
+      assign may_start = may_start_q;
     end
   endgenerate
 

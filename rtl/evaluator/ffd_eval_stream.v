@@ -22,7 +22,6 @@
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
-`include "ffd_organizations.vh"
 
 module ffd_eval_stream #(
   `include "ffd_row_parameters.vh"

@@ -11,22 +11,22 @@
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
 //             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages; IN_FLIGHT
-//             a power of two >= 4, the most evaluations inside; WAITING, one >= 2, the most
-//             vertices before them; FEATURES, what is built, as in ffd_stream.vh; SPANS 1 to 128,
-//             the runs of cells of an axis with functions of their own, 1 without that feature.
+//             a power of two >= 4, the most evaluations inside, or 0: as many as ORG needs;
+//             WAITING, a power of two >= 2, the most vertices before them; FEATURES, what is built,
+//             as in ffd_stream.vh; SPANS 1 to 128, the runs of cells of an axis with functions of
+//             their own, 1 without that feature.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
-`include "ffd_organizations.vh"
 `include "ffd_stream.vh"
 
 module hwffd_stream #(
   `include "ffd_row_parameters.vh"
   parameter AXIS            = 16,
   parameter PAGES           = 2,
-  parameter IN_FLIGHT       = 128,
+  parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1
@@ -60,6 +60,7 @@ module hwffd_stream #(
   // Of a vertex; of an evaluation one more, and the user word another with a fourth component.
   localparam SOURCE_W     = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES);
   localparam USER_W       = `FFD_USER_W;
+  localparam INSIDE       = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
   localparam PAGE_W       = $clog2(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
@@ -194,7 +195,7 @@ module hwffd_stream #(
     .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1),
     .PAGES      (PAGES),
     .AXIS       (AXIS),
-    .IN_FLIGHT  (IN_FLIGHT),
+    .IN_FLIGHT  (INSIDE),
     .SPANS      (SPANS)
   ) u_decoder (
     .clk                 (clk),
@@ -322,7 +323,7 @@ module hwffd_stream #(
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (SOURCE_W + 1),
     .USER_W         (PART_W),
-    .IN_FLIGHT      (IN_FLIGHT),
+    .IN_FLIGHT      (INSIDE),
     .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
     .SPANS          (SPANS)
   ) u_evaluator (

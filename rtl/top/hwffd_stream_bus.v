@@ -23,7 +23,7 @@ module hwffd_stream_bus #(
   `include "ffd_row_parameters.vh"
   parameter AXIS            = 16,
   parameter PAGES           = 2,
-  parameter IN_FLIGHT       = 128,
+  parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1,

@@ -2,9 +2,9 @@
 //
 //   word = (value x 2^(exponent - (2W - 3))) rounded to binary32
 //
-// Six steps: magnitude; its leading zeros; the leading one brought to the top, which gives the
-// exponent field; how far below 1 that is; significand and field become those of a subnormal; all
-// is rounded.
+// Six steps: magnitude; its leading zeros; the leading one brought to the top four bits, which gives
+// the exponent field; it goes to the top, and how far is the field below 1; significand and field
+// become those of a subnormal; all is rounded.
 //
 // Formats:    sum_i {minus, plus, saturated, Q9.(2W-3)}; exponent_i signed. plus alone is an
 //             infinity, minus alone one below 0, both a NaN (0x7FC00000), whatever the value.
@@ -31,6 +31,7 @@ module ffd_bfp_normalise #(
   localparam COUNT_W = $clog2(VALUE_W);
   localparam FIELD_W = `FFD_EXPONENT_W + 2;
   localparam KEPT_W  = 26;  // significand, guard, sticky
+  localparam NEAR_W  = KEPT_W + 3;
   localparam CLASS_W = 4;   // {minus, plus, saturated, sign}
 
   localparam [FIELD_W-1:0] TOP      = 135;  // field of a leading one at the top, less exponent_i
@@ -99,50 +100,53 @@ module ffd_bfp_normalise #(
     .q_o({p1_magnitude, p1_zeros, p1_none, p1_exponent, p1_class})
   );
 
-  // ---- the leading one to the top, where the exponent field is exponent_i + 135
+  // ---- the leading one near the top, where the exponent field is exponent_i + 135
 
-  wire [VALUE_W-1:0] top;
+  wire [VALUE_W-1:0] coarse;
   ffd_fp_shift_left #(
     .WIDTH   (VALUE_W),
     .AMOUNT_W(COUNT_W)
-  ) u_top (
+  ) u_coarse (
     .x_i     (p1_magnitude),
-    .amount_i(p1_zeros),
-    .y_o     (top)
+    .amount_i({p1_zeros[COUNT_W-1:2], 2'd0}),
+    .y_o     (coarse)
   );
 
   // The exponent field as if it had no ends: -462 to 646.
   wire [FIELD_W-1:0] field = TOP + {{2{p1_exponent[`FFD_EXPONENT_W-1]}}, p1_exponent} -
                              {{(FIELD_W - COUNT_W) {1'b0}}, p1_zeros};
-  wire [KEPT_W-1:0]  kept;
+  wire [NEAR_W-1:0]  near;
   generate
-    if (VALUE_W > KEPT_W) begin : gen_wide
-      assign kept = {top[VALUE_W-1 -: KEPT_W-1], |top[VALUE_W-KEPT_W:0]};
+    if (VALUE_W > NEAR_W) begin : gen_wide
+      assign near = {coarse[VALUE_W-1 -: NEAR_W-1], |coarse[VALUE_W-NEAR_W:0]};
     end else begin : gen_narrow
-      assign kept = {top, {(KEPT_W - VALUE_W) {1'b0}}};
+      assign near = {coarse, {(NEAR_W - VALUE_W) {1'b0}}};
     end
   endgenerate
 
-  wire [KEPT_W-1:0]  p2_kept;
+  wire [NEAR_W-1:0]  p2_near;
+  wire [1:0]         p2_zeros;
   wire [FIELD_W-1:0] p2_field;
   wire               p2_none;
   wire [CLASS_W-1:0] p2_class;
 
   ffd_num_delay #(
-    .WIDTH  (KEPT_W + FIELD_W + 1 + CLASS_W),
+    .WIDTH  (NEAR_W + 2 + FIELD_W + 1 + CLASS_W),
     .LATENCY(THIRD)
-  ) u_at_top (
+  ) u_near (
     .clk(clk),
     .rst(1'b0),
-    .d_i({kept, field, p1_none, p1_class}),
-    .q_o({p2_kept, p2_field, p2_none, p2_class})
+    .d_i({near, p1_zeros[1:0], field, p1_none, p1_class}),
+    .q_o({p2_near, p2_zeros, p2_field, p2_none, p2_class})
   );
 
-  // ---- subnormals, infinities, rounding
+  // ---- at the top; subnormals, infinities, rounding
 
-  wire               below  = p2_field[FIELD_W-1] || p2_field == {FIELD_W{1'b0}};
-  wire [FIELD_W-1:0] down   = ONE - p2_field;
-  wire [4:0]         amount = !below ? 5'd0 : down > FARTHEST ? FARTHEST[4:0] : down[4:0];
+  wire [NEAR_W-1:0]  top     = p2_near << p2_zeros;
+  wire [KEPT_W-1:0]  p2_kept = {top[NEAR_W-1 -: KEPT_W-1], |top[NEAR_W-KEPT_W:0]};
+  wire               below   = p2_field[FIELD_W-1] || p2_field == {FIELD_W{1'b0}};
+  wire [FIELD_W-1:0] down    = ONE - p2_field;
+  wire [4:0]         amount  = !below ? 5'd0 : down > FARTHEST ? FARTHEST[4:0] : down[4:0];
 
   wire [KEPT_W-1:0]  p3_kept;
   wire [FIELD_W-1:0] p3_field;

@@ -27,7 +27,7 @@ TEST_P(Axi, SaysWhatItIs) {
   EXPECT_EQ(identity.schedule, 0U);
   EXPECT_EQ(identity.evaluator, 0U);
   EXPECT_EQ(identity.points_axis, static_cast<unsigned>(kAxisPoints));
-  EXPECT_EQ(identity.in_flight, 128U);
+  EXPECT_EQ(identity.in_flight, overlapped_interval(GetParam()) >= 16 ? 16U : 128U);
   EXPECT_EQ(identity.features, std::uint32_t{model::kAllFeatures});
   EXPECT_EQ(identity.pages, 2U);
   EXPECT_EQ(identity.spans, 1U);
