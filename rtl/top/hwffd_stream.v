@@ -10,7 +10,7 @@
 //             for each vertex, a clock after its last result has left the evaluator; wait_o says
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
-//             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages; IN_FLIGHT
+//             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
 //             a power of two >= 4, the most evaluations inside; WAITING, one >= 2, the most
 //             vertices before them; FEATURES, what is built, as in ffd_stream.vh; SPANS 1 to 128,
 //             the runs of cells of an axis with functions of their own, 1 without that feature.
@@ -61,7 +61,7 @@ module hwffd_stream #(
   localparam SOURCE_W     = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES);
   localparam USER_W       = `FFD_USER_W;
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
-  localparam PAGE_W       = $clog2(PAGES);
+  localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
 
   wire clk = aclk;
