@@ -27,6 +27,20 @@ void check_cells(const CoreIdentity& core, const std::vector<VertexBeat>& vertic
 
 }  // namespace
 
+PointStore Driver::store() const {
+  if (!core_) throw DriverError("the core is not known yet: probe it first");
+  if (core_->points_axis == 0) {
+    throw DriverError("this core keeps no lattice: send interleaved vertices, or build it with " +
+                      ("FEATURES + " + std::to_string(HWFFD_FEATURES_RESIDENT_MASK)));
+  }
+  PointStore store;
+  store.axis_points = static_cast<int>(core_->points_axis);
+  const bool pages = (core_->features & HWFFD_FEATURES_PAGES_MASK) != 0;
+  store.pages = pages ? static_cast<int>(core_->pages) : 0;
+  store.spans = pages && (core_->features & HWFFD_FEATURES_SPANS_MASK) != 0;
+  return store;
+}
+
 std::vector<Beat> Driver::page(int page, const LatticeWords& lattice,
                                const std::array<int, 3>& origin) const {
   std::vector<Beat> packet = page_packet(page, lattice, origin);

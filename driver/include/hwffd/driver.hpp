@@ -7,7 +7,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/register_port.hpp"
-#include "hwffd/stream/packets.hpp"
+#include "hwffd/stream/resident_pages.hpp"
 
 namespace hwffd {
 
@@ -119,6 +119,9 @@ class Driver {
   CoreIdentity probe();
   /// check_packet with what probe found; throws DriverError where it was not called.
   void check(const PacketHeader& header) const;
+  /// What the core keeps of lattices, for `pages_of`, `by_page` and `ResidentPages`. Throws
+  /// DriverError before probe, and for a core that keeps none.
+  PointStore store() const;
   /// Packets of a core with pages, for memory: a lattice into a page, some of its points, and
   /// vertices of it, as page_packet, points_packet and page_vertices_packet make them. They throw
   /// as check does, and for a cell that the beat of a vertex cannot say to this core.

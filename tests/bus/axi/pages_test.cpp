@@ -8,6 +8,7 @@
 #include "axi_run.hpp"
 #include "bad_pages.hpp"
 #include "hwffd/cores/verilated_axi_core.hpp"
+#include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/spans.hpp"
 #include "span_stimulus.hpp"
 
@@ -170,6 +171,43 @@ TEST_F(AxiPages, ASpanBeyondTheTable) {
   ASSERT_TRUE(run_.go());
   EXPECT_TRUE(run_.only_error({kSpanBeyond, 3, 0, 0}));
   EXPECT_TRUE(run_.ends_well());
+}
+
+// A lattice that is larger than the core keeps, by what its registers say; the same bits as from a
+// core that has it as one page. The second batch finds four of its nine pages there.
+TEST_F(AxiPages, ALargeLatticeGoesByPages) {
+  const PointStore store = run_.driver().store();
+  EXPECT_EQ(store.axis_points, kCore.axis);
+  EXPECT_EQ(store.pages, kCore.pages);
+  EXPECT_TRUE(store.spans);
+  const LatticeWords large = random_lattice(run_.codec(), run_.random(), {30, 9, 40});
+  const auto some = random_vertices(run_.codec(), run_.random(), large.dims, 400);
+  const auto functions = coefficients_packet(watertight_bspline(run_.codec()), run_.codec());
+  model::StreamModel whole(find_configuration("cg1-fx18-overlapped"),
+                           model::kAllFeatures | model::kPagesFeature | model::kLargeFeature, 64,
+                           1);
+  PageVertices how;
+  how.large = true;
+  whole.run(functions);
+  whole.run(page_packet(0, large));
+  const auto expected = whole.run(page_vertices_packet(0, some, how));
+  ResidentPages resident(store);
+  run_.send(functions);
+  for (const std::size_t loads : {9U, 14U}) {
+    PagedVertices paged = by_page(some, large.dims, store.axis_points);
+    run_.send(resident.packets(pages_of(large, store.axis_points), paged));
+    EXPECT_EQ(resident.loads(), loads);
+    ASSERT_TRUE(run_.go());
+    for (std::size_t v = 0; v < some.size(); ++v) {
+      const std::size_t was = paged.from[v];
+      for (unsigned c = 0; c < 3; ++c) {
+        ASSERT_EQ(run_.result_word(v, c), expected[was].words[c]) << was;
+      }
+      ASSERT_EQ(run_.result_word(v, 3) & kTagMask, some[was].tag);
+    }
+  }
+  run_.driver().take_errors();
+  EXPECT_TRUE(run_.clean());
 }
 
 // A soft reset forgets all pages, functions and origins.
