@@ -14,6 +14,7 @@
 #include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/stream/packets.hpp"
 #include "program.hpp"
 
 namespace hwffd::sim {
