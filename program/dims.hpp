@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "hwffd/points.hpp"
+#include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
 
 /// Reads control points an axis, "4x4x4" or "8x5x6".
 /// @param what  what the user wrote, for the message: "LATTICE=4x4", "--dims 4x4"
-/// @throws UsageError for anything else, and for counts outside 4 to 16
-Index3 parse_dims(const std::string& text, const std::string& what);
+/// @throws UsageError for anything else, and for counts below 4 or above `most`
+Index3 parse_dims(const std::string& text, const std::string& what, int most = Lattice::kMaxPoints);
 
 }  // namespace hwffd

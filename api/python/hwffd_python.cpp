@@ -104,8 +104,8 @@ Points deform(DeformableLattice& lattice, const Points& points) {
 }
 
 void set_device(DeformableLattice& lattice, const std::string& device, const std::string& org,
-                const std::string& format) {
-  lattice.set_device({device, org, format});
+                const std::string& format, int pages, int axis_points) {
+  lattice.set_device({device, org, format, pages, axis_points});
 }
 
 }  // namespace
@@ -142,7 +142,9 @@ PYBIND11_MODULE(hwffd, module) {
       .def("folds",
            [](const DeformableLattice& lattice) { return check_folds(lattice.deformed()).text(); })
       .def("set_device", &set_device, py::arg("device"), py::arg("org") = "basic",
-           py::arg("format") = "", "model, rtl or reference")
+           py::arg("format") = "", py::arg("pages") = 0, py::arg("axis_points") = kAxisPoints,
+           "model, rtl or reference; pages and axis_points are those of a model's core: lattices "
+           "that it keeps, and most points of one along an axis")
       .def("set_outside", &DeformableLattice::set_outside, "keep, clamp or fade:WIDTH")
       .def("embed", &embed, "(cells, local, residual, inside) of points, n x 3")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("local"))

@@ -14,6 +14,7 @@
 #include "hwffd/cores/axi_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/stream/packets.hpp"
 #include "program.hpp"
 
 namespace hwffd::sim {
@@ -127,7 +128,7 @@ Options parse_options(int argc, char** argv) {
         "-DHWFFD_TRACE=ON");
   }
   options.seed = seed_of(text.seed);
-  options.lattice = parse_dims(text.lattice, "LATTICE=" + text.lattice);
+  options.lattice = parse_dims(text.lattice, "LATTICE=" + text.lattice, kAxisPoints);
   options.rows = rows_of(text);
   if (options.stream == kDmaStream) options.rows = dma_rows_of(options.rows);
   options.deformations = {text.deform};

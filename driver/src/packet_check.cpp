@@ -1,4 +1,5 @@
 // What a core can do with a packet, from the packet's header alone.
+#include <algorithm>
 #include <string>
 
 #include "hwffd/driver.hpp"
@@ -10,7 +11,7 @@ namespace {
 constexpr unsigned kCoefficients = 1, kLattice = 2, kVertices = 3, kInterleaved = 4, kPage = 5,
                    kPoints = 6, kPageVertices = 7, kGrid = 8, kSpans = 9;
 constexpr unsigned kPositions = 0, kDerivatives = 1, kDeterminant = 2;
-constexpr unsigned kFewestPoints = 4, kLargePoints = 64;
+constexpr unsigned kFewestPoints = 4, kSmallPoints = 32;
 
 /// What a feature is, and how to do without it.
 struct Feature {
@@ -29,7 +30,8 @@ constexpr Feature kResultDerivatives{HWFFD_FEATURES_DERIVATIVES_MASK, "derivativ
                                      "ask for positions"};
 constexpr Feature kResultDeterminant{HWFFD_FEATURES_DETERMINANT_MASK, "determinant",
                                      "ask for positions"};
-constexpr Feature kPages{HWFFD_FEATURES_PAGES_MASK, "pages", "send whole lattices (opcodes 2, 3)"};
+constexpr Feature kSeveralPages{HWFFD_FEATURES_PAGES_MASK, "pages",
+                                "send whole lattices (opcodes 2, 3)"};
 constexpr Feature kGrids{HWFFD_FEATURES_GRIDS_MASK, "grids", "send their vertices"};
 constexpr Feature kFunctionSpans{HWFFD_FEATURES_SPANS_MASK, "spans",
                                  "send functions of every cell (opcode 1)"};
@@ -62,13 +64,16 @@ void check_results(const CoreIdentity& core, std::uint32_t word) {
 }
 
 void check_points(const CoreIdentity& core, std::uint32_t word, bool large) {
-  const unsigned most = large ? kLargePoints : core.points_axis;
+  const unsigned most = large ? core.points_axis : std::min(core.points_axis, kSmallPoints);
   for (unsigned axis = 0; axis < 3; ++axis) {
     const unsigned points = word >> 8 * axis & 0xFF;
     if (points >= kFewestPoints && points <= most) continue;
     throw DriverError(std::to_string(points) + " points along axis " + "stu"[axis] +
                       ": this core takes " + std::to_string(kFewestPoints) + " to " +
-                      std::to_string(most) + "; make the lattice smaller, or build with AXIS");
+                      std::to_string(most) +
+                      (points <= core.points_axis && points > most
+                           ? " without flag L of opcode 5"
+                           : "; make the lattice smaller, or build with AXIS"));
   }
 }
 
@@ -120,14 +125,14 @@ void check_packet(const CoreIdentity& core, const PacketHeader& header) {
       require(core, kInterleavedVertices);
       return check_results(core, header[2]);
     case kPage:
-      require(core, kPages);
+      require(core, kSeveralPages);
       check_page(core, header[0]);
       return check_points(core, header[2], large);
     case kPoints:
-      require(core, kPages);
+      require(core, kSeveralPages);
       return check_page(core, header[0]);
     case kPageVertices:
-      require(core, kPages);
+      require(core, kSeveralPages);
       check_page(core, header[0]);
       return check_results(core, header[2]);
     case kGrid:

@@ -19,7 +19,7 @@
 //             slot, a fourth one in front of the memory. II 1, never frozen. What is written is
 //             there for reads from the second clock after it: no vertex reads its points sooner.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, N a power of two from 1 to 64,
-//             SLOTS >= 2, PAGES >= 2, AXIS 4 to 64, LATENCY >= 2.
+//             SLOTS >= 2, PAGES >= 1, AXIS 4 to 64, LATENCY >= 2.
 // Not checked: a cell outside the lattice reads some point, never an address outside the memory;
 //             whether a slot has been filled: the stream decoder hands out full slots only.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -35,7 +35,7 @@ module ffd_cache_points #(
   parameter SLOTS    = 3,
   parameter SLOT_W   = $clog2(SLOTS),
   parameter PAGES    = 2,
-  parameter PAGE_W   = $clog2(PAGES),
+  parameter PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES),
   parameter AXIS     = 16,
   parameter AT_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES),
@@ -69,7 +69,9 @@ module ffd_cache_points #(
   // A single lane of lattices of one place has no more than the pages.
   localparam PLACE_W  = AXIS > 4 || N > 1 ? PAGE_W + 3 * HIGH_W : PAGE_W;
   localparam HIGHS_W  = PAGE_W + 3 * HIGH_W;
-  localparam PLACES   = PAGES * 2 ** (PLACE_W - PAGE_W);
+  // The lanes need no bit of a single page.
+  localparam USED_W   = PAGES > 1 || PLACE_W == 1 ? PLACE_W : PLACE_W - 1;
+  localparam PLACES   = PAGES > 1 ? PAGES * 2 ** (PLACE_W - PAGE_W) : 2 ** USED_W;
 
   generate
     if (N < 1 || N > 64 || (N & (N - 1)) != 0) begin : gen_bad_n
@@ -78,7 +80,7 @@ module ffd_cache_points #(
     if (AXIS < 4 || AXIS > 64) begin : gen_bad_axis
       ERROR_ffd_cache_points_axis_must_be_4_to_64 u_error ();
     end
-    if (SLOT_W > HIGHS_W) begin : gen_bad_slots
+    if (SLOT_W > HIGHS_W - (PAGES > 1 ? 0 : 1)) begin : gen_bad_slots
       ERROR_ffd_cache_points_has_more_slots_than_places u_error ();
     end
   endgenerate
@@ -285,6 +287,7 @@ module ffd_cache_points #(
         .q_o({early_place, early_row})
       );
 
+      wire unused_page = &{1'b0, early_place};
       ffd_cache_lane #(
         .WIDTH   (3 * POINT_W),
         .ROWS    (ROWS),
@@ -295,11 +298,11 @@ module ffd_cache_points #(
         .clk          (clk),
         .write_i      (write[BUS] && here),
         .write_slot_i (write_slot),
-        .write_place_i(write_place),
+        .write_place_i(write_place[USED_W-1:0]),
         .write_row_i  (write_row),
         .write_point_i(write_point[BUS*3*POINT_W +: 3*POINT_W]),
         .read_slot_i  (early_of_slot),
-        .read_place_i (early_place),
+        .read_place_i (early_place[USED_W-1:0]),
         .read_row_i   (early_row),
         .point_o      (read_point)
       );
@@ -317,11 +320,11 @@ module ffd_cache_points #(
           .clk          (clk),
           .write_i      (write_fourth[BUS] && here),
           .write_slot_i (1'b0),
-          .write_place_i(write_place),
+          .write_place_i(write_place[USED_W-1:0]),
           .write_row_i  (write_row),
           .write_point_i(fourth_number[BUS*POINT_W +: POINT_W]),
           .read_slot_i  (1'b0),
-          .read_place_i (early_place),
+          .read_place_i (early_place[USED_W-1:0]),
           .read_row_i   (early_row),
           .point_o      (number)
         );
@@ -360,7 +363,7 @@ module ffd_cache_points #(
 
   wire unused_ok = &{1'b0, write, write_bank, write_point, beat_point, numbers_i, lattice_at_i,
                      highs, read_source_i, write_fourth, fourth_number, lattice_fourth_i,
-                     early_fourth};
+                     early_fourth, write_place};
 endmodule
 
 `default_nettype wire

@@ -22,7 +22,8 @@
 //             clocks, the last one with done_o; the last 64 have a vector, announced a clock ahead
 //             by write_o.
 // Freezes:    never. cell, source and bank hold from start_i to done_o.
-// Parameters: those of every organization with N 4.
+// Parameters: those of every organization with N 4. With SPANS above 1 a
+//             function is asked for a clock earlier, with the same clocks in all.
 // Model:      golden/include/hwffd/model/org_nested.hpp (form).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,18 +37,19 @@ module ffd_eval_former #(
   parameter FMA_LATENCY     = 0,
   parameter CONVERT_LATENCY = 1,
   parameter READ_LATENCY    = 2,
-  parameter SOURCE_W        = 2
+  parameter SOURCE_W        = 2,
+  parameter SPANS           = 1
 ) (
   input  wire                                            clk,
   input  wire                                            rst,
   input  wire                                            load_i,
   input  wire [1:0]                                      load_axis_i,
-  input  wire [3:0]                                      load_address_i,
+  input  wire [`FFD_OWN_W(SPANS)-1:0]                    load_address_i,
   input  wire [`FFD_ENTRY_W(`FFD_WEIGHT_W(FORMAT))-1:0]  load_entry_i,
   input  wire                                            start_i,
   input  wire [11:0]                                     cell_i,
   input  wire [SOURCE_W-1:0]                             source_i,
-  input  wire [5:0]                                      bank_i,
+  input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                bank_i,
   output wire                                            done_o,
   output wire                                            read_o,
   output wire                                            read_last_o,
@@ -64,6 +66,9 @@ module ffd_eval_former #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
   localparam TREE     = `FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+
+  localparam PLACE_W  = `FFD_PLACE_W(SPANS);
+  localparam FILE     = SPANS > 1 ? 1 : 0;  // registers of reading a function
 
   localparam [1:0] POWERS  = 2'd0;
   localparam [1:0] ALONG_U = 2'd1;
@@ -102,6 +107,7 @@ module ffd_eval_former #(
   wire       keep_next;
   wire       last_next;
   wire       kept;
+  wire [5:0] ask_step;  // whose coefficients are asked for
   wire [5:0] fetch_step;
   wire [5:0] near_step;
   wire [5:0] next_step;
@@ -129,16 +135,25 @@ module ffd_eval_former #(
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(READ_LATENCY)
-  ) u_fetch_step (
+    .LATENCY(READ_LATENCY - FILE)
+  ) u_ask_step (
     .clk(clk),
     .rst(1'b0),
     .d_i(step_q),
+    .q_o(ask_step)
+  );
+  ffd_num_delay #(
+    .WIDTH  (6),
+    .LATENCY(FILE)
+  ) u_fetch_step (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(ask_step),
     .q_o(fetch_step)
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(TREE - 2)
+    .LATENCY(TREE - 2 - FILE)
   ) u_near_step (
     .clk(clk),
     .rst(1'b0),
@@ -147,7 +162,7 @@ module ffd_eval_former #(
   );
   ffd_num_delay #(
     .WIDTH  (6),
-    .LATENCY(CONVERT_LATENCY + 1)
+    .LATENCY(CONVERT_LATENCY + 1 + FILE)
   ) u_next_step (
     .clk(clk),
     .rst(1'b0),
@@ -246,7 +261,7 @@ module ffd_eval_former #(
       wire [4*WEIGHT_W-1:0] coefficients;
       wire [4*POINT_W-1:0]  points;
       wire [1:0]            shift;
-      wire [1:0]            blending      = fetch_step[3:2] - cell_i[4*c +: 2];
+      wire [1:0]            blending      = ask_step[3:2] - cell_i[4*c +: 2];
       wire [1:0]            blending_near = phase_q == POWERS ? near_step[3:2] - cell_i[4*c +: 2]
                                                               : 2'd0;
       wire [SUM_W-1:0]      sum;
@@ -259,15 +274,17 @@ module ffd_eval_former #(
       end
 
       ffd_eval_coefficient_file #(
-        .FORMAT(FORMAT)
+        .FORMAT      (FORMAT),
+        .READ_LATENCY(FILE),
+        .ADDRESS_W   (`FFD_OWN_W(SPANS))
       ) u_file (
         .clk            (clk),
         .load_i         (load_i && load_axis_i == c),
         .load_address_i (load_address_i),
         .load_entry_i   (load_entry_i),
-        .address_i      ({4{bank_i[2*c +: 2], blending}}),
+        .address_i      ({4{bank_i[PLACE_W*c +: PLACE_W], blending}}),
         .coefficient_o  (coefficients),
-        .shift_address_i({bank_i[2*c +: 2], blending_near}),
+        .shift_address_i({bank_i[PLACE_W*c +: PLACE_W], blending_near}),
         .shift_o        (shift)
       );
 

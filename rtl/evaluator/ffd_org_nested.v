@@ -32,7 +32,8 @@ module ffd_org_nested #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  localparam KEY_W        = 12 + SOURCE_W + 6;  // with one span
+  localparam PLACES_W     = 3 * `FFD_PLACE_W(SPANS);
+  localparam KEY_W        = 12 + SOURCE_W + PLACES_W;
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   // Clocks from a vertex's entry to its last use of a coefficient, and to the first overwritten.
@@ -55,9 +56,6 @@ module ffd_org_nested #(
     if (POINT_W != WEIGHT_W) begin : gen_bad_format
       ERROR_ffd_org_nested_points_and_weights_must_be_equally_wide u_error ();
     end
-    if (SPANS != 1) begin : gen_bad_spans
-      ERROR_ffd_org_nested_spans_must_be_1 u_error ();
-    end
     if (LAST_USE > FORMED) begin : gen_bad_latency
       ERROR_ffd_org_nested_latencies_are_too_long u_error ();
     end
@@ -69,7 +67,7 @@ module ffd_org_nested #(
   reg              fresh_q;    // of the vertex that waits, which has not yet entered
   reg              forming_q;
   reg  [KEY_W-1:0] key_q;
-  wire [KEY_W-1:0] key   = {s_vertex_cell, s_vertex_source, s_vertex_bank[5:0]};
+  wire [KEY_W-1:0] key   = {s_vertex_cell, s_vertex_source, s_vertex_bank};
   wire             fits  = fresh_q || (formed_q && !s_vertex_changed && key == key_q);
   wire             start = s_vertex_valid && !fits && !forming_q;
   wire             enter = s_vertex_valid && s_vertex_ready;
@@ -97,7 +95,7 @@ module ffd_org_nested #(
 
   wire [11:0]         formed_cell;
   wire [SOURCE_W-1:0] formed_source;
-  wire [5:0]          formed_bank;
+  wire [PLACES_W-1:0] formed_bank;
   assign {formed_cell, formed_source, formed_bank} = key_q;
 
   // ---- forming
@@ -114,13 +112,14 @@ module ffd_org_nested #(
     .FMA_LATENCY    (FMA_LATENCY),
     .CONVERT_LATENCY(CONVERT_LATENCY),
     .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SOURCE_W)
+    .SOURCE_W       (SOURCE_W),
+    .SPANS          (SPANS)
   ) u_former (
     .clk             (clk),
     .rst             (rst),
     .load_i          (load_i),
     .load_axis_i     (load_axis_i),
-    .load_address_i  (load_address_i[3:0]),
+    .load_address_i  (load_address_i),
     .load_entry_i    (load_entry_i),
     .start_i         (start),
     .cell_i          (formed_cell),
@@ -186,7 +185,7 @@ module ffd_org_nested #(
     .result_sum_o      (result_sum_o)
   );
 
-  wire unused_ok = &{1'b0, step_first, load_address_i, s_vertex_bank};
+  wire unused_ok = &{1'b0, step_first};
 endmodule
 
 `default_nettype wire

@@ -51,6 +51,9 @@
 `define FFD_AXIS_BAD(AXIS, FEATURES) \
   ((AXIS) < 4 || (AXIS) > 64 || ((AXIS) > 32) != (`FFD_FEATURE_LARGE(FEATURES) != 0))
 
+// Bits of the number of a page, one where there is one page only.
+`define FFD_PAGE_NUMBER_W(PAGES) ((PAGES) > 2 ? $clog2(PAGES) : 1)
+
 // Of the source of a vertex {resident, fourth component, high bits of the cell, slot or page}.
 `define FFD_AT_W(SLOTS, PAGES) \
   ($clog2(SLOTS) > $clog2(PAGES) ? $clog2(SLOTS) : $clog2(PAGES))

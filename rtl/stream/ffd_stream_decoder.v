@@ -36,7 +36,7 @@ module ffd_stream_decoder #(
   parameter AXIS        = 16,
   parameter IN_FLIGHT   = 128,
   parameter SPANS       = 1,
-  parameter PAGE_W      = $clog2(PAGES),
+  parameter PAGE_W      = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
 ) (

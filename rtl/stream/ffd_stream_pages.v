@@ -3,7 +3,7 @@
 // Every header of a page, of its points or of its vertices is held (ffd_stream_intake) while its
 // page is looked up. One that loads a page or a part of it waits until no vertex inside reads that
 // page. Opcodes 2 and 3 are of pages 0 and 1: a lattice goes to the one that is not the newest, and
-// vertices are of the newest.
+// vertices are of the newest. A single page takes all of them.
 //
 // Readers:    each page knows the number of the last vertex that read it. Its age, counted in
 //             vertices, is compared with how many are inside: vertices keep their order, so a page
@@ -15,7 +15,7 @@
 // Formats:    place, tops and last cell {i, j, k}, tops = points an axis - 1; origin {u, t, s}.
 // Pipeline:   look up | verdict | go: 3 clocks behind the first in which the header is held, for a
 //             place within a page later by ffd_stream_locate. The facts stay until the next one.
-// Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, PAGES 2 to 256, AXIS as in
+// Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, PAGES 1 to 256, AXIS as in
 //             ffd_stream_header, INSIDE >= the most vertices inside. Origins are kept where SPANS
 //             is above 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system/pages_test.cpp.
@@ -31,7 +31,7 @@ module ffd_stream_pages #(
   parameter AXIS     = 16,
   parameter INSIDE   = 160,
   parameter SPANS    = 1,
-  parameter PAGE_W   = $clog2(PAGES),
+  parameter PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS)
 ) (
   input  wire                         clk,
@@ -71,11 +71,12 @@ module ffd_stream_pages #(
   localparam FACTS_W    = 1 + EXPONENT_W + COUNT_W + PLACE_W;
   localparam [31:0] PAGES_WORD = PAGES;  // 32 bits where set from outside
   localparam [8:0]  MOST       = PAGES_WORD[8:0];
+  localparam        DEPTH      = PAGES > 1 ? PAGES : 2;  // of a memory
   localparam [AXIS_W-1:0] NOT_CELLS = 3;
 
   generate
-    if (PAGES < 2 || PAGES > 256) begin : gen_bad_pages
-      ERROR_ffd_stream_pages_pages_must_be_2_to_256 u_error ();
+    if (PAGES < 1 || PAGES > 256) begin : gen_bad_pages
+      ERROR_ffd_stream_pages_pages_must_be_1_to_256 u_error ();
     end
   endgenerate
 
@@ -86,7 +87,7 @@ module ffd_stream_pages #(
   wire       part     = newer && data_i[1:0] == 2'd2;
   wire       lattice  = !vertices && !part;
   reg        newest_q;
-  wire [7:0] number   = newer ? data_i[15:8] : {7'd0, lattice ? !newest_q : newest_q};
+  wire [7:0] number   = newer ? data_i[15:8] : {7'd0, PAGES > 1 && newest_q != lattice};
   wire       beyond   = {1'b0, number} >= MOST;
   wire [PAGE_W-1:0] page = number[PAGE_W-1:0];
 
@@ -248,7 +249,7 @@ module ffd_stream_pages #(
 
   ffd_mem_sdp #(
     .WIDTH       (FACTS_W),
-    .DEPTH       (PAGES),
+    .DEPTH       (DEPTH),
     .READ_LATENCY(0)
   ) u_facts (
     .clk            (clk),
@@ -274,7 +275,7 @@ module ffd_stream_pages #(
 
       ffd_mem_sdp #(
         .WIDTH       (21),
-        .DEPTH       (PAGES),
+        .DEPTH       (DEPTH),
         .READ_LATENCY(0)
       ) u_origins (
         .clk            (clk),
@@ -293,7 +294,7 @@ module ffd_stream_pages #(
   // A page that is just loaded has a reader of long ago.
   ffd_mem_sdp #(
     .WIDTH       (READERS_W),
-    .DEPTH       (PAGES),
+    .DEPTH       (DEPTH),
     .READ_LATENCY(0)
   ) u_readers (
     .clk            (clk),

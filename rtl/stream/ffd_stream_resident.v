@@ -24,7 +24,7 @@ module ffd_stream_resident #(
   parameter INSIDE   = 160,
   parameter SPANS    = 1,
   parameter SLOT_W   = $clog2(SLOTS),
-  parameter PAGE_W   = $clog2(PAGES),
+  parameter PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
 ) (

@@ -10,7 +10,7 @@
 //             for each vertex, a clock after its last result has left the evaluator; wait_o says
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
-//             an axis of a resident lattice; PAGES 2 to 256, 2 where there are no pages; IN_FLIGHT
+//             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
 //             a power of two >= 4, the most evaluations inside, or 0: as many as ORG needs;
 //             WAITING, a power of two >= 2, the most vertices before them; FEATURES, what is built,
 //             as in ffd_stream.vh; SPANS 1 to 128, the runs of cells of an axis with functions of
@@ -62,7 +62,7 @@ module hwffd_stream #(
   localparam USER_W       = `FFD_USER_W;
   localparam INSIDE       = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
-  localparam PAGE_W       = $clog2(PAGES);
+  localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
 
   wire clk = aclk;

@@ -43,12 +43,13 @@ int main(int argc, char** argv) {
       program.app().add_option("--models", models, "meshes (cat.3ds horse.3ds bunny.obj)");
   program.app()
       .add_option("--lattices", lattices, "control points an axis (4 6 8 12 16)")
-      ->check(CLI::Range(Lattice::kMinPoints, Lattice::kMaxPoints));
+      ->check(CLI::Range(Lattice::kMinPoints, kAxisPoints));
   return program.run(argc, argv, [&] {
     std::sort(lattices.begin(), lattices.end());
-    const std::vector<Row> rows =
-        study(meshes_of(models, !given->empty()), lattices,
-              find_configuration("basic-fx18-overlapped"), show_rows_done);
-    return Findings{{{"streams", json_report(rows)}}, faults(rows)};
+    const Configuration& configuration = find_configuration("basic-fx18-overlapped");
+    const std::vector<NamedMesh> meshes = meshes_of(models, !given->empty());
+    const std::vector<Row> rows = study(meshes, lattices, configuration, show_rows_done);
+    const std::vector<PagesRow> pages = pages_study(meshes, {24, 32, 48, 64}, configuration);
+    return Findings{{{"streams", json_report(rows, pages)}}, faults(rows, pages)};
   });
 }

@@ -7,12 +7,36 @@
 namespace hwffd::streams {
 namespace {
 
-/// Whether the RTL took as many beats as predicted, where it has the arrangement.
-bool is_as_predicted(const Row& row) { return !row.counted || *row.counted == row.predicted; }
+nlohmann::ordered_json json_of(const std::vector<PagesRow>& pages) {
+  auto list = nlohmann::ordered_json::array();
+  for (const PagesRow& row : pages) {
+    list.push_back({{"mesh", row.mesh},
+                    {"vertices", row.vertices},
+                    {"lattice", fmt::format("{0}x{0}x{0}", row.points)},
+                    {"pages", row.pages},
+                    {"batch", row.batch},
+                    {"words_per_vertex", row.words_per_vertex()},
+                    {"beats_predicted", row.predicted},
+                    {"beats_counted", row.counted},
+                    {"mismatches", row.mismatches}});
+  }
+  return list;
+}
+
+/// A line if results differ from what they should be, and one if other beats came than predicted.
+std::string fault(const std::string& name, std::uint64_t mismatches, std::uint64_t predicted,
+                  std::uint64_t counted) {
+  std::string text;
+  if (mismatches > 0) text += fmt::format("{}: {} results differ\n", name, mismatches);
+  if (predicted != counted) {
+    text += fmt::format("{}: {} beats predicted, {} counted\n", name, predicted, counted);
+  }
+  return text;
+}
 
 }  // namespace
 
-std::string json_report(const std::vector<Row>& rows) {
+std::string json_report(const std::vector<Row>& rows, const std::vector<PagesRow>& pages) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const Row& row : rows) {
@@ -26,20 +50,20 @@ std::string json_report(const std::vector<Row>& rows) {
                     {"beats_counted", row.counted ? Json(*row.counted) : Json()},
                     {"mismatches", row.mismatches}});
   }
-  return Json{{"rows", std::move(list)}}.dump(2) + "\n";
+  return Json{{"rows", std::move(list)}, {"pages", json_of(pages)}}.dump(2) + "\n";
 }
 
-std::string faults(const std::vector<Row>& rows) {
+std::string faults(const std::vector<Row>& rows, const std::vector<PagesRow>& pages) {
   std::string text;
   for (const Row& row : rows) {
     const std::string name = fmt::format("{}, {} points an axis, {}, order {}", row.mesh,
                                          row.points, row.arrangement, row.order);
-    if (row.mismatches > 0)
-      text += fmt::format("{}: {} results differ from the model\n", name, row.mismatches);
-    if (!is_as_predicted(row)) {
-      text +=
-          fmt::format("{}: {} beats predicted, {} counted\n", name, row.predicted, *row.counted);
-    }
+    text += fault(name, row.mismatches, row.predicted, row.counted.value_or(row.predicted));
+  }
+  for (const PagesRow& row : pages) {
+    text += fault(fmt::format("{}, {} points an axis, {} pages, batches of {}", row.mesh,
+                              row.points, row.pages, row.batch),
+                  row.mismatches, row.predicted, row.counted);
   }
   return text;
 }

@@ -232,7 +232,7 @@ TEST(Box, Refuses) {
   const std::string bounds = "box lattice: no bounding box; give at least one point, all finite";
   EXPECT_ERROR(Box::around(Points(0, 3)), bounds);
   EXPECT_ERROR(Box::around(Points::Constant(2, 3, inf)), bounds);
-  EXPECT_ERROR_PART(slanted().lattice({4, 4, 3}), "4 to 16 points");
+  EXPECT_ERROR_PART(slanted().lattice({4, 4, 3}), "4 to 64 points");
 }
 
 /// The point of a lattice at coordinates that run over all its cells, each from 0 to 1.
@@ -353,8 +353,8 @@ TEST(RoundLattice, Refuses) {
   EXPECT_ERROR(Sphere(Point::Zero(), kUnit).lattice({4, 4, 6}),
                "sphere lattice: 4 points along t, which goes around; give at least 5, as three of "
                "them lie at and beyond the poles");
-  EXPECT_ERROR_PART(Sphere(Point::Zero(), kUnit).lattice({4, 5, 17}),
-                    "each axis takes 4 to 16 points");
+  EXPECT_ERROR_PART(Sphere(Point::Zero(), kUnit).lattice({4, 5, 65}),
+                    "each axis takes 4 to 64 points");
   EXPECT_ERROR(Cylinder(Point::Zero(), kUnit, 1.0),
                "cylinder lattice: inner radius 1 of the outer; give 0 (solid) or more, and less "
                "than 1");

@@ -44,6 +44,20 @@ class Module(unittest.TestCase):
         np.testing.assert_array_equal(moved["model"], moved["rtl"])
         np.testing.assert_allclose(moved["model"], moved["reference"], atol=1e-6)
 
+    def test_lattices_larger_than_a_core_keeps(self):
+        lattice = hwffd.Lattice.around("box", CORNERS, [30, 8, 20])
+        lattice.deform("bend:60")
+        lattice.set_device("model", format="fx18", pages=1, axis_points=64)
+        whole = hwffd.deform(lattice, self.points)
+        for how in ({}, {"pages": 1}, {"pages": 4}, {"pages": 2, "axis_points": 20}):
+            lattice.set_device("model", format="fx18", **how)
+            for _ in range(2):
+                np.testing.assert_array_equal(hwffd.deform(lattice, self.points), whole)
+        lattice.set_device("rtl", format="fx18")
+        np.testing.assert_array_equal(hwffd.deform(lattice, self.points), whole)
+        with self.assertRaisesRegex(hwffd.UsageError, "300 pages: a core has 1 to 256"):
+            lattice.set_device("model", pages=300)
+
     def test_errors(self):
         lattice = hwffd.Lattice.around("box", CORNERS)
         with self.assertRaisesRegex(hwffd.UsageError, "twirl"):

@@ -101,7 +101,7 @@ REFUSED = {
     "deform solid.obj -o out.ply --lattice folded.json": (FAILURE, "folded.json", "folded at"),
     "deform solid.obj -o out.ply --lattice flat.json": (FAILURE, "flat.json", "volume"),
     "deform solid.obj -o out.ply --dims 4x4": (USAGE, "--dims 4x4"),
-    "deform solid.obj -o out.ply --dims 4x4x17": (USAGE, "4 to 16"),
+    "deform solid.obj -o out.ply --dims 4x4x65": (USAGE, "4 to 64"),
     "deform solid.obj -o out.ply --lattice sphere --dims 4x4x4": (FAILURE, "4"),
     "deform solid.obj -o out.ply --region 0,0,0": (USAGE, "--region"),
     "deform solid.obj -o out.ply --region 0,0,0,0,0,0": (USAGE, "--region", "no volume"),

@@ -6,6 +6,8 @@
 #include "Vpages_cg1.h"
 #include "Vpages_factored3.h"
 #include "Vpages_nested3.h"
+#include "Vpages_one.h"
+#include "Vpages_one8.h"
 #include "Vpages_tree8.h"
 #include "bad_pages.hpp"
 #include "hwffd/model/schedule.hpp"
@@ -21,8 +23,9 @@ class Pages : public ::testing::TestWithParam<PageBuild> {
   int pages() const { return GetParam().core.pages; }
 };
 
+class TwoPages : public Pages {};
 class ThreePages : public Pages {};
-class Fourth : public Pages {};
+class Fourth : public TwoPages {};
 
 TEST_P(Pages, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 12;
@@ -49,7 +52,7 @@ TEST_P(Pages, AnyPacketsInAnyOrder) {
 
 // What is expected here does not come from the model: the event, how often, and that the lattice
 // and the results behind are as before.
-TEST_P(Pages, BadPackets) {
+TEST_P(TwoPages, BadPackets) {
   tb::Random random(3);
   const WordCodec codec(find_configuration(GetParam().row).format);
   const LatticeWords lattice = random_lattice(codec, random, {5, 4, 6});
@@ -74,7 +77,7 @@ TEST_P(Pages, BadPackets) {
 
 // A packet that is too short has changed the points that came, and no other; of a whole lattice it
 // leaves nothing.
-TEST_P(Pages, PacketsThatAreCutShort) {
+TEST_P(TwoPages, PacketsThatAreCutShort) {
   tb::Random random(4);
   PageRun run(GetParam(), 1, "bernoulli", "bernoulli");
   const LatticeWords lattice = random_lattice(run.codec(), random, {4, 4, 4});
@@ -104,7 +107,7 @@ TEST_P(Pages, PacketsThatAreCutShort) {
 
 // One moved point is two beats, and gives the results of the whole lattice loaded anew: each point
 // of a lattice in turn, so every place is found.
-TEST_P(Pages, OneMovedPointIsTwoBeats) {
+TEST_P(TwoPages, OneMovedPointIsTwoBeats) {
   tb::Random random(5);
   PageRun run(GetParam(), 1);
   LatticeWords lattice = random_lattice(run.codec(), random, {5, 7, 6});
@@ -158,7 +161,7 @@ TEST_P(ThreePages, AHierarchyOfThreePagesWithoutReloading) {
 
 // Vertices before a change see the old points, those after it the new ones, while results have to
 // wait and the core is full.
-TEST_P(Pages, ChangesKeepTheirOrderUnderBackPressure) {
+TEST_P(TwoPages, ChangesKeepTheirOrderUnderBackPressure) {
   tb::Random random(7);
   const WordCodec codec(find_configuration(GetParam().row).format);
   const LatticeWords old = random_lattice(codec, random, {4, 4, 4});
@@ -194,7 +197,7 @@ TEST_P(Pages, ChangesKeepTheirOrderUnderBackPressure) {
 
 // A page that no vertex inside reads is loaded at once, and one that is read waits for its last
 // reader only, not for those of another page behind it.
-TEST_P(Pages, OnlyReadersOfThePageHoldAHeaderBack) {
+TEST_P(TwoPages, OnlyReadersOfThePageHoldAHeaderBack) {
   tb::Random random(8);
   PageRun run(GetParam(), 1);
   const LatticeWords lattice = random_lattice(run.codec(), random, {4, 4, 4});
@@ -221,7 +224,7 @@ TEST_P(Pages, OnlyReadersOfThePageHoldAHeaderBack) {
 
 // A switch of pages takes five clocks on the input, one of them its header's own, and none between
 // results while the evaluator has vertices enough.
-TEST_P(Pages, ClocksOfASwitchOfPages) {
+TEST_P(TwoPages, ClocksOfASwitchOfPages) {
   constexpr std::size_t kSwitches = 40;
   tb::Random random(12);
   PageRun run(GetParam(), 1);
@@ -256,10 +259,11 @@ TEST_P(Pages, VerticesUntilTheLastBeat) {
   PageVertices every;
   every.every = true;
   run.send_bspline();
-  run.send(page_packet(1, lattice));
-  run.send(page_vertices_packet(1, vertices));
-  run.send(page_vertices_packet(1, vertices, every));
-  run.send(page_vertices_packet(1, {vertices[0]}, every));
+  const int page = pages() - 1;
+  run.send(page_packet(page, lattice));
+  run.send(page_vertices_packet(page, vertices));
+  run.send(page_vertices_packet(page, vertices, every));
+  run.send(page_vertices_packet(page, {vertices[0]}, every));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.words(0, 7), run.words(7, 7));
   EXPECT_EQ(run.words(0, 1), run.words(14, 1));
@@ -359,6 +363,14 @@ const PageBuild kBuilds[] = {
      "nested3-fx18-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 3},
      make_page_core<Vpages_nested3>},
+    {"one",
+     "cg1-fx18-overlapped",
+     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},
+     make_page_core<Vpages_one>},
+    {"one8",
+     "tree8-fx18-overlapped",
+     {kPlain | model::kInterleavedFeature, 8, 1},
+     make_page_core<Vpages_one8>},
 };
 
 template <class Wanted>
@@ -369,12 +381,17 @@ std::vector<PageBuild> builds(Wanted wanted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Pages, ::testing::ValuesIn(kBuilds), by_name);
+INSTANTIATE_TEST_SUITE_P(, TwoPages, ::testing::ValuesIn(builds([](const PageBuild& build) {
+                           return build.core.pages >= 2;
+                         })),
+                         by_name);
 INSTANTIATE_TEST_SUITE_P(, ThreePages, ::testing::ValuesIn(builds([](const PageBuild& build) {
                            return build.core.pages >= 3;
                          })),
                          by_name);
 INSTANTIATE_TEST_SUITE_P(, Fourth, ::testing::ValuesIn(builds([](const PageBuild& build) {
-                           return (build.core.features & model::kFourthFeature) != 0;
+                           return (build.core.features & model::kFourthFeature) != 0 &&
+                                  build.core.pages >= 2;
                          })),
                          by_name);
 

@@ -9,9 +9,12 @@
 #include "../golden/de_boor.hpp"
 #include "Vbasic_fp32_overlapped_spans16.h"
 #include "Vcg1_fx18_overlapped_spans16.h"
+#include "Vnested3_fx18_overlapped_spans16.h"
+#include "Vnested_fp32_overlapped_spans5.h"
 #include "Vtree8_fx18_overlapped_spans5.h"
 #include "named.hpp"
 #include "page_run.hpp"
+#include "span_stimulus.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -28,49 +31,6 @@ class Spans : public ::testing::TestWithParam<PageBuild> {
   const std::vector<Beat>& results() const { return run_->bench().results(); }
   std::uint64_t counted(event::Code code) const { return run_->events(code); }
   bool derivatives() const { return (GetParam().core.features & model::kDerivativesFeature) != 0; }
-
-  std::vector<AxisWords> random_spans(tb::Random& random, std::uint64_t count) const {
-    std::vector<AxisWords> spans;
-    const auto like = random_coefficients(codec_, random)[0];
-    while (spans.size() < count) {
-      spans.push_back(random_coefficients(codec_, random)[0]);
-      if (random.chance(0.2)) continue;  // else in one packet with the others
-      spans.back().degree = like.degree;
-      spans.back().shift = like.shift;
-      spans.back().derivative.shift = like.derivative.shift;
-    }
-    return spans;
-  }
-
-  /// Spans anywhere in the table, some of them the end of a set; some with one thing wrong.
-  std::vector<Beat> random_span_packets(tb::Random& random) const {
-    const auto first = random.below(spans_);
-    const auto count = 1 + random.below(std::min<std::uint64_t>(5, spans_ - first));
-    auto beats = spans_packets(
-        static_cast<int>(random.below(3)), static_cast<int>(first), random_spans(random, count),
-        derivatives() && random.chance(0.9) ? Functions::kDerivativesToo : Functions::kBlending,
-        random.chance(0.6) ? SpanSet::kEnds : SpanSet::kGoesOn);
-    if (random.chance(0.7)) return beats;
-    auto& words = beats[0].words;
-    switch (random.below(6)) {
-      case 0:  // one bit more
-        words[random.below(4)] ^= 1U << random.below(32);
-        break;
-      case 1:
-        words[2] = (words[2] & ~0xFF00U) | static_cast<std::uint32_t>(random.below(256)) << 8;
-        break;
-      case 2:
-        words[1] = static_cast<std::uint32_t>(random.below(2 * spans_));
-        break;
-      case 3:
-        beats.resize(1 + random.below(beats.size()));
-        beats.back().last = true;
-        break;
-      default:
-        return spoiled(beats, random);
-    }
-    return beats;
-  }
 
   /// Clamped knots at uneven distances, as many cells as a lattice of that size has.
   static std::vector<double> uneven_knots(int points) {
@@ -107,6 +67,9 @@ class Spans : public ::testing::TestWithParam<PageBuild> {
   std::unique_ptr<PageRun> run_;
 };
 
+/// Organizations whose weights are functions of one axis each.
+class ExactSpans : public Spans {};
+
 TEST_P(Spans, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 40;
   for (std::uint64_t seed = tb::seed_from_environment(1), last = seed + 3; seed <= last; ++seed) {
@@ -123,7 +86,7 @@ TEST_P(Spans, AnyPacketsInAnyOrder) {
       const LatticeWords lattice = random_lattice(codec_, random, 8);
       if (random.chance(0.5)) send(lattice_packet(lattice));
       for (int set = 0; set < 3; ++set) {
-        send(random_span_packets(random));
+        send(random_span_packets(codec_, random, GetParam().core));
         const auto results =
             derivatives() && random.chance(0.3) ? Results::kDerivatives : Results::kPosition;
         send(vertices_packet(
@@ -146,14 +109,14 @@ TEST_P(Spans, ResetForgetsThem) {
   start(6);
   tb::Random random(6);
   for (std::uint64_t round = 0; round < 20; ++round) {
-    send(spans_packets(0, 0, random_spans(random, 2)));
+    send(spans_packets(0, 0, random_spans(codec_, random, 2)));
     send(coefficients_packet(random_coefficients(codec_, random)));
     send(lattice_packet(random_lattice(codec_, random, {4, 5, 6})));
-    send(spans_packets(1, 1, random_spans(random, 2)));
+    send(spans_packets(1, 1, random_spans(codec_, random, 2)));
     send(vertices_packet(random_vertices(codec_, random, {4, 5, 6}, 4)));
     ASSERT_NO_FATAL_FAILURE(finish());
     EXPECT_EQ(results().size(), 4U);
-    send(spans_packets(0, 0, random_spans(random, 2)));  // its change is under way
+    send(spans_packets(0, 0, random_spans(codec_, random, 2)));  // its change is under way
     run_->bench().run();
     run_->reset();
   }
@@ -195,11 +158,12 @@ TEST_P(Spans, BadPackets) {
     send(coefficients_packet(random_coefficients(codec_, random)));
     const LatticeWords lattice = random_lattice(codec_, random, most_points());
     send(lattice_packet(lattice));
-    auto packet = spans_packets(0, 0, std::vector<AxisWords>(2, random_spans(random, 1)[0]));
+    auto packet =
+        spans_packets(0, 0, std::vector<AxisWords>(2, random_spans(codec_, random, 1)[0]));
     packet[0].words[one.word] ^= one.bits;
     send(packet);
     send(vertices_packet(random_vertices(codec_, random, lattice.dims, 5)));
-    const auto again = random_spans(random, 1);
+    const auto again = random_spans(codec_, random, 1);
     send(spans_packets(1, 1, again));
     send(vertices_packet(random_vertices(codec_, random, lattice.dims, 5)));
     ASSERT_NO_FATAL_FAILURE(finish());
@@ -222,7 +186,7 @@ TEST_P(Spans, ASetComesIntoUseAsOne) {
   send(lattice_packet(lattice));
   std::vector<VertexBeat> vertices = random_vertices(codec_, random, dims, dims[0] - 3);
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].cell[0] = static_cast<int>(v);
-  const auto changed = random_spans(random, 2);
+  const auto changed = random_spans(codec_, random, 2);
   send(vertices_packet(vertices));
   send(spans_packets(0, 0, {changed[0]}, Functions::kBlending, SpanSet::kGoesOn));
   send(vertices_packet(vertices));
@@ -244,7 +208,35 @@ TEST_P(Spans, ASetComesIntoUseAsOne) {
   }
 }
 
-TEST_P(Spans, ClampedCornersAreTheirControlPoints) {
+// Vertices of one cell, whose functions change each time: once, and twice, which is where they
+// were.
+TEST_P(Spans, ACellSeesEachChange) {
+  start(7);
+  tb::Random random(7);
+  const LatticeWords lattice = random_lattice(codec_, random, {5, 5, 5});
+  const auto vertex = random_vertices(codec_, random, {4, 4, 4}, 1);
+  send(coefficients_packet(random_coefficients(codec_, random)));
+  send(lattice_packet(lattice));
+  send(vertices_packet(vertex));
+  constexpr std::size_t kChanges = 24;
+  for (std::size_t change = 0; change < kChanges; ++change) {
+    for (std::size_t set = 0; set <= change % 3; ++set) {
+      send(spans_packets(static_cast<int>(change % 3), 0, random_spans(codec_, random, 1)));
+    }
+    send(vertices_packet(vertex));
+    send(vertices_packet(vertex));
+  }
+  ASSERT_NO_FATAL_FAILURE(finish());
+  ASSERT_EQ(results().size(), 1 + 2 * kChanges);
+  std::size_t others = 0;
+  for (std::size_t change = 0; change < kChanges; ++change) {
+    EXPECT_EQ(results()[2 * change + 1].words, results()[2 * change + 2].words);
+    if (results()[2 * change].words != results()[2 * change + 1].words) ++others;
+  }
+  EXPECT_GE(others, kChanges / 2);
+}
+
+TEST_P(ExactSpans, ClampedCornersAreTheirControlPoints) {
   start(3);
   tb::Random random(3);
   const std::array<int, 3> dims{most_points(), 5, 4};
@@ -313,7 +305,7 @@ TEST_P(Spans, VerticesAreThoseOfDeBoor) {
 }
 
 // Vertices on faces, edges and corners that cells share get the same bits from each of them.
-TEST_P(Spans, SeamsAreWatertight) {
+TEST_P(ExactSpans, SeamsAreWatertight) {
   start(5);
   tb::Random random(5);
   const std::array<int, 3> dims{most_points(), most_points(), 6};
@@ -360,8 +352,18 @@ const PageBuild kBuilds[] = {
      "tree8-fx18-overlapped",
      {kFew, kAxisPoints, kPages, 5},
      make_page_core<Vtree8_fx18_overlapped_spans5>},
+    {"nested3_fx18_16",
+     "nested3-fx18-overlapped",
+     {kAll, kAxisPoints, kPages, 16},
+     make_page_core<Vnested3_fx18_overlapped_spans16>},
+    {"nested_fp32_5",
+     "nested-fp32-overlapped",
+     {kFew, kAxisPoints, kPages, 5},
+     make_page_core<Vnested_fp32_overlapped_spans5>},
 };
+constexpr std::size_t kExact = 3;
 INSTANTIATE_TEST_SUITE_P(, Spans, ::testing::ValuesIn(kBuilds), by_name);
+INSTANTIATE_TEST_SUITE_P(, ExactSpans, ::testing::ValuesIn(kBuilds, kBuilds + kExact), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -9,8 +9,8 @@ namespace hwffd::gl {
 class AxisBlending {
  public:
   static constexpr int kMaxDegree = 3;
-  /// A device's lattice has at most 16 points an axis, 13 cells.
-  static constexpr int kMaxCells = Lattice::kMaxPoints - kMaxDegree;
+  /// A core keeps lattices of at most 16 points an axis, 13 cells.
+  static constexpr int kMaxCells = kAxisPoints - kMaxDegree;
 
   /// Bernstein polynomials.
   /// @param degree  0 to 3

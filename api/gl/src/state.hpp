@@ -29,8 +29,8 @@ struct MapGrid3 {
 };
 
 constexpr int kMaps = 9;
-/// Of a map, along an axis: the points that a device has room for.
-constexpr int kMaxOrder = Lattice::kMaxPoints;
+/// Of a map, along an axis: the points that a core has room for.
+constexpr int kMaxOrder = kAxisPoints;
 
 /// Components of the maps' control points, in the order of the targets from GL_MAP3_COLOR_4 on.
 constexpr std::array<int, kMaps> kComponents{4, 1, 3, 1, 2, 3, 4, 3, 4};

@@ -37,7 +37,7 @@ const char* hwffd_error(void);
 
 /**
  * A lattice from its control points, which must span a volume.
- * @param dims    points along s, t, u, each 4 to 16
+ * @param dims    points along s, t, u, each 4 to 64
  * @param points  dims[0]*dims[1]*dims[2] points, copied
  */
 hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points);

@@ -111,6 +111,28 @@ const Configuration& row_of(const DeviceChoice& choice) {
   refuse(choice);
 }
 
+/// @throws UsageError for numbers that no core has, or none of this kind
+PointStore store_of(const DeviceChoice& choice) {
+  constexpr int kMostPages = 256, kFewestPoints = 7;
+  if (choice.pages < 0 || choice.pages > kMostPages) {
+    throw UsageError(fmt::format("{} pages: a core has 1 to {}, or 0 for one without pages",
+                                 choice.pages, kMostPages));
+  }
+  const int most = choice.pages > 0 ? kLargeAxisPoints : kSmallAxisPoints;
+  if (choice.axis_points < kFewestPoints || choice.axis_points > most) {
+    throw UsageError(fmt::format("{} points an axis: a core {} keeps {} to {}", choice.axis_points,
+                                 choice.pages > 0 ? "with pages" : "without pages", kFewestPoints,
+                                 most));
+  }
+  if (choice.device == "rtl" && (choice.pages != 0 || choice.axis_points != kAxisPoints)) {
+    throw UsageError(fmt::format(
+        "device rtl: its cores have no pages, and {} points an axis; leave both out, or take "
+        "device model",
+        kAxisPoints));
+  }
+  return {choice.axis_points, choice.pages, false};
+}
+
 Device::Blending all_bspline() {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   return {bspline, bspline, bspline};
@@ -189,8 +211,9 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
   }
   if (choice.device == "reference") return reference_device();
   const Configuration& row = row_of(choice);
+  const PointStore store = store_of(choice);
   return std::make_unique<StreamDevice>(
-      choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row));
+      choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row, store));
 }
 
 }  // namespace hwffd

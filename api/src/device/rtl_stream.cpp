@@ -52,8 +52,9 @@ class Conversation final : public cores::StreamParty {
 
 class RtlStream final : public CommandStream {
  public:
-  explicit RtlStream(const Configuration& row)
-      : name_(row.name), core_(cores::make_stream_core(row, kSeed)), loop_(*core_) {
+  RtlStream(std::unique_ptr<cores::StreamCore> core, const std::string& name,
+            const PointStore& store)
+      : name_(name), core_(std::move(core)), loop_(*core_), store_(store) {
     reset();
   }
 
@@ -79,17 +80,24 @@ class RtlStream final : public CommandStream {
   }
 
   std::uint64_t clocks() const override { return loop_.clocks(); }
+  PointStore store() const override { return store_; }
 
  private:
   std::string name_;
   std::unique_ptr<cores::StreamCore> core_;
   cores::StreamLoop loop_;
+  PointStore store_;
 };
 
 }  // namespace
 
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row) {
-  return std::make_unique<RtlStream>(row);
+  return rtl_stream(cores::make_stream_core(row, kSeed), row.name, {});
+}
+
+std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
+                                          const std::string& name, const PointStore& store) {
+  return std::make_unique<RtlStream>(std::move(core), name, store);
 }
 
 }  // namespace hwffd

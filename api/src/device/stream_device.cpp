@@ -36,7 +36,9 @@ Normalization::Origin origin_for(const Device::Blending& blending) {
 
 class ModelStream final : public CommandStream {
  public:
-  explicit ModelStream(const Configuration& row) : model_(row) {}
+  ModelStream(const Configuration& row, const PointStore& store)
+      : model_(row, features_of(store), store.axis_points, store.pages > 0 ? store.pages : kPages),
+        store_(store) {}
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
                         const Progress& progress) override {
@@ -53,29 +55,67 @@ class ModelStream final : public CommandStream {
   }
 
   void reset() override { model_.reset(); }
+  PointStore store() const override { return store_; }
 
  private:
+  static std::uint32_t features_of(const PointStore& store) {
+    return model::kAllFeatures | (store.pages > 0 ? model::kPagesFeature : 0U) |
+           (store.axis_points > kSmallAxisPoints ? model::kLargeFeature : 0U);
+  }
+
   model::StreamModel model_;
+  PointStore store_;
 };
 
 }  // namespace
 
-std::unique_ptr<CommandStream> model_stream(const Configuration& row) {
-  return std::make_unique<ModelStream>(row);
+std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store) {
+  return std::make_unique<ModelStream>(row, store);
 }
 
 StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
-    : name_(kind + " " + row.name), format_(row.format), stream_(std::move(stream)) {}
+    : name_(kind + " " + row.name),
+      format_(row.format),
+      stream_(std::move(stream)),
+      store_(stream_->store()) {
+  if (store_.pages > 0) pages_.emplace(store_);
+}
 
-std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, std::size_t vertices,
+StreamDevice::Questions StreamDevice::asked_in_order(std::size_t vertices) {
+  Questions asked;
+  asked.reserve(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const bool ends = (v + 1) % kPacketVertices == 0 || v + 1 == vertices;
+    asked.push_back({static_cast<std::uint32_t>(v) & kTagMask, ends});
+  }
+  return asked;
+}
+
+StreamDevice::Questions StreamDevice::asked_by_page(const PagedVertices& paged,
+                                                    const std::vector<LatticePage>& pages) {
+  Questions asked;
+  asked.reserve(paged.from.size());
+  for (const std::size_t p : paged.sent) {
+    const std::size_t count = paged.of_page[p].size();
+    for (std::size_t v = 0; v < count; ++v) {
+      const auto tag = static_cast<std::uint32_t>(paged.from[asked.size()]);
+      const bool ends = (v + 1) % kPacketVertices == 0 || v + 1 == count;
+      asked.push_back({tag & (is_large(pages[p].lattice) ? kLargeTagMask : kTagMask), ends});
+    }
+  }
+  return asked;
+}
+
+std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, const Questions& asked,
                                        std::size_t each) {
   std::vector<Beat> beats;
   try {
-    beats = stream_->run(commands, vertices * each, [&](double done) { show(done); });
-    check(beats, vertices, each);
+    beats = stream_->run(commands, asked.size() * each, [&](double done) { show(done); });
+    check(beats, asked, each);
   } catch (...) {
     stream_->reset();
+    if (pages_) pages_->forget();
     throw;
   }
   for (const Beat& beat : beats) {
@@ -85,13 +125,13 @@ std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, std::s
   return beats;
 }
 
-void StreamDevice::check(const std::vector<Beat>& beats, std::size_t vertices,
+void StreamDevice::check(const std::vector<Beat>& beats, const Questions& asked,
                          std::size_t each) const {
+  const std::size_t vertices = asked.size();
   const auto expected = [&](std::size_t b) {
-    const std::size_t vertex = b / each;
-    const bool ends = (vertex + 1) % kPacketVertices == 0 || vertex + 1 == vertices;
-    return (beats[b].words[3] & kTagMask) == (vertex & kTagMask) &&
-           beats[b].last == (ends && b % each == each - 1);
+    const Asked& vertex = asked[b / each];
+    return (beats[b].words[3] & kTagMask) == vertex.tag &&
+           beats[b].last == (vertex.ends && b % each == each - 1);
   };
   std::size_t good = 0;
   while (good < std::min(beats.size(), vertices * each) && expected(good)) ++good;
@@ -108,9 +148,20 @@ std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
   const bool derivatives = results != Results::kPosition;
   std::vector<Beat> commands =
       coefficients_packet(axes, derivatives ? Functions::kDerivativesToo : Functions::kBlending);
-  append(commands, lattice_packet(lattice));
-  append(commands, vertices_packets(vertices, results));
-  return answer(commands, vertices.size(), results_of(results));
+  const int axis_points =
+      pages_ ? store_.axis_points : std::min(store_.axis_points, kSmallAxisPoints);
+  const int longest = *std::max_element(lattice.dims.begin(), lattice.dims.end());
+  if (!pages_ && longest <= axis_points) {
+    append(commands, lattice_packet(lattice));
+    append(commands, vertices_packets(vertices, results));
+    return answer(commands, asked_in_order(vertices.size()), results_of(results));
+  }
+  const std::vector<LatticePage> pages = pages_of(lattice, axis_points);
+  PagedVertices paged = by_page(vertices, lattice.dims, axis_points);
+  append(commands, pages_ ? pages_->packets(pages, paged, OutsideMode::kClamp, results)
+                          : page_packets(pages, paged, OutsideMode::kClamp, results));
+  return in_order(answer(commands, asked_by_page(paged, pages), results_of(results)), paged,
+                  results);
 }
 
 Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& vertices,
@@ -154,7 +205,7 @@ Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
   const Normalization normalization = Normalization::of(points, codec, origin_for(blending));
   std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
   append(commands, interleaved_packets(interleave(vertices, codec, normalization)));
-  return positions_of(answer(commands, vertices.size(), 1), codec, normalization);
+  return positions_of(answer(commands, asked_in_order(vertices.size()), 1), codec, normalization);
 }
 
 }  // namespace hwffd

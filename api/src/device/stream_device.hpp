@@ -1,12 +1,18 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "hwffd/device/device.hpp"
 #include "hwffd/model/configuration.hpp"
-#include "hwffd/stream/packets.hpp"
+#include "hwffd/stream/resident_pages.hpp"
 
 namespace hwffd {
+
+namespace cores {
+class StreamCore;
+}
 
 /// Something that takes the command stream of `hwffd_stream` and gives its results.
 class CommandStream {
@@ -22,14 +28,20 @@ class CommandStream {
   virtual void reset() = 0;
   /// Clocks so far; 0 where there are none.
   virtual std::uint64_t clocks() const { return 0; }
+  /// What the core behind it keeps of lattices.
+  virtual PointStore store() const { return {}; }
 };
 
-/// The bit-true model of a row of the table.
-std::unique_ptr<CommandStream> model_stream(const Configuration& row);
+/// The bit-true model of a row of the table, with that store.
+std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store = {});
 /// Its Verilated RTL, just out of reset.
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row);
+/// A Verilated core that is there already, and has that store.
+std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
+                                          const std::string& name, const PointStore& store);
 
-/// A device behind a command stream: coefficients, then the lattice, then the vertices.
+/// A device behind a command stream: coefficients, then the lattice, then the vertices. A lattice
+/// that is larger than the core keeps goes there by pages, with the vertices of each.
 class StreamDevice final : public Device {
  public:
   StreamDevice(const std::string& kind, const Configuration& row,
@@ -45,11 +57,21 @@ class StreamDevice final : public Device {
                         const Blending& blending) override;
 
  private:
-  /// Sends the commands, which end with the packets of so many vertices, and reads the results.
-  std::vector<Beat> answer(const std::vector<Beat>& commands, std::size_t vertices,
+  /// What is known of a vertex's results before they come.
+  struct Asked {
+    std::uint32_t tag;
+    bool ends;  ///< its packet
+  };
+  using Questions = std::vector<Asked>;
+
+  static Questions asked_in_order(std::size_t vertices);
+  static Questions asked_by_page(const PagedVertices& paged, const std::vector<LatticePage>& pages);
+
+  /// Sends the commands, which end with the packets of these vertices, and reads the results.
+  std::vector<Beat> answer(const std::vector<Beat>& commands, const Questions& asked,
                            std::size_t each);
   /// Throws Error unless these are the results of the vertices, in their order.
-  void check(const std::vector<Beat>& beats, std::size_t vertices, std::size_t each) const;
+  void check(const std::vector<Beat>& beats, const Questions& asked, std::size_t each) const;
   /// Coefficients, the lattice and its vertices.
   std::vector<Beat> answer(const std::array<AxisWords, 3>& axes, const LatticeWords& lattice,
                            const std::vector<VertexBeat>& vertices, Results results);
@@ -57,6 +79,8 @@ class StreamDevice final : public Device {
   std::string name_;
   std::string format_;
   std::unique_ptr<CommandStream> stream_;
+  PointStore store_;
+  std::optional<ResidentPages> pages_;  // in a core that has any
 };
 
 }  // namespace hwffd

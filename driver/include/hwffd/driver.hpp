@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "hwffd/error.hpp"
 #include "hwffd/register_port.hpp"
+#include "hwffd/stream/resident_pages.hpp"
 
 namespace hwffd {
 
@@ -117,6 +119,18 @@ class Driver {
   CoreIdentity probe();
   /// check_packet with what probe found; throws DriverError where it was not called.
   void check(const PacketHeader& header) const;
+  /// What the core keeps of lattices, for `pages_of`, `by_page` and `ResidentPages`. Throws
+  /// DriverError before probe, and for a core that keeps none.
+  PointStore store() const;
+  /// Packets of a core with pages, for memory: a lattice into a page, some of its points, and
+  /// vertices of it, as page_packet, points_packet and page_vertices_packet make them. They throw
+  /// as check does, and for a cell that the beat of a vertex cannot say to this core.
+  std::vector<Beat> page(int page, const LatticeWords& lattice,
+                         const std::array<int, 3>& origin = {}) const;
+  std::vector<Beat> points(int page, const LatticeWords& lattice, std::size_t first,
+                           std::size_t count) const;
+  std::vector<Beat> page_vertices(int page, const std::vector<VertexBeat>& vertices,
+                                  const PageVertices& how = {}) const;
 
   /// Step 2. Throws DriverError where the windows are locked, or a base is above its limit.
   void set_windows(const AddressWindow& read, const AddressWindow& write);

@@ -82,7 +82,7 @@ void StreamModel::header(const Beat& beat) {
     return;
   }
   const auto opcode = static_cast<Opcode>(beat.words[0] & 0xFF);
-  const int number = opcode == Opcode::kLattice    ? 1 - newest_
+  const int number = opcode == Opcode::kLattice    ? other_page()
                      : opcode == Opcode::kVertices ? newest_
                                                    : static_cast<int>(beat.words[0] >> 8 & 0xFF);
   if (!start(opcode, number)) return;
@@ -238,7 +238,7 @@ void StreamModel::lattice_point(const Beat& beat) {
   const std::array<int, 3>& dims = page_->dims;
   if (static_cast<int>(page_->points.size()) < dims[0] * dims[1] * dims[2]) return;
   page_->loaded = true;
-  if (turn_) newest_ = 1 - newest_;
+  if (turn_) newest_ = other_page();
   state_ = State::kDone;
 }
 

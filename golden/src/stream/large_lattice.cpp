@@ -10,9 +10,13 @@
 namespace hwffd {
 namespace {
 
-constexpr int kSeam = 3;       // layers of points that neighbouring pages share
-constexpr int kBanks = 4;      // of an axis: pages begin at multiples
-constexpr int kMostCell = 15;  // that the beat of a vertex can name
+constexpr int kSeam = 3;   // layers of points that neighbouring pages share
+constexpr int kBanks = 4;  // of an axis: pages begin at multiples
+
+/// The last cell that the beat of a vertex can name.
+int most_cell(int axis_points) {
+  return axis_points > kSmallAxisPoints ? 63 : axis_points > kAxisPoints ? 31 : 15;
+}
 
 /// How an axis is cut.
 struct AxisPages {
@@ -92,12 +96,15 @@ PagedVertices by_page(const std::vector<VertexBeat>& vertices, const std::array<
       const int page = axes[axis].page_of(vertex.cell[axis]);
       at = at * axes[axis].count + page;
       if (page > 0) vertex.cell[axis] -= page * axes[axis].step;
-      vertex.cell[axis] = std::min(vertex.cell[axis], kMostCell);
+      vertex.cell[axis] = std::min(vertex.cell[axis], most_cell(axis_points));
     }
     paged.of_page[at].push_back(vertex);
     from[at].push_back(v);
   }
-  for (const auto& some : from) paged.from.insert(paged.from.end(), some.begin(), some.end());
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    if (!from[p].empty()) paged.sent.push_back(p);
+    paged.from.insert(paged.from.end(), from[p].begin(), from[p].end());
+  }
   return paged;
 }
 
@@ -108,14 +115,20 @@ std::vector<Beat> page_packets(const std::vector<LatticePage>& pages, const Page
     const std::vector<VertexBeat>& all = vertices.of_page.at(p);
     if (all.empty()) continue;
     append(beats, lattice_packet(pages[p].lattice));
-    for (auto first = all.begin(); first != all.end();) {
-      const auto left = static_cast<std::size_t>(all.end() - first);
-      const auto last = first + static_cast<std::ptrdiff_t>(std::min(kPacketVertices, left));
-      append(beats, vertices_packet({first, last}, mode, results));
-      first = last;
-    }
+    for (const auto& some : in_packets(all)) append(beats, vertices_packet(some, mode, results));
   }
   return beats;
+}
+
+std::vector<std::vector<VertexBeat>> in_packets(const std::vector<VertexBeat>& vertices) {
+  std::vector<std::vector<VertexBeat>> packets;
+  for (auto first = vertices.begin(); first != vertices.end();) {
+    const auto left = static_cast<std::size_t>(vertices.end() - first);
+    const auto last = first + static_cast<std::ptrdiff_t>(std::min(kPacketVertices, left));
+    packets.emplace_back(first, last);
+    first = last;
+  }
+  return packets;
 }
 
 std::vector<Beat> in_order(const std::vector<Beat>& sorted, const PagedVertices& vertices,

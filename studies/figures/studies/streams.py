@@ -27,6 +27,20 @@ def words(reports, mesh="cat.3ds"):
                   for (_, arrangement, order), line in _lines(rows).items()])
 
 
+def pages(reports, mesh="cat.3ds"):
+    """Words a vertex of one mesh in lattices larger than a page, by what the core keeps."""
+    rows = [row for row in reports.get("streams").get("pages", ()) if row["mesh"] == mesh]
+    names = lattices(rows)
+    lines = {}
+    for row in rows:
+        kept = f"{row['pages']} pages, opcodes 5, 7" if row["pages"] else "2 buffers, opcodes 2, 3"
+        batch = "all" if row["batch"] == row["vertices"] else f"{row['batch']:,}"
+        lines.setdefault((kept, batch), {})[row["lattice"]] = row
+    return Table(["the core keeps", "vertices sorted together", *names],
+                 [[kept, batch, *(f"{line[name]['words_per_vertex']:.2f}" for name in names)]
+                  for (kept, batch), line in lines.items()])
+
+
 def _verdict(line):
     counted = [row for row in line.values() if row["beats_counted"] is not None]
     if not counted:
@@ -42,7 +56,11 @@ def printed(reports):
                   [[mesh, str(next(iter(line.values()))["vertices"]), arrangement, order,
                     _verdict(line), *(f"{line[name]['words_per_vertex']:.2f}" for name in names)]
                    for (mesh, arrangement, order), line in _lines(rows).items()])
-    return "words moved to the core, a vertex\n\n" + table.text()
+    large = "".join(f"\n\n{mesh}, lattices by pages of 16 points an axis\n\n"
+                    + pages(reports, mesh).text()
+                    for mesh in dict.fromkeys(
+                        row["mesh"] for row in reports.get("streams").get("pages", ())))
+    return "words moved to the core, a vertex\n\n" + table.text() + large
 
 
 def missing(reports):
@@ -51,4 +69,4 @@ def missing(reports):
     return "" if len(meshes) >= 3 and len(lattices(rows)) >= 5 else "meshes or lattices"
 
 
-TABLES = {"words": words}
+TABLES = {"words": words, "pages": pages}

@@ -24,7 +24,7 @@ AxiRun::AxiRun(const Configuration& row, std::uint64_t seed, const std::string& 
     : AxiRun(row, cores::make_axi_core(row, seed), seed, throttles) {}
 
 AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, std::uint64_t seed,
-               const std::string& throttles, std::uint32_t features)
+               const std::string& throttles, const PageCore& has)
     : row_(row),
       codec_(row.format),
       random_(tb::derive_seed(seed, 11)),
@@ -32,7 +32,7 @@ AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, s
       system_(std::make_unique<tb::AxiSystem>(*core_, seed)),
       driver_(*system_),
       ring_(system_->memory, driver_, kRing, kBuffers),
-      model_(row, features) {
+      model_(row, has.features, has.axis, has.pages, has.spans) {
   system_->memory.set_latency({1, 1 + random_.below(40)});
   system_->set_throttles(throttles);
   set_up();

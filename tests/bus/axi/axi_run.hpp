@@ -18,7 +18,7 @@
 #include "hwffd/tb/axi_system.hpp"
 #include "hwffd/tb/packet_ring.hpp"
 #include "named.hpp"
-#include "stimulus.hpp"
+#include "page_stimulus.hpp"
 
 namespace hwffd::test {
 
@@ -35,9 +35,9 @@ class AxiRun {
  public:
   /// Out of reset, windows set and locked, the ring open, all interrupts enabled.
   AxiRun(const Configuration& row, std::uint64_t seed, const std::string& throttles = "always");
-  /// The same with a core of that row that is there already, and has these features.
+  /// The same with a core of that row that is there already, and has what is said.
   AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, std::uint64_t seed,
-         const std::string& throttles = "always", std::uint32_t features = model::kAllFeatures);
+         const std::string& throttles = "always", const PageCore& has = {model::kAllFeatures});
 
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& packets);

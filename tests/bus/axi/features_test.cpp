@@ -17,8 +17,11 @@ class Positions : public ::testing::Test {
  protected:
   static const Configuration& row() { return find_configuration("basic-fx18-overlapped"); }
 
-  AxiRun run_{row(), std::make_unique<cores::VerilatedAxiCore<Vaxi_positions>>(1), 1, "mixed",
-              kPositions};
+  AxiRun run_{row(),
+              std::make_unique<cores::VerilatedAxiCore<Vaxi_positions>>(1),
+              1,
+              "mixed",
+              {kPositions}};
 };
 
 TEST_F(Positions, AreAllThatTheRegistersSay) {

@@ -15,7 +15,8 @@ constexpr std::uint32_t kDerivativesFollow = 1U << 31;
 CoreIdentity core_with(std::uint32_t features) {
   CoreIdentity core{};
   core.features = features;
-  core.points_axis = (features & HWFFD_FEATURES_RESIDENT_MASK) != 0 ? 16 : 0;
+  const unsigned most = (features & HWFFD_FEATURES_LARGE_MASK) != 0 ? 64 : 16;
+  core.points_axis = (features & HWFFD_FEATURES_RESIDENT_MASK) != 0 ? most : 0;
   core.pages = 4;
   core.spans = 9;
   return core;
@@ -96,10 +97,15 @@ TEST(PacketCheck, SaysItInOneLine) {
   EXPECT_EQ(complaint(core_with(kToday), {2, 0, 0x111010, 0}),
             "17 points along axis u: this core takes 4 to 16; make the lattice smaller, or build "
             "with AXIS");
+  EXPECT_EQ(complaint(core_with(0xFFF), {5, 0, 0x042804, 0}),
+            "40 points along axis t: this core takes 4 to 32 without flag L of opcode 5");
+  EXPECT_EQ(complaint(core_with(0xFFF), {5 | kLarge, 0, 0x044104, 0}),
+            "65 points along axis t: this core takes 4 to 64; make the lattice smaller, or build "
+            "with AXIS");
 }
 
 TEST(PacketCheck, KnowsTheLimits) {
-  const CoreIdentity core = core_with(0xFFF);
+  const CoreIdentity core = core_with(0xFFF & ~HWFFD_FEATURES_LARGE_MASK);
   for (const std::uint32_t points : {0x040403U, 0x040304U, 0x030404U, 0x040411U, 0x110404U}) {
     EXPECT_NE(complaint(core, {2, 0, points, 0}), "") << points;
     EXPECT_NE(complaint(core, {5, 0, points, 0}), "") << points;

@@ -12,6 +12,7 @@
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/tb/random.hpp"
 #include "order.hpp"
+#include "pages.hpp"
 #include "report.hpp"
 #include "study.hpp"
 
@@ -134,6 +135,36 @@ TEST(Study, CountedEqualsPredicted) {
   }
   EXPECT_EQ(counted, 2 * 4U);
   EXPECT_EQ(nlohmann::json::parse(json_report(rows)).at("rows").size(), rows.size());
+}
+
+// Pages by hand: 20 points an axis are two pages, of 15 and 8 points.
+TEST(PagesStudy, CountedEqualsPredicted) {
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({"built-in", Mesh::procedural()});
+  const auto rows = pages_study(meshes, {20, 30}, find_configuration("basic-fx18-overlapped"));
+  EXPECT_EQ(faults({}, rows), "");
+  ASSERT_EQ(rows.size(), 2 * 8U);
+  for (const PagesRow& row : rows) {
+    if (row.points != 20 || row.batch != row.vertices) continue;
+    const std::uint64_t packets = row.predicted - kCoefficients - row.vertices;
+    const std::uint64_t points = 23 * 23 * 23;  // of all eight pages
+    EXPECT_GE(packets, 8 + points + 8) << row.pages;
+    EXPECT_LE(packets, 8 + points + 8 + row.vertices / kPacketVertices) << row.pages;
+  }
+  // In batches pages that are kept are not sent again.
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].pages != 16 || rows[r].batch == rows[r].vertices) continue;
+    EXPECT_LT(rows[r].predicted, rows[r - 3].predicted) << "2 buffers";
+    EXPECT_LE(rows[r].predicted, rows[r - 1].predicted) << "8 pages";
+  }
+  EXPECT_EQ(nlohmann::json::parse(json_report({}, rows)).at("pages").size(), rows.size());
+  PagesRow wrong = rows[0];
+  wrong.mismatches = 3;
+  ++wrong.counted;
+  const std::string text = faults({}, {wrong});
+  EXPECT_NE(text.find("20 points an axis, 0 pages"), std::string::npos) << text;
+  EXPECT_NE(text.find("3 results differ"), std::string::npos) << text;
+  EXPECT_NE(text.find("beats predicted"), std::string::npos) << text;
 }
 
 TEST(Study, FaultsAreNamed) {

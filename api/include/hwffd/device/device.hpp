@@ -93,6 +93,11 @@ struct DeviceChoice {
   std::string org = "basic";
   /// Of model and rtl: fp32, bfp32, fx18 or fx32; empty for fp32, or what a row named by `org` has.
   std::string format = "";
+  /// Of a model: lattices that its core keeps behind opcodes 5 to 7, 1 to 256; 0: a core without
+  /// pages, as those of `rtl` are.
+  int pages = 0;
+  /// Of a model: most points an axis of such a lattice, 7 to 64. A larger one goes by pages.
+  int axis_points = kAxisPoints;
 };
 
 /// The names that DeviceChoice::device takes.

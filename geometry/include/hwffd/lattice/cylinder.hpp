@@ -33,7 +33,7 @@ class Cylinder {
   /// @throws Error if there is no point or one is not finite
   static Cylinder around(const Points& points, const Point& room = Point::Zero());
 
-  /// @param dims  points an axis, 4 to 16; along u at least 6
+  /// @param dims  points an axis, 4 to 64; along u at least 6
   /// @throws Error for dims out of range
   Lattice lattice(const Index3& dims) const;
 

@@ -19,9 +19,9 @@ std::vector<Index3> places(const Index3& counts);
 class Lattice {
  public:
   static constexpr int kMinPoints = 4;
-  static constexpr int kMaxPoints = 16;
+  static constexpr int kMaxPoints = 64;
 
-  /// @param dims points an axis, each 4 to 16
+  /// @param dims points an axis, each 4 to 64
   /// @param points dims[0]*dims[1]*dims[2] x 3, in the order above
   /// @throws Error for dimensions out of range, a wrong number of points, or a point that is not
   ///   finite or beyond kLargestCoordinate

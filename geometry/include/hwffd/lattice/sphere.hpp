@@ -28,7 +28,7 @@ class Sphere {
   /// @throws Error if there is no point or one is not finite
   static Sphere around(const Points& points, const Point& room = Point::Zero());
 
-  /// @param dims  points an axis, 4 to 16; along t at least 5, along u at least 6
+  /// @param dims  points an axis, 4 to 64; along t at least 5, along u at least 6
   /// @throws Error for dims out of range
   Lattice lattice(const Index3& dims) const;
 

@@ -102,6 +102,9 @@ class StreamModel {
   Beat blank_result(Beat result) const;
   Beat evaluated(Beat result, int part, bool fourth);
   int header_exponent() const;
+  /// That opcode 2 fills next: the one of the first two pages that it did not fill last, if there
+  /// are two.
+  int other_page() const { return pages_.size() > 1 ? 1 - newest_ : 0; }
 
   std::unique_ptr<EvaluatorModel> evaluator_;
   bool block_;  // points have an exponent

@@ -17,6 +17,7 @@ struct LatticePage {
 /// Vertices of a large lattice, each with the cell of its page.
 struct PagedVertices {
   std::vector<std::vector<VertexBeat>> of_page;  ///< in the order of `pages_of`
+  std::vector<std::size_t> sent;                 ///< the pages that have any, as they are sent
   std::vector<std::size_t> from;                 ///< of all in that order, which each was
 };
 
@@ -37,12 +38,15 @@ std::vector<LatticePage> pages_of(const LatticeWords& lattice, int axis_points =
 PagedVertices by_page(const std::vector<VertexBeat>& vertices, const std::array<int, 3>& dims,
                       int axis_points = kAxisPoints);
 
-/// Packets that any core takes: each page that has vertices is loaded, then they follow, at most
-/// `kPacketVertices` in a packet. While one page is read the next one is loaded into the other
-/// buffer.
+/// Packets that any core with resident lattices takes: each page that has vertices is loaded, then
+/// they follow, at most `kPacketVertices` in a packet. While one page is read the next one is
+/// loaded into the other buffer.
 std::vector<Beat> page_packets(const std::vector<LatticePage>& pages, const PagedVertices& vertices,
                                OutsideMode mode = OutsideMode::kClamp,
                                Results results = Results::kPosition);
+
+/// Those of a page as they go into packets, at most `kPacketVertices` in each.
+std::vector<std::vector<VertexBeat>> in_packets(const std::vector<VertexBeat>& vertices);
 
 /// Results of these packets in the order of the vertices before they were sorted; `last` is set on
 /// the last one only.

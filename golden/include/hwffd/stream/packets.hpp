@@ -62,7 +62,8 @@ constexpr int kPages = 2;             ///< of the point store, in a core as it c
 /// Vertices a packet where many go to the core; tags of 16 bits stay unique within one.
 constexpr std::size_t kPacketVertices = 1024;
 
-constexpr std::uint32_t kTagMask = 0xFFFF;  ///< of a vertex and of its results, in word 3
+constexpr std::uint32_t kTagMask = 0xFFFF;       ///< of a vertex and of its results, in word 3
+constexpr std::uint32_t kLargeTagMask = 0x3FFF;  ///< with `kLargeFlag`
 
 /// The derivatives of an axis's blending functions as stream words: `word[function][power]`.
 struct DerivativeWords {
@@ -99,6 +100,12 @@ struct LatticeWords {
   int exponent = 0;                     ///< of all points, -512 to 511; only bfp32 looks at it
   std::vector<std::uint32_t> fourth{};  ///< a fourth component for each point, or none at all
 };
+
+/// Whether vertices of a lattice need `kLargeFlag`.
+inline bool is_large(const LatticeWords& lattice) {
+  return lattice.dims[0] > kSmallAxisPoints || lattice.dims[1] > kSmallAxisPoints ||
+         lattice.dims[2] > kSmallAxisPoints;
+}
 
 /// The packet that loads a bank of coefficients: 13 beats, or 25. Axes s, t, u.
 std::vector<Beat> coefficients_packet(const std::array<AxisWords, 3>& axes,
