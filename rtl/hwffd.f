@@ -26,6 +26,8 @@ bus/ffd_dma_engine.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
 bus/ffd_dma_watch.v
+bus/ffd_dma_width_read.v
+bus/ffd_dma_width_write.v
 bus/ffd_dma_write.v
 bus/ffd_wb_slave.v
 cache/ffd_cache_beats.v

@@ -4,7 +4,7 @@
 // section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID
 // for all bursts: answers come in order.
 //
-// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of DATA_WIDTH.
 // Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.
 // Cuts:       every output but the answers to words leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
@@ -270,7 +270,8 @@ module ffd_bus_core #(
     .READ_OUTSTANDING (READ_OUTSTANDING),
     .WRITE_OUTSTANDING(WRITE_OUTSTANDING),
     .FLUSH_CLOCKS     (FLUSH_CLOCKS),
-    .TIMEOUT          (BUS_TIMEOUT)
+    .TIMEOUT          (BUS_TIMEOUT),
+    .DATA_WIDTH       (DATA_WIDTH)
   ) u_dma (
     .clk                  (clk),
     .rst                  (rst),
@@ -364,7 +365,6 @@ module ffd_bus_core #(
   assign stall = result_valid && !result_ready;
   always @(posedge clk) core_idle_q <= core_idle;
 
-
   ffd_bus_sleep u_sleep (
     .clk    (clk),
     .rst    (rst),
@@ -374,7 +374,8 @@ module ffd_bus_core #(
 
   // ---- why it is slow
 
-  wire starved = busy && packet_ready && !packet_valid;
+  wire starved   = busy && packet_ready && !packet_valid;
+  wire read_beat = m_axi_rvalid && (DATA_WIDTH < 256 || m_axi_rready);  // else it is always ready
 
   ffd_bus_waits #(
     .COUNT_WIDTH(COUNT_WIDTH),
@@ -386,8 +387,8 @@ module ffd_bus_core #(
     .clear_i       (clear_counters),
     .core_i        ({core_wait[2], core_wait[1], core_wait[0], starved}),
     .read_begins_i (m_axi_arvalid && m_axi_arready),
-    .read_beat_i   (m_axi_rvalid),
-    .read_ends_i   (m_axi_rvalid && m_axi_rlast),
+    .read_beat_i   (read_beat),
+    .read_ends_i   (read_beat && m_axi_rlast),
     .write_begins_i(m_axi_wvalid && m_axi_wready && m_axi_wlast),
     .write_ends_i  (m_axi_bvalid),
     .counts_o      (waits)

@@ -1,8 +1,8 @@
 // ffd_dma_engine: command packets from memory to a stream, results from a stream to memory
 //
 // Reads along a ring of descriptors (ffd_dma_ring, ffd_dma_read) and writes one area
-// (ffd_dma_write), both at once, as one AXI4 master without IDs: INCR bursts of whole, aligned
-// 16-byte beats.
+// (ffd_dma_write), both at once, as one AXI4 master without IDs: INCR bursts at multiples of 16
+// bytes, whose beats have DATA_WIDTH bits (ffd_dma_width_read, ffd_dma_width_write).
 // docs/interface.md has the descriptor, the ring, the area and the codes of errors.
 //
 // A bus error on either half raises no further address on both, from the fourth clock after it on.
@@ -20,8 +20,9 @@
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
-// Pipeline:   see the halves; read and write at one beat a clock each.
-// Parameters: as in the halves; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2; TIMEOUT
+// Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
+// Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be
+//             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2; TIMEOUT
 //             as in ffd_dma_watch.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -35,7 +36,8 @@ module ffd_dma_engine #(
   parameter WRITE_OUTSTANDING = 8,
   parameter DESCRIPTORS       = 4,
   parameter FLUSH_CLOCKS      = 16,
-  parameter TIMEOUT           = 0
+  parameter TIMEOUT           = 0,
+  parameter DATA_WIDTH        = 128
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -89,7 +91,7 @@ module ffd_dma_engine #(
   output wire [1:0]   m_axi_arburst,
   input  wire         m_axi_rvalid,
   output wire         m_axi_rready,
-  input  wire [127:0] m_axi_rdata,
+  input  wire [DATA_WIDTH-1:0] m_axi_rdata,
   input  wire [1:0]   m_axi_rresp,
   input  wire         m_axi_rlast,
 
@@ -101,18 +103,19 @@ module ffd_dma_engine #(
   output wire [1:0]   m_axi_awburst,
   output wire         m_axi_wvalid,
   input  wire         m_axi_wready,
-  output wire [127:0] m_axi_wdata,
-  output wire [15:0]  m_axi_wstrb,
+  output wire [DATA_WIDTH-1:0] m_axi_wdata,
+  output wire [DATA_WIDTH/8-1:0] m_axi_wstrb,
   output wire         m_axi_wlast,
   input  wire         m_axi_bvalid,
   output wire         m_axi_bready,
   input  wire [1:0]   m_axi_bresp
 );
-  assign m_axi_arsize  = 3'd4;     // 16 bytes
+  localparam BURST = DATA_WIDTH == 64 && MAX_BURST > 128 ? 128 : MAX_BURST;
+
+  assign m_axi_arsize  = DATA_WIDTH == 64 ? 3'd3 : DATA_WIDTH == 256 ? 3'd5 : 3'd4;
   assign m_axi_arburst = 2'b01;    // INCR
-  assign m_axi_awsize  = 3'd4;
+  assign m_axi_awsize  = m_axi_arsize;
   assign m_axi_awburst = 2'b01;
-  assign m_axi_wstrb   = 16'hFFFF;
 
   // ---- soft reset, and holding one half while the other is in error, or both after a time-out
   reg  soft_q;
@@ -217,10 +220,25 @@ module ffd_dma_engine #(
   );
 
   // ---- the halves
+  wire         asked;
+  wire         asked_first;
+  wire         asked_last;
+  wire         beat_valid;
+  wire         beat_ready;
+  wire [127:0] beat_data;
+  wire [1:0]   beat_response;
+  wire         beat_last;
+  wire         out_valid;
+  wire         out_ready;
+  wire [127:0] out_data;
+  wire         out_last;
+  wire         out_upper;
+
   ffd_dma_read #(
-    .MAX_BURST  (MAX_BURST),
+    .MAX_BURST  (BURST),
     .FIFO_DEPTH (READ_DEPTH),
-    .OUTSTANDING(READ_OUTSTANDING)
+    .OUTSTANDING(READ_OUTSTANDING),
+    .DATA_WIDTH (DATA_WIDTH)
   ) u_read (
     .clk              (clk),
     .rst              (half_rst),
@@ -241,11 +259,14 @@ module ffd_dma_engine #(
     .m_axi_arready    (m_axi_arready),
     .m_axi_araddr     (m_axi_araddr),
     .m_axi_arlen      (m_axi_arlen),
-    .m_axi_rvalid     (m_axi_rvalid),
-    .m_axi_rready     (m_axi_rready),
-    .m_axi_rdata      (m_axi_rdata),
-    .m_axi_rresp      (m_axi_rresp),
-    .m_axi_rlast      (m_axi_rlast),
+    .asked_o          (asked),
+    .asked_first_o    (asked_first),
+    .asked_last_o     (asked_last),
+    .m_axi_rvalid     (beat_valid),
+    .m_axi_rready     (beat_ready),
+    .m_axi_rdata      (beat_data),
+    .m_axi_rresp      (beat_response),
+    .m_axi_rlast      (beat_last),
     .m_packet_valid   (m_packet_valid),
     .m_packet_ready   (m_packet_ready),
     .m_packet_data    (m_packet_data),
@@ -262,11 +283,33 @@ module ffd_dma_engine #(
     .empty_o          (read_empty)
   );
 
+  ffd_dma_width_read #(
+    .DATA_WIDTH (DATA_WIDTH),
+    .OUTSTANDING(READ_OUTSTANDING)
+  ) u_width_read (
+    .clk            (clk),
+    .rst            (half_rst),
+    .asked_i        (asked),
+    .asked_first_i  (asked_first),
+    .asked_last_i   (asked_last),
+    .m_axi_rvalid   (m_axi_rvalid),
+    .m_axi_rready   (m_axi_rready),
+    .m_axi_rdata    (m_axi_rdata),
+    .m_axi_rresp    (m_axi_rresp),
+    .m_axi_rlast    (m_axi_rlast),
+    .m_beat_valid   (beat_valid),
+    .m_beat_ready   (beat_ready),
+    .m_beat_data    (beat_data),
+    .m_beat_response(beat_response),
+    .m_beat_last    (beat_last)
+  );
+
   ffd_dma_write #(
-    .MAX_BURST   (MAX_BURST),
+    .MAX_BURST   (BURST),
     .FIFO_DEPTH  (WRITE_DEPTH),
     .OUTSTANDING (WRITE_OUTSTANDING),
-    .FLUSH_CLOCKS(FLUSH_CLOCKS)
+    .FLUSH_CLOCKS(FLUSH_CLOCKS),
+    .DATA_WIDTH  (DATA_WIDTH)
   ) u_write (
     .clk            (clk),
     .rst            (half_rst),
@@ -285,10 +328,11 @@ module ffd_dma_engine #(
     .m_axi_awready  (m_axi_awready),
     .m_axi_awaddr   (m_axi_awaddr),
     .m_axi_awlen    (m_axi_awlen),
-    .m_axi_wvalid   (m_axi_wvalid),
-    .m_axi_wready   (m_axi_wready),
-    .m_axi_wdata    (m_axi_wdata),
-    .m_axi_wlast    (m_axi_wlast),
+    .m_axi_wvalid   (out_valid),
+    .m_axi_wready   (out_ready),
+    .m_axi_wdata    (out_data),
+    .m_axi_wlast    (out_last),
+    .upper_o        (out_upper),
     .m_axi_bvalid   (m_axi_bvalid),
     .m_axi_bready   (m_axi_bready),
     .m_axi_bresp    (m_axi_bresp),
@@ -302,6 +346,23 @@ module ffd_dma_engine #(
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),
     .error_address_o(write_error_address_o)
+  );
+
+  ffd_dma_width_write #(
+    .DATA_WIDTH(DATA_WIDTH)
+  ) u_width_write (
+    .clk         (clk),
+    .rst         (half_rst),
+    .s_beat_valid(out_valid),
+    .s_beat_ready(out_ready),
+    .s_beat_data (out_data),
+    .s_beat_last (out_last),
+    .s_beat_upper(out_upper),
+    .m_axi_wvalid(m_axi_wvalid),
+    .m_axi_wready(m_axi_wready),
+    .m_axi_wdata (m_axi_wdata),
+    .m_axi_wstrb (m_axi_wstrb),
+    .m_axi_wlast (m_axi_wlast)
   );
 
   ffd_dma_watch #(

@@ -12,13 +12,17 @@
 // marked `last`; had it none, it leaves no trace. So each beat is held until the next one is seen
 // to be good. start_i, given when quiet_o is 1, ends this state.
 // A request with s_request_check is checked, and asks for nothing.
+// Of the bus this module sees beats of 16 bytes, whatever its width; only m_axi_arlen is in beats of
+// DATA_WIDTH bits. asked_o tells ffd_dma_width_read of a burst in the clock before its address, with
+// the halves of a beat of 256 bits that it begins (asked_first_o) and ends with (asked_last_o; 1 is
+// the upper half).
 // soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
 // hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
 //
 // Pipeline:   4 clocks request to burst; data 5 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             MAX_BURST as in ffd_dma_address.
+//             MAX_BURST and DATA_WIDTH as in ffd_dma_address.
 // Not checked: rlast is trusted; data without a burst is ignored.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -27,7 +31,8 @@
 module ffd_dma_read #(
   parameter MAX_BURST   = 256,
   parameter FIFO_DEPTH  = 512,
-  parameter OUTSTANDING = 8
+  parameter OUTSTANDING = 8,
+  parameter DATA_WIDTH  = 128
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -48,6 +53,9 @@ module ffd_dma_read #(
   input  wire         m_axi_arready,
   output reg  [63:0]  m_axi_araddr,
   output reg  [7:0]   m_axi_arlen,
+  output wire         asked_o,
+  output wire         asked_first_o,
+  output wire         asked_last_o,
   input  wire         m_axi_rvalid,
   output reg          m_axi_rready,
   input  wire [127:0] m_axi_rdata,
@@ -89,6 +97,7 @@ module ffd_dma_read #(
   wire [63:0] burst_address;
   wire [7:0]  burst_len;
   wire        burst_last;
+  wire [7:0]  bus_len;
   wire [7:0]  unused_offer;
   wire        address_ready;
   reg         fetch_q;
@@ -96,9 +105,10 @@ module ffd_dma_read #(
   assign s_request_ready = address_ready && !discard;
 
   ffd_dma_address #(
-    .ADDRESS_W(64),
-    .LENGTH_W (32),
-    .MAX_BURST(MAX_BURST)
+    .ADDRESS_W (64),
+    .LENGTH_W  (32),
+    .MAX_BURST (MAX_BURST),
+    .DATA_WIDTH(DATA_WIDTH)
   ) u_address (
     .clk              (clk),
     .rst              (rst || discard),
@@ -116,6 +126,8 @@ module ffd_dma_read #(
     .m_burst_address  (burst_address),
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
+    .m_bus_len        (bus_len),
+    .m_bus_upper      (asked_last_o),
     .offer_o          (unused_offer),
     .limited_i        (1'b0),
     .limit_i          (8'd0)
@@ -238,15 +250,16 @@ module ffd_dma_read #(
 
   // ---- room: what is neither in the FIFO nor promised to a burst
   reg  [COUNT_W-1:0] room_q;
-  // Counted a clock after it happened: a burst was taken (m_axi_arlen), a beat dropped, one has
-  // left. The next burst is looked at four clocks after one was taken.
+  // Counted a clock after it happened: a burst was taken (len_q), a beat dropped, one has left. The
+  // next burst is looked at four clocks after one was taken.
+  reg  [7:0]         len_q;
   reg                taken_q;
   reg                dropped_q;
   reg                left_q;
   wire               enough = room_q > {{(COUNT_W - 8) {1'b0}}, burst_len};
   // No beat is dropped in a clock in which a burst is taken. The sum is one chain of carries: less
   // the burst's beats, or one more, and one more for a beat that left.
-  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~m_axi_arlen}
+  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~len_q}
                                       : {{(COUNT_W - 1) {1'b0}}, dropped_q};
   wire [COUNT_W:0]   rooms  = {room_q, 1'b1} + {more, left_q};
 
@@ -267,6 +280,8 @@ module ffd_dma_read #(
   assign empty_o = !held_q && room_q == FIFO_DEPTH[COUNT_W-1:0];
 
   // ---- the address channel
+  assign asked_o       = burst_valid && burst_ready;
+  assign asked_first_o = burst_address[4];
   assign burst_ready = (!m_axi_arvalid || m_axi_arready) && queue_ready && !hold_i && !discard
                     && !bad && (fetch_q || enough);
 
@@ -278,7 +293,8 @@ module ffd_dma_read #(
   always @(posedge clk) begin
     if (burst_valid && burst_ready) begin
       m_axi_araddr <= burst_address;
-      m_axi_arlen  <= burst_len;
+      m_axi_arlen  <= bus_len;
+      len_q        <= burst_len;
     end
   end
 

@@ -13,11 +13,13 @@
 // start_i is ignored while busy_o is 1 (bursts out, or stopping).
 // soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
 // hold_i (level): no new address from the clock after next on, nothing lost.
+// Write data leaves in beats of 16 bytes, whatever the bus; only m_axi_awlen is in beats of
+// DATA_WIDTH bits. upper_o: the beat is the upper half of one of 256 bits.
 //
 // Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             FLUSH_CLOCKS 1 to 65535, MAX_BURST as in ffd_dma_address.
+//             FLUSH_CLOCKS 1 to 65535, MAX_BURST and DATA_WIDTH as in ffd_dma_address.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -26,7 +28,8 @@ module ffd_dma_write #(
   parameter MAX_BURST    = 256,
   parameter FIFO_DEPTH   = 512,
   parameter OUTSTANDING  = 8,
-  parameter FLUSH_CLOCKS = 16
+  parameter FLUSH_CLOCKS = 16,
+  parameter DATA_WIDTH   = 128
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -49,6 +52,7 @@ module ffd_dma_write #(
   input  wire         m_axi_wready,
   output reg  [127:0] m_axi_wdata,
   output reg          m_axi_wlast,
+  output reg          upper_o,
   input  wire         m_axi_bvalid,
   output reg          m_axi_bready,
   input  wire [1:0]   m_axi_bresp,
@@ -95,6 +99,8 @@ module ffd_dma_write #(
   wire [63:0] burst_address;
   wire [7:0]  burst_len;
   wire        burst_last;
+  wire [7:0]  bus_len;
+  wire        bus_upper;
   wire [7:0]  offer;
   reg         limited_q;   // the burst is shorter than what is offered
   reg  [7:0]  limit_q;
@@ -106,9 +112,10 @@ module ffd_dma_write #(
   assign busy_o    = asking_q || bursts_out || stop_q;
 
   ffd_dma_address #(
-    .ADDRESS_W(64),
-    .LENGTH_W (32),
-    .MAX_BURST(MAX_BURST)
+    .ADDRESS_W (64),
+    .LENGTH_W  (32),
+    .MAX_BURST (MAX_BURST),
+    .DATA_WIDTH(DATA_WIDTH)
   ) u_address (
     .clk              (clk),
     .rst              (rst || accept || soft_i || stop_q),
@@ -126,6 +133,8 @@ module ffd_dma_write #(
     .m_burst_address  (burst_address),
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
+    .m_bus_len        (bus_len),
+    .m_bus_upper      (bus_upper),
     .offer_o          (offer),
     .limited_i        (limited_q),
     .limit_i          (limit_q)
@@ -257,7 +266,7 @@ module ffd_dma_write #(
   always @(posedge clk) begin
     if (step) begin
       m_axi_awaddr <= burst_address;
-      m_axi_awlen  <= burst_len;
+      m_axi_awlen  <= bus_len;
     end
   end
 
@@ -326,6 +335,14 @@ module ffd_dma_write #(
     if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
   end
 
+  // Beats of an area follow each other in memory.
+  reg        upper_q;
+  always @(posedge clk) begin
+    if (accept) upper_q <= base_i[4];
+    else if (move) upper_q <= !upper_q;
+    if (w_free) upper_o <= upper_q;
+  end
+
   // ---- answers
   assign bad     = bad_q && !stop_q && !soft_i;
   assign fault_o = bad;
@@ -361,7 +378,7 @@ module ffd_dma_write #(
     error_address_o <= refused ? base_q : {beat_q, 4'd0};
   end
 
-  wire unused_ok = &{1'b0, burst_address[3:0], sum[0]};
+  wire unused_ok = &{1'b0, burst_address[3:0], bus_upper, sum[0]};
 endmodule
 
 `default_nettype wire

@@ -52,7 +52,7 @@ void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write
   controls.write_first = write.first;
   controls.write_last = write.second;
   checker.set_limits({size_.max_burst, size_.outstanding, size_.outstanding, read.first,
-                      read.second, write.first, write.second});
+                      read.second, write.first, write.second, size_.width});
 }
 
 void DmaBench::reset(unsigned cycles) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -69,6 +70,8 @@ class DmaBench {
   tb::Throttle result_throttle = tb::Throttle::always();
 
   const DmaSize& size() const { return size_; }
+  /// Blocks of 16 bytes in a beat of the bus, at least one: they are read, and fail, together.
+  std::uint64_t blocks() const { return std::max<std::uint64_t>(1, size_.width / 128); }
   std::uint64_t cycle() const { return cycle_; }
   tb::Random& random() { return random_; }
   /// The bus as it was in the last clock.

@@ -65,11 +65,12 @@ struct DmaSize {
   std::string name;
   std::uint64_t max_burst, depth, outstanding;
   std::uint64_t timeout = 0;
+  std::uint64_t width = 128;  ///< of the bus
 };
 inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
 const std::vector<DmaSize>& dma_sizes();
-/// The one with a time-out.
-const DmaSize& watched_dma_size();
+/// Those with a time-out, of each width.
+const std::vector<DmaSize>& watched_dma_sizes();
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed);
 
 }  // namespace hwffd::test
