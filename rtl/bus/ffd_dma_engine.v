@@ -22,8 +22,8 @@
 //
 // Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
 // Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be
-//             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2; TIMEOUT
-//             as in ffd_dma_watch.
+//             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at
+//             least 2; TIMEOUT as in ffd_dma_watch.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -37,7 +37,8 @@ module ffd_dma_engine #(
   parameter DESCRIPTORS       = 4,
   parameter FLUSH_CLOCKS      = 16,
   parameter TIMEOUT           = 0,
-  parameter DATA_WIDTH        = 128
+  parameter DATA_WIDTH        = 128,
+  parameter MARKS             = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -56,6 +57,7 @@ module ffd_dma_engine #(
   input  wire [15:0]  ring_head_i,
   output wire [15:0]  ring_tail_o,
   output wire         ring_running_o,
+  output wire         ring_marked_o,
   output wire         read_error_o,
   output wire [3:0]   read_error_code_o,
   output wire [63:0]  read_error_address_o,
@@ -69,6 +71,7 @@ module ffd_dma_engine #(
   output wire         result_busy_o,
   output wire [31:0]  result_count_o,
   output wire         result_overflow_o,
+  output wire         result_marked_o,
   output wire         write_error_o,
   output wire [2:0]   write_error_code_o,
   output wire [63:0]  write_error_address_o,
@@ -82,6 +85,7 @@ module ffd_dma_engine #(
   output wire         s_result_ready,
   input  wire [127:0] s_result_data,
   input  wire         s_result_last,
+  input  wire         s_result_mark,
 
   output wire         m_axi_arvalid,
   input  wire         m_axi_arready,
@@ -111,11 +115,9 @@ module ffd_dma_engine #(
   input  wire [1:0]   m_axi_bresp
 );
   localparam BURST = DATA_WIDTH == 64 && MAX_BURST > 128 ? 128 : MAX_BURST;
-
-  assign m_axi_arsize  = DATA_WIDTH == 64 ? 3'd3 : DATA_WIDTH == 256 ? 3'd5 : 3'd4;
-  assign m_axi_arburst = 2'b01;    // INCR
-  assign m_axi_awsize  = m_axi_arsize;
-  assign m_axi_awburst = 2'b01;
+  localparam [2:0] SIZE = DATA_WIDTH == 64 ? 3'd3 : DATA_WIDTH == 256 ? 3'd5 : 3'd4;
+  assign {m_axi_arsize, m_axi_awsize}   = {2 {SIZE}};
+  assign {m_axi_arburst, m_axi_awburst} = {2 {2'b01}};    // INCR
 
   // ---- soft reset, and holding one half while the other is in error, or both after a time-out
   reg  soft_q;
@@ -139,7 +141,6 @@ module ffd_dma_engine #(
   wire write_ends = !write_busy || write_late;
   reg  cleared_q;
   wire half_rst = rst || cleared_q;
-
   always @(posedge clk) begin
     cleared_q <= soft_q && read_ends && write_ends && !half_rst;
     if (half_rst) begin
@@ -154,11 +155,9 @@ module ffd_dma_engine #(
       late_q       <= late_q || late != 5'd0;
     end
   end
-
   assign clearing_o    = soft_q;
   assign result_busy_o = write_busy;
   assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
-
   always @(posedge clk) begin
     halted_o <= (!read_open || read_late) && write_ends && !half_rst
              && (late_q || (hold_write_q && !ring_running_o) || (hold_read_q && !result_running_o));
@@ -172,6 +171,7 @@ module ffd_dma_engine #(
   wire [31:0]  request_length;
   wire         request_fetch;
   wire         request_check;
+  wire         request_mark;
   wire         refused;
   wire [2:0]   refused_code;
   wire         fetched;
@@ -189,7 +189,8 @@ module ffd_dma_engine #(
   assign read_error_address_o = bus_error_address | ring_error_address;
 
   ffd_dma_ring #(
-    .DESCRIPTORS(DESCRIPTORS)
+    .DESCRIPTORS(DESCRIPTORS),
+    .MARKS      (MARKS)
   ) u_ring (
     .clk              (clk),
     .rst              (rst || soft_q),
@@ -206,6 +207,7 @@ module ffd_dma_engine #(
     .m_request_length (request_length),
     .m_request_fetch  (request_fetch),
     .m_request_check  (request_check),
+    .m_request_mark   (request_mark),
     .refused_i        (refused),
     .refused_code_i   (refused_code),
     .fetched_i        (fetched),
@@ -238,7 +240,8 @@ module ffd_dma_engine #(
     .MAX_BURST  (BURST),
     .FIFO_DEPTH (READ_DEPTH),
     .OUTSTANDING(READ_OUTSTANDING),
-    .DATA_WIDTH (DATA_WIDTH)
+    .DATA_WIDTH (DATA_WIDTH),
+    .MARKS      (MARKS)
   ) u_read (
     .clk              (clk),
     .rst              (half_rst),
@@ -253,6 +256,7 @@ module ffd_dma_engine #(
     .s_request_length (request_length),
     .s_request_fetch  (request_fetch),
     .s_request_check  (request_check),
+    .s_request_mark   (request_mark),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
     .m_axi_arvalid    (m_axi_arvalid),
@@ -274,6 +278,7 @@ module ffd_dma_engine #(
     .fetched_o        (fetched),
     .fetched_data_o   (fetched_data),
     .finished_o       (finished),
+    .finished_mark_o  (ring_marked_o),
     .fault_o          (read_fault),
     .error_o          (bus_error),
     .error_code_o     (bus_error_code),
@@ -309,7 +314,8 @@ module ffd_dma_engine #(
     .FIFO_DEPTH  (WRITE_DEPTH),
     .OUTSTANDING (WRITE_OUTSTANDING),
     .FLUSH_CLOCKS(FLUSH_CLOCKS),
-    .DATA_WIDTH  (DATA_WIDTH)
+    .DATA_WIDTH  (DATA_WIDTH),
+    .MARKS       (MARKS)
   ) u_write (
     .clk            (clk),
     .rst            (half_rst),
@@ -324,6 +330,7 @@ module ffd_dma_engine #(
     .s_result_ready (s_result_ready),
     .s_result_data  (s_result_data),
     .s_result_last  (s_result_last),
+    .s_result_mark  (s_result_mark),
     .m_axi_awvalid  (m_axi_awvalid),
     .m_axi_awready  (m_axi_awready),
     .m_axi_awaddr   (m_axi_awaddr),
@@ -342,6 +349,7 @@ module ffd_dma_engine #(
     .empty_o        (write_empty),
     .count_o        (result_count_o),
     .overflow_o     (result_overflow_o),
+    .marked_o       (result_marked_o),
     .fault_o        (write_fault),
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),

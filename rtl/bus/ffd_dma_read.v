@@ -1,7 +1,8 @@
 // ffd_dma_read: the read half of an AXI4 master: requests become bursts, their data a stream
 //
 // A request is {address, length, fetch}. With fetch its one beat, a descriptor, goes to fetched_o;
-// without, its beats go to the stream, `last` on the last one, and finished_o says that all came.
+// without, its beats go to the stream, `last` on the last one, and finished_o says that all came;
+// finished_mark_o (with MARKS), that it had s_request_mark.
 // Addresses are checked and cut by ffd_dma_address. An address goes out only when the FIFO has room
 // for the whole burst, so m_axi_rready is 1 from the first clock after reset on. One ID: answers
 // come in order; a queue of OUTSTANDING bursts says what each is.
@@ -12,17 +13,17 @@
 // marked `last`; had it none, it leaves no trace. So each beat is held until the next one is seen
 // to be good. start_i, given when quiet_o is 1, ends this state.
 // A request with s_request_check is checked, and asks for nothing.
-// Of the bus this module sees beats of 16 bytes, whatever its width; only m_axi_arlen is in beats of
-// DATA_WIDTH bits. asked_o tells ffd_dma_width_read of a burst in the clock before its address, with
-// the halves of a beat of 256 bits that it begins (asked_first_o) and ends with (asked_last_o; 1 is
-// the upper half).
+// Of the bus this module sees beats of 16 bytes, whatever its width; only m_axi_arlen is in beats
+// of DATA_WIDTH bits. asked_o tells ffd_dma_width_read of a burst in the clock before its address,
+// with the halves of a beat of 256 bits that it begins (asked_first_o) and ends with (asked_last_o;
+// 1 is the upper half).
 // soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
 // hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
 //
 // Pipeline:   4 clocks request to burst; data 5 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             MAX_BURST and DATA_WIDTH as in ffd_dma_address.
+//             MARKS 0 or 1; MAX_BURST and DATA_WIDTH as in ffd_dma_address.
 // Not checked: rlast is trusted; data without a burst is ignored.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -32,7 +33,8 @@ module ffd_dma_read #(
   parameter MAX_BURST   = 256,
   parameter FIFO_DEPTH  = 512,
   parameter OUTSTANDING = 8,
-  parameter DATA_WIDTH  = 128
+  parameter DATA_WIDTH  = 128,
+  parameter MARKS       = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -47,6 +49,7 @@ module ffd_dma_read #(
   input  wire [31:0]  s_request_length,
   input  wire         s_request_fetch,
   input  wire         s_request_check,
+  input  wire         s_request_mark,
   output wire         refused_o,
   output wire [2:0]   refused_code_o,
   output reg          m_axi_arvalid,
@@ -68,6 +71,7 @@ module ffd_dma_read #(
   output reg          fetched_o,
   output reg  [127:0] fetched_data_o,
   output reg          finished_o,
+  output wire         finished_mark_o,
   output wire         fault_o,
   output reg          error_o,
   output reg  [2:0]   error_code_o,
@@ -101,6 +105,7 @@ module ffd_dma_read #(
   wire [7:0]  unused_offer;
   wire        address_ready;
   reg         fetch_q;
+  reg         mark_q;
 
   assign s_request_ready = address_ready && !discard;
 
@@ -135,14 +140,17 @@ module ffd_dma_read #(
 
   always @(posedge clk) begin
     if (s_request_valid && s_request_ready) fetch_q <= s_request_fetch;
+    if (s_request_valid && s_request_ready) mark_q <= s_request_mark;
   end
 
-  // ---- outstanding bursts: {last of its request, fetch, address in beats}
+  // ---- outstanding bursts: {its request's mark, last of its request, fetch, address in beats}
   wire        queue_ready;
   wire        queue_valid;
-  wire        owner_last;
-  wire        owner_fetch;
-  wire [59:0] owner_beat;
+  wire [62:0] asked = {mark_q, burst_last, fetch_q, burst_address[63:4]};
+  wire [61+MARKS:0] owner;
+  wire        owner_last  = owner[61];
+  wire        owner_fetch = owner[60];
+  wire [59:0] owner_beat  = owner[59:0];
   wire        beat   = m_axi_rvalid && m_axi_rready && queue_valid;
   wire        done   = beat && m_axi_rlast;
   wire        failed = m_axi_rresp != 2'b00;
@@ -156,17 +164,17 @@ module ffd_dma_read #(
   reg [127:0] data_q;
 
   ffd_stream_fifo #(
-    .WIDTH(62),
+    .WIDTH(62 + MARKS),
     .DEPTH(OUTSTANDING)
   ) u_outstanding (
     .clk         (clk),
     .rst         (rst),
     .s_word_valid(burst_valid && burst_ready),
     .s_word_ready(queue_ready),
-    .s_word_data ({burst_last, fetch_q, burst_address[63:4]}),
+    .s_word_data (asked[61+MARKS:0]),
     .m_word_valid(queue_valid),
     .m_word_ready(done),
-    .m_word_data ({owner_last, owner_fetch, owner_beat})
+    .m_word_data (owner)
   );
 
   assign open_o  = queue_valid || good_q || bad_q;
@@ -190,6 +198,18 @@ module ffd_dma_read #(
     beat_q    <= owner_beat;
     data_q    <= m_axi_rdata;
   end
+
+  generate
+    if (MARKS != 0) begin : gen_marks
+      reg owner_q;
+      reg finished_q;
+      always @(posedge clk) owner_q <= owner[62];
+      always @(posedge clk) finished_q <= arrives && end_q && owner_q && !rst;
+      assign finished_mark_o = finished_q;
+    end else begin : gen_no_marks
+      assign finished_mark_o = 1'b0;
+    end
+  endgenerate
 
   assign fault_o = bad;
 
@@ -298,7 +318,7 @@ module ffd_dma_read #(
     end
   end
 
-  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0]};
+  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0], asked};
 endmodule
 
 `default_nettype wire

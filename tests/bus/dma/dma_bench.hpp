@@ -135,6 +135,9 @@ class DmaBench {
   std::uint64_t results_waiting() const { return results_.size(); }
   const std::vector<Beat>& accepted_results() const { return accepted_; }
   void forget_results();
+  /// Chance that a result which is offered has a mark; it is that of `marked_results`.
+  void mark_results(double chance) { mark_chance_ = chance; }
+  const std::vector<bool>& marked_results() const { return marked_; }
   /// How many of `count` beats from `first` on lie in memory at `base`, counted up to the first
   /// wrong.
   std::uint64_t results_in_memory(std::uint64_t base, std::uint64_t first,
@@ -185,6 +188,8 @@ class DmaBench {
   std::uint16_t software_head_ = 0;
   std::vector<Beat> packets_, expected_, accepted_;
   std::deque<Beat> results_;
+  double mark_chance_ = 0;
+  std::vector<bool> marked_;  // of accepted_
   std::vector<DmaError> read_errors_, write_errors_;
 };
 
