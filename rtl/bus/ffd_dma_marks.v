@@ -1,8 +1,8 @@
 // ffd_dma_marks: which bursts hold the last result of a packet that asked for an interrupt
 //
 // Beats of bursts go by (beat_i; mark_i, it asked; last_i, of its burst) in the order of the
-// bursts, and their answers come in the same order (answer_i). counted_i, a clock later, says that the
-// answer was good, and marked_o, another clock later, that such a beat is in the burst.
+// bursts, and their answers come in the same order (answer_i). counted_i, a clock later, says that
+// the answer was good, and marked_o, another clock later, that such a beat is in the burst.
 //
 // Pipeline:   2 clocks.
 // Parameters: MARKS 0: nothing is built. OUTSTANDING, a power of two >= 2: bursts whose data has
