@@ -23,9 +23,12 @@ bus/ffd_bus_stored.v
 bus/ffd_bus_waits.v
 bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
+bus/ffd_dma_marks.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
 bus/ffd_dma_watch.v
+bus/ffd_dma_width_read.v
+bus/ffd_dma_width_write.v
 bus/ffd_dma_write.v
 bus/ffd_wb_slave.v
 cache/ffd_cache_beats.v
@@ -105,6 +108,7 @@ stream/ffd_stream_functions.v
 stream/ffd_stream_header.v
 stream/ffd_stream_intake.v
 stream/ffd_stream_locate.v
+stream/ffd_stream_marks.v
 stream/ffd_stream_pages.v
 stream/ffd_stream_place.v
 stream/ffd_stream_readers.v

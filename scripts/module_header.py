@@ -11,7 +11,7 @@ import tables
 
 _HEADER = re.compile(r"\bmodule\s+(\w+)\s*#\((.*?)\n\)\s*\((.*?)\n\);", re.DOTALL)
 _PARAMETER = re.compile(r"\s*parameter\s+(\w+)\s*=\s*(\S+)")
-_PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+|[A-Z]\w*-1):0\]\s*)?(\w+)")
+_PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+|[A-Z]\w*(?:/8)?-1):0\]\s*)?(\w+)")
 _DEFINE = re.compile(r"^`define\s+(\w+)\s+(\d+)\s*$", re.MULTILINE)
 
 
@@ -49,8 +49,8 @@ def _number(text, constants, where):
 
 
 def read(sources, module):
-    """The header of a module whose ports have the width of a number or a parameter, with its default.
-    Raises HeaderError."""
+    """The header of a module whose ports have the width of a number or a parameter, or an eighth of one,
+    with its default. Raises HeaderError."""
     if module not in sources.files:
         raise HeaderError(f"no module {module} in rtl/hwffd.f")
     match = _HEADER.search(sources.whole(module))
@@ -69,9 +69,9 @@ def read(sources, module):
         if not found:
             raise HeaderError(f"{module}: not a port: '{part.strip()}'")
         direction, high, name = found.groups()
-        of_parameter = (high or "").removesuffix("-1")
+        of_parameter, of_bytes, _ = (high or "").removesuffix("-1").partition("/8")
         if of_parameter in parameters:
-            width = parameters[of_parameter]
+            width = parameters[of_parameter] // (8 if of_bytes else 1)
         elif (high or "0").isdigit():
             width = int(high or 0) + 1
         else:

@@ -28,9 +28,10 @@ HEADER = """\
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
-// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. ADDRESS_WIDTH 32 to
-//             64, the bits of an address on the memory's bus: those above are 0 in settings,
-//             whatever is written to them.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. MARKS 1: interrupts
+//             of packets and descriptors are there; 0: their bits stay 0. ADDRESS_WIDTH 32 to 64,
+//             the bits of an address on the memory's bus: those above are 0 in settings, whatever
+//             is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """

@@ -104,12 +104,11 @@ class _Rtl:
                 found.append(f"{signal_name(self.fields[target])[0]}_set")
             else:
                 found.append("error_any")
-        for other in self.fields.values():
-            if field.path in other.linked("refused"):
-                found.append(f"{signal_name(other)[0]}_refused")
-            if field.path in other.linked("sets"):
-                found.append(f"({self.written(other)})")
-        return found or [f"{name}_set_i"]
+        others = self.fields.values()
+        found += [f"{signal_name(other)[0]}_refused" for other in others
+                  if field.path in other.linked("refused")]
+        return (found or [f"{name}_set_i"]) + [f"({self.written(other)})" for other in others
+                                               if field.path in other.linked("sets")]
 
     def register(self, register):
         name = register.name.lower()
@@ -137,7 +136,8 @@ class _Rtl:
             lines += [f"      if (write_{register.name.lower()}) begin",
                       *[f"        {line};" for field in stored for line in self.merge(field)],
                       "      end"]
-        lines += [*[f"      {line};" for line in self.lines], "    end", "  end"]
+        lines += [*[textwrap.fill(f"{line};", 100, initial_indent=" " * 6, subsequent_indent=" " * 8)
+                    for line in self.lines], "    end", "  end"]
         self.blocks.append("\n".join(lines))
 
     def lock(self, register):
@@ -152,15 +152,21 @@ class _Rtl:
         self.port("output reg", 64 if bits else field.width, f"{name}_o")
         self.resets.append(f"{name}_o{bits} <= {field.width}'h{field.reset:x}")
 
+    @staticmethod
+    def needs(field):
+        """Without its parameter a field stays 0."""
+        return "".join(f"{target} != 0 && " for target in field.linked("if"))
+
     def merge(self, field):
         """A statement a byte: that keeps its bits where it has no strobe."""
         name, bits = signal_name(field)
         base, high, lines = 32 if bits == "[63:32]" else 0, field.low + field.width, []
+        needs = self.needs(field)
         for byte in range(field.low // 8, (high + 7) // 8):
             low, top = max(8 * byte, field.low), min(8 * byte + 8, high) - 1
             part = _bits(base + top - field.low, base + low - field.low) if field.width > 1 else ""
             data = "high_data" if base else "s_write_data"
-            lines.append(f"if (s_write_strobe[{byte}]) {name}_o{part} <= {data}{_bits(top, low)}")
+            lines.append(f"if ({needs}s_write_strobe[{byte}]) {name}_o{part} <= {data}{_bits(top, low)}")
         return lines
 
     def stored(self):
@@ -201,14 +207,16 @@ class _Rtl:
     def w1c(self, field):
         name = signal_name(field)[0]
         setters = self.setters(field)
-        if setters == [f"{name}_set_i"]:
+        if f"{name}_set_i" in setters:
             self.port("input  wire", 1, f"{name}_set_i")
         self.states.append(f"  reg {name}_q;")
         found = self.more_sets if field.linked("with") else self.sets
         found += [f"  wire {name}_set = {' || '.join(setters)};",
                   f"  wire {name}_held = {name}_q && !({self.written(field)});"]
         self.resets.append(f"{name}_q <= 1'b{field.reset}")
-        self.lines.append(f"{name}_q <= {name}_set || {name}_held")
+        needs = self.needs(field)
+        held = f"{name}_set || {name}_held"
+        self.lines.append(f"{name}_q <= {needs}({held})" if needs else f"{name}_q <= {held}")
 
     def counter(self, field):
         name, bits = signal_name(field)
@@ -303,8 +311,10 @@ class _Rtl:
         lines += ["", "  always @(posedge clk) begin"]
         for parts, word in ((writes, "s_write_word"), (reads, "s_read_word")):
             for name, words in parts:
-                needs = sorted({f"{target} != 0 && " for register in words
-                                for field in register.fields for target in field.linked("if")})
+                needs = sorted(set.intersection(*({f"{target} != 0 && "
+                                                   for target in field.linked("if")}
+                                                  for register in words
+                                                  for field in register.fields)))
                 # A comparison stays on a line.
                 hits = " || ".join(f"{word}~==~{_word(register)}" for register in words)
                 lines.append(textwrap.fill(f"    {name} <= {''.join(needs)}{hits};", 100,
@@ -341,6 +351,7 @@ def rtl_text(registers):
 
 module ffd_bus_registers #(
   parameter WAITS         = 1,
+  parameter MARKS         = 1,
   parameter ADDRESS_WIDTH = 64
 ) (
 {register_frame.BUS}{ports}

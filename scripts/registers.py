@@ -26,8 +26,8 @@ COLUMNS = ("offset", "register", "field", "bits", "access", "reset", "link", "de
 # access -> the links that it may have
 ACCESSES = {
     "const": (), "ro": ("if",), "log": (), "counter": (),
-    "rw": ("locked",), "w1s": (), "w1": ("unless", "needs", "refused", "sets"),
-    "w1c": ("with",), "event": (),
+    "rw": ("locked", "if"), "w1s": (), "w1": ("unless", "needs", "refused", "sets"),
+    "w1c": ("with", "if"), "event": (),
 }
 WRITABLE = ("rw", "w1s", "w1", "w1c", "event")
 RESETLESS = ("ro", "w1")
@@ -141,8 +141,8 @@ def _check_register(register):
         raise TableError(f"{register.name}: events take the bits from 0 on, and nothing else does")
 
 
-# Parameters of the RTL, 0 or 1, without which a register is not there: link "if".
-PARAMETERS = ("WAITS",)
+# Parameters of the RTL, 0 or 1, without which a register is not there, or a field of it is 0: link "if".
+PARAMETERS = ("WAITS", "MARKS")
 # link -> accesses of what it names
 TARGETS = {"locked": ("w1s",), "unless": ("ro",), "needs": ("w1s",), "refused": ("w1c",),
            "sets": ("w1c",), "with": ("w1c", "event")}

@@ -124,6 +124,22 @@ void Driver::set_results(const ResultArea& area) {
   port_.write32(HWFFD_RESULT_SIZE_OFFSET, area.bytes);
 }
 
+std::array<std::uint32_t, 4> Driver::descriptor(std::uint64_t address, std::uint32_t bytes,
+                                                bool interrupt) const {
+  if (bytes == 0 || address % kBeatBytes != 0 || bytes % kBeatBytes != 0) {
+    throw DriverError("descriptor: address and bytes must be multiples of 16, bytes not 0");
+  }
+  if (interrupt && !core_) throw DriverError("the core is not known yet: probe it first");
+  if (interrupt && (core_->features & HWFFD_FEATURES_MARKS_MASK) == 0) {
+    throw DriverError(
+        "this core has no interrupts of descriptors: wait for the end of the run, or"
+        " build it with FEATURES + " +
+        std::to_string(HWFFD_FEATURES_MARKS_MASK));
+  }
+  return {static_cast<std::uint32_t>(address), static_cast<std::uint32_t>(address >> 32), bytes,
+          interrupt ? 1U : 0U};
+}
+
 void Driver::push(unsigned descriptors) {
   const unsigned used = pending();
   if (descriptors > ring_size_ - 1 - used) {

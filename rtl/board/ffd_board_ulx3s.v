@@ -34,6 +34,7 @@ module ffd_board_ulx3s #(
   wire         vertex;
   wire [2:0]   waits;
   wire         idle;
+  wire         user;
 
   ffd_board_reset u_reset (
     .clk  (clk),
@@ -73,6 +74,7 @@ module ffd_board_ulx3s #(
     .m_axis_tready (result_ready),
     .m_axis_tdata  (result_data),
     .m_axis_tlast  (result_last),
+    .m_axis_tuser  (user),
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
@@ -81,7 +83,7 @@ module ffd_board_ulx3s #(
     .idle_o        (idle)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user};
 endmodule
 
 `default_nettype wire

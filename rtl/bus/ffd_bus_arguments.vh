@@ -12,6 +12,7 @@
 .AXI_PROT         (AXI_PROT),
 .AXI_CACHE        (AXI_CACHE),
 .ADDRESS_WIDTH    (ADDRESS_WIDTH),
+.DATA_WIDTH       (DATA_WIDTH),
 .ID_WIDTH         (ID_WIDTH),
 .ID               (ID),
 `include "ffd_stream_arguments.vh"

@@ -4,7 +4,7 @@
 // section 8), which feeds hwffd_stream and writes down what comes out. The AXI4 master has one ID
 // for all bursts: answers come in order.
 //
-// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of DATA_WIDTH.
 // Pipeline:   as hwffd_stream behind the DMA's queues; words as in ffd_bus_registers.
 // Cuts:       every output but the answers to words leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
@@ -115,10 +115,13 @@ module ffd_bus_core #(
   wire         clear_counters;
   wire [191:0] waits;
   wire         locked;
-  wire [2:0]   irq_enable;
+  wire [4:0]   irq_enable;
+  wire         result_marked;
+  wire         ring_marked;
 
   ffd_bus_registers #(
     .WAITS        (COUNT_WIDTH != 0),
+    .MARKS        (`FFD_FEATURE_MARKS(FEATURES)),
     .ADDRESS_WIDTH(ADDRESS_WIDTH)
   ) u_registers (
     .clk                     (clk),
@@ -172,6 +175,10 @@ module ffd_bus_core #(
     .irq_enable_done_o       (irq_enable[0]),
     .irq_enable_error_o      (irq_enable[1]),
     .irq_enable_refused_o    (irq_enable[2]),
+    .irq_enable_packet_o     (irq_enable[3]),
+    .irq_enable_descriptor_o (irq_enable[4]),
+    .irq_state_packet_set_i  (result_marked),
+    .irq_state_descriptor_set_i(ring_marked),
     .irq_o                   (irq_o)
   );
 
@@ -262,6 +269,7 @@ module ffd_bus_core #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
+  wire         result_mark;
 
   ffd_dma_engine #(
     .MAX_BURST        (MAX_BURST),
@@ -270,7 +278,9 @@ module ffd_bus_core #(
     .READ_OUTSTANDING (READ_OUTSTANDING),
     .WRITE_OUTSTANDING(WRITE_OUTSTANDING),
     .FLUSH_CLOCKS     (FLUSH_CLOCKS),
-    .TIMEOUT          (BUS_TIMEOUT)
+    .TIMEOUT          (BUS_TIMEOUT),
+    .DATA_WIDTH       (DATA_WIDTH),
+    .MARKS            (`FFD_FEATURE_MARKS(FEATURES))
   ) u_dma (
     .clk                  (clk),
     .rst                  (rst),
@@ -288,6 +298,7 @@ module ffd_bus_core #(
     .ring_head_i          (dma_ring_head),
     .ring_tail_o          (ring_tail),
     .ring_running_o       (ring_running),
+    .ring_marked_o        (ring_marked),
     .read_error_o         (read_error),
     .read_error_code_o    (read_error_code),
     .read_error_address_o (read_error_address),
@@ -300,6 +311,7 @@ module ffd_bus_core #(
     .result_busy_o        (result_busy),
     .result_count_o       (result_count),
     .result_overflow_o    (result_overflow),
+    .result_marked_o      (result_marked),
     .write_error_o        (write_error),
     .write_error_code_o   (write_error_code),
     .write_error_address_o(write_error_address),
@@ -311,31 +323,10 @@ module ffd_bus_core #(
     .s_result_ready       (result_ready),
     .s_result_data        (result_data),
     .s_result_last        (result_last),
-    .m_axi_arvalid        (m_axi_arvalid),
-    .m_axi_arready        (m_axi_arready),
+    .s_result_mark        (result_mark),
     .m_axi_araddr         (read_address),
-    .m_axi_arlen          (m_axi_arlen),
-    .m_axi_arsize         (m_axi_arsize),
-    .m_axi_arburst        (m_axi_arburst),
-    .m_axi_rvalid         (m_axi_rvalid),
-    .m_axi_rready         (m_axi_rready),
-    .m_axi_rdata          (m_axi_rdata),
-    .m_axi_rresp          (m_axi_rresp),
-    .m_axi_rlast          (m_axi_rlast),
-    .m_axi_awvalid        (m_axi_awvalid),
-    .m_axi_awready        (m_axi_awready),
     .m_axi_awaddr         (write_address),
-    .m_axi_awlen          (m_axi_awlen),
-    .m_axi_awsize         (m_axi_awsize),
-    .m_axi_awburst        (m_axi_awburst),
-    .m_axi_wvalid         (m_axi_wvalid),
-    .m_axi_wready         (m_axi_wready),
-    .m_axi_wdata          (m_axi_wdata),
-    .m_axi_wstrb          (m_axi_wstrb),
-    .m_axi_wlast          (m_axi_wlast),
-    .m_axi_bvalid         (m_axi_bvalid),
-    .m_axi_bready         (m_axi_bready),
-    .m_axi_bresp          (m_axi_bresp)
+    `include "ffd_axi_connections.vh"
   );
 
   // ---- the core
@@ -353,6 +344,7 @@ module ffd_bus_core #(
     .m_axis_tready (result_ready),
     .m_axis_tdata  (result_data),
     .m_axis_tlast  (result_last),
+    .m_axis_tuser  (result_mark),
     .event_o       (core_event),
     .event_packet_o(core_packet),
     .event_beat_o  (core_beat),
@@ -364,7 +356,6 @@ module ffd_bus_core #(
   assign stall = result_valid && !result_ready;
   always @(posedge clk) core_idle_q <= core_idle;
 
-
   ffd_bus_sleep u_sleep (
     .clk    (clk),
     .rst    (rst),
@@ -374,7 +365,8 @@ module ffd_bus_core #(
 
   // ---- why it is slow
 
-  wire starved = busy && packet_ready && !packet_valid;
+  wire starved   = busy && packet_ready && !packet_valid;
+  wire read_beat = m_axi_rvalid && (DATA_WIDTH < 256 || m_axi_rready);  // else it is always ready
 
   ffd_bus_waits #(
     .COUNT_WIDTH(COUNT_WIDTH),
@@ -386,8 +378,8 @@ module ffd_bus_core #(
     .clear_i       (clear_counters),
     .core_i        ({core_wait[2], core_wait[1], core_wait[0], starved}),
     .read_begins_i (m_axi_arvalid && m_axi_arready),
-    .read_beat_i   (m_axi_rvalid),
-    .read_ends_i   (m_axi_rvalid && m_axi_rlast),
+    .read_beat_i   (read_beat),
+    .read_ends_i   (read_beat && m_axi_rlast),
     .write_begins_i(m_axi_wvalid && m_axi_wready && m_axi_wlast),
     .write_ends_i  (m_axi_bvalid),
     .counts_o      (waits)

@@ -19,5 +19,6 @@ parameter BUS_TIMEOUT       = 1048576,
 parameter AXI_PROT          = 2,
 parameter AXI_CACHE         = 2,
 parameter ADDRESS_WIDTH     = 64,
+parameter DATA_WIDTH        = 128,
 parameter ID_WIDTH          = 1,
 parameter ID                = 0

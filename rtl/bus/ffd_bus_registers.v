@@ -16,15 +16,17 @@
 // Needs:      status_busy_i high from the clock after control_start_o on (a start in the clock of
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
-// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. ADDRESS_WIDTH 32 to
-//             64, the bits of an address on the memory's bus: those above are 0 in settings,
-//             whatever is written to them.
+// Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. MARKS 1: interrupts
+//             of packets and descriptors are there; 0: their bits stay 0. ADDRESS_WIDTH 32 to 64,
+//             the bits of an address on the memory's bus: those above are 0 in settings, whatever
+//             is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_bus_registers #(
   parameter WAITS         = 1,
+  parameter MARKS         = 1,
   parameter ADDRESS_WIDTH = 64
 ) (
   input  wire        clk,
@@ -88,6 +90,10 @@ module ffd_bus_registers #(
   output reg         irq_enable_done_o,
   output reg         irq_enable_error_o,
   output reg         irq_enable_refused_o,
+  output reg         irq_enable_packet_o,
+  output reg         irq_enable_descriptor_o,
+  input  wire        irq_state_packet_set_i,
+  input  wire        irq_state_descriptor_set_i,
   output reg         irq_o
 );
   // The bits that a write sets: partial strobes leave the other bytes alone.
@@ -275,6 +281,8 @@ module ffd_bus_registers #(
   reg irq_state_done_q;
   reg irq_state_error_q;
   reg irq_state_refused_q;
+  reg irq_state_packet_q;
+  reg irq_state_descriptor_q;
   wire control_start_asked = write_control && ones[0];
   wire control_start_blocked = status_busy_i || status_stopped_i || !window_lock_windows_o ||
     control_start_o;
@@ -285,6 +293,10 @@ module ffd_bus_registers #(
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
   wire error_any = |error_event_i;
   wire [27:0] error_status_held = error_status_q & ~(ones[27:0] & {28 {write_error_status}});
+  wire irq_state_packet_set = irq_state_packet_set_i || (write_irq_test && ones[3]);
+  wire irq_state_packet_held = irq_state_packet_q && !(write_irq_state && ones[3]);
+  wire irq_state_descriptor_set = irq_state_descriptor_set_i || (write_irq_test && ones[4]);
+  wire irq_state_descriptor_held = irq_state_descriptor_q && !(write_irq_state && ones[4]);
   wire error_first_valid_set = error_any;
   wire error_first_valid_held = error_first_valid_q && !(write_error_first && ones[31]);
   wire irq_state_done_set = status_done_set || (write_irq_test && ones[0]);
@@ -662,11 +674,15 @@ module ffd_bus_registers #(
       irq_enable_done_o <= 1'h0;
       irq_enable_error_o <= 1'h0;
       irq_enable_refused_o <= 1'h0;
+      irq_enable_packet_o <= 1'h0;
+      irq_enable_descriptor_o <= 1'h0;
     end else begin
       if (write_irq_enable) begin
         if (s_write_strobe[0]) irq_enable_done_o <= s_write_data[0];
         if (s_write_strobe[0]) irq_enable_error_o <= s_write_data[1];
         if (s_write_strobe[0]) irq_enable_refused_o <= s_write_data[2];
+        if (MARKS != 0 && s_write_strobe[0]) irq_enable_packet_o <= s_write_data[3];
+        if (MARKS != 0 && s_write_strobe[0]) irq_enable_descriptor_o <= s_write_data[4];
       end
     end
   end
@@ -677,10 +693,15 @@ module ffd_bus_registers #(
       irq_state_done_q <= 1'b0;
       irq_state_error_q <= 1'b0;
       irq_state_refused_q <= 1'b0;
+      irq_state_packet_q <= 1'b0;
+      irq_state_descriptor_q <= 1'b0;
     end else begin
       irq_state_done_q <= irq_state_done_set || irq_state_done_held;
       irq_state_error_q <= irq_state_error_set || irq_state_error_held;
       irq_state_refused_q <= irq_state_refused_set || irq_state_refused_held;
+      irq_state_packet_q <= MARKS != 0 && (irq_state_packet_set || irq_state_packet_held);
+      irq_state_descriptor_q <= MARKS != 0 && (irq_state_descriptor_set ||
+        irq_state_descriptor_held);
     end
   end
 
@@ -691,7 +712,9 @@ module ffd_bus_registers #(
       irq_o <=
         (irq_state_done_q && irq_enable_done_o) ||
         (irq_state_error_q && irq_enable_error_o) ||
-        (irq_state_refused_q && irq_enable_refused_o);
+        (irq_state_refused_q && irq_enable_refused_o) ||
+        (irq_state_packet_q && irq_enable_packet_o) ||
+        (irq_state_descriptor_q && irq_enable_descriptor_o);
     end
   end
 
@@ -737,10 +760,11 @@ module ffd_bus_registers #(
     ({32 {at_error_beat_q}} & log_beat) |
     ({32 {at_error_address_lo_q}} & log_address[31:0]) |
     ({32 {at_error_address_hi_q}} & log_address[63:32]) |
-    ({32 {at_irq_enable_q}} & {29'h0, irq_enable_refused_o, irq_enable_error_o,
-      irq_enable_done_o}) |
-    ({32 {at_irq_state_q}} & {29'h0, irq_state_refused_q, irq_state_error_q, irq_state_done_q}) |
-    ({32 {at_irq_test_q}} & {29'h0, 1'b0, 1'b0, 1'b0});
+    ({32 {at_irq_enable_q}} & {27'h0, irq_enable_descriptor_o, irq_enable_packet_o,
+      irq_enable_refused_o, irq_enable_error_o, irq_enable_done_o}) |
+    ({32 {at_irq_state_q}} & {27'h0, irq_state_descriptor_q, irq_state_packet_q,
+      irq_state_refused_q, irq_state_error_q, irq_state_done_q}) |
+    ({32 {at_irq_test_q}} & {27'h0, 1'b0, 1'b0, 1'b0, 1'b0, 1'b0});
   assign s_read_error = !(at_stored_q || at_id_q || at_version_q || at_config_q || at_limits_q ||
     at_control_q || at_status_q || at_features_q || at_limits2_q || at_ring_log2_size_q ||
     at_ring_head_q || at_ring_tail_q || at_result_count_q || at_window_lock_q ||

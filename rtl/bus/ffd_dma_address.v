@@ -8,6 +8,9 @@
 // limited_i a burst has limit_i, which is less than `offer_o`, its length without (the writer has
 // no more).
 // Lengths are beats - 1, as AXI wants them. A request with s_request_check is only checked.
+// m_bus_len is the burst's length in beats of DATA_WIDTH bits: where those are 256, a burst may
+// begin with the upper half of a beat, and end with the lower one; m_bus_upper: its last 16 bytes
+// are an upper half.
 // No address leaves the window: first <= next_q <= last_q <= last is kept by every step, whatever
 // limit_i and m_burst_ready do. The window must not change between check and last burst (locked).
 //
@@ -16,15 +19,17 @@
 //             one comparison. A refusal is a pulse of refused_o four clocks after acceptance. rst
 //             forgets the request.
 // Parameters: ADDRESS_W 14 to 64, LENGTH_W 5 to ADDRESS_W - 1, MAX_BURST a power of two, 2 to 256.
+//             DATA_WIDTH 64, 128 or 256; with 64, MAX_BURST 128 at most.
 // Model:      none (control only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_dma_address #(
-  parameter ADDRESS_W = 64,
-  parameter LENGTH_W  = 32,
-  parameter MAX_BURST = 256,
-  parameter BURST_W   = $clog2(MAX_BURST)
+  parameter ADDRESS_W  = 64,
+  parameter LENGTH_W   = 32,
+  parameter MAX_BURST  = 256,
+  parameter DATA_WIDTH = 128,
+  parameter BURST_W    = $clog2(MAX_BURST)
 ) (
   input  wire                 clk,
   input  wire                 rst,
@@ -42,6 +47,8 @@ module ffd_dma_address #(
   output wire [ADDRESS_W-1:0] m_burst_address,
   output wire [7:0]           m_burst_len,
   output wire                 m_burst_last,
+  output wire [7:0]           m_bus_len,
+  output wire                 m_bus_upper,
   output wire [7:0]           offer_o,
   input  wire                 limited_i,
   input  wire [7:0]           limit_i
@@ -55,6 +62,10 @@ module ffd_dma_address #(
     end
     if (MAX_BURST < 2 || MAX_BURST > 256 || (1 << BURST_W) != MAX_BURST) begin : gen_bad_burst
       ERROR_ffd_dma_address_max_burst_must_be_a_power_of_two_up_to_256 u_error ();
+    end
+    if (DATA_WIDTH != 128 && DATA_WIDTH != 256 && (DATA_WIDTH != 64 || MAX_BURST > 128))
+    begin : gen_bad_width
+      ERROR_ffd_dma_address_burst_must_be_256_beats_of_64_128_or_256_bits_at_most u_error ();
     end
   endgenerate
 
@@ -103,6 +114,13 @@ module ffd_dma_address #(
       assign m_burst_len = {{(8 - BURST_W) {1'b0}}, len};
     end
   endgenerate
+
+  // Halves of 256 bits from the first one's start on: two a beat, the last of them may be odd.
+  wire [8:0] halves = {1'b0, m_burst_len} + {8'd0, next_q[0]};
+  assign m_bus_len   = DATA_WIDTH == 64 ? {m_burst_len[6:0], 1'b1}
+                     : DATA_WIDTH == 256 ? halves[8:1] : m_burst_len;
+  assign m_bus_upper = halves[0];
+
   assign m_burst_address = {next_q, 4'd0};
   assign m_burst_last    = same_q && !limited_i;
 

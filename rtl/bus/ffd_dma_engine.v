@@ -1,8 +1,8 @@
 // ffd_dma_engine: command packets from memory to a stream, results from a stream to memory
 //
 // Reads along a ring of descriptors (ffd_dma_ring, ffd_dma_read) and writes one area
-// (ffd_dma_write), both at once, as one AXI4 master without IDs: INCR bursts of whole, aligned
-// 16-byte beats.
+// (ffd_dma_write), both at once, as one AXI4 master without IDs: INCR bursts at multiples of 16
+// bytes, whose beats have DATA_WIDTH bits (ffd_dma_width_read, ffd_dma_width_write).
 // docs/interface.md has the descriptor, the ring, the area and the codes of errors.
 //
 // A bus error on either half raises no further address on both, from the fourth clock after it on.
@@ -20,9 +20,10 @@
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
-// Pipeline:   see the halves; read and write at one beat a clock each.
-// Parameters: as in the halves; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at least 2; TIMEOUT
-//             as in ffd_dma_watch.
+// Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
+// Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be
+//             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at
+//             least 2; TIMEOUT as in ffd_dma_watch.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -35,7 +36,9 @@ module ffd_dma_engine #(
   parameter WRITE_OUTSTANDING = 8,
   parameter DESCRIPTORS       = 4,
   parameter FLUSH_CLOCKS      = 16,
-  parameter TIMEOUT           = 0
+  parameter TIMEOUT           = 0,
+  parameter DATA_WIDTH        = 128,
+  parameter MARKS             = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -54,6 +57,7 @@ module ffd_dma_engine #(
   input  wire [15:0]  ring_head_i,
   output wire [15:0]  ring_tail_o,
   output wire         ring_running_o,
+  output wire         ring_marked_o,
   output wire         read_error_o,
   output wire [3:0]   read_error_code_o,
   output wire [63:0]  read_error_address_o,
@@ -67,6 +71,7 @@ module ffd_dma_engine #(
   output wire         result_busy_o,
   output wire [31:0]  result_count_o,
   output wire         result_overflow_o,
+  output wire         result_marked_o,
   output wire         write_error_o,
   output wire [2:0]   write_error_code_o,
   output wire [63:0]  write_error_address_o,
@@ -80,6 +85,7 @@ module ffd_dma_engine #(
   output wire         s_result_ready,
   input  wire [127:0] s_result_data,
   input  wire         s_result_last,
+  input  wire         s_result_mark,
 
   output wire         m_axi_arvalid,
   input  wire         m_axi_arready,
@@ -89,7 +95,7 @@ module ffd_dma_engine #(
   output wire [1:0]   m_axi_arburst,
   input  wire         m_axi_rvalid,
   output wire         m_axi_rready,
-  input  wire [127:0] m_axi_rdata,
+  input  wire [DATA_WIDTH-1:0] m_axi_rdata,
   input  wire [1:0]   m_axi_rresp,
   input  wire         m_axi_rlast,
 
@@ -101,18 +107,17 @@ module ffd_dma_engine #(
   output wire [1:0]   m_axi_awburst,
   output wire         m_axi_wvalid,
   input  wire         m_axi_wready,
-  output wire [127:0] m_axi_wdata,
-  output wire [15:0]  m_axi_wstrb,
+  output wire [DATA_WIDTH-1:0] m_axi_wdata,
+  output wire [DATA_WIDTH/8-1:0] m_axi_wstrb,
   output wire         m_axi_wlast,
   input  wire         m_axi_bvalid,
   output wire         m_axi_bready,
   input  wire [1:0]   m_axi_bresp
 );
-  assign m_axi_arsize  = 3'd4;     // 16 bytes
-  assign m_axi_arburst = 2'b01;    // INCR
-  assign m_axi_awsize  = 3'd4;
-  assign m_axi_awburst = 2'b01;
-  assign m_axi_wstrb   = 16'hFFFF;
+  localparam BURST = DATA_WIDTH == 64 && MAX_BURST > 128 ? 128 : MAX_BURST;
+  localparam [2:0] SIZE = DATA_WIDTH == 64 ? 3'd3 : DATA_WIDTH == 256 ? 3'd5 : 3'd4;
+  assign {m_axi_arsize, m_axi_awsize}   = {2 {SIZE}};
+  assign {m_axi_arburst, m_axi_awburst} = {2 {2'b01}};    // INCR
 
   // ---- soft reset, and holding one half while the other is in error, or both after a time-out
   reg  soft_q;
@@ -136,7 +141,6 @@ module ffd_dma_engine #(
   wire write_ends = !write_busy || write_late;
   reg  cleared_q;
   wire half_rst = rst || cleared_q;
-
   always @(posedge clk) begin
     cleared_q <= soft_q && read_ends && write_ends && !half_rst;
     if (half_rst) begin
@@ -151,11 +155,9 @@ module ffd_dma_engine #(
       late_q       <= late_q || late != 5'd0;
     end
   end
-
   assign clearing_o    = soft_q;
   assign result_busy_o = write_busy;
   assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
-
   always @(posedge clk) begin
     halted_o <= (!read_open || read_late) && write_ends && !half_rst
              && (late_q || (hold_write_q && !ring_running_o) || (hold_read_q && !result_running_o));
@@ -169,6 +171,7 @@ module ffd_dma_engine #(
   wire [31:0]  request_length;
   wire         request_fetch;
   wire         request_check;
+  wire         request_mark;
   wire         refused;
   wire [2:0]   refused_code;
   wire         fetched;
@@ -186,7 +189,8 @@ module ffd_dma_engine #(
   assign read_error_address_o = bus_error ? bus_error_address : ring_error_address;
 
   ffd_dma_ring #(
-    .DESCRIPTORS(DESCRIPTORS)
+    .DESCRIPTORS(DESCRIPTORS),
+    .MARKS      (MARKS)
   ) u_ring (
     .clk              (clk),
     .rst              (rst || soft_q),
@@ -203,6 +207,7 @@ module ffd_dma_engine #(
     .m_request_length (request_length),
     .m_request_fetch  (request_fetch),
     .m_request_check  (request_check),
+    .m_request_mark   (request_mark),
     .refused_i        (refused),
     .refused_code_i   (refused_code),
     .fetched_i        (fetched),
@@ -217,10 +222,26 @@ module ffd_dma_engine #(
   );
 
   // ---- the halves
+  wire         asked;
+  wire         asked_first;
+  wire         asked_last;
+  wire         beat_valid;
+  wire         beat_ready;
+  wire [127:0] beat_data;
+  wire [1:0]   beat_response;
+  wire         beat_last;
+  wire         out_valid;
+  wire         out_ready;
+  wire [127:0] out_data;
+  wire         out_last;
+  wire         out_upper;
+
   ffd_dma_read #(
-    .MAX_BURST  (MAX_BURST),
+    .MAX_BURST  (BURST),
     .FIFO_DEPTH (READ_DEPTH),
-    .OUTSTANDING(READ_OUTSTANDING)
+    .OUTSTANDING(READ_OUTSTANDING),
+    .DATA_WIDTH (DATA_WIDTH),
+    .MARKS      (MARKS)
   ) u_read (
     .clk              (clk),
     .rst              (half_rst),
@@ -235,17 +256,21 @@ module ffd_dma_engine #(
     .s_request_length (request_length),
     .s_request_fetch  (request_fetch),
     .s_request_check  (request_check),
+    .s_request_mark   (request_mark),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
     .m_axi_arvalid    (m_axi_arvalid),
     .m_axi_arready    (m_axi_arready),
     .m_axi_araddr     (m_axi_araddr),
     .m_axi_arlen      (m_axi_arlen),
-    .m_axi_rvalid     (m_axi_rvalid),
-    .m_axi_rready     (m_axi_rready),
-    .m_axi_rdata      (m_axi_rdata),
-    .m_axi_rresp      (m_axi_rresp),
-    .m_axi_rlast      (m_axi_rlast),
+    .asked_o          (asked),
+    .asked_first_o    (asked_first),
+    .asked_last_o     (asked_last),
+    .m_axi_rvalid     (beat_valid),
+    .m_axi_rready     (beat_ready),
+    .m_axi_rdata      (beat_data),
+    .m_axi_rresp      (beat_response),
+    .m_axi_rlast      (beat_last),
     .m_packet_valid   (m_packet_valid),
     .m_packet_ready   (m_packet_ready),
     .m_packet_data    (m_packet_data),
@@ -253,6 +278,7 @@ module ffd_dma_engine #(
     .fetched_o        (fetched),
     .fetched_data_o   (fetched_data),
     .finished_o       (finished),
+    .finished_mark_o  (ring_marked_o),
     .fault_o          (read_fault),
     .error_o          (bus_error),
     .error_code_o     (bus_error_code),
@@ -262,11 +288,34 @@ module ffd_dma_engine #(
     .empty_o          (read_empty)
   );
 
+  ffd_dma_width_read #(
+    .DATA_WIDTH (DATA_WIDTH),
+    .OUTSTANDING(READ_OUTSTANDING)
+  ) u_width_read (
+    .clk            (clk),
+    .rst            (half_rst),
+    .asked_i        (asked),
+    .asked_first_i  (asked_first),
+    .asked_last_i   (asked_last),
+    .m_axi_rvalid   (m_axi_rvalid),
+    .m_axi_rready   (m_axi_rready),
+    .m_axi_rdata    (m_axi_rdata),
+    .m_axi_rresp    (m_axi_rresp),
+    .m_axi_rlast    (m_axi_rlast),
+    .m_beat_valid   (beat_valid),
+    .m_beat_ready   (beat_ready),
+    .m_beat_data    (beat_data),
+    .m_beat_response(beat_response),
+    .m_beat_last    (beat_last)
+  );
+
   ffd_dma_write #(
-    .MAX_BURST   (MAX_BURST),
+    .MAX_BURST   (BURST),
     .FIFO_DEPTH  (WRITE_DEPTH),
     .OUTSTANDING (WRITE_OUTSTANDING),
-    .FLUSH_CLOCKS(FLUSH_CLOCKS)
+    .FLUSH_CLOCKS(FLUSH_CLOCKS),
+    .DATA_WIDTH  (DATA_WIDTH),
+    .MARKS       (MARKS)
   ) u_write (
     .clk            (clk),
     .rst            (half_rst),
@@ -281,14 +330,16 @@ module ffd_dma_engine #(
     .s_result_ready (s_result_ready),
     .s_result_data  (s_result_data),
     .s_result_last  (s_result_last),
+    .s_result_mark  (s_result_mark),
     .m_axi_awvalid  (m_axi_awvalid),
     .m_axi_awready  (m_axi_awready),
     .m_axi_awaddr   (m_axi_awaddr),
     .m_axi_awlen    (m_axi_awlen),
-    .m_axi_wvalid   (m_axi_wvalid),
-    .m_axi_wready   (m_axi_wready),
-    .m_axi_wdata    (m_axi_wdata),
-    .m_axi_wlast    (m_axi_wlast),
+    .m_axi_wvalid   (out_valid),
+    .m_axi_wready   (out_ready),
+    .m_axi_wdata    (out_data),
+    .m_axi_wlast    (out_last),
+    .upper_o        (out_upper),
     .m_axi_bvalid   (m_axi_bvalid),
     .m_axi_bready   (m_axi_bready),
     .m_axi_bresp    (m_axi_bresp),
@@ -298,10 +349,28 @@ module ffd_dma_engine #(
     .empty_o        (write_empty),
     .count_o        (result_count_o),
     .overflow_o     (result_overflow_o),
+    .marked_o       (result_marked_o),
     .fault_o        (write_fault),
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),
     .error_address_o(write_error_address_o)
+  );
+
+  ffd_dma_width_write #(
+    .DATA_WIDTH(DATA_WIDTH)
+  ) u_width_write (
+    .clk         (clk),
+    .rst         (half_rst),
+    .s_beat_valid(out_valid),
+    .s_beat_ready(out_ready),
+    .s_beat_data (out_data),
+    .s_beat_last (out_last),
+    .s_beat_upper(out_upper),
+    .m_axi_wvalid(m_axi_wvalid),
+    .m_axi_wready(m_axi_wready),
+    .m_axi_wdata (m_axi_wdata),
+    .m_axi_wstrb (m_axi_wstrb),
+    .m_axi_wlast (m_axi_wlast)
   );
 
   ffd_dma_watch #(

@@ -1,7 +1,8 @@
 // ffd_dma_read: the read half of an AXI4 master: requests become bursts, their data a stream
 //
 // A request is {address, length, fetch}. With fetch its one beat, a descriptor, goes to fetched_o;
-// without, its beats go to the stream, `last` on the last one, and finished_o says that all came.
+// without, its beats go to the stream, `last` on the last one, and finished_o says that all came;
+// finished_mark_o (with MARKS), that it had s_request_mark.
 // Addresses are checked and cut by ffd_dma_address. An address goes out only when the FIFO has room
 // for the whole burst, so m_axi_rready is 1 from the first clock after reset on. One ID: answers
 // come in order; a queue of OUTSTANDING bursts says what each is.
@@ -12,13 +13,17 @@
 // marked `last`; had it none, it leaves no trace. So each beat is held until the next one is seen
 // to be good. start_i, given when quiet_o is 1, ends this state.
 // A request with s_request_check is checked, and asks for nothing.
+// Of the bus this module sees beats of 16 bytes, whatever its width; only m_axi_arlen is in beats
+// of DATA_WIDTH bits. asked_o tells ffd_dma_width_read of a burst in the clock before its address,
+// with the halves of a beat of 256 bits that it begins (asked_first_o) and ends with (asked_last_o;
+// 1 is the upper half).
 // soft_i (level): no new address, data dropped, stream empty; quiet_o when all has been answered.
 // hold_i (level): no new address, nothing lost. open_o: a burst is not wholly answered.
 //
 // Pipeline:   4 clocks request to burst; data 5 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             MAX_BURST as in ffd_dma_address.
+//             MARKS 0 or 1; MAX_BURST and DATA_WIDTH as in ffd_dma_address.
 // Not checked: rlast is trusted; data without a burst is ignored.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -27,7 +32,9 @@
 module ffd_dma_read #(
   parameter MAX_BURST   = 256,
   parameter FIFO_DEPTH  = 512,
-  parameter OUTSTANDING = 8
+  parameter OUTSTANDING = 8,
+  parameter DATA_WIDTH  = 128,
+  parameter MARKS       = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -42,12 +49,16 @@ module ffd_dma_read #(
   input  wire [31:0]  s_request_length,
   input  wire         s_request_fetch,
   input  wire         s_request_check,
+  input  wire         s_request_mark,
   output wire         refused_o,
   output wire [2:0]   refused_code_o,
   output reg          m_axi_arvalid,
   input  wire         m_axi_arready,
   output reg  [63:0]  m_axi_araddr,
   output reg  [7:0]   m_axi_arlen,
+  output wire         asked_o,
+  output wire         asked_first_o,
+  output wire         asked_last_o,
   input  wire         m_axi_rvalid,
   output reg          m_axi_rready,
   input  wire [127:0] m_axi_rdata,
@@ -60,6 +71,7 @@ module ffd_dma_read #(
   output reg          fetched_o,
   output reg  [127:0] fetched_data_o,
   output reg          finished_o,
+  output wire         finished_mark_o,
   output wire         fault_o,
   output reg          error_o,
   output reg  [2:0]   error_code_o,
@@ -89,16 +101,19 @@ module ffd_dma_read #(
   wire [63:0] burst_address;
   wire [7:0]  burst_len;
   wire        burst_last;
+  wire [7:0]  bus_len;
   wire [7:0]  unused_offer;
   wire        address_ready;
   reg         fetch_q;
+  reg         mark_q;
 
   assign s_request_ready = address_ready && !discard;
 
   ffd_dma_address #(
-    .ADDRESS_W(64),
-    .LENGTH_W (32),
-    .MAX_BURST(MAX_BURST)
+    .ADDRESS_W (64),
+    .LENGTH_W  (32),
+    .MAX_BURST (MAX_BURST),
+    .DATA_WIDTH(DATA_WIDTH)
   ) u_address (
     .clk              (clk),
     .rst              (rst || discard),
@@ -116,6 +131,8 @@ module ffd_dma_read #(
     .m_burst_address  (burst_address),
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
+    .m_bus_len        (bus_len),
+    .m_bus_upper      (asked_last_o),
     .offer_o          (unused_offer),
     .limited_i        (1'b0),
     .limit_i          (8'd0)
@@ -123,14 +140,17 @@ module ffd_dma_read #(
 
   always @(posedge clk) begin
     if (s_request_valid && s_request_ready) fetch_q <= s_request_fetch;
+    if (s_request_valid && s_request_ready) mark_q <= s_request_mark;
   end
 
-  // ---- outstanding bursts: {last of its request, fetch, address in beats}
+  // ---- outstanding bursts: {its request's mark, last of its request, fetch, address in beats}
   wire        queue_ready;
   wire        queue_valid;
-  wire        owner_last;
-  wire        owner_fetch;
-  wire [59:0] owner_beat;
+  wire [62:0] asked = {mark_q, burst_last, fetch_q, burst_address[63:4]};
+  wire [61+MARKS:0] owner;
+  wire        owner_last  = owner[61];
+  wire        owner_fetch = owner[60];
+  wire [59:0] owner_beat  = owner[59:0];
   wire        beat   = m_axi_rvalid && m_axi_rready && queue_valid;
   wire        done   = beat && m_axi_rlast;
   wire        failed = m_axi_rresp != 2'b00;
@@ -144,17 +164,17 @@ module ffd_dma_read #(
   reg [127:0] data_q;
 
   ffd_stream_fifo #(
-    .WIDTH(62),
+    .WIDTH(62 + MARKS),
     .DEPTH(OUTSTANDING)
   ) u_outstanding (
     .clk         (clk),
     .rst         (rst),
     .s_word_valid(burst_valid && burst_ready),
     .s_word_ready(queue_ready),
-    .s_word_data ({burst_last, fetch_q, burst_address[63:4]}),
+    .s_word_data (asked[61+MARKS:0]),
     .m_word_valid(queue_valid),
     .m_word_ready(done),
-    .m_word_data ({owner_last, owner_fetch, owner_beat})
+    .m_word_data (owner)
   );
 
   assign open_o  = queue_valid || good_q || bad_q;
@@ -178,6 +198,18 @@ module ffd_dma_read #(
     beat_q    <= owner_beat;
     data_q    <= m_axi_rdata;
   end
+
+  generate
+    if (MARKS != 0) begin : gen_marks
+      reg owner_q;
+      reg finished_q;
+      always @(posedge clk) owner_q <= owner[62];
+      always @(posedge clk) finished_q <= arrives && end_q && owner_q && !rst;
+      assign finished_mark_o = finished_q;
+    end else begin : gen_no_marks
+      assign finished_mark_o = 1'b0;
+    end
+  endgenerate
 
   assign fault_o = bad;
 
@@ -238,15 +270,16 @@ module ffd_dma_read #(
 
   // ---- room: what is neither in the FIFO nor promised to a burst
   reg  [COUNT_W-1:0] room_q;
-  // Counted a clock after it happened: a burst was taken (m_axi_arlen), a beat dropped, one has
-  // left. The next burst is looked at four clocks after one was taken.
+  // Counted a clock after it happened: a burst was taken (len_q), a beat dropped, one has left. The
+  // next burst is looked at four clocks after one was taken.
+  reg  [7:0]         len_q;
   reg                taken_q;
   reg                dropped_q;
   reg                left_q;
   wire               enough = room_q > {{(COUNT_W - 8) {1'b0}}, burst_len};
   // No beat is dropped in a clock in which a burst is taken. The sum is one chain of carries: less
   // the burst's beats, or one more, and one more for a beat that left.
-  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~m_axi_arlen}
+  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~len_q}
                                       : {{(COUNT_W - 1) {1'b0}}, dropped_q};
   wire [COUNT_W:0]   rooms  = {room_q, 1'b1} + {more, left_q};
 
@@ -267,6 +300,8 @@ module ffd_dma_read #(
   assign empty_o = !held_q && room_q == FIFO_DEPTH[COUNT_W-1:0];
 
   // ---- the address channel
+  assign asked_o       = burst_valid && burst_ready;
+  assign asked_first_o = burst_address[4];
   assign burst_ready = (!m_axi_arvalid || m_axi_arready) && queue_ready && !hold_i && !discard
                     && !bad && (fetch_q || enough);
 
@@ -278,11 +313,12 @@ module ffd_dma_read #(
   always @(posedge clk) begin
     if (burst_valid && burst_ready) begin
       m_axi_araddr <= burst_address;
-      m_axi_arlen  <= burst_len;
+      m_axi_arlen  <= bus_len;
+      len_q        <= burst_len;
     end
   end
 
-  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0]};
+  wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0], asked};
 endmodule
 
 `default_nettype wire

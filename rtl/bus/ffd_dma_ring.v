@@ -1,6 +1,7 @@
 // ffd_dma_ring: walks a ring of descriptors and asks for the packets they name
 //
-// A descriptor is 16 bytes, little-endian: {flags[31:0], length[31:0], address[63:0]}, flags 0.
+// A descriptor is 16 bytes, little-endian: {flags[31:0], length[31:0], address[63:0]}, flags 0;
+// with MARKS flag 0 asks for an interrupt (m_request_mark).
 // Entry k lies at base_i + 16 k; base_i is a multiple of the ring's size, so that no address needs
 // an adder and none wraps. The ring is empty where head_i == tail_o: one entry stays unused, so a
 // ring of one entry would hold nothing.
@@ -9,7 +10,7 @@
 // A start is refused, with code and base_i, where base_i is not aligned (2), the ring has one entry
 // only, or head_i is none of its entries (8), and where the ring is not wholly inside the window
 // (4): for that the reader is asked first, to check it and no more. Later the first fault stops it:
-// a request refused (refused_i), flags that are not 0 (code 5), a head_i that is none of the
+// a request refused (refused_i), flags that are unknown (code 5), a head_i that is none of the
 // entries (8, with base_i), a bus error (stop_i). error_o is a pulse with code and address of the
 // descriptor for all but the last, which the reader reports. Earlier packets end as they should,
 // then running_o falls. start_i begins at tail_o; it is taken where nothing runs or nothing is
@@ -19,7 +20,8 @@
 //             and what to ask next is decided in the clock before it is asked; a request every five
 //             clocks, fetches included, the first for a packet or a descriptor five after the
 //             check.
-// Parameters: DESCRIPTORS a power of two, 2 to 256: those fetched and not yet requested.
+// Parameters: DESCRIPTORS a power of two, 2 to 256: those fetched and not yet requested. MARKS 0
+//             or 1.
 // Not checked: base_i, entries_log2_i and the window are to be held from start_i on while entries
 //             are left; every address is still checked by the reader.
 // Model:      none (control only).  Test: tests/bus/dma.
@@ -27,7 +29,8 @@
 `default_nettype none
 
 module ffd_dma_ring #(
-  parameter DESCRIPTORS = 4
+  parameter DESCRIPTORS = 4,
+  parameter MARKS       = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -44,6 +47,7 @@ module ffd_dma_ring #(
   output reg  [31:0]  m_request_length,
   output reg          m_request_fetch,
   output reg          m_request_check,
+  output wire         m_request_mark,
   input  wire         refused_i,
   input  wire [2:0]   refused_code_i,
   input  wire         fetched_i,
@@ -65,7 +69,7 @@ module ffd_dma_ring #(
   localparam [3:0] MISALIGNED = 4'd2;
   localparam [3:0] FLAGS = 4'd5;
   localparam [3:0] RING = 4'd8;
-  localparam DESCRIPTOR_W = 64 + 32 + 1;
+  localparam DESCRIPTOR_W = 64 + 32 + 1 + MARKS;
   localparam AHEAD_W = $clog2(DESCRIPTORS);
 
   reg         start_q;
@@ -110,9 +114,13 @@ module ffd_dma_ring #(
   wire        queue_ready;
   wire        head_valid;
   wire        head_pop;
-  wire        head_bad;
-  wire [63:0] head_address;
-  wire [31:0] head_length;
+  wire [DESCRIPTOR_W-1:0] head_word;
+  wire        head_bad = head_word[96];
+  wire [63:0] head_address = head_word[63:0];
+  wire [31:0] head_length  = head_word[95:64];
+  wire        marked = fetched_data_i[96];
+  wire        bad    = fetched_data_i[127:97] != 31'd0 || (marked && MARKS == 0);
+  wire [97:0] fetched_word = {marked, bad, fetched_data_i[95:0]};
 
   ffd_stream_fifo #(
     .WIDTH(DESCRIPTOR_W),
@@ -122,10 +130,10 @@ module ffd_dma_ring #(
     .rst         (rst || accept),
     .s_word_valid(fetched_i),
     .s_word_ready(queue_ready),
-    .s_word_data ({fetched_data_i[127:96] != 32'd0, fetched_data_i[95:0]}),
+    .s_word_data (fetched_word[DESCRIPTOR_W-1:0]),
     .m_word_valid(head_valid),
     .m_word_ready(head_pop),
-    .m_word_data ({head_bad, head_length, head_address})
+    .m_word_data (head_word)
   );
 
   // What to ask next: the ring, then descriptors first, since packets wait for them. Decided in the
@@ -213,6 +221,16 @@ module ffd_dma_ring #(
     if (m_request_valid && m_request_ready) asked_q <= entry_q;
   end
 
+  generate
+    if (MARKS != 0) begin : gen_marks
+      reg mark_q;
+      always @(posedge clk) if (free) mark_q <= plan_data_q && head_word[97];
+      assign m_request_mark = mark_q;
+    end else begin : gen_no_marks
+      assign m_request_mark = 1'b0;
+    end
+  endgenerate
+
   wire        wrong  = running_q && !stop_q && !stop_i && (refused_i || bad_flags || beyond_q);
   wire        error  = !rst && ((accept && !legal) || wrong);
   wire [14:0] guilty = refused_i ? asked_q : bad_flags && !beyond_q ? next_q : 15'd0;
@@ -224,7 +242,7 @@ module ffd_dma_ring #(
     error_address_o <= {base_i[63:19], base_i[18:0] | {guilty, 4'd0}};
   end
 
-  wire unused_ok = &{1'b0, queue_ready};
+  wire unused_ok = &{1'b0, queue_ready, fetched_word};
 endmodule
 
 `default_nettype wire

@@ -12,12 +12,15 @@
 // before the failed burst. An area that is refused: error_o with code (1 to 4) and its base.
 // start_i is ignored while busy_o is 1 (bursts out, or stopping).
 // soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
+// marked_o (with MARKS), a pulse with the count: a beat with s_result_mark is in memory.
 // hold_i (level): no new address from the clock after next on, nothing lost.
+// Write data leaves in beats of 16 bytes, whatever the bus; only m_axi_awlen is in beats of
+// DATA_WIDTH bits. upper_o: the beat is the upper half of one of 256 bits.
 //
 // Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             FLUSH_CLOCKS 1 to 65535, MAX_BURST as in ffd_dma_address.
+//             FLUSH_CLOCKS 1 to 65535, MARKS 0 or 1; MAX_BURST, DATA_WIDTH as in ffd_dma_address.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -26,7 +29,9 @@ module ffd_dma_write #(
   parameter MAX_BURST    = 256,
   parameter FIFO_DEPTH   = 512,
   parameter OUTSTANDING  = 8,
-  parameter FLUSH_CLOCKS = 16
+  parameter FLUSH_CLOCKS = 16,
+  parameter DATA_WIDTH   = 128,
+  parameter MARKS        = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -41,6 +46,7 @@ module ffd_dma_write #(
   output wire         s_result_ready,
   input  wire [127:0] s_result_data,
   input  wire         s_result_last,
+  input  wire         s_result_mark,
   output reg          m_axi_awvalid,
   input  wire         m_axi_awready,
   output reg  [63:0]  m_axi_awaddr,
@@ -49,6 +55,7 @@ module ffd_dma_write #(
   input  wire         m_axi_wready,
   output reg  [127:0] m_axi_wdata,
   output reg          m_axi_wlast,
+  output reg          upper_o,
   input  wire         m_axi_bvalid,
   output reg          m_axi_bready,
   input  wire [1:0]   m_axi_bresp,
@@ -58,6 +65,7 @@ module ffd_dma_write #(
   output wire         empty_o,
   output reg  [31:0]  count_o,
   output reg          overflow_o,
+  output wire         marked_o,
   output wire         fault_o,
   output reg          error_o,
   output reg  [2:0]   error_code_o,
@@ -95,6 +103,8 @@ module ffd_dma_write #(
   wire [63:0] burst_address;
   wire [7:0]  burst_len;
   wire        burst_last;
+  wire [7:0]  bus_len;
+  wire        bus_upper;
   wire [7:0]  offer;
   reg         limited_q;   // the burst is shorter than what is offered
   reg  [7:0]  limit_q;
@@ -106,9 +116,10 @@ module ffd_dma_write #(
   assign busy_o    = asking_q || bursts_out || stop_q;
 
   ffd_dma_address #(
-    .ADDRESS_W(64),
-    .LENGTH_W (32),
-    .MAX_BURST(MAX_BURST)
+    .ADDRESS_W (64),
+    .LENGTH_W  (32),
+    .MAX_BURST (MAX_BURST),
+    .DATA_WIDTH(DATA_WIDTH)
   ) u_address (
     .clk              (clk),
     .rst              (rst || accept || soft_i || stop_q),
@@ -126,6 +137,8 @@ module ffd_dma_write #(
     .m_burst_address  (burst_address),
     .m_burst_len      (burst_len),
     .m_burst_last     (burst_last),
+    .m_bus_len        (bus_len),
+    .m_bus_upper      (bus_upper),
     .offer_o          (offer),
     .limited_i        (limited_q),
     .limit_i          (limit_q)
@@ -145,25 +158,22 @@ module ffd_dma_write #(
     end
   end
 
-  always @(posedge clk) begin
-    if (accept) begin
-      base_q <= base_i;
-      size_q <= size_i;
-    end
-  end
+  always @(posedge clk) if (accept) {base_q, size_q} <= {base_i, size_i};
 
   // ---- beats in, and those of them that no burst has taken yet
   wire         fifo_ready;
   wire         fifo_valid;
   wire         fifo_pop;
-  wire [127:0] fifo_data;
+  wire [128:0] fifo_in = {s_result_mark, s_result_data};
+  wire [127+MARKS:0] fifo_word;
+  wire [127:0] fifo_data = fifo_word[127:0];
   wire         drop;
   wire         push = s_result_valid && s_result_ready;
 
   assign s_result_ready = fifo_ready && !soft_i;
 
   ffd_stream_deep_fifo #(
-    .WIDTH(128),
+    .WIDTH(128 + MARKS),
     .DEPTH(FIFO_DEPTH),
     .EARLY(1)
   ) u_fifo (
@@ -171,10 +181,10 @@ module ffd_dma_write #(
     .rst         (rst),
     .s_word_valid(s_result_valid && !soft_i),
     .s_word_ready(fifo_ready),
-    .s_word_data (s_result_data),
+    .s_word_data (fifo_in[127+MARKS:0]),
     .m_word_valid(fifo_valid),
     .m_word_ready(fifo_pop),
-    .m_word_data (fifo_data)
+    .m_word_data (fifo_word)
   );
 
   localparam [COUNT_W-1:0] NONE = {COUNT_W {1'b0}};
@@ -257,7 +267,7 @@ module ffd_dma_write #(
   always @(posedge clk) begin
     if (step) begin
       m_axi_awaddr <= burst_address;
-      m_axi_awlen  <= burst_len;
+      m_axi_awlen  <= bus_len;
     end
   end
 
@@ -326,6 +336,28 @@ module ffd_dma_write #(
     if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
   end
 
+  ffd_dma_marks #(
+    .OUTSTANDING(OUTSTANDING),
+    .MARKS      (MARKS)
+  ) u_marks (
+    .clk      (clk),
+    .rst      (rst),
+    .beat_i   (move),
+    .mark_i   (fifo_word[127+MARKS]),
+    .last_i   (ended),
+    .answer_i (answer),
+    .counted_i(good_q && !stop_q && !soft_i),
+    .marked_o (marked_o)
+  );
+
+  // Beats of an area follow each other in memory.
+  reg        upper_q;
+  always @(posedge clk) begin
+    if (accept) upper_q <= base_i[4];
+    else if (move) upper_q <= !upper_q;
+    if (w_free) upper_o <= upper_q;
+  end
+
   // ---- answers
   assign bad     = bad_q && !stop_q && !soft_i;
   assign fault_o = bad;
@@ -361,7 +393,7 @@ module ffd_dma_write #(
     error_address_o <= refused ? base_q : {beat_q, 4'd0};
   end
 
-  wire unused_ok = &{1'b0, burst_address[3:0], sum[0]};
+  wire unused_ok = &{1'b0, burst_address[3:0], bus_upper, sum[0], fifo_in};
 endmodule
 
 `default_nettype wire

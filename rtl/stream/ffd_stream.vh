@@ -34,15 +34,18 @@
 `define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
 `define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
 `define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
+`define FFD_FEATURE_MARKS(FEATURES)       (((FEATURES) >> 6) % 2)
 `define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
 `define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
 `define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
 `define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
 `define FFD_FEATURES                      3840
 `define FFD_FEATURES_BAD(FEATURES) \
-  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 || (FEATURES) % 256 > 15 \
+  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 \
+   || (FEATURES) / 128 % 2 != 0 || (FEATURES) / 16 % 4 != 0 \
    || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2 \
-   || ((FEATURES) % 8 != 0 && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))
+   || (((FEATURES) % 8 != 0 || `FFD_FEATURE_MARKS(FEATURES) != 0) \
+       && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))
 
 // Bits of an index of a point or a cell along an axis; those above four, which go from the vertex
 // to its reads as part of its source; and whether AXIS is no number of points.

@@ -6,9 +6,10 @@
 // point), never what the datapath made of half a vertex. Beside a determinant y and z are 0.
 //
 // Formats:    flags {folded, nan, saturated}; user as FFD_USER_*.
-// Pipeline:   1 clock: the last register of the stream.
+// What packets ask for behind their last result, ffd_stream_marks adds.
+// Pipeline:   1 clock: the last register of the stream; with marks 2.
 // Freezes:    s_word_ready is 0 while a beat waits to be taken.
-// Parameters: FORMAT as in ffd_num.vh.
+// Parameters: FORMAT as in ffd_num.vh; FEATURES and INSIDE as in ffd_stream_marks.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,20 +17,28 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_encoder #(
-  parameter FORMAT = 18
+  parameter FORMAT   = 18,
+  parameter FEATURES = `FFD_FEATURES,
+  parameter INSIDE   = 152
 ) (
   input  wire                    clk,
   input  wire                    rst,
+  output wire                    idle_o,
+  // A beat of the decoder: word 0.
+  input  wire                    valid_i,
+  input  wire [31:0]             data_i,
+  input  wire [`FFD_FRAME_W-1:0] frame_i,
   input  wire                    s_word_valid,
   output wire                    s_word_ready,
   input  wire [95:0]             s_word_data,
   input  wire [2:0]              s_word_flags,
   input  wire                    s_word_determinant,
   input  wire [`FFD_USER_W-1:0]  s_word_user,
-  output reg                     m_beat_valid,
+  output wire                    m_beat_valid,
   input  wire                    m_beat_ready,
   output wire [127:0]            m_beat_data,
-  output reg                     m_beat_last
+  output wire                    m_beat_last,
+  output wire                    m_beat_mark
 );
   wire       blank = s_word_user[`FFD_USER_BLANK];
   wire [2:0] flags = s_word_flags & {3{!blank}};
@@ -41,12 +50,15 @@ module ffd_stream_encoder #(
   reg [95:0] words_q;
   reg [6:0]  status_q;
   reg [15:0] tag_q;
-  assign s_word_ready = !m_beat_valid || m_beat_ready;
-  assign m_beat_data  = {9'd0, status_q, tag_q, words_q};
+  reg        valid_q;
+  reg        last_q;
+  wire       ready;
+  assign s_word_ready = !valid_q || ready;
+  assign idle_o       = !valid_q && !m_beat_valid;
 
   always @(posedge clk) begin
-    if (rst) m_beat_valid <= 1'b0;
-    else if (s_word_ready) m_beat_valid <= s_word_valid;
+    if (rst) valid_q <= 1'b0;
+    else if (s_word_ready) valid_q <= s_word_valid;
   end
   always @(posedge clk) begin
     if (s_word_ready && blank) words_q[31:0] <= `FFD_BLANK_WORD(FORMAT);
@@ -59,11 +71,31 @@ module ffd_stream_encoder #(
   end
   always @(posedge clk) begin
     if (s_word_ready) begin
-      status_q    <= {1'b0, s_word_user[`FFD_USER_STATUS]} | found;
-      tag_q       <= s_word_user[`FFD_USER_TAG];
-      m_beat_last <= s_word_user[`FFD_USER_LAST];
+      status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]} | found;
+      tag_q    <= s_word_user[`FFD_USER_TAG];
+      last_q   <= s_word_user[`FFD_USER_LAST];
     end
   end
+
+  ffd_stream_marks #(
+    .FEATURES(FEATURES),
+    .INSIDE  (INSIDE)
+  ) u_marks (
+    .clk         (clk),
+    .rst         (rst),
+    .valid_i     (valid_i),
+    .data_i      (data_i),
+    .frame_i     (frame_i),
+    .s_beat_valid(valid_q),
+    .s_beat_ready(ready),
+    .s_beat_data ({9'd0, status_q, tag_q, words_q}),
+    .s_beat_last (last_q),
+    .m_beat_valid(m_beat_valid),
+    .m_beat_ready(m_beat_ready),
+    .m_beat_data (m_beat_data),
+    .m_beat_last (m_beat_last),
+    .m_beat_mark (m_beat_mark)
+  );
 
   wire unused_ok = &{1'b0, s_word_user};
 endmodule

@@ -92,7 +92,8 @@ module ffd_stream_pages #(
   wire [PAGE_W-1:0] page = number[PAGE_W-1:0];
 
   // Flags that this opcode has not, and bits that nothing means.
-  wire [15:0] flags = {12'd0, LARGE != 0 && !part, 1'b0, FOURTH != 0, vertices};
+  wire        marks = vertices && `FFD_FEATURE_MARKS(FEATURES) != 0;
+  wire [15:0] flags = {10'd0, {2{marks}}, LARGE != 0 && !part, 1'b0, FOURTH != 0, vertices};
   wire        strange = (data_i[31:16] & ~flags) != 16'd0
                      || (part && data_i[95:82] != 14'd0)
                      || (vertices && (data_i[95:74] != 22'd0 || data_i[71:66] != 6'd0))

@@ -3,7 +3,7 @@
 // The registers of docs/registers.md behind ffd_axil_slave; they start runs of the DMA
 // (docs/interface.md section 8), which feeds hwffd_stream and writes down what comes out.
 //
-// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of 128.
+// Formats:    as hwffd_stream; addresses of ADDRESS_WIDTH bits, data of DATA_WIDTH.
 // Pipeline:   as hwffd_stream behind the DMA's queues.
 // Cuts:       every output leaves a register, or is a constant.
 // Clock:      it may stop where sleep_o is 1 and no request is offered (docs/interface.md).
@@ -13,7 +13,7 @@
 //             MAX_BURST to FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch;
 //             AXI_PROT and AXI_CACHE, what the master drives on *prot (010: not secure) and *cache
 //             (0010: normal, not cacheable, not bufferable); ADDRESS_WIDTH 32 to 64, an address
-//             beyond being outside of every window; ID_WIDTH 1 to 16 and ID, what the master drives
+//             beyond being outside of every window; DATA_WIDTH 64, 128 or 256; ID_WIDTH 1 to 16 and ID, what the master drives
 //             on *id. SECURE_ONLY as in ffd_axil_slave.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0

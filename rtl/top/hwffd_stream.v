@@ -41,6 +41,7 @@ module hwffd_stream #(
   input  wire         m_axis_tready,
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
+  output wire         m_axis_tuser,  // with the last beat of a packet with the flag I
   output wire [13:0]  event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
@@ -67,7 +68,6 @@ module hwffd_stream #(
 
   wire clk = aclk;
   wire rst = !aresetn;
-
   wire                     take_in = s_axis_tvalid && s_axis_tready;
   wire [`FFD_FRAME_W-1:0]  frame;
   wire                     claims;
@@ -175,6 +175,7 @@ module hwffd_stream #(
   wire                              evaluating;
   wire                              forming;
   wire                              decoder_idle;
+  wire                              encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
   // Of the bank and buffer that a vertex has read, a clock after it has left.
@@ -361,10 +362,16 @@ module hwffd_stream #(
 
   // The last register: a beat leaves it when it is taken, or when there was none.
   ffd_stream_encoder #(
-    .FORMAT(FORMAT)
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES),
+    .INSIDE  (IN_FLIGHT + WAITING + 8)
   ) u_encoder (
     .clk               (clk),
     .rst               (rst),
+    .idle_o            (encoder_idle),
+    .valid_i           (in_valid),
+    .data_i            (in_data[31:0]),
+    .frame_i           (in_frame),
     .s_word_valid      (result_valid),
     .s_word_ready      (result_ready),
     .s_word_data       (result_words),
@@ -374,7 +381,8 @@ module hwffd_stream #(
     .m_beat_valid      (m_axis_tvalid),
     .m_beat_ready      (m_axis_tready),
     .m_beat_data       (m_axis_tdata),
-    .m_beat_last       (m_axis_tlast)
+    .m_beat_last       (m_axis_tlast),
+    .m_beat_mark       (m_axis_tuser)
   );
 
   wire [`FFD_EVENTS-1:0] saturated = {{(`FFD_EVENTS - 1) {1'b0}}, saturated_q};
@@ -386,7 +394,7 @@ module hwffd_stream #(
   wire   held_back = in_held && !in_go;
   wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
   assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
-  assign idle_o    = between && decoder_idle && !in_valid && !in_held && !m_axis_tvalid;
+  assign idle_o    = between && decoder_idle && !in_valid && !in_held && encoder_idle;
   wire unused_ok = &{1'b0, read};
 endmodule
 

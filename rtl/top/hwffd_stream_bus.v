@@ -65,6 +65,7 @@ module hwffd_stream_bus #(
   wire         in_idle;
   wire         out_idle;
   wire         core_idle;
+  wire         core_user;  // interrupts are for a DMA
 
   hwffd_stream #(
     `include "ffd_stream_arguments.vh"
@@ -79,6 +80,7 @@ module hwffd_stream_bus #(
     .m_axis_tready (out_ready),
     .m_axis_tdata  (out_data),
     .m_axis_tlast  (out_last),
+    .m_axis_tuser  (core_user),
     .event_o       (event_o),
     .event_packet_o(event_packet_o),
     .event_beat_o  (event_beat_o),
@@ -102,7 +104,7 @@ module hwffd_stream_bus #(
       assign m_axis_tlast  = out_last;
       assign in_idle       = 1'b1;
       assign out_idle      = 1'b1;
-      wire unused_ok = &{1'b0, s_axis_tkeep};
+      wire unused_ok = &{1'b0, s_axis_tkeep, core_user};
     end else begin : gen_units
       // A bus of 64 bits has no upper unit; the bit is not looked at there.
       localparam UPPER = DATA_WIDTH == 256 ? 16 : 0;
@@ -143,7 +145,7 @@ module hwffd_stream_bus #(
       );
 
       assign m_axis_tkeep = {{(DATA_WIDTH / 16) {upper}}, {(DATA_WIDTH / 16) {1'b1}}};
-      wire unused_ok = &{1'b0, s_axis_tkeep};
+      wire unused_ok = &{1'b0, s_axis_tkeep, core_user};
     end
   endgenerate
 endmodule

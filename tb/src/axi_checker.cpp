@@ -105,38 +105,56 @@ void AxiChecker::check_stable(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (moved(before_.r, pins.r)) report(AxiRule::kStable, cycle, "R");
   if (moved(before_.b, pins.b)) report(AxiRule::kStable, cycle, "B");
   if (lite_) return;
-  const bool fell = (before_.r.ready && !pins.r.ready) || (before_.b.ready && !pins.b.ready);
+  const bool pause = limits_.width == 256 && before_.r.valid;
+  const bool fell =
+      (before_.r.ready && !pins.r.ready && !pause) || (before_.b.ready && !pins.b.ready);
   if (fell && !ready_may_fall_) report(AxiRule::kReadyFell, cycle, "RREADY or BREADY");
 }
 
 void AxiChecker::check_address(const cores::AxiAddressChannel& channel, bool read,
                                std::uint64_t cycle) {
   if (lite_) return;
-  const std::uint64_t bytes = (channel.len + std::uint64_t{1}) * cores::kAxiBeatBytes;
-  const std::uint64_t last = channel.address + (bytes - 1);
+  const std::uint64_t beat = limits_.width / 8;
+  const std::uint64_t last =
+      channel.address / beat * beat + ((channel.len + std::uint64_t{1}) * beat - 1);
+  const std::uint64_t units = (last - channel.address) / cores::kAxiBeatBytes + 1;
   const std::string what =
       fmt::format("{} {:#x}, {} beats", read ? "read" : "write", channel.address, channel.len + 1);
-  if (channel.size != 4 || channel.burst != 1) report(AxiRule::kShape, cycle, what);
+  if (std::uint64_t{1} << channel.size != beat || channel.burst != 1)
+    report(AxiRule::kShape, cycle, what);
   if (channel.address % cores::kAxiBeatBytes != 0) report(AxiRule::kAligned, cycle, what);
   if (channel.address / 4096 != last / 4096) report(AxiRule::kBoundary, cycle, what);
-  if (channel.len >= limits_.burst) report(AxiRule::kLength, cycle, what);
+  if (units > limits_.burst) report(AxiRule::kLength, cycle, what);
   const std::uint64_t first_legal = read ? limits_.read_first : limits_.write_first;
   const std::uint64_t last_legal = read ? limits_.read_last : limits_.write_last;
-  if (channel.address < first_legal || last > last_legal || last < channel.address) {
+  // At 256 bits the upper half of the last beat may lie behind it, unread or not written.
+  const std::uint64_t end = last_legal | (std::max(beat, cores::kAxiBeatBytes) - 1);
+  const std::uint64_t allowed = limits_.width == 256 ? end : last_legal;
+  if (channel.address < first_legal || last > allowed || last < channel.address) {
     report(AxiRule::kWindow, cycle, what);
   }
 }
 
 void AxiChecker::check_errors(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (lite_) return;
-  if (error_seen_ && cycle - error_cycle_ > kAxiAddressesAfterError) {
+  const std::uint64_t late = limits_.width == 256 ? 1 : 0;
+  if (error_seen_ && cycle - error_cycle_ > kAxiAddressesAfterError + late) {
     if (raised(before_.ar, pins.ar)) report(AxiRule::kAfterError, cycle, "AR");
     if (raised(before_.aw, pins.aw)) report(AxiRule::kAfterError, cycle, "AW");
   }
-  const bool error = (pins.r.valid && pins.r.ready && pins.r.response != cores::kAxiOkay) ||
-                     (pins.b.valid && pins.b.ready && pins.b.response != cores::kAxiOkay);
+  const bool error = errs(pins);
   if (error && !error_seen_) error_cycle_ = cycle;
   error_seen_ = error_seen_ || error;
+}
+
+/// Whether an error response was taken; that of 16 bytes counts when all of them have come.
+bool AxiChecker::errs(const cores::AxiPins& pins) {
+  const bool write = pins.b.valid && pins.b.ready && pins.b.response != cores::kAxiOkay;
+  if (!pins.r.valid || !pins.r.ready) return write;
+  const bool failed = pins.r.response != cores::kAxiOkay || half_error_;
+  const bool half = limits_.width == 64 && !reads_.empty() && reads_.front() % 2 == 0;
+  half_error_ = half && failed;
+  return write || (failed && !half);
 }
 
 void AxiChecker::observe_reads(const cores::AxiPins& pins, std::uint64_t cycle) {
@@ -168,6 +186,16 @@ void AxiChecker::pair_writes(std::uint64_t cycle) {
   }
 }
 
+void AxiChecker::check_write_data(const cores::AxiPins& pins, std::uint64_t cycle) {
+  pause_ = pins.w.valid || data_beats_ == 0 ? 0 : pause_ + 1;
+  if (pause_ > (limits_.width == 256 ? 1 : 0)) report(AxiRule::kStall, cycle, "write data");
+  if (lite_ || !pins.w.valid || !pins.w.ready) return;
+  const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << limits_.width / 8) - 1);
+  const bool upper = limits_.width == 256 && data_beats_ == 0 && pins.w.strobe == 0xffff0000;
+  const bool lower = limits_.width == 256 && pins.w.last && pins.w.strobe == 0xffff;
+  if (pins.w.strobe != all && !upper && !lower) report(AxiRule::kShape, cycle, "strobes");
+}
+
 void AxiChecker::observe_writes(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (pins.b.valid && unanswered_ == 0) {
     report(AxiRule::kUnasked, cycle, "write response");
@@ -175,13 +203,12 @@ void AxiChecker::observe_writes(const cores::AxiPins& pins, std::uint64_t cycle)
     --unanswered_;
     if (lite_ && pins.b.response == cores::kAxiExOkay) report(AxiRule::kShape, cycle, "B");
   }
-  if (!pins.w.valid && data_beats_ != 0) report(AxiRule::kStall, cycle, "write data");
+  check_write_data(pins, cycle);
   if (pins.aw.valid && pins.aw.ready) {
     check_address(pins.aw, false, cycle);
     writes_.push_back(pins.aw.len + std::uint64_t{1});
   }
   if (pins.w.valid && pins.w.ready) {
-    if (!lite_ && pins.w.strobe != 0xffff) report(AxiRule::kShape, cycle, "strobes");
     ++data_beats_;
     if (pins.w.last) {
       data_.push_back(data_beats_);
@@ -202,7 +229,8 @@ void AxiChecker::observe(const cores::AxiPins& pins, std::uint64_t cycle, bool i
     reads_.clear();
     writes_.clear();
     data_.clear();
-    data_beats_ = unanswered_ = 0;
+    data_beats_ = unanswered_ = pause_ = 0;
+    half_error_ = false;
     before_known_ = error_seen_ = false;
     return;
   }

@@ -1,6 +1,7 @@
 #include "hwffd/tb/axi_memory.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 
 namespace hwffd::tb {
@@ -108,7 +109,7 @@ void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
   if (!r_.valid && read_willing && !read_queue_.empty() && read_queue_.front().due <= cycle) {
     const Open& open = read_queue_.front();
     r_.valid = true;
-    r_.data = beat(open.address + open.done * cores::kAxiBeatBytes);
+    r_.data = read_beat(open);
     r_.last = open.done == open.marked;
     r_.response = open.done == open.failing_beat ? open.response : std::uint8_t{cores::kAxiOkay};
   }
@@ -138,28 +139,56 @@ void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
 
 AxiMemory::Open AxiMemory::open(const cores::AxiAddressChannel& channel, std::uint64_t cycle,
                                 std::vector<Burst>& log, std::vector<Failure>& failures) {
-  Open open{channel.address, channel.len + std::uint64_t{1}, due(cycle), kNever, cores::kAxiOkay,
-            channel.len};
+  const std::uint64_t bytes = std::uint64_t{1} << channel.size;
+  Open open{channel.address / bytes * bytes,
+            bytes,
+            channel.len + std::uint64_t{1},
+            due(cycle),
+            kNever,
+            cores::kAxiOkay,
+            channel.len,
+            log.size()};
   for (const Failure& failure : failures) {
-    if (failure.burst == (failure.by_address ? open.address : log.size())) {
-      open.failing_beat = failure.beat;
+    if (failure.burst == (failure.by_address ? channel.address : log.size())) {
+      const std::uint64_t at = failure.beat * cores::kAxiBeatBytes + failure.beat % 2 * 8;
+      open.failing_beat = (channel.address + at - open.address) / bytes;
       open.response = failure.response;
     }
   }
-  log.push_back({open.address, open.beats, cycle, channel.cache, channel.prot, channel.id});
+  const std::uint64_t span = open.address + open.beats * bytes - channel.address;
+  log.push_back({channel.address, span / cores::kAxiBeatBytes, cycle, channel.cache, channel.prot,
+                 channel.id});
   return open;
+}
+
+cores::AxiBusData AxiMemory::read_beat(const Open& open) const {
+  cores::AxiBusData data{};
+  for (std::uint64_t i = 0; i < open.bytes; ++i) {
+    data[i / 4] |= std::uint32_t{byte(open.address + open.done * open.bytes + i)} << (8 * (i % 4));
+  }
+  return data;
+}
+
+void AxiMemory::write_beat(const Open& open, std::uint64_t beat,
+                           const cores::AxiWriteChannel& data) {
+  for (std::uint64_t i = 0; i < open.bytes; ++i) {
+    if ((data.strobe >> i & 1) == 0) continue;
+    set_byte(open.address + beat * open.bytes + i,
+             static_cast<std::uint8_t>(data.data[i / 4] >> (8 * (i % 4))));
+  }
 }
 
 void AxiMemory::commit(std::uint64_t cycle) {
   while (!write_queue_.empty() && data_queue_.size() >= write_queue_.front().beats) {
     Open open = write_queue_.front();
     write_queue_.pop_front();
+    std::uint64_t bytes = 0;
     for (std::uint64_t i = 0; i < open.beats; ++i) {
-      if (open.response == cores::kAxiOkay) {
-        set_beat(open.address + i * cores::kAxiBeatBytes, data_queue_.front().first);
-      }
+      if (open.response == cores::kAxiOkay) write_beat(open, i, data_queue_.front());
+      bytes += std::bitset<32>(data_queue_.front().strobe).count();
       data_queue_.pop_front();
     }
+    writes_[open.number].beats = bytes / cores::kAxiBeatBytes;
     open.due = due(cycle);
     answer_queue_.push_back(open);
   }
@@ -187,7 +216,7 @@ void AxiMemory::observe(const cores::AxiPins& pins, std::uint64_t cycle) {
   }
   if (pins.w.valid && pins.w.ready) {
     ++write_beats_;
-    data_queue_.push_back({pins.w.data, pins.w.last});
+    data_queue_.push_back(pins.w);
   }
   commit(cycle);
 }

@@ -18,8 +18,8 @@ AxiSystem::AxiSystem(cores::AxiCore& core, std::uint64_t seed)
 }
 
 void AxiSystem::allow(const AddressWindow& read, const AddressWindow& write) {
-  bus_checker.set_limits(
-      {kMaxBurst, kOutstanding, kOutstanding, read.base, read.limit, write.base, write.limit});
+  bus_checker.set_limits({kMaxBurst, kOutstanding, kOutstanding, read.base, read.limit, write.base,
+                          write.limit, core_.data_width()});
 }
 
 void AxiSystem::set_throttles(const std::string& name) {

@@ -8,7 +8,8 @@
 `default_nettype none
 
 module hwffd_axi_ids #(
-  parameter ADDRESS_WIDTH = 64
+  parameter ADDRESS_WIDTH = 64,
+  parameter DATA_WIDTH    = 128
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -27,7 +28,9 @@ module hwffd_axi_ids #(
     .FORMAT         (18),
     .MUL_LATENCY    (2),
     .ADD_LATENCY    (1),
-    .CONVERT_LATENCY(1)
+    .CONVERT_LATENCY(1),
+    .ADDRESS_WIDTH  (ADDRESS_WIDTH),
+    .DATA_WIDTH     (DATA_WIDTH)
   ) u_core (
     .aclk          (aclk),
     .aresetn       (aresetn),

@@ -21,6 +21,8 @@ module formal_bus_registers #(
   input wire        stopped,
   input wire        done,
   input wire [ERRORS-1:0] error,
+  input wire        packet,
+  input wire        descriptor,
   input wire [2:0]  count
 );
   localparam [9:0] CONTROL = 10'h004;
@@ -50,7 +52,7 @@ module formal_bus_registers #(
   wire [63:0] write_base;
   wire [63:0] write_limit;
   wire        lock;
-  wire [2:0]  enable;
+  wire [4:0]  enable;
   wire        irq;
   wire        clearing;
   wire        write_error;
@@ -124,6 +126,10 @@ module formal_bus_registers #(
     .irq_enable_done_o       (enable[0]),
     .irq_enable_error_o      (enable[1]),
     .irq_enable_refused_o    (enable[2]),
+    .irq_enable_packet_o     (enable[3]),
+    .irq_enable_descriptor_o (enable[4]),
+    .irq_state_packet_set_i  (packet),
+    .irq_state_descriptor_set_i(descriptor),
     .irq_o                   (irq)
   );
 
@@ -134,6 +140,8 @@ module formal_bus_registers #(
   (* hierconn *) wire        \u_dut.irq_state_done_q ;
   (* hierconn *) wire        \u_dut.irq_state_error_q ;
   (* hierconn *) wire        \u_dut.irq_state_refused_q ;
+  (* hierconn *) wire        \u_dut.irq_state_packet_q ;
+  (* hierconn *) wire        \u_dut.irq_state_descriptor_q ;
 
   // Counters side by side: count, high word as it was latched, and what latches it.
   (* hierconn *) wire [63:0] \u_dut.u_counter_vertices.count_q ;
@@ -169,18 +177,20 @@ module formal_bus_registers #(
   wire [31:0] ones  = data & mask;
 
   // Sticky bits side by side: as they are, what clears and what sets each of them.
-  wire [2:0]  state   = {\u_dut.irq_state_refused_q , \u_dut.irq_state_error_q ,
+  wire [4:0]  state   = {\u_dut.irq_state_descriptor_q , \u_dut.irq_state_packet_q ,
+                         \u_dut.irq_state_refused_q , \u_dut.irq_state_error_q ,
                          \u_dut.irq_state_done_q };
-  wire [ERRORS+5:0] sticky  = {state, \u_dut.error_first_valid_q , \u_dut.error_status_q ,
+  wire [ERRORS+7:0] sticky  = {state, \u_dut.error_first_valid_q , \u_dut.error_status_q ,
                          \u_dut.status_start_refused_q , \u_dut.status_done_q };
-  wire [ERRORS+5:0] clears  = {write && word == IRQ_STATE ? ones[2:0] : 3'd0,
+  wire [ERRORS+7:0] clears  = {write && word == IRQ_STATE ? ones[4:0] : 5'd0,
                          write && word == ERROR_FIRST && ones[31],
                          write && word == ERROR_STATUS ? ones[ERRORS-1:0] : {ERRORS {1'b0}},
                          write && word == STATUS ? ones[9:8] : 2'd0};
   wire        asked   = write && word == CONTROL && ones[0];
   wire        refused = asked && (busy || stopped || !lock || start);
-  wire [2:0]  tests   = write && word == IRQ_TEST ? ones[2:0] : 3'd0;
-  wire [ERRORS+5:0] sets    = {{refused, |error, done} | tests, |error, error, refused, done};
+  wire [4:0]  tests   = write && word == IRQ_TEST ? ones[4:0] : 5'd0;
+  wire [ERRORS+7:0] sets    = {{descriptor, packet, refused, |error, done} | tests, |error, error,
+                             refused, done};
 
   // Settings side by side, a word each.
   wire [255:0] windows  = {write_limit, write_base, read_limit, read_base};
@@ -202,10 +212,10 @@ module formal_bus_registers #(
   reg         lock_q;
   reg [255:0] windows_q;
   reg [223:0] settings_q;
-  reg [ERRORS+5:0]  sticky_q;
-  reg [ERRORS+5:0]  clears_q;
-  reg [ERRORS+5:0]  sets_q;
-  reg [2:0]   pending_q;
+  reg [ERRORS+7:0]  sticky_q;
+  reg [ERRORS+7:0]  clears_q;
+  reg [ERRORS+7:0]  sets_q;
+  reg [4:0]   pending_q;
   reg         asked_q;
   reg         refused_q;
   always @(posedge clk) begin

@@ -70,6 +70,12 @@ std::vector<BadPage> bad_pages(const WordCodec& codec, const LatticeWords& latti
   if (codec.is_block()) {
     bad.push_back({"another exponent", header(part, 3, 0x155, 0x3FF), kPagePoints});
   }
+  for (const std::uint32_t flag : {kCountFlag, kInterruptFlag}) {
+    bad.push_back({"R or I of a part", header(part, 0, flag), kUnknownOpcode});
+    bad.push_back({"R or I of a page", header(load, 0, flag), kUnknownOpcode});
+    if ((core.features & model::kMarksFeature) != 0) continue;
+    bad.push_back({"R or I of vertices", header(of_page, 0, flag), kUnknownOpcode});
+  }
   const Code none = (core.features & model::kFourthFeature) != 0 ? kNoFourth : kUnknownOpcode;
   bad.push_back({"fourth component of points", header(part, 0, kFourthFlag), none});
   bad.push_back({"fourth component of vertices", header(of_page, 0, kFourthFlag), none});

@@ -83,6 +83,8 @@ std::vector<Beat> PagePackets::vertices(int page) {
   if (has(model::kDerivativesFeature)) how.results = static_cast<Results>(random_.below(2));
   if (has(model::kDeterminantFeature) && random_.chance(0.2)) how.results = Results::kDeterminant;
   how.every = random_.chance(0.3);
+  how.count = has(model::kMarksFeature) && random_.chance(0.5);
+  how.interrupt = has(model::kMarksFeature) && random_.chance(0.5);
   how.large = has(model::kLargeFeature) && random_.chance(0.7);
   how.fourth = has(model::kFourthFeature) &&
                random_.chance(known && !lattices_[page].fourth.empty() ? 0.8 : 0.1);

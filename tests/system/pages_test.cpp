@@ -26,6 +26,7 @@ class Pages : public ::testing::TestWithParam<PageBuild> {
 class TwoPages : public Pages {};
 class ThreePages : public Pages {};
 class Fourth : public TwoPages {};
+class Marks : public Pages {};
 
 TEST_P(Pages, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 12;
@@ -340,11 +341,49 @@ TEST_P(Pages, TheLongestAxes) {
   EXPECT_EQ(run.events(kCellOutside), 0U);
 }
 
+// What is expected does not come from the model: one unit more behind the results, which says how
+// many they are, with `tlast`, which the last result has not.
+TEST_P(Marks, ResultsAreCountedBehindThem) {
+  for (const char* sink : {"always", "bernoulli", "sparse"}) {
+    PageRun run(GetParam(), 7, "bernoulli", sink);
+    tb::Random random(7);
+    LatticeWords lattice = random_lattice(run.codec(), random, {5, 4, 6});
+    if (has(model::kFourthFeature)) lattice = with_fourth(lattice, run.codec(), random);
+    run.send_bspline();
+    run.send(page_packet(1, lattice));
+    std::vector<std::uint32_t> counts;
+    for (const bool every : {false, true}) {
+      for (const bool fourth : {false, true}) {
+        for (const std::size_t vertices : {1, 2, 9}) {
+          PageVertices how;
+          how.every = every;
+          how.fourth = fourth;
+          how.count = true;
+          run.send(page_vertices_packet(
+              1, random_vertices(run.codec(), random, lattice.dims, vertices), how));
+          counts.push_back(static_cast<std::uint32_t>(vertices * (fourth ? 2 : 1)));
+        }
+      }
+    }
+    ASSERT_TRUE(run.run());
+    std::size_t at = 0;
+    for (const std::uint32_t count : counts) {
+      const auto& results = run.bench().results();
+      for (std::uint32_t i = 0; i < count; ++i) EXPECT_FALSE(results.at(at++).last);
+      const Beat& unit = results.at(at++);
+      EXPECT_TRUE(unit.last);
+      EXPECT_EQ(unit.words, (std::array<std::uint32_t, 4>{count, 0, 0, ~0U}));
+    }
+    EXPECT_EQ(at, run.bench().results().size());
+  }
+}
+
 constexpr std::uint32_t kPlain = model::kResidentFeature | model::kPagesFeature;
 const PageBuild kBuilds[] = {
     {"cg1",
      "cg1-fx18-overlapped",
-     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 4},
+     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature | model::kMarksFeature, 16,
+      4},
      make_page_core<Vpages_cg1>},
     {"basic",
      "basic-bfp32-overlapped",
@@ -353,7 +392,9 @@ const PageBuild kBuilds[] = {
     {"basic_plain", "basic-fx18-overlapped", {kPlain, 16, 2}, make_page_core<Vpages_basic_plain>},
     {"tree8",
      "tree8-fx18-overlapped",
-     {kPlain | model::kInterleavedFeature | model::kLargeFeature | model::kFourthFeature, 64, 3},
+     {kPlain | model::kInterleavedFeature | model::kLargeFeature | model::kFourthFeature |
+          model::kMarksFeature,
+      64, 3},
      make_page_core<Vpages_tree8>},
     {"factored3",
      "factored3-fx18-overlapped",
@@ -387,6 +428,10 @@ INSTANTIATE_TEST_SUITE_P(, TwoPages, ::testing::ValuesIn(builds([](const PageBui
                          by_name);
 INSTANTIATE_TEST_SUITE_P(, ThreePages, ::testing::ValuesIn(builds([](const PageBuild& build) {
                            return build.core.pages >= 3;
+                         })),
+                         by_name);
+INSTANTIATE_TEST_SUITE_P(, Marks, ::testing::ValuesIn(builds([](const PageBuild& build) {
+                           return (build.core.features & model::kMarksFeature) != 0;
                          })),
                          by_name);
 INSTANTIATE_TEST_SUITE_P(, Fourth, ::testing::ValuesIn(builds([](const PageBuild& build) {

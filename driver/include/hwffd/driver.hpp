@@ -146,6 +146,12 @@ class Driver {
   /// or bytes is 0.
   void set_results(const ResultArea& area);
 
+  /// The descriptor of a packet, four words as they stand in memory.
+  /// @param interrupt  IRQ_STATE.descriptor is set when the packet has been read
+  /// Throws DriverError where address or bytes is no multiple of 16, bytes is 0, or the core, which
+  /// probe has found, has no such interrupt.
+  std::array<std::uint32_t, 4> descriptor(std::uint64_t address, std::uint32_t bytes,
+                                          bool interrupt = false) const;
   /// Step 5: that many more descriptors are in the ring; they must be in memory by now. Throws
   /// DriverError where it has no room for them.
   void push(unsigned descriptors);

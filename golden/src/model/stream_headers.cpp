@@ -43,6 +43,7 @@ bool StreamModel::known_of_page(const Beat& header) const {
   std::uint32_t flags = has(kFourthFeature) ? kFourthFlag : 0;
   if (opcode != Opcode::kPoints && has(kLargeFeature)) flags |= kLargeFlag;
   if (opcode == Opcode::kPageVertices) flags |= kEveryFlag;
+  if (opcode == Opcode::kPageVertices && has(kMarksFeature)) flags |= kCountFlag | kInterruptFlag;
   const std::uint32_t second = opcode == Opcode::kPage     ? 0x00FFFFFF   // points an axis
                                : opcode == Opcode::kPoints ? 0x0003FFFF   // place
                                                            : 0x00000303;  // results, mode

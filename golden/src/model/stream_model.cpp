@@ -155,6 +155,7 @@ bool StreamModel::start_part(int number) {
 bool StreamModel::start_vertices(Opcode opcode, int number) {
   wanted_ = static_cast<Results>(header_.words[2] >> 8 & 3);
   resident_ = opcode != Opcode::kInterleaved;
+  packet_results_ = 0;
   page_ = nullptr;
   if (resident_ && number < static_cast<int>(pages_.size()) && pages_[number].loaded) {
     page_ = &pages_[number];
@@ -338,8 +339,10 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
     for (const bool fourth : {false, true}) {
       if (fourth && !flagged(kFourthFlag)) continue;
       results_.push_back(blank ? blank_result(result) : evaluated(result, part, fourth));
+      ++packet_results_;
     }
   }
+  if (last && flagged(kCountFlag)) results_.push_back({{packet_results_, 0, 0, ~0U}, false});
   results_.back().last = last;
 }
 

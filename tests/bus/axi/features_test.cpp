@@ -32,6 +32,19 @@ TEST_F(Positions, AreAllThatTheRegistersSay) {
   EXPECT_EQ(core.spans, 1U);
 }
 
+/// Interrupts of packets and descriptors are not there: their bits stay 0.
+TEST_F(Positions, HaveNoInterruptOfAPacket) {
+  constexpr std::uint32_t kMarks = HWFFD_IRQ_STATE_PACKET_MASK | HWFFD_IRQ_STATE_DESCRIPTOR_MASK;
+  run_.driver().enable_interrupts(~0U);
+  EXPECT_EQ(run_.system().read32(HWFFD_IRQ_ENABLE_OFFSET) & kMarks, 0U);
+  run_.driver().test_interrupts(kMarks);
+  EXPECT_EQ(run_.driver().take_interrupts(), 0U);
+  EXPECT_THROW(run_.driver().descriptor(0x1000, 16, true), DriverError);
+  run_.send_scene(3);
+  ASSERT_TRUE(run_.go());
+  EXPECT_TRUE(run_.clean());
+}
+
 /// Refused by the driver; sent anyway, an event each, and what comes behind them is exact.
 TEST_F(Positions, NothingElseIsSent) {
   run_.send_scene(9);

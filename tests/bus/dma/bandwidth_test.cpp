@@ -1,6 +1,9 @@
-// At least 95 % of the bus, with 30 clocks from an address to its first answer.
+// At least 95 % of the bus, or of the streams where those are narrower, with 30 clocks from an
+// address to its first answer.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "dma_bench.hpp"
 
@@ -12,7 +15,8 @@ struct Rate {
   std::uint64_t reads, writes;  // most outstanding
 };
 
-/// Packet beats and result beats a clock over `clocks` in the middle of a long transfer.
+/// Packet beats and result beats a clock over `clocks` in the middle of a long transfer; a bus of
+/// 64 bits needs two clocks for each.
 Rate measure(const DmaSize& size, std::uint64_t packet_beats, std::uint64_t clocks = 20000) {
   DmaBench bench(size, 1);
   bench.memory.set_latency({30, 30});
@@ -29,9 +33,10 @@ Rate measure(const DmaSize& size, std::uint64_t packet_beats, std::uint64_t cloc
   const std::uint64_t packets = bench.packets().size();
   const std::uint64_t results = bench.memory.write_beats();
   bench.run(clocks);
-  const double span = static_cast<double>(clocks);
+  const double width = static_cast<double>(size.width) / 128;
+  const double span = static_cast<double>(clocks) * std::min(1.0, width);
   const Rate rate{static_cast<double>(bench.packets().size() - packets) / span,
-                  static_cast<double>(bench.memory.write_beats() - results) / span,
+                  width * static_cast<double>(bench.memory.write_beats() - results) / span,
                   bench.checker.most_reads(), bench.checker.most_writes()};
   EXPECT_TRUE(bench.checker.reports().empty());
   fmt::print("{}, packets of {} beats: R {:.2f} %, W {:.2f} %, at most {} and {} bursts\n",
@@ -49,7 +54,10 @@ INSTANTIATE_TEST_SUITE_P(, FullBandwidth,
                          testing::Values(Case{"LongPackets", dma_sizes()[0], 1000},
                                          Case{"PacketsOfOneVertexEach", dma_sizes()[0], 50},
                                          Case{"TwoLongBursts", {"pair", 256, 512, 2}, 1000},
-                                         Case{"FourBurstsOf16", dma_sizes()[1], 1000}),
+                                         Case{"FourBurstsOf16", dma_sizes()[1], 1000},
+                                         Case{"Narrow", dma_sizes()[3], 1000},
+                                         Case{"NarrowPacketsOfOneVertexEach", dma_sizes()[3], 50},
+                                         Case{"Wide", dma_sizes()[4], 1000}),
                          by_name);
 
 TEST_P(FullBandwidth, OfBothDirections) {

@@ -52,7 +52,7 @@ void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write
   controls.write_first = write.first;
   controls.write_last = write.second;
   checker.set_limits({size_.max_burst, size_.outstanding, size_.outstanding, read.first,
-                      read.second, write.first, write.second});
+                      read.second, write.first, write.second, size_.width});
 }
 
 void DmaBench::reset(unsigned cycles) {
@@ -65,7 +65,10 @@ void DmaBench::reset(unsigned cycles) {
 void DmaBench::step() {
   memory.drive(bus_, cycle_);
   packet_pins_.ready = packet_throttle.willing();
-  if (!result_pins_.valid) result_pins_.valid = result_throttle.willing() && !results_.empty();
+  if (!result_pins_.valid) {
+    result_pins_.valid = result_throttle.willing() && !results_.empty();
+    result_pins_.mark = random_.chance(mark_chance_);
+  }
   if (results_.empty()) result_pins_.valid = false;
   if (result_pins_.valid) {
     result_pins_.beat = results_.front();
@@ -98,6 +101,7 @@ void DmaBench::observe() {
   }
   if (result_pins_.valid && result_pins_.ready && !controls.rst) {
     accepted_.push_back(results_.front());
+    marked_.push_back(result_pins_.mark);
     results_.pop_front();
     result_pins_.valid = false;
   }
@@ -210,6 +214,7 @@ void DmaBench::offer_results(std::uint64_t count, std::uint64_t packet) {
 void DmaBench::forget_results() {
   results_.clear();
   accepted_.clear();
+  marked_.clear();
 }
 
 std::uint64_t DmaBench::results_in_memory(std::uint64_t base, std::uint64_t first,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -69,6 +70,8 @@ class DmaBench {
   tb::Throttle result_throttle = tb::Throttle::always();
 
   const DmaSize& size() const { return size_; }
+  /// Blocks of 16 bytes in a beat of the bus, at least one: they are read, and fail, together.
+  std::uint64_t blocks() const { return std::max<std::uint64_t>(1, size_.width / 128); }
   std::uint64_t cycle() const { return cycle_; }
   tb::Random& random() { return random_; }
   /// The bus as it was in the last clock.
@@ -132,6 +135,9 @@ class DmaBench {
   std::uint64_t results_waiting() const { return results_.size(); }
   const std::vector<Beat>& accepted_results() const { return accepted_; }
   void forget_results();
+  /// Chance that a result which is offered has a mark; it is that of `marked_results`.
+  void mark_results(double chance) { mark_chance_ = chance; }
+  const std::vector<bool>& marked_results() const { return marked_; }
   /// How many of `count` beats from `first` on lie in memory at `base`, counted up to the first
   /// wrong.
   std::uint64_t results_in_memory(std::uint64_t base, std::uint64_t first,
@@ -182,6 +188,8 @@ class DmaBench {
   std::uint16_t software_head_ = 0;
   std::vector<Beat> packets_, expected_, accepted_;
   std::deque<Beat> results_;
+  double mark_chance_ = 0;
+  std::vector<bool> marked_;  // of accepted_
   std::vector<DmaError> read_errors_, write_errors_;
 };
 

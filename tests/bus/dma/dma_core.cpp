@@ -3,10 +3,15 @@
 #include <stdexcept>
 
 #include "Vdma_large.h"
+#include "Vdma_marked.h"
 #include "Vdma_medium.h"
+#include "Vdma_narrow.h"
 #include "Vdma_pair.h"
 #include "Vdma_small.h"
 #include "Vdma_watched.h"
+#include "Vdma_watched256.h"
+#include "Vdma_watched64.h"
+#include "Vdma_wide.h"
 #include "hwffd/cores/verilated_pins.hpp"
 #include "hwffd/tb/sim.hpp"
 
@@ -35,6 +40,7 @@ class VerilatedDmaCore : public DmaCore {
     dut.m_packet_ready = packets.ready;
     dut.s_result_valid = results.valid;
     dut.s_result_last = results.beat.last;
+    dut.s_result_mark = results.mark;
     put(dut.s_result_data, results.beat.words);
     dut.eval();
     packets.valid = dut.m_packet_valid;
@@ -75,6 +81,8 @@ class VerilatedDmaCore : public DmaCore {
     status.result_busy = dut.result_busy_o;
     status.result_overflow = dut.result_overflow_o;
     status.result_count = dut.result_count_o;
+    status.ring_marked = dut.ring_marked_o;
+    status.result_marked = dut.result_marked_o;
     status.read_error = {dut.read_error_o != 0, dut.read_error_code_o, dut.read_error_address_o};
     status.write_error = {dut.write_error_o != 0, dut.write_error_code_o,
                           dut.write_error_address_o};
@@ -86,22 +94,37 @@ class VerilatedDmaCore : public DmaCore {
 }  // namespace
 
 const std::vector<DmaSize>& dma_sizes() {
-  static const std::vector<DmaSize> sizes = {
-      {"large", 256, 512, 8}, {"medium", 16, 64, 4}, {"small", 4, 8, 2}};
+  static const std::vector<DmaSize> sizes = {{"large", 256, 512, 8},
+                                             {"medium", 16, 64, 4},
+                                             {"small", 4, 8, 2},
+                                             {"narrow", 128, 512, 8, 0, 64},
+                                             {"wide", 16, 64, 4, 0, 256}};
   return sizes;
 }
 
-const DmaSize& watched_dma_size() {
-  static const DmaSize size{"watched", 16, 64, 4, 100};
+const std::vector<DmaSize>& watched_dma_sizes() {
+  static const std::vector<DmaSize> sizes = {{"watched", 16, 64, 4, 100},
+                                             {"watched64", 16, 64, 4, 100, 64},
+                                             {"watched256", 16, 64, 4, 100, 256}};
+  return sizes;
+}
+
+const DmaSize& marked_dma_size() {
+  static const DmaSize size{"marked", 16, 64, 4};
   return size;
 }
 
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed) {
   if (name == "large") return std::make_unique<VerilatedDmaCore<Vdma_large>>(seed);
+  if (name == "marked") return std::make_unique<VerilatedDmaCore<Vdma_marked>>(seed);
   if (name == "medium") return std::make_unique<VerilatedDmaCore<Vdma_medium>>(seed);
+  if (name == "narrow") return std::make_unique<VerilatedDmaCore<Vdma_narrow>>(seed);
   if (name == "pair") return std::make_unique<VerilatedDmaCore<Vdma_pair>>(seed);
   if (name == "small") return std::make_unique<VerilatedDmaCore<Vdma_small>>(seed);
   if (name == "watched") return std::make_unique<VerilatedDmaCore<Vdma_watched>>(seed);
+  if (name == "watched64") return std::make_unique<VerilatedDmaCore<Vdma_watched64>>(seed);
+  if (name == "watched256") return std::make_unique<VerilatedDmaCore<Vdma_watched256>>(seed);
+  if (name == "wide") return std::make_unique<VerilatedDmaCore<Vdma_wide>>(seed);
   throw std::invalid_argument("make_dma_core: no size \"" + name + "\"");
 }
 

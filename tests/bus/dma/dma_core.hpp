@@ -39,6 +39,7 @@ struct DmaStatus {
   std::uint16_t ring_tail = 0;
   bool ring_running = false, result_running = false, result_busy = false, result_overflow = false;
   std::uint32_t result_count = 0;
+  bool ring_marked = false, result_marked = false;  ///< interrupts of a descriptor, of a packet
   DmaError read_error, write_error;
 };
 
@@ -47,6 +48,7 @@ struct DmaStream {
   bool valid = false;
   bool ready = false;
   Beat beat;
+  bool mark = false;  ///< of results
 };
 
 /// The pins of a Verilated engine, whatever its size.
@@ -65,11 +67,14 @@ struct DmaSize {
   std::string name;
   std::uint64_t max_burst, depth, outstanding;
   std::uint64_t timeout = 0;
+  std::uint64_t width = 128;  ///< of the bus
 };
 inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
 const std::vector<DmaSize>& dma_sizes();
-/// The one with a time-out.
-const DmaSize& watched_dma_size();
+/// Those with a time-out, of each width.
+const std::vector<DmaSize>& watched_dma_sizes();
+/// The one with flags of descriptors and marks of results.
+const DmaSize& marked_dma_size();
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed);
 
 }  // namespace hwffd::test

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <tuple>
 
 #include "transfer.hpp"
 
@@ -53,8 +55,10 @@ const Transfer kTransfer{
     {{kPackets, 30}, {kPackets + 0x1000, 30}, {kPackets + 0x2000, 30}, {kPackets + 0x3000, 30}},
     40};
 
-class Timeout : public testing::TestWithParam<Channel> {
+class Timeout : public testing::TestWithParam<std::tuple<Channel, DmaSize>> {
  protected:
+  static Channel channel() { return std::get<0>(GetParam()); }
+  static const DmaSize& size() { return std::get<1>(GetParam()); }
   /// After a soft reset has ended: the memory is as new, the next transfer whole.
   static void expect_next(DmaBench& bench) {
     bench.memory.forget_open();
@@ -64,21 +68,26 @@ class Timeout : public testing::TestWithParam<Channel> {
     kTransfer.expect_next(bench);
   }
 };
-std::string channel_name(const testing::TestParamInfo<Channel>& channel) {
+std::string channel_name(const testing::TestParamInfo<Timeout::ParamType>& info) {
   static const char* const kNames[] = {"AR", "R", "AW", "W", "B"};
-  return kNames[channel.param];
+  const DmaSize& size = std::get<1>(info.param);
+  const std::string width = size.width == 128 ? "" : std::to_string(size.width);
+  return kNames[std::get<0>(info.param)] + width;
 }
-INSTANTIATE_TEST_SUITE_P(Dma, Timeout, testing::Values(kAr, kR, kAw, kW, kB), channel_name);
+INSTANTIATE_TEST_SUITE_P(Dma, Timeout,
+                         testing::Combine(testing::Values(kAr, kR, kAw, kW, kB),
+                                          testing::ValuesIn(watched_dma_sizes())),
+                         channel_name);
 
 /// The pulse comes in the clock after the last of so many, once, and not for one clock fewer.
 TEST_P(Timeout, IsExactToTheClock) {
-  const std::uint64_t limit = watched_dma_size().timeout;
+  const std::uint64_t limit = size().timeout;
   unsigned timeouts = 0;
   for (std::uint64_t after = 0; after < 60; after += 3) {
     for (const std::uint64_t clocks : {limit / 2, limit + 60}) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << " for " << clocks);
-      DmaBench bench(watched_dma_size(), after);
-      bench.memory.set_throttles(shut(GetParam(), after, clocks));
+      DmaBench bench(size(), after);
+      bench.memory.set_throttles(shut(channel(), after, clocks));
       kTransfer.start(bench, kArea);
       Watch watch;
       unsigned expected = 0;
@@ -89,7 +98,7 @@ TEST_P(Timeout, IsExactToTheClock) {
         for (unsigned channel = 0; channel < kChannels; ++channel) {
           expected |= waited[channel] == limit ? 1U << channel : 0U;
         }
-        timeouts += expected >> GetParam() & 1;
+        timeouts += expected >> channel() & 1;
         bench.step();
       }
       bench.memory.set_throttles({});
@@ -102,11 +111,11 @@ TEST_P(Timeout, IsExactToTheClock) {
 
 /// After it no address is raised, and the engine counts as halted although a burst is open.
 TEST_P(Timeout, HoldsBothHalves) {
-  DmaBench bench(watched_dma_size(), 5);
-  bench.memory.set_throttles(shut(GetParam(), 25, kNever));
+  DmaBench bench(size(), 5);
+  bench.memory.set_throttles(shut(channel(), 25, kNever));
   kTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
-  EXPECT_EQ(bench.status.timeout, 1U << GetParam());
+  EXPECT_EQ(bench.status.timeout, 1U << channel());
   EXPECT_TRUE(bench.run_until([&] { return bench.status.halted; }, 200));
   const std::size_t reads = bench.memory.reads().size(), writes = bench.memory.writes().size();
   bench.run(300);
@@ -117,12 +126,12 @@ TEST_P(Timeout, HoldsBothHalves) {
 
 /// A soft reset ends, whether it comes before the time-out or after it, and at once then.
 TEST_P(Timeout, LetsASoftResetEnd) {
-  const std::uint64_t limit = watched_dma_size().timeout;
+  const std::uint64_t limit = size().timeout;
   for (std::uint64_t after = 0; after < 50; after += 2) {
     for (const std::uint64_t wait : {std::uint64_t{0}, limit / 2, 3 * limit}) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << ", reset after " << wait);
-      DmaBench bench(watched_dma_size(), after + wait);
-      bench.memory.set_throttles(shut(GetParam(), after, kNever));
+      DmaBench bench(size(), after + wait);
+      bench.memory.set_throttles(shut(channel(), after, kNever));
       kTransfer.start(bench, kArea);
       bench.run(after + wait);
       bench.begin_soft_reset();
@@ -137,8 +146,8 @@ TEST_P(Timeout, LetsASoftResetEnd) {
 
 /// What the memory answers after it was given up is ignored while nothing is open.
 TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
-  DmaBench bench(watched_dma_size(), 9);
-  bench.memory.set_throttles(shut(GetParam(), 20, kNever));
+  DmaBench bench(size(), 9);
+  bench.memory.set_throttles(shut(channel(), 20, kNever));
   kTransfer.start(bench, kArea);
   bench.run(400);
   bench.begin_soft_reset();
@@ -154,8 +163,8 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
 
 /// A channel that wakes up in time gets its soft reset as if it had not slept.
 TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
-  DmaBench bench(watched_dma_size(), 3);
-  bench.memory.set_throttles(shut(GetParam(), 25, kNever));
+  DmaBench bench(size(), 3);
+  bench.memory.set_throttles(shut(channel(), 25, kNever));
   kTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   bench.memory.set_throttles({});

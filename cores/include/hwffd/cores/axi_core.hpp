@@ -19,6 +19,8 @@ class AxiCore {
   virtual void clock() = 0;
   /// irq_o.
   virtual bool interrupt() const = 0;
+  /// Bits of data of the bus.
+  virtual unsigned data_width() const { return 128; }
 };
 
 }  // namespace hwffd::cores

@@ -5,10 +5,13 @@
 
 namespace hwffd::cores {
 
-/// One beat of a 128-bit bus: byte 0 is the lowest of word 0.
+/// 16 bytes, what the DMA counts in: byte 0 is the lowest of word 0.
 using AxiData = std::array<std::uint32_t, 4>;
 
 constexpr std::uint64_t kAxiBeatBytes = 16;
+
+/// One beat of a bus of up to 256 bits, of which a narrower one uses the lowest words.
+using AxiBusData = std::array<std::uint32_t, 8>;
 
 enum AxiResponse : std::uint8_t { kAxiOkay = 0, kAxiExOkay = 1, kAxiSlverr = 2, kAxiDecerr = 3 };
 
@@ -29,7 +32,7 @@ struct AxiAddressChannel {
 struct AxiReadChannel {
   bool valid = false;
   bool ready = false;
-  AxiData data{};
+  AxiBusData data{};
   std::uint8_t response = kAxiOkay;
   bool last = false;
 };
@@ -38,8 +41,8 @@ struct AxiReadChannel {
 struct AxiWriteChannel {
   bool valid = false;
   bool ready = false;
-  AxiData data{};
-  std::uint16_t strobe = 0xffff;
+  AxiBusData data{};
+  std::uint32_t strobe = 0xffff;
   bool last = false;
 };
 

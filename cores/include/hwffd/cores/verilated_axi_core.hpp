@@ -54,6 +54,7 @@ class VerilatedAxiCore final : public AxiCore {
     waveform_.half_clock();
   }
   bool interrupt() const override { return dut_->irq_o != 0; }
+  unsigned data_width() const override { return 8 * sizeof(dut_->m_axi_wdata); }
   const VDut& dut() const { return *dut_; }
 
   /// Writes a waveform from now on; throws as Waveform::open does.

@@ -2,12 +2,34 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "hwffd/cores/axi_pins.hpp"
 #include "hwffd/cores/axil_pins.hpp"
 
 /// Pins of a bus on the ports of a Verilated module: `s_axil_*` and `m_axi_*`.
 namespace hwffd::cores {
+
+/// Data of a bus on a port of 64, 128 or 256 bits.
+template <class Port>
+void put_data(Port& port, const AxiBusData& data) {
+  if constexpr (std::is_integral_v<Port>) {
+    port = data[0] | std::uint64_t{data[1]} << 32;
+  } else {
+    for (std::size_t i = 0; i < sizeof(Port) / sizeof(data[0]); ++i) port[i] = data[i];
+  }
+}
+template <class Port>
+AxiBusData get_data(const Port& port) {
+  AxiBusData data{};
+  if constexpr (std::is_integral_v<Port>) {
+    data[0] = static_cast<std::uint32_t>(port);
+    data[1] = static_cast<std::uint32_t>(port >> 32);
+  } else {
+    for (std::size_t i = 0; i < sizeof(Port) / sizeof(data[0]); ++i) data[i] = port[i];
+  }
+  return data;
+}
 
 template <class VDut>
 void drive_pins(VDut& dut, const AxiLiteMasterPins& pins) {
@@ -41,7 +63,7 @@ template <class VDut>
 void drive_pins(VDut& dut, const AxiPins& bus) {
   dut.m_axi_arready = bus.ar.ready;
   dut.m_axi_rvalid = bus.r.valid;
-  for (std::size_t i = 0; i < bus.r.data.size(); ++i) dut.m_axi_rdata[i] = bus.r.data[i];
+  put_data(dut.m_axi_rdata, bus.r.data);
   dut.m_axi_rresp = bus.r.response;
   dut.m_axi_rlast = bus.r.last;
   dut.m_axi_awready = bus.aw.ready;
@@ -65,7 +87,7 @@ void sample_pins(const VDut& dut, AxiPins& bus) {
   bus.aw.size = dut.m_axi_awsize;
   bus.aw.burst = dut.m_axi_awburst;
   bus.w.valid = dut.m_axi_wvalid != 0;
-  for (std::size_t i = 0; i < bus.w.data.size(); ++i) bus.w.data[i] = dut.m_axi_wdata[i];
+  bus.w.data = get_data(dut.m_axi_wdata);
   bus.w.strobe = dut.m_axi_wstrb;
   bus.w.last = dut.m_axi_wlast != 0;
   bus.b.ready = dut.m_axi_bready != 0;

@@ -21,6 +21,7 @@ enum Feature : std::uint32_t {
   kLargeFeature = 1U << 1,
   kFourthFeature = 1U << 2,
   kSpansFeature = 1U << 3,
+  kMarksFeature = 1U << 6,
   kResidentFeature = 1U << 8,
   kInterleavedFeature = 1U << 9,
   kDerivativesFeature = 1U << 10,
@@ -119,6 +120,7 @@ class StreamModel {
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;
+  std::uint32_t packet_results_ = 0;  // of the packet under way
   State state_ = State::kHeader;
   Beat header_;
   int beat_ = 0;

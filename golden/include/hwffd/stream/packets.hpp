@@ -26,6 +26,8 @@ enum class Opcode : std::uint8_t {
 constexpr std::uint32_t kEveryFlag = 1U << 16;   ///< vertices come until tlast
 constexpr std::uint32_t kFourthFlag = 1U << 17;  ///< points have a fourth component
 constexpr std::uint32_t kLargeFlag = 1U << 19;   ///< more than 32 points an axis, tags of 14 bits
+constexpr std::uint32_t kCountFlag = 1U << 20;   ///< results end with a unit that counts them
+constexpr std::uint32_t kInterruptFlag = 1U << 21;  ///< an interrupt when the results are in memory
 
 /// What becomes of a vertex outside the lattice, in a header of vertices. All modes flag it.
 enum class OutsideMode : std::uint8_t {
@@ -133,9 +135,11 @@ std::vector<Beat> points_packet(int page, const LatticeWords& lattice, std::size
 struct PageVertices {
   OutsideMode mode = OutsideMode::kClamp;
   Results results = Results::kPosition;
-  bool fourth = false;  ///< each result is followed by one of the fourth component
-  bool large = false;   ///< six bits of cell an axis, tags of 14 bits
-  bool every = false;   ///< no count: vertices come until tlast
+  bool fourth = false;     ///< each result is followed by one of the fourth component
+  bool large = false;      ///< six bits of cell an axis, tags of 14 bits
+  bool every = false;      ///< no count: vertices come until tlast
+  bool count = false;      ///< a unit behind the results says how many they are
+  bool interrupt = false;  ///< one comes when the last result is in memory
 };
 
 /// Of a core with pages: the packet of vertices of one of them, 1 + n beats, in the order given.

@@ -18,20 +18,21 @@ constexpr std::uint64_t kAxiAddressesAfterError = 3;
 /// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this project promises
 /// beyond it (marked "promise"): on AXI4 the master, on AXI4-Lite the slave.
 enum class AxiRule : std::size_t {
-  kStable,       ///< valid fell or payload changed before ready, on any channel
-  kReset,        ///< valid in reset, or in the first cycle after it; promise: ready too
-  kShape,        ///< size not 16 bytes, burst not INCR, strobes not all ones (promise); EXOKAY
-  kAligned,      ///< address not a multiple of 16 (promise)
-  kBoundary,     ///< burst crosses 4 KB, or the end of the address space
-  kLength,       ///< burst longer than the limit set
+  kStable,    ///< valid fell or payload changed before ready, on any channel
+  kReset,     ///< valid in reset, or in the first cycle after it; promise: ready too
+  kShape,     ///< size not the bus's, burst not INCR, 16 bytes not wholly written (promise); EXOKAY
+  kAligned,   ///< address not a multiple of 16 (promise)
+  kBoundary,  ///< burst crosses 4 KB, or the end of the address space
+  kLength,    ///< burst longer than the limit set, or than 256 beats
   kWriteLast,    ///< WLAST not exactly on the last beat of its burst
   kReadLast,     ///< RLAST not exactly on the last beat of its burst
   kUnasked,      ///< read data or write response without a request that is due
   kUnanswered,   ///< at the end: a request without all of its answers, or data without address
   kOutstanding,  ///< more bursts outstanding than the limit set
   kWindow,       ///< a byte outside the window (promise)
-  kStall,        ///< write data paused inside a burst (promise)
-  kReadyFell,    ///< RREADY or BREADY fell outside reset (promise: room is kept)
+  kStall,        ///< write data paused inside a burst (promise; at 256 bits for two clocks)
+  kReadyFell,    ///< RREADY or BREADY fell outside reset (promise: room is kept; at 256 bits RREADY
+                 ///< may fall for the clock after a beat)
   kAfterError,   ///< an address was raised later than promised after an error response (promise)
   kCount
 };
@@ -44,12 +45,14 @@ class AxiChecker {
  public:
   static constexpr std::size_t kMaxReports = 20;
 
+  /// A burst's is in 16 bytes; the bus's width in bits.
   struct Limits {
     std::uint64_t burst = 256;
     std::uint64_t reads = 64;
     std::uint64_t writes = 64;
     std::uint64_t read_first = 0, read_last = ~std::uint64_t{0};
     std::uint64_t write_first = 0, write_last = ~std::uint64_t{0};
+    std::uint64_t width = 128;
   };
   explicit AxiChecker(bool lite = false) : lite_(lite) {}
   void set_limits(const Limits& limits) { limits_ = limits; }
@@ -83,6 +86,8 @@ class AxiChecker {
   void check_stable(const cores::AxiPins& pins, std::uint64_t cycle);
   void check_address(const cores::AxiAddressChannel& channel, bool read, std::uint64_t cycle);
   void check_errors(const cores::AxiPins& pins, std::uint64_t cycle);
+  void check_write_data(const cores::AxiPins& pins, std::uint64_t cycle);
+  bool errs(const cores::AxiPins& pins);
   void observe_reads(const cores::AxiPins& pins, std::uint64_t cycle);
   void observe_writes(const cores::AxiPins& pins, std::uint64_t cycle);
   void pair_writes(std::uint64_t cycle);
@@ -96,6 +101,8 @@ class AxiChecker {
   bool ready_may_fall_ = false;
   bool error_seen_ = false;
   std::uint64_t error_cycle_ = 0;
+  bool half_error_ = false;           // of the first half of 16 bytes, at 64 bits
+  std::uint64_t pause_ = 0;           // clocks without write data inside a burst
   std::deque<std::uint64_t> reads_;   // beats still to come, a burst each
   std::deque<std::uint64_t> writes_;  // lengths of addresses without their data
   std::deque<std::uint64_t> data_;    // lengths of data without their address

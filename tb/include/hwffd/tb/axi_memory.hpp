@@ -14,7 +14,8 @@
 
 namespace hwffd::tb {
 
-/// An AXI4 slave with 2^64 bytes, 128 bits wide, without IDs: in order, several bursts outstanding.
+/// An AXI4 slave with 2^64 bytes, without IDs: in order, several bursts outstanding. It is as wide
+/// as a beat of each burst says, up to 256 bits.
 ///
 /// Every byte that nobody wrote is a guard byte, a hash of its address, so a byte written where it
 /// should not be shows anywhere (`changed_outside`). Data of a burst is written with its last beat.
@@ -27,7 +28,8 @@ class AxiMemory {
     std::uint64_t least = 1;
     std::uint64_t most = 1;
   };
-  /// An address that was accepted.
+  /// An address that was accepted. `beats` counts 16 bytes, whatever the bus, to the end of its
+  /// last beat; for a write whose data has come, those written.
   struct Burst {
     std::uint64_t address;
     std::uint64_t beats;
@@ -43,11 +45,12 @@ class AxiMemory {
   void set_latency(Latency latency) { latency_ = latency; }
   void set_throttles(const AxiThrottles& throttles) { throttles_ = throttles; }
 
-  /// Beat `beat` of the read burst accepted as number `burst` from now (0 the next) fails.
+  /// The beat with 16 bytes number `beat` of the read burst accepted as number `burst` from now (0
+  /// the next) fails; where those are two beats, the first or the second, as `beat` is even or odd.
   void fail_read(std::uint64_t burst, std::uint64_t beat, cores::AxiResponse response);
   /// The write burst accepted as number `burst` from now fails; its data is not written.
   void fail_write(std::uint64_t burst, cores::AxiResponse response);
-  /// Beat `beat` of every read burst at that address fails.
+  /// The same of every read burst at that address.
   void fail_read_at(std::uint64_t address, std::uint64_t beat, cores::AxiResponse response);
   /// RLAST of the read burst accepted as number `burst` from now comes with beat `beat`, not with
   /// its last one; beyond that: with none.
@@ -75,6 +78,7 @@ class AxiMemory {
 
   const std::vector<Burst>& reads() const { return reads_; }
   const std::vector<Burst>& writes() const { return writes_; }
+  /// Beats of the bus.
   std::uint64_t read_beats() const { return read_beats_; }
   std::uint64_t write_beats() const { return write_beats_; }
   /// Bursts accepted and not yet answered wholly, and write data without an address.
@@ -84,12 +88,14 @@ class AxiMemory {
   static constexpr std::uint64_t kPage = 4096;
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
   struct Open {
-    std::uint64_t address;
+    std::uint64_t address;  ///< of its first beat, a multiple of `bytes`
+    std::uint64_t bytes;    ///< of a beat
     std::uint64_t beats;
     std::uint64_t due;  ///< cycle of the first answer
     std::uint64_t failing_beat;
     std::uint8_t response;
     std::uint64_t marked;  ///< the beat with RLAST
+    std::size_t number;    ///< in the log
     std::uint64_t done = 0;
   };
   struct Failure {
@@ -105,6 +111,8 @@ class AxiMemory {
   Open open(const cores::AxiAddressChannel& channel, std::uint64_t cycle, std::vector<Burst>& log,
             std::vector<Failure>& failures);
   void commit(std::uint64_t cycle);
+  void write_beat(const Open& open, std::uint64_t beat, const cores::AxiWriteChannel& data);
+  cores::AxiBusData read_beat(const Open& open) const;
 
   Random random_;
   std::uint64_t seed_;
@@ -117,7 +125,7 @@ class AxiMemory {
   std::deque<Open> read_queue_;
   std::deque<Open> write_queue_;   // waiting for data
   std::deque<Open> answer_queue_;  // waiting for their response
-  std::deque<std::pair<cores::AxiData, bool>> data_queue_;
+  std::deque<cores::AxiWriteChannel> data_queue_;
   std::deque<cores::AxiReadChannel> unasked_queue_;
   bool unasked_ = false;  // what R shows
   cores::AxiReadChannel r_;
