@@ -1,5 +1,5 @@
-// Parameters that a row of configurations.csv has, with their defaults. To be included in the list of
-// a module's parameters, with more to follow.
+// Parameters that a row of configurations.csv has, with their defaults. To be included in the list
+// of a module's parameters, with more to follow.
 // SPDX-License-Identifier: Apache-2.0
 parameter ORG             = 0,
 parameter N               = 1,

@@ -13,8 +13,8 @@
 //             MAX_BURST to FLUSH_CLOCKS as in ffd_dma_engine; BUS_TIMEOUT as in ffd_dma_watch;
 //             AXI_PROT and AXI_CACHE, what the master drives on *prot (010: not secure) and *cache
 //             (0010: normal, not cacheable, not bufferable); ADDRESS_WIDTH 32 to 64, an address
-//             beyond being outside of every window; DATA_WIDTH 64, 128 or 256; ID_WIDTH 1 to 16 and ID, what the master drives
-//             on *id. SECURE_ONLY as in ffd_axil_slave.
+//             beyond being outside of every window; DATA_WIDTH 64, 128 or 256; ID_WIDTH 1 to 16
+//             and ID, what the master drives on *id. SECURE_ONLY as in ffd_axil_slave.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

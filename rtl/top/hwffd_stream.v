@@ -11,10 +11,9 @@
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
 //             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
-//             a power of two >= 4, the most evaluations inside, or 0: as many as ORG needs;
-//             WAITING, a power of two >= 2, the most vertices before them; FEATURES, what is built,
-//             as in ffd_stream.vh; SPANS 1 to 128, the runs of cells of an axis with functions of
-//             their own, 1 without that feature.
+//             a power of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one
+//             >= 2, the most vertices before them; FEATURES, what is built, as in ffd_stream.vh;
+//             SPANS 1 to 128, runs of cells of an axis with functions of their own.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

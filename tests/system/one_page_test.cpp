@@ -2,9 +2,8 @@
 // waits until no vertex inside reads the one before.
 #include <gtest/gtest.h>
 
-#include "Vpages_one.h"
-#include "Vpages_one8.h"
 #include "named.hpp"
+#include "page_builds.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {
@@ -118,16 +117,10 @@ TEST_P(OnePage, ALatticeThatIsCutShortLeavesNone) {
   EXPECT_EQ(run.bench().results()[4].words[3] >> 16, kStatusUnloaded >> 16);
 }
 
-constexpr std::uint32_t kFew =
-    model::kResidentFeature | model::kInterleavedFeature | model::kPagesFeature;
-const PageBuild kBuilds[] = {
-    {"cg1",
-     "cg1-fx18-overlapped",
-     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},
-     make_page_core<Vpages_one>},
-    {"tree8", "tree8-fx18-overlapped", {kFew, 8, 1}, make_page_core<Vpages_one8>},
-};
-INSTANTIATE_TEST_SUITE_P(, OnePage, ::testing::ValuesIn(kBuilds), by_name);
+INSTANTIATE_TEST_SUITE_P(, OnePage, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
+                           return build.core.pages == 1;
+                         })),
+                         by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -1,17 +1,10 @@
 // Cores with pages: several lattices resident, parts of them, longer axes, a fourth component.
 #include <gtest/gtest.h>
 
-#include "Vpages_basic.h"
-#include "Vpages_basic_plain.h"
-#include "Vpages_cg1.h"
-#include "Vpages_factored3.h"
-#include "Vpages_nested3.h"
-#include "Vpages_one.h"
-#include "Vpages_one8.h"
-#include "Vpages_tree8.h"
 #include "bad_pages.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "named.hpp"
+#include "page_builds.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {
@@ -26,7 +19,6 @@ class Pages : public ::testing::TestWithParam<PageBuild> {
 class TwoPages : public Pages {};
 class ThreePages : public Pages {};
 class Fourth : public TwoPages {};
-class Marks : public Pages {};
 
 TEST_P(Pages, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 12;
@@ -341,100 +333,16 @@ TEST_P(Pages, TheLongestAxes) {
   EXPECT_EQ(run.events(kCellOutside), 0U);
 }
 
-// What is expected does not come from the model: one unit more behind the results, which says how
-// many they are, with `tlast`, which the last result has not.
-TEST_P(Marks, ResultsAreCountedBehindThem) {
-  for (const char* sink : {"always", "bernoulli", "sparse"}) {
-    PageRun run(GetParam(), 7, "bernoulli", sink);
-    tb::Random random(7);
-    LatticeWords lattice = random_lattice(run.codec(), random, {5, 4, 6});
-    if (has(model::kFourthFeature)) lattice = with_fourth(lattice, run.codec(), random);
-    run.send_bspline();
-    run.send(page_packet(1, lattice));
-    std::vector<std::uint32_t> counts;
-    for (const bool every : {false, true}) {
-      for (const bool fourth : {false, true}) {
-        for (const std::size_t vertices : {1, 2, 9}) {
-          PageVertices how;
-          how.every = every;
-          how.fourth = fourth;
-          how.count = true;
-          run.send(page_vertices_packet(
-              1, random_vertices(run.codec(), random, lattice.dims, vertices), how));
-          counts.push_back(static_cast<std::uint32_t>(vertices * (fourth ? 2 : 1)));
-        }
-      }
-    }
-    ASSERT_TRUE(run.run());
-    std::size_t at = 0;
-    for (const std::uint32_t count : counts) {
-      const auto& results = run.bench().results();
-      for (std::uint32_t i = 0; i < count; ++i) EXPECT_FALSE(results.at(at++).last);
-      const Beat& unit = results.at(at++);
-      EXPECT_TRUE(unit.last);
-      EXPECT_EQ(unit.words, (std::array<std::uint32_t, 4>{count, 0, 0, ~0U}));
-    }
-    EXPECT_EQ(at, run.bench().results().size());
-  }
-}
-
-constexpr std::uint32_t kPlain = model::kResidentFeature | model::kPagesFeature;
-const PageBuild kBuilds[] = {
-    {"cg1",
-     "cg1-fx18-overlapped",
-     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature | model::kMarksFeature, 16,
-      4},
-     make_page_core<Vpages_cg1>},
-    {"basic",
-     "basic-bfp32-overlapped",
-     {kPlain | model::kInterleavedFeature, 32, 4},
-     make_page_core<Vpages_basic>},
-    {"basic_plain", "basic-fx18-overlapped", {kPlain, 16, 2}, make_page_core<Vpages_basic_plain>},
-    {"tree8",
-     "tree8-fx18-overlapped",
-     {kPlain | model::kInterleavedFeature | model::kLargeFeature | model::kFourthFeature |
-          model::kMarksFeature,
-      64, 3},
-     make_page_core<Vpages_tree8>},
-    {"factored3",
-     "factored3-fx18-overlapped",
-     {kPlain | model::kFourthFeature, 8, 5},
-     make_page_core<Vpages_factored3>},
-    {"nested3",
-     "nested3-fx18-overlapped",
-     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 3},
-     make_page_core<Vpages_nested3>},
-    {"one",
-     "cg1-fx18-overlapped",
-     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},
-     make_page_core<Vpages_one>},
-    {"one8",
-     "tree8-fx18-overlapped",
-     {kPlain | model::kInterleavedFeature, 8, 1},
-     make_page_core<Vpages_one8>},
-};
-
-template <class Wanted>
-std::vector<PageBuild> builds(Wanted wanted) {
-  std::vector<PageBuild> some;
-  std::copy_if(std::begin(kBuilds), std::end(kBuilds), std::back_inserter(some), wanted);
-  return some;
-}
-
-INSTANTIATE_TEST_SUITE_P(, Pages, ::testing::ValuesIn(kBuilds), by_name);
-INSTANTIATE_TEST_SUITE_P(, TwoPages, ::testing::ValuesIn(builds([](const PageBuild& build) {
+INSTANTIATE_TEST_SUITE_P(, Pages, ::testing::ValuesIn(page_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, TwoPages, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
                            return build.core.pages >= 2;
                          })),
                          by_name);
-INSTANTIATE_TEST_SUITE_P(, ThreePages, ::testing::ValuesIn(builds([](const PageBuild& build) {
+INSTANTIATE_TEST_SUITE_P(, ThreePages, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
                            return build.core.pages >= 3;
                          })),
                          by_name);
-INSTANTIATE_TEST_SUITE_P(, Marks, ::testing::ValuesIn(builds([](const PageBuild& build) {
-                           return (build.core.features & model::kMarksFeature) != 0;
-                         })),
-                         by_name);
-INSTANTIATE_TEST_SUITE_P(, Fourth, ::testing::ValuesIn(builds([](const PageBuild& build) {
+INSTANTIATE_TEST_SUITE_P(, Fourth, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
                            return (build.core.features & model::kFourthFeature) != 0 &&
                                   build.core.pages >= 2;
                          })),

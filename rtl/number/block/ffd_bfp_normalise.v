@@ -2,9 +2,9 @@
 //
 //   word = (value x 2^(exponent - (2W - 3))) rounded to binary32
 //
-// Six steps: magnitude; its leading zeros; the leading one brought to the top four bits, which gives
-// the exponent field; it goes to the top, and how far is the field below 1; significand and field
-// become those of a subnormal; all is rounded.
+// Six steps: magnitude; its leading zeros; the leading one brought to the top four bits, which
+// gives the exponent field; it goes to the top, and how far is the field below 1; significand and
+// field become those of a subnormal; all is rounded.
 //
 // Formats:    sum_i {minus, plus, saturated, Q9.(2W-3)}; exponent_i signed. plus alone is an
 //             infinity, minus alone one below 0, both a NaN (0x7FC00000), whatever the value.
