@@ -6,15 +6,14 @@
 // engine has it.
 //
 // `beats` is inductive: it says besides where in the module the lengths and the beats of the bursts
-// are whose addresses were seen on the bus.
+// are whose addresses were seen on the bus. `live` is, too: how many clocks can still pass gets less.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module formal_dma_write #(
   parameter MAX_BURST   = 2,
   parameter FIFO_DEPTH  = 4,
-  parameter OUTSTANDING = 2,
-  parameter SMALL       = 0    // 1: any area below 128 bytes at address 0, in a window that is all
+  parameter OUTSTANDING = 2
 ) (
   input wire         clk,
   input wire         rst,
@@ -33,6 +32,7 @@ module formal_dma_write #(
   input wire         want_answer,
   input wire [1:0]   bresp
 );
+  localparam FLUSH_CLOCKS = 2;
   wire         s_ready;
   wire         awvalid;
   wire [63:0]  awaddr;
@@ -51,17 +51,17 @@ module formal_dma_write #(
     .MAX_BURST   (MAX_BURST),
     .FIFO_DEPTH  (FIFO_DEPTH),
     .OUTSTANDING (OUTSTANDING),
-    .FLUSH_CLOCKS(2)
+    .FLUSH_CLOCKS(FLUSH_CLOCKS)
   ) u_dut (
     .clk           (clk),
     .rst           (rst),
     .start_i       (start),
     .soft_i        (soft),
     .hold_i        (hold),
-    .window_first_i(SMALL != 0 ? 64'd0 : window_first),
-    .window_last_i (SMALL != 0 ? {64 {1'b1}} : window_last),
-    .base_i        (SMALL != 0 ? 64'd0 : base),
-    .size_i        (SMALL != 0 ? {25'd0, size[6:0]} : size),
+    .window_first_i(window_first),
+    .window_last_i (window_last),
+    .base_i        (base),
+    .size_i        (size),
     .s_result_valid(s_valid),
     .s_result_ready(s_ready),
     .s_result_data (s_data),
@@ -124,7 +124,7 @@ module formal_dma_write #(
     if (soft_q) assume (soft || rst);
   end
 
-  localparam BURST_W = $clog2(MAX_BURST);
+  localparam BURST_W      = $clog2(MAX_BURST);
   (* hierconn *) wire [59:0] \u_dut.u_address.next_q ;
   (* hierconn *) wire [59:0] \u_dut.u_address.last_q ;
   (* hierconn *) wire [27:0] \u_dut.u_address.more_q ;
@@ -236,21 +236,77 @@ module formal_dma_write #(
                   ? \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1] : \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] );
   end
 
-  // Clocks in which nothing outside keeps a waiting beat from the bus, and none goes there.
-  localparam MOST_IDLE = 16;
-  (* hierconn *) wire       \u_dut.drop ;
-  reg  [4:0]  idle_q;
+  // ---- clocks in a row in which nothing outside keeps what is inside from moving, and nothing moves
+  localparam MOST_IDLE = FLUSH_CLOCKS + 13;
+  localparam FIFO_W    = $clog2(FIFO_DEPTH);
+  localparam [2:0] IDLE = 3'd0;
+  localparam [2:0] SUM  = 3'd1;
+  localparam [2:0] BURST = 3'd4;
+  localparam [2:0] NEXT = 3'd5;
+  (* hierconn *) wire            \u_dut.drop ;
+  (* hierconn *) wire            \u_dut.asking_q ;
+  (* hierconn *) wire            \u_dut.stop_q ;
+  (* hierconn *) wire            \u_dut.full_q ;
+  (* hierconn *) wire            \u_dut.past_q ;
+  (* hierconn *) wire            \u_dut.flush_q ;
+  (* hierconn *) wire            \u_dut.some_q ;
+  (* hierconn *) wire [1:0]      \u_dut.quiet_q ;
+  (* hierconn *) wire [8:0]      \u_dut.pending_q ;
+  (* hierconn *) wire [8:0]      \u_dut.behind_q ;
+  (* hierconn *) wire            \u_dut.fifo_valid ;
+  (* hierconn *) wire            \u_dut.fifo_ready ;
+  (* hierconn *) wire            \u_dut.u_address.refused_o ;
+  (* hierconn *) wire [FIFO_W:0] \u_dut.u_fifo.write_q ;
+  (* hierconn *) wire [FIFO_W:0] \u_dut.u_fifo.read_q ;
+  wire [2:0]      state  = \u_dut.u_address.state_q ;
+  wire            active = \u_dut.active_q ;
+  wire [8:0]      pending = \u_dut.pending_q ;
+  wire [FIFO_W:0] level  = \u_dut.u_fifo.write_q - \u_dut.u_fifo.read_q ;
+  reg  [4:0]      idle_q;
   wire        inside  = !empty || count_q != 0;
   wire        outside = start || soft || hold || (awvalid && !awready) || (wvalid && !wready)
-                     || open_q == OUTSTANDING || !running;
+                     || open_q == OUTSTANDING || !running || \u_dut.stop_q ;
   wire        moves   = (wvalid && wready) || \u_dut.drop || (s_valid && s_ready) || fault;
-  always @(posedge clk) begin
-    if (rst || !inside || moves) idle_q <= 0;
-    else if (!outside) idle_q <= idle_q + 1'b1;
+  always @(posedge clk) idle_q <= rst || !inside || outside || moves ? 0 : idle_q + 1'b1;
+
+  // How many such clocks can still come: to the burst that is offered, to the flush, to the beat.
+  wire [2:0] to_burst = state == BURST ? 0 : state == NEXT ? 3 : state != IDLE ? 3'd4 - state
+                      : \u_dut.u_address.refused_o ? 0 : \u_dut.asking_q ? 4 : 5;
+  wire [2:0] to_flush = \u_dut.flush_q ? 0 : 3'd1 + FLUSH_CLOCKS - \u_dut.quiet_q ;
+  wire [3:0] to_go    = to_burst + to_flush + !\u_dut.some_q + awvalid;
+  wire [4:0] left     = wvalid ? 0
+                      : active ? (\u_dut.fifo_valid ? 1 : 2)
+                      : lengths != 0 ? 3
+                      : \u_dut.full_q ? !(\u_dut.past_q && \u_dut.fifo_valid )
+                      : \u_dut.go_q && state == BURST ? 4 : 5 + to_go;
+
+  // What is in the FIFO is what waits, what of a burst has not moved, and what bursts will take.
+  integer    k;
+  reg  [9:0] owed;
+  always @* begin
+    owed = pending + (active ? \u_dut.left_q + 1 : 0);
+    for (k = 0; k < 2; k = k + 1)
+      if (k < lengths)
+        owed = owed + 1 + (k[0] ^ \u_dut.u_lengths.read_q [0]
+                           ? \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1]
+                           : \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] );
   end
+  wire [8:0] wanted = 9'd1 + (\u_dut.limited_q ? \u_dut.limit_q [BURST_W-1:0]
+                                               : \u_dut.u_address.offer_q );
+  wire       stored = level <= FIFO_DEPTH && (!\u_dut.fifo_ready || level < FIFO_DEPTH)
+                   && owed == level + \u_dut.fifo_valid
+                   && \u_dut.quiet_q <= FLUSH_CLOCKS
+                   && (!\u_dut.past_q || (\u_dut.full_q && !active && lengths == 0))
+                   && (!\u_dut.full_q || (state == IDLE && !\u_dut.asking_q ))
+                   && (!\u_dut.asking_q || (state == IDLE && !\u_dut.u_address.refused_o ))
+                   && (state != IDLE || \u_dut.asking_q || \u_dut.full_q || \u_dut.stop_q
+                       || !running || soft_q || \u_dut.u_address.refused_o )
+                   && (state != BURST || !\u_dut.some_q || pending > \u_dut.behind_q )
+                   && (state != BURST || !\u_dut.go_q || pending >= wanted);
 
   always @* if (!first_q && !rst) begin
-    live: assert (idle_q <= MOST_IDLE);
+    live: assert (ordered && measured && stored && idle_q <= MOST_IDLE
+                  && (!inside || outside || moves || idle_q + left <= MOST_IDLE));
     window: assert ((!awvalid || (aw_fits && aw_page && awlen < MAX_BURST && awaddr[3:0] == 0))
                     && holds && measured);
     stable: assert (!wait_q || (awvalid && awaddr == wait_address_q && awlen == wait_len_q));
