@@ -31,8 +31,8 @@ class AxiMarks : public testing::TestWithParam<std::string> {
   }
 
   LatticeWords lattice_;
-  AxiRun run_{row(), std::make_unique<cores::VerilatedAxiCore<Vaxi_marks>>(1), 1, GetParam(),
-              kFeatures};
+  AxiRun run_{
+      row(), std::make_unique<cores::VerilatedAxiCore<Vaxi_marks>>(1), 1, GetParam(), {kFeatures}};
 };
 INSTANTIATE_TEST_SUITE_P(, AxiMarks, testing::Values("always", "mixed", "bernoulli"),
                          [](const auto& name) { return name.param; });
