@@ -35,8 +35,8 @@ UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do.
 ABSORBING = (*ICE40, "xilinx7")
-# Where a module of synth/TARGET has cells that only yosys knows.
-BLACK_BOXES = {"ecp5": "+/ecp5/cells_bb.v"}
+# Where a module of synth/TARGET names cells of the target.
+BLACK_BOXES = {"ecp5": "synth/ecp5/cells.v"}
 # Of standard cells: gates and flip-flops become cells of the library.
 CELL_STEPS = (f"read_liberty -lib {liberty.PATH}", f"dfflibmap -liberty {liberty.PATH}",
               f"abc -liberty {liberty.PATH} -constr synth/osu018.constr -script synth/osu018.abc",
