@@ -15,8 +15,8 @@
 //
 // Formats:    numbers of four words; at {k, j, i}; source as in ffd_stream.vh; N points a
 //             read, component x lowest, from bank read_index_i (a multiple of N) on.
-// Pipeline:   LATENCY: memory | register, with a third one behind the choice between lattice and
-//             slot, a fourth one in front of the memory. II 1, never frozen. What is written is
+// Pipeline:   LATENCY: memory | register, with a third one in front of the memory, a fourth one
+//             behind the choice between lattice and slot. II 1, never frozen. What is written is
 //             there for reads from the second clock after it: no vertex reads its points sooner.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, N a power of two from 1 to 64,
 //             SLOTS >= 2, PAGES >= 1, AXIS 4 to 64, LATENCY >= 2.
@@ -62,7 +62,7 @@ module ffd_cache_points #(
   localparam COMING   = `FFD_FEATURE_INTERLEAVED(FEATURES);
   localparam FOURTH   = `FFD_FEATURE_FOURTH(FEATURES);
   localparam AXIS_W   = `FFD_AXIS_W(AXIS);
-  localparam EARLY    = LATENCY > 3 ? 1 : 0;
+  localparam EARLY    = LATENCY > 2 ? 1 : 0;
   localparam HIGH_W   = AXIS > 8 ? AXIS_W - 2 : 1;  // of an index, above its two bits of bank
   localparam ROWS     = 64 / N;
   localparam ROW_W    = ROWS > 1 ? $clog2(ROWS) : 1;

@@ -166,17 +166,20 @@ module ffd_eval_stream #(
 
   generate
     if (DETERMINANT != 0 || BLOCK) begin : gen_sides
-      wire sides_ready;
-      wire side_valid;
+      // A clock later: no sum comes so soon.
+      wire              sides_ready;
+      wire              side_valid;
+      reg  [SIDE_W-1:0] side_q;
+      always @(posedge clk) side_q <= {s_vertex_column, s_vertex_exponent};
       ffd_stream_queue #(
         .WIDTH(SIDE_W),
         .DEPTH(IN_FLIGHT)
       ) u_sides (
         .clk         (clk),
         .rst         (rst),
-        .s_word_valid(enter),
+        .s_word_valid(entered_q),
         .s_word_ready(sides_ready),
-        .s_word_data ({s_vertex_column, s_vertex_exponent}),
+        .s_word_data (side_q),
         .m_word_valid(side_valid),
         .m_word_ready(sum_valid),
         .m_word_data ({column, exponent})

@@ -50,8 +50,8 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  // A single lane has registers around its memories; the paper's units are too fast for them.
-  localparam READ_LATENCY = N > 1 || MUL_LATENCY < 2 ? 2 : 4;
+  // Registers around the memories of a lane, in front of those of 64; not with the paper's units.
+  localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 ? 3 : 2;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
