@@ -31,7 +31,7 @@ UNIT_TARGETS = ("ecp5", CELLS)
 
 # Mapped once each where a row keeps its units apart; the rest of the design is flattened.
 UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd_num_add",
-         "ffd_num_mac", "ffd_fx_block")
+         "ffd_num_mac")
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do.
 ABSORBING = (*ICE40, "xilinx7")

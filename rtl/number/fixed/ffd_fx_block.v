@@ -30,13 +30,23 @@ module ffd_fx_block #(
   wire signed [W-1:0] b;
 
   ffd_num_delay #(
-    .WIDTH  (2 * W),
+    .WIDTH  (W),
     .LATENCY(BEFORE)
-  ) u_operands (
+  ) u_a (
     .clk(clk),
     .rst(1'b0),
-    .d_i({a_i, b_i}),
-    .q_o({a, b})
+    .d_i(a_i),
+    .q_o(a)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (W),
+    .LATENCY(BEFORE)
+  ) u_b (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(b_i),
+    .q_o(b)
   );
 
   wire signed [2*W-1:0] wide_a = {{W{a[W-1]}}, a};
