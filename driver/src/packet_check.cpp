@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned kCoefficients = 1, kLattice = 2, kVertices = 3, kInterleaved = 4, kPage = 5,
                    kPoints = 6, kPageVertices = 7, kGrid = 8, kSpans = 9;
 constexpr unsigned kPositions = 0, kDerivatives = 1, kDeterminant = 2;
-constexpr unsigned kFewestPoints = 4, kSmallPoints = 32;
+constexpr unsigned kFewestPoints = 4, kSmallPoints = kSmallAxisPoints;
 
 /// What a feature is, and how to do without it.
 struct Feature {

@@ -1,4 +1,5 @@
 // Packets of pages for the core that was found.
+#include <algorithm>
 #include <string>
 
 #include "hwffd/driver.hpp"
@@ -7,11 +8,10 @@
 namespace hwffd {
 namespace {
 
-constexpr unsigned kFourBits = 16;  // points an axis up to which a cell has four bits
-
 /// @throws DriverError for a cell that the beat of a vertex has no bits for
 void check_cells(const CoreIdentity& core, const std::vector<VertexBeat>& vertices, bool large) {
-  const int most = large ? kLargeAxisPoints : core.points_axis > kFourBits ? 32 : 16;
+  const int points = static_cast<int>(core.points_axis);
+  const int most = large ? kLargeAxisPoints : nameable_cells(std::min(points, kSmallAxisPoints));
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int cell = vertices[v].cell[axis];

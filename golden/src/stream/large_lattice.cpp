@@ -13,11 +13,6 @@ namespace {
 constexpr int kSeam = 3;   // layers of points that neighbouring pages share
 constexpr int kBanks = 4;  // of an axis: pages begin at multiples
 
-/// The last cell that the beat of a vertex can name.
-int most_cell(int axis_points) {
-  return axis_points > kSmallAxisPoints ? 63 : axis_points > kAxisPoints ? 31 : 15;
-}
-
 /// How an axis is cut.
 struct AxisPages {
   AxisPages(int points, int axis_points) : cells(points - kSeam) {
@@ -96,7 +91,7 @@ PagedVertices by_page(const std::vector<VertexBeat>& vertices, const std::array<
       const int page = axes[axis].page_of(vertex.cell[axis]);
       at = at * axes[axis].count + page;
       if (page > 0) vertex.cell[axis] -= page * axes[axis].step;
-      vertex.cell[axis] = std::min(vertex.cell[axis], most_cell(axis_points));
+      vertex.cell[axis] = std::min(vertex.cell[axis], nameable_cells(axis_points) - 1);
     }
     paged.of_page[at].push_back(vertex);
     from[at].push_back(v);

@@ -59,7 +59,14 @@ constexpr int kVertexBeats = 1 + kPointBeats;
 constexpr int kAxisPoints = 16;       ///< of a resident lattice, at most, in a core as it comes
 constexpr int kSmallAxisPoints = 32;  ///< at most without `kLargeFlag`
 constexpr int kLargeAxisPoints = 64;  ///< at most with it
-constexpr int kPages = 2;             ///< of the point store, in a core as it comes
+/// Cells along an axis, from 0 on, that the beat of a vertex can name in a core that keeps so many
+/// points an axis.
+constexpr int nameable_cells(int axis_points) {
+  return axis_points > kSmallAxisPoints ? kLargeAxisPoints
+         : axis_points > kAxisPoints    ? kSmallAxisPoints
+                                        : kAxisPoints;
+}
+constexpr int kPages = 2;  ///< of the point store, in a core as it comes
 
 /// Vertices a packet where many go to the core; tags of 16 bits stay unique within one.
 constexpr std::size_t kPacketVertices = 1024;
