@@ -36,7 +36,7 @@ class Device:
 DEVICES = {
     "ecp5": Device("LFE5U-85F, grade 6",
                    ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context",
-                    "--placer-heap-timingweight", "20"), 150, 18, False),
+                    "--placer", "static"), 150, 18, False),
     "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), 60, 16, True),
 }
 

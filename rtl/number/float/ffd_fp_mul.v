@@ -15,7 +15,8 @@
 //
 // Pipeline:   free running, II 1, exactly LATENCY registers, spread over seven steps
 //             (ffd_fp_stage): unpack | multiply halves | add them | find leading one | limit |
-//             shift | round. Never frozen, no reset.
+//             shift | round. Registers around the products are those of ffd_fx_block. Never
+//             frozen, no reset.
 // Unchecked:  nothing: every pair of words has a defined result. No exception flags.
 // Parameters: EXP_W, SIG_W (width with the hidden bit) as guarded in ffd_fp_unpack;
 //             LATENCY >= 1, guarded in ffd_fp_stage.
@@ -93,34 +94,54 @@ module ffd_fp_mul #(
   wire             p1_infinite;
   wire [EXP_W-1:0] p1_a_exponent;
   wire [EXP_W-1:0] p1_b_exponent;
-  wire [SIG_W-1:0] p1_a;
-  wire [SIG_W-1:0] p1_b;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + 2 * EXP_W + 2 * SIG_W),
+    .WIDTH  (3 + 2 * EXP_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (0)
   ) u_stage0 (
     .clk(clk),
-    .d_i({p0_sign, p0_nan, p0_infinite, p0_a_exponent, p0_b_exponent, p0_a_significand,
-          p0_b_significand}),
-    .q_o({p1_sign, p1_nan, p1_infinite, p1_a_exponent, p1_b_exponent, p1_a, p1_b})
+    .d_i({p0_sign, p0_nan, p0_infinite, p0_a_exponent, p0_b_exponent}),
+    .q_o({p1_sign, p1_nan, p1_infinite, p1_a_exponent, p1_b_exponent})
   );
 
-  // Step 1: add the exponents; the products of halves, each of a multiplier block's size.
+  // Step 1: add the exponents; the products of halves, each in a multiplier block. The registers
+  // behind steps 0 and 1 are theirs too.
   localparam LOW_W  = SIG_W / 2;
   localparam HIGH_W = SIG_W - LOW_W;
   localparam PART_W = 2 * HIGH_W;
+  localparam HALF_W = HIGH_W + 1;  // with a sign, which is 0
+  localparam ZERO_W = HALF_W - LOW_W;
+  localparam BEFORE = LATENCY / STEPS;
+  localparam BEHIND = 2 * LATENCY / STEPS - BEFORE;
 
-  wire [PART_W-1:0] p1_a_high = {{HIGH_W{1'b0}}, p1_a[SIG_W-1:LOW_W]};
-  wire [PART_W-1:0] p1_b_high = {{HIGH_W{1'b0}}, p1_b[SIG_W-1:LOW_W]};
-  wire [PART_W-1:0] p1_a_low  = {{(PART_W-LOW_W){1'b0}}, p1_a[LOW_W-1:0]};
-  wire [PART_W-1:0] p1_b_low  = {{(PART_W-LOW_W){1'b0}}, p1_b[LOW_W-1:0]};
-  wire [PART_W-1:0] p1_high   = p1_a_high * p1_b_high;
-  wire [PART_W-1:0] p1_cross  = p1_a_high * p1_b_low;
-  wire [PART_W-1:0] p1_other  = p1_a_low * p1_b_high;
-  wire [PART_W-1:0] p1_low    = p1_a_low * p1_b_low;
+  wire [2*HALF_W-1:0] p0_a_halves = {1'b0, p0_a_significand[SIG_W-1:LOW_W],
+                                     {ZERO_W{1'b0}}, p0_a_significand[LOW_W-1:0]};
+  wire [2*HALF_W-1:0] p0_b_halves = {1'b0, p0_b_significand[SIG_W-1:LOW_W],
+                                     {ZERO_W{1'b0}}, p0_b_significand[LOW_W-1:0]};
+
+  genvar i;
+  genvar j;
+  generate
+    for (i = 0; i < 2; i = i + 1) begin : gen_a
+      for (j = 0; j < 2; j = j + 1) begin : gen_b
+        wire [2*HALF_W-1:0] product;
+        wire [PART_W-1:0]   part = product[PART_W-1:0];
+        ffd_fx_block #(
+          .W     (HALF_W),
+          .BEFORE(BEFORE),
+          .BEHIND(BEHIND)
+        ) u_block (
+          .clk      (clk),
+          .a_i      (p0_a_halves[i*HALF_W +: HALF_W]),
+          .b_i      (p0_b_halves[j*HALF_W +: HALF_W]),
+          .product_o(product)
+        );
+        wire unused_ok = &{1'b0, product[2*HALF_W-1:PART_W]};
+      end
+    end
+  endgenerate
 
   wire [DEPTH_W-1:0] p1_depth = ORIGIN - ({2'b00, p1_a_exponent} + {2'b00, p1_b_exponent});
 
@@ -128,20 +149,20 @@ module ffd_fp_mul #(
   wire               p2_nan;
   wire               p2_infinite;
   wire [DEPTH_W-1:0] p2_depth;
-  wire [PART_W-1:0]  p2_high;
-  wire [PART_W-1:0]  p2_cross;
-  wire [PART_W-1:0]  p2_other;
-  wire [PART_W-1:0]  p2_low;
+  wire [PART_W-1:0]  p2_high  = gen_a[1].gen_b[1].part;
+  wire [PART_W-1:0]  p2_cross = gen_a[1].gen_b[0].part;
+  wire [PART_W-1:0]  p2_other = gen_a[0].gen_b[1].part;
+  wire [PART_W-1:0]  p2_low   = gen_a[0].gen_b[0].part;
 
   ffd_fp_stage #(
-    .WIDTH  (3 + DEPTH_W + 4 * PART_W),
+    .WIDTH  (3 + DEPTH_W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
     .STEP   (1)
   ) u_stage1 (
     .clk(clk),
-    .d_i({p1_sign, p1_nan, p1_infinite, p1_depth, p1_high, p1_cross, p1_other, p1_low}),
-    .q_o({p2_sign, p2_nan, p2_infinite, p2_depth, p2_high, p2_cross, p2_other, p2_low})
+    .d_i({p1_sign, p1_nan, p1_infinite, p1_depth}),
+    .q_o({p2_sign, p2_nan, p2_infinite, p2_depth})
   );
 
   // Step 2: their sum. The outer two do not overlap.
