@@ -19,7 +19,9 @@ import scan_chain
 import synthesis
 import tables
 
-COLUMNS = ("name", "top", "target", "aim_share", "aim_mhz")
+COLUMNS = ("name", "top", "target", "placer", "aim_share", "aim_mhz")
+TABLE = "synth/clocks.csv"
+AIMS = COLUMNS[4:]
 MULTIPLIER, SOURCE = "ffd_clock_multiplier", "synth/ffd_clock_multiplier.v"
 CHAINED = "ffd_clock_chain"
 
@@ -28,6 +30,7 @@ CHAINED = "ffd_clock_chain"
 class Device:
     name: str
     options: tuple
+    placers: dict   # options of each; the first is that of the measure
     freq: int       # MHz that the router is asked for: more than it reaches
     width: int      # bits of the multiplier that is the measure
     chained: bool   # every port takes a pin, so the block's are on a chain (scan_chain.py)
@@ -35,9 +38,10 @@ class Device:
 
 DEVICES = {
     "ecp5": Device("LFE5U-85F, grade 6",
-                   ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context",
-                    "--placer", "static"), 150, 18, False),
-    "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), 60, 16, True),
+                   ("--85k", "--package", "CABGA381", "--speed", "6", "--out-of-context"),
+                   {"heap": ("--placer-heap-timingweight", "20"),
+                    "static": ("--placer", "static")}, 150, 18, False),
+    "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), {"heap": ()}, 60, 16, True),
 }
 
 
@@ -58,6 +62,7 @@ class Aim:
     """A line of the table: what is placed, and the clock to be reached, if one is set."""
 
     subject: synthesis.Subject
+    placer: str
     share: float  # of the multiplier's clock; None where none is set
     mhz: float    # by itself; None where none is set
 
@@ -79,12 +84,13 @@ def read(path, found):
             raise tables.TableError(f"{where}: {fields['name']}, {fields['top']}, "
                                     f"{fields['target']} is not mapped by make synth, or has no "
                                     "router")
+        placer = tables.word(fields, "placer", where, tuple(DEVICES[subject.target].placers))
         try:
-            wanted = [float(fields[column]) if fields[column] else None for column in COLUMNS[3:]]
+            wanted = [float(fields[column]) if fields[column] else None for column in AIMS]
         except ValueError as error:
-            raise tables.TableError(f"{where}: {' and '.join(COLUMNS[3:])} are numbers or empty"
+            raise tables.TableError(f"{where}: {' and '.join(AIMS)} are numbers or empty"
                                     ) from error
-        aims.append(Aim(subject, *wanted))
+        aims.append(Aim(subject, placer, *wanted))
     return aims
 
 
@@ -95,7 +101,15 @@ class Placement:
     def __init__(self, work):
         self.work, self.root = work, work.root
         self.folder = self.root / "build" / "pnr"
+        self.placers = {f"{fields['name']}.{fields['top']}.{fields['target']}": fields["placer"]
+                        for _, fields in tables.read(self.root / TABLE, COLUMNS)}
         self.key = functools.lru_cache(maxsize=None)(self._key)
+
+    def options(self, subject):
+        """Of the router, but for netlist, seed and report."""
+        device = DEVICES[subject.target]
+        placer = self.placers.get(subject.name, next(iter(device.placers)))
+        return [*device.options, *device.placers[placer], "--freq", device.freq]
 
     def script(self, subject):
         """The steps of yosys from the sources of a subject or a measure to its flat netlist."""
@@ -125,7 +139,8 @@ class Placement:
             design = self.work.netlist_key(subject)
         device = DEVICES[subject.target]
         chain = digest.statements(scan_chain) if device.chained else ""
-        return digest.of(design, nextpnr.version(self.root, subject.target), repr(device), chain)
+        return digest.of(design, nextpnr.version(self.root, subject.target),
+                         *map(str, self.options(subject)), chain)
 
     def files(self, subject):
         """What the router reports, a file a seed. Raises NextpnrError."""

@@ -49,8 +49,9 @@ if "--report" in words:
         "critical_paths": [{{"from": "<async>", "to": "posedge clk", "path": path}},
                            {{"from": "posedge clk", "to": "posedge clk", "path": path}}]}}))
 """
-SOME = ["name,top,target,aim_share,aim_mhz",
-        "basic-fx18-overlapped,ffd_org_select,ecp5,0.85,", "cg3-fx18-overlapped,hwffd_stream,ecp5,,"]
+SOME = ["name,top,target,placer,aim_share,aim_mhz",
+        "basic-fx18-overlapped,ffd_org_select,ecp5,static,0.85,",
+        "cg3-fx18-overlapped,hwffd_stream,ecp5,heap,,"]
 # Around a block with the ports that the stand-in of yosys tells of.
 CHAIN = """\
 module ffd_clock_chain (input clk, input scan_i, output scan_o);
@@ -130,7 +131,7 @@ def test_a_clock_that_falls_short_is_told(pnr, stand_in, report):
 
 
 def test_where_ports_take_pins_they_are_on_a_chain(tree, pnr, stand_in, report):
-    tree.put({"synth/clocks.csv": f"{SOME[0]}\ncg1-fx16-overlapped,ffd_org_select,up5k,,50\n"})
+    tree.put({"synth/clocks.csv": f"{SOME[0]}\ncg1-fx16-overlapped,ffd_org_select,up5k,heap,,50\n"})
     stand_in(clock=47)
     status, errors, ran = pnr()
     assert (status, errors) == (0, [])
@@ -165,8 +166,9 @@ def test_a_request_that_makes_no_sense(pnr):
 
 
 @pytest.mark.parametrize("lines, wrong", (
-    (["name,top"], "the first line must be"), ([SOME[0], SOME[1] + ",1"], "6 columns, 5 wanted"),
+    (["name,top"], "the first line must be"), ([SOME[0], SOME[1] + ",1"], "7 columns, 6 wanted"),
     ([SOME[0], SOME[1].replace("0.85", "fast")], "are numbers or empty"),
+    ([SOME[0], SOME[1].replace("static", "best")], "placer"),
     ([SOME[0], SOME[1].replace("ecp5", "xilinx7")], "has no router"),
     ([SOME[0], SOME[1].replace("basic", "basis")], "is not mapped")))
 def test_tables_that_make_no_sense(tree, pnr, lines, wrong):
