@@ -155,6 +155,8 @@ class Placement:
 
     def results(self, subject):
         """Clock and critical path of all seeds that are there, in order."""
+        if not any(self.folder.glob(f"{subject.name}.*.report")):
+            return []
         try:
             reports = {seed: json.loads(path.read_text()) for seed, path in zip(
                 nextpnr.SEEDS, self.files(subject)) if path.is_file()}

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import configurations
 import digest
+import elaboration
 import engine
 import liberty
 import mapped
@@ -188,6 +189,7 @@ class Synthesis:
         self.sta_version = rtl.run([timing.PROGRAM, "-version"])[1].strip() if shutil.which(
             timing.PROGRAM) else ""
         self._keys = {}
+        self._elaborations = elaboration.Elaborations(self.root, self.version)
 
     def files(self, top, target):
         """The files that a module needs: a target has modules of its own, synth/TARGET/*.v, that take
@@ -223,12 +225,23 @@ class Synthesis:
         """The steps of yosys, with files named from the root. They end before the netlist."""
         return [self.read(subject.top, subject.target), *self._steps(subject)]
 
+    def _elaborated(self, top, target, steps):
+        cells = [self.root / BLACK_BOXES[target]] if target in BLACK_BOXES else []
+        return elaboration.Design(self.read(top, target), steps[0], digest.of(
+            digest.tokens(tuple(self.files(top, target)), tuple(self.sources.includes), "YOSYS",
+                          "SYNTHESIS"), digest.lines(*cells)))
+
     def design(self, top, target, steps):
-        """The key of a netlist: of yosys, of the sources below its top, and of the steps that follow
-        with the scripts that they name."""
+        """The key of a netlist: of yosys, of the design that is elaborated below its top, and of the
+        steps that follow with the scripts that they name."""
         scripts = [self.root / step.split()[1] for step in steps if step.startswith("script ")]
-        return digest.of(self.version, *steps, digest.lines(*scripts), digest.tokens(
-            tuple(self.files(top, target)), tuple(self.sources.includes), "YOSYS", "SYNTHESIS"))
+        return digest.of(self.version, *steps, digest.lines(*scripts),
+                         self._elaborations.key(self._elaborated(top, target, steps)))
+
+    def prepare(self, found, jobs):
+        """What the keys of subjects need, `jobs` at a time."""
+        self._elaborations.prepare(
+            [self._elaborated(s.top, s.target, self._steps(s)) for s in found], jobs)
 
     def netlist_key(self, subject):
         return self.design(subject.top, subject.target, self._steps(subject))
@@ -250,6 +263,8 @@ class Synthesis:
 
     def result(self, subject):
         """The counts, if these sources have been mapped; else None."""
+        if not any(self.folder.glob(f"{subject.name}.*.json")):
+            return None
         try:
             return json.loads(self.file(subject).read_text())
         except FileNotFoundError:
@@ -264,6 +279,7 @@ class Synthesis:
 
 def run(work, wanted, jobs):
     """Maps what has no result yet: [(subject, complaint)]."""
+    work.prepare(wanted, jobs)
     files = {subject: [work.file(subject)] for subject in wanted}
     return list(engine.run(work.root, "synth", files, jobs).items())
 
