@@ -12,7 +12,9 @@
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
 //             determinant {any, any, det J}, folded where that is not positive.
 // Pipeline:   the organization's, ffd_eval_words', and 3 clocks in the result queue; det J after
-//             ffd_eval_determinant.
+//             ffd_eval_determinant. Where a vertex enters in every other clock at most, it is offered
+//             to the organization a clock after it came, so that what is in front and what is behind
+//             meet in a register.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
 //             rate; DETERMINANT 0 or 1; SPANS 1 to 128, above 1 only in the overlapped schedule
@@ -98,12 +100,24 @@ module ffd_eval_stream #(
   reg                left_three_q;
   reg  [1:0]         left_more;
   wire               room   = !inside_q[COUNT_W-1];
+  wire               offer;
   wire               ready;
   wire               enter  = s_vertex_valid && s_vertex_ready;
   wire               leave  = m_result_valid && m_result_ready;
 
-  assign s_vertex_ready = ready && room;
-  assign evaluating_o   = inside_q != FIRST || entered_q;
+  assign evaluating_o = inside_q != FIRST || entered_q;
+
+  generate
+    if (`FFD_RESULT_INTERVAL(ORG, N) > 1) begin : gen_offer
+      reg offer_q;
+      always @(posedge clk) offer_q <= !rst && s_vertex_valid && room && !enter;
+      assign offer          = offer_q;
+      assign s_vertex_ready = ready && offer_q;
+    end else begin : gen_at_once
+      assign offer          = s_vertex_valid && room;
+      assign s_vertex_ready = ready && room;
+    end
+  endgenerate
 
   always @* begin
     left_more = 2'd0;
@@ -140,7 +154,7 @@ module ffd_eval_stream #(
     .load_axis_i         (load_axis_i),
     .load_address_i      (load_address_i),
     .load_entry_i        (load_entry_i),
-    .s_vertex_valid      (s_vertex_valid && room),
+    .s_vertex_valid      (offer),
     .s_vertex_ready      (ready),
     .s_vertex_coordinates(s_vertex_coordinates),
     .s_vertex_cell       (s_vertex_cell),
