@@ -12,9 +12,9 @@
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
 //             determinant {any, any, det J}, folded where that is not positive.
 // Pipeline:   the organization's, ffd_eval_words', and 3 clocks in the result queue; det J after
-//             ffd_eval_determinant. Where a vertex enters in every other clock at most, it is offered
-//             to the organization a clock after it came, so that what is in front and what is behind
-//             meet in a register.
+//             ffd_eval_determinant. Where a vertex enters in every other clock at most, it is
+//             offered to the organization a clock after it came: what is in front and what is
+//             behind meet in a register.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
 //             rate; DETERMINANT 0 or 1; SPANS 1 to 128, above 1 only in the overlapped schedule
