@@ -101,9 +101,13 @@ class Placement:
     def __init__(self, work):
         self.work, self.root = work, work.root
         self.folder = self.root / "build" / "pnr"
-        self.placers = {f"{fields['name']}.{fields['top']}.{fields['target']}": fields["placer"]
-                        for _, fields in tables.read(self.root / TABLE, COLUMNS)}
         self.key = functools.lru_cache(maxsize=None)(self._key)
+
+    @functools.cached_property
+    def placers(self):
+        """{name of a subject: its placer}. Raises TableError."""
+        return {f"{fields['name']}.{fields['top']}.{fields['target']}": fields["placer"]
+                for _, fields in tables.read(self.root / TABLE, COLUMNS)}
 
     def options(self, subject):
         """Of the router, but for netlist, seed and report."""
