@@ -62,7 +62,6 @@ class Aim:
     """A line of the table: what is placed, and the clock to be reached, if one is set."""
 
     subject: synthesis.Subject
-    placer: str
     share: float  # of the multiplier's clock; None where none is set
     mhz: float    # by itself; None where none is set
 
@@ -84,13 +83,13 @@ def read(path, found):
             raise tables.TableError(f"{where}: {fields['name']}, {fields['top']}, "
                                     f"{fields['target']} is not mapped by make synth, or has no "
                                     "router")
-        placer = tables.word(fields, "placer", where, tuple(DEVICES[subject.target].placers))
+        tables.word(fields, "placer", where, tuple(DEVICES[subject.target].placers))
         try:
             wanted = [float(fields[column]) if fields[column] else None for column in AIMS]
         except ValueError as error:
             raise tables.TableError(f"{where}: {' and '.join(AIMS)} are numbers or empty"
                                     ) from error
-        aims.append(Aim(subject, placer, *wanted))
+        aims.append(Aim(subject, *wanted))
     return aims
 
 

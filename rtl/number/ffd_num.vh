@@ -62,6 +62,10 @@
 // Registers that a sum needs at least.
 `define FFD_ADD_LATENCY_MIN(FORMAT) ((FORMAT) == `FFD_FORMAT_FP32 ? 1 : 0)
 
+// Registers behind step STEP of a float unit of STEPS steps, LATENCY in all (ffd_fp_stage).
+`define FFD_FP_REGISTERS(LATENCY, STEPS, STEP) \
+  (((STEP) + 1) * (LATENCY) / (STEPS) - (STEP) * (LATENCY) / (STEPS))
+
 // Clocks after which a step adds its coefficient.
 `define FFD_STEP_JOIN(MUL_LATENCY, FMA_LATENCY) ((FMA_LATENCY) > 0 ? 0 : (MUL_LATENCY))
 `define FFD_FMA_BAD(FORMAT, FMA_LATENCY) ((FMA_LATENCY) < 0 || ((FMA_LATENCY) > 0 && (FORMAT) != 0))

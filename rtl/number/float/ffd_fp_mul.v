@@ -23,6 +23,7 @@
 // Model:      host arithmetic and exact integers.  Test: tests/unit/float/float_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_num.vh"
 
 module ffd_fp_mul #(
   parameter EXP_W   = 8,
@@ -113,8 +114,8 @@ module ffd_fp_mul #(
   localparam PART_W = 2 * HIGH_W;
   localparam HALF_W = HIGH_W + 1;  // with a sign, which is 0
   localparam ZERO_W = HALF_W - LOW_W;
-  localparam BEFORE = LATENCY / STEPS;
-  localparam BEHIND = 2 * LATENCY / STEPS - BEFORE;
+  localparam BEFORE = `FFD_FP_REGISTERS(LATENCY, STEPS, 0);
+  localparam BEHIND = `FFD_FP_REGISTERS(LATENCY, STEPS, 1);
 
   wire [2*HALF_W-1:0] p0_a_halves = {1'b0, p0_a_significand[SIG_W-1:LOW_W],
                                      {ZERO_W{1'b0}}, p0_a_significand[LOW_W-1:0]};

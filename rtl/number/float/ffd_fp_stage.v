@@ -11,6 +11,7 @@
 // Model:      none (transport only).  Test: tests/unit/float/float_test.cpp, latency tests.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_num.vh"
 
 module ffd_fp_stage #(
   parameter WIDTH   = 1,
@@ -31,7 +32,7 @@ module ffd_fp_stage #(
     end
   endgenerate
 
-  localparam REGISTERS = ((STEP + 1) * LATENCY) / STEPS - (STEP * LATENCY) / STEPS;
+  localparam REGISTERS = `FFD_FP_REGISTERS(LATENCY, STEPS, STEP);
 
   ffd_num_delay #(
     .WIDTH  (WIDTH),
