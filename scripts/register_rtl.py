@@ -103,7 +103,7 @@ class _Rtl:
             if target in self.fields:
                 found.append(f"{signal_name(self.fields[target])[0]}_set")
             else:
-                found.append("error_any")
+                found.append("error_any_i")
         others = self.fields.values()
         found += [f"{signal_name(other)[0]}_refused" for other in others
                   if field.path in other.linked("refused")]
@@ -238,12 +238,11 @@ class _Rtl:
 
     def events(self, register):
         name, width = register.name.lower(), len(register.fields)
-        for port, bits in (("event", width), ("packet", 32), ("beat", 32), ("address_valid", 1),
+        for port, bits in (("any", 1), ("event", width), ("packet", 32), ("beat", 32), ("address_valid", 1),
                            ("address", 64)):
             self.port("input  wire", bits, f"error_{port}_i")
         self.states.append(f"  reg {_range(width)} {name}_q;")
         self.sets += [
-            "  wire error_any = |error_event_i;",
             f"  wire {_range(width)} {name}_held = {name}_q"
             f" & ~(ones{_bits(width - 1, 0)} & {{{width} {{write_{name}}}}});"]
         self.resets.append(f"{name}_q <= {width}'h0")

@@ -80,7 +80,8 @@ module ffd_bus_core #(
 
   wire clk = aclk;
 
-  // The reset inside is a clock longer than outside: it is high in the clock after, too.
+  // The reset inside is a clock longer than outside: it is high in the clock after, too. The DMA
+  // makes its own longer.
   reg  reset_q;
   wire rst = !aresetn || reset_q;
   always @(posedge clk) reset_q <= !aresetn;
@@ -107,6 +108,7 @@ module ffd_bus_core #(
   wire [63:0]  write_last;
   wire         vertex;
   wire         stall;
+  wire         error_any;
   wire [27:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
@@ -167,6 +169,7 @@ module ffd_bus_core #(
     .wait_forming_i          (waits[96 +: 32]),
     .wait_read_i             (waits[128 +: 32]),
     .wait_write_i            (waits[160 +: 32]),
+    .error_any_i             (error_any),
     .error_event_i           (error_event),
     .error_packet_i          (error_packet),
     .error_beat_i            (error_beat),
@@ -252,6 +255,7 @@ module ffd_bus_core #(
     .write_error_address_i(write_error_address),
     .result_overflow_i    (result_overflow),
     .timeout_i            (timeout),
+    .error_any_o          (error_any),
     .error_event_o        (error_event),
     .error_packet_o       (error_packet),
     .error_beat_o         (error_beat),
@@ -283,7 +287,7 @@ module ffd_bus_core #(
     .MARKS            (`FFD_FEATURE_MARKS(FEATURES))
   ) u_dma (
     .clk                  (clk),
-    .rst                  (rst),
+    .rst                  (!aresetn),
     .soft_reset_i         (soft_reset),
     .clearing_o           (clearing),
     .halted_o             (halted),
@@ -359,7 +363,7 @@ module ffd_bus_core #(
   ffd_bus_sleep u_sleep (
     .clk    (clk),
     .rst    (rst),
-    .calm_i (!awake_i && !busy && idle && !s_clearing && error_event == 28'd0),
+    .calm_i (!awake_i && !busy && idle && !s_clearing && !error_any),
     .sleep_o(sleep_o)
   );
 

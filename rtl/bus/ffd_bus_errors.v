@@ -1,6 +1,7 @@
 // ffd_bus_errors: the record of the first error, and how many there were
 //
-// event_i has a bit a kind of error; its number is the code. An event is recorded, with packet and
+// event_i has a bit a kind of error; its number is the code; any_i is 1 where one of them is, so
+// that nothing waits for them all to be looked at. An event is recorded, with packet and
 // beat of the same clock, unless held_i says that the record is in use; of several in one clock the
 // lowest code. address_valid_i says that an event of this clock has an address: the first since the
 // record began is kept, so that an error without one does not hide it; 0 while there is none.
@@ -18,6 +19,7 @@ module ffd_bus_errors #(
 ) (
   input  wire             clk,
   input  wire             rst,
+  input  wire             any_i,
   input  wire [CODES-1:0] event_i,
   input  wire [31:0]      packet_i,
   input  wire [31:0]      beat_i,
@@ -42,7 +44,7 @@ module ffd_bus_errors #(
   reg [5:0] events;
   reg [5:0] events_q;
   reg       address_held_q;
-  wire      record = !held_i && event_i != {CODES{1'b0}};
+  wire      record = !held_i && any_i;
   wire      locate = address_valid_i && !(held_i && address_held_q);
 
   always @* begin

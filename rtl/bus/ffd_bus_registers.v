@@ -5,7 +5,8 @@
 // Registers, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
 // a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
 // is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
-// error_address_valid_i is high, an address. Outputs of w1 fields are pulses of one clock.
+// error_address_valid_i is high, an address; error_any_i is high where a bit is. Outputs of w1
+// fields are pulses of one clock.
 //
 // Writes and reads come as words, of any bus (ffd_word_ports.vh), and do not wait for each other.
 // In the same clock a read sees what was there before the write.
@@ -82,6 +83,7 @@ module ffd_bus_registers #(
   input  wire [31:0] wait_forming_i,
   input  wire [31:0] wait_read_i,
   input  wire [31:0] wait_write_i,
+  input  wire        error_any_i,
   input  wire [27:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
@@ -291,17 +293,16 @@ module ffd_bus_registers #(
   wire status_done_held = status_done_q && !(write_status && ones[8]);
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
-  wire error_any = |error_event_i;
   wire [27:0] error_status_held = error_status_q & ~(ones[27:0] & {28 {write_error_status}});
   wire irq_state_packet_set = irq_state_packet_set_i || (write_irq_test && ones[3]);
   wire irq_state_packet_held = irq_state_packet_q && !(write_irq_state && ones[3]);
   wire irq_state_descriptor_set = irq_state_descriptor_set_i || (write_irq_test && ones[4]);
   wire irq_state_descriptor_held = irq_state_descriptor_q && !(write_irq_state && ones[4]);
-  wire error_first_valid_set = error_any;
+  wire error_first_valid_set = error_any_i;
   wire error_first_valid_held = error_first_valid_q && !(write_error_first && ones[31]);
   wire irq_state_done_set = status_done_set || (write_irq_test && ones[0]);
   wire irq_state_done_held = irq_state_done_q && !(write_irq_state && ones[0]);
-  wire irq_state_error_set = error_any || (write_irq_test && ones[1]);
+  wire irq_state_error_set = error_any_i || (write_irq_test && ones[1]);
   wire irq_state_error_held = irq_state_error_q && !(write_irq_state && ones[1]);
   wire irq_state_refused_set = status_start_refused_set || (write_irq_test && ones[2]);
   wire irq_state_refused_held = irq_state_refused_q && !(write_irq_state && ones[2]);
@@ -368,6 +369,7 @@ module ffd_bus_registers #(
   ) u_errors (
     .clk            (clk),
     .rst            (rst),
+    .any_i          (error_any_i),
     .event_i        (error_event_i),
     .packet_i       (error_packet_i),
     .beat_i         (error_beat_i),

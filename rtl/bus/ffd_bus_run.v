@@ -6,13 +6,14 @@
 // for 8 clocks; after a fault of the bus (stopped_o), when the DMA has been halted that long.
 // Between runs the ring sees no new head. Base and size of the ring are taken by the start that
 // finds it stopped, so that software cannot change them under it.
-// soft_reset_i ends a run without done_o and clears stopped_o; core_rst_o follows while the DMA
-// clears. It wins over start_i. In rst the core is in reset at the same edges as all else, so that
-// none of its results outlives an rst of one clock.
+// soft_reset_i ends a run without done_o and clears stopped_o. It wins over start_i. core_rst_o,
+// the reset of the whole core, follows rst and the DMA's clearing a clock later, from a register.
+// rst lasts two clocks at least, so that none of the core's results outlives it.
 //
 // Pipeline:   start_i to result_start_o 0 clocks, so that the DMA takes the area as it was when
 //             start_i was given; to ring_start_o 9; the end to done_o 9.
-// Not checked: start_i while busy_o or stopped_o is 1 (the registers refuse it).
+// Not checked: that rst lasts two clocks; start_i while busy_o or stopped_o is 1 (the registers
+//             refuse it).
 // Needs:      the DMA refuses an area at most 7 clocks after result_start_o; an idle DMA or core
 //             that has something handed to it shows it at most 7 clocks later.
 // Model:      none (control only).  Test: tests/bus/axil/run_test.cpp.
@@ -45,7 +46,7 @@ module ffd_bus_run (
   input  wire        dma_halted_i,
   input  wire        dma_idle_i,
   // core
-  output wire        core_rst_o,
+  output reg         core_rst_o,
   input  wire        core_idle_i
 );
   localparam [1:0] IDLE  = 2'd0;
@@ -55,7 +56,6 @@ module ffd_bus_run (
   reg  [1:0] state_q;
   reg  [2:0] count_q;
   reg        stopped_q;
-  reg        clear_q;
   wire       clear   = soft_reset_i || dma_clearing_i;
   wire       quiet   = stopped_q ? dma_halted_i : dma_idle_i && core_idle_i;
   wire       settled = count_q == 3'd7;
@@ -68,7 +68,8 @@ module ffd_bus_run (
   assign idle_o    = dma_idle_i && core_idle_i && !clear;
   assign stopped_o = stopped_q;
   assign result_start_o = accept;
-  assign core_rst_o     = rst || clear_q;
+
+  always @(posedge clk) core_rst_o <= rst || clear;
 
   always @(posedge clk) begin
     if (rst || clear) state_q <= IDLE;
@@ -90,11 +91,9 @@ module ffd_bus_run (
     if (rst) begin
       done_o       <= 1'b0;
       ring_start_o <= 1'b0;
-      clear_q      <= 1'b0;
     end else begin
       done_o       <= refused || ended;
       ring_start_o <= checked;
-      clear_q      <= clear;
     end
   end
 

@@ -139,10 +139,10 @@ module ffd_dma_engine #(
   wire write_late = |late[4:2];
   wire read_ends  = read_quiet || read_late;
   wire write_ends = !write_busy || write_late;
-  reg  cleared_q;
+  reg  cleared_q;    // a soft reset has ended, or rst, which lasts a clock longer inside
   wire half_rst = rst || cleared_q;
   always @(posedge clk) begin
-    cleared_q <= soft_q && read_ends && write_ends && !half_rst;
+    cleared_q <= rst || (soft_q && read_ends && write_ends && !cleared_q);
     if (half_rst) begin
       soft_q       <= soft_reset_i && !rst;
       hold_read_q  <= 1'b0;
@@ -193,7 +193,7 @@ module ffd_dma_engine #(
     .MARKS      (MARKS)
   ) u_ring (
     .clk              (clk),
-    .rst              (rst || soft_q),
+    .rst              (half_rst || soft_q),
     .start_i          (ring_start_i),
     .base_i           (ring_base_i),
     .entries_log2_i   (ring_entries_log2_i),

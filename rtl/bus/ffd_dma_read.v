@@ -240,7 +240,7 @@ module ffd_dma_read #(
   reg          held_last_q;
   reg  [127:0] held_data_q;
   wire         release_held = held_q && (held_last_q || arrives || bad);
-  wire         fifo_ready;
+  wire         fifo_ready;    // room is counted below
 
   always @(posedge clk) begin
     if (rst || soft_i) held_q <= 1'b0;
@@ -255,8 +255,10 @@ module ffd_dma_read #(
   end
 
   ffd_stream_queue #(
-    .WIDTH(129),
-    .DEPTH(FIFO_DEPTH)
+    .WIDTH  (129),
+    .DEPTH  (FIFO_DEPTH),
+    .BLOCK  (1),
+    .COUNTED(1)
   ) u_fifo (
     .clk         (clk),
     .rst         (rst || soft_i),

@@ -4,7 +4,8 @@
 // cuts it. Beats go to consecutive addresses. A burst goes out when the FIFO holds all of its data:
 // a full one while beats keep coming; a short one after a beat with `last`, or when none has come
 // for FLUSH_CLOCKS. So nothing stays behind, and write data never waits for the stream. Beats past
-// the area are dropped and set overflow_o (until start_i). count_o: beats acknowledged since start.
+// the area are dropped and set overflow_o (until start_i). count_o, from the second clock after
+// start_i on: beats acknowledged since then.
 //
 // Bus error: error_o with code (6 SLVERR, 7 DECERR) and address of the burst. From fault_o on, a
 // clock after the answer, no address is raised, started bursts get their data, then running_o
@@ -158,7 +159,7 @@ module ffd_dma_write #(
     end
   end
 
-  always @(posedge clk) if (accept) {base_q, size_q} <= {base_i, size_i};
+  always @(posedge clk) if (start_i && !asking_q) {base_q, size_q} <= {base_i, size_i};
 
   // ---- beats in, and those of them that no burst has taken yet
   wire         fifo_ready;
@@ -252,6 +253,7 @@ module ffd_dma_write #(
   reg         good_q;
   reg         bad_q;
   reg         decode_q;    // its code is DECODE_ERROR
+  reg         started_q;   // start_i was
   reg  [7:0]  len_q;
   reg  [59:0] beat_q;
 
@@ -332,9 +334,7 @@ module ffd_dma_write #(
     else if (w_free) m_axi_wvalid <= active_q && fifo_valid;
   end
 
-  always @(posedge clk) begin
-    if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
-  end
+  always @(posedge clk) if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
 
   ffd_dma_marks #(
     .OUTSTANDING(OUTSTANDING),
@@ -363,8 +363,9 @@ module ffd_dma_write #(
   assign fault_o = bad;
 
   always @(posedge clk) begin
-    good_q <= answer && m_axi_bresp == 2'b00 && !rst;
-    bad_q  <= answer && m_axi_bresp != 2'b00 && !rst;
+    started_q <= accept;
+    good_q    <= answer && m_axi_bresp == 2'b00 && !rst;
+    bad_q     <= answer && m_axi_bresp != 2'b00 && !rst;
   end
 
   always @(posedge clk) begin
@@ -383,7 +384,7 @@ module ffd_dma_write #(
       m_axi_bready <= 1'b1;
       error_o      <= bad || refused;
       overflow_o   <= drop || (overflow_o && !accept);
-      if (accept) count_o <= 32'd0;
+      if (started_q) count_o <= 32'd0;
       else if (good_q && !stop_q && !soft_i) count_o <= count_o + {24'd0, len_q} + 32'd1;
     end
   end

@@ -3,11 +3,12 @@
 // For depths at which ffd_stream_fifo's combinational read would be large. The memory's own output
 // register holds the word that is offered, so one more than DEPTH are inside. With EARLY what
 // s_word_ready says is worked out a clock before, so that it leaves a register: 0 while DEPTH - 1
-// words were there, so that one fewer may have to do.
+// words were there, so that one fewer may have to do. With COUNTED whoever sends counts the room
+// (never more than DEPTH words sent and not taken), and s_word_ready is 1.
 //
 // Pipeline:   2 clocks from in to out, II 1.  Freezes: s_ready is 0 when full. valid and ready
 //             come from registers; m_word_ready reaches the memory's read enable, no output.
-// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, with EARLY >= 4; EARLY 0 or 1.
+// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, with EARLY >= 4; EARLY, COUNTED 0 or 1.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,6 +17,7 @@ module ffd_stream_deep_fifo #(
   parameter WIDTH     = 128,
   parameter DEPTH     = 512,
   parameter EARLY     = 0,
+  parameter COUNTED   = 0,
   parameter ADDRESS_W = $clog2(DEPTH)
 ) (
   input  wire             clk,
@@ -42,7 +44,9 @@ module ffd_stream_deep_fifo #(
   wire               some = read_q != write_q;
 
   generate
-    if (EARLY) begin : gen_early
+    if (COUNTED) begin : gen_counted
+      assign s_word_ready = 1'b1;
+    end else if (EARLY) begin : gen_early
       // A word may come in the clock in which they are counted, and one in that of the answer.
       reg                ready_q;
       wire [ADDRESS_W:0] level = write_q - read_q;

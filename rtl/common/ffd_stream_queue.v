@@ -6,15 +6,17 @@
 //
 // Pipeline:   a word can leave in the third clock after it came, without BLOCK in the second; II 1.
 // Freezes:    s_word_ready is 0 while DEPTH words wait in the memory.
-// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, BLOCK 0 or 1: which memory.
+// Parameters: WIDTH >= 1, DEPTH a power of two >= 2, BLOCK 0 or 1: which memory; COUNTED as in
+//             ffd_stream_deep_fifo, in block memory only.
 // Model:      none (storage only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_stream_queue #(
-  parameter WIDTH = 32,
-  parameter DEPTH = 128,
-  parameter BLOCK = DEPTH > 16
+  parameter WIDTH   = 32,
+  parameter DEPTH   = 128,
+  parameter BLOCK   = DEPTH > 16,
+  parameter COUNTED = 0
 ) (
   input  wire             clk,
   input  wire             rst,
@@ -32,8 +34,9 @@ module ffd_stream_queue #(
   generate
     if (BLOCK) begin : gen_block
       ffd_stream_deep_fifo #(
-        .WIDTH(WIDTH),
-        .DEPTH(DEPTH)
+        .WIDTH  (WIDTH),
+        .DEPTH  (DEPTH),
+        .COUNTED(COUNTED)
       ) u_fifo (
         .clk         (clk),
         .rst         (rst),

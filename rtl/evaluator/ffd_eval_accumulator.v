@@ -3,8 +3,7 @@
 // Successive terms of one vertex are DISTANCE clocks apart; between them the adder serves the terms
 // of other vertices. The paper draws an asynchronous reset by the counter's NOR gate; here the
 // first term of a vertex is added to +0: the register in front of the adder is cleared in the clock
-// before (clear_next_i), which costs no gate; where there is none, a gate is in front of the adder.
-// Fused, the term comes as its two factors.
+// before (clear_next_i), which costs no gate. Fused, the term comes as its two factors.
 //
 // Formats, rounding: those of ffd_num_add, or of ffd_num_mac.
 // Pipeline:   ADD_LATENCY registers (FMA_LATENCY where fused); the sum is back DISTANCE clocks
@@ -36,10 +35,9 @@ module ffd_eval_accumulator #(
   localparam SUM_W   = `FFD_SUM_W(FORMAT);
   localparam LATENCY = FMA_LATENCY > 0 ? FMA_LATENCY : ADD_LATENCY;
   localparam HOLD    = DISTANCE > LATENCY;
-  // An adder that can do without gives its last register to this module, which doubles it: one
-  // holds the result, the other is cleared.
-  localparam LEAST   = `FFD_ADD_LATENCY_MIN(FORMAT);
-  localparam DOUBLE  = !HOLD && LEAST < 1;
+  // Where no register lies between, the adder's last one is here, twice: one holds the result, the
+  // other is cleared.
+  localparam DOUBLE  = HOLD ? 0 : 1;
 
   generate
     if (DISTANCE < LATENCY) begin : gen_bad_distance
@@ -80,7 +78,7 @@ module ffd_eval_accumulator #(
         else if (valid) hold_q <= sum_o;
       end
       assign augend = hold_q;
-    end else if (DOUBLE) begin : gen_double
+    end else begin : gen_double
       reg [SUM_W-1:0] total_q;
       always @(posedge clk) begin
         if (clear_next_i) total_q <= {SUM_W{1'b0}};
@@ -88,17 +86,13 @@ module ffd_eval_accumulator #(
       end
       assign augend = total_q;
       wire unused_ok = &{1'b0, rst, valid_i};
-    end else begin : gen_gate
-      reg clear_q;
-      always @(posedge clk) clear_q <= clear_next_i;
-      assign augend = clear_q ? {SUM_W{1'b0}} : sum_o;
-      wire unused_ok = &{1'b0, rst, valid_i};
     end
 
     if (FMA_LATENCY > 0) begin : gen_fused
       ffd_num_mac #(
         .FORMAT (FORMAT),
-        .LATENCY(FMA_LATENCY)
+        .LATENCY(FMA_LATENCY),
+        .OPEN   (DOUBLE)
       ) u_mac (
         .clk     (clk),
         .weight_i(weight_i),
@@ -110,7 +104,8 @@ module ffd_eval_accumulator #(
     end else begin : gen_add
       ffd_num_add #(
         .FORMAT (FORMAT),
-        .LATENCY(DOUBLE ? ADD_LATENCY - 1 : ADD_LATENCY)
+        .LATENCY(ADD_LATENCY),
+        .OPEN   (DOUBLE)
       ) u_add (
         .clk  (clk),
         .a_i  (augend),

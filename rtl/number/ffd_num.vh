@@ -59,9 +59,6 @@
 `define FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) \
   ((FMA_LATENCY) > 0 ? (FMA_LATENCY) : (MUL_LATENCY) + (ADD_LATENCY))
 
-// Registers that a sum needs at least.
-`define FFD_ADD_LATENCY_MIN(FORMAT) ((FORMAT) == `FFD_FORMAT_FP32 ? 1 : 0)
-
 // Registers behind step STEP of a float unit of STEPS steps, LATENCY in all (ffd_fp_stage).
 `define FFD_FP_REGISTERS(LATENCY, STEPS, STEP) \
   (((STEP) + 1) * (LATENCY) / (STEPS) - (STEP) * (LATENCY) / (STEPS))

@@ -4,7 +4,8 @@
 // Overflow:   fixed point: none in a vertex: 64 products of magnitude at most 2 x 1 stay within
 //             [-128, 128], and the sum is Q9.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh; LATENCY >= 1, in fixed point >= 0.
+// Parameters: FORMAT as in ffd_num.vh; LATENCY >= 1; OPEN 1: the last of these registers is left to
+//             the module around it.
 // Model:      golden/include/hwffd/numerics (add).  Test: tests/unit/fixed, tests/unit/float.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -12,7 +13,8 @@
 
 module ffd_num_add #(
   parameter FORMAT  = 18,
-  parameter LATENCY = 1
+  parameter LATENCY = 1,
+  parameter OPEN    = 0
 ) (
   input  wire                           clk,
   input  wire [`FFD_SUM_W(FORMAT)-1:0]  a_i,
@@ -23,8 +25,8 @@ module ffd_num_add #(
     if (`FFD_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_add_format_is_unknown u_error ();
     end
-    if (LATENCY < `FFD_ADD_LATENCY_MIN(FORMAT)) begin : gen_bad_latency
-      ERROR_ffd_num_add_latency_must_be_at_least_1_or_0_in_fixed_point u_error ();
+    if (LATENCY < 1) begin : gen_bad_latency
+      ERROR_ffd_num_add_latency_must_be_at_least_1 u_error ();
     end
   endgenerate
 
@@ -33,7 +35,8 @@ module ffd_num_add #(
       ffd_fp_add #(
         .EXP_W  (8),
         .SIG_W  (24),
-        .LATENCY(LATENCY)
+        .LATENCY(LATENCY),
+        .OPEN   (OPEN)
       ) u_add (
         .clk     (clk),
         .a_i     (a_i),
@@ -49,7 +52,7 @@ module ffd_num_add #(
 
       ffd_num_delay #(
         .WIDTH  (FLAGS_W + VALUE_W),
-        .LATENCY(LATENCY)
+        .LATENCY(LATENCY - OPEN)
       ) u_sum (
         .clk(clk),
         .rst(1'b0),

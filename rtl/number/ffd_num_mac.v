@@ -3,7 +3,7 @@
 // Formats:    fp32 only: in fixed point ffd_num_term and ffd_num_add give the same bits.
 // Rounding:   to nearest even, once.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT 0 (fp32), LATENCY >= 1.
+// Parameters: FORMAT 0 (fp32), LATENCY >= 1; OPEN as in ffd_num_add.
 // Model:      golden/include/hwffd/numerics/binary32.hpp (Binary32Fused::mac).
 // Test:       tests/unit/float, tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -12,7 +12,8 @@
 
 module ffd_num_mac #(
   parameter FORMAT  = 0,
-  parameter LATENCY = 1
+  parameter LATENCY = 1,
+  parameter OPEN    = 0
 ) (
   input  wire                              clk,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]  weight_i,
@@ -27,7 +28,8 @@ module ffd_num_mac #(
       ffd_fp_fma #(
         .EXP_W  (8),
         .SIG_W  (24),
-        .LATENCY(LATENCY)
+        .LATENCY(LATENCY),
+        .OPEN   (OPEN)
       ) u_fma (
         .clk     (clk),
         .a_i     (weight_i),

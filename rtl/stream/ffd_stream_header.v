@@ -43,9 +43,10 @@ module ffd_stream_header #(
   localparam [7:0] OPCODE_OF_PAGE      = 8'd7;
   localparam [7:0] OPCODE_SPANS        = 8'd9;
   localparam [31:0] SPANS_WORD         = SPANS;
-  localparam [31:0] AXIS_WORD          = AXIS;  // 32 bits where set from outside
-  localparam [7:0] MOST                = AXIS_WORD[7:0];
-  localparam [7:0] SMALL               = 8'd32;  // the most without the flag L
+  // Bit n: an axis may have n points. A table and not a comparison: no chain of carries.
+  localparam [255:0] LESS_THAN_4       = 256'd15;
+  localparam [255:0] POINTS            = ((256'd2 << AXIS) - 256'd1) & ~LESS_THAN_4;
+  localparam [255:0] SMALL             = ((256'd2 << 32) - 256'd1) & ~LESS_THAN_4;  // no flag L
 
   localparam PAGES             = `FFD_FEATURE_PAGES(FEATURES);
   localparam LARGE             = `FFD_FEATURE_LARGE(FEATURES);
@@ -63,14 +64,14 @@ module ffd_stream_header #(
   wire       page         = opcode == OPCODE_PAGE && PAGES != 0;
   wire       of_page      = opcode == OPCODE_OF_PAGE && PAGES != 0;
   wire       every        = of_page && data_i[16];
-  wire [7:0] most         = LARGE == 0 || (page && data_i[19]) ? MOST : SMALL;
+  wire       flag         = LARGE == 0 || (page && data_i[19]);
   wire [2:0] good;
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       wire [7:0] points = data_i[64+8*a +: 8];
-      assign good[a] = points >= 8'd4 && points <= most;
+      assign good[a] = flag ? POINTS[points] : SMALL[points];
     end
   endgenerate
 

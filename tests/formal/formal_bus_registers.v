@@ -118,6 +118,7 @@ module formal_bus_registers #(
     .wait_read_i             (32'd0),
     .wait_write_i            (32'd0),
     .counter_busy_event_i    (count[2]),
+    .error_any_i             (error != 0),
     .error_event_i           (error),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),

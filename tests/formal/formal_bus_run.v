@@ -79,6 +79,9 @@ module formal_bus_run (
     .wait_read_i             (32'd0),
     .wait_write_i            (32'd0),
     .counter_busy_event_i    (1'b0),
+    .irq_state_packet_set_i  (1'b0),
+    .irq_state_descriptor_set_i(1'b0),
+    .error_any_i             (1'b0),
     .error_event_i           (28'd0),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),
@@ -110,17 +113,19 @@ module formal_bus_run (
   (* hierconn *) wire \u_registers.control_start_asked ;
 
   reg         first_q = 1'b1;
+  reg         rst_q = 1'b0;
   reg         clear_q;       // the DMA cleared in the clock before, or a soft reset came
   reg  [95:0] area_q;        // base and size when a start was last written
   always @(posedge clk) begin
     first_q <= 1'b0;
+    rst_q   <= rst;
     clear_q <= (clearing || soft_reset) && !rst;
     if (\u_registers.control_start_asked ) area_q <= {result_base, result_size};
   end
   always @* if (first_q) assume (rst);
 
   always @* if (!first_q) begin
-    reset: assert (!rst || core_rst);
+    reset: assert (!rst_q || core_rst);
     cleared: assert (!clear_q || core_rst);
     area: assert (rst || !result_start || {result_base, result_size} == area_q);
   end

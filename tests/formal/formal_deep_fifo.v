@@ -1,4 +1,5 @@
-// formal_deep_fifo: ffd_stream_deep_fifo with any traffic and any reset, without EARLY and with
+// formal_deep_fifo: ffd_stream_deep_fifo with any traffic and any reset, without EARLY and with, and
+// with COUNTED under one who counts
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -95,6 +96,45 @@ module formal_deep_fifo #(
     inside_q  <= rst ? 0 : inside_q + (s_valid && early_ready) - (early_valid && m_ready);
   end
   always @* if (!first_q && !rst) early_live: assert (!refused || !refused_q);
+
+  wire                      counted_ready;
+  wire                      counted_valid;
+  wire [WIDTH-1:0]          counted_data;
+  reg [$clog2(DEPTH + 2):0] sent_q;        // and not taken
+  wire                      send = s_valid && sent_q < DEPTH;
+  always @(posedge clk) sent_q <= rst ? 0 : sent_q + send - (counted_valid && m_ready);
+
+  ffd_stream_deep_fifo #(
+    .WIDTH  (WIDTH),
+    .DEPTH  (DEPTH),
+    .COUNTED(1)
+  ) u_counted (
+    .clk         (clk),
+    .rst         (rst),
+    .s_word_valid(send),
+    .s_word_ready(counted_ready),
+    .s_word_data (s_data),
+    .m_word_valid(counted_valid),
+    .m_word_ready(m_ready),
+    .m_word_data (counted_data)
+  );
+
+  properties_queue #(
+    .WIDTH   (WIDTH),
+    .CAPACITY(DEPTH),
+    .LATENCY (2),
+    .WAIT    (0)
+  ) counted (
+    .clk     (clk),
+    .rst     (rst),
+    .s_valid (send),
+    .s_ready (counted_ready),
+    .s_data  (s_data),
+    .m_valid (counted_valid),
+    .m_ready (m_ready),
+    .m_data  (counted_data),
+    .follow_i(follow)
+  );
 endmodule
 
 `default_nettype wire

@@ -68,6 +68,7 @@ module formal_dma_read #(
     .s_request_length (s_length),
     .s_request_fetch  (s_fetch),
     .s_request_check  (s_check),
+    .s_request_mark   (1'b0),
     .refused_o        (refused),
     .m_axi_arvalid    (arvalid),
     .m_axi_arready    (arready),
@@ -199,8 +200,8 @@ module formal_dma_read #(
   (* hierconn *) wire [61:0]        \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[1] ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.write_q ;
   (* hierconn *) wire [PLACE_W:0]   \u_dut.u_outstanding.read_q ;
-  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.u_fifo.write_q ;
-  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.u_fifo.read_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.gen_block.u_fifo.write_q ;
+  (* hierconn *) wire [LEVEL_W:0]   \u_dut.u_fifo.gen_block.u_fifo.read_q ;
   (* hierconn *) wire               \u_dut.u_fifo.stored_valid ;
   (* hierconn *) wire               \u_dut.good_q ;
   (* hierconn *) wire               \u_dut.bad_q ;
@@ -211,14 +212,13 @@ module formal_dma_read #(
   (* hierconn *) wire               \u_dut.dropped_q ;
   (* hierconn *) wire               \u_dut.held_q ;
   (* hierconn *) wire               \u_dut.release_held ;
-  (* hierconn *) wire               \u_dut.fifo_ready ;
   reg  [MOST-1:0]  fetch_q;
   reg  [MOST-1:0]  last_q;
   wire             step   = \u_dut.burst_valid && \u_dut.burst_ready ;
   wire [2:0]       total  = count_q + arvalid;
   wire [2:0]       behind = total - done;
   wire [PLACE_W:0] open   = \u_dut.u_outstanding.write_q - \u_dut.u_outstanding.read_q ;
-  wire [LEVEL_W:0] level  = \u_dut.u_fifo.u_fifo.write_q - \u_dut.u_fifo.u_fifo.read_q ;
+  wire [LEVEL_W:0] level  = \u_dut.u_fifo.gen_block.u_fifo.write_q - \u_dut.u_fifo.gen_block.u_fifo.read_q ;
   wire             stored = \u_dut.u_fifo.stored_valid ;
   wire             came   = \u_dut.good_q || \u_dut.bad_q ;
   wire             data   = came && !\u_dut.fetched_q ;
@@ -358,7 +358,7 @@ module formal_dma_read #(
                     && holds);
     stable: assert (!wait_q || (arvalid && araddr == wait_address_q && arlen == wait_len_q));
     outstanding: assert (credit && count_q + arvalid <= OUTSTANDING);
-    room: assert (credit && (!\u_dut.release_held || \u_dut.fifo_ready ));
+    room: assert (credit && (!\u_dut.release_held || level < FIFO_DEPTH));
     answered: assert (!rvalid || rready);
     silent: assert (!failed_q || !arvalid || raised_q);
     quiet_means: assert (!quiet || (count_q == 0 && !arvalid));

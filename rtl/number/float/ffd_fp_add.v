@@ -15,7 +15,7 @@
 //             normalise | round. Never frozen, no reset.
 // Unchecked:  nothing: every pair of words has a defined result. No exception flags.
 // Parameters: EXP_W, SIG_W (width with the hidden bit) as guarded in ffd_fp_unpack;
-//             LATENCY >= 1, guarded in ffd_fp_stage.
+//             LATENCY >= 1, guarded in ffd_fp_stage; OPEN as there.
 // Model:      host arithmetic and exact integers.  Test: tests/unit/float/float_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -23,7 +23,8 @@
 module ffd_fp_add #(
   parameter EXP_W   = 8,
   parameter SIG_W   = 24,
-  parameter LATENCY = 1
+  parameter LATENCY = 1,
+  parameter OPEN    = 0
 ) (
   input  wire                   clk,
   input  wire [EXP_W+SIG_W-1:0] a_i,
@@ -290,7 +291,8 @@ module ffd_fp_add #(
     .WIDTH  (W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
-    .STEP   (7)
+    .STEP   (7),
+    .OPEN   (OPEN)
   ) u_stage7 (
     .clk(clk),
     .d_i(p7_result),

@@ -25,7 +25,7 @@
 //             round. Never frozen, no reset.
 // Unchecked:  nothing: all words have a defined result. No exception flags.
 // Parameters: EXP_W, SIG_W (width with the hidden bit) as guarded in ffd_fp_unpack;
-//             LATENCY >= 1, guarded in ffd_fp_stage.
+//             LATENCY >= 1, guarded in ffd_fp_stage; OPEN as there.
 // Model:      host arithmetic and exact integers.  Test: tests/unit/float/float_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -33,7 +33,8 @@
 module ffd_fp_fma #(
   parameter EXP_W   = 8,
   parameter SIG_W   = 24,
-  parameter LATENCY = 1
+  parameter LATENCY = 1,
+  parameter OPEN    = 0
 ) (
   input  wire                   clk,
   input  wire [EXP_W+SIG_W-1:0] a_i,
@@ -338,7 +339,8 @@ module ffd_fp_fma #(
     .WIDTH  (W),
     .LATENCY(LATENCY),
     .STEPS  (STEPS),
-    .STEP   (6)
+    .STEP   (6),
+    .OPEN   (OPEN)
   ) u_stage6 (
     .clk(clk),
     .d_i(p6_result),

@@ -34,6 +34,31 @@ constexpr std::uint32_t kLate[] = {
     HWFFD_ERROR_STATUS_TIMEOUT_AW_MASK, HWFFD_ERROR_STATUS_TIMEOUT_W_MASK,
     HWFFD_ERROR_STATUS_TIMEOUT_B_MASK};
 
+/// Errors of the two halves of the DMA in a clock; 0 is none.
+struct DmaErrors {
+  unsigned read = 0, write = 0;
+  std::uint64_t read_address = 0, write_address = 0;
+
+  static DmaErrors any(tb::Random& random) {
+    DmaErrors errors;
+    if (random.chance(0.5)) errors.read = static_cast<unsigned>(random.between(1, 8));
+    if (random.chance(0.5)) errors.write = static_cast<unsigned>(random.between(1, 7));
+    errors.read_address = random.bits();
+    errors.write_address = random.bits();
+    return errors;
+  }
+
+  /// Codes without an error are anything.
+  void drive(Vbus_events& dut, tb::Random& random) const {
+    dut.read_error_i = read != 0;
+    dut.read_error_code_i = static_cast<CData>(read != 0 ? read : random.below(9));
+    dut.read_error_address_i = read_address;
+    dut.write_error_i = write != 0;
+    dut.write_error_code_i = static_cast<CData>(write != 0 ? write : random.below(8));
+    dut.write_error_address_i = write_address;
+  }
+};
+
 TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
   tb::Random random(tb::seed_from_environment(1));
   tb::Sim<Vbus_events> sim(1);
@@ -44,10 +69,10 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
   dut.rst = 0;
   bool was_full = false;
   std::uint32_t core = 0, core_packet = 0, core_beat = 0;  // of the clock before
+  DmaErrors dma;                                           // of the clock before
   std::set<std::uint32_t> alone;
   for (int clock = 0; clock < 200'000; ++clock) {
-    const unsigned read = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 8));
-    const unsigned write = random.chance(0.5) ? 0 : static_cast<unsigned>(random.between(1, 7));
+    const DmaErrors next_dma = DmaErrors::any(random);
     const auto next_core = static_cast<std::uint32_t>(
         random.chance(0.5) ? 0 : random.pick({1U << random.below(14), random.word() & 0x3FFF}));
     const unsigned late = random.chance(0.5) ? 0 : random.word() & 31;
@@ -55,17 +80,12 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     dut.core_event_i = static_cast<SData>(next_core);
     dut.core_packet_i = random.word();
     dut.core_beat_i = random.word();
-    dut.read_error_i = read != 0;
-    dut.read_error_code_i = static_cast<CData>(read != 0 ? read : random.below(9));
-    dut.read_error_address_i = random.bits();
-    dut.write_error_i = write != 0;
-    dut.write_error_code_i = static_cast<CData>(write != 0 ? write : random.below(8));
-    dut.write_error_address_i = random.bits();
+    next_dma.drive(dut, random);
     dut.result_overflow_i = full;
     dut.timeout_i = static_cast<CData>(late);
     sim.tick();
 
-    const std::uint32_t of_read = named(read, true), of_write = named(write, false);
+    const std::uint32_t of_read = named(dma.read, true), of_write = named(dma.write, false);
     // Of the core ten, then those of the DMA, then four more of the core.
     const std::uint32_t of_core = (core & 0x3FF) | core >> 10 << 24;
     std::uint32_t events = of_core | of_read | of_write;
@@ -74,17 +94,20 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     }
     if (full && !was_full) events |= HWFFD_ERROR_STATUS_RESULT_OVERFLOW_MASK;  // once an area
     ASSERT_EQ(dut.error_event_o, events) << "clock " << clock;
+    ASSERT_EQ(dut.error_any_o != 0, events != 0) << "clock " << clock;
     ASSERT_EQ(dut.error_packet_o, core != 0 ? core_packet : 0);
     ASSERT_EQ(dut.error_beat_o, core != 0 ? core_beat : 0);
-    ASSERT_EQ(dut.error_address_valid_o != 0, read != 0 || write != 0);
-    const bool by_read = read != 0 && (write == 0 || of_read <= of_write);
-    if (read != 0 || write != 0) {
-      ASSERT_EQ(dut.error_address_o, by_read ? dut.read_error_address_i : dut.write_error_address_i)
-          << "codes " << read << " and " << write;
+    const bool any = dma.read != 0 || dma.write != 0;
+    ASSERT_EQ(dut.error_address_valid_o != 0, any);
+    const bool by_read = dma.read != 0 && (dma.write == 0 || of_read <= of_write);
+    if (any) {
+      ASSERT_EQ(dut.error_address_o, by_read ? dma.read_address : dma.write_address)
+          << "codes " << dma.read << " and " << dma.write;
     }
     if ((events & (events - 1)) == 0) alone.insert(events);
     was_full = full;
     core = next_core;
+    dma = next_dma;
     core_packet = dut.core_packet_i;
     core_beat = dut.core_beat_i;
   }

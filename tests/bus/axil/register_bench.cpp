@@ -65,6 +65,7 @@ void RegisterBench::drive(const AxiLiteMasterPins& pins) {
   slave.rst = registers.s_clearing;
   cores::drive_pins(slave, pins);
   slave.eval();
+  inputs_["error_any_i"] = inputs_.at("error_event_i") != 0;
   for (const auto& [name, port] : input_ports_) port.drive(inputs_.at(name));
   connect_words(slave, registers);
   registers.eval();

@@ -115,8 +115,8 @@ TEST(Table, TheLockIsOnTheWindowsAndNothingElse) {
 }
 
 TEST(Table, PortsAreThoseOfTheDesign) {
-  std::set<std::string> inputs = {"error_event_i", "error_packet_i", "error_beat_i",
-                                  "error_address_valid_i", "error_address_i"};
+  std::set<std::string> inputs = {"error_any_i",  "error_event_i",         "error_packet_i",
+                                  "error_beat_i", "error_address_valid_i", "error_address_i"};
   for (const RegisterField& field : register_table()) {
     if (field.access == "ro") inputs.insert(field.port + "_i");
     if (field.access == "counter") inputs.insert(field.port + "_event_i");

@@ -20,7 +20,8 @@ constexpr unsigned kSettled = 7;  // clocks after which a handing over must show
 class RunModel {
  public:
   bool busy = false, idle = false, stopped = false, done = false;
-  bool ring_start = false, result_start = false, core_rst = false;
+  bool ring_start = false, result_start = false;
+  bool core_rst = true;  ///< of the reset before
   std::uint64_t ring_base = 0;
   unsigned entries_log2 = 0, head = 0;
   bool ring_known = false, head_known = false;  ///< what is not reset
@@ -33,7 +34,6 @@ class RunModel {
     busy = state_ != kIdle || clear;
     idle = in.dma_idle_i && in.core_idle_i && !clear;
     result_start = state_ == kIdle && in.start_i && !clear;
-    core_rst = in.rst || was_clear_;
   }
   void clock(const Vbus_run& in) {
     const bool clear = in.soft_reset_i || in.dma_clearing_i;
@@ -70,7 +70,7 @@ class RunModel {
     if (before == kIdle && in.write_error_i) ++seen["refusal between runs"];
     if (before == kRun && in.write_error_i) ++seen["refusal in a run"];
     stopped = !in.rst && !clear && (stopped || in.dma_fault_i);
-    was_clear_ = clear && !in.rst;
+    core_rst = in.rst || clear;
   }
 
  private:
@@ -83,7 +83,6 @@ class RunModel {
   }
   State state_ = kIdle;
   unsigned waited_ = 0;
-  bool was_clear_ = false;
 };
 
 /// Levels that stay a while, so that runs come to their ends, and pulses of a clock.

@@ -120,6 +120,9 @@ TEST_P(BusError, WriteErrorOnEveryBurst) {
       for (const auto& write : bench.memory.writes()) taken += write.beats;
       bench.start_results(kArea + (1 << 20), 1 << 20);
       bench.step();
+      EXPECT_EQ(bench.status.result_count, counted) << "of the start before, for one clock more";
+      bench.step();
+      EXPECT_EQ(bench.status.result_count, 0U);
       ASSERT_TRUE(bench.writes(kArea + (1 << 20), taken, results - taken));
     }
   }

@@ -52,6 +52,7 @@ class WishboneBench {
     registers.eval();
     slave.rst = registers.s_clearing;
     cores::drive_pins(slave, pins);
+    inputs_["error_any_i"] = inputs_.at("error_event_i") != 0;
     for (const auto& [name, port] : input_ports_) port.drive(inputs_.at(name));
     slave.eval();
     connect_words(slave, registers);
