@@ -36,6 +36,8 @@ arguments = $(foreach o,$1,$(if $(call given,$(call variable_of,$o)), \
   --$(call option_of,$o) "$$HWFFD_GIVEN_$(call variable_of,$o)"))
 SIM_ARGUMENTS   = $(call arguments,$(SIM_OPTIONS)) $(if $(tracing),--trace)
 SYNTH_ARGUMENTS = $(call arguments,$(SYNTH_OPTIONS))
+# What docs/reports/ has of these sources is not measured again, unless AGAIN=1 says so.
+AGAIN_ARGUMENT  = $(if $(filter-out 0,$(call given,AGAIN)),--again)
 
 help:
 	@echo 'Use it'
@@ -132,7 +134,7 @@ glapi: install
 
 synth: install
 	@scripts/python_env
-	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
+	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS) $(AGAIN_ARGUMENT)
 
 synth-check: install
 	@scripts/python_env
@@ -153,7 +155,7 @@ figures: install
 
 pnr: install
 	@scripts/python_env route
-	@$(STUDY) --quiet pnr,synth -- scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+	@$(STUDY) --quiet pnr,synth -- scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT) $(AGAIN_ARGUMENT)
 
 boards: install
 	@scripts/python_env route
@@ -161,7 +163,7 @@ boards: install
 
 formal: install
 	@scripts/python_env
-	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS)
+	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS) $(AGAIN_ARGUMENT)
 
 test: install
 	@scripts/python_env figures

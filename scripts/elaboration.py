@@ -68,13 +68,16 @@ class Elaborations:
             draft.replace(self._path(design))
         return found
 
+    def has(self, design):
+        return self._path(design).is_file()
+
     def key(self, design):
         path = self._path(design)
         return path.read_text(encoding="utf-8") if path.is_file() else self._elaborate(design)
 
     def prepare(self, designs, jobs):
         """Elaborates those that are not known, `jobs` at a time."""
-        left = [one for one in dict.fromkeys(designs) if not self._path(one).is_file()]
+        left = [one for one in dict.fromkeys(designs) if not self.has(one)]
         progress = Progress()
         with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
             for done, _ in enumerate(pool.map(self._elaborate, left), 1):

@@ -24,6 +24,7 @@ def collect(work, everything, verdicts, failed):
                 failed = {**failed, one: str(error)}
         row = {
             "module": one.module, "name": one.name, "statement": one.statement,
+            "key": None if one in failed else work.key(one),
             "result": NOT_RUN, "negative_control": NOT_RUN, "seconds": None,
             "harness": f"tests/formal/{one.harness}.v", "parameters": one.parameters,
             "method": one.method, "lemmas": one.lemmas.split(),

@@ -14,6 +14,7 @@ import statistics
 from dataclasses import dataclass
 
 import digest
+import kept
 import nextpnr
 import scan_chain
 import synthesis
@@ -100,6 +101,7 @@ class Placement:
     def __init__(self, work):
         self.work, self.root = work, work.root
         self.folder = self.root / "build" / "pnr"
+        self.kept = kept.Kept(self.root, "pnr", again=work.again)
         self.key = functools.lru_cache(maxsize=None)(self._key)
 
     @functools.cached_property
@@ -154,20 +156,38 @@ class Placement:
         """{subject: its files} of these aims and of the measures of their targets."""
         targets = dict.fromkeys(aim.subject.target for aim in aims)
         found = [*map(Measure, targets), *(aim.subject for aim in aims)]
-        return {subject: self.files(subject) for subject in found}
+        return {subject: [path for path, result in zip(self.files(subject), self._seeds(subject))
+                          if result is None] for subject in found}
 
     def results(self, subject):
         """Clock and critical path of all seeds that are there, in order."""
-        if not any(self.folder.glob(f"{subject.name}.*.report")):
+        there = any(self.folder.glob(f"{subject.name}.*.report"))
+        if not there and (isinstance(subject, Measure) or not self.kept
+                          or not self.work.is_elaborated(subject)):
             return []
         try:
-            reports = {seed: json.loads(path.read_text()) for seed, path in zip(
-                nextpnr.SEEDS, self.files(subject)) if path.is_file()}
+            return [result for result in self._seeds(subject) if result is not None]
         except nextpnr.NextpnrError:
             return []
-        return [{"seed": seed, "fmax_mhz": round(nextpnr.clock(report), 2),
-                 "critical_path": nextpnr.path_in_words(report)}
-                for seed, report in reports.items()]
+
+    def _seeds(self, subject):
+        """A result or None for each seed. Of a kept row only the slowest has its path: the others
+        are not committed."""
+        row = self.kept.get(self.key(subject)) or {"seeds": []}
+        clocks = {one["seed"]: one["fmax_mhz"] for one in row["seeds"]}
+
+        def result(seed, path):
+            if path.is_file():
+                report = json.loads(path.read_text())
+                clock, path = round(nextpnr.clock(report), 2), nextpnr.path_in_words(report)
+            elif seed in clocks:
+                clock = clocks[seed]
+                path = row["critical_path"] if clock == min(clocks.values()) else ""
+            else:
+                return None
+            return {"seed": seed, "fmax_mhz": clock, "critical_path": path}
+
+        return [result(*one) for one in zip(nextpnr.SEEDS, self.files(subject))]
 
     def median(self, subject):
         """MHz, or None."""

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import digest
 import engine
+import kept
 import rtl
 
 TABLE = "tests/formal/properties.csv"
@@ -27,6 +28,7 @@ BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last
 SEARCH = 12           # clocks from reset in which induction must find a planted bug
 PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+VERDICT = ("result", "negative_control", "clocks_to_counterexample")
 
 
 class ProofError(Exception):
@@ -99,8 +101,9 @@ class Proofs:
     """The properties of one checkout as steps of yosys and ABC; verdicts lie in build/formal/, their
     keys in their names."""
 
-    def __init__(self, root, limit=300):
+    def __init__(self, root, limit=300, again=False):
         self.root, self.limit = pathlib.Path(root), limit
+        self.kept = kept.Kept(root, "formal", "properties", again)
         self.folder = self.root / "build" / "formal"
         self.harnesses = self.root / "tests" / "formal"
         self.sources = rtl.Sources(self.root)
@@ -214,7 +217,7 @@ class Proofs:
         """The verdict on these sources, if there is one; else None. Raises ProofError."""
         files = self.files(one)
         if not all(path.is_file() for path in files):
-            return None
+            return self._kept_result(one)
         (result, clock), (control, frame) = (decided(one, path.read_text(errors="replace"))
                                              for path in files)
         took, control_took = (engine.seconds(path.with_suffix(".seconds")) for path in files)
@@ -222,6 +225,13 @@ class Proofs:
                 "control_seconds": control_took,
                 "clocks_to_counterexample": frame if control == REFUTED else None,
                 **({"broken_at_clock": clock} if result == REFUTED else {})}
+
+    def _kept_result(self, one):
+        """What the committed report says, if all is proved; else None. Raises ProofError."""
+        row = self.kept.get(self.key(one)) or {}
+        if (row.get("result"), row.get("negative_control")) != (PROVED, REFUTED):
+            return None
+        return {field: row[field] for field in VERDICT}
 
     def effort(self, one):
         """The seconds that it took with other sources."""

@@ -32,8 +32,8 @@ def collect(work, found):
                 "subject": subject, "name": row.name, "variant": variant, "meaning": meaning,
                 "org": row.org, "n": row.n,
                 "format": row.format, "schedule": row.schedule, "target": subject.target,
-                "top": subject.top, **{field: result.get(field) for field in FIELDS},
-                **clock(place, subject, result), "flat": subject.flat, "seconds": result["seconds"],
+                "top": subject.top, "key": work.key(subject), **{field: result.get(field) for field in FIELDS},
+                **clock(place, subject, result), "flat": subject.flat, "seconds": result.get("seconds"),
             })
     return shown
 

@@ -13,6 +13,7 @@ import configurations
 import digest
 import elaboration
 import engine
+import kept
 import liberty
 import mapped
 import rtl
@@ -179,10 +180,11 @@ def require(wanted):
 
 class Synthesis:
     """The subjects of one checkout. Results lie in build/synth/; the name of each has its key, so
-    that one that is there is good."""
+    that one that is there is good. Those of the committed report count too, but `again`."""
 
-    def __init__(self, root):
-        self.root = pathlib.Path(root)
+    def __init__(self, root, again=False):
+        self.root, self.again = pathlib.Path(root), again
+        self.kept = kept.Kept(root, "synth", again=again)
         self.folder = self.root / "build" / "synth"
         self.sources = rtl.Sources(self.root)
         self.version = rtl.run(["yosys", "-V"])[1].strip()
@@ -263,12 +265,18 @@ class Synthesis:
 
     def result(self, subject):
         """The counts, if these sources have been mapped; else None."""
-        if not any(self.folder.glob(f"{subject.name}.*.json")):
+        there = any(self.folder.glob(f"{subject.name}.*.json"))
+        if not there and not (self.kept and self.is_elaborated(subject)):
             return None
         try:
             return json.loads(self.file(subject).read_text())
         except FileNotFoundError:
-            return None
+            return self.kept.get(self.key(subject))
+
+    def is_elaborated(self, subject):
+        """Whether its key is at hand: to elaborate all that nobody asks for takes minutes."""
+        return self._elaborations.has(self._elaborated(
+            subject.top, subject.target, self._steps(subject)))
 
     def effort(self, subject):
         """The seconds that it took with other sources, or a guess."""
@@ -280,7 +288,7 @@ class Synthesis:
 def run(work, wanted, jobs):
     """Maps what has no result yet: [(subject, complaint)]."""
     work.prepare(wanted, jobs)
-    files = {subject: [work.file(subject)] for subject in wanted}
+    files = {subject: [] if work.result(subject) else [work.file(subject)] for subject in wanted}
     return list(engine.run(work.root, "synth", files, jobs).items())
 
 

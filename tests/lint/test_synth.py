@@ -396,3 +396,30 @@ def test_a_variant_has_the_parameters_of_its_row_and_its_own(tree):
     assert (one.name, one.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
                                        ("few", "only a few"))
     assert one.row.parameters == {**one.row.row.parameters, "FORMAT": 16, "FEATURES": 256}
+
+
+def committed(tree):
+    """The report of the last run, as it is committed."""
+    tree.put({"docs/reports/synth.json": tree.text("build/reports/synth.json")})
+    shutil.rmtree(tree.root / "build/synth")
+    tree.ran()
+
+
+def test_what_the_committed_report_has_is_not_mapped_again(tree):
+    words = "--org", "basic", "--target", "generic"
+    tree.synth(*words)
+    before = tree.report()["rows"]
+    committed(tree)
+    assert tree.synth(*words)[0] == 0
+    assert (tree.ran(), tree.report()["rows"]) == ([], before)
+    assert tree.synth(*words, "--again")[0] == 0
+    assert len(tree.ran()) == len(before)
+
+
+def test_a_committed_row_of_other_sources_is_mapped(tree):
+    words = "--org", "basic", "--target", "generic"
+    tree.synth(*words)
+    committed(tree)
+    tree.put(select(GOOD.replace("+", "-")))
+    assert tree.synth(*words)[0] == 0
+    assert len(tree.ran()) == len(tree.report()["rows"]) > 0

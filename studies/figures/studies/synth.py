@@ -162,7 +162,8 @@ def _matrix_parts(reports, target):
 
 def kinds(reports, target):
     """Kinds of cells down, organizations in fx18 across."""
-    rows = [row for row in reports.rows("synth", target=target, format="fx18") if is_plain(row)]
+    rows = [row for row in reports.rows("synth", target=target, format="fx18")
+            if is_plain(row) and row.get("kinds")]
     return Table(["cell", *(f"`{row['name'].split('-')[0]}`" for row in rows)],
                  [[f"`{kind}`", *(number(row["kinds"].get(kind, 0)) for row in rows)]
                   for kind in sorted({kind for row in rows for kind in row["kinds"]})])
