@@ -5,14 +5,15 @@
 // once. So CONTEXTS vertices are a barrel: successive steps of one are CONTEXTS * INTERVAL clocks
 // apart, none waits for a later one, and they leave in the order in which they came. Starts are
 // spread over the barrel's time, at least START_GAP clocks apart, so that points are fetched and
-// results leave evenly.
+// results leave evenly: with four steps and more three turns or more apart, which leaves
+// ffd_eval_words time for three words one after the other.
 //
 // Pipeline:   step_* are registered: 1 clock after the turn, II INTERVAL.
 // Freezes:    never; a context without a vertex leaves a bubble.
 // Parameters: PAYLOAD_W >= 1, STEPS 1 to 64, CONTEXTS >= 1, INTERVAL >= 1. ALIGNED 1: turns keep
 //             to one grid of INTERVAL clocks (the iterative evaluator wants it); 0: an idle
 //             sequencer starts at once.
-// Model:      none (order only).  Test: tests/system (clocks per vertex).
+// Model:      none (order only).  Test: tests/unit/sequencer.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -22,7 +23,8 @@ module ffd_eval_sequencer #(
   parameter CONTEXTS  = 1,
   parameter INTERVAL  = 1,
   parameter ALIGNED   = 1,
-  parameter START_GAP = STEPS > CONTEXTS ? INTERVAL * (STEPS - CONTEXTS + 1) : INTERVAL,
+  parameter START_GAP = INTERVAL * (STEPS >= CONTEXTS + 2 ? STEPS - CONTEXTS + 1 :
+                                    STEPS >= 4 ? 3 : STEPS > CONTEXTS ? 2 : 1),
   parameter STEP_W    = STEPS > 1 ? $clog2(STEPS) : 1
 ) (
   input  wire                 clk,

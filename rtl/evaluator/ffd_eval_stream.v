@@ -108,7 +108,8 @@ module ffd_eval_stream #(
   assign evaluating_o = inside_q != FIRST || entered_q;
 
   generate
-    if (`FFD_RESULT_INTERVAL(ORG, N) > 1) begin : gen_offer
+    // One of two steps may take in vertices in successive clocks: its barrel is filled at once.
+    if (`FFD_RESULT_INTERVAL(ORG, N) > 2) begin : gen_offer
       reg offer_q;
       always @(posedge clk) offer_q <= !rst && s_vertex_valid && room && !enter;
       assign offer          = offer_q;
@@ -286,8 +287,9 @@ module ffd_eval_stream #(
   endgenerate
 
   // Where the next sum comes later than the determinant, both go into one queue as they come.
-  localparam IN_ORDER = DETERMINANT == 0 || `FFD_RESULT_INTERVAL(ORG, N) >
-    `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY);
+  localparam LATEST   = `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY)
+                      + (FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY);
+  localparam IN_ORDER = DETERMINANT == 0 || `FFD_RESULT_INTERVAL(ORG, N) > LATEST;
 
   wire        queued_valid = word_valid || (IN_ORDER && determinant_valid);
   wire [99:0] queued       = IN_ORDER && determinant_valid

@@ -6,7 +6,7 @@
 // Formats:    sums and words {z, y, x}; the flags are of any component.
 // Pipeline:   OUT = FFD_OUT_LATENCY clocks, II 1; SERIAL: OUT + 3 clocks, II 3. Never frozen.
 // Parameters: FORMAT and CONVERT_LATENCY as in every organization; SERIAL 0 or 1.
-// Not checked: with SERIAL, sums that come sooner.
+// Not checked: with SERIAL, sums that come sooner (ffd_eval_sequencer keeps them apart).
 // Model:      golden/include/hwffd/numerics (out).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

@@ -1,0 +1,146 @@
+// ffd_eval_sequencer: every vertex does its steps in order, as far apart as its barrel is long;
+// vertices leave in the order in which they came, at the full rate, and where that leaves them four
+// clocks or more, never closer than the three that a shared converter needs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "Vsequencer_barrels.h"
+#include "hwffd/tb/random.hpp"
+#include "hwffd/tb/sim.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr int kSizes = 7, kBarrels = 8;  // as in sequencer_barrels.v
+constexpr int kCount = kSizes * kBarrels;
+constexpr int kConverter = 3;  // clocks of three words one after the other (ffd_eval_words)
+
+template <class Port>
+std::uint8_t byte(const Port& port, int i) {
+  return static_cast<std::uint8_t>(port[i / 4] >> (8 * (i % 4)));
+}
+
+/// What is known of one sequencer.
+struct Barrel {
+  int steps, vertices;
+  std::uint8_t next = 0;  ///< number of the vertex that is offered
+  struct Inside {
+    std::uint8_t number;
+    int step;
+    std::int64_t clock;  ///< of that step
+  };
+  std::deque<Inside> inside;  ///< in the order in which they came
+  std::int64_t started = 0, ended = 0, last_end = -100;
+  int wrong = 0;
+  std::int64_t closest = 1000;  ///< clocks between ends
+};
+
+class Barrels : public ::testing::Test {
+ protected:
+  Barrels() {
+    for (int i = 0; i < kCount; ++i) {
+      barrels_.push_back({1 << (i / kBarrels), i % kBarrels + 1, 0, {}, 0, 0, -100, 0, 1000});
+    }
+    sim_->rst = 1;
+    sim_->valid_i = 0;
+    sim_.tick();
+    sim_->rst = 0;
+  }
+
+  /// A clock in which each sequencer that `mask` has is offered a vertex.
+  void tick(std::uint64_t mask) {
+    sim_->valid_i = mask;
+    for (int word = 0; word < kCount / 4; ++word) {
+      sim_->vertex_i[word] = 0;
+      for (int i = 0; i < 4; ++i) {
+        sim_->vertex_i[word] |= std::uint32_t{barrels_[4 * word + i].next} << (8 * i);
+      }
+    }
+    const std::uint64_t taken = mask & sim_->ready_o;
+    sim_.tick();
+    ++clock_;
+    for (int i = 0; i < kCount; ++i) watch(i, (taken >> i & 1) != 0);
+  }
+
+  std::vector<Barrel> barrels_;
+  std::int64_t clock_ = 0;
+
+ private:
+  void watch(int i, bool started) {
+    Barrel& barrel = barrels_[i];
+    if (started) {
+      barrel.inside.push_back({barrel.next++, -1, clock_ - barrel.vertices});
+      ++barrel.started;
+    }
+    if ((sim_->valid_o >> i & 1) == 0) return;
+    const std::uint8_t number = byte(sim_->vertex_o, i);
+    for (Barrel::Inside& one : barrel.inside) {
+      if (one.number != number) continue;
+      ++one.step;
+      const bool first = one.step == 0, last = one.step == barrel.steps - 1;
+      const bool good = byte(sim_->step_o, i) == one.step &&
+                        clock_ - one.clock == barrel.vertices &&
+                        (sim_->first_o >> i & 1) == first && (sim_->last_o >> i & 1) == last;
+      one.clock = clock_;
+      if (!good) ++barrel.wrong;
+      if (last) end(barrel, number);
+      return;
+    }
+    ++barrel.wrong;
+  }
+
+  void end(Barrel& barrel, std::uint8_t number) {
+    if (barrel.inside.front().number != number) ++barrel.wrong;
+    barrel.inside.pop_front();
+    ++barrel.ended;
+    barrel.closest = std::min(barrel.closest, clock_ - barrel.last_end);
+    barrel.last_end = clock_;
+  }
+
+  tb::Sim<Vsequencer_barrels> sim_{tb::seed_from_environment(1)};
+};
+
+std::string name(const Barrel& barrel) {
+  return std::to_string(barrel.steps) + " steps, " + std::to_string(barrel.vertices) + " vertices";
+}
+
+void expect_good(const Barrel& barrel) {
+  EXPECT_EQ(barrel.wrong, 0) << name(barrel);
+  EXPECT_GT(barrel.ended, 20) << name(barrel);
+  if (barrel.steps > kConverter) {
+    EXPECT_GE(barrel.closest, kConverter) << name(barrel);
+  }
+}
+
+TEST_F(Barrels, VerticesWithoutAPauseEnterAtTheFullRate) {
+  constexpr std::int64_t kWarm = 64 * 8, kClocks = 64 * 8 * 4;
+  std::vector<std::int64_t> before;
+  for (std::int64_t i = 0; i < kWarm; ++i) tick(~std::uint64_t{0} >> (64 - kCount));
+  for (const Barrel& barrel : barrels_) before.push_back(barrel.started);
+  for (std::int64_t i = 0; i < kClocks; ++i) tick(~std::uint64_t{0} >> (64 - kCount));
+  for (int i = 0; i < kCount; ++i) {
+    const Barrel& barrel = barrels_[i];
+    // A turn of the whole barrel more or less at both ends.
+    EXPECT_NEAR(static_cast<double>(barrel.started - before[i]),
+                static_cast<double>(kClocks) / barrel.steps, barrel.vertices)
+        << name(barrel);
+    expect_good(barrel);
+  }
+}
+
+TEST_F(Barrels, VerticesAtRandomTimes) {
+  tb::Random random(tb::seed_from_environment(1));
+  for (int i = 0; i < 20000; ++i) {
+    const auto mask = std::uint64_t{random.word()} << 32 | random.word();
+    tick((i / 512 % 2 == 0 ? mask : mask & mask >> 3 & mask >> 5) >> (64 - kCount));
+  }
+  for (const Barrel& barrel : barrels_) expect_good(barrel);
+}
+
+}  // namespace
+}  // namespace hwffd::test
