@@ -5,7 +5,7 @@ yosys makes an AIGER circuit of harness and RTL, all other assertions taken out,
 for every length of run or finds a run that breaks it: by pdr, which finds its own invariant, or,
 where that is arithmetic on wide words, by induction over an assertion that is written as one. Other
 properties of the same harness, proved by themselves, may then be used as lemmas. A planted bug must
-be found by the same method; lemmas are not used there, since they need not hold.
+be found in so many clocks from reset; lemmas are not used there, since they need not hold.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -25,7 +25,7 @@ COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file"
            "mutant", "statement")
 PDR, INDUCTION = "pdr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
-SEARCH = 12           # clocks from reset in which induction must find a planted bug
+SEARCH = 40           # clocks from reset in which a planted bug must be found
 PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 VERDICT = ("result", "negative_control", "clocks_to_counterexample")
@@ -188,9 +188,12 @@ class Proofs:
 
     def prover(self, one, what):
         """The steps of ABC on a circuit that has been read."""
-        clocks = SEARCH if what == CONTROL else BASE
-        steps = (f"pdr -T {self.limit}" if one.method == PDR else
-                 f"bmc3 -F {clocks} -T {self.limit}; ind -F {STEPS} -T {self.limit}")
+        if what == CONTROL:
+            steps = f"bmc3 -F {SEARCH} -T {self.limit}"
+        elif one.method == PDR:
+            steps = f"pdr -T {self.limit}"
+        else:
+            steps = f"bmc3 -F {BASE} -T {self.limit}; ind -F {STEPS} -T {self.limit}"
         return f"fold; strash; {steps}"
 
     def key(self, one):
@@ -199,7 +202,7 @@ class Proofs:
         self.mutated(one)
         folders = tuple(self.sources.includes)
         return digest.of(
-            self.version, one.method, str((BASE, STEPS, SEARCH)), one.file, one.original, one.mutant,
+            self.version, one.method, str((BASE, STEPS)), one.file, one.original, one.mutant,
             *self.script(one)[2:],
             digest.tokens(tuple(map(str, needed.values())), folders, "YOSYS", "SYNTHESIS"),
             digest.tokens(tuple(map(str, harness)), folders, "YOSYS", "FORMAL"))
