@@ -1,21 +1,9 @@
 #include "device/reference_device.hpp"
 
+#include "hwffd/lattice/lattice_evaluator.hpp"
+
 namespace hwffd {
 namespace {
-
-/// A position for each vertex, of the support that `support` finds for it.
-template <class Vertex, class FindSupport>
-Points positions_of(const std::vector<Vertex>& vertices, const Device::Blending& blending,
-                    const FindSupport& support) {
-  const Oracle oracle(blending[0], blending[1], blending[2]);
-  Points positions(static_cast<Eigen::Index>(vertices.size()), 3);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const Eigen::Vector3d& local = vertices[v].local;
-    positions.row(static_cast<Eigen::Index>(v)) =
-        oracle.evaluate(support(vertices[v]), local[0], local[1], local[2]);
-  }
-  return positions;
-}
 
 class ReferenceDevice final : public Device {
  public:
@@ -24,13 +12,11 @@ class ReferenceDevice final : public Device {
  protected:
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override {
-    return positions_of(vertices, blending,
-                        [&lattice](const Embedded& at) { return lattice.support(at.cell); });
+    return evaluate_in(lattice, vertices, blending);
   }
 
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override {
-    return positions_of(vertices, blending,
-                        [](const SupportedVertex& at) -> const Support& { return at.support; });
+    return evaluate_in(vertices, blending);
   }
 
   Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,

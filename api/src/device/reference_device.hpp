@@ -6,7 +6,7 @@
 
 namespace hwffd {
 
-/// Eq. (1) in double precision, by the oracle.
+/// Eq. (1) in double precision: positions by LatticeEvaluator, derivatives by the oracle.
 std::unique_ptr<Device> reference_device();
 
 }  // namespace hwffd
