@@ -26,7 +26,9 @@ struct Scene {
 
 double largest(const Points& difference) { return difference.cwiseAbs().maxCoeff(); }
 
-TEST(Device, ReferenceIsTheOracle) {
+// Its sums are in another order than the oracle's.
+TEST(Device, ReferenceIsTheOracleButForRounding) {
+  constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
   const Scene scene;
   const std::unique_ptr<Device> device = make_device({"reference", "", ""});
   const Points got = device->evaluate(scene.lattice, scene.vertices);
@@ -36,7 +38,7 @@ TEST(Device, ReferenceIsTheOracle) {
     const Embedded& v = scene.vertices[static_cast<std::size_t>(i)];
     const Eigen::Vector3d exact =
         oracle.evaluate(scene.lattice.support(v.cell), v.local[0], v.local[1], v.local[2]);
-    EXPECT_EQ(Eigen::Vector3d(got.row(i)), exact) << "vertex " << i;
+    EXPECT_LE((got.row(i).transpose() - exact).cwiseAbs().maxCoeff(), kRounding) << "vertex " << i;
   }
   EXPECT_EQ(device->counts().vertices, 500u);
   EXPECT_EQ(device->counts().clocks, 0u);
