@@ -25,6 +25,7 @@ from rtl import ROOT
 
 HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 
+FEW = "--org", "basic", "--target", "generic"
 MODULE = """\
 `default_nettype none
 `include "ffd_num.vh"
@@ -356,27 +357,6 @@ def interrupt(tree, number):
     assert (process.returncode, errors.count("\n")) == (130, 1), errors
 
 
-def test_rows_of_this_tree():
-    found = synthesis.of_checkout(ROOT)
-    names = [subject.name for subject in found]
-    assert len(names) == len(set(names)) >= 40
-    assert {subject.target for subject in found} == set(synthesis.TARGETS)
-    assert {subject.top for subject in found} == {
-        synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM,
-        *synthesis.FLOAT_UNITS}
-    assert {subject.row.name for subject in found if subject.top == synthesis.SYSTEM} >= {
-        row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}
-    wired = {name for name in names if name.split(".")[0].endswith("-bspline")}
-    assert wired and {name.replace("-bspline", "") for name in wired} <= set(names)
-    few = synthesis.of_set(found, "ci")
-    assert {subject.target for subject in few} == set(synthesis.TARGETS) - {"hx8k"}
-    assert {subject.row.org for subject in few} == {subject.row.org for subject in found} - {"unit"}
-    guarded = synthesis.of_set(found, "baseline")
-    assert [subject for subject in guarded if subject in few] == few
-    assert {(subject.top, subject.target) for subject in guarded if subject not in few} == {
-        (top, target) for top in synthesis.FLOAT_UNITS for target in synthesis.UNIT_TARGETS}
-
-
 @pytest.mark.parametrize("line, wrong", (
     ("basic,more,hwffd_stream,A=1,-", "unknown name 'basic'"),
     ("basic-fx18-overlapped,more,ffd_org_select,A=1,-", "unknown top 'ffd_org_select'"),
@@ -406,20 +386,15 @@ def committed(tree):
 
 
 def test_what_the_committed_report_has_is_not_mapped_again(tree):
-    words = "--org", "basic", "--target", "generic"
-    tree.synth(*words)
+    tree.synth(*FEW)
     before = tree.report()["rows"]
     committed(tree)
-    assert tree.synth(*words)[0] == 0
-    assert (tree.ran(), tree.report()["rows"]) == ([], before)
-    assert tree.synth(*words, "--again")[0] == 0
-    assert len(tree.ran()) == len(before)
+    assert (tree.synth(*FEW)[0], tree.ran(), tree.report()["rows"]) == (0, [], before)
+    assert (tree.synth(*FEW, "--again")[0], len(tree.ran())) == (0, len(before))
 
 
 def test_a_committed_row_of_other_sources_is_mapped(tree):
-    words = "--org", "basic", "--target", "generic"
-    tree.synth(*words)
+    tree.synth(*FEW)
     committed(tree)
     tree.put(select(GOOD.replace("+", "-")))
-    assert tree.synth(*words)[0] == 0
-    assert len(tree.ran()) == len(tree.report()["rows"]) > 0
+    assert tree.synth(*FEW)[0] == 0 < len(tree.ran()) == len(tree.report()["rows"])

@@ -1,0 +1,29 @@
+"""The rows that `make synth` maps in this tree.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import configurations
+import synthesis
+from rtl import ROOT
+
+
+def test_rows_of_this_tree():
+    found = synthesis.of_checkout(ROOT)
+    names = [subject.name for subject in found]
+    assert len(names) == len(set(names)) >= 40
+    assert {subject.target for subject in found} == set(synthesis.TARGETS)
+    assert {subject.top for subject in found} == {
+        synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM,
+        *synthesis.FLOAT_UNITS}
+    assert {subject.row.name for subject in found if subject.top == synthesis.SYSTEM} >= {
+        row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}
+    wired = {name for name in names if name.split(".")[0].endswith("-bspline")}
+    assert wired and {name.replace("-bspline", "") for name in wired} <= set(names)
+    few = synthesis.of_set(found, "ci")
+    assert {subject.target for subject in few} == set(synthesis.TARGETS) - {"hx8k"}
+    assert {subject.row.org for subject in few} == {subject.row.org for subject in found} - {"unit"}
+    guarded = synthesis.of_set(found, "baseline")
+    assert [subject for subject in guarded if subject in few] == few
+    assert {(subject.top, subject.target) for subject in guarded if subject not in few} == {
+        (top, target) for top in synthesis.FLOAT_UNITS for target in synthesis.UNIT_TARGETS}
