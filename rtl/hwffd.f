@@ -43,6 +43,7 @@ common/ffd_stream_queue.v
 common/ffd_stream_skid.v
 evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_address.v
+evaluator/ffd_eval_affine.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
 evaluator/ffd_eval_contraction.v
@@ -61,6 +62,7 @@ evaluator/ffd_eval_tree.v
 evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_weight_product.v
 evaluator/ffd_eval_words.v
+evaluator/ffd_org_affine.v
 evaluator/ffd_org_cg.v
 evaluator/ffd_org_factored.v
 evaluator/ffd_org_nested.v
@@ -69,6 +71,7 @@ evaluator/ffd_org_tree.v
 number/block/ffd_bfp_align.v
 number/block/ffd_bfp_normalise.v
 number/ffd_num_add.v
+number/ffd_num_base_term.v
 number/ffd_num_binomial.v
 number/ffd_num_bspline.v
 number/ffd_num_centre.v
@@ -77,6 +80,8 @@ number/ffd_num_mac.v
 number/ffd_num_mul.v
 number/ffd_num_narrow.v
 number/ffd_num_negate.v
+number/ffd_num_offset.v
+number/ffd_num_offset_term.v
 number/ffd_num_out.v
 number/ffd_num_product.v
 number/ffd_num_range.v

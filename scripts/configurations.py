@@ -106,6 +106,9 @@ def _read_row(fields, where, known, known_formats):
     if organization.n not in (None, fields["n"]):
         raise TableError(f"{where}: n is {fields['n']}, that of {organization.name} is "
                          f"{organization.n}")
+    if organization.form == "affine" and number_format.words != "fixed":
+        raise TableError(f"{where}: format is {fields['format']}: {organization.name} is exact in "
+                         "fixed point only")
     if fields["fma_latency"] > 0 and not number_format.fused:
         raise TableError(f"{where}: fma_latency is {fields['fma_latency']}, 0 wanted: there is no "
                          f"fused multiply-add in {fields['format']}")

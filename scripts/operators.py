@@ -28,6 +28,8 @@ KINDS = ("mul", "add", "fma")
 UNITS = {
     "ffd_num_mul": ("mul",),
     "ffd_num_term": ("mul",),
+    "ffd_num_offset_term": ("mul",),
+    "ffd_num_offset": ("add",),
     "ffd_num_add": ("add",),
     "ffd_num_mac": ("fma",),
     "ffd_num_centre": ("add",),

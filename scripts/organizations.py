@@ -24,7 +24,7 @@ COLUMNS = ("org", "number", "module", "n", "form", "units", "paper", "last", "ov
 NUMBERS = range(256)  # what CONFIG.org has bits for
 UNITS = range(1, 65)
 SEAMS = range(1000)
-FORMS = ("product", "factored", "nested")
+FORMS = ("product", "factored", "affine", "nested")
 # On which targets besides ECP5: none, those of `fx18`, or those of every format.
 MAPPED = ("", "fx18", "every")
 

@@ -45,9 +45,13 @@
 `define FFD_ACCUMULATE_LATENCY(N, ADD_LATENCY, FMA_LATENCY) \
   ((N) == 64 ? 0 : (N) == 1 && (FMA_LATENCY) > 0 ? (FMA_LATENCY) : (ADD_LATENCY))
 
+// Registers from the points of a contraction to their weights: an affine one subtracts first.
+`define FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY) ((AFFINE) == 0 ? 0 : (ADD_LATENCY))
+
 // Registers from the points of one contraction to those of the next: a sum of four, narrowed.
-`define FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY, CONVERT_LATENCY) \
-  (`FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY) + (CONVERT_LATENCY))
+`define FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY, CONVERT_LATENCY) \
+  (`FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY) + (CONVERT_LATENCY) \
+   + `FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY))
 
 // Steps that an accumulator of that latency leaves idle unless CONTEXTS vertices take turns.
 `define FFD_CONTEXTS(LATENCY, INTERVAL) \

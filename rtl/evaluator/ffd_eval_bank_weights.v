@@ -8,11 +8,14 @@
 // FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
 //             on beside the contraction, and each axis holds its own for the steps of the vertex.
 //
+// AFFINE 1:   bank 3 has no evaluator. Its weight is what the others leave, and in its place stands
+//             what they leave it of: 1, of a derivative 0.
+//
 // Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
-// Parameters: FOLD 1 or 3; EVALUATOR not iterative; DISTANCE >= 1; the others as in every
-//             organization.
+// Parameters: FOLD 1 or 3; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE >= 1;
+//             the others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -21,6 +24,7 @@
 
 module ffd_eval_bank_weights #(
   parameter FOLD            = 1,
+  parameter AFFINE          = 0,
   parameter FORMAT          = 18,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
@@ -50,6 +54,7 @@ module ffd_eval_bank_weights #(
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
   localparam SETS         = 3 / FOLD;
+  localparam EVALUATED    = AFFINE == 0 ? 4 : 3;  // of the banks
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam ADDRESS_W    = FOLD == 1 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
@@ -117,7 +122,7 @@ module ffd_eval_bank_weights #(
         .q_o(chosen_coordinate)
       );
 
-      for (b = 0; b < 4; b = b + 1) begin : gen_bank
+      for (b = 0; b < EVALUATED; b = b + 1) begin : gen_bank
         localparam [1:0] BANK = b;
         wire [1:0]           blending = BANK - residue;
         wire [ADDRESS_W-1:0] address;
@@ -164,6 +169,27 @@ module ffd_eval_bank_weights #(
           .coordinate_i  (chosen_coordinate),
           .address_i     (chosen_address),
           .weight_o      (evaluated[(4*set+b)*WEIGHT_W +: WEIGHT_W])
+        );
+      end
+
+      if (AFFINE != 0) begin : gen_rest
+        // binom(0, 0) is 1 and binom(0, 1) is 0.
+        wire derivative;
+        ffd_num_delay #(
+          .WIDTH  (1),
+          .LATENCY(CHOICE + POLY_LATENCY)
+        ) u_derivative (
+          .clk(clk),
+          .rst(1'b0),
+          .d_i(bank[1]),
+          .q_o(derivative)
+        );
+        ffd_num_binomial #(
+          .FORMAT(FORMAT),
+          .POWER (0)
+        ) u_rest (
+          .power_i ({1'b0, derivative}),
+          .weight_o(evaluated[(4*set+3)*WEIGHT_W +: WEIGHT_W])
         );
       end
     end

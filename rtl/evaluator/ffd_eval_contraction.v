@@ -13,8 +13,9 @@
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
-// Parameters: FOLD 1 or 3; the others as in every organization.
-// Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator.
+// Parameters: FOLD 1 or 3; AFFINE 1: by differences (ffd_eval_affine), the weights ADD_LATENCY
+//             clocks after the points; the others as in every organization.
+// Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
@@ -22,6 +23,7 @@
 
 module ffd_eval_contraction #(
   parameter FOLD            = 1,
+  parameter AFFINE          = 0,
   parameter FORMAT          = 18,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
@@ -50,10 +52,9 @@ module ffd_eval_contraction #(
   localparam POINT_W    = `FFD_POINT_W(FORMAT);
   localparam SUM_W      = `FFD_SUM_W(FORMAT);
   localparam COMPONENTS = 3 / FOLD;
-  localparam CONTRACT   = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
+  localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
-  localparam LATENCY    = READ_LATENCY + 2 * CONTRACT
-                        + `FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam LATENCY    = READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY;  // the last is a sum
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
@@ -129,18 +130,31 @@ module ffd_eval_contraction #(
           assign points = {gen_bank[3].point, gen_bank[2].point, gen_bank[1].point,
                            gen_bank[0].point};
 
-          ffd_eval_tree #(
-            .FORMAT     (FORMAT),
-            .N          (4),
-            .MUL_LATENCY(MUL_LATENCY),
-            .ADD_LATENCY(ADD_LATENCY),
-            .FMA_LATENCY(FMA_LATENCY)
-          ) u_tree (
-            .clk      (clk),
-            .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
-            .points_i (points),
-            .sum_o    (sum)
-          );
+          if (AFFINE == 0) begin : gen_tree
+            ffd_eval_tree #(
+              .FORMAT     (FORMAT),
+              .N          (4),
+              .MUL_LATENCY(MUL_LATENCY),
+              .ADD_LATENCY(ADD_LATENCY),
+              .FMA_LATENCY(FMA_LATENCY)
+            ) u_tree (
+              .clk      (clk),
+              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .points_i (points),
+              .sum_o    (sum)
+            );
+          end else begin : gen_affine
+            ffd_eval_affine #(
+              .FORMAT     (FORMAT),
+              .MUL_LATENCY(MUL_LATENCY),
+              .ADD_LATENCY(ADD_LATENCY)
+            ) u_affine (
+              .clk      (clk),
+              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .points_i (points),
+              .sum_o    (sum)
+            );
+          end
         end
       end
 

@@ -10,7 +10,7 @@
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a
 //             vertex must have room for its result.
 // Parameters: those of every organization (docs/architecture.md); N is 64, SCHEDULE overlapped,
-//             EVALUATOR not iterative; FOLD 1 or 3, with the same bits.
+//             EVALUATOR not iterative; FOLD 1 or 3, with the same bits; AFFINE 1: ffd_org_affine.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -19,6 +19,7 @@
 
 module ffd_org_factored #(
   parameter FOLD            = 1,
+  parameter AFFINE          = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
   `include "ffd_org_parameters.vh"
@@ -32,9 +33,10 @@ module ffd_org_factored #(
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
-  localparam CONTRACT     = `FFD_CONTRACT_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
+  localparam CONTRACT     = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                   CONVERT_LATENCY);
-  localparam READ_DELAY   = `FFD_CHOICE_LATENCY(FOLD) + POLY_LATENCY - READ_LATENCY;
+  localparam READ_DELAY   = `FFD_CHOICE_LATENCY(FOLD) + POLY_LATENCY - READ_LATENCY
+                          - `FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY);
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
@@ -83,6 +85,7 @@ module ffd_org_factored #(
 
   ffd_eval_bank_weights #(
     .FOLD           (FOLD),
+    .AFFINE         (AFFINE),
     .FORMAT         (FORMAT),
     .EVALUATOR      (EVALUATOR),
     .MUL_LATENCY    (MUL_LATENCY),
@@ -105,7 +108,7 @@ module ffd_org_factored #(
     .weights_o     (weights)
   );
 
-  // The points of a step are asked for so that they come with its weights of u.
+  // The points of a step are asked for so that they come when the contraction wants them.
   wire                read_valid;
   wire                read_last;
   wire [1:0]          read_component;
@@ -135,6 +138,7 @@ module ffd_org_factored #(
 
   ffd_eval_contraction #(
     .FOLD           (FOLD),
+    .AFFINE         (AFFINE),
     .FORMAT         (FORMAT),
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),

@@ -1,7 +1,8 @@
 // ffd_org_select: the organization numbered ORG
 //
 // ORG is 0 basic (N 1), 1 cg1 (N 1), 2 cg2 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6
-// factored (N 64), 7 factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4).
+// factored (N 64), 7 factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11
+// affine/3 (N 64).
 // Made from rtl/organizations.csv by scripts/made.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -28,7 +29,9 @@ module ffd_org_select #(
         ORG == 6 && N != 64 ||
         ORG == 7 && N != 64 ||
         ORG == 8 && N != 4 ||
-        ORG == 9 && N != 4) begin : gen_bad_n
+        ORG == 9 && N != 4 ||
+        ORG == 10 && N != 64 ||
+        ORG == 11 && N != 64) begin : gen_bad_n
       ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
     end
     if (ORG == 0) begin : gen_basic
@@ -92,6 +95,19 @@ module ffd_org_select #(
       );
     end else if (ORG == 9) begin : gen_nested_by_3
       ffd_org_nested #(
+        .FOLD(3),
+        `include "ffd_org_arguments.vh"
+      ) u_org (
+        `include "ffd_org_connections.vh"
+      );
+    end else if (ORG == 10) begin : gen_affine
+      ffd_org_affine #(
+        `include "ffd_org_arguments.vh"
+      ) u_org (
+        `include "ffd_org_connections.vh"
+      );
+    end else if (ORG == 11) begin : gen_affine_by_3
+      ffd_org_affine #(
         .FOLD(3),
         `include "ffd_org_arguments.vh"
       ) u_org (

@@ -35,6 +35,10 @@
 `define FFD_SUM_W(FORMAT) \
   ((FORMAT) == 0 ? 32 : 2 * `FFD_FIXED_W(FORMAT) + 6 + `FFD_FLAGS_W(FORMAT))
 
+// From one point to another, a bit more than a point; in fixed point only, where it is exact.
+`define FFD_OFFSET_W(FORMAT)   (`FFD_FIXED_W(FORMAT) + 2)
+`define FFD_OFFSET_BAD(FORMAT) ((FORMAT) < 8 || (FORMAT) > 32)
+
 // The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
 `define FFD_EXPONENT_W 10
 

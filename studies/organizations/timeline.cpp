@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/schedule.hpp"
 
 namespace hwffd::organizations {
@@ -79,17 +80,27 @@ void add_summation(std::vector<Lane>& lanes, const Row& row) {
   }
 }
 
+bool is_affine(const Configuration& c) { return organization_of(c).form == Form::kAffine; }
+
+/// What an affine contraction does before it has its weights.
+void add_differences(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,
+                     const std::string& axis) {
+  if (!is_affine(c)) return;
+  pipeline.pass(lanes, units(sums * 3, "difference") + " along " + axis, c.add_latency);
+}
+
 /// Four terms along one axis, of `sums` sums at once.
 void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,
                   const std::string& axis) {
   const bool fused = c.fma_latency > 0;
-  pipeline.pass(lanes, units(sums * (fused ? 2 : 4), "product") + " along " + axis, c.mul_latency);
+  const int products = is_affine(c) ? 3 : fused ? 2 : 4;
+  pipeline.pass(lanes, units(sums * products, "product") + " along " + axis, c.mul_latency);
   pipeline.pass(lanes, units(sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
                 fused ? c.fma_latency : c.add_latency);
   pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
 }
 
-/// `factored`: polynomials, of which those of t and s may be later than shown,
+/// `factored` and `affine`: polynomials, of which those of t and s may be later than shown,
 /// points, contractions.
 void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   constexpr int kReadLatency = 2;  // of ffd_bench_evaluator
@@ -102,11 +113,14 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());
   points.pass(lanes, "64 points read", kReadLatency);
+  add_differences(lanes, points, c, 16 * components, "u");
   points.expect(polynomials.arrivals(), c.name);
   add_contract(lanes, points, c, 16 * components, "u");
   points.pass(lanes, "narrowed", c.convert_latency);
+  add_differences(lanes, points, c, 4 * components, "t");
   add_contract(lanes, points, c, 4 * components, "t");
   points.pass(lanes, "narrowed", c.convert_latency);
+  add_differences(lanes, points, c, components, "s");
   add_contract(lanes, points, c, components, "s");
   points.expect(schedule.sums(), c.name);
 }

@@ -21,6 +21,8 @@ BAD = {
     "column missing": (f"{HEADER}\n{GOOD.rsplit(',', 1)[0]}\n", 2, "columns"),
     "column too many": (f"{HEADER}\n{GOOD},x\n", 2, "columns"),
     "name twice": (f"{HEADER}\n{GOOD}\n{GOOD}\n", 3, "twice"),
+    "affine in binary32": (f"{HEADER}\ngood-row,affine,64,fp32,overlapped,pipelined,2,1,0,1,stream,"
+                           "test\n", 2, "affine is exact in fixed point only"),
     "name twice after a blank line": (f"{HEADER}\n{GOOD}\n\n{GOOD}\n", 4, "twice"),
 }
 FIELDS = {

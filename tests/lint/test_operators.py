@@ -60,6 +60,10 @@ COUNTED = (
     ("factored", "factored-fx18-overlapped", (36 + 3 * 84, 36 + 3 * 63),
      (36 + 3 * 84, 36 + 3 * 63), 12),
     ("factored/3", "factored3-fx18-overlapped", (12 + 84, 12 + 63), (12 + 84, 12 + 63), 4),
+    # Nine evaluators; 48 + 12 + 3 products, and of differences and sums each as many additions.
+    ("affine", "affine-fx17-overlapped", (27 + 3 * 63, 27 + 3 * 2 * 63),
+     (27 + 3 * 63, 27 + 3 * 2 * 63), 9),
+    ("affine/3", "affine3-fx17-overlapped", (9 + 63, 9 + 2 * 63), (9 + 63, 9 + 2 * 63), 3),
     # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.
     ("nested", "nested-fx18-overlapped", (3 * 67, 3 * 67), (3 * 67, 3 * 67), 0),
     ("nested/3", "nested3-fx18-overlapped", (63 + 12, 63 + 12), (63 + 12, 63 + 12), 0),
@@ -68,7 +72,7 @@ COUNTED = (
 
 @pytest.mark.parametrize("org, name, built, drawn, evaluators", COUNTED)
 def test_known_organizations(checkout, org, name, built, drawn, evaluators):
-    status, _, errors = checkout.script("operators.py", "out", "--org", org, "--format", "fx18")
+    status, _, errors = checkout.script("operators.py", "out", "--org", org, "--format", name.split("-")[1])
     assert (status, errors) == (0, "")
     assert json.loads(checkout.text("out"))[name] == {
         "operators": dict(zip(operators.KINDS, (*built, 0))),

@@ -13,7 +13,7 @@ from tables import TableError
 HEADER = ",".join(organizations.COLUMNS)
 # Software reads these in CONFIG.org: a core of any version has them.
 NUMBERS = {"basic": 0, "cg1": 1, "cg2": 2, "cg3": 3, "tree": 4, "parallel": 5, "factored": 6,
-           "factored/3": 7, "nested": 8, "nested/3": 9}
+           "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11}
 
 ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,,0,0,every,"
 
@@ -38,7 +38,7 @@ BAD = {
     "no such module": (row(module="nothing"), 2, "there is no ffd_org_nothing.v"),
     "no such parameter": (row(module="tree SIZE=1"), 2, "of ffd_org_tree.v: SERIAL, FORMAT"),
     "no value": (row(module="tree SERIAL"), 2, "'SERIAL' is not NAME=NUMBER"),
-    "no such form": (row(form="sum"), 2, "one of product, factored, nested"),
+    "no such form": (row(form="sum"), 2, "one of product, factored, affine, nested"),
     "units of 0": (row(units="0"), 2, "units is '0', 1 to 999 wanted"),
     "no clocks": (row(overlapped=""), 2, "overlapped: no formula"),
     "paper without the last": (row(last=""), 2, "last: a formula where paper has one"),

@@ -27,7 +27,10 @@ std::optional<double> clocks(const Configuration& row, Organization::Clocks form
 
 }  // namespace
 
-bool contracts(const Configuration& row) { return organization_of(row).form == Form::kFactored; }
+bool contracts(const Configuration& row) {
+  const Form form = organization_of(row).form;
+  return form == Form::kFactored || form == Form::kAffine;
+}
 
 bool keeps_cell(const Configuration& row) { return organization_of(row).formed != nullptr; }
 

@@ -1,0 +1,36 @@
+// ffd_org_affine: `factored` for functions that sum to one, three multiplications for four points
+//
+// An affine combination: w0 P0 + w1 P1 + w2 P2 + w3 P3 = P3 + sum of w_b (P_b - P3), where the
+// weights sum to one. 63 multiplications a component in place of 84, and 9 polynomials in place of
+// 12: bank 3 has what the others leave, so that weights sum to one by construction, whatever is
+// loaded, and with the same bits on both sides of a face. Weights of a derivative sum to zero.
+//
+// Formats:    fxW only: differences are exact there. One is a bit wider than a point, so that with
+//             multipliers of 18 x 18 the format is fx17.
+// Schedule, pipeline, freezes, ports: those of ffd_org_factored.
+// Parameters: as there, and FORMAT 8 to 32.
+// Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
+// Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_org_affine #(
+  parameter FOLD            = 1,
+  parameter FORMAT          = 17,
+  parameter N               = 64,
+  `include "ffd_org_parameters.vh"
+) (
+  `include "ffd_org_ports.vh"
+);
+  ffd_org_factored #(
+    .FOLD  (FOLD),
+    .AFFINE(1),
+    `include "ffd_org_arguments.vh"
+  ) u_factored (
+    `include "ffd_org_connections.vh"
+  );
+endmodule
+
+`default_nettype wire
