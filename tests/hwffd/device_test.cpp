@@ -191,6 +191,26 @@ TEST(Device, VerticesWithSupportsAndFunctionsThatDoNotSumToOne) {
   }
 }
 
+TEST(Device, AffineTakesFunctionsThatSumToOneOnly) {
+  const Scene scene;
+  const auto device = make_device({"model", "affine/3", "fx17"});
+  const Oracle::Coefficients bezier = Oracle::bernstein();
+  const Points exact = make_device({"reference", "", ""})
+                           ->evaluate(scene.lattice, scene.vertices, {bezier, bezier, bezier});
+  const auto of = [&](const Oracle::Coefficients& along_u) {
+    return device->evaluate(scene.lattice, scene.vertices, {bezier, bezier, along_u});
+  };
+  EXPECT_LT(largest(of(bezier) - exact), 2e-3);
+  try {
+    of(Oracle::hermite());
+    FAIL() << "evaluated";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "model affine3-fx17-overlapped: takes blending functions that sum to one only; these "
+              "do not: take factored");
+  }
+}
+
 TEST(Device, VerticesWithTheSupportsOfALatticeGetItsBits) {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   Scene scene;

@@ -7,6 +7,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/interleave.hpp"
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/packets.hpp"
@@ -23,15 +24,12 @@ Blending blending_words(const Oracle::Coefficients& axis, const WordCodec& codec
   return user_blending(rows);
 }
 
-std::array<AxisWords, 3> axes_of(const Device::Blending& blending, const WordCodec& codec) {
-  return {encode(blending_words(blending[0], codec), codec),
-          encode(blending_words(blending[1], codec), codec),
-          encode(blending_words(blending[2], codec), codec)};
+bool all_sum_to_one(const Device::Blending& blending) {
+  return std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
 }
 
 Normalization::Origin origin_for(const Device::Blending& blending) {
-  const bool one = std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
-  return one ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
+  return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
 }
 
 class ModelStream final : public CommandStream {
@@ -77,9 +75,23 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name),
       format_(row.format),
+      affine_(organization_of(row).form == Form::kAffine),
       stream_(std::move(stream)),
       store_(stream_->store()) {
   if (store_.pages > 0) pages_.emplace(store_);
+}
+
+std::array<AxisWords, 3> StreamDevice::axes_of(const Blending& blending,
+                                               const WordCodec& codec) const {
+  if (affine_ && !all_sum_to_one(blending)) {
+    throw Error(
+        fmt::format("{}: takes blending functions that sum to one only; these do not: "
+                    "take factored",
+                    name_));
+  }
+  return {encode(blending_words(blending[0], codec), codec),
+          encode(blending_words(blending[1], codec), codec),
+          encode(blending_words(blending[2], codec), codec)};
 }
 
 StreamDevice::Questions StreamDevice::asked_in_order(std::size_t vertices) {

@@ -64,6 +64,9 @@ class StreamDevice final : public Device {
   };
   using Questions = std::vector<Asked>;
 
+  /// The words of functions. Throws Error where the row cannot evaluate them.
+  std::array<AxisWords, 3> axes_of(const Blending& blending, const WordCodec& codec) const;
+
   static Questions asked_in_order(std::size_t vertices);
   static Questions asked_by_page(const PagedVertices& paged, const std::vector<LatticePage>& pages);
 
@@ -78,6 +81,7 @@ class StreamDevice final : public Device {
 
   std::string name_;
   std::string format_;
+  bool affine_;  ///< whether it takes only functions that sum to one
   std::unique_ptr<CommandStream> stream_;
   PointStore store_;
   std::optional<ResidentPages> pages_;  // in a core that has any
