@@ -24,13 +24,21 @@ module ffd_org_affine #(
 ) (
   `include "ffd_org_ports.vh"
 );
-  ffd_org_factored #(
-    .FOLD  (FOLD),
-    .AFFINE(1),
-    `include "ffd_org_arguments.vh"
-  ) u_factored (
-    `include "ffd_org_connections.vh"
-  );
+  generate
+    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
+      ERROR_ffd_org_affine_fold_must_be_1_or_3 u_error ();
+    end else if (N != 64) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64 u_error ();
+    end else begin : gen_affine
+      ffd_org_factored #(
+        .FOLD  (FOLD),
+        .AFFINE(1),
+        `include "ffd_org_arguments.vh"
+      ) u_factored (
+        `include "ffd_org_connections.vh"
+      );
+    end
+  endgenerate
 endmodule
 
 `default_nettype wire

@@ -51,7 +51,7 @@ void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
 }
 
 /// The first part of a row's name, "factored3" of factored3-fx18-overlapped.
-std::string organization_of(const Configuration& row) {
+std::string organization_in_name(const Configuration& row) {
   const std::string name = row.name;
   return name.substr(0, name.find('-'));
 }
@@ -84,7 +84,7 @@ std::vector<std::string> distinct(const std::vector<std::string>& words) {
   std::vector<std::string> formats;
   for (const Configuration& row : configurations()) {
     if (!is_there(choice.device, row)) continue;
-    organizations.push_back(organization_of(row));
+    organizations.push_back(organization_in_name(row));
     if (organizations.back() == as_in_names(choice.org)) formats.emplace_back(row.format);
   }
   if (formats.empty()) {
