@@ -25,7 +25,9 @@ module ffd_org_affine #(
   `include "ffd_org_ports.vh"
 );
   generate
-    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
+    if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
+      ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
+    end else if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
       ERROR_ffd_org_affine_fold_must_be_1_or_3 u_error ();
     end else if (N != 64) begin : gen_bad_n
       ERROR_ffd_org_affine_n_must_be_64 u_error ();
