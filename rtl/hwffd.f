@@ -48,6 +48,7 @@ evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
 evaluator/ffd_eval_contraction.v
 evaluator/ffd_eval_determinant.v
+evaluator/ffd_eval_factored.v
 evaluator/ffd_eval_former.v
 evaluator/ffd_eval_generator.v
 evaluator/ffd_eval_horner.v

@@ -32,7 +32,7 @@ MAPPED = ("", "fx18", "every")
 FORMULAS = ("paper", "last", "overlapped", "formed")
 TERMS = ("n", "poly", "add", "start", "read", "contract")
 
-NAME = re.compile(r"[a-z]+[0-9]*(/[0-9]+)?")
+NAME = re.compile(r"[a-z]+[0-9]*(/[0-9]+(x[0-9]+)?)?")
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,10 @@ class Organization:
     @property
     def fold(self):
         return self.parameters.get("FOLD", 1)
+
+    @property
+    def lanes(self):
+        return self.parameters.get("LANES", 1)
 
 
 def module_path(rtl, module):
@@ -90,7 +94,7 @@ def _read_row(cells, where, rtl):
     name = cells["org"]
     if not NAME.fullmatch(name):
         raise TableError(f"{where}: bad org '{name}': letters, then perhaps a number, then "
-                         "perhaps / and a number")
+                         "perhaps / and a number, then perhaps x and a number")
 
     def units(column):
         return tables.number(cells, column, where, range(1, 1000) if column == "units" else UNITS

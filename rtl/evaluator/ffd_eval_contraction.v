@@ -7,7 +7,8 @@
 // tree of 64, pair by pair. Between contractions a sum becomes a point again (ffd_num_narrow).
 //
 // A step takes the 64 points of a vertex and contracts 3 / FOLD of their components. Folded by
-// three, a vertex is three steps one after the other, x first; they read the same points.
+// three, a vertex is three steps one after the other, x first; the points are read once, and y and z
+// wait here.
 //
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
@@ -35,8 +36,8 @@ module ffd_eval_contraction #(
   input  wire                                    clk,
   input  wire                                    rst,
   input  wire                                    step_valid_i,
+  input  wire                                    step_first_i,  // and last: only of valid steps
   input  wire                                    step_last_i,
-  input  wire [1:0]                              step_component_i,
   input  wire [SOURCE_W-1:0]                     step_source_i,
   input  wire [11:0]                             step_cell_i,
   input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    weights_i,
@@ -62,8 +63,8 @@ module ffd_eval_contraction #(
     end
   endgenerate
 
-  assign read_o        = step_valid_i;
-  assign read_last_o   = step_valid_i && step_last_i;
+  assign read_o        = step_first_i;
+  assign read_last_o   = step_first_i;
   assign read_source_o = step_source_i;
   assign read_cell_o   = step_cell_i;
 
@@ -77,20 +78,20 @@ module ffd_eval_contraction #(
   ) u_sum_valid (
     .clk(clk),
     .rst(rst),
-    .d_i({step_valid_i, step_valid_i && step_last_i}),
+    .d_i({step_valid_i, step_last_i}),
     .q_o({sum_valid, sum_last})
   );
 
-  wire [1:0] component;
+  wire first;  // of a vertex: its points are here
 
   ffd_num_delay #(
-    .WIDTH  (2),
+    .WIDTH  (1),
     .LATENCY(READ_LATENCY)
-  ) u_component (
+  ) u_first (
     .clk(clk),
     .rst(rst),
-    .d_i(step_component_i),
-    .q_o(component)
+    .d_i(step_first_i),
+    .q_o(first)
   );
 
   wire [COMPONENTS*SUM_W-1:0] sums;
@@ -122,9 +123,11 @@ module ffd_eval_contraction #(
             end else if (FOLD == 1) begin : gen_own
               assign point = read_points_i[(FIRST+c)*POINT_W +: POINT_W];
             end else begin : gen_in_turn
-              assign point = component == 2'd0 ? read_points_i[(FIRST+0)*POINT_W +: POINT_W] :
-                             component == 2'd1 ? read_points_i[(FIRST+1)*POINT_W +: POINT_W] :
-                                                 read_points_i[(FIRST+2)*POINT_W +: POINT_W];
+              reg  [2*POINT_W-1:0] rest_q;
+              wire [3*POINT_W-1:0] left = first ? read_points_i[FIRST*POINT_W +: 3*POINT_W]
+                                                : {{POINT_W{1'b0}}, rest_q};
+              always @(posedge clk) rest_q <= left[3*POINT_W-1:POINT_W];
+              assign point = left[POINT_W-1:0];
             end
           end
           assign points = {gen_bank[3].point, gen_bank[2].point, gen_bank[1].point,
@@ -165,7 +168,7 @@ module ffd_eval_contraction #(
   generate
     if (FOLD == 1) begin : gen_whole
       assign result_sum_o = sums;
-      wire unused_ok = &{1'b0, component, sum_last};
+      wire unused_ok = &{1'b0, first, sum_last};
     end else begin : gen_collect
       reg [2*SUM_W-1:0] before_q;
       always @(posedge clk) before_q <= {sums, before_q[SUM_W +: SUM_W]};

@@ -18,6 +18,7 @@
 
 module ffd_org_affine #(
   parameter FOLD            = 1,
+  parameter LANES           = 1,
   parameter FORMAT          = 17,
   parameter N               = 64,
   `include "ffd_org_parameters.vh"
@@ -34,6 +35,7 @@ module ffd_org_affine #(
     end else begin : gen_affine
       ffd_org_factored #(
         .FOLD  (FOLD),
+        .LANES (LANES),
         .AFFINE(1),
         `include "ffd_org_arguments.vh"
       ) u_factored (

@@ -2,15 +2,19 @@
 //
 // The 64 points of a cell are read at once, one from each bank, and the four weights of each axis
 // are rotated into the order of the banks: 12 polynomials and 84 multiplications a component, and
-// a vertex a clock from any cell. Folded by three, one component a clock on a third of it.
+// a vertex a clock from any cell. Folded by three, one component a clock on a third of it; such a
+// lane reads points in one of three clocks, so that up to three lanes share one store of points.
+// Vertices are dealt to the lanes in turn; all take equally long, so results keep the order.
 //
-// Schedule:   overlapped only, FOLD clocks between vertices; the paper has no such organization.
-// Pipeline:   step | FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points |
-//             ffd_eval_contraction.
+// Schedule:   overlapped only, FOLD vertices of LANES in FOLD clocks; the paper has no such
+//             organization.
+// Pipeline:   ffd_eval_factored; of several lanes, a clock where their reads meet, within that
+//             pipeline, and one where their sums meet, behind it.
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a
 //             vertex must have room for its result.
 // Parameters: those of every organization (docs/architecture.md); N is 64, SCHEDULE overlapped,
-//             EVALUATOR not iterative; FOLD 1 or 3, with the same bits; AFFINE 1: ffd_org_affine.
+//             EVALUATOR not iterative; FOLD 1 or 3, with the same bits; LANES 1 to FOLD; AFFINE 1:
+//             ffd_org_affine.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -19,6 +23,7 @@
 
 module ffd_org_factored #(
   parameter FOLD            = 1,
+  parameter LANES           = 1,
   parameter AFFINE          = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
@@ -26,21 +31,14 @@ module ffd_org_factored #(
 ) (
   `include "ffd_org_ports.vh"
 );
-  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
-  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
-  localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
-  localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
-  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
-  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
-                                              CONVERT_LATENCY);
-  localparam CONTRACT     = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
-                                                  CONVERT_LATENCY);
-  localparam READ_DELAY   = `FFD_CHOICE_LATENCY(FOLD) + POLY_LATENCY - READ_LATENCY
-                          - `FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY);
+  localparam WIDTH = 3 * `FFD_SUM_W(FORMAT);
 
   generate
     if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
       ERROR_ffd_org_factored_fold_must_be_1_or_3 u_error ();
+    end
+    if (LANES < 1 || LANES > FOLD) begin : gen_bad_lanes
+      ERROR_ffd_org_factored_lanes_must_be_1_to_fold u_error ();
     end
     if (N != 64) begin : gen_bad_n
       ERROR_ffd_org_factored_n_must_be_64 u_error ();
@@ -48,126 +46,120 @@ module ffd_org_factored #(
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_factored_schedule_must_be_overlapped u_error ();
     end
-    if (READ_DELAY < 0) begin : gen_bad_read_latency
-      ERROR_ffd_org_factored_read_latency_is_too_long u_error ();
+  endgenerate
+
+  // Where lanes meet: one of them at most has something in a clock.
+  wire [LANES-1:0]          turn;  // of taking a vertex
+  wire [LANES-1:0]          ready;
+  wire [LANES-1:0]          read;
+  wire [LANES-1:0]          read_last;
+  wire [LANES*SOURCE_W-1:0] read_source;
+  wire [LANES*12-1:0]       read_cell;
+  wire [LANES-1:0]          sum_valid;
+  wire [LANES*WIDTH-1:0]    sum;
+
+  genvar lane;
+  generate
+    for (lane = 0; lane < LANES; lane = lane + 1) begin : gen_lane
+      wire [5:0] read_index;
+      wire       forming;
+
+      ffd_eval_factored #(
+        .FOLD           (FOLD),
+        .AFFINE         (AFFINE),
+        .FORMAT         (FORMAT),
+        .N              (N),
+        .SCHEDULE       (SCHEDULE),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .READ_LATENCY   (LANES == 1 ? READ_LATENCY : READ_LATENCY + 1),
+        .SOURCE_W       (SOURCE_W),
+        .SPANS          (SPANS)
+      ) u_lane (
+        .clk                 (clk),
+        .rst                 (rst),
+        .load_i              (load_i),
+        .load_axis_i         (load_axis_i),
+        .load_address_i      (load_address_i),
+        .load_entry_i        (load_entry_i),
+        .s_vertex_valid      (s_vertex_valid && turn[lane]),
+        .s_vertex_ready      (ready[lane]),
+        .s_vertex_coordinates(s_vertex_coordinates),
+        .s_vertex_cell       (s_vertex_cell),
+        .s_vertex_source     (s_vertex_source),
+        .s_vertex_bank       (s_vertex_bank),
+        .s_vertex_changed    (s_vertex_changed),
+        .read_o              (read[lane]),
+        .read_last_o         (read_last[lane]),
+        .read_source_o       (read_source[lane*SOURCE_W +: SOURCE_W]),
+        .read_cell_o         (read_cell[lane*12 +: 12]),
+        .read_index_o        (read_index),
+        .read_points_i       (read_points_i),
+        .forming_o           (forming),
+        .result_valid_o      (sum_valid[lane]),
+        .result_sum_o        (sum[lane*WIDTH +: WIDTH])
+      );
+      wire unused_ok = &{1'b0, read_index, forming};
     end
   endgenerate
 
-  wire                  step_valid;
-  wire                  step_first;
-  wire                  step_last;
-  wire [STEP_W-1:0]     step_count;
-  wire [3*WEIGHT_W-1:0] coordinates;
-  wire [11:0]           cell_index;
-  wire [SOURCE_W-1:0]   source;
-  wire [3*PLACE_W-1:0]  bank;
-  wire [1:0]            step = {{(2 - STEP_W) {1'b0}}, step_count};
+  assign s_vertex_ready = |(ready & turn);
+  assign read_index_o   = 6'd0;
+  assign forming_o      = 1'b0;
 
-  ffd_eval_sequencer #(
-    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
-    .STEPS    (FOLD),
-    .CONTEXTS (1),
-    .INTERVAL (1)
-  ) u_sequencer (
-    .clk           (clk),
-    .rst           (rst),
-    .s_vertex_valid(s_vertex_valid),
-    .s_vertex_ready(s_vertex_ready),
-    .s_vertex_data ({s_vertex_coordinates, s_vertex_cell, s_vertex_source, s_vertex_bank}),
-    .step_valid_o  (step_valid),
-    .step_first_o  (step_first),
-    .step_last_o   (step_last),
-    .step_o        (step_count),
-    .payload_o     ({coordinates, cell_index, source, bank})
-  );
+  generate
+    if (LANES == 1) begin : gen_alone
+      assign turn           = 1'b1;
+      assign read_o         = read;
+      assign read_last_o    = read_last;
+      assign read_source_o  = read_source;
+      assign read_cell_o    = read_cell;
+      assign result_valid_o = sum_valid;
+      assign result_sum_o   = sum;
+    end else begin : gen_together
+      localparam [LANES-1:0] FIRST = 1;
+      reg [LANES-1:0]    turn_q;
+      reg                read_q;
+      reg                read_last_q;
+      reg                sum_valid_q;
+      reg [SOURCE_W-1:0] source_d, source_q;
+      reg [11:0]         cell_d, cell_q;
+      reg [WIDTH-1:0]    sum_d, sum_q;
 
-  wire [3*4*WEIGHT_W-1:0] weights;
+      integer i;
+      always @* begin
+        source_d = {SOURCE_W{1'b0}};
+        cell_d   = 12'd0;
+        sum_d    = {WIDTH{1'b0}};
+        for (i = 0; i < LANES; i = i + 1) begin
+          source_d = source_d | ({SOURCE_W{read[i]}} & read_source[i*SOURCE_W +: SOURCE_W]);
+          cell_d   = cell_d | ({12{read[i]}} & read_cell[i*12 +: 12]);
+          sum_d    = sum_d | ({WIDTH{sum_valid[i]}} & sum[i*WIDTH +: WIDTH]);
+        end
+      end
+      always @(posedge clk) begin
+        if (rst) turn_q <= FIRST;
+        else if (s_vertex_valid && s_vertex_ready) turn_q <= {turn_q[LANES-2:0], turn_q[LANES-1]};
+        read_q      <= |read && !rst;
+        read_last_q <= |read_last && !rst;
+        sum_valid_q <= |sum_valid && !rst;
+        source_q    <= source_d;
+        cell_q      <= cell_d;
+        sum_q       <= sum_d;
+      end
 
-  ffd_eval_bank_weights #(
-    .FOLD           (FOLD),
-    .AFFINE         (AFFINE),
-    .FORMAT         (FORMAT),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .DISTANCE       (CONTRACT),
-    .SPANS          (SPANS)
-  ) u_weights (
-    .clk           (clk),
-    .load_i        (load_i),
-    .load_axis_i   (load_axis_i),
-    .load_address_i(load_address_i),
-    .load_entry_i  (load_entry_i),
-    .step_valid_i  (step_valid),
-    .step_i        (step),
-    .coordinates_i (coordinates),
-    .cell_i        (cell_index),
-    .bank_i        (bank),
-    .weights_o     (weights)
-  );
-
-  // The points of a step are asked for so that they come when the contraction wants them.
-  wire                read_valid;
-  wire                read_last;
-  wire [1:0]          read_component;
-  wire [SOURCE_W-1:0] read_source;
-  wire [11:0]         read_cell;
-
-  ffd_num_delay #(
-    .WIDTH  (2),
-    .LATENCY(READ_DELAY),
-    .RESET  (1)
-  ) u_read_valid (
-    .clk(clk),
-    .rst(rst),
-    .d_i({step_valid, step_last}),
-    .q_o({read_valid, read_last})
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (2 + SOURCE_W + 12),
-    .LATENCY(READ_DELAY)
-  ) u_read (
-    .clk(clk),
-    .rst(rst),
-    .d_i({step, source, cell_index}),
-    .q_o({read_component, read_source, read_cell})
-  );
-
-  ffd_eval_contraction #(
-    .FOLD           (FOLD),
-    .AFFINE         (AFFINE),
-    .FORMAT         (FORMAT),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SOURCE_W)
-  ) u_contraction (
-    .clk             (clk),
-    .rst             (rst),
-    .step_valid_i    (read_valid),
-    .step_last_i     (read_last),
-    .step_component_i(read_component),
-    .step_source_i   (read_source),
-    .step_cell_i     (read_cell),
-    .weights_i       (weights),
-    .read_o          (read_o),
-    .read_last_o     (read_last_o),
-    .read_source_o   (read_source_o),
-    .read_cell_o     (read_cell_o),
-    .read_points_i   (read_points_i),
-    .result_valid_o  (result_valid_o),
-    .result_sum_o    (result_sum_o)
-  );
-
-  assign read_index_o = 6'd0;
-  wire unused_ok = &{1'b0, s_vertex_changed, step_first};
-
-  assign forming_o = 1'b0;
+      assign turn           = turn_q;
+      assign read_o         = read_q;
+      assign read_last_o    = read_last_q;
+      assign read_source_o  = source_q;
+      assign read_cell_o    = cell_q;
+      assign result_valid_o = sum_valid_q;
+      assign result_sum_o   = sum_q;
+    end
+  endgenerate
 endmodule
 
 `default_nettype wire

@@ -87,7 +87,7 @@ Measurement measure(const Configuration& row, const Effort& effort) {
 
   auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
   bench.run(random);
-  measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp);
+  measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp, lanes(row));
   if (keeps_cell(row)) {  // the error of a single cell says little
     random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, kInACell);
     bench.run(random);

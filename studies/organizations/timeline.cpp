@@ -101,18 +101,19 @@ void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configurat
 }
 
 /// `factored` and `affine`: polynomials, of which those of t and s may be later than shown,
-/// points, contractions.
+/// points, contractions. Of several lanes the first is shown.
 void add_contraction(std::vector<Lane>& lanes, const Row& row) {
-  constexpr int kReadLatency = 2;  // of ffd_bench_evaluator
   const Configuration& c = *row.configuration;
+  const int side_by_side = hwffd::lanes(c);
+  const int read_latency = side_by_side > 1 ? 3 : 2;  // of ffd_bench_evaluator; a clock of theirs
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   const int components = 3 / folds(c);
   Pipeline polynomials(schedule, schedule.polynomials().starts);
   if (folds(c) > 1) polynomials.pass(lanes, "axis chosen", 1);
-  polynomials.pass(lanes, units(row.count.evaluators, "polynomial evaluator"),
+  polynomials.pass(lanes, units(row.count.evaluators / side_by_side, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());
-  points.pass(lanes, "64 points read", kReadLatency);
+  points.pass(lanes, "64 points read", read_latency);
   add_differences(lanes, points, c, 16 * components, "u");
   points.expect(polynomials.arrivals(), c.name);
   add_contract(lanes, points, c, 16 * components, "u");

@@ -157,10 +157,14 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t firs
   }
 }
 
-double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first) {
-  if (clocks.size() < first + 2) throw std::out_of_range("an interval needs two events");
-  return static_cast<double>(clocks.back() - clocks[first]) /
-         static_cast<double>(clocks.size() - 1 - first);
+double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first, int together) {
+  const auto round = static_cast<std::size_t>(together);
+  if (clocks.size() < first + 1 + round) {
+    throw std::out_of_range("an interval needs two events, or a round of them");
+  }
+  const std::size_t intervals = (clocks.size() - 1 - first) / round * round;
+  return static_cast<double>(clocks[first + intervals] - clocks[first]) /
+         static_cast<double>(intervals);
 }
 
 }  // namespace hwffd::tb

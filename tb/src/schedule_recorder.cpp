@@ -3,9 +3,20 @@
 #include <stdexcept>
 
 namespace hwffd::tb {
+namespace {
+
+/// Whether a probe is in a lane behind the first.
+bool in_another_lane(const std::string& instance) {
+  const std::string lane = "gen_lane[";
+  const auto found = instance.find(lane);
+  return found != std::string::npos && instance.at(found + lane.size()) != '0';
+}
+
+}  // namespace
 
 ScheduleRecorder::ScheduleRecorder(const cores::EvaluatorCore& core) {
   for (const cores::Probe& probe : core.probes()) {
+    if (in_another_lane(probe.instance)) continue;
     if (probe.signal == "step_valid_o") {
       sequencers_.push_back({probe.instance, {}});
       sequencer_values_.push_back(probe.value);

@@ -121,7 +121,8 @@ TEST_P(Evaluator, IntervalEqualsTheFormula) {
   const auto stimulus = draw(41 + intervals, 7);
   bench_.run(stimulus);
   expect_no_mismatch(stimulus.vertices.size());
-  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40), scattered_interval(GetParam()));
+  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40, lanes(GetParam())),
+            scattered_interval(GetParam()));
 }
 
 // Within a cell the rate is the organization's from the second vertex on, to the clock.
@@ -129,7 +130,8 @@ TEST_P(KeepsCell, IntervalWithinACell) {
   const std::size_t vertices = 2001;
   bench_.run(draw(vertices, 8, vertices));
   expect_no_mismatch(vertices);
-  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 0), expected_interval(GetParam()));
+  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 0, lanes(GetParam())),
+            expected_interval(GetParam()));
 }
 
 // Runs of one, two, three vertices a cell: those before a change of cell are still inside while the

@@ -13,7 +13,7 @@ from tables import TableError
 HEADER = ",".join(organizations.COLUMNS)
 # Software reads these in CONFIG.org: a core of any version has them.
 NUMBERS = {"basic": 0, "cg1": 1, "cg2": 2, "cg3": 3, "tree": 4, "parallel": 5, "factored": 6,
-           "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11}
+           "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11, "affine/3x2": 12}
 
 ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,,0,0,every,"
 
@@ -32,6 +32,7 @@ BAD = {
     "column missing": ("basic,0\n", 2, "columns"),
     "name in capitals": (row(org="Basic"), 2, "bad org"),
     "nothing behind the stroke": (row(org="factored/"), 2, "bad org"),
+    "nothing behind the lanes' x": (row(org="factored/3x"), 2, "bad org"),
     "name twice": (TREE + TREE, 3, "twice"),
     "number twice": (row() + "\n" + TREE.replace(",4,", ",0,"), 4, "number 0 is that of 'basic'"),
     "no module": (row(module=""), 2, "unknown module"),

@@ -36,6 +36,8 @@ bool keeps_cell(const Configuration& row) { return organization_of(row).formed !
 
 int folds(const Configuration& row) { return organization_of(row).fold; }
 
+int lanes(const Configuration& row) { return organization_of(row).lanes; }
+
 std::optional<double> paper_clocks(const Configuration& row) {
   return clocks(row, organization_of(row).paper);
 }

@@ -34,6 +34,7 @@ struct Organization {
   int n;               ///< the one N that it has; 0: the rows choose
   Form form;
   int fold;           ///< how often its units are used for one vertex
+  int lanes;          ///< vertices that are evaluated side by side
   Clocks paper;       ///< of a vertex at the paper's schedule
   Clocks last;        ///< of the last accumulation, which that formula does not count
   Clocks overlapped;  ///< between vertices when steps overlap; of one cell, if it keeps one

@@ -17,6 +17,9 @@ bool keeps_cell(const Configuration& row);
 /// How often the units of an organization are used for one vertex.
 int folds(const Configuration& row);
 
+/// How many vertices an organization evaluates side by side, in as many folded lanes.
+int lanes(const Configuration& row);
+
 /// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
 /// that the paper does not have.
 std::optional<double> paper_clocks(const Configuration& row);

@@ -67,7 +67,8 @@ class EvaluatorBench {
   std::vector<cores::EvaluatorCore::Result> results_;
 };
 
-/// Clocks between events `first` and the last one, divided by their distance.
-double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first);
+/// Clocks between events `first` and the last one, divided by their distance. Where `together` of
+/// them make a round, over whole rounds.
+double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first, int together = 1);
 
 }  // namespace hwffd::tb

@@ -9,7 +9,8 @@
 
 namespace hwffd::tb {
 
-/// When an evaluator's schedule did what, in clocks, as its probes showed it.
+/// When an evaluator's schedule did what, in clocks, as its probes showed it; where it has several
+/// lanes, the first of them.
 class ScheduleRecorder {
  public:
   /// Starts of one sequencer: a polynomial of each of its evaluators, or a combination.

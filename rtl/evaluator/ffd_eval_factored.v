@@ -1,0 +1,158 @@
+// ffd_eval_factored: one lane of ffd_org_factored, with its own polynomials
+//
+// Schedule:   a vertex every FOLD clocks.
+// Pipeline:   step | FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points |
+//             ffd_eval_contraction.
+// Freezes:    never. Results leave in the order of the vertices and are not held back.
+// Parameters: those of ffd_org_factored, which checks them.
+// Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_eval_factored #(
+  parameter FOLD            = 1,
+  parameter AFFINE          = 0,
+  parameter FORMAT          = 18,
+  parameter N               = 64,
+  `include "ffd_org_parameters.vh"
+) (
+  `include "ffd_org_ports.vh"
+);
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
+  localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
+                                              CONVERT_LATENCY);
+  localparam CONTRACT     = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
+                                                  CONVERT_LATENCY);
+  localparam READ_DELAY   = `FFD_CHOICE_LATENCY(FOLD) + POLY_LATENCY - READ_LATENCY
+                          - `FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY);
+
+  generate
+    if (READ_DELAY < 0) begin : gen_bad_read_latency
+      ERROR_ffd_eval_factored_read_latency_is_too_long u_error ();
+    end
+  endgenerate
+
+  wire                  step_valid;
+  wire                  step_first;
+  wire                  step_last;
+  wire [STEP_W-1:0]     step_count;
+  wire [3*WEIGHT_W-1:0] coordinates;
+  wire [11:0]           cell_index;
+  wire [SOURCE_W-1:0]   source;
+  wire [3*PLACE_W-1:0]  bank;
+  wire [1:0]            step = {{(2 - STEP_W) {1'b0}}, step_count};
+
+  ffd_eval_sequencer #(
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
+    .STEPS    (FOLD),
+    .CONTEXTS (1),
+    .INTERVAL (1)
+  ) u_sequencer (
+    .clk           (clk),
+    .rst           (rst),
+    .s_vertex_valid(s_vertex_valid),
+    .s_vertex_ready(s_vertex_ready),
+    .s_vertex_data ({s_vertex_coordinates, s_vertex_cell, s_vertex_source, s_vertex_bank}),
+    .step_valid_o  (step_valid),
+    .step_first_o  (step_first),
+    .step_last_o   (step_last),
+    .step_o        (step_count),
+    .payload_o     ({coordinates, cell_index, source, bank})
+  );
+
+  wire [3*4*WEIGHT_W-1:0] weights;
+
+  ffd_eval_bank_weights #(
+    .FOLD           (FOLD),
+    .AFFINE         (AFFINE),
+    .FORMAT         (FORMAT),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .DISTANCE       (CONTRACT),
+    .SPANS          (SPANS)
+  ) u_weights (
+    .clk           (clk),
+    .load_i        (load_i),
+    .load_axis_i   (load_axis_i),
+    .load_address_i(load_address_i),
+    .load_entry_i  (load_entry_i),
+    .step_valid_i  (step_valid),
+    .step_i        (step),
+    .coordinates_i (coordinates),
+    .cell_i        (cell_index),
+    .bank_i        (bank),
+    .weights_o     (weights)
+  );
+
+  // The points of a step are asked for so that they come when the contraction wants them.
+  wire                read_valid;
+  wire                read_first;
+  wire                read_last;
+  wire [SOURCE_W-1:0] read_source;
+  wire [11:0]         read_cell;
+
+  ffd_num_delay #(
+    .WIDTH  (3),
+    .LATENCY(READ_DELAY),
+    .RESET  (1)
+  ) u_read_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i({step_valid, step_valid && step_first, step_valid && step_last}),
+    .q_o({read_valid, read_first, read_last})
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (SOURCE_W + 12),
+    .LATENCY(READ_DELAY)
+  ) u_read (
+    .clk(clk),
+    .rst(rst),
+    .d_i({source, cell_index}),
+    .q_o({read_source, read_cell})
+  );
+
+  ffd_eval_contraction #(
+    .FOLD           (FOLD),
+    .AFFINE         (AFFINE),
+    .FORMAT         (FORMAT),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .READ_LATENCY   (READ_LATENCY),
+    .SOURCE_W       (SOURCE_W)
+  ) u_contraction (
+    .clk             (clk),
+    .rst             (rst),
+    .step_valid_i    (read_valid),
+    .step_first_i    (read_first),
+    .step_last_i     (read_last),
+    .step_source_i   (read_source),
+    .step_cell_i     (read_cell),
+    .weights_i       (weights),
+    .read_o          (read_o),
+    .read_last_o     (read_last_o),
+    .read_source_o   (read_source_o),
+    .read_cell_o     (read_cell_o),
+    .read_points_i   (read_points_i),
+    .result_valid_o  (result_valid_o),
+    .result_sum_o    (result_sum_o)
+  );
+
+  assign read_index_o = 6'd0;
+  wire unused_ok = &{1'b0, s_vertex_changed};
+
+  assign forming_o = 1'b0;
+endmodule
+
+`default_nettype wire
