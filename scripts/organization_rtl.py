@@ -74,16 +74,16 @@ endmodule
 def header_text(rtl):
     """What other modules may ask of ORG."""
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
-    products = " || ".join(f"(ORG) == {one.number}" for one in found if one.form == "product")
+    in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_ORGANIZATIONS_VH
 `define FFD_ORGANIZATIONS_VH
 
-// It adds 64 products of weights and points.
-`define FFD_ORG_PRODUCT(ORG) \\
-  ({products})
+// It takes the 64 points of a vertex in turn, N in a clock.
+`define FFD_ORG_IN_TURN(ORG) \\
+  ({in_turn})
 
 `endif
 """

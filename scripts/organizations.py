@@ -55,6 +55,11 @@ class Organization:
         return self.parameters.get("FOLD", 1)
 
     @property
+    def in_turn(self):
+        """Whether it takes the 64 points of a vertex in turn, N in a clock."""
+        return self.form == "product" or self.fold == 64
+
+    @property
     def lanes(self):
         return self.parameters.get("LANES", 1)
 

@@ -62,10 +62,10 @@
 `define FFD_UNITS_T(N) ((N) >= 16 ? 4 : (N) == 8 ? 2 : 1)
 `define FFD_UNITS_U(N) ((N) >= 4 ? 4 : (N))
 
-// Clocks a vertex takes: an organization that adds all 64 products of weights and points, N in a
-// clock, has others in between. While vertices take turns (FFD_CONTEXTS), two results may come
-// closer, by less than the accumulator's latency. Wants ffd_organizations.vh.
-`define FFD_RESULT_INTERVAL(ORG, N) (`FFD_ORG_PRODUCT(ORG) ? 64 / (N) : 1)
+// Clocks a vertex takes: an organization that takes its points in turn, N in a clock, has others in
+// between. While vertices take turns (FFD_CONTEXTS), two results may come closer, by less than the
+// accumulator's latency. Wants ffd_organizations.vh.
+`define FFD_RESULT_INTERVAL(ORG, N) (`FFD_ORG_IN_TURN(ORG) ? 64 / (N) : 1)
 
 // Evaluations inside, and places for their results: MOST, or with 0 what an organization needs to
 // keep its rate. Pipelines are some 100 clocks long, and at long intervals ten vertices take turns.

@@ -7,8 +7,8 @@
 //
 // Formats:    fxW only: differences are exact there. One is a bit wider than a point, so that with
 //             multipliers of 18 x 18 the format is fx17.
-// Schedule, pipeline, freezes, ports: those of ffd_org_factored.
-// Parameters: as there, and FORMAT 8 to 32.
+// Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
+// Parameters: as there, and FORMAT 8 to 32. FOLD also 64: in sequence, N is then 1, LANES unused.
 // Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -28,10 +28,16 @@ module ffd_org_affine #(
   generate
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
-    end else if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
-      ERROR_ffd_org_affine_fold_must_be_1_or_3 u_error ();
-    end else if (N != 64) begin : gen_bad_n
-      ERROR_ffd_org_affine_n_must_be_64 u_error ();
+    end else if (FOLD != 1 && FOLD != 3 && FOLD != 64) begin : gen_bad_fold
+      ERROR_ffd_org_affine_fold_must_be_1_3_or_64 u_error ();
+    end else if (N != (FOLD == 64 ? 1 : 64)) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64_or_of_fold_64_1 u_error ();
+    end else if (FOLD == 64) begin : gen_serial
+      ffd_eval_serial #(
+        `include "ffd_org_arguments.vh"
+      ) u_serial (
+        `include "ffd_org_connections.vh"
+      );
     end else begin : gen_affine
       ffd_org_factored #(
         .FOLD  (FOLD),

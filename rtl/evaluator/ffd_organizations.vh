@@ -4,8 +4,8 @@
 `ifndef FFD_ORGANIZATIONS_VH
 `define FFD_ORGANIZATIONS_VH
 
-// It adds 64 products of weights and points.
-`define FFD_ORG_PRODUCT(ORG) \
-  ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5)
+// It takes the 64 points of a vertex in turn, N in a clock.
+`define FFD_ORG_IN_TURN(ORG) \
+  ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13)
 
 `endif

@@ -126,6 +126,36 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   points.expect(schedule.sums(), c.name);
 }
 
+/// In sequence: a point a clock. Products along t and s take the clocks of the bases and are not
+/// shown; the last of them ends a vertex.
+void add_sequence(std::vector<Lane>& lanes, const Row& row) {
+  constexpr std::size_t kPoints = 64;
+  constexpr std::size_t kFills = 27;  // clocks of the polynomials' starts
+  const Configuration& c = *row.configuration;
+  const tb::ScheduleRecorder& schedule = row.measured.schedule;
+  std::vector<std::uint64_t> starts;
+  for (std::size_t i = 0; i < schedule.polynomials().starts.size(); ++i) {
+    const std::size_t step = i % kPoints;
+    if (step < kFills && step % 3 == 0) starts.push_back(schedule.polynomials().starts[i]);
+  }
+  Pipeline polynomials(schedule, starts);
+  polynomials.pass(lanes, "1 polynomial evaluator", polynomial_latency(c));
+  Pipeline points(schedule, schedule.steps());
+  points.pass(lanes, "a point read", 2);
+  points.pass(lanes, "3 differences", c.add_latency);
+  points.pass(lanes, "3 products", c.mul_latency);
+  points.pass(lanes, "3 adders", c.add_latency);
+  // ffd_eval_serial: groups of four from u to t, two rounds of 16 from t to s, three along s.
+  const int groups = (c.mul_latency + c.convert_latency + 8) / 4;
+  std::vector<std::uint64_t> sums;
+  for (std::size_t i = 0; i < points.arrivals().size(); i += kPoints) {
+    sums.push_back(points.arrivals()[i] + 4 * groups + 2 * 16 + 3 * 16);
+  }
+  if (sums != schedule.sums()) {
+    throw std::logic_error(fmt::format("{}: its probes do not fit its latencies", c.name));
+  }
+}
+
 /// `nested`, within a cell: centred coordinates, then a cubic an axis, of which those that are
 /// added later start later than shown.
 void add_nested(std::vector<Lane>& lanes, const Row& row) {
@@ -175,7 +205,8 @@ std::vector<Lane> lanes_of(const Row& row) {
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   std::vector<Lane> lanes;
   if (contracts(*row.configuration)) {
-    add_contraction(lanes, row);
+    const bool in_sequence = row.configuration->n == 1;
+    (in_sequence ? add_sequence : add_contraction)(lanes, row);
     return lanes;
   }
   if (keeps_cell(*row.configuration)) {

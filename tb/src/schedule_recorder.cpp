@@ -22,9 +22,9 @@ ScheduleRecorder::ScheduleRecorder(const cores::EvaluatorCore& core) {
       sequencer_values_.push_back(probe.value);
     } else if (probe.signal == "step_first_o") {
       first_ = probe.value;
-    } else if (probe.signal == "step_valid_i") {
+    } else if (probe.signal == "step_valid_i" || probe.signal == "read_o") {
       step_ = probe.value;
-    } else if (probe.signal == "step_source_i") {
+    } else if (probe.signal == "step_source_i" || probe.signal == "read_source_o") {
       source_ = probe.value;
     } else if (probe.signal == "sum_valid") {
       sum_ = probe.value;

@@ -1,0 +1,388 @@
+// ffd_eval_serial: `affine` in sequence: a multiplier a component, one for the nine polynomials
+//
+// 48 multiplications along u, 12 along t and 3 along s take 63 of the 64 clocks in which the points
+// of a vertex are read one after the other, bank 3 of each axis first. Those along t and s take the
+// clocks in which a base comes, and which is whose repeats every 16 clocks: one counter of four
+// bits, the phase, serves all stages, each so many clocks later. A vertex starts in phase 0.
+//
+// Meanwhile the polynomials of the next vertex fill the other set of weights.
+//
+// Pipeline:   vertex | polynomials | START clocks: reads | READ_LATENCY: points |
+//             ffd_eval_serial_component; along t GROUPS groups of four later, along s 32 clocks
+//             more, the last 48 after the first. A vertex in 64 clocks.
+// Freezes:    never. Results leave in the order of the vertices and are not held back.
+// Parameters: those of ffd_org_affine, which checks SCHEDULE and N; ADD_LATENCY 1, MUL_LATENCY 1 or
+//             2, together with CONVERT_LATENCY at least 2.
+// Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_eval_serial #(
+  parameter FORMAT          = 17,
+  parameter N               = 1,
+  `include "ffd_org_parameters.vh"
+) (
+  `include "ffd_org_ports.vh"
+);
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam POINT_W      = `FFD_POINT_W(FORMAT);
+  localparam SUM_W        = `FFD_SUM_W(FORMAT);
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam SELECT_W     = `FFD_SHARED_W(SPANS);
+  localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
+  localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
+  localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
+                                              CONVERT_LATENCY);
+  // The third weight of u is written 6 + POLY_LATENCY clocks after the first step and is wanted
+  // with the fourth point; whole rounds of 16 clocks later.
+  localparam EARLY        = POLY_LATENCY + 4 - READ_LATENCY;
+  localparam START        = EARLY > 32 ? 48 : EARLY > 16 ? 32 : 16;
+  // Clocks from a base of u to the point of t that its group makes.
+  localparam MADE         = MUL_LATENCY + CONVERT_LATENCY + 5;
+  localparam GROUPS       = (MADE + 3) / 4;
+  localparam TO_SUM       = MUL_LATENCY + 1;  // from the stage of points to that of sums
+
+  generate
+    if (ADD_LATENCY != 1) begin : gen_bad_add_latency
+      ERROR_ffd_eval_serial_add_latency_must_be_1 u_error ();
+    end
+    if (MUL_LATENCY + CONVERT_LATENCY < 2) begin : gen_bad_latency
+      ERROR_ffd_eval_serial_latencies_must_be_at_least_2_together u_error ();
+    end
+    if (EARLY > 48) begin : gen_bad_polynomials
+      ERROR_ffd_eval_serial_polynomials_take_too_long u_error ();
+    end
+  endgenerate
+
+  // ---- a vertex begins in phase 0
+
+  reg  [3:0]            phase_q;
+  wire                  turn = phase_q == 4'd15;
+  wire                  step_valid;
+  wire                  step_first;
+  wire                  step_last;
+  wire [5:0]            step;
+  wire [3*WEIGHT_W-1:0] coordinates;
+  wire [11:0]           cell_index;
+  wire [SOURCE_W-1:0]   source;
+  wire [3*PLACE_W-1:0]  bank;
+  wire                  idle;
+
+  always @(posedge clk) begin
+    if (rst) phase_q <= 4'd0;
+    else phase_q <= phase_q + 1'b1;
+  end
+
+  ffd_eval_sequencer #(
+    .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
+    .STEPS    (64),
+    .CONTEXTS (1),
+    .INTERVAL (1)
+  ) u_sequencer (
+    .clk           (clk),
+    .rst           (rst),
+    .s_vertex_valid(s_vertex_valid && turn),
+    .s_vertex_ready(idle),
+    .s_vertex_data ({s_vertex_coordinates, s_vertex_cell, s_vertex_source, s_vertex_bank}),
+    .step_valid_o  (step_valid),
+    .step_first_o  (step_first),
+    .step_last_o   (step_last),
+    .step_o        (step),
+    .payload_o     ({coordinates, cell_index, source, bank})
+  );
+
+  assign s_vertex_ready = idle && turn;
+
+  // ---- nine polynomials, of u first, in every third clock
+
+  reg                 filling_q;
+  reg  [1:0]          third_q;
+  reg  [3:0]          fill_q;  // {axis, bank}
+  wire [3:0]          fill_next;
+  wire                fill_ends;
+  wire                fill     = filling_q && third_q == 2'd0;
+  wire [1:0]          axis     = fill_q[3:2];
+  wire [WEIGHT_W-1:0] coordinate;
+  wire [1:0]          residue;
+  wire [PLACE_W-1:0]  place;
+  wire [SELECT_W-1:0] select;
+  wire [SELECT_W-1:0] load_select;
+  wire [1:0]          blending = fill_q[1:0] - residue;
+  wire                weight_valid;
+  wire [WEIGHT_W-1:0] weight;
+
+  localparam [3:0] FIRST_FILL = {2'd2, 2'd0};
+  assign fill_ends = fill_q == 4'd2;
+  assign fill_next = fill_ends ? FIRST_FILL : fill_q[1] ? {fill_q[3:2] - 2'd1, 2'd0}
+                                                        : fill_q + 4'd1;
+
+  always @(posedge clk) begin
+    if (rst) filling_q <= 1'b0;
+    else if (turn && s_vertex_valid && idle) filling_q <= 1'b1;
+    else if (fill && fill_ends) filling_q <= 1'b0;
+    if (rst) fill_q <= FIRST_FILL;
+    else if (fill) fill_q <= fill_next;
+    if (!filling_q || third_q == 2'd2) third_q <= 2'd0;
+    else third_q <= third_q + 1'b1;
+  end
+
+  assign coordinate = axis[1] ? coordinates[2*WEIGHT_W +: WEIGHT_W] :
+                      axis[0] ? coordinates[1*WEIGHT_W +: WEIGHT_W] :
+                                coordinates[0*WEIGHT_W +: WEIGHT_W];
+  assign residue    = axis[1] ? cell_index[9:8] : axis[0] ? cell_index[5:4] : cell_index[1:0];
+  assign place      = axis[1] ? bank[2*PLACE_W +: PLACE_W] :
+                      axis[0] ? bank[1*PLACE_W +: PLACE_W] : bank[0*PLACE_W +: PLACE_W];
+
+  ffd_eval_address #(
+    .SPANS(SPANS)
+  ) u_load_select (
+    .axis_i   (load_axis_i),
+    .place_i  (load_address_i),
+    .address_o(load_select)
+  );
+
+  ffd_eval_address #(
+    .SPANS(SPANS)
+  ) u_select (
+    .axis_i   (axis),
+    .place_i  ({place, blending}),
+    .address_o(select)
+  );
+
+  ffd_eval_poly #(
+    .FORMAT         (FORMAT),
+    .EVALUATOR      (EVALUATOR),
+    .FILE_LATENCY   (FILE_LATENCY),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .ADDRESS_W      (SELECT_W)
+  ) u_poly (
+    .clk           (clk),
+    .load_i        (load_i),
+    .load_address_i(load_select),
+    .load_entry_i  (load_entry_i),
+    .start_i       (fill),
+    .coordinate_i  (coordinate),
+    .address_i     (select),
+    .weight_o      (weight)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(POLY_LATENCY),
+    .RESET  (1)
+  ) u_weight_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i(fill),
+    .q_o(weight_valid)
+  );
+
+  // They come in the same order.
+  reg        write_set_q;
+  reg  [3:0] write_q;
+  wire       write_ends = write_q == 4'd2;
+  always @(posedge clk) begin
+    if (rst) begin
+      write_set_q <= 1'b0;
+      write_q     <= FIRST_FILL;
+    end else if (weight_valid) begin
+      write_set_q <= write_set_q ^ write_ends;
+      write_q     <= write_ends ? FIRST_FILL : write_q[1] ? {write_q[3:2] - 2'd1, 2'd0}
+                                                          : write_q + 4'd1;
+    end
+  end
+
+  // ---- reads: 64 from phase 0 on
+
+  localparam          BEFORE     = START - 1;
+  wire                start_read = step_valid && step == BEFORE[5:0];
+  reg                 begins_q;
+  reg                 reading_q;
+  reg                 set_q;
+  reg  [1:0]          read_l_q;
+  reg  [2:0]          whole_q;   // {u, t, s}
+  reg  [11:0]         read_cell_q;
+  reg  [SOURCE_W-1:0] read_source_q;
+  wire                round_ends = phase_q == 4'd15;
+
+  always @(posedge clk) begin
+    begins_q <= start_read && !rst;
+    if (rst) reading_q <= 1'b0;
+    else if (start_read) reading_q <= 1'b1;
+    else if (read_last_o) reading_q <= 1'b0;
+    if (rst) set_q <= 1'b1;
+    else if (start_read) set_q <= !set_q;
+    if (start_read) begin
+      whole_q       <= {!bank[2*PLACE_W+1], !bank[PLACE_W+1], !bank[1]};
+      read_cell_q   <= cell_index;
+      read_source_q <= source;
+    end
+    if (start_read) read_l_q <= 2'd0;
+    else if (round_ends) read_l_q <= read_l_q + 1'b1;
+  end
+
+  assign read_o        = reading_q;
+  assign read_last_o   = reading_q && round_ends && read_l_q == 2'd3;
+  assign read_source_o = read_source_q;
+  assign read_cell_o   = read_cell_q;
+  assign read_index_o  = {read_l_q - 2'd1, phase_q[3:2] - 2'd1, phase_q[1:0] - 2'd1};
+
+  // ---- the vertex as the axes come to it
+
+  wire first_of_u;  // of a vertex: its first point is here
+  wire before_t;    // its first point of t comes next
+  wire first_of_s;
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(READ_LATENCY),
+    .RESET  (1)
+  ) u_first_of_u (
+    .clk(clk),
+    .rst(rst),
+    .d_i(begins_q),
+    .q_o(first_of_u)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(4 * GROUPS - 1),
+    .RESET  (1)
+  ) u_before_t (
+    .clk(clk),
+    .rst(rst),
+    .d_i(first_of_u),
+    .q_o(before_t)
+  );
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(33),
+    .RESET  (1)
+  ) u_first_of_s (
+    .clk(clk),
+    .rst(rst),
+    .d_i(before_t),
+    .q_o(first_of_s)
+  );
+
+  // Phases of the stage of points, where t is GROUPS groups behind u.
+  localparam       POINT_AT  = 16 - READ_LATENCY % 16;
+  localparam       SUM_AT    = POINT_AT + 32 - TO_SUM;
+  localparam       KEEP_S_AT = 4 * (GROUPS + 3) + TO_SUM + 1 + CONVERT_LATENCY;
+  localparam [1:0] BEHIND    = GROUPS[1:0];
+  localparam [3:0] KEEP_S    = KEEP_S_AT[3:0];
+  wire [3:0] point_phase = phase_q + POINT_AT[3:0];
+  wire [3:0] sum_phase   = phase_q + SUM_AT[3:0];
+  wire [3:0] kept_phase  = sum_phase - 4'd1;
+  wire       base        = point_phase[1:0] == 2'd0;
+  wire       begin_t     = point_phase == {BEHIND, 2'd0};
+  wire [1:0] point_m     = point_phase[3:2] - BEHIND;  // of t
+  wire [1:0] sum_m       = sum_phase[3:2] - BEHIND;
+  wire [1:0] kept_m      = kept_phase[3:2] - BEHIND;
+
+  reg        set_u_q;
+  reg        set_t_q;
+  reg        set_s_q;
+  reg        whole_u_q;
+  reg        whole_t_q;
+  reg        s_valid_q;
+  reg  [1:0] s_l_q;  // of the last one
+  wire       s_valid = first_of_s || (s_valid_q && s_l_q != 2'd3);
+  wire [1:0] s_l     = first_of_s ? 2'd0 : s_l_q + 2'd1;
+
+  always @(posedge clk) begin
+    if (first_of_u) begin
+      set_u_q   <= set_q;
+      whole_u_q <= whole_q[2];
+    end
+    if (before_t) begin
+      set_t_q   <= set_q;
+      whole_t_q <= whole_q[1];
+    end
+    if (first_of_s) set_s_q <= set_q;
+    if (rst) s_valid_q <= 1'b0;
+    else if (begin_t) s_valid_q <= s_valid;
+    if (begin_t) s_l_q <= s_l;
+  end
+
+  // ---- the weight of each clock
+
+  wire [WEIGHT_W-1:0] used_weight;
+  wire [4:0]          used = !base   ? {set_u_q, 2'd2, point_phase[1:0] - 2'd1}
+                           : begin_t ? {set_s_q, 2'd0, s_l - 2'd1}
+                                     : {set_t_q, 2'd1, point_m - 2'd1};
+
+  ffd_mem_sdp #(
+    .WIDTH       (WEIGHT_W),
+    .DEPTH       (32),
+    .READ_LATENCY(1)
+  ) u_weights (
+    .clk            (clk),
+    .write_i        (weight_valid),
+    .write_address_i({write_set_q, write_q}),
+    .write_data_i   (weight),
+    .read_i         (1'b1),
+    .read_address_i (used),
+    .read_data_o    (used_weight)
+  );
+
+  // ---- three components
+
+  wire [3*SUM_W-1:0] sums;
+
+  genvar c;
+  generate
+    for (c = 0; c < 3; c = c + 1) begin : gen_component
+      ffd_eval_serial_component #(
+        .FORMAT         (FORMAT),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .DELAY          (4 * GROUPS - MADE)
+      ) u_component (
+        .clk           (clk),
+        .point_i       (read_points_i[c*POINT_W +: POINT_W]),
+        .weight_i      (used_weight),
+        .base_i        (base),
+        .of_s_i        (begin_t),
+        .begin_t_i     (begin_t),
+        .begin_s_i     (first_of_s),
+        .whole_u_i     (whole_u_q),
+        .whole_t_i     (whole_t_q),
+        .whole_s_i     (whole_q[0]),
+        .keep_s_i      (point_phase == KEEP_S),
+        .sum_begins_u_i(sum_phase[1:0] == 2'd1),
+        .sum_of_u_i    (sum_phase[1:0] != 2'd0),
+        .sum_of_s_i    (sum_m == 2'd0),
+        .keep_sum_t_i  (kept_phase[1:0] == 2'd0 && ^kept_m),
+        .keep_sum_s_i  (kept_phase == {BEHIND, 2'd0} && s_l_q != 2'd0),
+        .sum_o         (sums[c*SUM_W +: SUM_W])
+      );
+    end
+  endgenerate
+
+  // The last sum of a vertex, of s.
+  wire sum_valid;
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(TO_SUM + 1),
+    .RESET  (1)
+  ) u_sum_valid (
+    .clk(clk),
+    .rst(rst),
+    .d_i(begin_t && s_valid && s_l == 2'd3),
+    .q_o(sum_valid)
+  );
+
+  assign result_valid_o = sum_valid;
+  assign result_sum_o   = sums;
+  assign forming_o      = 1'b0;
+  wire unused_ok = &{1'b0, s_vertex_changed, step_first, step_last};
+endmodule
+
+`default_nettype wire
