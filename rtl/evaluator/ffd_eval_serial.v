@@ -11,8 +11,8 @@
 //             ffd_eval_serial_component; along t GROUPS groups of four later, along s 32 clocks
 //             more, the last 48 after the first. A vertex in 64 clocks.
 // Freezes:    never. Results leave in the order of the vertices and are not held back.
-// Parameters: those of ffd_org_affine, which checks SCHEDULE and N; ADD_LATENCY 1, MUL_LATENCY 1 or
-//             2, together with CONVERT_LATENCY at least 2.
+// Parameters: those of ffd_org_affine, which checks SCHEDULE and N; ADD_LATENCY 1, MUL_LATENCY 1 to
+//             3, together with CONVERT_LATENCY at least 2.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -42,14 +42,13 @@ module ffd_eval_serial #(
   // Clocks from a base of u to the point of t that its group makes.
   localparam MADE         = MUL_LATENCY + CONVERT_LATENCY + 5;
   localparam GROUPS       = (MADE + 3) / 4;
-  localparam TO_SUM       = MUL_LATENCY + 1;  // from the stage of points to that of sums
 
   generate
     if (ADD_LATENCY != 1) begin : gen_bad_add_latency
       ERROR_ffd_eval_serial_add_latency_must_be_1 u_error ();
     end
-    if (MUL_LATENCY + CONVERT_LATENCY < 2) begin : gen_bad_latency
-      ERROR_ffd_eval_serial_latencies_must_be_at_least_2_together u_error ();
+    if (MUL_LATENCY > 3 || MUL_LATENCY + CONVERT_LATENCY < 2) begin : gen_bad_mul_latency
+      ERROR_ffd_eval_serial_mul_latency_must_be_1_to_3_not_1_without_conversion u_error ();
     end
     if (EARLY > 48) begin : gen_bad_polynomials
       ERROR_ffd_eval_serial_polynomials_take_too_long u_error ();
@@ -205,7 +204,7 @@ module ffd_eval_serial #(
   reg                 reading_q;
   reg                 set_q;
   reg  [1:0]          read_l_q;
-  reg  [2:0]          whole_q;   // {u, t, s}
+  reg  [2:0]          part_q;    // {u, t, s}: a derivative, whose weights sum to zero: no base
   reg  [11:0]         read_cell_q;
   reg  [SOURCE_W-1:0] read_source_q;
   wire                round_ends = phase_q == 4'd15;
@@ -218,7 +217,7 @@ module ffd_eval_serial #(
     if (rst) set_q <= 1'b1;
     else if (start_read) set_q <= !set_q;
     if (start_read) begin
-      whole_q       <= {!bank[2*PLACE_W+1], !bank[PLACE_W+1], !bank[1]};
+      part_q        <= {bank[2*PLACE_W+1], bank[PLACE_W+1], bank[1]};
       read_cell_q   <= cell_index;
       read_source_q <= source;
     end
@@ -271,41 +270,51 @@ module ffd_eval_serial #(
     .q_o(first_of_s)
   );
 
-  // Phases of the stage of points, where t is GROUPS groups behind u.
-  localparam       POINT_AT  = 16 - READ_LATENCY % 16;
-  localparam       SUM_AT    = POINT_AT + 32 - TO_SUM;
-  localparam       KEEP_S_AT = 4 * (GROUPS + 3) + TO_SUM + 1 + CONVERT_LATENCY;
-  localparam [1:0] BEHIND    = GROUPS[1:0];
-  localparam [3:0] KEEP_S    = KEEP_S_AT[3:0];
-  wire [3:0] point_phase = phase_q + POINT_AT[3:0];
-  wire [3:0] sum_phase   = phase_q + SUM_AT[3:0];
-  wire [3:0] kept_phase  = sum_phase - 4'd1;
-  wire       base        = point_phase[1:0] == 2'd0;
-  wire       begin_t     = point_phase == {BEHIND, 2'd0};
-  wire [1:0] point_m     = point_phase[3:2] - BEHIND;  // of t
-  wire [1:0] sum_m       = sum_phase[3:2] - BEHIND;
-  wire [1:0] kept_m      = kept_phase[3:2] - BEHIND;
-
   reg        set_u_q;
   reg        set_t_q;
   reg        set_s_q;
-  reg        whole_u_q;
-  reg        whole_t_q;
+  reg        part_u_q;
+  reg        part_t_q;
+  reg        part_s_q;
   reg        s_valid_q;
   reg  [1:0] s_l_q;  // of the last one
+
+  // Phases of the stage of points, where t is GROUPS groups behind u.
+  localparam       POINT_AT  = 16 - READ_LATENCY % 16;
+  localparam       ADD_AT    = POINT_AT + 32 - MUL_LATENCY;
+  localparam       KEEP_S_AT = 4 * (GROUPS + 3) + MUL_LATENCY + CONVERT_LATENCY + 2;
+  localparam [1:0] BEHIND    = GROUPS[1:0];
+  localparam [3:0] KEEP_S    = KEEP_S_AT[3:0];
+  wire [3:0] point_phase = phase_q + POINT_AT[3:0];
+  wire       base        = point_phase[1:0] == 2'd0;
+  wire       begin_t     = point_phase == {BEHIND, 2'd0};
+  wire [1:0] point_m     = point_phase[3:2] - BEHIND;  // of t
+  // A clock before the sums, and a clock after them.
+  wire [3:0] add_phase   = phase_q + ADD_AT[3:0];
+  wire [1:0] add_m       = add_phase[3:2] - BEHIND;
+  wire       add_upper   = add_phase[1:0] == 2'd0;
+  wire       add_of_s    = add_m == 2'd0;
+  wire       add_base    = add_upper ? (add_of_s ? s_l_q : add_m) == 2'd1
+                                     : add_phase[1:0] == 2'd1;
+  wire       add_nothing = add_upper ? (add_of_s ? part_s_q : part_t_q) : part_u_q;
+  wire [3:0] keep_phase  = add_phase - 4'd2;
+
   wire       s_valid = first_of_s || (s_valid_q && s_l_q != 2'd3);
   wire [1:0] s_l     = first_of_s ? 2'd0 : s_l_q + 2'd1;
 
   always @(posedge clk) begin
     if (first_of_u) begin
-      set_u_q   <= set_q;
-      whole_u_q <= whole_q[2];
+      set_u_q  <= set_q;
+      part_u_q <= part_q[2];
     end
     if (before_t) begin
-      set_t_q   <= set_q;
-      whole_t_q <= whole_q[1];
+      set_t_q  <= set_q;
+      part_t_q <= part_q[1];
     end
-    if (first_of_s) set_s_q <= set_q;
+    if (first_of_s) begin
+      set_s_q  <= set_q;
+      part_s_q <= part_q[0];
+    end
     if (rst) s_valid_q <= 1'b0;
     else if (begin_t) s_valid_q <= s_valid;
     if (begin_t) s_l_q <= s_l;
@@ -345,23 +354,21 @@ module ffd_eval_serial #(
         .CONVERT_LATENCY(CONVERT_LATENCY),
         .DELAY          (4 * GROUPS - MADE)
       ) u_component (
-        .clk           (clk),
-        .point_i       (read_points_i[c*POINT_W +: POINT_W]),
-        .weight_i      (used_weight),
-        .base_i        (base),
-        .of_s_i        (begin_t),
-        .begin_t_i     (begin_t),
-        .begin_s_i     (first_of_s),
-        .whole_u_i     (whole_u_q),
-        .whole_t_i     (whole_t_q),
-        .whole_s_i     (whole_q[0]),
-        .keep_s_i      (point_phase == KEEP_S),
-        .sum_begins_u_i(sum_phase[1:0] == 2'd1),
-        .sum_of_u_i    (sum_phase[1:0] != 2'd0),
-        .sum_of_s_i    (sum_m == 2'd0),
-        .keep_sum_t_i  (kept_phase[1:0] == 2'd0 && ^kept_m),
-        .keep_sum_s_i  (kept_phase == {BEHIND, 2'd0} && s_l_q != 2'd0),
-        .sum_o         (sums[c*SUM_W +: SUM_W])
+        .clk          (clk),
+        .point_i      (read_points_i[c*POINT_W +: POINT_W]),
+        .weight_i     (used_weight),
+        .base_i       (base),
+        .of_s_i       (begin_t),
+        .begin_t_i    (begin_t),
+        .begin_s_i    (first_of_s),
+        .keep_s_i     (point_phase == KEEP_S),
+        .add_base_i   (add_base),
+        .add_nothing_i(add_nothing),
+        .add_kept_i   (add_upper && !add_base),
+        .kept_of_s_i  (add_of_s),
+        .keep_i       (keep_phase[1:0] == 2'd0),
+        .keep_of_s_i  (keep_phase[3:2] == BEHIND),
+        .sum_o        (sums[c*SUM_W +: SUM_W])
       );
     end
   endgenerate
@@ -370,7 +377,7 @@ module ffd_eval_serial #(
   wire sum_valid;
   ffd_num_delay #(
     .WIDTH  (1),
-    .LATENCY(TO_SUM + 1),
+    .LATENCY(MUL_LATENCY + 2),
     .RESET  (1)
   ) u_sum_valid (
     .clk(clk),

@@ -6,12 +6,15 @@
 //   clock of a group of four    0: base      1      2      3
 //   multiplication along        t, or s      u      u      u
 //
+// A sum begins with its base, which came as the subtrahend of its first offset. Those of t and s
+// wait in a memory between their terms.
+//
 // Formats, rounding: those of ffd_num_offset, ffd_num_offset_term and ffd_num_narrow, as in
 //             ffd_eval_affine: sums are exact, so their order does not matter.
 // Pipeline:   point | 1: offset, weight | MUL_LATENCY: term | 1: sum | CONVERT_LATENCY: point of
 //             the axis above | DELAY. One clock, the phases of all stages, comes from outside.
 // Freezes:    never.
-// Parameters: FORMAT 8 to 32; MUL_LATENCY 1 or 2; CONVERT_LATENCY, DELAY >= 0: together with
+// Parameters: FORMAT 8 to 32; MUL_LATENCY >= 1; CONVERT_LATENCY, DELAY >= 0: together with
 //             MUL_LATENCY they make a number of groups of four of these stages.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -27,34 +30,25 @@ module ffd_eval_serial_component #(
   input  wire                                clk,
   input  wire [`FFD_POINT_W(FORMAT)-1:0]     point_i,
   input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]    weight_i,       // a clock after what it is for
-  // Of the stage of points: what is multiplied, and what begins.
-  input  wire                                base_i,         // of u: nothing along u
-  input  wire                                of_s_i,         // else along t, where base_i
-  input  wire                                begin_t_i,
+  // Of the stage of points.
+  input  wire                                base_i,         // of u: nothing is multiplied along u
+  input  wire                                of_s_i,         // where base_i: along s, else along t
+  input  wire                                begin_t_i,      // this is its base
   input  wire                                begin_s_i,
-  // Whether bases count: not in a derivative, whose weights sum to zero.
-  input  wire                                whole_u_i,
-  input  wire                                whole_t_i,
-  input  wire                                whole_s_i,
   input  wire                                keep_s_i,       // what s takes next has been narrowed
-  // Of the stage of sums.
-  input  wire                                sum_begins_u_i,
-  input  wire                                sum_of_u_i,
-  input  wire                                sum_of_s_i,     // where not of u; else of t
+  // Of a clock before the stage of sums: what the term is added to, else to the sum before it.
+  input  wire                                add_base_i,
+  input  wire                                add_nothing_i,  // a base that is left out
+  input  wire                                add_kept_i,     // the last sum of t or s
+  input  wire                                kept_of_s_i,
   // A clock after the stage of sums.
-  input  wire                                keep_sum_t_i,
-  input  wire                                keep_sum_s_i,
+  input  wire                                keep_i,
+  input  wire                                keep_of_s_i,
   output wire [`FFD_SUM_W(FORMAT)-1:0]       sum_o
 );
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam OFFSET_W = `FFD_OFFSET_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
-
-  generate
-    if (MUL_LATENCY < 1 || MUL_LATENCY > 2) begin : gen_bad_latency
-      ERROR_ffd_eval_serial_component_mul_latency_must_be_1_or_2 u_error ();
-    end
-  endgenerate
 
   // ---- points: those that are read, and sums of an axis as points of the next
 
@@ -97,54 +91,61 @@ module ffd_eval_serial_component #(
     .term_o  (term)
   );
 
-  // ---- sums: a base, then its terms
+  // ---- sums; what is not added is cleared, so that the choice is an OR
 
-  wire [SUM_W-1:0] start_u;
-  wire [SUM_W-1:0] start_t;
-  wire [SUM_W-1:0] start_s;
-  reg  [SUM_W-1:0] sum_t_q;
-  reg  [SUM_W-1:0] sum_s_q;
+  wire [POINT_W-1:0] late_base;
+  reg  [POINT_W-1:0] base_q;
+  wire [SUM_W-1:0]   start;
+  wire [SUM_W-1:0]   kept;
+  reg  [SUM_W-1:0]   kept_q;
+  reg                go_on_q;
 
-  ffd_num_widen #(
-    .FORMAT(FORMAT)
-  ) u_start_u (
-    .point_i(base_u_q & {POINT_W{whole_u_i}}),
-    .shift_i(2'd0),
-    .sum_o  (start_u)
+  ffd_num_delay #(
+    .WIDTH  (POINT_W),
+    .LATENCY(MUL_LATENCY)
+  ) u_late_base (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(base),
+    .q_o(late_base)
   );
 
-  ffd_num_widen #(
-    .FORMAT(FORMAT)
-  ) u_start_t (
-    .point_i(of_t & {POINT_W{whole_t_i}}),
-    .shift_i(2'd0),
-    .sum_o  (start_t)
-  );
-
-  ffd_num_widen #(
-    .FORMAT(FORMAT)
-  ) u_start_s (
-    .point_i(of_s_q & {POINT_W{whole_s_i}}),
-    .shift_i(2'd0),
-    .sum_o  (start_s)
+  ffd_mem_sdp #(
+    .WIDTH       (SUM_W),
+    .DEPTH       (2),
+    .READ_LATENCY(0)
+  ) u_kept (
+    .clk            (clk),
+    .write_i        (keep_i),
+    .write_address_i(keep_of_s_i),
+    .write_data_i   (sum_o),
+    .read_i         (1'b1),
+    .read_address_i (kept_of_s_i),
+    .read_data_o    (kept)
   );
 
   always @(posedge clk) begin
-    if (begin_t_i) sum_t_q <= start_t;
-    else if (keep_sum_t_i) sum_t_q <= sum_o;
-    if (begin_s_i) sum_s_q <= start_s;
-    else if (keep_sum_s_i) sum_s_q <= sum_o;
+    if (!add_base_i || add_nothing_i) base_q <= {POINT_W{1'b0}};
+    else base_q <= late_base;
+    if (!add_kept_i) kept_q <= {SUM_W{1'b0}};
+    else kept_q <= kept;
+    go_on_q <= !add_base_i && !add_kept_i;
   end
 
-  wire [SUM_W-1:0] augend = sum_of_u_i ? (sum_begins_u_i ? start_u : sum_o)
-                                       : (sum_of_s_i ? sum_s_q : sum_t_q);
+  ffd_num_widen #(
+    .FORMAT(FORMAT)
+  ) u_start (
+    .point_i(base_q),
+    .shift_i(2'd0),
+    .sum_o  (start)
+  );
 
   ffd_num_add #(
     .FORMAT (FORMAT),
     .LATENCY(1)
   ) u_add (
     .clk  (clk),
-    .a_i  (augend),
+    .a_i  (start | kept_q | (sum_o & {SUM_W{go_on_q}})),
     .b_i  (term),
     .sum_o(sum_o)
   );
