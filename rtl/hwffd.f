@@ -75,6 +75,7 @@ number/block/ffd_bfp_align.v
 number/block/ffd_bfp_normalise.v
 number/ffd_num_add.v
 number/ffd_num_base_term.v
+number/ffd_num_begin.v
 number/ffd_num_binomial.v
 number/ffd_num_bspline.v
 number/ffd_num_centre.v

@@ -364,6 +364,7 @@ module ffd_eval_serial #(
         .keep_s_i     (point_phase == KEEP_S),
         .add_base_i   (add_base),
         .add_nothing_i(add_nothing),
+        .add_half_i   (!add_upper || !add_of_s),
         .add_kept_i   (add_upper && !add_base),
         .kept_of_s_i  (add_of_s),
         .keep_i       (keep_phase[1:0] == 2'd0),

@@ -6,8 +6,8 @@
 //   clock of a group of four    0: base      1      2      3
 //   multiplication along        t, or s      u      u      u
 //
-// A sum begins with its base, which came as the subtrahend of its first offset. Those of t and s
-// wait in a memory between their terms.
+// A sum begins with its base, which came as the subtrahend of its first offset, and with the half
+// that rounds it. Those of t and s wait in a memory between their terms.
 //
 // Formats, rounding: those of ffd_num_offset, ffd_num_offset_term and ffd_num_narrow, as in
 //             ffd_eval_affine: sums are exact, so their order does not matter.
@@ -39,6 +39,7 @@ module ffd_eval_serial_component #(
   // Of a clock before the stage of sums: what the term is added to, else to the sum before it.
   input  wire                                add_base_i,
   input  wire                                add_nothing_i,  // a base that is left out
+  input  wire                                add_half_i,     // with a base: it will be narrowed
   input  wire                                add_kept_i,     // the last sum of t or s
   input  wire                                kept_of_s_i,
   // A clock after the stage of sums.
@@ -98,6 +99,7 @@ module ffd_eval_serial_component #(
   wire [SUM_W-1:0]   start;
   wire [SUM_W-1:0]   kept;
   reg  [SUM_W-1:0]   kept_q;
+  reg                half_q;
   reg                go_on_q;
 
   ffd_num_delay #(
@@ -129,14 +131,15 @@ module ffd_eval_serial_component #(
     else base_q <= late_base;
     if (!add_kept_i) kept_q <= {SUM_W{1'b0}};
     else kept_q <= kept;
+    half_q  <= add_base_i && add_half_i;
     go_on_q <= !add_base_i && !add_kept_i;
   end
 
-  ffd_num_widen #(
+  ffd_num_begin #(
     .FORMAT(FORMAT)
   ) u_start (
     .point_i(base_q),
-    .shift_i(2'd0),
+    .half_i (half_q),
     .sum_o  (start)
   );
 
@@ -152,6 +155,7 @@ module ffd_eval_serial_component #(
 
   ffd_num_narrow #(
     .FORMAT (FORMAT),
+    .HALF   (0),
     .LATENCY(CONVERT_LATENCY)
   ) u_narrow (
     .clk    (clk),
