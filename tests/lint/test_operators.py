@@ -66,6 +66,8 @@ COUNTED = (
     ("affine/3", "affine3-fx17-overlapped", (9 + 63, 9 + 2 * 63), (9 + 63, 9 + 2 * 63), 3),
     ("affine/3x2", "affine3x2-fx17-overlapped", (2 * 72, 2 * (9 + 2 * 63)),
      (2 * 72, 2 * (9 + 2 * 63)), 6),
+    # A polynomial evaluator; a product a component, which every unit above shares.
+    ("affine/64", "affine64-fx17-overlapped", (1 + 3, 1 + 2 * 3), (1 + 3, 1 + 2 * 3), 1),
     # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.
     ("nested", "nested-fx18-overlapped", (3 * 67, 3 * 67), (3 * 67, 3 * 67), 0),
     ("nested/3", "nested3-fx18-overlapped", (63 + 12, 63 + 12), (63 + 12, 63 + 12), 0),

@@ -54,7 +54,8 @@ TEST_P(EachRow, ClocksBetweenTheProbes) {
   EXPECT_EQ(measured.interval, expected_interval(row));
   EXPECT_GT(measured.max_error, 0);
   const std::vector<Lane> lanes = lanes_of({&row, measured, {}});
-  for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % 8, 0U) << lane.name;
+  const std::size_t shown = 8U / static_cast<unsigned>(hwffd::lanes(row));
+  for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % shown, 0U) << lane.name;
   if (overlaps(row)) return;
   EXPECT_EQ(static_cast<double>(measured.vertex.clocks), paper_clocks(row));
   EXPECT_EQ(static_cast<double>(measured.vertex.final_accumulation), last_accumulation(row));
