@@ -79,6 +79,7 @@ number/ffd_num_begin.v
 number/ffd_num_binomial.v
 number/ffd_num_bspline.v
 number/ffd_num_centre.v
+number/ffd_num_cut.v
 number/ffd_num_in.v
 number/ffd_num_mac.v
 number/ffd_num_mul.v

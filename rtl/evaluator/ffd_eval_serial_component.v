@@ -9,8 +9,8 @@
 // A sum begins with its base, which came as the subtrahend of its first offset, and with the half
 // that rounds it. Those of t and s wait in a memory between their terms.
 //
-// Formats, rounding: those of ffd_num_offset, ffd_num_offset_term and ffd_num_narrow, as in
-//             ffd_eval_affine: sums are exact, so their order does not matter.
+// Formats, rounding: those of ffd_num_offset and ffd_num_offset_term, and of ffd_num_narrow,
+//             as in ffd_eval_affine: sums are exact, so their order does not matter.
 // Pipeline:   point | 1: offset, weight | MUL_LATENCY: term | 1: sum | CONVERT_LATENCY: point of
 //             the axis above | DELAY. One clock, the phases of all stages, comes from outside.
 // Freezes:    never.
@@ -153,11 +153,10 @@ module ffd_eval_serial_component #(
     .sum_o(sum_o)
   );
 
-  ffd_num_narrow #(
+  ffd_num_cut #(
     .FORMAT (FORMAT),
-    .HALF   (0),
     .LATENCY(CONVERT_LATENCY)
-  ) u_narrow (
+  ) u_cut (
     .clk    (clk),
     .sum_i  (sum_o),
     .point_o(narrowed)

@@ -1,6 +1,6 @@
 // ffd_num_begin: point -> sum, with half a unit of a point where that is narrowed later
 //
-// A sum that begins with the half is rounded by dropping bits: ffd_num_narrow with HALF 0.
+// A sum that begins with the half is rounded by dropping bits: ffd_num_cut.
 //
 // Formats:    fxW only: Q1.(W-1) -> Q9.(2W-3), exact.
 // Pipeline:   combinational.

@@ -5,8 +5,7 @@
 // Rounding:   half up, saturated and flagged outside [-1, 1).
 // Error:      half a unit of a point.
 // Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, SHIFT 0 to 7, LATENCY >= 0; HALF 0: the half of a unit is in
-//             the sum already (ffd_num_begin), and bits are dropped.
+// Parameters: FORMAT as in ffd_num.vh, SHIFT 0 to 7, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics (narrow).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -15,7 +14,6 @@
 module ffd_num_narrow #(
   parameter FORMAT  = 18,
   parameter SHIFT   = 0,
-  parameter HALF    = 1,
   parameter LATENCY = 0
 ) (
   input  wire                             clk,
@@ -54,7 +52,6 @@ module ffd_num_narrow #(
         .DROP   (W - 2 + SHIFT),
         .OUT_W  (W),
         .FLAGS_W(FLAGS_W),
-        .HALF   (HALF),
         .LATENCY(LATENCY)
       ) u_narrow (
         .clk    (clk),

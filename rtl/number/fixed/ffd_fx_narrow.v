@@ -5,7 +5,7 @@
 // Formats:    as in ffd_fx_round; flags_o is flags_i, bit 0 raised where the value is saturated.
 // Pipeline:   LATENCY registers, II 1, never frozen: from 2 on one between rounding and saturation;
 //             of the others half in front (rounded down), the rest behind.
-// Parameters: IN_W >= 2, DROP >= 0, OUT_W >= 2, FLAGS_W >= 1, LATENCY >= 0; HALF 0: no 1/2 is added.
+// Parameters: IN_W >= 2, DROP >= 0, OUT_W >= 2, FLAGS_W >= 1, LATENCY >= 0.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (round_to).  Test: tests/unit/fixed.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -15,7 +15,6 @@ module ffd_fx_narrow #(
   parameter DROP    = 16,
   parameter OUT_W   = 18,
   parameter FLAGS_W = 1,
-  parameter HALF    = 1,
   parameter LATENCY = 1
 ) (
   input  wire                    clk,
@@ -32,6 +31,7 @@ module ffd_fx_narrow #(
   wire signed [IN_W-1:0]    value;
   wire [FLAGS_W-1:0]        flags;
   wire signed [WHOLE_W-1:0] rounded;
+  wire                      never;
   wire signed [WHOLE_W-1:0] whole;
   wire [FLAGS_W-1:0]        late_flags;
   wire signed [OUT_W-1:0]   narrow;
@@ -48,26 +48,16 @@ module ffd_fx_narrow #(
     .q_o({flags, value})
   );
 
-  generate
-    if (HALF != 0) begin : gen_half
-      wire never;
-      ffd_fx_round #(
-        .IN_W (IN_W),
-        .DROP (DROP),
-        .OUT_W(WHOLE_W)
-      ) u_round (
-        .value_i    (value),
-        .addend_i   ({WHOLE_W{1'b0}}),
-        .value_o    (rounded),
-        .saturated_o(never)
-      );
-      wire unused_ok = &{1'b0, never};
-    end else begin : gen_no_half
-      wire signed [OUT_W+DROP+IN_W:0] wide = {{(OUT_W + DROP + 1) {value[IN_W-1]}}, value};
-      assign rounded = wide[DROP +: WHOLE_W];
-      wire unused_ok = &{1'b0, wide};
-    end
-  endgenerate
+  ffd_fx_round #(
+    .IN_W (IN_W),
+    .DROP (DROP),
+    .OUT_W(WHOLE_W)
+  ) u_round (
+    .value_i    (value),
+    .addend_i   ({WHOLE_W{1'b0}}),
+    .value_o    (rounded),
+    .saturated_o(never)
+  );
 
   ffd_num_delay #(
     .WIDTH  (FLAGS_W + WHOLE_W),
@@ -104,6 +94,8 @@ module ffd_fx_narrow #(
     .d_i({raised, narrow}),
     .q_o({flags_o, value_o})
   );
+
+  wire unused_ok = &{1'b0, never};
 endmodule
 
 `default_nettype wire
