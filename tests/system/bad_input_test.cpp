@@ -38,7 +38,7 @@ class BadInput : public PerConfiguration {
 
   /// The status of a result, and no other bit.
   void expect_status(std::size_t result, std::uint32_t status) {
-    EXPECT_EQ(results_[result].words[3] >> 16, status >> 16) << "result " << result;
+    EXPECT_EQ(results_.at(result).words[3] >> 16, status >> 16) << "result " << result;
   }
 
   std::uint32_t blank() const { return codec_.is_float() ? 0x7FC00000U : 0U; }
@@ -55,7 +55,7 @@ TEST_P(BadInput, Packets) {
     expect_event(bad.code, 1, bad.packet);
     if (bad.status != 0) expect_status(3, bad.status);
     if (bad.code == kCoordinateNan) {
-      EXPECT_EQ(results_[3].words[0], 0x7FC00000U);
+      EXPECT_EQ(results_.at(3).words[0], 0x7FC00000U);
     }
   }
 }
@@ -65,7 +65,7 @@ TEST_P(BadInput, NothingLoaded) {
                false);
   for (int v = 0; v < 2; ++v) {
     expect_status(v, kStatusUnloaded);
-    EXPECT_EQ(results_[v].words[0], blank());
+    EXPECT_EQ(results_.at(v).words[0], blank());
   }
 }
 
@@ -87,14 +87,14 @@ TEST_P(BadInput, CellOutsideTheLattice) {
       std::vector<VertexBeat> inside = stray;
       inside[1].cell[axis] = lattice_.dims[axis] - 4;
       inside[1].local[axis] = codec_.coordinate(1);
-      const Beat clamped = results_[3];
+      const Beat clamped = results_.at(3);
       expect_event(kCellOutside, 0, vertices_packet(inside));
-      for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_[3].words[c]);
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_.at(3).words[c]);
       expect_event(kCellOutside, 1, vertices_packet(stray, OutsideMode::kPass));
       expect_status(3, kStatusOutside);
       expect_event(kCellOutside, 1, vertices_packet(stray, OutsideMode::kBlank));
       expect_status(3, kStatusOutside);
-      EXPECT_EQ(results_[3].words[0], blank());
+      EXPECT_EQ(results_.at(3).words[0], blank());
     }
   }
 }
@@ -106,10 +106,10 @@ TEST_P(BadInput, CoordinateOutsideGoesToTheNearestFace) {
       std::vector<VertexBeat> stray = vertices(3);
       stray[1].local[axis] = codec_.coordinate(value);
       expect_event(kCoordinateOutside, 1, vertices_packet(stray));
-      const Beat clamped = results_[3];
+      const Beat clamped = results_.at(3);
       stray[1].local[axis] = codec_.coordinate(face);
       expect_event(kCoordinateOutside, 0, vertices_packet(stray));
-      for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_[3].words[c]) << value;
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(clamped.words[c], results_.at(3).words[c]) << value;
     }
   };
   for (const double value : {-0x1p-31, -0.25, -0.5}) expect_as(value, 0);
