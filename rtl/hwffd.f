@@ -51,6 +51,7 @@ evaluator/ffd_eval_determinant.v
 evaluator/ffd_eval_factored.v
 evaluator/ffd_eval_former.v
 evaluator/ffd_eval_generator.v
+evaluator/ffd_eval_halves.v
 evaluator/ffd_eval_horner.v
 evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_bspline.v

@@ -4,9 +4,10 @@
 // weights, made where the evaluators are addressed, so that no point is ever moved. u is contracted
 // first, t DISTANCE clocks later, s DISTANCE clocks after t, and each axis has its weights then.
 //
-// FOLD 1:     12 evaluators; t and s are evaluated that much later.
-// FOLD 3:     4 evaluators; the three steps of a vertex evaluate u, t, s. The four weights travel
-//             on beside the contraction, and each axis holds its own for the steps of the vertex.
+// FOLD 1, 2:  12 evaluators; t and s are evaluated that much later.
+// FOLD 3, 6:  4 evaluators; the first three steps of a vertex evaluate u, t, s. The four weights
+//             travel on beside the contraction, and each axis holds its own for the steps of the
+//             vertex. step_i is 3 in other steps.
 //
 // AFFINE 1:   bank 3 has no evaluator. Its weight is what the others leave, and in its place stands
 //             what they leave it of: 1, of a derivative 0.
@@ -14,7 +15,7 @@
 // Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
-// Parameters: FOLD 1 or 3; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE >= 1;
+// Parameters: FOLD 1, 2, 3 or 6; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE >= 1;
 //             the others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -53,14 +54,14 @@ module ffd_eval_bank_weights #(
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
-  localparam SETS         = 3 / FOLD;
+  localparam SETS         = 3 / `FFD_FOLD_TURNS(FOLD);
   localparam EVALUATED    = AFFINE == 0 ? 4 : 3;  // of the banks
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
-  localparam ADDRESS_W    = FOLD == 1 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
+  localparam ADDRESS_W    = SETS == 3 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
   generate
-    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
-      ERROR_ffd_eval_bank_weights_fold_must_be_1_or_3 u_error ();
+    if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
+      ERROR_ffd_eval_bank_weights_fold_must_be_1_2_3_or_6 u_error ();
     end
     if (EVALUATOR == `FFD_EVALUATOR_ITERATIVE) begin : gen_bad_evaluator
       ERROR_ffd_eval_bank_weights_evaluator_must_not_be_iterative u_error ();
@@ -80,7 +81,7 @@ module ffd_eval_bank_weights #(
       wire                 load;
       wire [ADDRESS_W-1:0] load_address;
 
-      if (FOLD == 1) begin : gen_own_axis
+      if (SETS == 3) begin : gen_own_axis
         ffd_num_delay #(
           .WIDTH  (WEIGHT_W + 2 + PLACE_W),
           .LATENCY((2 - set) * DISTANCE)
@@ -129,7 +130,7 @@ module ffd_eval_bank_weights #(
         wire                 start;
         wire [ADDRESS_W-1:0] chosen_address;
 
-        if (FOLD == 1) begin : gen_own_file
+        if (SETS == 3) begin : gen_own_file
           assign address = {bank, blending};
         end else begin : gen_three_files
           ffd_eval_address #(
@@ -199,7 +200,7 @@ module ffd_eval_bank_weights #(
   // DISTANCE clocks after them.
   genvar stage;
   generate
-    if (FOLD == 1) begin : gen_ready
+    if (SETS == 3) begin : gen_ready
       assign weights_o = evaluated;
       wire unused_ok = &{1'b0, step_i, cell_i};
     end else begin : gen_travel

@@ -6,15 +6,16 @@
 // banks run fastest, so the points of one sum lie side by side and all additions are those of a
 // tree of 64, pair by pair. Between contractions a sum becomes a point again (ffd_num_narrow).
 //
-// A step takes the 64 points of a vertex and contracts 3 / FOLD of their components. Folded by
-// three, a vertex is three steps one after the other, x first; the points are read once, and y and z
-// wait here.
+// Unfolded, a step takes the 64 points of a vertex. Folded by three, it takes a component of them, x
+// first; the points are read once, and y and z wait here. Folded by two, it takes 32 of the banks,
+// those of s that come last first, and the last sum of four is made in halves (ffd_eval_halves).
+// Folded by six, it is both, x, y and z of a half one after the other.
 //
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
-// Parameters: FOLD 1 or 3; AFFINE 1: by differences (ffd_eval_affine), the weights ADD_LATENCY
+// Parameters: FOLD 1, 2, 3 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights ADD_LATENCY
 //             clocks after the points; the others as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -36,8 +37,9 @@ module ffd_eval_contraction #(
   input  wire                                    clk,
   input  wire                                    rst,
   input  wire                                    step_valid_i,
-  input  wire                                    step_first_i,  // and last: only of valid steps
+  input  wire                                    step_reads_i,  // and last: only of valid steps
   input  wire                                    step_last_i,
+  input  wire                                    step_low_i,    // of the banks that come last
   input  wire [SOURCE_W-1:0]                     step_source_i,
   input  wire [11:0]                             step_cell_i,
   input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    weights_i,
@@ -45,26 +47,30 @@ module ffd_eval_contraction #(
   output wire                                    read_last_o,
   output wire [SOURCE_W-1:0]                     read_source_o,
   output wire [11:0]                             read_cell_o,
-  input  wire [64*3*`FFD_POINT_W(FORMAT)-1:0]    read_points_i,
+  output wire [5:0]                              read_index_o,
+  input  wire [64/`FFD_FOLD_HALVES(FOLD)*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
   output wire                                    result_valid_o,
   output wire [3*`FFD_SUM_W(FORMAT)-1:0]         result_sum_o
 );
   localparam WEIGHT_W   = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W    = `FFD_POINT_W(FORMAT);
   localparam SUM_W      = `FFD_SUM_W(FORMAT);
-  localparam COMPONENTS = 3 / FOLD;
+  localparam TURNS      = `FFD_FOLD_TURNS(FOLD);
+  localparam HALVES     = `FFD_FOLD_HALVES(FOLD);
+  localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
   localparam LATENCY    = READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY;  // the last is a sum
 
   generate
-    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
-      ERROR_ffd_eval_contraction_fold_must_be_1_or_3 u_error ();
+    if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
+      ERROR_ffd_eval_contraction_fold_must_be_1_2_3_or_6 u_error ();
     end
   endgenerate
 
-  assign read_o        = step_first_i;
-  assign read_last_o   = step_first_i;
+  assign read_o        = step_reads_i;
+  assign read_last_o   = step_reads_i && (HALVES == 1 || step_low_i);
+  assign read_index_o  = {HALVES == 2 && !step_low_i, 5'd0};
   assign read_source_o = step_source_i;
   assign read_cell_o   = step_cell_i;
 
@@ -82,7 +88,7 @@ module ffd_eval_contraction #(
     .q_o({sum_valid, sum_last})
   );
 
-  wire first;  // of a vertex: its points are here
+  wire first;  // of the steps of what is read: its points are here
 
   ffd_num_delay #(
     .WIDTH  (1),
@@ -90,8 +96,20 @@ module ffd_eval_contraction #(
   ) u_first (
     .clk(clk),
     .rst(rst),
-    .d_i(step_first_i),
+    .d_i(step_reads_i),
     .q_o(first)
+  );
+
+  wire low;  // along s
+
+  ffd_num_delay #(
+    .WIDTH  (1),
+    .LATENCY(READ_LATENCY + 2 * CONTRACT)
+  ) u_low (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i(step_low_i),
+    .q_o(low)
   );
 
   wire [COMPONENTS*SUM_W-1:0] sums;
@@ -104,11 +122,13 @@ module ffd_eval_contraction #(
     for (c = 0; c < COMPONENTS; c = c + 1) begin : gen_component
       for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
         localparam AXIS = 2 - stage;
-        for (g = 0; g < (16 >> 2 * stage); g = g + 1) begin : gen_group
-          wire [4*POINT_W-1:0] points;
-          wire [SUM_W-1:0]     sum;
+        localparam BANKS  = stage == 2 ? 4 / HALVES : 4;
+        localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / HALVES;
+        for (g = 0; g < GROUPS; g = g + 1) begin : gen_group
+          wire [BANKS*POINT_W-1:0] points;
+          wire [SUM_W-1:0]         sum;
 
-          for (b = 0; b < 4; b = b + 1) begin : gen_bank
+          for (b = 0; b < BANKS; b = b + 1) begin : gen_bank
             localparam FIRST = 3 * (4 * g + b);  // of the components of a point
             wire [POINT_W-1:0] point;
             if (stage > 0) begin : gen_narrow
@@ -120,7 +140,7 @@ module ffd_eval_contraction #(
                 .sum_i  (gen_stage[stage-1].gen_group[4*g+b].sum),
                 .point_o(point)
               );
-            end else if (FOLD == 1) begin : gen_own
+            end else if (TURNS == 1) begin : gen_own
               assign point = read_points_i[(FIRST+c)*POINT_W +: POINT_W];
             end else begin : gen_in_turn
               reg  [2*POINT_W-1:0] rest_q;
@@ -129,11 +149,25 @@ module ffd_eval_contraction #(
               always @(posedge clk) rest_q <= left[3*POINT_W-1:POINT_W];
               assign point = left[POINT_W-1:0];
             end
+            assign points[b*POINT_W +: POINT_W] = point;
           end
-          assign points = {gen_bank[3].point, gen_bank[2].point, gen_bank[1].point,
-                           gen_bank[0].point};
 
-          if (AFFINE == 0) begin : gen_tree
+          if (BANKS == 2) begin : gen_halves
+            ffd_eval_halves #(
+              .TURNS      (TURNS),
+              .AFFINE     (AFFINE),
+              .FORMAT     (FORMAT),
+              .MUL_LATENCY(MUL_LATENCY),
+              .ADD_LATENCY(ADD_LATENCY),
+              .FMA_LATENCY(FMA_LATENCY)
+            ) u_halves (
+              .clk      (clk),
+              .low_i    (low),
+              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .points_i (points),
+              .sum_o    (sum)
+            );
+          end else if (AFFINE == 0) begin : gen_tree
             ffd_eval_tree #(
               .FORMAT     (FORMAT),
               .N          (4),
@@ -166,9 +200,9 @@ module ffd_eval_contraction #(
   endgenerate
 
   generate
-    if (FOLD == 1) begin : gen_whole
+    if (TURNS == 1) begin : gen_whole
       assign result_sum_o = sums;
-      wire unused_ok = &{1'b0, first, sum_last};
+      wire unused_ok = &{1'b0, first};
     end else begin : gen_collect
       reg [2*SUM_W-1:0] before_q;
       always @(posedge clk) before_q <= {sums, before_q[SUM_W +: SUM_W]};
@@ -177,6 +211,7 @@ module ffd_eval_contraction #(
   endgenerate
 
   assign result_valid_o = sum_valid && sum_last;
+  wire unused_ok = &{1'b0, low};
 endmodule
 
 `default_nettype wire

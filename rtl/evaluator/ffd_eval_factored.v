@@ -22,6 +22,8 @@ module ffd_eval_factored #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam TURNS        = `FFD_FOLD_TURNS(FOLD);
+  localparam HALVES       = `FFD_FOLD_HALVES(FOLD);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
@@ -46,7 +48,12 @@ module ffd_eval_factored #(
   wire [11:0]           cell_index;
   wire [SOURCE_W-1:0]   source;
   wire [3*PLACE_W-1:0]  bank;
-  wire [1:0]            step = {{(2 - STEP_W) {1'b0}}, step_count};
+
+  // The first three steps evaluate an axis each; a step reads points where a half of them begins.
+  wire [2:0] count = {{(3 - STEP_W) {1'b0}}, step_count};
+  wire [1:0] step  = count[2] ? 2'd3 : count[1:0];
+  wire       reads = TURNS == 1 || count == 3'd0 || count == 3'd3;
+  wire       low   = HALVES == 2 && (TURNS == 1 ? count[0] : count >= 3'd3);
 
   ffd_eval_sequencer #(
     .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
@@ -95,8 +102,9 @@ module ffd_eval_factored #(
 
   // The points of a step are asked for so that they come when the contraction wants them.
   wire                read_valid;
-  wire                read_first;
+  wire                read_begins;
   wire                read_last;
+  wire                read_low;
   wire [SOURCE_W-1:0] read_source;
   wire [11:0]         read_cell;
 
@@ -107,18 +115,18 @@ module ffd_eval_factored #(
   ) u_read_valid (
     .clk(clk),
     .rst(rst),
-    .d_i({step_valid, step_valid && step_first, step_valid && step_last}),
-    .q_o({read_valid, read_first, read_last})
+    .d_i({step_valid, step_valid && reads, step_valid && step_last}),
+    .q_o({read_valid, read_begins, read_last})
   );
 
   ffd_num_delay #(
-    .WIDTH  (SOURCE_W + 12),
+    .WIDTH  (1 + SOURCE_W + 12),
     .LATENCY(READ_DELAY)
   ) u_read (
     .clk(clk),
     .rst(rst),
-    .d_i({source, cell_index}),
-    .q_o({read_source, read_cell})
+    .d_i({low, source, cell_index}),
+    .q_o({read_low, read_source, read_cell})
   );
 
   ffd_eval_contraction #(
@@ -135,8 +143,9 @@ module ffd_eval_factored #(
     .clk             (clk),
     .rst             (rst),
     .step_valid_i    (read_valid),
-    .step_first_i    (read_first),
+    .step_reads_i    (read_begins),
     .step_last_i     (read_last),
+    .step_low_i      (read_low),
     .step_source_i   (read_source),
     .step_cell_i     (read_cell),
     .weights_i       (weights),
@@ -144,13 +153,13 @@ module ffd_eval_factored #(
     .read_last_o     (read_last_o),
     .read_source_o   (read_source_o),
     .read_cell_o     (read_cell_o),
+    .read_index_o    (read_index_o),
     .read_points_i   (read_points_i),
     .result_valid_o  (result_valid_o),
     .result_sum_o    (result_sum_o)
   );
 
-  assign read_index_o = 6'd0;
-  wire unused_ok = &{1'b0, s_vertex_changed};
+  wire unused_ok = &{1'b0, s_vertex_changed, step_first};
 
   assign forming_o = 1'b0;
 endmodule

@@ -285,10 +285,11 @@ module ffd_eval_serial #(
   localparam       KEEP_S_AT = 4 * (GROUPS + 3) + MUL_LATENCY + CONVERT_LATENCY + 2;
   localparam [1:0] BEHIND    = GROUPS[1:0];
   localparam [3:0] KEEP_S    = KEEP_S_AT[3:0];
-  wire [3:0] point_phase = phase_q + POINT_AT[3:0];
-  wire       base        = point_phase[1:0] == 2'd0;
-  wire       begin_t     = point_phase == {BEHIND, 2'd0};
-  wire [1:0] point_m     = point_phase[3:2] - BEHIND;  // of t
+  wire [3:0] point_next  = phase_q + POINT_AT[3:0] + 4'd1;
+  reg  [3:0] point_phase_q;
+  reg        base_q;
+  reg        begin_t_q;
+  wire [1:0] point_m     = point_phase_q[3:2] - BEHIND;  // of t
   // A clock before the sums, and a clock after them.
   wire [3:0] add_phase   = phase_q + ADD_AT[3:0];
   wire [1:0] add_m       = add_phase[3:2] - BEHIND;
@@ -298,6 +299,12 @@ module ffd_eval_serial #(
                                      : add_phase[1:0] == 2'd1;
   wire       add_nothing = add_upper ? (add_of_s ? part_s_q : part_t_q) : part_u_q;
   wire [3:0] keep_phase  = add_phase - 4'd2;
+
+  always @(posedge clk) begin
+    point_phase_q <= point_next;
+    base_q        <= point_next[1:0] == 2'd0;
+    begin_t_q     <= point_next == {BEHIND, 2'd0};
+  end
 
   wire       s_valid = first_of_s || (s_valid_q && s_l_q != 2'd3);
   wire [1:0] s_l     = first_of_s ? 2'd0 : s_l_q + 2'd1;
@@ -316,15 +323,15 @@ module ffd_eval_serial #(
       part_s_q <= part_q[0];
     end
     if (rst) s_valid_q <= 1'b0;
-    else if (begin_t) s_valid_q <= s_valid;
-    if (begin_t) s_l_q <= s_l;
+    else if (begin_t_q) s_valid_q <= s_valid;
+    if (begin_t_q) s_l_q <= s_l;
   end
 
   // ---- the weight of each clock
 
   wire [WEIGHT_W-1:0] used_weight;
-  wire [4:0]          used = !base   ? {set_u_q, 2'd2, point_phase[1:0] - 2'd1}
-                           : begin_t ? {set_s_q, 2'd0, s_l - 2'd1}
+  wire [4:0]          used = !base_q   ? {set_u_q, 2'd2, point_phase_q[1:0] - 2'd1}
+                           : begin_t_q ? {set_s_q, 2'd0, s_l - 2'd1}
                                      : {set_t_q, 2'd1, point_m - 2'd1};
 
   ffd_mem_sdp #(
@@ -357,11 +364,11 @@ module ffd_eval_serial #(
         .clk          (clk),
         .point_i      (read_points_i[c*POINT_W +: POINT_W]),
         .weight_i     (used_weight),
-        .base_i       (base),
-        .of_s_i       (begin_t),
-        .begin_t_i    (begin_t),
+        .base_i       (base_q),
+        .of_s_i       (begin_t_q),
+        .begin_t_i    (begin_t_q),
         .begin_s_i    (first_of_s),
-        .keep_s_i     (point_phase == KEEP_S),
+        .keep_s_i     (point_phase_q == KEEP_S),
         .add_base_i   (add_base),
         .add_nothing_i(add_nothing),
         .add_half_i   (!add_upper || !add_of_s),
@@ -383,7 +390,7 @@ module ffd_eval_serial #(
   ) u_sum_valid (
     .clk(clk),
     .rst(rst),
-    .d_i(begin_t && s_valid && s_l == 2'd3),
+    .d_i(begin_t_q && s_valid && s_l == 2'd3),
     .q_o(sum_valid)
   );
 

@@ -28,10 +28,10 @@ module ffd_org_affine #(
   generate
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
-    end else if (FOLD != 1 && FOLD != 3 && FOLD != 64) begin : gen_bad_fold
-      ERROR_ffd_org_affine_fold_must_be_1_3_or_64 u_error ();
-    end else if (N != (FOLD == 64 ? 1 : 64)) begin : gen_bad_n
-      ERROR_ffd_org_affine_n_must_be_64_or_of_fold_64_1 u_error ();
+    end else if (FOLD != 64 && `FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
+      ERROR_ffd_org_affine_fold_must_be_1_2_3_6_or_64 u_error ();
+    end else if (N != (FOLD == 64 ? 1 : 64 / `FFD_FOLD_HALVES(FOLD))) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64_folded_by_2_or_6_32_by_64_1 u_error ();
     end else if (FOLD == 64) begin : gen_serial
       ffd_eval_serial #(
         `include "ffd_org_arguments.vh"

@@ -2,19 +2,19 @@
 //
 // The 64 points of a cell are read at once, one from each bank, and the four weights of each axis
 // are rotated into the order of the banks: 12 polynomials and 84 multiplications a component, and
-// a vertex a clock from any cell. Folded by three, one component a clock on a third of it; such a
-// lane reads points in one of three clocks, so that up to three lanes share one store of points.
+// a vertex a clock from any cell. Folded by two, 32 banks a clock on half of it, the fold in the
+// memory; by three, one component a clock on a third of it; by six, both. What is folded by three
+// reads points in one of three clocks, so that up to three such lanes share one store of points.
 // Vertices are dealt to the lanes in turn; all take equally long, so results keep the order.
 //
-// Schedule:   overlapped only, FOLD vertices of LANES in FOLD clocks; the paper has no such
-//             organization.
+// Schedule:   overlapped only, LANES vertices in FOLD clocks; the paper has no such organization.
 // Pipeline:   ffd_eval_factored; of several lanes, a clock where their reads meet, within that
 //             pipeline, and one where their sums meet, behind it.
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a
 //             vertex must have room for its result.
-// Parameters: those of every organization (docs/architecture.md); N is 64, SCHEDULE overlapped,
-//             EVALUATOR not iterative; FOLD 1 or 3, with the same bits; LANES 1 to FOLD; AFFINE 1:
-//             ffd_org_affine.
+// Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR not
+//             iterative; FOLD 1, 2, 3 or 6, with the same bits; N 64, of FOLD 2 and 6 32; LANES 1,
+//             of FOLD 3 to 3; AFFINE 1: ffd_org_affine.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -34,14 +34,14 @@ module ffd_org_factored #(
   localparam WIDTH = 3 * `FFD_SUM_W(FORMAT);
 
   generate
-    if (FOLD != 1 && FOLD != 3) begin : gen_bad_fold
-      ERROR_ffd_org_factored_fold_must_be_1_or_3 u_error ();
+    if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
+      ERROR_ffd_org_factored_fold_must_be_1_2_3_or_6 u_error ();
     end
-    if (LANES < 1 || LANES > FOLD) begin : gen_bad_lanes
-      ERROR_ffd_org_factored_lanes_must_be_1_to_fold u_error ();
+    if (LANES < 1 || LANES > (FOLD == 3 ? 3 : 1)) begin : gen_bad_lanes
+      ERROR_ffd_org_factored_lanes_must_be_1_with_fold_3_to_3 u_error ();
     end
-    if (N != 64) begin : gen_bad_n
-      ERROR_ffd_org_factored_n_must_be_64 u_error ();
+    if (N != 64 / `FFD_FOLD_HALVES(FOLD)) begin : gen_bad_n
+      ERROR_ffd_org_factored_n_must_be_64_folded_by_2_or_6_32 u_error ();
     end
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_factored_schedule_must_be_overlapped u_error ();
@@ -55,14 +55,14 @@ module ffd_org_factored #(
   wire [LANES-1:0]          read_last;
   wire [LANES*SOURCE_W-1:0] read_source;
   wire [LANES*12-1:0]       read_cell;
+  wire [LANES*6-1:0]        read_index;
   wire [LANES-1:0]          sum_valid;
   wire [LANES*WIDTH-1:0]    sum;
 
   genvar lane;
   generate
     for (lane = 0; lane < LANES; lane = lane + 1) begin : gen_lane
-      wire [5:0] read_index;
-      wire       forming;
+      wire forming;
 
       ffd_eval_factored #(
         .FOLD           (FOLD),
@@ -96,18 +96,17 @@ module ffd_org_factored #(
         .read_last_o         (read_last[lane]),
         .read_source_o       (read_source[lane*SOURCE_W +: SOURCE_W]),
         .read_cell_o         (read_cell[lane*12 +: 12]),
-        .read_index_o        (read_index),
+        .read_index_o        (read_index[lane*6 +: 6]),
         .read_points_i       (read_points_i),
         .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
         .result_sum_o        (sum[lane*WIDTH +: WIDTH])
       );
-      wire unused_ok = &{1'b0, read_index, forming};
+      wire unused_ok = &{1'b0, forming};
     end
   endgenerate
 
   assign s_vertex_ready = |(ready & turn);
-  assign read_index_o   = 6'd0;
   assign forming_o      = 1'b0;
 
   generate
@@ -117,6 +116,7 @@ module ffd_org_factored #(
       assign read_last_o    = read_last;
       assign read_source_o  = read_source;
       assign read_cell_o    = read_cell;
+      assign read_index_o   = read_index;
       assign result_valid_o = sum_valid;
       assign result_sum_o   = sum;
     end else begin : gen_together
@@ -156,6 +156,8 @@ module ffd_org_factored #(
       assign read_last_o    = read_last_q;
       assign read_source_o  = source_q;
       assign read_cell_o    = cell_q;
+      assign read_index_o   = 6'd0;
+      wire unused_ok = &{1'b0, read_index};
       assign result_valid_o = sum_valid_q;
       assign result_sum_o   = sum_q;
     end

@@ -107,19 +107,21 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const int side_by_side = hwffd::lanes(c);
   const int read_latency = side_by_side > 1 ? 3 : 2;  // of ffd_bench_evaluator; a clock of theirs
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
-  const int components = 3 / folds(c);
+  const int turns = folds(c) % 3 == 0 ? 3 : 1;
+  const int halves = folds(c) / turns;
+  const int components = 3 / turns;
   Pipeline polynomials(schedule, schedule.polynomials().starts);
-  if (folds(c) > 1) polynomials.pass(lanes, "axis chosen", 1);
+  if (turns > 1) polynomials.pass(lanes, "axis chosen", 1);
   polynomials.pass(lanes, units(row.count.evaluators / side_by_side, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());
-  points.pass(lanes, "64 points read", read_latency);
-  add_differences(lanes, points, c, 16 * components, "u");
+  points.pass(lanes, units(c.n, "point") + " read", read_latency);
+  add_differences(lanes, points, c, 16 * components / halves, "u");
   points.expect(polynomials.arrivals(), c.name);
-  add_contract(lanes, points, c, 16 * components, "u");
+  add_contract(lanes, points, c, 16 * components / halves, "u");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, 4 * components, "t");
-  add_contract(lanes, points, c, 4 * components, "t");
+  add_differences(lanes, points, c, 4 * components / halves, "t");
+  add_contract(lanes, points, c, 4 * components / halves, "t");
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, components, "s");
   add_contract(lanes, points, c, components, "s");

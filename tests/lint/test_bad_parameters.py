@@ -58,7 +58,7 @@ def guards_of_sources():
 
 
 # What no organization takes, where it has the parameter: N above 64, an unknown schedule or folding.
-OF_ORGANIZATIONS = (("N", "65"), ("SCHEDULE", "2"), ("SCHEDULE", "-1"), ("FOLD", "2"))
+OF_ORGANIZATIONS = (("N", "65"), ("SCHEDULE", "2"), ("SCHEDULE", "-1"), ("FOLD", "5"))
 
 
 def shared_rows():

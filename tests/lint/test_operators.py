@@ -66,6 +66,9 @@ COUNTED = (
     ("affine/3", "affine3-fx17-overlapped", (9 + 63, 9 + 2 * 63), (9 + 63, 9 + 2 * 63), 3),
     ("affine/3x2", "affine3x2-fx17-overlapped", (2 * 72, 2 * (9 + 2 * 63)),
      (2 * 72, 2 * (9 + 2 * 63)), 6),
+    # Half of the products along u and t, two along s; the nine evaluators of an unfolded one.
+    ("affine/2", "affine2-fx17-overlapped", (27 + 3 * 32, 27 + 3 * 64), (27 + 3 * 32, 27 + 3 * 64), 9),
+    ("affine/6", "affine6-fx17-overlapped", (9 + 32, 9 + 64), (9 + 32, 9 + 64), 3),
     # A polynomial evaluator; a product a component, which every unit above shares.
     ("affine/64", "affine64-fx17-overlapped", (1 + 3, 1 + 2 * 3), (1 + 3, 1 + 2 * 3), 1),
     # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.
