@@ -60,6 +60,7 @@ evaluator/ffd_eval_poly_pipelined.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_serial.v
 evaluator/ffd_eval_serial_component.v
+evaluator/ffd_eval_serial_weights.v
 evaluator/ffd_eval_stream.v
 evaluator/ffd_eval_summation.v
 evaluator/ffd_eval_tree.v

@@ -5,7 +5,8 @@
 // clocks in which a base comes, and which is whose repeats every 16 clocks: one counter of four
 // bits, the phase, serves all stages, each so many clocks later. A vertex starts in phase 0.
 //
-// Meanwhile the polynomials of the next vertex fill the other set of weights.
+// Meanwhile the polynomials of the next vertex fill another set of weights
+// (ffd_eval_serial_weights).
 //
 // Pipeline:   vertex | polynomials | START clocks: reads | READ_LATENCY: points |
 //             ffd_eval_serial_component; along t GROUPS groups of four later, along s 32 clocks
@@ -30,7 +31,6 @@ module ffd_eval_serial #(
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
   localparam SUM_W        = `FFD_SUM_W(FORMAT);
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
-  localparam SELECT_W     = `FFD_SHARED_W(SPANS);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
@@ -93,108 +93,6 @@ module ffd_eval_serial #(
   );
 
   assign s_vertex_ready = idle && turn;
-
-  // ---- nine polynomials, of u first, in every third clock
-
-  reg                 filling_q;
-  reg  [1:0]          third_q;
-  reg  [3:0]          fill_q;  // {axis, bank}
-  wire [3:0]          fill_next;
-  wire                fill_ends;
-  wire                fill     = filling_q && third_q == 2'd0;
-  wire [1:0]          axis     = fill_q[3:2];
-  wire [WEIGHT_W-1:0] coordinate;
-  wire [1:0]          residue;
-  wire [PLACE_W-1:0]  place;
-  wire [SELECT_W-1:0] select;
-  wire [SELECT_W-1:0] load_select;
-  wire [1:0]          blending = fill_q[1:0] - residue;
-  wire                weight_valid;
-  wire [WEIGHT_W-1:0] weight;
-
-  localparam [3:0] FIRST_FILL = {2'd2, 2'd0};
-  assign fill_ends = fill_q == 4'd2;
-  assign fill_next = fill_ends ? FIRST_FILL : fill_q[1] ? {fill_q[3:2] - 2'd1, 2'd0}
-                                                        : fill_q + 4'd1;
-
-  always @(posedge clk) begin
-    if (rst) filling_q <= 1'b0;
-    else if (turn && s_vertex_valid && idle) filling_q <= 1'b1;
-    else if (fill && fill_ends) filling_q <= 1'b0;
-    if (rst) fill_q <= FIRST_FILL;
-    else if (fill) fill_q <= fill_next;
-    if (!filling_q || third_q == 2'd2) third_q <= 2'd0;
-    else third_q <= third_q + 1'b1;
-  end
-
-  assign coordinate = axis[1] ? coordinates[2*WEIGHT_W +: WEIGHT_W] :
-                      axis[0] ? coordinates[1*WEIGHT_W +: WEIGHT_W] :
-                                coordinates[0*WEIGHT_W +: WEIGHT_W];
-  assign residue    = axis[1] ? cell_index[9:8] : axis[0] ? cell_index[5:4] : cell_index[1:0];
-  assign place      = axis[1] ? bank[2*PLACE_W +: PLACE_W] :
-                      axis[0] ? bank[1*PLACE_W +: PLACE_W] : bank[0*PLACE_W +: PLACE_W];
-
-  ffd_eval_address #(
-    .SPANS(SPANS)
-  ) u_load_select (
-    .axis_i   (load_axis_i),
-    .place_i  (load_address_i),
-    .address_o(load_select)
-  );
-
-  ffd_eval_address #(
-    .SPANS(SPANS)
-  ) u_select (
-    .axis_i   (axis),
-    .place_i  ({place, blending}),
-    .address_o(select)
-  );
-
-  ffd_eval_poly #(
-    .FORMAT         (FORMAT),
-    .EVALUATOR      (EVALUATOR),
-    .FILE_LATENCY   (FILE_LATENCY),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .ADDRESS_W      (SELECT_W)
-  ) u_poly (
-    .clk           (clk),
-    .load_i        (load_i),
-    .load_address_i(load_select),
-    .load_entry_i  (load_entry_i),
-    .start_i       (fill),
-    .coordinate_i  (coordinate),
-    .address_i     (select),
-    .weight_o      (weight)
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (1),
-    .LATENCY(POLY_LATENCY),
-    .RESET  (1)
-  ) u_weight_valid (
-    .clk(clk),
-    .rst(rst),
-    .d_i(fill),
-    .q_o(weight_valid)
-  );
-
-  // They come in the same order.
-  reg        write_set_q;
-  reg  [3:0] write_q;
-  wire       write_ends = write_q == 4'd2;
-  always @(posedge clk) begin
-    if (rst) begin
-      write_set_q <= 1'b0;
-      write_q     <= FIRST_FILL;
-    end else if (weight_valid) begin
-      write_set_q <= write_set_q ^ write_ends;
-      write_q     <= write_ends ? FIRST_FILL : write_q[1] ? {write_q[3:2] - 2'd1, 2'd0}
-                                                          : write_q + 4'd1;
-    end
-  end
 
   // ---- reads: 64 from phase 0 on
 
@@ -334,18 +232,27 @@ module ffd_eval_serial #(
                            : begin_t_q ? {set_s_q, 2'd0, s_l - 2'd1}
                                      : {set_t_q, 2'd1, point_m - 2'd1};
 
-  ffd_mem_sdp #(
-    .WIDTH       (WEIGHT_W),
-    .DEPTH       (32),
-    .READ_LATENCY(1)
+  ffd_eval_serial_weights #(
+    .FORMAT         (FORMAT),
+    .EVALUATOR      (EVALUATOR),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .SPANS          (SPANS)
   ) u_weights (
-    .clk            (clk),
-    .write_i        (weight_valid),
-    .write_address_i({write_set_q, write_q}),
-    .write_data_i   (weight),
-    .read_i         (1'b1),
-    .read_address_i (used),
-    .read_data_o    (used_weight)
+    .clk           (clk),
+    .rst           (rst),
+    .load_i        (load_i),
+    .load_axis_i   (load_axis_i),
+    .load_address_i(load_address_i),
+    .load_entry_i  (load_entry_i),
+    .begin_i       (s_vertex_valid && s_vertex_ready),
+    .coordinates_i (coordinates),
+    .cell_i        (cell_index),
+    .bank_i        (bank),
+    .read_i        (used),
+    .weight_o      (used_weight)
   );
 
   // ---- three components
