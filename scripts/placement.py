@@ -13,6 +13,7 @@ import pathlib
 import statistics
 from dataclasses import dataclass
 
+import chips
 import digest
 import kept
 import nextpnr
@@ -20,11 +21,10 @@ import scan_chain
 import synthesis
 import tables
 
-COLUMNS = ("name", "top", "target", "placer", "aim_share", "aim_mhz")
-TABLE = "synth/clocks.csv"
+COLUMNS, TABLE = synthesis.CLOCK_COLUMNS, synthesis.CLOCKS
 AIMS = COLUMNS[4:]
 MULTIPLIER, SOURCE = "ffd_clock_multiplier", "synth/ffd_clock_multiplier.v"
-CHAINED = "ffd_clock_chain"
+CHAINED, PINNED = "ffd_clock_chain", "ffd_clock_pins"
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,7 @@ class Device:
     freq: int       # MHz that the router is asked for: more than it reaches
     width: int      # bits of the multiplier that is the measure
     chained: bool   # every port takes a pin, so the block's are on a chain (scan_chain.py)
+    cells: str = ""  # that synth/TARGET/ffd_clock_pins.v has, if the chain lies in such a module
 
 
 DEVICES = {
@@ -43,7 +44,14 @@ DEVICES = {
                    {"heap": ("--placer-heap-timingweight", "20"),
                     "static": ("--placer", "static")}, 150, 18, False),
     "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), {"heap": ()}, 60, 16, True),
+    "nexus": Device("LIFCL-40, grade 9", ("--device", "LIFCL-40-9BG400C"), {"heap": ()}, 250, 18,
+                    True, "+/nexus/cells_sim.v +/nexus/cells_xtra.v"),
 }
+
+
+def pins(target):
+    """The module around a chain that has the clock and the pads of a chip."""
+    return f"synth/{target}/{PINNED}.v"
 
 
 @dataclass(frozen=True)
@@ -130,8 +138,11 @@ class Placement:
     def chain(self, subject, netlist, source):
         """The steps that put the chain of a source around a flat netlist. The cells of the library are
         read again, with their parameters, by the target's script."""
-        return [f"read_json {netlist}", "delete =A:blackbox", f"read_verilog {source}",
-                f"hierarchy -top {CHAINED}", f"script synth/{subject.target}.ys"]
+        target = subject.target
+        cells = DEVICES[target].cells
+        around = [f"read_verilog -lib {cells}", f"read_verilog {pins(target)}"] if cells else []
+        return [f"read_json {netlist}", "delete =A:blackbox", f"read_verilog {source}", *around,
+                f"hierarchy -top {PINNED if cells else CHAINED}", f"script synth/{target}.ys"]
 
     def _key(self, subject):
         """Of its netlist, the router and how that is asked."""
@@ -143,9 +154,12 @@ class Placement:
         else:
             design = self.work.netlist_key(subject)
         device = DEVICES[subject.target]
-        chain = digest.statements(scan_chain) if device.chained else ""
+        chain = [digest.statements(scan_chain) if device.chained else ""]
+        if device.cells:
+            chain += [device.cells,
+                      digest.tokens((str(self.root / pins(subject.target)),), (), "YOSYS")]
         return digest.of(design, nextpnr.version(self.root, subject.target),
-                         *map(str, self.options(subject)), chain)
+                         *map(str, self.options(subject)), *chain)
 
     def files(self, subject):
         """What the router reports, a file a seed. Raises NextpnrError."""
@@ -156,8 +170,34 @@ class Placement:
         """{subject: its files} of these aims and of the measures of their targets."""
         targets = dict.fromkeys(aim.subject.target for aim in aims)
         found = [*map(Measure, targets), *(aim.subject for aim in aims)]
-        return {subject: [path for path, result in zip(self.files(subject), self._seeds(subject))
-                          if result is None] for subject in found}
+        files = {subject: [path for path, result in zip(self.files(subject), self._seeds(subject))
+                           if result is None] for subject in found}
+        for subject in found:
+            if self.is_packed(subject) is False:
+                files[subject].append(self.bitstream(subject))
+        return files
+
+    def bitstream(self, subject):
+        """Of the fastest of the seeds."""
+        return self.folder / f"{subject.name}.{self.key(subject)}.bitstream"
+
+    def is_packed(self, subject):
+        """Whether there is or was a bitstream; None where none is made: of measures, and on targets
+        whose bitstreams `make boards` makes."""
+        if isinstance(subject, Measure) or subject.target not in chips.TARGETS:
+            return None
+        kept_row = self.kept.get(self.key(subject)) or {}
+        return self.bitstream(subject).is_file() or kept_row.get("bitstream", False)
+
+    def packed(self, subject):
+        """The field of a row that says so, where bitstreams are made."""
+        there = self.is_packed(subject)
+        return {} if there is None else {"bitstream": there}
+
+    def pack(self, target):
+        """The packer with its options. Raises NextpnrError."""
+        family = nextpnr.FAMILIES[target]
+        return [nextpnr.find(self.root, family.pack, family), *family.pack_options]
 
     def results(self, subject):
         """Clock and critical path of all seeds that are there, in order."""

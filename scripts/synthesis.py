@@ -9,6 +9,7 @@ import pathlib
 import shutil
 from dataclasses import dataclass
 
+import chips
 import configurations
 import digest
 import elaboration
@@ -17,12 +18,13 @@ import kept
 import liberty
 import mapped
 import rtl
+import tables
 import timing
 import variants
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS = "hwffd_stream_bus"
-TARGETS = mapped.TARGETS
+TARGETS = (*mapped.TARGETS, *chips.TARGETS)
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")
 SETS = ("all", "ci", "baseline")
@@ -35,8 +37,11 @@ UNIT_TARGETS = ("ecp5", CELLS)
 UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd_num_add",
          "ffd_num_mac")
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
-# point design lets them do.
-ABSORBING = (*ICE40, "xilinx7")
+# point design lets them do, and those where a chain of registers lies around what is routed.
+FLAT = (*ICE40, "xilinx7", *chips.TARGETS)
+# What is routed: of the targets of chips.py nothing else is mapped.
+CLOCKS = "synth/clocks.csv"
+CLOCK_COLUMNS = ("name", "top", "target", "placer", "aim_share", "aim_mhz")
 # Where a module of synth/TARGET names cells of the target.
 BLACK_BOXES = {"ecp5": "synth/ecp5/cells.v"}
 # Of standard cells: gates and flip-flops become cells of the library.
@@ -93,7 +98,7 @@ class Subject:
 
     @property
     def flat(self):
-        return self.fixed and self.target in ABSORBING
+        return self.fixed and self.target in FLAT
 
     @property
     def effort(self):
@@ -133,7 +138,7 @@ def subjects(rows, changed=()):
     found += [Subject(row, CORE, "ecp5") for row in overlapped
               if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every")]
     found += [Subject(variant, top, "ecp5") for variant, top in changed]
-    found += [Subject(row, ORGANIZATION, target) for row in overlapped for target in TARGETS
+    found += [Subject(row, ORGANIZATION, target) for row in overlapped for target in mapped.TARGETS
               if makes_sense(row, target)]
     return found + units(overlapped)
 
@@ -141,8 +146,17 @@ def subjects(rows, changed=()):
 def of_checkout(root):
     """All that the tables of a checkout give. Raises TableError."""
     rows = configurations.read(root / "rtl" / "configurations.csv")
-    return subjects(rows, variants.read(root / "synth" / "variants.csv", rows,
+    found = subjects(rows, variants.read(root / "synth" / "variants.csv", rows,
                                          (CORE, BUS, SYSTEM)))
+    return found + routed(root / CLOCKS, rows)
+
+
+def routed(path, rows):
+    """Cores of the table of clocks on targets of chips.py. Raises TableError."""
+    known = {row.name: row for row in rows if row.stream}
+    return [Subject(known[line["name"]], CORE, line["target"])
+            for _, line in tables.read(path, CLOCK_COLUMNS)
+            if line["target"] in chips.TARGETS and line["name"] in known and line["top"] == CORE]
 
 
 def units(rows):
@@ -252,6 +266,8 @@ class Synthesis:
         """Of a result: of its netlist and of what counts it."""
         if subject not in self._keys:
             parts = [self.netlist_key(subject), digest.statements(mapped)]
+            if subject.target in chips.TARGETS:
+                parts.append(digest.statements(chips))
             if subject.target == CELLS:
                 texts = [path for path in (liberty.PATH, *sorted((self.root / "synth").glob(
                     f"{CELLS}.[!y]*"))) if path.is_file()]

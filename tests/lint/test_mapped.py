@@ -8,6 +8,7 @@ import json
 import re
 from collections import Counter
 
+import chips
 import liberty
 import mapped
 import pytest
@@ -71,6 +72,9 @@ def placed(*names):
      {"lut": 3, "lutram": 5, "ff": 2, "dsp": 1, "bram": 3}),
     ("up5k", placed("SB_LUT4", "SB_CARRY", "SB_DFFESR", "SB_MAC16", "SB_RAM40_4K"),
      {"lut": 1, "lutram": 0, "ff": 1, "dsp": 1, "bram": 1}),
+    ("nexus", placed("LUT4", "INV", "CCU2", "VHI", "VLO", "FD1P3IX", "FD1P3JX", "MULT18X18",
+                     "DPR16X4", "PDPSC16K"),
+     {"lut": 4, "lutram": 4, "ff": 2, "dsp": 1, "bram": 1}),
     ("generic", placed("$_NOT_", "$_MUX_", "$_SDFFE_PP0P_", "$_DFF_P_"), {"cells": 4, "ff": 2})))
 def test_counts(target, cells, counts):
     assert measure(cells, target)[0] == counts
@@ -219,7 +223,7 @@ def test_gates_as_yosys_counts_them(mapping):
             "cells": cells, "ff": flipflops}
 
 
-@pytest.mark.parametrize("target", ("ecp5", "up5k", "hx8k", "xilinx7"))
+@pytest.mark.parametrize("target", ("ecp5", "up5k", "hx8k", "xilinx7", *chips.TARGETS))
 def test_targets_as_yosys_counts_them(mapping, target):
     netlists, output = mapping("ffd_eval_poly", target, "ffd_num_step", "FORMAT 18")
     totals = Counter()

@@ -3,7 +3,9 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import chips
 import configurations
+import placement
 import synthesis
 from rtl import ROOT
 
@@ -21,10 +23,18 @@ def test_rows_of_this_tree():
     wired = {name for name in names if name.split(".")[0].endswith("-bspline")}
     assert wired and {name.replace("-bspline", "") for name in wired} <= set(names)
     few = synthesis.of_set(found, "ci")
-    assert {subject.target for subject in few} == set(synthesis.TARGETS) - {"hx8k"}
+    assert {subject.target for subject in few} == set(synthesis.TARGETS) - {
+        "hx8k", *chips.TARGETS}
     assert {subject.row.org for subject in few} == {
         subject.row.org for subject in found if subject.row.format == "fx18"} - {"unit"}
     guarded = synthesis.of_set(found, "baseline")
     assert [subject for subject in guarded if subject in few] == few
     assert {(subject.top, subject.target) for subject in guarded if subject not in few} == {
         (top, target) for top in synthesis.FLOAT_UNITS for target in synthesis.UNIT_TARGETS}
+
+
+def test_chips_have_the_rows_that_are_routed():
+    found = synthesis.of_checkout(ROOT)
+    routed = [aim.subject for aim in placement.read(ROOT / placement.TABLE, found)]
+    assert [subject for subject in found if subject.target in chips.TARGETS] == [
+        subject for subject in routed if subject.target in chips.TARGETS]
