@@ -15,8 +15,8 @@
 // Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
-// Parameters: FOLD 1, 2, 3 or 6; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE >= 1;
-//             the others as in every organization.
+// Parameters: FOLD 1, 2, 3 or 6; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE
+//             >= 1; the others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

@@ -6,17 +6,17 @@
 // banks run fastest, so the points of one sum lie side by side and all additions are those of a
 // tree of 64, pair by pair. Between contractions a sum becomes a point again (ffd_num_narrow).
 //
-// Unfolded, a step takes the 64 points of a vertex. Folded by three, it takes a component of them, x
-// first; the points are read once, and y and z wait here. Folded by two, it takes 32 of the banks,
-// those of s that come last first, and the last sum of four is made in halves (ffd_eval_halves).
-// Folded by six, it is both, x, y and z of a half one after the other.
+// Unfolded, a step takes the 64 points of a vertex. Folded by three, it takes a component of them,
+// x first; the points are read once, and y and z wait here. Folded by two, it takes 32 of the
+// banks, those of s that come last first, and the last sum of four is made in halves
+// (ffd_eval_halves). Folded by six, it is both, x, y and z of a half one after the other.
 //
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
-// Parameters: FOLD 1, 2, 3 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights ADD_LATENCY
-//             clocks after the points; the others as in every organization.
+// Parameters: FOLD 1, 2, 3 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
+//             ADD_LATENCY clocks after the points; the others as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

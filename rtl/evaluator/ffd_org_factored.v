@@ -12,9 +12,9 @@
 //             pipeline, and one where their sums meet, behind it.
 // Freezes:    never. Results leave in the order of the vertices and are not held back: who offers a
 //             vertex must have room for its result.
-// Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR not
-//             iterative; FOLD 1, 2, 3 or 6, with the same bits; N 64, of FOLD 2 and 6 32; LANES 1,
-//             of FOLD 3 to 3; AFFINE 1: ffd_org_affine.
+// Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR
+//             not iterative; FOLD 1, 2, 3 or 6, with the same bits; N 64, of FOLD 2 and 6 32; LANES
+//             1, of FOLD 3 to 3; AFFINE 1: ffd_org_affine.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
