@@ -13,7 +13,7 @@
 //             more, the last 48 after the first. A vertex in 64 clocks.
 // Freezes:    never. Results leave in the order of the vertices and are not held back.
 // Parameters: those of ffd_org_affine, which checks SCHEDULE and N; ADD_LATENCY 1, MUL_LATENCY 1 to
-//             3, together with CONVERT_LATENCY at least 2.
+//             3, together with CONVERT_LATENCY 2 to 11; READ_LATENCY to 14.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -50,8 +50,9 @@ module ffd_eval_serial #(
     if (MUL_LATENCY > 3 || MUL_LATENCY + CONVERT_LATENCY < 2) begin : gen_bad_mul_latency
       ERROR_ffd_eval_serial_mul_latency_must_be_1_to_3_not_1_without_conversion u_error ();
     end
-    if (EARLY > 48) begin : gen_bad_polynomials
-      ERROR_ffd_eval_serial_polynomials_take_too_long u_error ();
+    // A vertex stays for 64 clocks, and what a round of t makes waits for 16.
+    if (EARLY > 48 || MADE > 16 || READ_LATENCY > 14) begin : gen_bad_latencies
+      ERROR_ffd_eval_serial_latencies_are_too_long u_error ();
     end
   endgenerate
 
