@@ -24,26 +24,26 @@ module ffd_num_cut #(
   localparam VALUE_W = 2 * W + 6;
   localparam WHOLE_W = VALUE_W - (W - 2);
 
-  generate
-    if (`FFD_OFFSET_BAD(FORMAT)) begin : gen_bad_format
-      ERROR_ffd_num_cut_needs_fixed_point u_error ();
-    end
-  endgenerate
-
   wire signed [WHOLE_W-1:0] whole = sum_i[VALUE_W-1:W-2];
   wire signed [W-1:0]       value;
   wire                      saturated;
 
-  ffd_fx_round #(
-    .IN_W (WHOLE_W),
-    .DROP (0),
-    .OUT_W(W)
-  ) u_saturate (
-    .value_i    (whole),
-    .addend_i   ({W{1'b0}}),
-    .value_o    (value),
-    .saturated_o(saturated)
-  );
+  generate
+    if (`FFD_OFFSET_BAD(FORMAT)) begin : gen_bad_format
+      ERROR_ffd_num_cut_needs_fixed_point u_error ();
+    end else begin : gen_saturate
+      ffd_fx_round #(
+        .IN_W (WHOLE_W),
+        .DROP (0),
+        .OUT_W(W)
+      ) u_saturate (
+        .value_i    (whole),
+        .addend_i   ({W{1'b0}}),
+        .value_o    (value),
+        .saturated_o(saturated)
+      );
+    end
+  endgenerate
 
   ffd_num_delay #(
     .WIDTH  (`FFD_POINT_W(FORMAT)),

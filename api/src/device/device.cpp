@@ -64,6 +64,27 @@ std::string as_in_names(std::string organization) {
   return organization;
 }
 
+/// Names in short: of more than two one behind the other that differ only in what follows their
+/// letters the first and the last, "tree1 to tree32".
+std::vector<std::string> in_short(const std::vector<std::string>& names) {
+  const auto letters = [](const std::string& name) {
+    return name.substr(0, name.find_first_of("0123456789"));
+  };
+  std::vector<std::string> found;
+  for (std::size_t first = 0; first < names.size();) {
+    std::size_t end = first;
+    while (end < names.size() && letters(names[end]) == letters(names[first])) ++end;
+    if (end - first > 2) {
+      found.push_back(fmt::format("{} to {}", names[first], names[end - 1]));
+    } else {
+      found.insert(found.end(), names.begin() + static_cast<std::ptrdiff_t>(first),
+                   names.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    first = end;
+  }
+  return found;
+}
+
 /// The words, each once, in their order.
 std::vector<std::string> distinct(const std::vector<std::string>& words) {
   std::vector<std::string> once;
@@ -89,7 +110,7 @@ std::vector<std::string> distinct(const std::vector<std::string>& words) {
   }
   if (formats.empty()) {
     throw UsageError(fmt::format("{} organization '{}' here; one of {}", start, org,
-                                 fmt::join(distinct(organizations), ", ")));
+                                 fmt::join(in_short(distinct(organizations)), ", ")));
   }
   throw UsageError(fmt::format("{} '{}' in format '{}' here; it has {}", start, org,
                                excerpt(choice.format, kQuoted),
