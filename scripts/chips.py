@@ -12,14 +12,38 @@ _LUT = ("logic", {"lut": 1})
 _FF = ("register", {"ff": 1})
 _CONSTANT = ("carry", {})
 _BLOCK = ("register", {"bram": 1})
+_ADDER = ("adder", {"lut": 1})
 CELLS = {
     "nexus": {
         "LUT4": _LUT, "INV": _LUT, "CCU2": ("ccu2c", {"lut": 2}), "VHI": _CONSTANT,
         "VLO": _CONSTANT, "FD1P3IX": _FF, "FD1P3JX": _FF, "MULT18X18": ("logic", {"dsp": 1}),
         "DPR16X4": ("ram", {"lutram": 4}), "PDPSC16K": _BLOCK,
     },
+    "gowin": {
+        **{f"LUT{inputs}": _LUT for inputs in range(1, 5)}, "ALU": _ADDER,
+        **{f"DFF{kind}": _FF for kind in ("", "E", "R", "RE", "S", "SE")}, "VCC": _CONSTANT,
+        "GND": _CONSTANT, "MULT18X18": ("logic", {"dsp": 1}),
+        "RAM16SDP4": ("ram", {"lutram": 4}), "SDPB": _BLOCK, "SDPX9B": _BLOCK,
+    },
 }
 TARGETS = tuple(CELLS)
 
+
+
+def files(root, target):
+    """What the script of a target reads besides: cells, maps and memories, but no modules."""
+    return sorted(path for path in (root / "synth" / target).glob("*")
+                  if not path.name.startswith("ffd_"))
+
+
+def _adder(module, cell):
+    """A bit of a sum: its carry comes in through CIN or CI and adds no level to the chain."""
+    pins = [(pin, bit) for pin, bits in cell["connections"].items() for bit in bits]
+    module.arcs([(bit, 0 if pin in ("CIN", "CI") else 1) for pin, bit in pins
+                 if cell["port_directions"][pin] == "input"],
+                [bit for pin, bit in pins if cell["port_directions"][pin] == "output"])
+
+
+mapped._ADD["adder"] = _adder
 mapped.CELLS.update(CELLS)
 mapped.FIELDS.update({target: mapped.FIELDS["ecp5"] for target in TARGETS})

