@@ -57,6 +57,7 @@ evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
+evaluator/ffd_eval_quarters.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_serial.v
 evaluator/ffd_eval_serial_component.v

@@ -53,6 +53,7 @@ module ffd_org_select #(
   parameter ORG             = {first.number},
   parameter FORMAT          = 18,
   parameter N               = {first.n or 1},
+  parameter PORTS           = `FFD_ORG_PORTS(ORG),
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"
@@ -75,6 +76,7 @@ def header_text(rtl):
     """What other modules may ask of ORG."""
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
     in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
+    ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -84,6 +86,9 @@ def header_text(rtl):
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \\
   ({in_turn})
+
+// At how many ports it reads points.
+`define FFD_ORG_PORTS(ORG) ({ports}1)
 
 `endif
 """

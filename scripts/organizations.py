@@ -57,11 +57,16 @@ class Organization:
     @property
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
-        return self.form == "product" or self.fold == 64
+        return self.form == "product" or (self.fold in (4, 64) and self.lanes == 1)
 
     @property
     def lanes(self):
         return self.parameters.get("LANES", 1)
+
+    @property
+    def ports(self):
+        """At how many ports it reads points: lanes that read in every clock have their own."""
+        return self.lanes if self.fold == 4 else 1
 
 
 def module_path(rtl, module):

@@ -2,7 +2,7 @@
 //
 // For benches only: measures organizations at their read port, where the interleaved stream is too
 // slow for them. Coefficients, supports and vertices come as stream words; a support is written
-// point by point in local order and read back by bank, N points a clock, READ_LATENCY 2.
+// point by point in local order and read back by bank, N points a clock and port, READ_LATENCY 2.
 //
 // Parameters: a row of configurations.csv; 256 supports.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/evaluator.
@@ -51,6 +51,7 @@ module ffd_bench_evaluator #(
 );
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
+  localparam PORTS    = `FFD_ORG_PORTS(ORG);
 
   wire [`FFD_ENTRY_W(WEIGHT_W)-1:0] entry;
   wire [3*POINT_W-1:0]              point;
@@ -101,25 +102,26 @@ module ffd_bench_evaluator #(
   wire        folded;
   wire        evaluating;
   wire        forming;
-  wire        read;
-  wire        read_last;
-  wire [7:0]  read_support;
-  wire [11:0] read_cell;
-  wire [5:0]  read_index;
-  reg  [N*3*POINT_W-1:0] read_q;
-  reg  [N*3*POINT_W-1:0] points_q;
+  wire [PORTS-1:0]    read;
+  wire [PORTS-1:0]    read_last;
+  wire [PORTS*8-1:0]  read_support;
+  wire [PORTS*12-1:0] read_cell;
+  wire [PORTS*6-1:0]  read_index;
+  reg  [PORTS*N*3*POINT_W-1:0] read_q;
+  reg  [PORTS*N*3*POINT_W-1:0] points_q;
   always @(posedge clk) points_q <= read_q;
 
   genvar p;
   generate
-    for (p = 0; p < N; p = p + 1) begin : gen_point
-      localparam [5:0] OFFSET = p;
-      wire [5:0] bank = read_index + OFFSET;
-      wire [1:0] l    = bank[5:4] - read_cell[1:0];
-      wire [1:0] m    = bank[3:2] - read_cell[5:4];
-      wire [1:0] n    = bank[1:0] - read_cell[9:8];
+    for (p = 0; p < PORTS * N; p = p + 1) begin : gen_point
+      localparam PORT   = p / N;
+      localparam OFFSET = p % N;
+      wire [5:0] bank = read_index[6*PORT +: 6] + OFFSET[5:0];
+      wire [1:0] l    = bank[5:4] - read_cell[12*PORT +: 2];
+      wire [1:0] m    = bank[3:2] - read_cell[12*PORT+4 +: 2];
+      wire [1:0] n    = bank[1:0] - read_cell[12*PORT+8 +: 2];
       always @(posedge clk) begin
-        read_q[p*3*POINT_W +: 3*POINT_W] <= support_q[{read_support, l, m, n}];
+        read_q[p*3*POINT_W +: 3*POINT_W] <= support_q[{read_support[8*PORT +: 8], l, m, n}];
       end
     end
   endgenerate

@@ -23,13 +23,16 @@
 `define FFD_FILE_LATENCY(SCHEDULE, EVALUATOR) \
   ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : (EVALUATOR) == `FFD_EVALUATOR_ITERATIVE ? 2 : 1)
 
-// A folded organization takes three components in turn, or two halves of the points, or both.
-`define FFD_FOLD_TURNS(FOLD)  ((FOLD) % 3 == 0 ? 3 : 1)
-`define FFD_FOLD_HALVES(FOLD) ((FOLD) % 2 == 0 ? 2 : 1)
-`define FFD_FOLD_BAD(FOLD)    ((FOLD) != `FFD_FOLD_TURNS(FOLD) * `FFD_FOLD_HALVES(FOLD))
+// A folded organization takes three components in turn, or two or four parts of the points, or
+// components of halves. With three steps or more, one set of evaluators takes the axes in turn.
+`define FFD_FOLD_TURNS(FOLD) ((FOLD) % 3 == 0 ? 3 : 1)
+`define FFD_FOLD_PARTS(FOLD) ((FOLD) % 4 == 0 ? 4 : (FOLD) % 2 == 0 ? 2 : 1)
+`define FFD_FOLD_SETS(FOLD)  ((FOLD) < 3 ? 3 : 1)
+`define FFD_FOLD_BAD(FOLD) \
+  ((FOLD) > 6 || (FOLD) != `FFD_FOLD_TURNS(FOLD) * `FFD_FOLD_PARTS(FOLD))
 
 // Clocks of choosing an axis in front of evaluators that take the axes in turn.
-`define FFD_CHOICE_LATENCY(FOLD) (`FFD_FOLD_TURNS(FOLD) > 1 ? 1 : 0)
+`define FFD_CHOICE_LATENCY(FOLD) (`FFD_FOLD_SETS(FOLD) == 1 ? 1 : 0)
 
 // Clocks from a coordinate to its weight: reading the file, three steps and the shift back.
 `define FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY, CONVERT_LATENCY) \

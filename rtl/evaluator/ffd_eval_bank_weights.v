@@ -5,7 +5,7 @@
 // first, t DISTANCE clocks later, s DISTANCE clocks after t, and each axis has its weights then.
 //
 // FOLD 1, 2:  12 evaluators; t and s are evaluated that much later.
-// FOLD 3, 6:  4 evaluators; the first three steps of a vertex evaluate u, t, s. The four weights
+// FOLD 3 on:  4 evaluators; the first three steps of a vertex evaluate u, t, s. The four weights
 //             travel on beside the contraction, and each axis holds its own for the steps of the
 //             vertex. step_i is 3 in other steps.
 //
@@ -15,7 +15,7 @@
 // Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
 //             frozen.
-// Parameters: FOLD 1, 2, 3 or 6; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE
+// Parameters: FOLD 1, 2, 3, 4 or 6; AFFINE 0, or 1 in fixed point; EVALUATOR not iterative; DISTANCE
 //             >= 1; the others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -54,14 +54,14 @@ module ffd_eval_bank_weights #(
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
                                               CONVERT_LATENCY);
   // Sets of four evaluators: one an axis, or one for all of them, which then has three files.
-  localparam SETS         = 3 / `FFD_FOLD_TURNS(FOLD);
+  localparam SETS         = `FFD_FOLD_SETS(FOLD);
   localparam EVALUATED    = AFFINE == 0 ? 4 : 3;  // of the banks
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam ADDRESS_W    = SETS == 3 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
   generate
     if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
-      ERROR_ffd_eval_bank_weights_fold_must_be_1_2_3_or_6 u_error ();
+      ERROR_ffd_eval_bank_weights_fold_must_be_1_2_3_4_or_6 u_error ();
     end
     if (EVALUATOR == `FFD_EVALUATOR_ITERATIVE) begin : gen_bad_evaluator
       ERROR_ffd_eval_bank_weights_evaluator_must_not_be_iterative u_error ();

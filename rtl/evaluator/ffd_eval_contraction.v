@@ -9,14 +9,17 @@
 // Unfolded, a step takes the 64 points of a vertex. Folded by three, it takes a component of them,
 // x first; the points are read once, and y and z wait here. Folded by two, it takes 32 of the
 // banks, those of s that come last first, and the last sum of four is made in halves
-// (ffd_eval_halves). Folded by six, it is both, x, y and z of a half one after the other.
+// (ffd_eval_halves). Folded by six, it is both, x, y and z of a half one after the other. Folded by
+// four, it takes 16 of the banks, from the last of s to the first, and the last sum is made one
+// term after the other (ffd_eval_quarters).
 //
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
-// Parameters: FOLD 1, 2, 3 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
-//             ADD_LATENCY clocks after the points; the others as in every organization.
+// Parameters: FOLD 1, 2, 3, 4 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
+//             ADD_LATENCY clocks after the points, FOLD 4 only so; the others as in every
+//             organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -39,7 +42,7 @@ module ffd_eval_contraction #(
   input  wire                                    step_valid_i,
   input  wire                                    step_reads_i,  // and last: only of valid steps
   input  wire                                    step_last_i,
-  input  wire                                    step_low_i,    // of the banks that come last
+  input  wire [1:0]                              step_part_i,   // of the banks of s; 0 comes last
   input  wire [SOURCE_W-1:0]                     step_source_i,
   input  wire [11:0]                             step_cell_i,
   input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    weights_i,
@@ -48,7 +51,7 @@ module ffd_eval_contraction #(
   output wire [SOURCE_W-1:0]                     read_source_o,
   output wire [11:0]                             read_cell_o,
   output wire [5:0]                              read_index_o,
-  input  wire [64/`FFD_FOLD_HALVES(FOLD)*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
+  input  wire [64/`FFD_FOLD_PARTS(FOLD)*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
   output wire                                    result_valid_o,
   output wire [3*`FFD_SUM_W(FORMAT)-1:0]         result_sum_o
 );
@@ -56,7 +59,7 @@ module ffd_eval_contraction #(
   localparam POINT_W    = `FFD_POINT_W(FORMAT);
   localparam SUM_W      = `FFD_SUM_W(FORMAT);
   localparam TURNS      = `FFD_FOLD_TURNS(FOLD);
-  localparam HALVES     = `FFD_FOLD_HALVES(FOLD);
+  localparam PARTS      = `FFD_FOLD_PARTS(FOLD);
   localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
@@ -64,13 +67,16 @@ module ffd_eval_contraction #(
 
   generate
     if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
-      ERROR_ffd_eval_contraction_fold_must_be_1_2_3_or_6 u_error ();
+      ERROR_ffd_eval_contraction_fold_must_be_1_2_3_4_or_6 u_error ();
+    end
+    if (PARTS == 4 && AFFINE == 0) begin : gen_bad_affine
+      ERROR_ffd_eval_contraction_folded_by_four_must_be_affine u_error ();
     end
   endgenerate
 
   assign read_o        = step_reads_i;
-  assign read_last_o   = step_reads_i && (HALVES == 1 || step_low_i);
-  assign read_index_o  = {HALVES == 2 && !step_low_i, 5'd0};
+  assign read_last_o   = step_reads_i && step_part_i == 2'd0;
+  assign read_index_o  = PARTS == 4 ? {step_part_i, 4'd0} : {step_part_i[0], 5'd0};
   assign read_source_o = step_source_i;
   assign read_cell_o   = step_cell_i;
 
@@ -100,16 +106,16 @@ module ffd_eval_contraction #(
     .q_o(first)
   );
 
-  wire low;  // along s
+  wire [1:0] part;  // along s
 
   ffd_num_delay #(
-    .WIDTH  (1),
+    .WIDTH  (2),
     .LATENCY(READ_LATENCY + 2 * CONTRACT)
-  ) u_low (
+  ) u_part (
     .clk(clk),
     .rst(1'b0),
-    .d_i(step_low_i),
-    .q_o(low)
+    .d_i(step_part_i),
+    .q_o(part)
   );
 
   wire [COMPONENTS*SUM_W-1:0] sums;
@@ -122,8 +128,8 @@ module ffd_eval_contraction #(
     for (c = 0; c < COMPONENTS; c = c + 1) begin : gen_component
       for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
         localparam AXIS = 2 - stage;
-        localparam BANKS  = stage == 2 ? 4 / HALVES : 4;
-        localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / HALVES;
+        localparam BANKS  = stage == 2 ? 4 / PARTS : 4;
+        localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / PARTS;
         for (g = 0; g < GROUPS; g = g + 1) begin : gen_group
           wire [BANKS*POINT_W-1:0] points;
           wire [SUM_W-1:0]         sum;
@@ -152,7 +158,19 @@ module ffd_eval_contraction #(
             assign points[b*POINT_W +: POINT_W] = point;
           end
 
-          if (BANKS == 2) begin : gen_halves
+          if (BANKS == 1) begin : gen_quarters
+            ffd_eval_quarters #(
+              .FORMAT     (FORMAT),
+              .MUL_LATENCY(MUL_LATENCY),
+              .ADD_LATENCY(ADD_LATENCY)
+            ) u_quarters (
+              .clk      (clk),
+              .bank_i   (part),
+              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .point_i  (points),
+              .sum_o    (sum)
+            );
+          end else if (BANKS == 2) begin : gen_halves
             ffd_eval_halves #(
               .TURNS      (TURNS),
               .AFFINE     (AFFINE),
@@ -162,7 +180,7 @@ module ffd_eval_contraction #(
               .FMA_LATENCY(FMA_LATENCY)
             ) u_halves (
               .clk      (clk),
-              .low_i    (low),
+              .low_i    (part == 2'd0),
               .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
               .points_i (points),
               .sum_o    (sum)
@@ -211,7 +229,7 @@ module ffd_eval_contraction #(
   endgenerate
 
   assign result_valid_o = sum_valid && sum_last;
-  wire unused_ok = &{1'b0, low};
+  wire unused_ok = &{1'b0, part};
 endmodule
 
 `default_nettype wire

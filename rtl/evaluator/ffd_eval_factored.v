@@ -16,6 +16,7 @@ module ffd_eval_factored #(
   parameter AFFINE          = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"
@@ -23,7 +24,7 @@ module ffd_eval_factored #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam TURNS        = `FFD_FOLD_TURNS(FOLD);
-  localparam HALVES       = `FFD_FOLD_HALVES(FOLD);
+  localparam PARTS        = `FFD_FOLD_PARTS(FOLD);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
@@ -49,11 +50,12 @@ module ffd_eval_factored #(
   wire [SOURCE_W-1:0]   source;
   wire [3*PLACE_W-1:0]  bank;
 
-  // The first three steps evaluate an axis each; a step reads points where a half of them begins.
+  // The first three steps evaluate an axis each; a step reads points where a part of them begins.
   wire [2:0] count = {{(3 - STEP_W) {1'b0}}, step_count};
   wire [1:0] step  = count[2] ? 2'd3 : count[1:0];
   wire       reads = TURNS == 1 || count == 3'd0 || count == 3'd3;
-  wire       low   = HALVES == 2 && (TURNS == 1 ? count[0] : count >= 3'd3);
+  wire       later = TURNS == 1 ? count[0] : count >= 3'd3;  // of two halves
+  wire [1:0] part  = PARTS == 4 ? ~count[1:0] : {1'b0, PARTS == 2 && !later};
 
   ffd_eval_sequencer #(
     .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
@@ -104,7 +106,7 @@ module ffd_eval_factored #(
   wire                read_valid;
   wire                read_begins;
   wire                read_last;
-  wire                read_low;
+  wire [1:0]          read_part;
   wire [SOURCE_W-1:0] read_source;
   wire [11:0]         read_cell;
 
@@ -120,13 +122,13 @@ module ffd_eval_factored #(
   );
 
   ffd_num_delay #(
-    .WIDTH  (1 + SOURCE_W + 12),
+    .WIDTH  (2 + SOURCE_W + 12),
     .LATENCY(READ_DELAY)
   ) u_read (
     .clk(clk),
     .rst(rst),
-    .d_i({low, source, cell_index}),
-    .q_o({read_low, read_source, read_cell})
+    .d_i({part, source, cell_index}),
+    .q_o({read_part, read_source, read_cell})
   );
 
   ffd_eval_contraction #(
@@ -145,7 +147,7 @@ module ffd_eval_factored #(
     .step_valid_i    (read_valid),
     .step_reads_i    (read_begins),
     .step_last_i     (read_last),
-    .step_low_i      (read_low),
+    .step_part_i     (read_part),
     .step_source_i   (read_source),
     .step_cell_i     (read_cell),
     .weights_i       (weights),
@@ -159,7 +161,7 @@ module ffd_eval_factored #(
     .result_sum_o    (result_sum_o)
   );
 
-  wire unused_ok = &{1'b0, s_vertex_changed, step_first};
+  wire unused_ok = &{1'b0, s_vertex_changed, step_first, later};
 
   assign forming_o = 1'b0;
 endmodule

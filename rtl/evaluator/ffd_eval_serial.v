@@ -23,6 +23,7 @@
 module ffd_eval_serial #(
   parameter FORMAT          = 17,
   parameter N               = 1,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"

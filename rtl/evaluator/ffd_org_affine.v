@@ -8,7 +8,8 @@
 // Formats:    fxW only: differences are exact there. One is a bit wider than a point, so that with
 //             multipliers of 18 x 18 the format is fx17.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
-// Parameters: as there, and FORMAT 8 to 32. FOLD also 64: in sequence, N is then 1, LANES unused.
+// Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
+//             unused.
 // Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -21,6 +22,7 @@ module ffd_org_affine #(
   parameter LANES           = 1,
   parameter FORMAT          = 17,
   parameter N               = 64,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"
@@ -29,9 +31,9 @@ module ffd_org_affine #(
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
     end else if (FOLD != 64 && `FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
-      ERROR_ffd_org_affine_fold_must_be_1_2_3_6_or_64 u_error ();
-    end else if (N != (FOLD == 64 ? 1 : 64 / `FFD_FOLD_HALVES(FOLD))) begin : gen_bad_n
-      ERROR_ffd_org_affine_n_must_be_64_folded_by_2_or_6_32_by_64_1 u_error ();
+      ERROR_ffd_org_affine_fold_must_be_1_2_3_4_6_or_64 u_error ();
+    end else if (N != (FOLD == 64 ? 1 : 64 / `FFD_FOLD_PARTS(FOLD))) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64_by_its_parts_or_1_folded_by_64 u_error ();
     end else if (FOLD == 64) begin : gen_serial
       ffd_eval_serial #(
         `include "ffd_org_arguments.vh"

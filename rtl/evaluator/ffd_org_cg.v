@@ -22,6 +22,7 @@ module ffd_org_cg #(
   parameter SIZE            = 1,
   parameter FORMAT          = 18,
   parameter N               = 1,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"

@@ -26,6 +26,7 @@ module ffd_org_nested #(
   parameter FOLD            = 1,
   parameter FORMAT          = 18,
   parameter N               = 4,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"

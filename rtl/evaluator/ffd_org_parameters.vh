@@ -1,5 +1,5 @@
-// Parameters of every organization behind FORMAT and N, with their defaults (docs/architecture.md
-// section 3). To be included in the list of a module's parameters.
+// Parameters of every organization behind FORMAT, N and PORTS, with their defaults
+// (docs/architecture.md section 3). To be included in the list of a module's parameters.
 // SPDX-License-Identifier: Apache-2.0
 
 // 0: a step begins as soon as the units are free; 1: when the one before has ended (the paper's).

@@ -23,14 +23,14 @@ input  wire [SOURCE_W-1:0]                             s_vertex_source,
 input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
 input  wire                                            s_vertex_changed,
 
-// The points wanted, N from index on; last: the vertex reads no more. They come as {z, y, x} each,
-// exactly READ_LATENCY clocks later, always.
-output wire                                            read_o,
-output wire                                            read_last_o,
-output wire [SOURCE_W-1:0]                             read_source_o,
-output wire [11:0]                                     read_cell_o,
-output wire [5:0]                                      read_index_o,
-input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]             read_points_i,
+// The points wanted, N from index on, at each of PORTS ports; last: the vertex reads no more, of one
+// vertex in a clock. They come as {z, y, x} each, exactly READ_LATENCY clocks later, always.
+output wire [PORTS-1:0]                                read_o,
+output wire [PORTS-1:0]                                read_last_o,
+output wire [PORTS*SOURCE_W-1:0]                       read_source_o,
+output wire [PORTS*12-1:0]                             read_cell_o,
+output wire [PORTS*6-1:0]                              read_index_o,
+input  wire [PORTS*N*3*`FFD_POINT_W(FORMAT)-1:0]       read_points_i,
 
 // It works on what all vertices of a cell share, and takes none meanwhile.
 output wire                                            forming_o,

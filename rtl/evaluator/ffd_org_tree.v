@@ -29,6 +29,7 @@ module ffd_org_tree #(
   parameter SERIAL          = 0,
   parameter FORMAT          = 18,
   parameter N               = 8,
+  parameter PORTS           = 1,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"

@@ -6,6 +6,9 @@
 
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \
-  ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13)
+  ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13 || (ORG) == 16)
+
+// At how many ports it reads points.
+`define FFD_ORG_PORTS(ORG) ((ORG) == 17 ? 3 : 1)
 
 `endif

@@ -50,8 +50,10 @@ module hwffd_stream #(
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  // Registers around the memories of a lane, in front of those of 64; not with the paper's units.
-  localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 ? 3 : 2;
+  localparam PORTS        = `FFD_ORG_PORTS(ORG);
+  // Registers around the memories of a lane, in front of those of 64 and of several stores; not with
+  // the paper's units.
+  localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 || PORTS > 1 ? 3 : 2;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
   localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
@@ -154,13 +156,13 @@ module hwffd_stream #(
   wire                              part_fourth;
   wire [PART_W-1:0]                 part_words;
   wire [USER_W:0]                   part_user;
-  wire                              read;
-  wire                              read_last;
-  wire                              read_again;
-  wire [SOURCE_W-1:0]               read_source;
-  wire [11:0]                       read_cell;
-  wire [5:0]                        read_index;
-  wire [N*3*POINT_W-1:0]            points;
+  wire [PORTS-1:0]                  read;
+  wire [PORTS-1:0]                  read_last;
+  wire [PORTS*(SOURCE_W+1)-1:0]     read_source;
+  wire [PORTS*12-1:0]               read_cell;
+  wire [PORTS*6-1:0]                read_index;
+  wire [PORTS-1:0]                  read_slot_last;
+  wire [PORTS*N*3*POINT_W-1:0]      points;
   wire                              result_valid;
   wire                              result_ready;
   wire [95:0]                       result_words;
@@ -236,7 +238,7 @@ module hwffd_stream #(
     .m_vertex_user       (vertex_user),
     .slot_free_o         (slot_free),
     .rooms_o             (rooms),
-    .slot_free_i         (read_last && !read_again && !read_source[SOURCE_W-1]),
+    .slot_free_i         (|read_slot_last),
     .evaluating_i        (evaluating),
     .retire_i            (retire_q),
     .retire_user_i       (retire_user_q),
@@ -292,31 +294,39 @@ module hwffd_stream #(
   assign result_final = result_words_user[PART_W-1];
   assign result_user  = result_words_user[USER_W-1:0];
 
-  ffd_cache_points #(
-    .FORMAT  (FORMAT),
-    .FEATURES(FEATURES),
-    .N       (N),
-    .SLOTS   (SLOTS),
-    .PAGES   (PAGES),
-    .AXIS    (AXIS),
-    .LATENCY (READ_LATENCY)
-  ) u_cache (
-    .clk             (clk),
-    .numbers_i       (numbers),
-    .lattice_write_i (lattice_write),
-    .lattice_buffer_i(lattice_buffer),
-    .lattice_at_i    (lattice_at),
-    .lattice_fourth_i(lattice_fourth),
-    .slot_write_i    (slot_write),
-    .slot_i          (slot),
-    .slot_cell_i     (slot_cell),
-    .slot_group_i    (slot_group),
-    .slot_phase_i    (slot_phase),
-    .read_source_i   (read_source),
-    .read_cell_i     (read_cell),
-    .read_index_i    (read_index),
-    .points_o        (points)
-  );
+  // A store of points for each port of the evaluator, all with the same points.
+  generate
+    for (w = 0; w < PORTS; w = w + 1) begin : gen_store
+      wire [SOURCE_W:0] source = read_source[(SOURCE_W+1)*w +: SOURCE_W+1];
+      assign read_slot_last[w] = read_last[w] && source[SOURCE_W:SOURCE_W-1] == 2'b00;
+
+      ffd_cache_points #(
+        .FORMAT  (FORMAT),
+        .FEATURES(FEATURES),
+        .N       (N),
+        .SLOTS   (SLOTS),
+        .PAGES   (PAGES),
+        .AXIS    (AXIS),
+        .LATENCY (READ_LATENCY)
+      ) u_cache (
+        .clk             (clk),
+        .numbers_i       (numbers),
+        .lattice_write_i (lattice_write),
+        .lattice_buffer_i(lattice_buffer),
+        .lattice_at_i    (lattice_at),
+        .lattice_fourth_i(lattice_fourth),
+        .slot_write_i    (slot_write),
+        .slot_i          (slot),
+        .slot_cell_i     (slot_cell),
+        .slot_group_i    (slot_group),
+        .slot_phase_i    (slot_phase),
+        .read_source_i   (source[SOURCE_W-1:0]),
+        .read_cell_i     (read_cell[12*w +: 12]),
+        .read_index_i    (read_index[6*w +: 6]),
+        .points_o        (points[N*3*POINT_W*w +: N*3*POINT_W])
+      );
+    end
+  endgenerate
 
   ffd_eval_stream #(
     `include "ffd_row_arguments.vh"
@@ -345,7 +355,7 @@ module hwffd_stream #(
     .s_vertex_user       (part_words),
     .read_o              (read),
     .read_last_o         (read_last),
-    .read_source_o       ({read_again, read_source}),
+    .read_source_o       (read_source),
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points),

@@ -84,18 +84,20 @@ bool is_affine(const Configuration& c) { return organization_of(c).form == Form:
 
 /// What an affine contraction does before it has its weights.
 void add_differences(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,
-                     const std::string& axis) {
+                     const std::string& axis, bool in_steps = false) {
   if (!is_affine(c)) return;
-  pipeline.pass(lanes, units(sums * 3, "difference") + " along " + axis, c.add_latency);
+  pipeline.pass(lanes, units(in_steps ? sums : sums * 3, "difference") + " along " + axis,
+                c.add_latency);
 }
 
-/// Four terms along one axis, of `sums` sums at once.
+/// Four terms along one axis, of `sums` sums at once; in four steps a product each.
 void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,
-                  const std::string& axis) {
+                  const std::string& axis, bool in_steps = false) {
   const bool fused = c.fma_latency > 0;
-  const int products = is_affine(c) ? 3 : fused ? 2 : 4;
+  const int products = in_steps ? 1 : is_affine(c) ? 3 : fused ? 2 : 4;
   pipeline.pass(lanes, units(sums * products, "product") + " along " + axis, c.mul_latency);
-  pipeline.pass(lanes, units(sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
+  pipeline.pass(lanes,
+                units(in_steps ? sums : sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
                 fused ? c.fma_latency : c.add_latency);
   pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
 }
@@ -105,26 +107,27 @@ void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configurat
 void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const Configuration& c = *row.configuration;
   const int side_by_side = hwffd::lanes(c);
-  const int read_latency = side_by_side > 1 ? 3 : 2;  // of ffd_bench_evaluator; a clock of theirs
+  // Of ffd_bench_evaluator; a clock more where reads of several lanes meet.
+  const int read_latency = side_by_side > 1 && folds(c) == 3 ? 3 : 2;
   const tb::ScheduleRecorder& schedule = row.measured.schedule;
   const int turns = folds(c) % 3 == 0 ? 3 : 1;
-  const int halves = folds(c) / turns;
+  const int parts = folds(c) / turns;
   const int components = 3 / turns;
   Pipeline polynomials(schedule, schedule.polynomials().starts);
-  if (turns > 1) polynomials.pass(lanes, "axis chosen", 1);
+  if (folds(c) >= 3) polynomials.pass(lanes, "axis chosen", 1);
   polynomials.pass(lanes, units(row.count.evaluators / side_by_side, "polynomial evaluator"),
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps());
   points.pass(lanes, units(c.n, "point") + " read", read_latency);
-  add_differences(lanes, points, c, 16 * components / halves, "u");
+  add_differences(lanes, points, c, 16 * components / parts, "u");
   points.expect(polynomials.arrivals(), c.name);
-  add_contract(lanes, points, c, 16 * components / halves, "u");
+  add_contract(lanes, points, c, 16 * components / parts, "u");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, 4 * components / halves, "t");
-  add_contract(lanes, points, c, 4 * components / halves, "t");
+  add_differences(lanes, points, c, 4 * components / parts, "t");
+  add_contract(lanes, points, c, 4 * components / parts, "t");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, components, "s");
-  add_contract(lanes, points, c, components, "s");
+  add_differences(lanes, points, c, components, "s", parts == 4);
+  add_contract(lanes, points, c, components, "s", parts == 4);
   points.expect(schedule.sums(), c.name);
 }
 
