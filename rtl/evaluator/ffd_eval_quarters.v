@@ -29,11 +29,14 @@ module ffd_eval_quarters #(
   localparam OFFSET_W = `FFD_OFFSET_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
 
-  // Bank 3 is the base of all: of itself it is the base term, and its offset is 0.
+  // Bank 3 is the base of all: of itself it is the base term, and its offset is 0, whatever its
+  // weight.
   reg  [POINT_W-1:0]  base_q;
   wire [POINT_W-1:0]  base = bank_i == 2'd3 ? point_i : base_q;
   wire [1:0]          bank;  // with the weights
-  wire [WEIGHT_W-1:0] weight = weights_i[bank*WEIGHT_W +: WEIGHT_W];
+  wire [WEIGHT_W-1:0] weight = bank[1] ? weights_i[2*WEIGHT_W +: WEIGHT_W] :
+                               bank[0] ? weights_i[1*WEIGHT_W +: WEIGHT_W] :
+                                         weights_i[0*WEIGHT_W +: WEIGHT_W];
   wire [OFFSET_W-1:0] offset;
   wire [POINT_W-1:0]  late_base;
   wire [SUM_W-1:0]    product;
@@ -81,7 +84,7 @@ module ffd_eval_quarters #(
     .LATENCY(MUL_LATENCY)
   ) u_base_term (
     .clk     (clk),
-    .weight_i(weight),
+    .weight_i(weights_i[3*WEIGHT_W +: WEIGHT_W]),
     .point_i (late_base),
     .term_o  (base_term)
   );

@@ -69,6 +69,10 @@ COUNTED = (
     # Half of the products along u and t, two along s; the nine evaluators of an unfolded one.
     ("affine/2", "affine2-fx17-overlapped", (27 + 3 * 32, 27 + 3 * 64), (27 + 3 * 32, 27 + 3 * 64), 9),
     ("affine/6", "affine6-fx17-overlapped", (9 + 32, 9 + 64), (9 + 32, 9 + 64), 3),
+    # A quarter of the products along u and t, one along s; the weights as folded by three.
+    ("affine/4", "affine4-fx17-overlapped", (9 + 3 * 16, 9 + 3 * 2 * 16 + 3),
+     (9 + 3 * 16, 9 + 3 * 2 * 16 + 3), 3),
+    ("affine/4x3", "affine4x3-fx17-overlapped", (3 * 57, 3 * 108), (3 * 57, 3 * 108), 9),
     # A polynomial evaluator; a product a component, which every unit above shares.
     ("affine/64", "affine64-fx17-overlapped", (1 + 3, 1 + 2 * 3), (1 + 3, 1 + 2 * 3), 1),
     # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.
