@@ -75,6 +75,8 @@ def header_text(rtl):
     """What other modules may ask of ORG."""
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
     in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
+    jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found
+                           if one.jacobian] + ["0"])
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -84,6 +86,10 @@ def header_text(rtl):
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \\
   ({in_turn})
+
+// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+`define FFD_ORG_JACOBIAN(ORG) \\
+  ({jacobian})
 
 `endif
 """

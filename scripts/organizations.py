@@ -63,6 +63,11 @@ class Organization:
     def lanes(self):
         return self.parameters.get("LANES", 1)
 
+    @property
+    def jacobian(self):
+        """Whether one pass gives the position and its three derivatives."""
+        return self.parameters.get("JACOBIAN", 0) != 0
+
 
 def module_path(rtl, module):
     return pathlib.Path(rtl) / "evaluator" / f"ffd_org_{module}.v"

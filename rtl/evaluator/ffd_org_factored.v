@@ -7,6 +7,10 @@
 // reads points in one of three clocks, so that up to three such lanes share one store of points.
 // Vertices are dealt to the lanes in turn; all take equally long, so results keep the order.
 //
+// With the Jacobian a pass gives q and its three derivatives, which share most of their sums: 192
+// multiplications a component, and weights of functions and of derivatives. Bits are those of four
+// passes without. Derivatives along two axes at once are not built.
+//
 // Schedule:   overlapped only, LANES vertices in FOLD clocks; the paper has no such organization.
 // Pipeline:   ffd_eval_factored; of several lanes, a clock where their reads meet, within that
 //             pipeline, and one where their sums meet, behind it.
@@ -14,7 +18,7 @@
 //             vertex must have room for its result.
 // Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR
 //             not iterative; FOLD 1, 2, 3 or 6, with the same bits; N 64, of FOLD 2 and 6 32; LANES
-//             1, of FOLD 3 to 3; AFFINE 1: ffd_org_affine.
+//             1, of FOLD 3 to 3; AFFINE 1: ffd_org_affine; JACOBIAN 0, of FOLD 3 also 1.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,13 +29,14 @@ module ffd_org_factored #(
   parameter FOLD            = 1,
   parameter LANES           = 1,
   parameter AFFINE          = 0,
+  parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
   `include "ffd_org_parameters.vh"
 ) (
   `include "ffd_org_ports.vh"
 );
-  localparam WIDTH = 3 * `FFD_SUM_W(FORMAT);
+  localparam WIDTH = 12 * `FFD_SUM_W(FORMAT);
 
   generate
     if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
@@ -39,6 +44,9 @@ module ffd_org_factored #(
     end
     if (LANES < 1 || LANES > (FOLD == 3 ? 3 : 1)) begin : gen_bad_lanes
       ERROR_ffd_org_factored_lanes_must_be_1_with_fold_3_to_3 u_error ();
+    end
+    if (JACOBIAN != 0 && FOLD != 3) begin : gen_bad_jacobian
+      ERROR_ffd_org_factored_jacobian_wants_fold_3 u_error ();
     end
     if (N != 64 / `FFD_FOLD_HALVES(FOLD)) begin : gen_bad_n
       ERROR_ffd_org_factored_n_must_be_64_folded_by_2_or_6_32 u_error ();
@@ -67,6 +75,7 @@ module ffd_org_factored #(
       ffd_eval_factored #(
         .FOLD           (FOLD),
         .AFFINE         (AFFINE),
+        .JACOBIAN       (JACOBIAN),
         .FORMAT         (FORMAT),
         .N              (N),
         .SCHEDULE       (SCHEDULE),
@@ -100,7 +109,8 @@ module ffd_org_factored #(
         .read_points_i       (read_points_i),
         .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
-        .result_sum_o        (sum[lane*WIDTH +: WIDTH])
+        .result_sum_o        (sum[lane*WIDTH +: WIDTH/4]),
+        .result_jacobian_o   (sum[lane*WIDTH+WIDTH/4 +: WIDTH/4*3])
       );
       wire unused_ok = &{1'b0, forming};
     end
@@ -118,7 +128,7 @@ module ffd_org_factored #(
       assign read_cell_o    = read_cell;
       assign read_index_o   = read_index;
       assign result_valid_o = sum_valid;
-      assign result_sum_o   = sum;
+      assign {result_jacobian_o, result_sum_o} = sum;
     end else begin : gen_together
       localparam [LANES-1:0] FIRST = 1;
       reg [LANES-1:0]    turn_q;
@@ -159,7 +169,7 @@ module ffd_org_factored #(
       assign read_index_o   = 6'd0;
       wire unused_ok = &{1'b0, read_index};
       assign result_valid_o = sum_valid_q;
-      assign result_sum_o   = sum_q;
+      assign {result_jacobian_o, result_sum_o} = sum_q;
     end
   endgenerate
 endmodule

@@ -8,4 +8,8 @@
 `define FFD_ORG_IN_TURN(ORG) \
   ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13)
 
+// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+`define FFD_ORG_JACOBIAN(ORG) \
+  ((ORG) == 18 ? 3 : (ORG) == 19 ? 1 : 0)
+
 `endif
