@@ -110,6 +110,7 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const int turns = folds(c) % 3 == 0 ? 3 : 1;
   const int halves = folds(c) / turns;
   const int components = 3 / turns;
+  const int more = gives_jacobian(c) ? 1 : 0;  // sums along each axis, one after the other
   Pipeline polynomials(schedule, schedule.polynomials().starts);
   if (turns > 1) polynomials.pass(lanes, "axis chosen", 1);
   polynomials.pass(lanes, units(row.count.evaluators / side_by_side, "polynomial evaluator"),
@@ -118,13 +119,13 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   points.pass(lanes, units(c.n, "point") + " read", read_latency);
   add_differences(lanes, points, c, 16 * components / halves, "u");
   points.expect(polynomials.arrivals(), c.name);
-  add_contract(lanes, points, c, 16 * components / halves, "u");
+  add_contract(lanes, points, c, 16 * components / halves * (1 + more), "u");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, 4 * components / halves, "t");
-  add_contract(lanes, points, c, 4 * components / halves, "t");
+  add_differences(lanes, points, c, 4 * components / halves * (1 + more), "t");
+  add_contract(lanes, points, c, 4 * components / halves * (1 + 2 * more), "t");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, components, "s");
-  add_contract(lanes, points, c, components, "s");
+  add_differences(lanes, points, c, components * (1 + 2 * more), "s");
+  add_contract(lanes, points, c, components * (1 + 3 * more), "s");
   points.expect(schedule.sums(), c.name);
 }
 
