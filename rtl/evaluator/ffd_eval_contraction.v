@@ -66,6 +66,7 @@ module ffd_eval_contraction #(
   localparam TURNS      = `FFD_FOLD_TURNS(FOLD);
   localparam HALVES     = `FFD_FOLD_HALVES(FOLD);
   localparam RESULTS    = `FFD_RESULTS(JACOBIAN);
+  localparam CHAINED    = JACOBIAN != 0 && HALVES == 1;  // else refused, or without
   localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
@@ -137,10 +138,10 @@ module ffd_eval_contraction #(
         localparam AXIS = 2 - stage;
         localparam BANKS  = stage == 2 ? 4 / HALVES : 4;
         localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / HALVES;  // of a chain
-        localparam CHAINS = JACOBIAN == 0 ? 1 : stage + 1;
+        localparam CHAINS = CHAINED ? stage + 1 : 1;
         for (g = 0; g < CHAINS * GROUPS; g = g + 1) begin : gen_group
           localparam CHAIN = g / GROUPS;
-          localparam SUMS  = JACOBIAN != 0 && CHAIN == 0 ? 2 : 1;
+          localparam SUMS  = CHAINED && CHAIN == 0 ? 2 : 1;
           // It contracts sums of the axis before: of its chain 0, of chain 1 their companions, of
           // chain 2 those of chain 1.
           localparam BEFORE    = 4 * g - (CHAIN > 0 ? 4 * GROUPS : 0);
@@ -222,7 +223,7 @@ module ffd_eval_contraction #(
       end
 
       assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[0 +: SUM_W];
-      if (JACOBIAN != 0) begin : gen_jacobian
+      if (CHAINED) begin : gen_jacobian
         assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
         assign sums[(2*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[1].sum;
         assign sums[(3*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[2].sum;
