@@ -46,6 +46,7 @@ evaluator/ffd_eval_address.v
 evaluator/ffd_eval_affine.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
+evaluator/ffd_eval_columns.v
 evaluator/ffd_eval_contraction.v
 evaluator/ffd_eval_determinant.v
 evaluator/ffd_eval_factored.v
@@ -53,6 +54,7 @@ evaluator/ffd_eval_former.v
 evaluator/ffd_eval_generator.v
 evaluator/ffd_eval_halves.v
 evaluator/ffd_eval_horner.v
+evaluator/ffd_eval_order.v
 evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v

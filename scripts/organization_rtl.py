@@ -77,6 +77,8 @@ def header_text(rtl):
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
     in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
     ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
+    jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found
+                           if one.jacobian] + ["0"])
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -89,6 +91,10 @@ def header_text(rtl):
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)
+
+// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+`define FFD_ORG_JACOBIAN(ORG) \\
+  ({jacobian})
 
 `endif
 """

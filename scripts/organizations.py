@@ -68,6 +68,11 @@ class Organization:
         """At how many ports it reads points: lanes that read in every clock have their own."""
         return self.lanes if self.fold == 4 else 1
 
+    @property
+    def jacobian(self):
+        """Whether one pass gives the position and its three derivatives."""
+        return self.parameters.get("JACOBIAN", 0) != 0
+
 
 def module_path(rtl, module):
     return pathlib.Path(rtl) / "evaluator" / f"ffd_org_{module}.v"

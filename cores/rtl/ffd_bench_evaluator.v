@@ -4,6 +4,8 @@
 // slow for them. Coefficients, supports and vertices come as stream words; a support is written
 // point by point in local order and read back by bank, N points a clock and port, READ_LATENCY 2.
 //
+// Formats:    results of a vertex side by side, the position lowest; those that the organization
+//             does not give in one pass are 0.
 // Parameters: a row of configurations.csv; 256 supports.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -45,8 +47,8 @@ module ffd_bench_evaluator #(
   input  wire [15:0]  s_vertex_tag,
   output wire         m_result_valid,
   input  wire         m_result_ready,
-  output wire [95:0]  m_result_words,
-  output wire [1:0]   m_result_flags,
+  output wire [383:0] m_result_words,
+  output wire [7:0]   m_result_flags,  // {nan, saturated} of each
   output wire [15:0]  m_result_tag
 );
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
@@ -98,8 +100,11 @@ module ffd_bench_evaluator #(
     if (write_i) support_q[{write_support_i, write_index_i}] <= point;
   end
 
+  localparam RESULTS = `FFD_RESULTS(`FFD_ORG_JACOBIAN(ORG));
+  wire [RESULTS*96-1:0] result_words;
+  wire [RESULTS*3-1:0]  result_flags;
   wire        determinant;
-  wire        folded;
+  wire        result_last;
   wire        evaluating;
   wire        forming;
   wire [PORTS-1:0]    read;
@@ -132,6 +137,7 @@ module ffd_bench_evaluator #(
     .SOURCE_W       (8),
     .USER_W         (16),
     .IN_FLIGHT      (256),
+    .RESULTS        (RESULTS),
     .DETERMINANT    (0)
   ) u_evaluator (
     .clk                 (clk),
@@ -160,13 +166,27 @@ module ffd_bench_evaluator #(
     .forming_o           (forming),
     .m_result_valid      (m_result_valid),
     .m_result_ready      (m_result_ready),
-    .m_result_words      (m_result_words),
-    .m_result_flags      ({folded, m_result_flags}),
+    .m_result_words      (result_words),
+    .m_result_flags      (result_flags),
     .m_result_determinant(determinant),
+    .m_result_last       (result_last),
     .m_result_user       (m_result_tag)
   );
 
-  wire unused_ok = &{1'b0, determinant, folded, evaluating, forming, read, read_last, read_cell,
+  genvar r;
+  generate
+    for (r = 0; r < 4; r = r + 1) begin : gen_result
+      if (r < RESULTS) begin : gen_given
+        assign m_result_words[96*r +: 96] = result_words[96*r +: 96];
+        assign m_result_flags[2*r +: 2]   = result_flags[3*r +: 2];
+      end else begin : gen_not
+        assign m_result_words[96*r +: 96] = 96'd0;
+        assign m_result_flags[2*r +: 2]   = 2'd0;
+      end
+    end
+  endgenerate
+
+  wire unused_ok = &{1'b0, determinant, result_last, result_flags, evaluating, forming, read, read_last, read_cell,
                      numbers};
 endmodule
 

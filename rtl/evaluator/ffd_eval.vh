@@ -61,6 +61,9 @@
   (`FFD_OFFSET_LATENCY(AFFINE, ADD_LATENCY) + (CONVERT_LATENCY) \
    + `FFD_TREE_LATENCY(4, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY))
 
+// Sums of a vertex in one pass: its position, or with the Jacobian that and three derivatives.
+`define FFD_RESULTS(JACOBIAN) ((JACOBIAN) == 0 ? 1 : 4)
+
 // Steps that an accumulator of that latency leaves idle unless CONTEXTS vertices take turns.
 `define FFD_CONTEXTS(LATENCY, INTERVAL) \
   ((LATENCY) <= (INTERVAL) ? 1 : ((LATENCY) + (INTERVAL) - 1) / (INTERVAL))

@@ -13,13 +13,18 @@
 // four, it takes 16 of the banks, from the last of s to the first, and the last sum is made one
 // term after the other (ffd_eval_quarters).
 //
+// With the Jacobian there are derivative weights too, and a pass gives four sums: q, dq/ds, dq/dt
+// and dq/du. They share what they have in common: along u there are two sums of each four points,
+// along t three, along s four. Chain 0 is that of q, whose every sum has a companion with the
+// derivative weights; that is the next axis' chain 1, whose sums are the next axis' chain 2.
+//
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
 // Parameters: FOLD 1, 2, 3, 4 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
-//             ADD_LATENCY clocks after the points, FOLD 4 only so; the others as in every
-//             organization.
+//             ADD_LATENCY clocks after the points, FOLD 4 only so; JACOBIAN 1: four sums, FOLD 1 or
+//             3; the others as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,6 +34,7 @@
 module ffd_eval_contraction #(
   parameter FOLD            = 1,
   parameter AFFINE          = 0,
+  parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
@@ -46,6 +52,7 @@ module ffd_eval_contraction #(
   input  wire [SOURCE_W-1:0]                     step_source_i,
   input  wire [11:0]                             step_cell_i,
   input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    weights_i,
+  input  wire [3*4*`FFD_WEIGHT_W(FORMAT)-1:0]    slopes_i,       // those of the derivatives
   output wire                                    read_o,
   output wire                                    read_last_o,
   output wire [SOURCE_W-1:0]                     read_source_o,
@@ -53,13 +60,15 @@ module ffd_eval_contraction #(
   output wire [5:0]                              read_index_o,
   input  wire [64/`FFD_FOLD_PARTS(FOLD)*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
   output wire                                    result_valid_o,
-  output wire [3*`FFD_SUM_W(FORMAT)-1:0]         result_sum_o
+  output wire [3*`FFD_RESULTS(JACOBIAN)*`FFD_SUM_W(FORMAT)-1:0] result_sums_o
 );
   localparam WEIGHT_W   = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W    = `FFD_POINT_W(FORMAT);
   localparam SUM_W      = `FFD_SUM_W(FORMAT);
   localparam TURNS      = `FFD_FOLD_TURNS(FOLD);
   localparam PARTS      = `FFD_FOLD_PARTS(FOLD);
+  localparam RESULTS    = `FFD_RESULTS(JACOBIAN);
+  localparam CHAINED    = JACOBIAN != 0 && PARTS == 1;  // else refused, or without
   localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
@@ -71,6 +80,9 @@ module ffd_eval_contraction #(
     end
     if (PARTS == 4 && AFFINE == 0) begin : gen_bad_affine
       ERROR_ffd_eval_contraction_folded_by_four_must_be_affine u_error ();
+    end
+    if (JACOBIAN != 0 && PARTS != 1) begin : gen_bad_jacobian
+      ERROR_ffd_eval_contraction_jacobian_wants_whole_cells u_error ();
     end
   endgenerate
 
@@ -118,21 +130,31 @@ module ffd_eval_contraction #(
     .q_o(part)
   );
 
-  wire [COMPONENTS*SUM_W-1:0] sums;
+  wire [RESULTS*COMPONENTS*SUM_W-1:0] sums;
 
   genvar c;
   genvar stage;
   genvar g;
   genvar b;
+  genvar n;
   generate
     for (c = 0; c < COMPONENTS; c = c + 1) begin : gen_component
       for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
         localparam AXIS = 2 - stage;
         localparam BANKS  = stage == 2 ? 4 / PARTS : 4;
-        localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / PARTS;
-        for (g = 0; g < GROUPS; g = g + 1) begin : gen_group
+        localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / PARTS;  // of a chain
+        localparam CHAINS = CHAINED ? stage + 1 : 1;
+        for (g = 0; g < CHAINS * GROUPS; g = g + 1) begin : gen_group
+          localparam CHAIN = g / GROUPS;
+          localparam SUMS  = CHAINED && CHAIN == 0 ? 2 : 1;
+          // It contracts sums of the axis before: of its chain 0, of chain 1 their companions, of
+          // chain 2 those of chain 1.
+          localparam BEFORE    = 4 * g - (CHAIN > 0 ? 4 * GROUPS : 0);
+          localparam COMPANION = CHAIN == 1 ? 1 : 0;
           wire [BANKS*POINT_W-1:0] points;
-          wire [SUM_W-1:0]         sum;
+          wire [SUMS*SUM_W-1:0]    sum;
+          wire [8*WEIGHT_W-1:0]    weights = {slopes_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W],
+                                              weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]};
 
           for (b = 0; b < BANKS; b = b + 1) begin : gen_bank
             localparam FIRST = 3 * (4 * g + b);  // of the components of a point
@@ -143,7 +165,7 @@ module ffd_eval_contraction #(
                 .LATENCY(CONVERT_LATENCY)
               ) u_narrow (
                 .clk    (clk),
-                .sum_i  (gen_stage[stage-1].gen_group[4*g+b].sum),
+                .sum_i  (gen_stage[stage-1].gen_group[BEFORE+b].sum[COMPANION*SUM_W +: SUM_W]),
                 .point_o(point)
               );
             end else if (TURNS == 1) begin : gen_own
@@ -166,7 +188,7 @@ module ffd_eval_contraction #(
             ) u_quarters (
               .clk      (clk),
               .bank_i   (part),
-              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .weights_i(weights[0 +: 4*WEIGHT_W]),
               .point_i  (points),
               .sum_o    (sum)
             );
@@ -181,55 +203,67 @@ module ffd_eval_contraction #(
             ) u_halves (
               .clk      (clk),
               .low_i    (part == 2'd0),
-              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .weights_i(weights[0 +: 4*WEIGHT_W]),
               .points_i (points),
               .sum_o    (sum)
             );
-          end else if (AFFINE == 0) begin : gen_tree
-            ffd_eval_tree #(
-              .FORMAT     (FORMAT),
-              .N          (4),
-              .MUL_LATENCY(MUL_LATENCY),
-              .ADD_LATENCY(ADD_LATENCY),
-              .FMA_LATENCY(FMA_LATENCY)
-            ) u_tree (
-              .clk      (clk),
-              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
-              .points_i (points),
-              .sum_o    (sum)
-            );
+          end else if (AFFINE == 0) begin : gen_trees
+            for (n = 0; n < SUMS; n = n + 1) begin : gen_tree
+              ffd_eval_tree #(
+                .FORMAT     (FORMAT),
+                .N          (4),
+                .MUL_LATENCY(MUL_LATENCY),
+                .ADD_LATENCY(ADD_LATENCY),
+                .FMA_LATENCY(FMA_LATENCY)
+              ) u_tree (
+                .clk      (clk),
+                .weights_i(weights[n*4*WEIGHT_W +: 4*WEIGHT_W]),
+                .points_i (points),
+                .sum_o    (sum[n*SUM_W +: SUM_W])
+              );
+            end
           end else begin : gen_affine
             ffd_eval_affine #(
               .FORMAT     (FORMAT),
+              .SUMS       (SUMS),
               .MUL_LATENCY(MUL_LATENCY),
               .ADD_LATENCY(ADD_LATENCY)
             ) u_affine (
               .clk      (clk),
-              .weights_i(weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]),
+              .weights_i(weights[0 +: SUMS*4*WEIGHT_W]),
               .points_i (points),
-              .sum_o    (sum)
+              .sums_o   (sum)
             );
           end
+          wire unused_ok = &{1'b0, weights};
         end
       end
 
-      assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum;
+      assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[0 +: SUM_W];
+      if (CHAINED) begin : gen_jacobian
+        assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
+        assign sums[(2*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[1].sum;
+        assign sums[(3*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[2].sum;
+      end
     end
   endgenerate
 
   generate
     if (TURNS == 1) begin : gen_whole
-      assign result_sum_o = sums;
+      assign result_sums_o = sums;
       wire unused_ok = &{1'b0, first};
     end else begin : gen_collect
-      reg [2*SUM_W-1:0] before_q;
-      always @(posedge clk) before_q <= {sums, before_q[SUM_W +: SUM_W]};
-      assign result_sum_o = {sums, before_q};
+      for (n = 0; n < RESULTS; n = n + 1) begin : gen_result
+        wire [SUM_W-1:0]  sum = sums[n*SUM_W +: SUM_W];
+        reg [2*SUM_W-1:0] before_q;
+        always @(posedge clk) before_q <= {sum, before_q[SUM_W +: SUM_W]};
+        assign result_sums_o[3*n*SUM_W +: 3*SUM_W] = {sum, before_q};
+      end
     end
   endgenerate
 
   assign result_valid_o = sum_valid && sum_last;
-  wire unused_ok = &{1'b0, part};
+  wire unused_ok = &{1'b0, part, slopes_i};
 endmodule
 
 `default_nettype wire

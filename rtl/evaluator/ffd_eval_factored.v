@@ -1,5 +1,9 @@
 // ffd_eval_factored: one lane of ffd_org_factored, with its own polynomials
 //
+// With the Jacobian it has them twice, for the functions and for their derivatives, and four sums
+// come of a pass. A vertex with a place of derivatives on one axis only has that sum in place of
+// the position's, as where there is no Jacobian.
+//
 // Schedule:   a vertex every FOLD clocks.
 // Pipeline:   step | FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points |
 //             ffd_eval_contraction.
@@ -14,6 +18,7 @@
 module ffd_eval_factored #(
   parameter FOLD            = 1,
   parameter AFFINE          = 0,
+  parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
   parameter PORTS           = 1,
@@ -22,7 +27,9 @@ module ffd_eval_factored #(
   `include "ffd_org_ports.vh"
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam SUM_W        = `FFD_SUM_W(FORMAT);
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
+  localparam KINDS        = JACOBIAN == 0 ? 1 : 2;
   localparam TURNS        = `FFD_FOLD_TURNS(FOLD);
   localparam PARTS        = `FFD_FOLD_PARTS(FOLD);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
@@ -75,32 +82,49 @@ module ffd_eval_factored #(
     .payload_o     ({coordinates, cell_index, source, bank})
   );
 
-  wire [3*4*WEIGHT_W-1:0] weights;
+  wire [KINDS*3*4*WEIGHT_W-1:0] weights;
 
-  ffd_eval_bank_weights #(
-    .FOLD           (FOLD),
-    .AFFINE         (AFFINE),
-    .FORMAT         (FORMAT),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .DISTANCE       (CONTRACT),
-    .SPANS          (SPANS)
-  ) u_weights (
-    .clk           (clk),
-    .load_i        (load_i),
-    .load_axis_i   (load_axis_i),
-    .load_address_i(load_address_i),
-    .load_entry_i  (load_entry_i),
-    .step_valid_i  (step_valid),
-    .step_i        (step),
-    .coordinates_i (coordinates),
-    .cell_i        (cell_index),
-    .bank_i        (bank),
-    .weights_o     (weights)
-  );
+  genvar kind;
+  genvar a;
+  generate
+    for (kind = 0; kind < KINDS; kind = kind + 1) begin : gen_kind
+      wire [3*PLACE_W-1:0] place;
+      for (a = 0; a < 3; a = a + 1) begin : gen_axis
+        wire [PLACE_W-1:0] own = bank[PLACE_W*a +: PLACE_W];
+        wire               derivative = JACOBIAN == 0 ? own[1] : kind == 1;
+        assign place[PLACE_W*a +: 2] = {derivative, own[0]};
+        if (PLACE_W > 2) begin : gen_span
+          assign place[PLACE_W*a+2 +: PLACE_W-2] = own[2 +: PLACE_W-2];
+        end
+        wire unused_ok = &{1'b0, own};
+      end
+
+      ffd_eval_bank_weights #(
+        .FOLD           (FOLD),
+        .AFFINE         (AFFINE),
+        .FORMAT         (FORMAT),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .DISTANCE       (CONTRACT),
+        .SPANS          (SPANS)
+      ) u_weights (
+        .clk           (clk),
+        .load_i        (load_i),
+        .load_axis_i   (load_axis_i),
+        .load_address_i(load_address_i),
+        .load_entry_i  (load_entry_i),
+        .step_valid_i  (step_valid),
+        .step_i        (step),
+        .coordinates_i (coordinates),
+        .cell_i        (cell_index),
+        .bank_i        (place),
+        .weights_o     (weights[3*4*kind*WEIGHT_W +: 3*4*WEIGHT_W])
+      );
+    end
+  endgenerate
 
   // The points of a step are asked for so that they come when the contraction wants them.
   wire                read_valid;
@@ -131,9 +155,12 @@ module ffd_eval_factored #(
     .q_o({read_part, read_source, read_cell})
   );
 
+  wire [3*`FFD_RESULTS(JACOBIAN)*SUM_W-1:0] sums;
+
   ffd_eval_contraction #(
     .FOLD           (FOLD),
     .AFFINE         (AFFINE),
+    .JACOBIAN       (JACOBIAN),
     .FORMAT         (FORMAT),
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
@@ -150,7 +177,8 @@ module ffd_eval_factored #(
     .step_part_i     (read_part),
     .step_source_i   (read_source),
     .step_cell_i     (read_cell),
-    .weights_i       (weights),
+    .weights_i       (weights[0 +: 3*4*WEIGHT_W]),
+    .slopes_i        (weights[(KINDS-1)*3*4*WEIGHT_W +: 3*4*WEIGHT_W]),
     .read_o          (read_o),
     .read_last_o     (read_last_o),
     .read_source_o   (read_source_o),
@@ -158,8 +186,35 @@ module ffd_eval_factored #(
     .read_index_o    (read_index_o),
     .read_points_i   (read_points_i),
     .result_valid_o  (result_valid_o),
-    .result_sum_o    (result_sum_o)
+    .result_sums_o   (sums)
   );
+
+  generate
+    if (JACOBIAN != 0) begin : gen_jacobian
+      // Of which axis alone the derivative is wanted, from the step to its sum.
+      wire [2:0] derivative = {bank[2*PLACE_W+1], bank[PLACE_W+1], bank[1]};
+      wire [2:0] only;
+
+      ffd_num_delay #(
+        .WIDTH  (3),
+        .LATENCY(READ_DELAY + READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY)
+      ) u_only (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(derivative & {3{derivative != 3'b111}}),
+        .q_o(only)
+      );
+
+      wire [9*SUM_W-1:0] jacobian = sums[3*SUM_W +: 9*SUM_W];
+      assign result_sum_o      = only[0] ? jacobian[0*SUM_W +: 3*SUM_W] :
+                                 only[1] ? jacobian[3*SUM_W +: 3*SUM_W] :
+                                 only[2] ? jacobian[6*SUM_W +: 3*SUM_W] : sums[0 +: 3*SUM_W];
+      assign result_jacobian_o = jacobian;
+    end else begin : gen_position
+      assign result_sum_o      = sums;
+      assign result_jacobian_o = {9 * SUM_W {1'b0}};
+    end
+  endgenerate
 
   wire unused_ok = &{1'b0, s_vertex_changed, step_first, later};
 

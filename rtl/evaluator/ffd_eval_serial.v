@@ -303,9 +303,10 @@ module ffd_eval_serial #(
     .q_o(sum_valid)
   );
 
-  assign result_valid_o = sum_valid;
-  assign result_sum_o   = sums;
-  assign forming_o      = 1'b0;
+  assign result_valid_o    = sum_valid;
+  assign result_sum_o      = sums;
+  assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
+  assign forming_o         = 1'b0;
   wire unused_ok = &{1'b0, s_vertex_changed, step_first, step_last};
 endmodule
 

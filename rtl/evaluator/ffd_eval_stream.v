@@ -8,6 +8,11 @@
 // three results become one, det J, with the user word of the third. It takes longer than a result
 // of column 0, waits in a queue of its own and leaves in its place in the order.
 //
+// Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants: det J
+// of column 3, three derivatives of places of derivatives on all axes and column 0. Its results
+// leave one after the other with one user word, as ffd_eval_order has them, or with RESULTS 4 all at
+// once.
+//
 // Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
 //             determinant {any, any, det J}, folded where that is not positive.
@@ -17,7 +22,8 @@
 //             behind meet in a register.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
-//             rate; DETERMINANT 0 or 1; SPANS 1 to 128, above 1 only in the overlapped schedule
+//             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1, 0
+//             where a Jacobian comes more often than every 3 clocks; SPANS 1 to 128, above 1 only in the overlapped schedule
 //             and not with EVALUATOR 2; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -31,6 +37,7 @@ module ffd_eval_stream #(
   parameter SOURCE_W        = 2,
   parameter USER_W          = 16,
   parameter IN_FLIGHT       = 16,
+  parameter RESULTS         = 1,
   parameter DETERMINANT     = 1,
   parameter SPANS           = 1
 ) (
@@ -60,13 +67,17 @@ module ffd_eval_stream #(
   output wire                                            forming_o,
   output wire                                            m_result_valid,
   input  wire                                            m_result_ready,
-  output wire [95:0]                                     m_result_words,
-  output wire [2:0]                                      m_result_flags,
+  output wire [RESULTS*96-1:0]                           m_result_words,
+  output wire [RESULTS*3-1:0]                            m_result_flags,
   output wire                                            m_result_determinant,
+  output wire                                            m_result_last,
   output wire [USER_W-1:0]                               m_result_user
 );
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
   localparam COUNT_W  = $clog2(IN_FLIGHT) + 1;
+  localparam JACOBIAN = `FFD_ORG_JACOBIAN(ORG);
+  localparam SUMS     = `FFD_RESULTS(JACOBIAN);
+  localparam PLACE_W  = `FFD_PLACE_W(SPANS);
 
   generate
     if (IN_FLIGHT < 4) begin : gen_bad_in_flight
@@ -88,10 +99,16 @@ module ffd_eval_stream #(
     end
   endgenerate
 
+  generate
+    if (JACOBIAN != 0 && JACOBIAN < 3 && DETERMINANT != 0) begin : gen_bad_determinant
+      ERROR_ffd_eval_stream_determinants_want_3_clocks_a_vertex u_error ();
+    end
+  endgenerate
+
   localparam [1:0] LAST_COLUMN = 2'd3;
 
-  // Credits: vertices inside, from their entry until their result has left; three leave with a
-  // determinant. Who came and who left is counted a clock later: one more may come meanwhile, which
+  // Credits: vertices inside, from their entry until their result has left; three leave with the
+  // determinant of three. Who came and who left is counted a clock later: one more may come meanwhile, which
   // FIRST leaves room for.
   localparam [COUNT_W-1:0] FIRST = 1;
   reg  [COUNT_W-1:0] inside_q;
@@ -103,7 +120,7 @@ module ffd_eval_stream #(
   wire               offer;
   wire               ready;
   wire               enter  = s_vertex_valid && s_vertex_ready;
-  wire               leave  = m_result_valid && m_result_ready;
+  wire               leave  = m_result_valid && m_result_ready && m_result_last;
 
   assign evaluating_o = inside_q != FIRST || entered_q;
 
@@ -122,7 +139,7 @@ module ffd_eval_stream #(
 
   always @* begin
     left_more = 2'd0;
-    if (DETERMINANT != 0 && left_three_q) left_more = entered_q ? 2'd2 : 2'd3;
+    if (DETERMINANT != 0 && SUMS == 1 && left_three_q) left_more = entered_q ? 2'd2 : 2'd3;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -132,8 +149,8 @@ module ffd_eval_stream #(
       inside_q     <= FIRST;
     end else begin
       entered_q    <= enter;
-      left_q       <= leave && !m_result_determinant;
-      left_three_q <= leave && m_result_determinant;
+      left_q       <= leave && !(SUMS == 1 && m_result_determinant);
+      left_three_q <= leave && SUMS == 1 && m_result_determinant;
       if (left_more != 2'd0) inside_q <= inside_q - {{(COUNT_W - 2) {1'b0}}, left_more};
       else if (entered_q && !left_q) inside_q <= inside_q + 1'b1;
       else if (left_q && !entered_q) inside_q <= inside_q - 1'b1;
@@ -142,6 +159,7 @@ module ffd_eval_stream #(
 
   wire               sum_valid;
   wire [3*SUM_W-1:0] sum;
+  wire [9*SUM_W-1:0] jacobian;
 
   ffd_org_select #(
     `include "ffd_row_arguments.vh"
@@ -170,7 +188,8 @@ module ffd_eval_stream #(
     .read_points_i       (read_points_i),
     .forming_o           (forming_o),
     .result_valid_o      (sum_valid),
-    .result_sum_o        (sum)
+    .result_sum_o        (sum),
+    .result_jacobian_o   (jacobian)
   );
 
   // Which column a sum is of, and the exponent of its points: where there is such a thing.
@@ -207,46 +226,44 @@ module ffd_eval_stream #(
     end
   endgenerate
 
-  wire        own_result = column == 2'd0;
-  wire        word_valid;
-  wire [95:0] words;
-  wire        saturated;
-  wire        nan;
+  wire               own_result = column == 2'd0 || SUMS != 1;
+  wire [12*SUM_W-1:0] sums      = {jacobian, sum};
+  wire [SUMS-1:0]    word_valid;
+  wire [SUMS*96-1:0] words;
+  wire [SUMS-1:0]    saturated;
+  wire [SUMS-1:0]    nan;
 
-  ffd_eval_words #(
-    .FORMAT         (FORMAT),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .SERIAL         (`FFD_RESULT_INTERVAL(ORG, N) >= 3)
-  ) u_words (
-    .clk         (clk),
-    .rst         (rst),
-    .sum_valid_i (sum_valid && own_result),
-    .sum_i       (sum),
-    .exponent_i  (exponent),
-    .word_valid_o(word_valid),
-    .words_o     (words),
-    .saturated_o (saturated),
-    .nan_o       (nan)
-  );
+  genvar r;
+  generate
+    for (r = 0; r < SUMS; r = r + 1) begin : gen_words
+      ffd_eval_words #(
+        .FORMAT         (FORMAT),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .SERIAL         (`FFD_RESULT_INTERVAL(ORG, N) >= 3 || JACOBIAN >= 3)
+      ) u_words (
+        .clk         (clk),
+        .rst         (rst),
+        .sum_valid_i (sum_valid && own_result),
+        .sum_i       (sums[3*r*SUM_W +: 3*SUM_W]),
+        .exponent_i  (exponent),
+        .word_valid_o(word_valid[r]),
+        .words_o     (words[96*r +: 96]),
+        .saturated_o (saturated[r]),
+        .nan_o       (nan[r])
+      );
+    end
+  endgenerate
 
-  // ---- results leave in the order of their user words, which say what kind they are
-
-  // Credits keep the queues from overflowing, so their readies are not needed. A user word is there
-  // whenever its result is.
-  wire        users_ready;
-  wire        user_valid;
-  wire        results_ready;
-  wire        result_valid;
-  wire [99:0] result;
-  wire        last_column = s_vertex_column == LAST_COLUMN;
-
-  // They come into their queue a clock later: nothing is done so soon.
+  // What is wanted of a vertex, and its user word, go on a clock later: nothing is done so soon.
+  wire             last_column = s_vertex_column == LAST_COLUMN;
   reg              takes_q;
   reg              determinant_q;
+  reg              four_q;
   reg [USER_W-1:0] user_q;
   always @(posedge clk) begin
     takes_q       <= enter && (s_vertex_column == 2'd0 || last_column) && !rst;
     determinant_q <= last_column;
+    four_q        <= s_vertex_bank[1] && s_vertex_bank[PLACE_W+1] && s_vertex_bank[2*PLACE_W+1];
     user_q        <= s_vertex_user;
   end
 
@@ -255,11 +272,37 @@ module ffd_eval_stream #(
   wire [2:0]  determinant_flags;
   generate
     if (DETERMINANT != 0) begin : gen_determinant
-      wire determinant_saturated;
-      wire determinant_nan;
+      wire                       determinant_saturated;
+      wire                       determinant_nan;
+      wire                       column_valid;
+      wire                       column_last;
+      wire [3*SUM_W-1:0]         column_sum;
+      wire [`FFD_EXPONENT_W-1:0] column_exponent;
       // The words of both kinds of format have their sign in front, and only one for zero.
       wire folded = determinant[31] || determinant == 32'd0;
       assign determinant_flags = {folded, determinant_nan, determinant_saturated};
+
+      if (SUMS == 1) begin : gen_own_columns
+        assign column_valid    = sum_valid && !own_result;
+        assign column_last     = column == LAST_COLUMN;
+        assign column_sum      = sum;
+        assign column_exponent = exponent;
+      end else begin : gen_three_columns
+        ffd_eval_columns #(
+          .WIDTH     (3 * SUM_W),
+          .EXPONENT_W(`FFD_EXPONENT_W)
+        ) u_columns (
+          .clk           (clk),
+          .rst           (rst),
+          .valid_i       (sum_valid && column == LAST_COLUMN),
+          .columns_i     (jacobian),
+          .exponent_i    (exponent),
+          .column_valid_o(column_valid),
+          .column_last_o (column_last),
+          .column_o      (column_sum),
+          .exponent_o    (column_exponent)
+        );
+      end
 
       ffd_eval_determinant #(
         .FORMAT         (FORMAT),
@@ -269,10 +312,10 @@ module ffd_eval_stream #(
       ) u_determinant (
         .clk           (clk),
         .rst           (rst),
-        .column_valid_i(sum_valid && !own_result),
-        .column_last_i (column == LAST_COLUMN),
-        .column_i      (sum),
-        .exponent_i    (exponent),
+        .column_valid_i(column_valid),
+        .column_last_i (column_last),
+        .column_i      (column_sum),
+        .exponent_i    (column_exponent),
         .word_valid_o  (determinant_valid),
         .word_o        (determinant),
         .saturated_o   (determinant_saturated),
@@ -287,94 +330,40 @@ module ffd_eval_stream #(
   endgenerate
 
   // Where the next sum comes later than the determinant, both go into one queue as they come.
-  localparam LATEST   = `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY)
-                      + (FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY);
-  localparam IN_ORDER = DETERMINANT == 0 || `FFD_RESULT_INTERVAL(ORG, N) > LATEST;
+  localparam LATEST = `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY)
+                    + (FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY);
 
-  wire        queued_valid = word_valid || (IN_ORDER && determinant_valid);
-  wire [99:0] queued       = IN_ORDER && determinant_valid
-                           ? {1'b1, determinant_flags, words[95:32], determinant}
-                           : {1'b0, 1'b0, nan, saturated, words};
-  wire        result_ready;
-
-  ffd_stream_queue #(
-    .WIDTH(100),
-    .DEPTH(IN_FLIGHT)
-  ) u_results (
-    .clk         (clk),
-    .rst         (rst),
-    .s_word_valid(queued_valid),
-    .s_word_ready(results_ready),
-    .s_word_data (queued),
-    .m_word_valid(result_valid),
-    .m_word_ready(result_ready),
-    .m_word_data (result)
+  ffd_eval_order #(
+    .SUMS       (SUMS),
+    .RESULTS    (RESULTS),
+    .USER_W     (USER_W),
+    .DEPTH      (IN_FLIGHT),
+    .DETERMINANT(DETERMINANT),
+    .APART      (DETERMINANT != 0 && `FFD_RESULT_INTERVAL(ORG, N) <= LATEST)
+  ) u_order (
+    .clk                 (clk),
+    .rst                 (rst),
+    .take_i              (takes_q),
+    .take_determinant_i  (determinant_q),
+    .take_four_i         (four_q),
+    .take_user_i         (user_q),
+    .word_valid_i        (word_valid[0]),
+    .words_i             (words),
+    .saturated_i         (saturated),
+    .nan_i               (nan),
+    .determinant_valid_i (determinant_valid),
+    .determinant_i       (determinant),
+    .determinant_flags_i (determinant_flags),
+    .m_result_valid      (m_result_valid),
+    .m_result_ready      (m_result_ready),
+    .m_result_words      (m_result_words),
+    .m_result_flags      (m_result_flags),
+    .m_result_determinant(m_result_determinant),
+    .m_result_last       (m_result_last),
+    .m_result_user       (m_result_user)
   );
 
-  generate
-    if (!IN_ORDER) begin : gen_apart
-      wire        waiting_ready;
-      wire        waiting_valid;
-      wire [34:0] waiting;
-      wire        is_determinant;
-
-      ffd_stream_queue #(
-        .WIDTH(35),
-        .DEPTH(IN_FLIGHT / 2)
-      ) u_determinants (
-        .clk         (clk),
-        .rst         (rst),
-        .s_word_valid(determinant_valid),
-        .s_word_ready(waiting_ready),
-        .s_word_data ({determinant_flags, determinant}),
-        .m_word_valid(waiting_valid),
-        .m_word_ready(leave && is_determinant),
-        .m_word_data (waiting)
-      );
-
-      ffd_stream_queue #(
-        .WIDTH(1 + USER_W),
-        .DEPTH(IN_FLIGHT)
-      ) u_users (
-        .clk         (clk),
-        .rst         (rst),
-        .s_word_valid(takes_q),
-        .s_word_ready(users_ready),
-        .s_word_data ({determinant_q, user_q}),
-        .m_word_valid(user_valid),
-        .m_word_ready(leave),
-        .m_word_data ({is_determinant, m_result_user})
-      );
-
-      assign result_ready         = leave && !is_determinant;
-      assign m_result_determinant = is_determinant;
-      assign m_result_valid       = user_valid && (is_determinant ? waiting_valid : result_valid);
-      assign m_result_words       = {result[95:32], is_determinant ? waiting[31:0] : result[31:0]};
-      assign m_result_flags       = is_determinant ? waiting[34:32] : result[98:96];
-      wire unused_ok = &{1'b0, waiting_ready, result[99]};
-    end else begin : gen_in_order
-      ffd_stream_queue #(
-        .WIDTH(USER_W),
-        .DEPTH(IN_FLIGHT)
-      ) u_users (
-        .clk         (clk),
-        .rst         (rst),
-        .s_word_valid(takes_q),
-        .s_word_ready(users_ready),
-        .s_word_data (user_q),
-        .m_word_valid(user_valid),
-        .m_word_ready(leave),
-        .m_word_data (m_result_user)
-      );
-
-      assign result_ready   = m_result_ready;
-      assign m_result_valid = result_valid;
-      assign {m_result_determinant, m_result_flags, m_result_words} = result;
-      wire unused_ok = &{1'b0, determinant_q};
-    end
-  endgenerate
-
-  wire unused_ok = &{1'b0, user_valid, users_ready, results_ready};
+  wire unused_ok = &{1'b0, word_valid, sums};
 endmodule
 
 `default_nettype wire

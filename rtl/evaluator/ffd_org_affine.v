@@ -7,6 +7,7 @@
 //
 // Formats:    fxW only: differences are exact there. One is a bit wider than a point, so that with
 //             multipliers of 18 x 18 the format is fx17.
+// Jacobian:   in one pass of 144 multiplications a component; derivative weights leave P3 out.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
 //             unused.
@@ -20,6 +21,7 @@
 module ffd_org_affine #(
   parameter FOLD            = 1,
   parameter LANES           = 1,
+  parameter JACOBIAN        = 0,
   parameter FORMAT          = 17,
   parameter N               = 64,
   parameter PORTS           = 1,
@@ -34,6 +36,8 @@ module ffd_org_affine #(
       ERROR_ffd_org_affine_fold_must_be_1_2_3_4_6_or_64 u_error ();
     end else if (N != (FOLD == 64 ? 1 : 64 / `FFD_FOLD_PARTS(FOLD))) begin : gen_bad_n
       ERROR_ffd_org_affine_n_must_be_64_by_its_parts_or_1_folded_by_64 u_error ();
+    end else if (FOLD == 64 && JACOBIAN != 0) begin : gen_bad_jacobian
+      ERROR_ffd_org_affine_jacobian_wants_fold_3 u_error ();
     end else if (FOLD == 64) begin : gen_serial
       ffd_eval_serial #(
         `include "ffd_org_arguments.vh"
@@ -42,9 +46,10 @@ module ffd_org_affine #(
       );
     end else begin : gen_affine
       ffd_org_factored #(
-        .FOLD  (FOLD),
-        .LANES (LANES),
-        .AFFINE(1),
+        .FOLD    (FOLD),
+        .LANES   (LANES),
+        .AFFINE  (1),
+        .JACOBIAN(JACOBIAN),
         `include "ffd_org_arguments.vh"
       ) u_factored (
         `include "ffd_org_connections.vh"

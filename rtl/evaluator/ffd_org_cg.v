@@ -378,7 +378,8 @@ module ffd_org_cg #(
 
   wire unused_ok = &{1'b0, s_vertex_changed, fill_first, filled_room};
 
-  assign forming_o = 1'b0;
+  assign forming_o         = 1'b0;
+  assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
 endmodule
 
 `default_nettype wire

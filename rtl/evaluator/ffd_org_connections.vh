@@ -22,4 +22,5 @@
 .read_points_i       (read_points_i),
 .forming_o           (forming_o),
 .result_valid_o      (result_valid_o),
-.result_sum_o        (result_sum_o)
+.result_sum_o        (result_sum_o),
+.result_jacobian_o   (result_jacobian_o)

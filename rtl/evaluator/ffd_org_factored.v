@@ -9,6 +9,10 @@
 // port of its own. Vertices are dealt to the lanes in turn; all take equally long, so results keep
 // the order.
 //
+// With the Jacobian a pass gives q and its three derivatives, which share most of their sums: 192
+// multiplications a component, and weights of functions and of derivatives. Bits are those of four
+// passes without. Derivatives along two axes at once are not built.
+//
 // Schedule:   overlapped only, LANES vertices in FOLD clocks; the paper has no such organization.
 // Pipeline:   ffd_eval_factored; of several lanes, a clock where their reads meet, if they do,
 //             within that pipeline, and one where their sums meet, behind it.
@@ -17,7 +21,7 @@
 // Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR
 //             not iterative; FOLD 1, 2, 3, 6, if AFFINE 4, with the same bits; N 64, of FOLD 2 and
 //             6 32, of 4 16; LANES 1, of FOLD 3 to 3, of 4 to 4; PORTS as many of FOLD 4, else 1;
-//             AFFINE 1: ffd_org_affine.
+//             AFFINE 1: ffd_org_affine; JACOBIAN 0, of FOLD 3 also 1.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,6 +32,7 @@ module ffd_org_factored #(
   parameter FOLD            = 1,
   parameter LANES           = 1,
   parameter AFFINE          = 0,
+  parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
   parameter N               = 64,
   parameter PORTS           = 1,
@@ -35,7 +40,7 @@ module ffd_org_factored #(
 ) (
   `include "ffd_org_ports.vh"
 );
-  localparam WIDTH    = 3 * `FFD_SUM_W(FORMAT);
+  localparam WIDTH    = 12 * `FFD_SUM_W(FORMAT);
   localparam POINTS_W = N * 3 * `FFD_POINT_W(FORMAT);
 
   generate
@@ -47,6 +52,9 @@ module ffd_org_factored #(
     end
     if (PORTS != (FOLD == 4 ? LANES : 1)) begin : gen_bad_ports
       ERROR_ffd_org_factored_ports_must_be_1_with_fold_4_as_many_as_lanes u_error ();
+    end
+    if (JACOBIAN != 0 && FOLD != 3) begin : gen_bad_jacobian
+      ERROR_ffd_org_factored_jacobian_wants_fold_3 u_error ();
     end
     if (N != 64 / `FFD_FOLD_PARTS(FOLD)) begin : gen_bad_n
       ERROR_ffd_org_factored_n_must_be_64_by_its_parts u_error ();
@@ -75,6 +83,7 @@ module ffd_org_factored #(
       ffd_eval_factored #(
         .FOLD           (FOLD),
         .AFFINE         (AFFINE),
+        .JACOBIAN       (JACOBIAN),
         .FORMAT         (FORMAT),
         .N              (N),
         .SCHEDULE       (SCHEDULE),
@@ -108,7 +117,8 @@ module ffd_org_factored #(
         .read_points_i       (read_points_i[POINTS_W*(lane % PORTS) +: POINTS_W]),
         .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
-        .result_sum_o        (sum[lane*WIDTH +: WIDTH])
+        .result_sum_o        (sum[lane*WIDTH +: WIDTH/4]),
+        .result_jacobian_o   (sum[lane*WIDTH+WIDTH/4 +: WIDTH/4*3])
       );
       wire unused_ok = &{1'b0, forming};
     end
@@ -159,7 +169,7 @@ module ffd_org_factored #(
     if (LANES == 1) begin : gen_alone
       assign turn           = 1'b1;
       assign result_valid_o = sum_valid;
-      assign result_sum_o   = sum;
+      assign {result_jacobian_o, result_sum_o} = sum;
     end else begin : gen_together
       localparam [LANES-1:0] FIRST = 1;
       reg [LANES-1:0] turn_q;
@@ -182,7 +192,7 @@ module ffd_org_factored #(
 
       assign turn           = turn_q;
       assign result_valid_o = sum_valid_q;
-      assign result_sum_o   = sum_q;
+      assign {result_jacobian_o, result_sum_o} = sum_q;
     end
   endgenerate
 endmodule

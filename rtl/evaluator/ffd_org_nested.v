@@ -186,6 +186,7 @@ module ffd_org_nested #(
     .result_sum_o      (result_sum_o)
   );
 
+  assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
   wire unused_ok = &{1'b0, step_first};
 endmodule
 

@@ -35,6 +35,9 @@ input  wire [PORTS*N*3*`FFD_POINT_W(FORMAT)-1:0]       read_points_i,
 // It works on what all vertices of a cell share, and takes none meanwhile.
 output wire                                            forming_o,
 
-// The sum {z, y, x}, for one clock, in the order of the vertices.
+// The sum {z, y, x}, for one clock, in the order of the vertices; and where an organization gives
+// the Jacobian in the same pass, the sums of the derivatives {u, t, s}, else 0. It is asked for by
+// places of derivatives on all three axes.
 output wire                                            result_valid_o,
-output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o
+output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o,
+output wire [9*`FFD_SUM_W(FORMAT)-1:0]                 result_jacobian_o

@@ -11,4 +11,8 @@
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ((ORG) == 17 ? 3 : 1)
 
+// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+`define FFD_ORG_JACOBIAN(ORG) \
+  ((ORG) == 18 ? 3 : (ORG) == 19 ? 1 : 0)
+
 `endif

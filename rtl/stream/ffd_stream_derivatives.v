@@ -6,16 +6,20 @@
 // fourth component each of them goes twice, the second time for that component alone. The vertex
 // waits in the decoder until the last time.
 //
+// An evaluator that gives the Jacobian in one pass takes a vertex once and knows by its places,
+// those of derivatives on all axes, what is wanted. Only with a fourth component it goes as often
+// as elsewhere, since its results alternate with those of that component.
+//
 // Formats:    bank {u, t, s}, each FFD_PLACE_W; source {again, that of the decoder}: 1 where
 //             the points are read once more, so that a slot is freed behind the last time; column 0
-//             a result of its own, 1 to 3 a column of J, from whose three comes one result; user
-//             {result_final, that of the decoder}: 1 with the vertex's last result, and tlast only
-//             there. The bit of source that asks for the fourth component (ffd_stream.vh) becomes
+//             a result of its own, 1 to 3 a column of J, from whose three comes one result, of one
+//             pass 3: det J too; user {result_final, that of the decoder}: 1 with the vertex's last
+//             evaluation. The bit of source that asks for the fourth component (ffd_stream.vh) becomes
 //             the one that says that this evaluation is of it.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
 // Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 3: of the decoder's source; USER_W >= 1
-//             likewise; LAST the bit of user with tlast; SPANS >= 1.
+//             likewise; SPANS >= 1; JACOBIAN 1: of an evaluator that gives it in one pass.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -26,8 +30,8 @@ module ffd_stream_derivatives #(
   parameter FEATURES = `FFD_FEATURES,
   parameter SOURCE_W = 2,
   parameter USER_W   = 27,
-  parameter LAST     = 23,
-  parameter SPANS    = 1
+  parameter SPANS    = 1,
+  parameter JACOBIAN = 0
 ) (
   input  wire                 clk,
   input  wire                 rst,
@@ -43,12 +47,14 @@ module ffd_stream_derivatives #(
   output wire [3*`FFD_PLACE_W(SPANS)-1:0]  m_vertex_bank,
   output wire [1:0]           m_vertex_column,
   output wire                 m_vertex_fourth,
-  output reg  [USER_W:0]      m_vertex_user
+  output wire [USER_W:0]      m_vertex_user
 );
   // 0 the position, 1 to 3 the derivative along s, t, u.
   reg  [1:0] part_q;
-  wire       part_final = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
-                       || s_vertex_results == `FFD_RESULTS_POSITION || part_q == 2'd3;
+  wire       position   = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
+                       || s_vertex_results == `FFD_RESULTS_POSITION;
+  wire       whole;  // position and derivatives at once
+  wire       part_final = position || whole || part_q == 2'd3;
   wire       part_whole;
   wire       fourth;
   wire       result_final = part_final && part_whole;
@@ -68,10 +74,12 @@ module ffd_stream_derivatives #(
         else if (next) fourth_q <= !part_whole;
       end
       assign part_whole = fourth_q || !s_vertex_source[SOURCE_W-2];
+      assign whole      = JACOBIAN != 0 && !position && !s_vertex_source[SOURCE_W-2];
       assign fourth     = fourth_q;
       assign source     = {s_vertex_source[SOURCE_W-1], fourth_q, s_vertex_source[SOURCE_W-3:0]};
     end else begin : gen_no_fourth
       assign part_whole = 1'b1;
+      assign whole      = JACOBIAN != 0 && !position;
       assign fourth     = 1'b0;
       assign source     = s_vertex_source;
     end
@@ -82,26 +90,24 @@ module ffd_stream_derivatives #(
   assign m_vertex_source = {!result_final, source};
   assign m_vertex_fourth = fourth;
   assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
-                        && s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q : 2'd0;
+                        && s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q | {2{whole}} : 2'd0;
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       localparam [1:0] PART = a + 1;
+      wire derivative = whole || part_q == PART;
       if (SPANS == 1) begin : gen_bank
-        assign m_vertex_bank[2*a +: 2] = {part_q == PART, s_vertex_bank};
+        assign m_vertex_bank[2*a +: 2] = {derivative, s_vertex_bank};
       end else begin : gen_place
         localparam PLACE_W = `FFD_PLACE_W(SPANS);
         wire [PLACE_W-2:0] place = s_vertex_bank[(PLACE_W-1)*a +: PLACE_W-1];
-        assign m_vertex_bank[PLACE_W*a +: PLACE_W] = {place[PLACE_W-2:1], part_q == PART, place[0]};
+        assign m_vertex_bank[PLACE_W*a +: PLACE_W] = {place[PLACE_W-2:1], derivative, place[0]};
       end
     end
   endgenerate
 
-  always @* begin
-    m_vertex_user       = {result_final, s_vertex_user};
-    m_vertex_user[LAST] = s_vertex_user[LAST] && result_final;
-  end
+  assign m_vertex_user = {result_final, s_vertex_user};
 endmodule
 
 `default_nettype wire

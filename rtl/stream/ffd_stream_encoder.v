@@ -33,6 +33,7 @@ module ffd_stream_encoder #(
   input  wire [95:0]             s_word_data,
   input  wire [2:0]              s_word_flags,
   input  wire                    s_word_determinant,
+  input  wire                    s_word_final,  // of its vertex, which tlast comes with
   input  wire [`FFD_USER_W-1:0]  s_word_user,
   output wire                    m_beat_valid,
   input  wire                    m_beat_ready,
@@ -73,7 +74,7 @@ module ffd_stream_encoder #(
     if (s_word_ready) begin
       status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]} | found;
       tag_q    <= s_word_user[`FFD_USER_TAG];
-      last_q   <= s_word_user[`FFD_USER_LAST];
+      last_q   <= s_word_user[`FFD_USER_LAST] && s_word_final;
     end
   end
 

@@ -168,11 +168,12 @@ module hwffd_stream #(
   wire [95:0]                       result_words;
   wire [2:0]                        result_flags;
   wire                              result_determinant;
+  wire                              result_last;
   wire                              result_fourth;
   wire [PART_W-1:0]                 result_words_user;
   wire [`FFD_EVENTS-1:0]            decoder_event;
-  wire                              result_final;
-  wire [USER_W-1:0]                 result_user;
+  wire                              result_final = result_words_user[PART_W-1] && result_last;
+  wire [USER_W-1:0]                 result_user  = result_words_user[USER_W-1:0];
   wire                              evaluating;
   wire                              forming;
   wire                              decoder_idle;
@@ -260,8 +261,8 @@ module hwffd_stream #(
     .FEATURES(FEATURES),
     .SOURCE_W(SOURCE_W),
     .USER_W  (USER_W),
-    .LAST    (`FFD_USER_LAST),
-    .SPANS   (SPANS)
+    .SPANS   (SPANS),
+    .JACOBIAN(`FFD_ORG_JACOBIAN(ORG) != 0)
   ) u_derivatives (
     .clk             (clk),
     .rst             (rst),
@@ -288,11 +289,8 @@ module hwffd_stream #(
     end else begin : gen_no_fourth
       assign part_words    = part_user;
       assign result_fourth = 1'b0;
-      wire unused_fourth = &{1'b0, part_fourth};
     end
   endgenerate
-  assign result_final = result_words_user[PART_W-1];
-  assign result_user  = result_words_user[USER_W-1:0];
 
   // A store of points for each port of the evaluator, all with the same points.
   generate
@@ -366,6 +364,7 @@ module hwffd_stream #(
     .m_result_words      (result_words),
     .m_result_flags      (result_flags),
     .m_result_determinant(result_determinant),
+    .m_result_last       (result_last),
     .m_result_user       (result_words_user)
   );
 
@@ -386,6 +385,7 @@ module hwffd_stream #(
     .s_word_data       (result_words),
     .s_word_flags      (result_flags),
     .s_word_determinant(result_determinant || result_fourth),
+    .s_word_final      (result_final),
     .s_word_user       (result_user),
     .m_beat_valid      (m_axis_tvalid),
     .m_beat_ready      (m_axis_tready),
@@ -404,7 +404,7 @@ module hwffd_stream #(
   wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
   assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
   assign idle_o    = between && decoder_idle && !in_valid && !in_held && encoder_idle;
-  wire unused_ok = &{1'b0, read};
+  wire unused_ok = &{1'b0, read, part_fourth};
 endmodule
 
 `default_nettype wire

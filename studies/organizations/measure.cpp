@@ -42,14 +42,21 @@ double largest_error(const tb::EvaluatorStimulus& stimulus,
   return largest;
 }
 
+/// Of those that give the Jacobian every vertex wants it.
+void want_all(tb::EvaluatorStimulus& stimulus, const Configuration& row) {
+  for (tb::EvaluatorVertex& vertex : stimulus.vertices) vertex.jacobian = gives_jacobian(row);
+}
+
 /// How results of vertices on seams, the last ones, differ between cells.
 void compare_seams(const tb::SeamStimulus& seams,
                    const std::vector<cores::EvaluatorCore::Result>& results,
                    const Configuration& row, Measurement& measured) {
   const std::size_t offset = results.size() - seams.vertices.size();
-  const auto found = seams.differences(WordCodec(row.format), 1, [&](std::size_t v, std::size_t) {
-    return results[offset + v].words;
-  });
+  const std::size_t each = gives_jacobian(row) ? 4 : 1;
+  const auto words = [&](std::size_t v, std::size_t r) {
+    return r == 0 ? results[offset + v].words : results[offset + v].along[r - 1].words;
+  };
+  const auto found = seams.differences(WordCodec(row.format), each, words);
   measured.seam_values = found.values;
   measured.seam_differences += found.count;
   measured.seam_largest = std::max(measured.seam_largest, found.largest / seam_unit(row));
@@ -79,13 +86,15 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   Measurement measured{0, 0, {}, 0, 0, {}, 0, 0, 0, tb::ScheduleRecorder(*core)};
   const std::size_t together = keeps_cell(row) ? effort.vertices : 1;
 
-  bench.run(tb::random_stimulus(codec, kRecorded, effort.seed, together), tb::Throttle::always(),
-            tb::Throttle::always(), &measured.schedule);
+  auto random = tb::random_stimulus(codec, kRecorded, effort.seed, together);
+  want_all(random, row);
+  bench.run(random, tb::Throttle::always(), tb::Throttle::always(), &measured.schedule);
   if (!overlaps(row)) {
     measured.vertex = vertex_clocks(measured.schedule, kRecorded / 2);
   }
 
-  auto random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
+  random = tb::random_stimulus(codec, effort.vertices, effort.seed + 1, together);
+  want_all(random, row);
   bench.run(random);
   measured.interval = tb::mean_interval(bench.result_clocks(), kRecorded + kWarmUp, lanes(row));
   if (keeps_cell(row)) {  // the error of a single cell says little
@@ -96,7 +105,8 @@ Measurement measure(const Configuration& row, const Effort& effort) {
   measured.max_error =
       largest_error(random, {bench.results().end() - last, bench.results().end()}, codec);
 
-  const auto seams = tb::seam_stimulus(codec, effort.seam_values, effort.seed + 2);
+  auto seams = tb::seam_stimulus(codec, effort.seam_values, effort.seed + 2);
+  want_all(seams, row);
   bench.run(seams);
   compare_seams(seams, bench.results(), row, measured);
 

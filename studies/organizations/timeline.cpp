@@ -113,6 +113,7 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   const int turns = folds(c) % 3 == 0 ? 3 : 1;
   const int parts = folds(c) / turns;
   const int components = 3 / turns;
+  const int more = gives_jacobian(c) ? 1 : 0;  // sums along each axis, one after the other
   Pipeline polynomials(schedule, schedule.polynomials().starts);
   if (folds(c) >= 3) polynomials.pass(lanes, "axis chosen", 1);
   polynomials.pass(lanes, units(row.count.evaluators / side_by_side, "polynomial evaluator"),
@@ -121,13 +122,13 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   points.pass(lanes, units(c.n, "point") + " read", read_latency);
   add_differences(lanes, points, c, 16 * components / parts, "u");
   points.expect(polynomials.arrivals(), c.name);
-  add_contract(lanes, points, c, 16 * components / parts, "u");
+  add_contract(lanes, points, c, 16 * components / parts * (1 + more), "u");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, 4 * components / parts, "t");
-  add_contract(lanes, points, c, 4 * components / parts, "t");
+  add_differences(lanes, points, c, 4 * components / parts * (1 + more), "t");
+  add_contract(lanes, points, c, 4 * components / parts * (1 + 2 * more), "t");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, components, "s", parts == 4);
-  add_contract(lanes, points, c, components, "s", parts == 4);
+  add_differences(lanes, points, c, components * (1 + 2 * more), "s", parts == 4);
+  add_contract(lanes, points, c, components * (1 + 3 * more), "s", parts == 4);
   points.expect(schedule.sums(), c.name);
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t kStallLimit = 20'000;   // clocks without a result
 constexpr unsigned kBankOfEachAxis = 0b010101;  // of {derivative, bank} of u, t, s
 constexpr unsigned kDerivative = 2;             // of an axis's {derivative, bank}
+constexpr unsigned kJacobian = 0b101010;        // that of each axis
 constexpr int kDerivativeAddress = 8;           // of {derivative, bank, function}
 constexpr int kBankAddress = 4;
 
@@ -26,6 +27,7 @@ cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::siz
   pins.changed = index == 0 || vertex.bank != stimulus.vertices[index - 1].bank;
   unsigned bank = vertex.bank != 0 ? kBankOfEachAxis : 0;
   if (vertex.derivative >= 0) bank |= kDerivative << (2 * vertex.derivative);
+  if (vertex.jacobian) bank |= kJacobian;
   pins.bank = static_cast<std::uint8_t>(bank);
   pins.exponent = stimulus.supports[vertex.support].exponent;
   pins.tag = static_cast<std::uint16_t>(index);
@@ -131,30 +133,43 @@ void EvaluatorBench::take(const cores::EvaluatorCore::Result& result) {
   Beat beat = beat_of(result);
   for (unsigned copies = fault_.pass(beat); copies > 0; --copies) {
     results_.push_back(result_of(beat));
+    results_.back().along = result.along;
   }
 }
 
 void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t first) {
   for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
     const EvaluatorVertex& vertex = stimulus.vertices[v];
-    const SupportWords& support = stimulus.supports[vertex.support];
     const cores::EvaluatorCore::Result& got = results_[first + v];
-    model::VertexWords words{vertex.local, vertex.cell, support.points};
-    words.derivative = vertex.derivative;
-    words.exponent = support.exponent;
-    const model::ResultWords expected = model_.evaluate(vertex.bank, words);
-    const auto tag = static_cast<std::uint16_t>(v);
-    ++checked_;
-    if (got.words == expected.words && got.saturated == expected.saturated &&
-        got.nan == expected.nan && got.tag == tag) {
-      continue;
+    const bool tag_fits = got.tag == static_cast<std::uint16_t>(v);
+    compare_result(stimulus, v, vertex.derivative, {got.words, got.saturated, got.nan}, tag_fits);
+    if (!vertex.jacobian) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      compare_result(stimulus, v, axis, got.along[axis], tag_fits);
     }
-    if (++mismatches_ > 1) continue;
-    first_mismatch_ = fmt::format(
-        "vertex {}, bank {}: got {:08x} {:08x} {:08x} tag {}, expected {:08x} {:08x} {:08x} tag {}",
-        v, vertex.bank, got.words[0], got.words[1], got.words[2], got.tag, expected.words[0],
-        expected.words[1], expected.words[2], tag);
   }
+}
+
+void EvaluatorBench::compare_result(const EvaluatorStimulus& stimulus, std::size_t index,
+                                    int derivative, const cores::EvaluatorCore::Derivative& got,
+                                    bool tag_fits) {
+  const EvaluatorVertex& vertex = stimulus.vertices[index];
+  const SupportWords& support = stimulus.supports[vertex.support];
+  model::VertexWords words{vertex.local, vertex.cell, support.points};
+  words.derivative = derivative;
+  words.exponent = support.exponent;
+  const model::ResultWords expected = model_.evaluate(vertex.bank, words);
+  ++checked_;
+  if (got.words == expected.words && got.saturated == expected.saturated &&
+      got.nan == expected.nan && tag_fits) {
+    return;
+  }
+  if (++mismatches_ > 1) return;
+  first_mismatch_ = fmt::format(
+      "vertex {}, bank {}, derivative {}: got {:08x} {:08x} {:08x}, {} tag, expected {:08x} {:08x} "
+      "{:08x}",
+      index, vertex.bank, derivative, got.words[0], got.words[1], got.words[2],
+      tag_fits ? "its" : "another", expected.words[0], expected.words[1], expected.words[2]);
 }
 
 double mean_interval(const std::vector<std::uint64_t>& clocks, std::size_t first, int together) {

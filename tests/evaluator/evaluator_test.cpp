@@ -24,6 +24,13 @@ std::vector<Configuration> cell_rows() {
       [](const Configuration& row) { return keeps_cell(row) && cores::has_evaluator_core(row); });
 }
 
+/// The rows that this build has and that give position and derivatives in one pass.
+std::vector<Configuration> jacobian_rows() {
+  return rows_where([](const Configuration& row) {
+    return gives_jacobian(row) && cores::has_evaluator_core(row);
+  });
+}
+
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
   return rows_where([&](const Configuration& row) {
@@ -78,7 +85,9 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 
 class PaperSchedule : public Evaluator {};
 class KeepsCell : public Evaluator {};
+class GivesJacobian : public Evaluator {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);  // no row of tier sim does
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
   const auto stimulus = draw(200, tb::seed_from_environment(1));
@@ -182,6 +191,36 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   expect_no_mismatch(vertices);
 }
 
+// Four results in one pass, among vertices that want one of them, all with the bits of a pass of its
+// own.
+TEST_P(GivesJacobian, BitsAmongOtherVertices) {
+  auto stimulus = draw(240, tb::seed_from_environment(2));
+  tb::Random random(6);
+  std::size_t whole = 0;
+  for (auto& vertex : stimulus.vertices) {
+    const int kind = static_cast<int>(random.below(8));
+    vertex.jacobian = kind >= 4;
+    if (kind < 4) vertex.derivative = kind - 1;
+    whole += vertex.jacobian ? 1 : 0;
+  }
+  for (const char* source : {"always", "bernoulli", "gaps"}) {
+    for (const char* sink : {"always", "bursts", "long_stall"}) {
+      bench_.run(stimulus, tb::make_throttle(source, 1), tb::make_throttle(sink, 2));
+    }
+  }
+  expect_no_mismatch(9 * (stimulus.vertices.size() + 3 * whole));
+}
+
+TEST_P(GivesJacobian, IntervalEqualsTheFormula) {
+  const std::size_t intervals = 120;
+  auto stimulus = draw(41 + intervals, 7);
+  for (auto& vertex : stimulus.vertices) vertex.jacobian = true;
+  bench_.run(stimulus);
+  expect_no_mismatch(4 * stimulus.vertices.size());
+  EXPECT_EQ(tb::mean_interval(bench_.result_clocks(), 40, lanes(GetParam())),
+            scattered_interval(GetParam()));
+}
+
 // At the paper's schedule no vertex starts before the one before it has ended: the result of one
 // comes no later than its successor starts, but for the registers that carry it (at most 8).
 TEST_P(PaperSchedule, DoesNotOverlap) {
@@ -198,6 +237,7 @@ TEST_P(PaperSchedule, DoesNotOverlap) {
 
 INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, GivesJacobian, ::testing::ValuesIn(jacobian_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), by_name);
 
 }  // namespace

@@ -73,6 +73,11 @@ COUNTED = (
     ("affine/4", "affine4-fx17-overlapped", (9 + 3 * 16, 9 + 3 * 2 * 16 + 3),
      (9 + 3 * 16, 9 + 3 * 2 * 16 + 3), 3),
     ("affine/4x3", "affine4x3-fx17-overlapped", (3 * 57, 3 * 108), (3 * 57, 3 * 108), 9),
+    # Three evaluators of the functions, three of their derivatives; sums of four of 2 x 16 along u,
+    # 3 x 4 along t, 4 along s, and differences for 16, 2 x 4 and 3 of them.
+    ("jacobian/3", "jacobian3-fx17-overlapped", (18 + 3 * 48, 18 + 3 * 27 + 3 * 48),
+     (18 + 3 * 48, 18 + 3 * 27 + 3 * 48), 6),
+    ("jacobian/3x3", "jacobian3x3-fx17-overlapped", (3 * 162, 3 * 243), (3 * 162, 3 * 243), 18),
     # A polynomial evaluator; a product a component, which every unit above shares.
     ("affine/64", "affine64-fx17-overlapped", (1 + 3, 1 + 2 * 3), (1 + 3, 1 + 2 * 3), 1),
     # 63 steps a component; the former's 4 products and 3 additions a component; 3 centred.

@@ -38,6 +38,8 @@ int folds(const Configuration& row) { return organization_of(row).fold; }
 
 int lanes(const Configuration& row) { return organization_of(row).lanes; }
 
+bool gives_jacobian(const Configuration& row) { return organization_of(row).jacobian; }
+
 std::optional<double> paper_clocks(const Configuration& row) {
   return clocks(row, organization_of(row).paper);
 }

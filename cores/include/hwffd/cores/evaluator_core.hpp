@@ -24,16 +24,23 @@ class EvaluatorCore {
     std::array<std::uint32_t, 3> words{};  ///< s, t, u as stream words
     std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
     std::uint8_t support = 0;
-    std::uint8_t bank = 0;  ///< {u, t, s}, two bits each: {derivative, bank}
+    std::uint8_t bank = 0;  ///< {u, t, s}, two bits each: {derivative, bank}; all derivative: four
+                            ///< results, where the organization gives the Jacobian
     bool changed = false;   ///< points or coefficients were written since the vertex before
     int exponent = 0;       ///< of the support
     std::uint16_t tag = 0;
+  };
+  struct Derivative {
+    std::array<std::uint32_t, 3> words{};
+    bool saturated = false;
+    bool nan = false;
   };
   struct Result {
     std::array<std::uint32_t, 3> words{};
     bool saturated = false;
     bool nan = false;
     std::uint16_t tag = 0;
+    std::array<Derivative, 3> along{};  ///< s, t, u, where the organization gives the Jacobian
   };
 
   virtual ~EvaluatorCore() = default;

@@ -87,6 +87,12 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
     result.saturated = (dut_->m_result_flags & 1) != 0;
     result.nan = (dut_->m_result_flags & 2) != 0;
     result.tag = dut_->m_result_tag;
+    for (int axis = 0; axis < 3; ++axis) {
+      Derivative& along = result.along[axis];
+      for (int i = 0; i < 3; ++i) along.words[i] = dut_->m_result_words[3 * (axis + 1) + i];
+      along.saturated = (dut_->m_result_flags >> 2 * (axis + 1) & 1) != 0;
+      along.nan = (dut_->m_result_flags >> 2 * (axis + 1) & 2) != 0;
+    }
     return result;
   }
 

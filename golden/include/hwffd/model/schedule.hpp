@@ -20,6 +20,9 @@ int folds(const Configuration& row);
 /// How many vertices an organization evaluates side by side, in as many folded lanes.
 int lanes(const Configuration& row);
 
+/// Whether an organization gives the position of a vertex and its three derivatives in one pass.
+bool gives_jacobian(const Configuration& row);
+
 /// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
 /// that the paper does not have.
 std::optional<double> paper_clocks(const Configuration& row);

@@ -37,6 +37,7 @@ class EvaluatorBench {
   void run(const EvaluatorStimulus& stimulus, Throttle source = Throttle::always(),
            Throttle sink = Throttle::always(), ScheduleRecorder* recorder = nullptr);
 
+  /// Results, of which a vertex that wants its Jacobian has four.
   std::uint64_t checked() const { return checked_; }
   std::uint64_t mismatches() const { return mismatches_; }
   const std::string& first_mismatch() const { return first_mismatch_; }
@@ -53,6 +54,8 @@ class EvaluatorBench {
                 ScheduleRecorder* recorder);
   void take(const cores::EvaluatorCore::Result& result);
   void compare(const EvaluatorStimulus& stimulus, std::size_t first);
+  void compare_result(const EvaluatorStimulus& stimulus, std::size_t index, int derivative,
+                      const cores::EvaluatorCore::Derivative& got, bool tag_fits);
 
   cores::EvaluatorCore& core_;
   model::EvaluatorModel& model_;
