@@ -59,6 +59,7 @@ evaluator/ffd_eval_poly.v
 evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
+evaluator/ffd_eval_powers.v
 evaluator/ffd_eval_quarters.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_serial.v
@@ -93,6 +94,7 @@ number/ffd_num_negate.v
 number/ffd_num_offset.v
 number/ffd_num_offset_term.v
 number/ffd_num_out.v
+number/ffd_num_powers.v
 number/ffd_num_product.v
 number/ffd_num_range.v
 number/ffd_num_rescale.v
@@ -104,6 +106,7 @@ number/fixed/ffd_fx_block.v
 number/fixed/ffd_fx_narrow.v
 number/fixed/ffd_fx_product.v
 number/fixed/ffd_fx_round.v
+number/fixed/ffd_fx_sixth.v
 number/float/ffd_fp_add.v
 number/float/ffd_fp_fma.v
 number/float/ffd_fp_lzc.v

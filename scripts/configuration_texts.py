@@ -159,14 +159,22 @@ def factory_text(configurations, core, suffix=""):
         core=core, Core=core.capitalize(), **_CORES[core])
 
 
+def _model_class(c):
+    """factored, of OrgFactored in org_factored.hpp."""
+    return "powers" if c.evaluator == "powers" else c.organization.module
+
+
+def _cpp(condition):
+    return "true" if condition else "false"
+
+
 def models_text(configurations):
     """C++: make_evaluator_model for every organization and format of the table."""
-    modules = list(dict.fromkeys(c.organization.module for c in configurations))
     headers = sorted({c.number_format.header for c in configurations})
-    kinds = list(dict.fromkeys((c.organization.module, c.org, c.number_format, c.fma_latency > 0)
-                               for c in configurations))
+    kinds = list(dict.fromkeys((_model_class(c), c.org, c.number_format, c.fma_latency > 0,
+                                c.evaluator == "powers") for c in configurations))
     lines = [f"// {GENERATED}"]
-    lines += [f'#include "hwffd/model/org_{module}.hpp"' for module in modules]
+    lines += [f'#include "hwffd/model/org_{name}.hpp"' for name in dict.fromkeys(k[0] for k in kinds)]
     lines += [
         '#include "hwffd/model/evaluator.hpp"',
         '#include "hwffd/model/hard_wired.hpp"',
@@ -183,13 +191,14 @@ def models_text(configurations):
         "  const std::string org = row.org;",
         "  const std::string format = row.format;",
         "  const bool fused = row.fma_latency > 0;",
+        '  const bool powers = std::string(row.evaluator) == "powers";',
     ]
-    for module, org, number_format, fused in kinds:
+    for name, org, number_format, fused, powers in kinds:
         model = number_format.fused if fused else number_format.model
         lines += [
-            f'  if (org == "{org}" && format == "{number_format.name}" && fused == {str(fused).lower()}) {{',
-            f"    return std::make_unique<EvaluatorModelOf<{model},"
-            f" Org{module.capitalize()}>>(row);",
+            f'  if (org == "{org}" && format == "{number_format.name}" && fused == {_cpp(fused)} &&',
+            f"      powers == {_cpp(powers)}) {{",
+            f"    return std::make_unique<EvaluatorModelOf<{model}, Org{name.capitalize()}>>(row);",
             "  }",
         ]
     lines += [

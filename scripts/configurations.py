@@ -26,7 +26,7 @@ TABLE = tables.ROOT / "rtl" / "configurations.csv"
 # The enumerations of the RTL's parameters: a word's place is its number. (Organizations have a table
 # of their own.)
 SCHEDULES = ("overlapped", "paper")
-EVALUATORS = ("pipelined", "iterative", "bspline")
+EVALUATORS = ("pipelined", "iterative", "bspline", "powers")
 
 # A tier includes those before it.
 TIERS = ("sim", "test", "all")
@@ -109,6 +109,10 @@ def _read_row(fields, where, known, known_formats):
     if organization.form == "affine" and number_format.words != "fixed":
         raise TableError(f"{where}: format is {fields['format']}: {organization.name} is exact in "
                          "fixed point only")
+    if fields["evaluator"] == "powers" and not (
+            organization.weighs_axes and number_format.words == "fixed"):
+        raise TableError(f"{where}: evaluator is powers: wants fixed point and an organization that "
+                         "takes the four weights of an axis at once")
     if fields["fma_latency"] > 0 and not number_format.fused:
         raise TableError(f"{where}: fma_latency is {fields['fma_latency']}, 0 wanted: there is no "
                          f"fused multiply-add in {fields['format']}")

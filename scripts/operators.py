@@ -24,7 +24,8 @@ import rtl
 
 TOP = "ffd_org_select"
 KINDS = ("mul", "add", "fma")
-# Operators of each unit of the number layer; a step is one fused operator where the row fuses.
+# Operators of each unit of the number layer; a step is one fused operator where the row fuses. The
+# shifts and additions that multiply by a constant are not counted.
 UNITS = {
     "ffd_num_mul": ("mul",),
     "ffd_num_term": ("mul",),
@@ -33,9 +34,11 @@ UNITS = {
     "ffd_num_add": ("add",),
     "ffd_num_mac": ("fma",),
     "ffd_num_centre": ("add",),
+    "ffd_num_powers": 2 * ("mul",) + 9 * ("add",),
 }
 STEP = "ffd_num_step"
 EVALUATOR = "ffd_eval_poly"
+POWERS = "ffd_eval_powers"  # the four polynomials of an axis
 PRODUCT = "ffd_num_mul"
 TREE = "ffd_org_tree"
 
@@ -113,7 +116,7 @@ def count(sources, row):
     return {
         "operators": {kind: built[kind] for kind in KINDS},
         "drawn": {kind: as_drawn[kind] for kind in KINDS},
-        "evaluators": design.instances(top)[EVALUATOR],
+        "evaluators": sum(design.instances(top)[evaluator] for evaluator in (EVALUATOR, POWERS)),
     }
 
 

@@ -60,6 +60,11 @@ class Organization:
         return self.form == "product" or (self.fold in (4, 64) and self.lanes == 1)
 
     @property
+    def weighs_axes(self):
+        """Whether it takes the four weights of an axis at once."""
+        return self.form in ("factored", "affine") and self.fold != 64
+
+    @property
     def lanes(self):
         return self.parameters.get("LANES", 1)
 

@@ -11,6 +11,7 @@
 `define FFD_EVALUATOR_PIPELINED 0
 `define FFD_EVALUATOR_ITERATIVE 1
 `define FFD_EVALUATOR_BSPLINE   2
+`define FFD_EVALUATOR_POWERS    3
 
 // Clocks around the loop of the iterative evaluator: one step, and one more where the second or
 // third pass would otherwise meet a polynomial that started FFD_POLY_INTERVAL clocks later, or a
@@ -19,9 +20,10 @@
   ((STEP_LATENCY) % 3 == 0 ? (STEP_LATENCY) + 1 : (STEP_LATENCY))
 
 // Clocks of reading a coefficient: the paper's schedule has none to spare; the iterative evaluator
-// chooses behind the memory.
+// chooses behind the memory; from powers, none is read.
 `define FFD_FILE_LATENCY(SCHEDULE, EVALUATOR) \
-  ((SCHEDULE) == `FFD_SCHEDULE_PAPER ? 0 : (EVALUATOR) == `FFD_EVALUATOR_ITERATIVE ? 2 : 1)
+  ((SCHEDULE) == `FFD_SCHEDULE_PAPER || (EVALUATOR) == `FFD_EVALUATOR_POWERS ? 0 : \
+  (EVALUATOR) == `FFD_EVALUATOR_ITERATIVE ? 2 : 1)
 
 // A folded organization takes three components in turn, or two or four parts of the points, or
 // components of halves. With three steps or more, one set of evaluators takes the axes in turn.
@@ -34,7 +36,8 @@
 // Clocks of choosing an axis in front of evaluators that take the axes in turn.
 `define FFD_CHOICE_LATENCY(FOLD) (`FFD_FOLD_SETS(FOLD) == 1 ? 1 : 0)
 
-// Clocks from a coordinate to its weight: reading the file, three steps and the shift back.
+// Clocks from a coordinate to its weight: reading the file, three steps and the shift back, or from
+// powers two steps, a third of sums, and the choice of banks.
 `define FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY, CONVERT_LATENCY) \
   ((FILE_LATENCY) + (CONVERT_LATENCY) + \
   3 * ((EVALUATOR) == 1 ? `FFD_LOOP_LATENCY(STEP_LATENCY) : (STEP_LATENCY)))

@@ -123,7 +123,39 @@ module ffd_eval_bank_weights #(
         .q_o(chosen_coordinate)
       );
 
-      for (b = 0; b < EVALUATED; b = b + 1) begin : gen_bank
+      if (EVALUATOR == `FFD_EVALUATOR_POWERS) begin : gen_powers
+        wire [2:0]            chosen;
+        wire [4*WEIGHT_W-1:0] of_bank;
+
+        ffd_num_delay #(
+          .WIDTH  (3),
+          .LATENCY(CHOICE)
+        ) u_chosen (
+          .clk(clk),
+          .rst(1'b0),
+          .d_i({bank[1], residue}),
+          .q_o(chosen)
+        );
+
+        ffd_eval_powers #(
+          .FORMAT         (FORMAT),
+          .MUL_LATENCY    (MUL_LATENCY),
+          .ADD_LATENCY    (ADD_LATENCY),
+          .CONVERT_LATENCY(CONVERT_LATENCY)
+        ) u_powers (
+          .clk         (clk),
+          .coordinate_i(chosen_coordinate),
+          .residue_i   (chosen[1:0]),
+          .derivative_i(chosen[2]),
+          .weights_o   (of_bank)
+        );
+
+        assign evaluated[4*set*WEIGHT_W +: EVALUATED*WEIGHT_W] = of_bank[EVALUATED*WEIGHT_W-1:0];
+        wire unused_ok = &{1'b0, of_bank, bank, step_valid_i, load, load_address, load_entry_i};
+      end
+
+      for (b = 0; b < (EVALUATOR == `FFD_EVALUATOR_POWERS ? 0 : EVALUATED); b = b + 1)
+      begin : gen_bank
         localparam [1:0] BANK = b;
         wire [1:0]           blending = BANK - residue;
         wire [ADDRESS_W-1:0] address;

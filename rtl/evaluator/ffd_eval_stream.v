@@ -94,7 +94,7 @@ module ffd_eval_stream #(
     if (SPANS > 1 && SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_eval_stream_spans_want_the_overlapped_schedule u_error ();
     end
-    if (SPANS > 1 && EVALUATOR == `FFD_EVALUATOR_BSPLINE) begin : gen_bad_evaluator
+    if (SPANS > 1 && EVALUATOR >= `FFD_EVALUATOR_BSPLINE) begin : gen_bad_evaluator
       ERROR_ffd_eval_stream_spans_want_functions_that_are_loaded u_error ();
     end
   endgenerate

@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 int polynomial_latency(const Configuration& row) {
   const int step = row.fma_latency > 0 ? row.fma_latency : row.mul_latency + row.add_latency;
   const bool iterative = std::string(row.evaluator) == "iterative";
-  const int file = !overlaps(row) ? 0 : iterative ? 2 : 1;
+  const bool powers = std::string(row.evaluator) == "powers";
+  const int file = !overlaps(row) || powers ? 0 : iterative ? 2 : 1;
   return file + 3 * (iterative && step % 3 == 0 ? step + 1 : step) + row.convert_latency;
 }
 

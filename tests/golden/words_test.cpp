@@ -8,6 +8,7 @@
 #include "hwffd/bounds/axis_error.hpp"
 #include "hwffd/bounds/bound.hpp"
 #include "hwffd/model/org_factored.hpp"
+#include "hwffd/model/org_powers.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
 #include "report.hpp"
@@ -45,15 +46,22 @@ INSTANTIATE_TEST_SUITE_P(, WordBound,
                                            Case{"fp32-sequential", 16}, Case{"fp32-tree", 16}),
                          test::by_name);
 
-// What is propagated must cover what looking at every coordinate finds, and not by far.
-TEST(WordAxis, PropagatedErrorCoversTheExhaustiveOne) {
-  const bounds::AxisError all = bounds::exhaustive_axis_error<16>();
-  const bounds::AxisError propagated = bounds::propagated_axis_error(16);
+/// What is propagated must cover what looking at every coordinate finds, and not by far.
+void expect_covered(const bounds::AxisError& all, const bounds::AxisError& propagated) {
   for (int i = 0; i < bounds::kPieces; ++i) {
     EXPECT_LE(all[i].error, propagated[i].error) << "piece " << i;
     EXPECT_GE(3 * all[i].error, propagated[i].error) << "piece " << i;
     for (int l = 0; l < 4; ++l) EXPECT_LE(all[i].weight[l], propagated[i].weight[l] + 1e-15);
   }
+}
+
+TEST(WordAxis, PropagatedErrorCoversTheExhaustiveOne) {
+  expect_covered(bounds::exhaustive_axis_error<16>(), bounds::propagated_axis_error(16));
+}
+
+TEST(WordAxis, PropagatedErrorOfPowersCoversTheExhaustiveOne) {
+  expect_covered(bounds::exhaustive_powers_error<16>(), bounds::propagated_powers_error(16));
+  expect_covered(bounds::exhaustive_powers_error<17>(), bounds::propagated_powers_error(17));
 }
 
 // The functions that the proof stands on are those of the oracle, and each other's derivatives.
@@ -70,14 +78,14 @@ TEST(WordAxis, BlendingFunctionsAndSlopes) {
   }
 }
 
-/// The largest error of `factored` in `fxW` over samples.
-template <int W>
+/// The largest error of `factored` in `fxW` over samples, whatever its evaluator.
+template <int W, template <class> class Organization>
 double factored_error(int vertices) {
   const std::string format = "fx" + std::to_string(W);
   const WordCodec codec(format);
   const auto bank = bounds::bspline_bank<Fixed<W>>(format.c_str());
   const Configuration configuration{};
-  const model::OrgFactored<Fixed<W>> factored(configuration);
+  const Organization<Fixed<W>> factored(configuration);
   double largest = 0;
   for (const Sample& sample : Samples().draw(1, vertices)) {
     model::LocalVertex<Fixed<W>> vertex;
@@ -95,9 +103,9 @@ double factored_error(int vertices) {
   return largest;
 }
 
-template <int W>
+template <int W, template <class> class Organization = model::OrgFactored>
 void expect_factored_bound(const bounds::AxisError& axis, double factor) {
-  const double largest = factored_error<W>(50000);
+  const double largest = factored_error<W, Organization>(50000);
   const double bound = bounds::fixed_factored_bound(W, axis);
   std::printf("fx%d: largest %.3g, bound %.3g\n", W, largest, bound);
   EXPECT_LE(largest, bound);
@@ -109,6 +117,13 @@ TEST(WordBoundFactored, HoldsAndSaysSomething) {
   expect_factored_bound<12>(bounds::exhaustive_axis_error<12>(), 8);
   expect_factored_bound<18>(bounds::exhaustive_axis_error<18>(), 8);
   expect_factored_bound<32>(bounds::propagated_axis_error(32), 12);
+}
+
+TEST(WordBoundFactored, HoldsAndSaysSomethingOfPowers) {
+  expect_factored_bound<12, model::OrgPowers>(bounds::exhaustive_powers_error<12>(), 8);
+  expect_factored_bound<17, model::OrgPowers>(bounds::exhaustive_powers_error<17>(), 8);
+  expect_factored_bound<18, model::OrgPowers>(bounds::exhaustive_powers_error<18>(), 8);
+  expect_factored_bound<32, model::OrgPowers>(bounds::propagated_powers_error(32), 12);
 }
 
 // Signs of the points that go with the signs of the weights' errors, all 64: no bound may be less.

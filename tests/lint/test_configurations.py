@@ -23,6 +23,12 @@ BAD = {
     "name twice": (f"{HEADER}\n{GOOD}\n{GOOD}\n", 3, "twice"),
     "affine in binary32": (f"{HEADER}\ngood-row,affine,64,fp32,overlapped,pipelined,2,1,0,1,stream,"
                            "test\n", 2, "affine is exact in fixed point only"),
+    "powers of one polynomial at a time": (
+        f"{HEADER}\ngood-row,tree,4,fx18,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
+    "powers in sequence": (
+        f"{HEADER}\ngood-row,affine/64,1,fx17,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
+    "powers in binary32": (
+        f"{HEADER}\ngood-row,factored,64,fp32,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
     "name twice after a blank line": (f"{HEADER}\n{GOOD}\n\n{GOOD}\n", 4, "twice"),
 }
 FIELDS = {

@@ -98,6 +98,19 @@ AxisError propagated_axis_error(int width) {
   return of_fixed_horner(coordinate_reach(width), unit, unit / 3);
 }
 
+AxisError propagated_powers_error(int width) {
+  const double unit = std::ldexp(1, 2 - width);
+  const double cut = unit / 8;   // of a power
+  const double last = unit / 8;  // of a sixth of the cube, and of one sixth itself: cuts of 1/64
+  return of_pieces(coordinate_reach(width), [=](double, double high, int l) {
+    const double of_cube = high * unit / 2 + cut;
+    const double of_sixth = of_cube / 6 + last;
+    const std::array<double, 4> cuts{cut / 2 + last + of_sixth, cut + 2 * last + of_cube / 2,
+                                     cut / 2 + last + of_cube / 2, of_sixth};
+    return cuts[l] + unit / 2 * (l == 1 ? 3 : 1);
+  });
+}
+
 AxisError block_axis_error(int width) {
   const double unit = std::ldexp(1, 2 - width);
   return of_fixed_horner(unit / 2, unit, 0x1p-30 / 3);

@@ -12,7 +12,7 @@ struct Configuration {
   int n;                  ///< control points an organization takes in one clock
   const char* format;     ///< "fp32", "bfp32", or "fx" and the width of a word, e.g. "fx18"
   const char* schedule;   ///< "overlapped" or "paper"
-  const char* evaluator;  ///< "pipelined", "iterative", or "bspline": wired in
+  const char* evaluator;  ///< "pipelined", "iterative", or wired in: "bspline", "powers"
   int mul_latency;        ///< clocks of a multiplier
   int add_latency;        ///< clocks of an adder
   int fma_latency;        ///< clocks of a fused multiply-add; 0: multiply and add are separate

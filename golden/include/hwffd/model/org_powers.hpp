@@ -1,0 +1,95 @@
+#pragma once
+
+#include "hwffd/model/org_factored.hpp"
+#include "hwffd/numerics/fixed.hpp"
+
+namespace hwffd::model {
+
+/// The uniform cubic B-spline of an axis from the powers s^2 and s^3, whatever is loaded: four
+/// weights that sum to one, of a derivative, halved, to zero (docs/numerics.md section 5). `F` is
+/// fixed point. Mirrors ffd_num_powers.
+template <class F>
+class PowersBspline {
+ public:
+  using Weights = std::array<typename F::Weight, 4>;  ///< B_0 to B_3
+
+  /// The weights at a coordinate of [0, 1].
+  static Weights weights(typename F::Weight coordinate) {
+    const std::int64_t s = coordinate.value;
+    const std::int64_t square = cut(s, s);
+    const std::int64_t cube = cut(s, rounded(Int128{s} * s, kFraction));
+    // Sixths have three digits more.
+    const std::int64_t sixth_of_cube = eight_sixths(cube);
+    const std::int64_t bend = square - (s << kGuard);
+    const std::int64_t rise = square + (s << kGuard) - cube;
+    const std::int64_t at_end = s == kOne ? kOver : 0;
+    return completed(kOne, rounded(kSixth + 4 * bend - sixth_of_cube, kGuard + 3),
+                     rounded(kSixth + 4 * rise, kGuard + 3) - at_end,
+                     rounded(sixth_of_cube, kGuard + 3), coordinate.saturated);
+  }
+
+  /// Half the derivatives' weights.
+  static Weights slopes(typename F::Weight coordinate) {
+    const std::int64_t square = cut(coordinate.value, coordinate.value);
+    const std::int64_t one = kOne << kGuard;
+    const std::int64_t twice = coordinate.value << (kGuard + 1);
+    return completed(0, rounded(twice - one - square, kGuard + 2),
+                     rounded(one + twice - 3 * square, kGuard + 2), rounded(square, kGuard + 2),
+                     coordinate.saturated);
+  }
+
+ private:
+  static constexpr int kFraction = F::kWeightFraction;
+  static constexpr int kGuard = 3;  // digits behind a weight's last that powers are cut to
+  static constexpr std::int64_t kOne = std::int64_t{1} << kFraction;
+  static constexpr std::int64_t kSixth = (kOne << (kGuard + 3)) / 6;
+  /// By how many units 2/3 is rounded above what two sixths, rounded, leave of 1: 1 or -1.
+  static constexpr std::int64_t kOver = (2 * kOne + 1) / 3 - (kOne - 2 * ((kOne + 3) / 6));
+
+  static std::int64_t floor_of(Int128 value, int drop) {
+    return static_cast<std::int64_t>(value >> drop);
+  }
+  static std::int64_t rounded(Int128 value, int drop) {
+    return floor_of(value + (Int128{1} << (drop - 1)), drop);
+  }
+  /// A product of two weights, cut.
+  static std::int64_t cut(std::int64_t a, std::int64_t b) {
+    return floor_of(Int128{a} * b, kFraction - kGuard);
+  }
+  /// 8/6 of a power: 1 + 1/4 times 1 + 1/16 times 1 + 1/256 and so on, each product cut.
+  static std::int64_t eight_sixths(std::int64_t power) {
+    for (int shift = 2; shift < kFraction + kGuard; shift *= 2) power += power >> shift;
+    return power;
+  }
+  static Weights completed(std::int64_t whole, std::int64_t w0, std::int64_t w2, std::int64_t w3,
+                           bool flag) {
+    return {{{w0, flag}, {whole - w0 - w2 - w3, flag}, {w2, flag}, {w3, flag}}};
+  }
+};
+
+/// The four weights of each axis, by bank.
+template <class F>
+AxisWeights<F> powers_of(const LocalVertex<F>& vertex) {
+  AxisWeights<F> weight;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto own = axis == vertex.derivative ? PowersBspline<F>::slopes(vertex.local[axis])
+                                               : PowersBspline<F>::weights(vertex.local[axis]);
+    for (int b = 0; b < 4; ++b) weight[axis][b] = own[local_of_bank(b, vertex.cell[axis])];
+  }
+  return weight;
+}
+
+/// Organizations `factored` and `affine` with these weights: as they sum to one, what three of them
+/// leave is the fourth, so both give the same bits.
+template <class F>
+class OrgPowers {
+ public:
+  explicit OrgPowers(const Configuration& /*configuration*/) {}
+
+  VectorSum<F> evaluate(const LocalVertex<F>& vertex, const Support<F>& support,
+                        const CoefficientBank<F>& /*bank*/) const {
+    return contract_axes<F>(powers_of<F>(vertex), by_bank<F>(support, vertex.cell));
+  }
+};
+
+}  // namespace hwffd::model
