@@ -19,7 +19,8 @@ using namespace hwffd::tangents;
 std::vector<Configuration> rows() {
   std::vector<Configuration> found;
   for (const Configuration& row : configurations()) {
-    if (row.name != fmt::format("basic-{}-overlapped", row.format) && !gives_jacobian(row)) continue;
+    if (row.name != fmt::format("basic-{}-overlapped", row.format) && !gives_jacobian(row))
+      continue;
     if (cores::has_stream_core(row)) {
       found.push_back(row);
     } else if (!gives_jacobian(row)) {

@@ -8,6 +8,7 @@
 #include "Vpages_cg1.h"
 #include "Vpages_factored3.h"
 #include "Vpages_jacobian3.h"
+#include "Vpages_lanes.h"
 #include "Vpages_nested3.h"
 #include "Vpages_one.h"
 #include "Vpages_one8.h"
@@ -46,6 +47,10 @@ const PageBuild kBuilds[] = {
      "jacobian3-fx17-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 3},
      make_page_core<Vpages_jacobian3>},
+    {"lanes",
+     "jacobian3x3-fx17-overlapped",
+     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 2},
+     make_page_core<Vpages_lanes>},
     {"one",
      "cg1-fx18-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},
