@@ -21,8 +21,8 @@
 //             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
 // Freezes:    never.
 // Parameters: FOLD 1, 2, 3 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
-//             ADD_LATENCY clocks after the points; JACOBIAN 1: four sums, FOLD 1 or 3; the others as
-//             in every organization.
+//             ADD_LATENCY clocks after the points; JACOBIAN 1: four sums, FOLD 1 or 3; the others
+//             as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -224,7 +224,8 @@ module ffd_eval_contraction #(
 
       assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[0 +: SUM_W];
       if (CHAINED) begin : gen_jacobian
-        assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
+        wire [2*SUM_W-1:0] own = gen_stage[2].gen_group[0].sum;
+        assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] = own[SUM_W +: SUM_W];
         assign sums[(2*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[1].sum;
         assign sums[(3*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[2].sum;
       end

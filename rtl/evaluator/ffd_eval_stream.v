@@ -8,10 +8,10 @@
 // three results become one, det J, with the user word of the third. It takes longer than a result
 // of column 0, waits in a queue of its own and leaves in its place in the order.
 //
-// Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants: det J
-// of column 3, three derivatives of places of derivatives on all axes and column 0. Its results
-// leave one after the other with one user word, as ffd_eval_order has them, or with RESULTS 4 all at
-// once.
+// Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants:
+// det J with column 3, three derivatives with places of derivatives on all axes and column 0. Its
+// results leave one after the other with one user word, as ffd_eval_order has them, or with
+// RESULTS 4 all at once.
 //
 // Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
@@ -102,8 +102,8 @@ module ffd_eval_stream #(
   localparam [1:0] LAST_COLUMN = 2'd3;
 
   // Credits: vertices inside, from their entry until their result has left; three leave with the
-  // determinant of three. Who came and who left is counted a clock later: one more may come meanwhile, which
-  // FIRST leaves room for.
+  // determinant of three. Who came and who left is counted a clock later: one more may come
+  // meanwhile, which FIRST leaves room for.
   localparam [COUNT_W-1:0] FIRST = 1;
   reg  [COUNT_W-1:0] inside_q;
   reg                entered_q;
