@@ -7,7 +7,8 @@
 // Formats, rounding: those of ffd_num_offset and the terms of it: exact, so the bits are those of
 //             four terms with the weight 1 - w0 - w1 - w2, or - w0 - w1 - w2.
 // Pipeline:   points | ADD_LATENCY: weights | MUL_LATENCY + 2 ADD_LATENCY: sum. II 1, never frozen.
-// Parameters: FORMAT 8 to 32, latencies >= 1, SUMS >= 1. The fourth weight is what multiplies P3: 1 or 0.
+// Parameters: FORMAT 8 to 32, latencies >= 1, SUMS >= 1. The fourth weight is what multiplies P3:
+//             1 or 0.
 // Not checked: that it is one of these.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0

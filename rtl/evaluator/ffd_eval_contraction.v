@@ -241,7 +241,8 @@ module ffd_eval_contraction #(
 
       assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[0 +: SUM_W];
       if (CHAINED) begin : gen_jacobian
-        assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
+        assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] =
+          gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
         assign sums[(2*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[1].sum;
         assign sums[(3*COMPONENTS+c)*SUM_W +: SUM_W] = gen_stage[2].gen_group[2].sum;
       end

@@ -12,8 +12,8 @@
 // Pipeline:   3 clocks from a word to its result.
 // Freezes:    a result waits for m_result_ready; nothing behind takes notice.
 // Parameters: SUMS 1 or 4; RESULTS 1 or SUMS; USER_W >= 1; DEPTH a power of two >= 4, the most
-//             vertices inside; DETERMINANT 0, or 1 with RESULTS 1; APART 0: determinants come before
-//             the next sum, so SUMS 1 needs one queue only.
+//             vertices inside; DETERMINANT 0, or 1 with RESULTS 1; APART 0: determinants come
+//             before the next sum, so SUMS 1 needs one queue only.
 // Not checked: room, which who lets vertices in must count.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system, tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -166,7 +166,8 @@ module ffd_eval_order #(
       assign result_ready         = leave;
       assign m_result_determinant = user_determinant && part_q[0];
       assign m_result_last        = part_q == last;
-      assign m_result_valid = user_valid && result_valid && (!m_result_determinant || waiting_valid);
+      assign m_result_valid = user_valid && result_valid
+                           && (waiting_valid || !m_result_determinant);
       assign m_result_words = {words[95:32], m_result_determinant ? waiting : words[31:0]};
       assign m_result_flags = m_result_determinant ? waiting_flags : result_flags[3*part_q +: 3];
       wire unused_ok = &{1'b0, result_determinant};

@@ -8,10 +8,10 @@
 // three results become one, det J, with the user word of the third. It takes longer than a result
 // of column 0, waits in a queue of its own and leaves in its place in the order.
 //
-// Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants: det J
-// of column 3, three derivatives of places of derivatives on all axes and column 0. Its results
-// leave one after the other with one user word, as ffd_eval_order has them, or with RESULTS 4 all at
-// once.
+// Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants:
+// det J with column 3, three derivatives with places of derivatives on all axes and column 0. Its
+// results leave one after the other with one user word, as ffd_eval_order has them, or with
+// RESULTS 4 all at once.
 //
 // Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
@@ -22,9 +22,9 @@
 //             behind meet in a register.
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
-//             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1, 0
-//             where a Jacobian comes more often than every 3 clocks; SPANS 1 to 128, above 1 only in the overlapped schedule
-//             and not with EVALUATOR 2; the others are the organization's.
+//             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1;
+//             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 2; the
+//             others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -99,17 +99,11 @@ module ffd_eval_stream #(
     end
   endgenerate
 
-  generate
-    if (JACOBIAN != 0 && JACOBIAN < 3 && DETERMINANT != 0) begin : gen_bad_determinant
-      ERROR_ffd_eval_stream_determinants_want_3_clocks_a_vertex u_error ();
-    end
-  endgenerate
-
   localparam [1:0] LAST_COLUMN = 2'd3;
 
   // Credits: vertices inside, from their entry until their result has left; three leave with the
-  // determinant of three. Who came and who left is counted a clock later: one more may come meanwhile, which
-  // FIRST leaves room for.
+  // determinant of three. Who came and who left is counted a clock later: one more may come
+  // meanwhile, which FIRST leaves room for.
   localparam [COUNT_W-1:0] FIRST = 1;
   reg  [COUNT_W-1:0] inside_q;
   reg                entered_q;
@@ -131,6 +125,17 @@ module ffd_eval_stream #(
       always @(posedge clk) offer_q <= !rst && s_vertex_valid && room && !enter;
       assign offer          = offer_q;
       assign s_vertex_ready = ready && offer_q;
+    end else if (JACOBIAN > 0 && JACOBIAN < 3 && DETERMINANT != 0) begin : gen_columns_apart
+      // The columns of a determinant take three clocks: no vertex for two behind one that wants it.
+      reg  [1:0] wait_q;
+      wire       may = room && wait_q == 2'd0;
+      always @(posedge clk) begin
+        if (rst) wait_q <= 2'd0;
+        else if (enter && s_vertex_column == LAST_COLUMN) wait_q <= 2'd2;
+        else if (wait_q != 2'd0) wait_q <= wait_q - 2'd1;
+      end
+      assign offer          = s_vertex_valid && may;
+      assign s_vertex_ready = ready && may;
     end else begin : gen_at_once
       assign offer          = s_vertex_valid && room;
       assign s_vertex_ready = ready && room;

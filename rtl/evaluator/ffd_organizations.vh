@@ -13,6 +13,6 @@
 
 // Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
 `define FFD_ORG_JACOBIAN(ORG) \
-  ((ORG) == 18 ? 3 : (ORG) == 19 ? 1 : 0)
+  ((ORG) == 18 ? 3 : (ORG) == 19 ? 1 : (ORG) == 20 ? 3 : 0)
 
 `endif

@@ -14,8 +14,8 @@
 //             the points are read once more, so that a slot is freed behind the last time; column 0
 //             a result of its own, 1 to 3 a column of J, from whose three comes one result, of one
 //             pass 3: det J too; user {result_final, that of the decoder}: 1 with the vertex's last
-//             evaluation. The bit of source that asks for the fourth component (ffd_stream.vh) becomes
-//             the one that says that this evaluation is of it.
+//             evaluation. The bit of source that asks for the fourth component (ffd_stream.vh)
+//             becomes the one that says that this evaluation is of it.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
 // Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 3: of the decoder's source; USER_W >= 1
@@ -89,8 +89,9 @@ module ffd_stream_derivatives #(
   assign m_vertex_valid  = s_vertex_valid;
   assign m_vertex_source = {!result_final, source};
   assign m_vertex_fourth = fourth;
-  assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
-                        && s_vertex_results == `FFD_RESULTS_DETERMINANT ? part_q | {2{whole}} : 2'd0;
+  assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) == 0
+                        || s_vertex_results != `FFD_RESULTS_DETERMINANT ? 2'd0
+                         : part_q | {2{whole}};
 
   genvar a;
   generate

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hwffd/cores/stream_core_factory.hpp"
+#include "hwffd/model/schedule.hpp"
 #include "program.hpp"
 #include "report.hpp"
 #include "study_program.hpp"
@@ -14,14 +15,15 @@ using namespace hwffd;
 using namespace hwffd::tangents;
 
 /// `basic`, overlapped, in every format that it has in this build: the smallest core that has
-/// streams.
+/// streams; and every core that has them and gives derivatives in one pass.
 std::vector<Configuration> rows() {
   std::vector<Configuration> found;
   for (const Configuration& row : configurations()) {
-    if (row.name != fmt::format("basic-{}-overlapped", row.format)) continue;
+    if (row.name != fmt::format("basic-{}-overlapped", row.format) && !gives_jacobian(row))
+      continue;
     if (cores::has_stream_core(row)) {
       found.push_back(row);
-    } else {
+    } else if (!gives_jacobian(row)) {
       fmt::print("left out: {} is not in this build; TIER=test has it\n", row.name);
     }
   }

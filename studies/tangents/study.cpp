@@ -51,6 +51,7 @@ struct Bounds {
 
 Bounds bounds_of(const Configuration& row) {
   if (std::strcmp(row.format, "fp32") == 0) return {1e-6, 1e-7};
+  if (std::strcmp(row.format, "fx17") == 0) return {6e-4, 2e-4};
   if (std::strcmp(row.format, "fx18") == 0) return {3e-4, 1e-4};
   if (std::strcmp(row.format, "bfp32") == 0) return {6e-8, 3e-9};
   return {3e-8, 3e-8};

@@ -86,7 +86,7 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 class PaperSchedule : public Evaluator {};
 class KeepsCell : public Evaluator {};
 class GivesJacobian : public Evaluator {};
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);  // no row of tier sim does
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);      // no row of tier sim does
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
@@ -191,8 +191,8 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   expect_no_mismatch(vertices);
 }
 
-// Four results in one pass, among vertices that want one of them, all with the bits of a pass of its
-// own.
+// Four results in one pass, among vertices that want one of them, all with the bits of a pass of
+// its own.
 TEST_P(GivesJacobian, BitsAmongOtherVertices) {
   auto stimulus = draw(240, tb::seed_from_environment(2));
   tb::Random random(6);

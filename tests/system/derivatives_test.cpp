@@ -153,8 +153,8 @@ TEST_P(Derivatives, SameBitsAsInterleaved) {
   }
 }
 
-/// Clocks of a vertex: evaluations follow each other as vertices do, so 4 intervals, also where det J
-/// is behind them; where one pass gives all, one of them, or a clock for each result beat.
+/// Clocks of a vertex: evaluations follow each other as vertices do, so 4 intervals, also where det
+/// J is behind them; where one pass gives all, one of them, or a clock for each result beat.
 double clocks_of(const Configuration& row, std::size_t results) {
   const double interval = scattered_interval(row);
   return gives_jacobian(row) ? std::max(interval, static_cast<double>(results)) : 4 * interval;

@@ -7,6 +7,8 @@
 #include "Vpages_basic_plain.h"
 #include "Vpages_cg1.h"
 #include "Vpages_factored3.h"
+#include "Vpages_jacobian3.h"
+#include "Vpages_lanes.h"
 #include "Vpages_nested3.h"
 #include "Vpages_one.h"
 #include "Vpages_one8.h"
@@ -41,6 +43,14 @@ const PageBuild kBuilds[] = {
      "nested3-fx18-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 3},
      make_page_core<Vpages_nested3>},
+    {"jacobian3",
+     "jacobian3-fx17-overlapped",
+     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 3},
+     make_page_core<Vpages_jacobian3>},
+    {"lanes",
+     "jacobian3x3-fx17-overlapped",
+     {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 2},
+     make_page_core<Vpages_lanes>},
     {"one",
      "cg1-fx18-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},

@@ -26,7 +26,7 @@ struct EvaluatorVertex {
   std::uint8_t support = 0;  ///< which of the supports it reads
   int bank = 0;              ///< of the coefficients, 0 or 1
   int derivative = -1;       ///< the axis along which it is differentiated; -1: the position
-  bool jacobian = false;     ///< the position and all three, of organizations that give the Jacobian
+  bool jacobian = false;     ///< the position and all three in one pass
 };
 
 /// Supports (at most 256) and vertices that read them.
