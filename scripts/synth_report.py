@@ -14,12 +14,16 @@ FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "p
 
 
 def clock(place, subject, result):
-    """What is known of a row's clock: after routing where `make pnr` has been, of standard cells
-    from their timing. A clock with a remark stands in the report of `make pnr` only.
+    """What is known of a row's clock: after routing where `make pnr` has been, with what the router
+    does not know, of standard cells from their timing; and the vertices a second of what is routed.
     """
-    routed = None if placement.unknown(subject.target) else place.clock(subject)
-    return routed or {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None,
-                                    "routed": False, "seeds": []}
+    routed = place.clock(subject)
+    if not routed:
+        return {"fmax_mhz": result.get("fmax_mhz"), "fmax_share": None, "routed": False, "seeds": [],
+                "vertices_per_s": None}
+    unknown = placement.unknown(subject.target)
+    return {**routed, "vertices_per_s": round(routed["fmax_mhz"] * 1e6 / subject.row.interval),
+            **({"remark": unknown} if unknown else {})}
 
 
 def collect(work, found):

@@ -24,6 +24,7 @@ import variants
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS = "hwffd_stream_bus"
+TOPS = (CORE, BUS, SYSTEM)  # of variants
 TARGETS = (*mapped.TARGETS, *chips.TARGETS)
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")
@@ -39,7 +40,9 @@ UNITS = ("ffd_eval_poly", "ffd_eval_horner", "ffd_num_mul", "ffd_num_term", "ffd
 # Targets whose multipliers take in registers and adders of other units, which only a flat fixed-
 # point design lets them do, and those where a chain of registers lies around what is routed.
 FLAT = (*ICE40, "xilinx7", *chips.TARGETS)
-# What is routed: of the targets of chips.py nothing else is mapped.
+# On which targets whole cores are mapped only to be routed: of those of chips.py nothing else is.
+CORE_TARGETS = ("up5k", *chips.TARGETS)
+# What is routed.
 CLOCKS = "synth/clocks.csv"
 CLOCK_COLUMNS = ("name", "top", "target", "placer", "aim_share", "aim_mhz")
 # Where a module of synth/TARGET names cells of the target.
@@ -146,17 +149,17 @@ def subjects(rows, changed=()):
 def of_checkout(root):
     """All that the tables of a checkout give. Raises TableError."""
     rows = configurations.read(root / "rtl" / "configurations.csv")
-    found = subjects(rows, variants.read(root / "synth" / "variants.csv", rows,
-                                         (CORE, BUS, SYSTEM)))
-    return found + routed(root / CLOCKS, rows)
+    changed = variants.read(root / "synth" / "variants.csv", rows, TOPS)
+    return subjects(rows, changed) + routed(root / CLOCKS, rows, changed)
 
 
-def routed(path, rows):
-    """Cores of the table of clocks on targets of chips.py. Raises TableError."""
-    known = {row.name: row for row in rows if row.stream}
+def routed(path, rows, changed):
+    """Cores of the table of clocks on targets other than ECP5. Raises TableError."""
+    known = {row.name: row for row in [*(row for row in rows if row.stream),
+                                       *(variant for variant, top in changed if top == CORE)]}
     return [Subject(known[line["name"]], CORE, line["target"])
             for _, line in tables.read(path, CLOCK_COLUMNS)
-            if line["target"] in chips.TARGETS and line["name"] in known and line["top"] == CORE]
+            if line["target"] in CORE_TARGETS and line["name"] in known and line["top"] == CORE]
 
 
 def units(rows):

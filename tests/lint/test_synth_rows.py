@@ -38,3 +38,5 @@ def test_chips_have_the_rows_that_are_routed():
     routed = [aim.subject for aim in placement.read(ROOT / placement.TABLE, found)]
     assert [subject for subject in found if subject.target in chips.TARGETS] == [
         subject for subject in routed if subject.target in chips.TARGETS]
+    cores = [subject for subject in routed if subject.top == synthesis.CORE]
+    assert {subject.target for subject in cores} == set(placement.DEVICES)

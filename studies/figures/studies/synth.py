@@ -11,6 +11,7 @@ BUS = "hwffd_stream_bus"  # that core on streams of other widths
 TITLES = {
     "generic": "Generic gates", "ecp5": "Lattice ECP5", "up5k": "Lattice iCE40 UltraPlus (UP5K)",
     "hx8k": "Lattice iCE40 HX8K", "nexus": "Lattice CrossLink-NX", "gowin": "Gowin GW2A",
+    "gw5a": "Gowin GW5A", "gatemate": "Cologne Chip GateMate",
     "xilinx7": "Xilinx 7 series",
     "osu018": "OSU 0.18 um standard cells",
 }
@@ -18,12 +19,13 @@ TITLES = {
 HEADS = {
     "lut": "LUT", "lutram": "LUT as memory", "ff": "FF", "dsp": "multipliers", "bram": "memories",
     "cells": "cells", "area_um2": "area um2", "depth": "depth", "fmax_mhz": "MHz",
-    "power_mw": "mW at 100 MHz",
+    "power_mw": "mW at 100 MHz", "remark": "remark",
 }
 DSP = {"ecp5": "MULT18X18D", "up5k": "SB_MAC16", "hx8k": "none", "xilinx7": "DSP48E1",
-       "nexus": "MULT18X18", "gowin": "MULT18X18"}
+       "nexus": "MULT18X18", "gowin": "MULT18X18", "gw5a": "MULTALU27X18", "gatemate": "CC_MULT"}
 BRAM = {"ecp5": "DP16KD", "up5k": "SB_RAM40_4K", "hx8k": "SB_RAM40_4K", "xilinx7": "RAMB18E1",
-        "nexus": "PDPSC16K", "gowin": "SDPB, SDPX9B"}
+        "nexus": "PDPSC16K", "gowin": "SDPB, SDPX9B", "gw5a": "SDPB, SDPX9B",
+        "gatemate": "CC_BRAM_20K"}
 WIRED = "-bspline"
 
 
@@ -42,7 +44,7 @@ def is_plain(row):
 
 
 def number(value):
-    return shown(value, ",")
+    return value if isinstance(value, str) else shown(value, ",")
 
 
 def mapped(rows, target, name=lambda row: f"`{row['name']}`"):

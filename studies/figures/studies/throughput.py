@@ -78,9 +78,10 @@ def throughputs(reports, top=EVALUATOR):
             continue
         for mapped in areas.get(row["name"], ()):
             size, unit = _size(mapped)
+            # A clock of which the router does not know everything is none here.
+            clock = None if mapped.get("remark") else mapped.get("fmax_mhz")
             found.append(Throughput(row["name"], label(row), mapped["target"], size, unit,
-                                    mapped.get("dsp"), mapped.get("fmax_mhz"),
-                                    row["interval_overlapped"]))
+                                    mapped.get("dsp"), clock, row["interval_overlapped"]))
     return found
 
 
