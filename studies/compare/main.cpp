@@ -20,6 +20,7 @@ struct Options {
   std::int64_t vertices = 1'000'000;
   std::int64_t model_vertices = 20'000;
   std::int64_t core_vertices = 4'096;
+  std::int64_t milliseconds = 1'500;
   std::uint64_t seed = 1;
   std::vector<std::string> models{"factored-fx18-overlapped", "affine3-fx17-overlapped",
                                   "basic-fp32-overlapped"};
@@ -57,13 +58,14 @@ Measured measure(const Options& options) {
     measured.software.push_back(std::move(row));
     show(measured.software.back().what);
   };
+  const double seconds = static_cast<double>(options.milliseconds) / 1000;
   for (const Scene* scene : {&random, &sorted}) {
     const bool is_sorted = scene == &sorted;
-    add(evaluator<float>(*scene, is_sorted));
-    add(evaluator<double>(*scene, is_sorted));
-    add(device("", *scene, is_sorted));
+    add(evaluator<float>(*scene, is_sorted, seconds));
+    add(evaluator<double>(*scene, is_sorted, seconds));
+    add(device("", *scene, is_sorted, seconds));
     const Scene few = first_of(*scene, static_cast<std::size_t>(options.model_vertices));
-    for (const std::string& model : options.models) add(device(model, few, is_sorted));
+    for (const std::string& model : options.models) add(device(model, few, is_sorted, seconds));
     const Scene fewer = first_of(*scene, static_cast<std::size_t>(options.core_vertices));
     for (const Configuration& row : counted) {
       measured.cores.push_back(count(row, fewer, is_sorted, options.seed));
@@ -85,6 +87,7 @@ int main(int argc, char** argv) {
                  10'000'000);
   program.number("--core-vertices", options.core_vertices, "of them, of each core's RTL", 2,
                  1'000'000);
+  program.number("--milliseconds", options.milliseconds, "for which each program runs", 1, 100'000);
   program.app()
       .add_option("--model", options.models, "rows whose bit-true models are timed")
       ->capture_default_str();

@@ -16,7 +16,6 @@ namespace hwffd::compare {
 namespace {
 
 constexpr int kFewestRuns = 5;
-constexpr double kEnough = 1.5;  // seconds of all runs together
 
 double seconds_of(const std::function<void()>& run) {
   const auto start = std::chrono::steady_clock::now();
@@ -25,10 +24,10 @@ double seconds_of(const std::function<void()>& run) {
 }
 
 /// Of the fastest of several runs: other programs of the machine only ever add time.
-double best_seconds(const std::function<void()>& run) {
+double best_seconds(const std::function<void()>& run, double enough) {
   double best = std::numeric_limits<double>::infinity();
   double all = 0;
-  for (int runs = 0; runs < kFewestRuns || all < kEnough; ++runs) {
+  for (int runs = 0; runs < kFewestRuns || all < enough; ++runs) {
     const double seconds = seconds_of(run);
     all += seconds;
     best = std::min(best, seconds);
@@ -62,42 +61,42 @@ Points positions_of(const VertexArrays<Real>& arrays) {
 }
 
 /// A row of how long a run takes that leaves its positions behind.
-SoftwareRow timed(const std::string& what, const Scene& scene, bool sorted,
+SoftwareRow timed(const std::string& what, const Scene& scene, bool sorted, double seconds,
                   const std::function<void()>& run) {
   SoftwareRow row;
   row.what = what;
   row.sorted = sorted;
-  row.vertices_per_s = static_cast<double>(scene.vertices.size()) / best_seconds(run);
+  row.vertices_per_s = static_cast<double>(scene.vertices.size()) / best_seconds(run, seconds);
   return row;
 }
 
 }  // namespace
 
 template <class Real>
-SoftwareRow evaluator(const Scene& scene, bool sorted) {
+SoftwareRow evaluator(const Scene& scene, bool sorted, double seconds) {
   constexpr double kRoundings = 64;  // as of the evaluator's own test
   constexpr bool kIsFloat = sizeof(Real) == sizeof(float);
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   const LatticeEvaluator<Real> evaluator(scene.lattice, {bspline, bspline, bspline});
   VertexArrays<Real> arrays = arrays_of(scene, evaluator);
   SoftwareRow row = timed(fmt::format("LatticeEvaluator<{}>", kIsFloat ? "float" : "double"), scene,
-                          sorted, [&] { evaluator.evaluate(arrays); });
+                          sorted, seconds, [&] { evaluator.evaluate(arrays); });
   row.error = largest_error(scene, positions_of(arrays));
   row.bound = kRoundings * std::numeric_limits<Real>::epsilon();
   row.bytes_per_vertex = sizeof(std::uint32_t) + 6 * sizeof(Real);
   return row;
 }
 
-template SoftwareRow evaluator<float>(const Scene& scene, bool sorted);
-template SoftwareRow evaluator<double>(const Scene& scene, bool sorted);
+template SoftwareRow evaluator<float>(const Scene& scene, bool sorted, double seconds);
+template SoftwareRow evaluator<double>(const Scene& scene, bool sorted, double seconds);
 
-SoftwareRow device(const std::string& name, const Scene& scene, bool sorted) {
+SoftwareRow device(const std::string& name, const Scene& scene, bool sorted, double seconds) {
   DeviceChoice choice;
   choice.device = name.empty() ? "reference" : "model";
   if (!name.empty()) choice.org = name;
   const std::unique_ptr<Device> device = make_device(choice);
   Points positions;
-  SoftwareRow row = timed("device " + device->name(), scene, sorted,
+  SoftwareRow row = timed("device " + device->name(), scene, sorted, seconds,
                           [&] { positions = device->evaluate(scene.lattice, scene.vertices); });
   row.error = largest_error(scene, positions);
   row.bound = name.empty() ? error_bound("fx32") : error_bound(find_configuration(name).format);

@@ -17,13 +17,14 @@ struct SoftwareRow {
 };
 
 /// LatticeEvaluator on arrays. Real is float or double.
+/// @param seconds  for which it is run, again and again; several times at least
 template <class Real>
-SoftwareRow evaluator(const Scene& scene, bool sorted);
+SoftwareRow evaluator(const Scene& scene, bool sorted, double seconds);
 
 /// A device by its library's interface, cells and coordinates checked: "reference", or the bit-true
 /// model of a row of the table.
 /// @param row  empty for the reference
-SoftwareRow device(const std::string& row, const Scene& scene, bool sorted);
+SoftwareRow device(const std::string& row, const Scene& scene, bool sorted, double seconds);
 
 /// The vector units for which LatticeEvaluator is compiled that this processor has, the widest.
 std::string vector_units();
