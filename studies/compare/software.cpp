@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <hwy/highway.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <limits>
 
@@ -17,13 +17,15 @@ namespace {
 
 constexpr int kFewestRuns = 5;
 
+/// The processor's time: what other programs of the machine take away is not counted, and what
+/// other threads of this one took would be.
 double seconds_of(const std::function<void()>& run) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Of the fastest of several runs: other programs of the machine only ever add time.
+/// Of the fastest of several runs: other programs only ever add time, by what they do to caches.
 double best_seconds(const std::function<void()>& run, double enough) {
   double best = std::numeric_limits<double>::infinity();
   double all = 0;
