@@ -35,7 +35,7 @@ def watts():
 def _program(row, kind, device, source):
     return {"what": row["what"], "kind": kind, "device": device,
             "vertices_per_s": row["vertices_per_s"], "per_multiplier": None, "error": row["error"],
-            "sorted": row["sorted"], "source": f"{source}; {watts()}", "latency_ns": None,
+            "sorted": row["sorted"], "source": f"{source}; {watts()}", "latency_ns": row["latency_ns"],
             "bytes_per_vertex": row["bytes_per_vertex"], "energy_nj_per_vertex": None}
 
 

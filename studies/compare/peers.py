@@ -6,6 +6,7 @@ only the evaluation is timed. All of them are of the package index (scripts/requ
 SPDX-License-Identifier: Apache-2.0
 """
 
+import dataclasses
 import importlib.metadata
 import time
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ from dataclasses import dataclass
 import numpy
 
 FEWEST_RUNS, ENOUGH = 3, 3.0  # runs, and seconds of all of them together
+CALLS = 1000  # with one vertex, of a run
 BOUNDS = {"binary64": 1e-12, "binary32": 2e-6}  # of a component of points in [-1, 1)
 
 
@@ -143,6 +145,19 @@ PEERS = (
 )
 
 
+def latency_ns(peer, scene):
+    """What a call takes that is given the first vertex by itself."""
+    evaluate, _ = peer.prepare(dataclasses.replace(scene, places=scene.places[:1]))
+    evaluate()
+    runs = []
+    for _ in range(FEWEST_RUNS):
+        start = time.process_time()
+        for _ in range(CALLS):
+            evaluate()
+        runs.append(time.process_time() - start)
+    return 1e9 * min(runs) / CALLS
+
+
 def best_seconds(evaluate):
     """Of the fastest of several runs behind one that is not counted; the processor's time, that of
     all threads."""
@@ -170,7 +185,7 @@ def row(peer, scene, is_sorted):
         raise PeerError(f"{what}: error {error:.2e}, bound {BOUNDS[peer.numbers]:.0e}")
     number = 4 if peer.numbers == "binary32" else 8
     return {"what": what, "sorted": is_sorted, "vertices_per_s": count / seconds, "error": error,
-            "bytes_per_vertex": 6.0 * number}
+            "latency_ns": latency_ns(peer, scene), "bytes_per_vertex": 6.0 * number}
 
 
 def rows(scenes, show=lambda name: None, peers=PEERS):

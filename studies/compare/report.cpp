@@ -24,6 +24,7 @@ std::string json_report(const Measured& measured) {
                         {"sorted", row.sorted},
                         {"vertices_per_s", row.vertices_per_s},
                         {"error", row.error},
+                        {"latency_ns", row.latency_ns > 0 ? Json(row.latency_ns) : Json()},
                         {"bytes_per_vertex", row.bytes_per_vertex}});
   }
   Json cores = Json::array();

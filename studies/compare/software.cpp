@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <functional>
@@ -16,6 +17,7 @@ namespace hwffd::compare {
 namespace {
 
 constexpr int kFewestRuns = 5;
+constexpr double kCallsShare = 4;  // of the time of all vertices, for calls with one
 
 /// The processor's time: what other programs of the machine take away is not counted, and what
 /// other threads of this one took would be.
@@ -62,6 +64,17 @@ Points positions_of(const VertexArrays<Real>& arrays) {
   return positions;
 }
 
+/// What a call takes that is given a vertex by itself, in nanoseconds: calls with some vertices of
+/// a scene, one after the other.
+double latency_ns(const Scene& scene, double enough,
+                  const std::function<void(const Embedded&)>& call) {
+  constexpr std::size_t kCalls = 4096;
+  const Scene some = first_of(scene, kCalls);
+  const double seconds = best_seconds(
+      [&] { std::for_each(some.vertices.begin(), some.vertices.end(), call); }, enough);
+  return 1e9 * seconds / static_cast<double>(some.vertices.size());
+}
+
 /// A row of how long a run takes that leaves its positions behind.
 SoftwareRow timed(const std::string& what, const Scene& scene, bool sorted, double seconds,
                   const std::function<void()>& run) {
@@ -86,6 +99,14 @@ SoftwareRow evaluator(const Scene& scene, bool sorted, double seconds) {
   row.error = largest_error(scene, positions_of(arrays));
   row.bound = kRoundings * std::numeric_limits<Real>::epsilon();
   row.bytes_per_vertex = sizeof(std::uint32_t) + 6 * sizeof(Real);
+  VertexArrays<Real> one = arrays_of(first_of(scene, 1), evaluator);
+  row.latency_ns = latency_ns(scene, seconds / kCallsShare, [&](const Embedded& vertex) {
+    one.origins[0] = evaluator.origin(vertex.cell);
+    for (std::size_t a = 0; a < 3; ++a) {
+      one.local[a][0] = static_cast<Real>(vertex.local[static_cast<Eigen::Index>(a)]);
+    }
+    evaluator.evaluate(one);
+  });
   return row;
 }
 

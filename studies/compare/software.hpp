@@ -13,6 +13,7 @@ struct SoftwareRow {
   double vertices_per_s = 0;    ///< the best of several runs
   double error = 0;             ///< the largest of a component, against the oracle
   double bound = 0;             ///< that it is held to
+  double latency_ns = 0;        ///< of a call with one vertex, its data in cache; 0: not measured
   double bytes_per_vertex = 0;  ///< of arrays that are read and written; the lattice stays in cache
 };
 

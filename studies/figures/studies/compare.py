@@ -27,8 +27,10 @@ def name(row):
     if row["kind"] == "peer":
         package, _, called = row["what"].partition(", ")
         return f"{package} `{called}`"
-    words = row["what"].split()
-    return f"`{words[0]}` {row['what'].partition(' ')[2]}" if len(words) == 2 else f"`{row['what']}`"
+    if row["kind"] != "core":
+        return f"`{row['what']}`"
+    module, _, which = row["what"].partition(" ")
+    return f"`{module}` {which}"
 
 
 def _rate(row):
@@ -97,9 +99,9 @@ def _words(row):
     return row["what"].split()[-1]
 
 
-def _least_latency(reports):
-    return min(row["latency_ns"] for row in _rows(reports, "core", False)
-               if row["latency_ns"] and not row.get("remark"))
+def _least_latency(kind):
+    return lambda reports: min(row["latency_ns"] for row in _rows(reports, kind, False)
+                               if row["latency_ns"] and not row.get("remark"))
 
 
 def _most_per_multiplier(reports):
@@ -126,7 +128,9 @@ FIGURES = {
     "core_random": _fastest("core", False), "core_sorted": _fastest("core", True),
     "core_name": _fastest("core", False, _words),
     "core_sorted_name": _fastest("core", True, _words),
-    "core_latency_ns": _least_latency, "core_per_multiplier": _most_per_multiplier,
+    "core_latency_ns": _least_latency("core"), "own_latency_ns": _least_latency("own"),
+    "peer_latency_ns": _least_latency("peer"),
+    "core_per_multiplier": _most_per_multiplier,
     "float_times_core_random": _quotient(_million(FLOAT, False), _fastest("core", False)),
     "float_times_core_sorted": _quotient(_million(FLOAT, True), _fastest("core", True)),
     "model_random": _fastest("model", False),
