@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -53,6 +53,7 @@ help:
 	@echo '  make tangents       derivatives and fold flags out of the simulated hardware'
 	@echo '  make streams        how many words must be moved for each vertex'
 	@echo '  make embed          meshes in box, cylinder, sphere and custom lattices'
+	@echo '  make compare        vertices a second beside other programs, on one core and in hardware'
 	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
 	@echo 'Check it'
 	@echo '  make test           build everything and run the tests'
@@ -108,6 +109,14 @@ streams words tangents embed: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-$@
 	@$(STUDY) $@ -- $(BUILD)/studies/hwffd-$@
+
+# Programs of others are its peers: one core each, in one run.
+compare: install
+	@scripts/python_env figures
+	@scripts/python_env compare
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-compare
+	@$(STUDY) compare -- $(BUILD)/venv/bin/python -B studies/compare
 
 hwffd: install
 	@scripts/python_env

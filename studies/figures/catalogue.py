@@ -48,6 +48,11 @@ REPORTS = {
     "synth": Report("make synth", _SYNTH, volatile=("seconds", "kinds"),
                     selectors=("target", "org", "n", "format")),
     "pnr": Report("make pnr", (*_SYNTH, "synth/clocks.csv")),
+    "compare": Report(
+        "make compare",
+        (*_RTL, "geometry/**/lattice/lattice_evaluator.?pp", "geometry/**/lattice/contraction.?pp",
+         "studies/compare/*.?pp", "studies/compare/*.py", "scripts/requirements-compare.txt",
+         "docs/reports/pnr.json", "docs/reports/synth.json", "docs/reports/dma.json")),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),
@@ -69,6 +74,7 @@ CHARTS = {
     "words": ("words",),
     "streams": ("streams",),
     "structure": ("structure",),
+    "compare": ("compare",),
 }
 
 # Modules of studies/ without a report of their own: what joins several, what is read off the sources.

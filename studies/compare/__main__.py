@@ -1,0 +1,87 @@
+"""make compare: what evaluates equation (1), on one core of this processor and in hardware.
+
+    python studies/compare [--program PROGRAM] [--output FOLDER]
+
+hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
+cores that have been routed; then come the programs of others. All of it runs on one processor core.
+Writes FOLDER/reports/compare.json. The exit status is 1 where something was not measured or is wrong.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+# Before a library counts the processors.
+for _variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS",
+                  "MKL_NUM_THREADS", "VTK_SMP_MAX_THREADS"):
+    os.environ[_variable] = "1"
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[1:1] = [str(ROOT / "studies"), str(ROOT / "scripts")]
+
+import joined  # noqa: E402  pylint: disable=wrong-import-position
+import peers  # noqa: E402  pylint: disable=wrong-import-position
+import routed  # noqa: E402  pylint: disable=wrong-import-position
+from figures.reports import Missing, Reports, RequestError  # noqa: E402  pylint: disable=wrong-import-position
+
+
+def pin():
+    """This process, and those that it starts, to one processor: the last that it may use."""
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+
+
+def show(what):
+    print(f"compare: {what}", file=sys.stderr, flush=True)
+
+
+def own(options, reports):
+    """What hwffd-compare measures, and the scene that it leaves behind."""
+    command = [str(options.program), "--output", str(options.output),
+               "--scene", str(options.output / "compare"), *options.more]
+    for name in routed.names(reports):
+        command += ["--row", name]
+    show("the project's own programs and cores")
+    status = subprocess.run(command, check=False).returncode
+    if status:
+        raise joined.CompareError(f"{options.program} ended with {status}")
+    path = options.output / "reports" / "compare-own.json"
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def work(options):
+    pin()
+    reports = Reports(ROOT)
+    measured = own(options, reports)
+    scenes = peers.Scene.read(options.output / "compare")
+    report = joined.report(measured, peers.rows(scenes, show), routed.rows(reports, measured["cores"]))
+    path = options.output / "reports" / "compare.json"
+    path.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+    print(f"wrote {path}")
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="compare", description=__doc__.split("\n\n")[0])
+    parser.add_argument("--program", type=pathlib.Path,
+                        default=ROOT / "build" / "studies" / "hwffd-compare")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
+                        help="folder for reports")
+    parser.add_argument("more", nargs="*", help="for hwffd-compare, behind --")
+    options = parser.parse_args()
+    try:
+        work(options)
+    except Missing as missing:
+        print(f"compare: there is no report yet: {missing}", file=sys.stderr)
+        return 1
+    except (joined.CompareError, peers.PeerError, RequestError, ImportError, OSError) as error:
+        print(f"compare: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

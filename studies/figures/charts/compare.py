@@ -1,0 +1,38 @@
+"""Vertices a second of programs on one core and of routed cores: docs/compare.svg.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from matplotlib import pyplot
+from matplotlib.lines import Line2D
+
+from figures.charts import BLACK, BLUE, GREEN, PURPLE, RED, save
+from figures.studies.compare import KINDS, name, pairs
+
+COLOURS = dict(zip(KINDS, (BLUE, PURPLE, RED, GREEN, BLACK)))
+MEANINGS = dict(zip(KINDS, ("hwffd on one core", "its bit-true model", "other programs, one core",
+                            "routed cores", "standard cells")))
+
+
+def draw(reports, folder):
+    shown = pairs(reports)[::-1]
+    figure, axes = pyplot.subplots(figsize=(8.5, 1.0 + 0.24 * len(shown)), layout="constrained")
+    axes.set_xscale("log")
+    for height, (one, in_order) in enumerate(shown):
+        colour = COLOURS[one["kind"]]
+        rates = [row["vertices_per_s"] for row in (one, in_order)]
+        axes.plot(rates, [height, height], color=colour, linewidth=1.4)
+        axes.plot(rates[0], height, "o", color=colour, markersize=6, markerfacecolor="white")
+        axes.plot(rates[1], height, "o", color=colour, markersize=4)
+    axes.set_yticks(range(len(shown)),
+                    [name(one).replace("`", "") + (" (1)" if one.get("remark") else "")
+                     for one, _ in shown])
+    axes.set(xlabel="vertices per second", title="16 x 16 x 16 control points, cubic B-splines")
+    kinds = [kind for kind in KINDS if any(one["kind"] == kind for one, _ in shown)]
+    handles = [Line2D([], [], color=COLOURS[kind], label=MEANINGS[kind]) for kind in kinds]
+    handles += [Line2D([], [], color="black", marker="o", markerfacecolor=face, linestyle="",
+                       markersize=size, label=label)
+                for face, size, label in (("white", 6, "vertices in any order"),
+                                          ("black", 4, "sorted by cell"))]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4)
+    return [save(figure, folder / "compare.svg")]

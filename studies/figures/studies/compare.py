@@ -1,0 +1,137 @@
+"""make compare: programs on one core of a processor, and cores that have been routed.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from figures.expressions import shown
+from figures.reports import RequestError
+from figures.table import Table
+
+MILLION = 1e6
+FLOAT, DOUBLE = "LatticeEvaluator<float>", "LatticeEvaluator<double>"
+KINDS = ("own", "model", "peer", "core", "cells")
+
+
+def pairs(reports):
+    """(a row of vertices in any order, the same of sorted ones), as fast ones first in each kind."""
+    found = {}
+    for row in reports.rows("compare"):
+        found.setdefault((row["kind"], row["what"], row["device"]), {})[row["sorted"]] = row
+    both = [(one[False], one[True]) for one in found.values() if set(one) == {False, True}]
+    return sorted(both, key=lambda pair: (KINDS.index(pair[0]["kind"]),
+                                          -pair[0]["vertices_per_s"]))
+
+
+def name(row):
+    """What a line is called: the program, or the module and its row."""
+    if row["kind"] == "peer":
+        package, _, called = row["what"].partition(", ")
+        return f"{package} `{called}`"
+    if row["kind"] != "core":
+        return f"`{row['what']}`"
+    module, _, which = row["what"].partition(" ")
+    return f"`{module}` {which}"
+
+
+def _rate(row):
+    return shown(row["vertices_per_s"] / MILLION, ".2f")
+
+
+def _scaled(row, field, unit, form):
+    return shown(None if row[field] is None else row[field] / unit, form)
+
+
+def programs(reports):
+    """Each with vertices in any order and sorted by cell."""
+    lines = []
+    for one, in_order in pairs(reports):
+        lines.append([
+            name(one), one["device"] + (" (1)" if one.get("remark") else ""), _rate(one),
+            _rate(in_order), _scaled(one, "per_multiplier", MILLION, ".3f"),
+            _scaled(one, "latency_ns", 1, ",.0f"), _scaled(one, "bytes_per_vertex", 1, ".0f"),
+            _scaled(one, "energy_nj_per_vertex", 1, ".2f"),
+            shown(max(one["error"], in_order["error"]), ".1e")])
+    return Table(["what", "on", "million vertices per second", "sorted by cell",
+                  "per multiplier", "latency, ns", "bytes per vertex", "nJ per vertex",
+                  "max error"], lines)
+
+
+def printed(reports):
+    report = reports.get("compare")
+    remarks = sorted({row["remark"] for row in report["rows"] if row.get("remark")})
+    return "\n\n".join([
+        f"{report['vertices']:,} vertices in a lattice of 16 x 16 x 16 points; "
+        f"{report['processor']}, {report['vector_units']}",
+        programs(reports).text(), *(f"(1) {remark}" for remark in remarks)])
+
+
+def _rows(reports, kind, is_sorted):
+    found = reports.rows("compare", kind=kind, sorted=str(is_sorted))
+    if not found:
+        raise RequestError(f"compare has no rows of kind {kind}")
+    return found
+
+
+def _fastest(kind, is_sorted, value=None):
+    """A figure of the fastest row of a kind; its rate in millions unless another is wanted."""
+    def figure(reports):
+        # A clock without the delays of multipliers is no clock to compare with.
+        found = [row for row in _rows(reports, kind, is_sorted) if not row.get("remark")]
+        best = max(found, key=lambda row: row["vertices_per_s"])
+        return value(best) if value else best["vertices_per_s"] / MILLION
+    return figure
+
+
+def _million(what, is_sorted):
+    def figure(reports):
+        found = reports.rows("compare", what=what, sorted=str(is_sorted))
+        if len(found) != 1:
+            raise RequestError(f"compare has {len(found)} rows of {what}")
+        return found[0]["vertices_per_s"] / MILLION
+    return figure
+
+
+def _quotient(above, below):
+    return lambda reports: above(reports) / below(reports)
+
+
+def _words(row):
+    return row["what"].split()[-1]
+
+
+def _least_latency(kind):
+    return lambda reports: min(row["latency_ns"] for row in _rows(reports, kind, False)
+                               if row["latency_ns"] and not row.get("remark"))
+
+
+def _most_per_multiplier(reports):
+    return max(row["per_multiplier"] for row in _rows(reports, "core", False)
+               if row["per_multiplier"] and not row.get("remark")) / MILLION
+
+
+def missing(reports):
+    """What is committed has every kind of row."""
+    absent = [kind for kind in KINDS[:4]
+              if not any(row["kind"] == kind for row in reports.rows("compare"))]
+    return f"rows of kind {', '.join(absent)}" if absent else ""
+
+
+TABLES = {"programs": programs}
+FIGURES = {
+    "float_random": _million(FLOAT, False), "float_sorted": _million(FLOAT, True),
+    "double_random": _million(DOUBLE, False), "double_sorted": _million(DOUBLE, True),
+    "float_sorted_reached": lambda reports: _million(FLOAT, True)(reports) >= 100,
+    "peer_random": _fastest("peer", False),
+    "peer_name": _fastest("peer", False, lambda row: row["what"].split(",")[0]),
+    "times_peer_random": _quotient(_million(DOUBLE, False), _fastest("peer", False)),
+    "times_peer_sorted": _quotient(_million(DOUBLE, True), _fastest("peer", True)),
+    "core_random": _fastest("core", False), "core_sorted": _fastest("core", True),
+    "core_name": _fastest("core", False, _words),
+    "core_sorted_name": _fastest("core", True, _words),
+    "core_latency_ns": _least_latency("core"), "own_latency_ns": _least_latency("own"),
+    "peer_latency_ns": _least_latency("peer"),
+    "core_per_multiplier": _most_per_multiplier,
+    "float_times_core_random": _quotient(_million(FLOAT, False), _fastest("core", False)),
+    "float_times_core_sorted": _quotient(_million(FLOAT, True), _fastest("core", True)),
+    "model_random": _fastest("model", False),
+}
