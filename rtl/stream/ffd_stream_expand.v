@@ -11,7 +11,7 @@
 //             mean nothing keeps its opcode or flag, which are then unknown.
 // Formats:    docs/interface.md section 2; last_cell {k, j, i}.
 // Pipeline:   1 clock; a beat a clock, of packed ones one in two clocks. The first vertex of a grid
-//             24 clocks behind its last beat, then one a clock.
+//             23 clocks behind its last beat, then one a clock.
 // Freezes:    while m_beat_ready is 0. A grid waits until header_i says that its header, and with
 //             it its lattice, is known.
 // Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready through gates.

@@ -108,7 +108,17 @@ Grid random_grid(tb::Random& random, const std::array<int, 3>& dims, int most) {
     last[axis] = random_place(random, dims[axis] - 3);
     count[axis] = static_cast<int>(random.between(1, most));
   }
-  return grid_between(first, last, count, static_cast<std::uint16_t>(random.word()));
+  Grid grid = grid_between(first, last, count, static_cast<std::uint16_t>(random.word()));
+  if (random.chance(0.5)) return grid;
+  // At the lower or the upper end of a coordinate's unit, so that a step that is off by its last
+  // bit shows.
+  constexpr std::int64_t kUnit = std::int64_t{1} << (kGridFraction - kGridCoordinate);
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.start[axis] -= grid.start[axis] % kUnit;
+    grid.start[axis] += random.chance(0.5) ? kUnit - 1 : 0;
+    grid.step[axis] -= grid.step[axis] % kUnit;
+  }
+  return grid;
 }
 
 std::vector<PackedVertex> random_packed(tb::Random& random, const std::array<int, 3>& dims,

@@ -37,7 +37,7 @@ class ExpandRun : public PageRun {
 };
 
 /// A grid in a lattice: 1 to `most` vertices an axis, any places and directions, often with ends
-/// on faces.
+/// on faces, and often at the ends of a coordinate's unit.
 Grid random_grid(tb::Random& random, const std::array<int, 3>& dims, int most);
 
 /// Packed vertices of a lattice; with `stray` some are outside.
