@@ -85,6 +85,7 @@ number/ffd_num_begin.v
 number/ffd_num_binomial.v
 number/ffd_num_bspline.v
 number/ffd_num_centre.v
+number/ffd_num_coordinate.v
 number/ffd_num_cut.v
 number/ffd_num_in.v
 number/ffd_num_mac.v
@@ -121,12 +122,16 @@ stream/ffd_stream_buffers.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
+stream/ffd_stream_expand.v
 stream/ffd_stream_framer.v
+stream/ffd_stream_front.v
 stream/ffd_stream_functions.v
+stream/ffd_stream_grid.v
 stream/ffd_stream_header.v
 stream/ffd_stream_intake.v
 stream/ffd_stream_locate.v
 stream/ffd_stream_marks.v
+stream/ffd_stream_numbers.v
 stream/ffd_stream_pages.v
 stream/ffd_stream_place.v
 stream/ffd_stream_readers.v

@@ -38,6 +38,7 @@
 `define FFD_FRAME_HIGH       31:26 // bits 5, 4 of each digit of the place, where axes are long
 `define FFD_FRAME_PAGE       32    // a header that waits for what is known of its page
 `define FFD_FRAME_SPAN       33    // event: spans beyond the table
+`define FFD_FRAME_REFUSED    34    // event: a grid or a packed vertex that is refused
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -47,5 +48,5 @@
 `define FFD_USER_W           27    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
-`define FFD_FRAME_W          34    // width
+`define FFD_FRAME_W          35    // width
 `endif

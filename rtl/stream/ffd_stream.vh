@@ -24,6 +24,17 @@
 `define FFD_KIND_BEYOND       9
 `define FFD_KIND_W            10
 
+// What ffd_stream_expand says of a beat: the header of a grid; a vertex that is refused; the end of
+// a grid that is refused, or was cut short; the last vertex of a packet that is too long; what is
+// behind the last vertex.
+`define FFD_AS_IT_IS    3'd0
+`define FFD_AS_GRID     3'd1
+`define FFD_AS_REFUSED  3'd2
+`define FFD_AS_NO_GRID  3'd3
+`define FFD_AS_SHORT    3'd4
+`define FFD_AS_LONG     3'd5
+`define FFD_AS_NOTHING  3'd6
+
 // What a packet of vertices asks for; docs/interface.md section 2.
 `define FFD_RESULTS_POSITION    2'd0
 `define FFD_RESULTS_DERIVATIVES 2'd1
@@ -34,6 +45,9 @@
 `define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
 `define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
 `define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
+`define FFD_FEATURE_GRIDS(FEATURES)       (((FEATURES) >> 4) % 2)
+`define FFD_FEATURE_PACKED(FEATURES)      (((FEATURES) >> 5) % 2)
+`define FFD_FEATURE_EXPANDED(FEATURES)    (((FEATURES) >> 4) % 4 != 0)
 `define FFD_FEATURE_MARKS(FEATURES)       (((FEATURES) >> 6) % 2)
 `define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
 `define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
@@ -42,7 +56,8 @@
 `define FFD_FEATURES                      3840
 `define FFD_FEATURES_BAD(FEATURES) \
   ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 \
-   || (FEATURES) / 128 % 2 != 0 || (FEATURES) / 16 % 4 != 0 \
+   || (FEATURES) / 128 % 2 != 0 \
+   || (`FFD_FEATURE_EXPANDED(FEATURES) && (FEATURES) / 256 % 2 == 0) \
    || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2 \
    || (((FEATURES) % 8 != 0 || `FFD_FEATURE_MARKS(FEATURES) != 0) \
        && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))

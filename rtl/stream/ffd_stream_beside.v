@@ -63,20 +63,21 @@ module ffd_stream_beside #(
                       frame_i[`FFD_FRAME_FINISH]};
   wire       points_top = frame_i[`FFD_FRAME_POINTS] && frame_i[`FFD_FRAME_TOP];
 
+  wire        refused;
   wire        taken;
   wire        taken_last;
   wire [7:0]  framing;
   wire [5:0]  high;
 
   ffd_num_delay #(
-    .WIDTH  (14),
+    .WIDTH  (15),
     .LATENCY(LATENCY),
     .RESET  (1)
   ) u_taken (
     .clk(clk),
     .rst(rst),
-    .d_i({14{take_i}} & {1'b1, kinds, found}),
-    .q_o({taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
+    .d_i({15{take_i}} & {frame_i[`FFD_FRAME_REFUSED], 1'b1, kinds, found}),
+    .q_o({refused, taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
   );
 
   ffd_num_delay #(
@@ -122,6 +123,7 @@ module ffd_stream_beside #(
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_PAGE_POINTS)] = framing[5];
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_NO_FOURTH)]   = framing[6];
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_SPAN_BEYOND)] = framing[7];
+    event_o[`FFD_STREAM_EVENT(`FFD_EVENT_GRID_COUNT)]  = refused;
   end
 
   ffd_stream_place u_event_place (

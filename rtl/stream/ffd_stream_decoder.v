@@ -76,6 +76,8 @@ module ffd_stream_decoder #(
   output wire [1:0]                           m_vertex_results,
   output wire [`FFD_EXPONENT_W-1:0]           m_vertex_exponent,
   output wire [`FFD_USER_W-1:0]               m_vertex_user,
+  output wire                                 lattice_loaded_o,  // that of the last header
+  output wire [PLACE_W-1:0]                   last_cell_o,       // {k, j, i}
   output wire                                 slot_free_o,
   output wire                                 rooms_o,
   input  wire                                 slot_free_i,
@@ -167,6 +169,7 @@ module ffd_stream_decoder #(
     .empty_o      (page_empty),
     .new_page_o   (new_page),
     .loaded_o     (lattice_loaded),
+    .last_cell_o  (last_cell_o),
     .exponent_o   (lattice_exponent),
     .fourth_o     (fourth),
     .beyond_o     (beyond),
@@ -188,7 +191,8 @@ module ffd_stream_decoder #(
              && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy) && !(of_page && !page_go)
              && !(vertex && !resident_q && !slot_free) && !(finish && !room);
 
-  assign slot_free_o = slot_free;
+  assign slot_free_o      = slot_free;
+  assign lattice_loaded_o = lattice_loaded;
   wire              waiting;
   wire              any_inside = waiting || evaluating_i;
   ffd_stream_readers u_readers (
@@ -222,40 +226,26 @@ module ffd_stream_decoder #(
 
   // ---- numbers
 
-  wire       clamp   = mode_q == MODE_CLAMP;
-  wire [1:0] role    = function_beat ? `FFD_ROLE_COEFFICIENT
-                     : vertex        ? `FFD_ROLE_COORDINATE : `FFD_ROLE_POINT;
+  wire       clamp = mode_q == MODE_CLAMP;
   wire [1:0] degree;
-  wire [3:0] nan;
-  wire [3:0] outside;
-
-  genvar w;
-  generate
-    for (w = 0; w < 4; w = w + 1) begin : gen_word
-      localparam [3:0] ABOVE = (1 << w) - 1;  // the degrees that this power is above
-      wire at_end;
-      if (w < 3) begin : gen_axis
-        assign at_end = beyond[w];
-      end else begin : gen_no_axis
-        assign at_end = 1'b0;
-      end
-      ffd_num_in #(
-        .FORMAT (FORMAT),
-        .LATENCY(LATENCY)
-      ) u_in (
-        .clk       (clk),
-        .role_i    (role),
-        .clear_i   (function_beat && ABOVE[degree]),
-        .clamp_i   (clamp),
-        .one_i     (at_end),
-        .word_i    (beat_data_i[32*w +: 32]),
-        .exponent_i(exponent_q),
-        .number_o  (numbers_o[w*POINT_W +: POINT_W]),
-        .nan_o     (nan[w]),
-        .outside_o (outside[w])
-      );
-    end
-  endgenerate
+  wire       nan;
+  wire       outside;
+  ffd_stream_numbers #(
+    .FORMAT (FORMAT),
+    .LATENCY(LATENCY)
+  ) u_numbers (
+    .clk       (clk),
+    .function_i(function_beat),
+    .vertex_i  (vertex),
+    .degree_i  (degree),
+    .clamp_i   (clamp),
+    .beyond_i  (beyond),
+    .data_i    (beat_data_i),
+    .exponent_i(exponent_q),
+    .numbers_o (numbers_o),
+    .nan_o     (nan),
+    .outside_o (outside)
+  );
 
   // ---- what goes with them
 
@@ -359,6 +349,7 @@ module ffd_stream_decoder #(
     .refuse_i            (!clamp && mode_q != MODE_PASS),
     .no_functions_i      (no_functions),
     .no_lattice_i        (no_lattice),
+    .refused_i           (beat_frame_i[`FFD_FRAME_REFUSED]),
     .tag_i               (tag),
     .source_i            (source),
     .bank_i              (bank),
@@ -371,8 +362,8 @@ module ffd_stream_decoder #(
     .top_i               (finish_top),
     .final_i             (finish_final),
     .numbers_i           (numbers_o[3*POINT_W-1:0]),
-    .nan_i               (|nan[2:0]),
-    .outside_i           (|outside[2:0]),
+    .nan_i               (nan),
+    .outside_i           (outside),
     .held_cell_o         (slot_cell_o),
     .held_slot_o         (slot_o),
     .room_o              (room),
@@ -393,8 +384,6 @@ module ffd_stream_decoder #(
 
   assign event_o = framing | of_vertex;
   assign idle_o  = !any_inside && !moving;
-
-  wire unused_ok = &{1'b0, nan[3], outside[3]};
 endmodule
 
 `default_nettype wire

@@ -15,6 +15,8 @@
 // derivative of coefficients; function and derivative of a span; k, j and i of a lattice; three
 // beats in sixteen groups of points.
 //
+// Of a beat that ffd_stream_expand made, as_i says more.
+//
 // Bad input:  an unknown opcode or kind of results, bad dimensions, spans beyond SPANS, and beats
 //             after a packet's end belong to nothing, up to tlast. A tlast inside a vertex ends it.
 //             With refuse_i the packet whose header is held belongs to nothing either. Whether such
@@ -37,6 +39,7 @@ module ffd_stream_framer #(
   input  wire                      take_i,
   input  wire [127:0]              data_i,
   input  wire                      last_i,
+  input  wire [2:0]                as_i,      // FFD_AS_*
   output wire [`FFD_FRAME_W-1:0]   frame_o,
   // Behind the header of a page, before its next beat can come.
   input  wire                      refuse_i,
@@ -44,11 +47,15 @@ module ffd_stream_framer #(
   input  wire [3*`FFD_AXIS_W(AXIS)-1:0] place_i,  // {i, j, k}
   input  wire [3*`FFD_AXIS_W(AXIS)-1:0] tops_i,
   output wire                      claims_o,  // a slot for its points
+  output wire                      expects_o, // a vertex
   output wire                      idle_o
 );
   localparam AXIS_W = `FFD_AXIS_W(AXIS);
   localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
 
+  wire [2:0] as      = as_i & {3{`FFD_FEATURE_EXPANDED(FEATURES)}};
+  wire       no_grid = as == `FFD_AS_NO_GRID;
+  wire       behind  = as == `FFD_AS_NOTHING;
   wire [`FFD_KIND_W-1:0] kind;
 
   ffd_stream_header #(
@@ -57,6 +64,7 @@ module ffd_stream_framer #(
     .SPANS   (SPANS)
   ) u_header (
     .data_i(data_i),
+    .grid_i(as == `FFD_AS_GRID),
     .kind_o(kind)
   );
 
@@ -86,7 +94,8 @@ module ffd_stream_framer #(
   reg  spans_q;     // functions are those of so many spans
   wire one;         // it is the last
   wire top;
-  wire vertex_done  = (vertex_q && resident_q) || (points_q && top);
+  wire vertex       = vertex_q && !no_grid && as != `FFD_AS_SHORT && !behind;
+  wire vertex_done  = (vertex && resident_q) || (points_q && top);
   wire point_done   = point_q && (part_q ? one : top);
   wire functions    = top && (!spans_q || one);
   wire payload_done = (function_q && functions) || point_done || (vertex_done && one);
@@ -105,7 +114,7 @@ module ffd_stream_framer #(
                                          : point_q && !point_done);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
       points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
-      done     <= !last_i && payload_done;
+      done       <= !last_i && (payload_done || (done && behind));
     end
   end
 
@@ -178,7 +187,7 @@ module ffd_stream_framer #(
   wire payload = function_q || point_q || vertex_q || points_q;
   wire refused = !(is_coefficients || good_lattice || of_vertices || is_part || good_spans);
   wire nothing = (of_vertices || is_part || is_spans) && none;
-  wire finish  = (vertex_q && (resident_q || last_i)) || (points_q && (top || last_i));
+  wire finish  = (vertex && (resident_q || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
@@ -187,19 +196,21 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_BUFFER]   = header_q && good_lattice && PAGES == 0;
   assign frame_o[`FFD_FRAME_FUNCTION] = function_q;
   assign frame_o[`FFD_FRAME_POINT]    = point_q;
-  assign frame_o[`FFD_FRAME_VERTEX]   = vertex_q;
+  assign frame_o[`FFD_FRAME_VERTEX]   = vertex;
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
   assign frame_o[`FFD_FRAME_FINAL]    = one || (last_i && !(spans_q && function_q));
   assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
-  assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done)
+  assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done && !no_grid)
                                      || (header_q && !of_page && !refused && (last_i || nothing));
-  assign frame_o[`FFD_FRAME_LONG]     = done;
+  assign frame_o[`FFD_FRAME_LONG]     = (done && !behind) || (vertex_q && as == `FFD_AS_LONG);
   assign frame_o[`FFD_FRAME_SIZE]     = header_q && is_lattice && !good_lattice;
   assign frame_o[`FFD_FRAME_HIGH]     = high;
   assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
   assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
+  assign frame_o[`FFD_FRAME_REFUSED]  = vertex_q && (as == `FFD_AS_REFUSED || no_grid);
   assign claims_o                     = vertex_q && !resident_q;
+  assign expects_o                    = vertex_q;
   assign idle_o                       = header_q;
 
   wire unused_ok = &{1'b0, place_valid_i, place_i, tops_i, derivatives_top, spans_top};

@@ -20,6 +20,7 @@ module ffd_stream_header #(
   parameter SPANS    = 1
 ) (
   input  wire [127:0]            data_i,
+  input  wire                    grid_i,  // it is that of a grid
   output wire [`FFD_KIND_W-1:0]  kind_o
 );
   generate
@@ -63,7 +64,7 @@ module ffd_stream_header #(
   wire       twice        = data_i[95];
   wire       page         = opcode == OPCODE_PAGE && PAGES != 0;
   wire       of_page      = opcode == OPCODE_OF_PAGE && PAGES != 0;
-  wire       every        = of_page && data_i[16];
+  wire       every        = (of_page || grid_i) && data_i[16];
   wire       flag         = LARGE == 0 || (page && data_i[19]);
   wire [2:0] good;
 

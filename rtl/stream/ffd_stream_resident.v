@@ -47,6 +47,7 @@ module ffd_stream_resident #(
   output wire                        empty_o,
   output wire [PAGE_W-1:0]           new_page_o,  // that points go to
   output wire                        loaded_o,
+  output wire [PLACE_W-1:0]          last_cell_o,
   output wire [`FFD_EXPONENT_W-1:0]  exponent_o,
   output wire                        fourth_o,
   output wire [2:0]                  beyond_o,
@@ -65,7 +66,6 @@ module ffd_stream_resident #(
   wire of_page = frame_i[`FFD_FRAME_PAGE];
   wire top     = frame_i[`FFD_FRAME_TOP];
   wire [PAGE_W-1:0]  page;
-  wire [PLACE_W-1:0] last_cell;
   wire               of_large;
   wire [20:0]        origin;
 
@@ -100,7 +100,7 @@ module ffd_stream_resident #(
         .empty_o      (empty_o),
         .page_o       (page),
         .loaded_o     (loaded_o),
-        .last_cell_o  (last_cell),
+        .last_cell_o  (last_cell_o),
         .exponent_o   (exponent_o),
         .large_o      (of_large),
         .fourth_o     (fourth_o),
@@ -123,7 +123,7 @@ module ffd_stream_resident #(
         .whole_i    (point && top),
         .buffer_o   (page),
         .loaded_o   (loaded_o),
-        .last_cell_o(last_cell),
+        .last_cell_o(last_cell_o),
         .exponent_o (exponent_o)
       );
       assign new_page_o    = !page;
@@ -148,7 +148,7 @@ module ffd_stream_resident #(
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       wire [5:0]        few     = {1'b0, AXIS_W > 4 && data_i[124+a], data_i[112+4*a +: 4]};
       wire [5:0]        asked   = in_large ? data_i[110+6*a +: 6] : few;
-      wire [AXIS_W-1:0] last    = last_cell[AXIS_W*a +: AXIS_W];
+      wire [AXIS_W-1:0] last    = last_cell_o[AXIS_W*a +: AXIS_W];
       wire [AXIS_W-1:0] nearest = beyond_o[a] ? last : asked[AXIS_W-1:0];
       assign beyond_o[a]      = bounded && asked[AXIS_W-1:0] > last;
       assign cell_o[4*a +: 4] = nearest[3:0];

@@ -37,6 +37,7 @@ module ffd_stream_vertex #(
   input  wire                                 refuse_i,
   input  wire                                 no_functions_i,
   input  wire                                 no_lattice_i,
+  input  wire                                 refused_i,  // it is no vertex
   input  wire [15:0]                          tag_i,
   input  wire [SOURCE_W-1:0]                  source_i,
   input  wire                                 bank_i,
@@ -87,7 +88,7 @@ module ffd_stream_vertex #(
 
   // ---- what came with the vertex's beat
 
-  localparam KNOWN_W = 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + 5 + 16;
+  localparam KNOWN_W = 1 + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + 5 + 16;
   localparam NUMBERS_W = 3 * WEIGHT_W;
   wire [KNOWN_W-1:0]         known;
   wire [NUMBERS_W-1:0]       coordinates;
@@ -102,7 +103,7 @@ module ffd_stream_vertex #(
   ) u_known (
     .clk(clk),
     .rst(1'b0),
-    .d_i({results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i, refuse_i,
+    .d_i({refused_i, results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i, refuse_i,
           no_functions_i, no_lattice_i, tag_i}),
     .q_o(known)
   );
@@ -160,14 +161,15 @@ module ffd_stream_vertex #(
   wire                       no_functions;
   wire                       no_lattice;
   wire [15:0]                tag;
-  assign {results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
+  wire                       refused;
+  assign {refused, results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
           no_functions, no_lattice, tag} = known_q;
   assign held_cell_o = cell_index;
   assign held_slot_o = source[SLOT_W-1:0];
 
   wire       resident  = source[SOURCE_W-1];
   wire       truncated = !resident && !top_q;
-  wire       unloaded  = no_functions || no_lattice;
+  wire       unloaded  = no_functions || no_lattice || refused;
   wire       out       = outside_q || beyond;
   wire       blank     = truncated || unloaded || nan_q || (out && refuse);
   wire [5:0] status    = {unloaded, truncated, out, nan_q, out && clamp, 1'b0};

@@ -69,10 +69,7 @@ module hwffd_stream #(
 
   wire clk = aclk;
   wire rst = !aresetn;
-  wire                     take_in = s_axis_tvalid && s_axis_tready;
-  wire [`FFD_FRAME_W-1:0]  frame;
-  wire                     claims;
-  wire                     between;
+  wire                     front_idle;
   wire                     slot_free;
   wire                     rooms;
   wire                     in_valid;
@@ -85,42 +82,36 @@ module hwffd_stream #(
   wire                     place_valid;
   wire [PLACE_W-1:0]       place;
   wire [PLACE_W-1:0]       tops;
+  wire                     lattice_loaded;
+  wire [PLACE_W-1:0]       last_cell;
 
-  ffd_stream_framer #(
-    .AXIS    (AXIS),
+  ffd_stream_front #(
+    .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
+    .AXIS    (AXIS),
     .SPANS   (SPANS)
-  ) u_framer (
-    .clk     (clk),
-    .rst     (rst),
-    .take_i  (take_in),
-    .data_i  (s_axis_tdata),
-    .last_i  (s_axis_tlast),
-    .refuse_i(refuse),
+  ) u_front (
+    .clk          (clk),
+    .rst          (rst),
+    .s_beat_valid (s_axis_tvalid),
+    .s_beat_ready (s_axis_tready),
+    .s_beat_data  (s_axis_tdata),
+    .s_beat_last  (s_axis_tlast),
+    .beat_valid_o (in_valid),
+    .beat_data_o  (in_data),
+    .beat_last_o  (in_last),
+    .frame_o      (in_frame),
+    .held_o       (in_held),
+    .go_i         (in_go),
+    .refuse_i     (refuse),
     .place_valid_i(place_valid),
-    .place_i (place),
-    .tops_i  (tops),
-    .frame_o (frame),
-    .claims_o(claims),
-    .idle_o  (between)
-  );
-
-  wire waits = frame[`FFD_FRAME_BANK] || frame[`FFD_FRAME_BUFFER] || frame[`FFD_FRAME_PAGE]
-            || (claims && !slot_free) || (frame[`FFD_FRAME_FINISH] && !rooms);
-
-  ffd_stream_intake #(
-    .WIDTH(`FFD_FRAME_W + 129)
-  ) u_in (
-    .clk         (clk),
-    .rst         (rst),
-    .s_beat_valid(s_axis_tvalid),
-    .s_beat_ready(s_axis_tready),
-    .s_beat_waits(waits),
-    .s_beat_data ({frame, s_axis_tlast, s_axis_tdata}),
-    .go_i        (in_go),
-    .held_o      (in_held),
-    .beat_valid_o(in_valid),
-    .beat_data_o ({in_frame, in_last, in_data})
+    .place_i      (place),
+    .tops_i       (tops),
+    .slot_free_i  (slot_free),
+    .rooms_i      (rooms),
+    .loaded_i     (lattice_loaded),
+    .last_cell_i  (last_cell),
+    .idle_o       (front_idle)
   );
 
   wire [4*POINT_W-1:0]              numbers;
@@ -237,6 +228,8 @@ module hwffd_stream #(
     .m_vertex_results    (vertex_results),
     .m_vertex_exponent   (vertex_exponent),
     .m_vertex_user       (vertex_user),
+    .lattice_loaded_o    (lattice_loaded),
+    .last_cell_o         (last_cell),
     .slot_free_o         (slot_free),
     .rooms_o             (rooms),
     .slot_free_i         (|read_slot_last),
@@ -403,7 +396,7 @@ module hwffd_stream #(
   wire   held_back = in_held && !in_go;
   wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
   assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
-  assign idle_o    = between && decoder_idle && !in_valid && !in_held && encoder_idle;
+  assign idle_o    = front_idle && decoder_idle && encoder_idle;
   wire unused_ok = &{1'b0, read, part_fourth};
 endmodule
 

@@ -28,6 +28,7 @@ module formal_stream_framer #(
     .take_i  (take),
     .data_i  (data),
     .last_i  (last),
+    .as_i    (3'd0),
     .refuse_i(1'b0),
     .place_valid_i(1'b0),
     .place_i (12'd0),

@@ -128,17 +128,17 @@ module model_decoder #(
   (* hierconn *) wire [11:0] \u_dut.cell_index ;
   (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ;
   (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ;
-  (* hierconn *) wire [13:0] \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
-  (* hierconn *) wire [13:0] \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
   (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[0].data_q ;
   (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[1].data_q ;
   (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[0].data_q ;
   (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[1].data_q ;
   (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
   (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
-  (* hierconn *) wire [49:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
-  (* hierconn *) wire [49:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
-  (* hierconn *) wire [49:0] \u_dut.u_vertex.known_q ;
+  (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
+  (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
+  (* hierconn *) wire [50:0] \u_dut.u_vertex.known_q ;
   (* hierconn *) wire        \u_dut.u_vertex.whole_q , \u_dut.u_vertex.final_q ;
   (* hierconn *) wire        \u_dut.u_vertex.queue_ready ;
   (* hierconn *) wire [1:0]  \u_dut.u_vertex.waiting_q ;
@@ -147,17 +147,17 @@ module model_decoder #(
   (* hierconn *) wire [82:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
   wire [82:0] memory_0 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
   wire [82:0] memory_1 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
-  wire [13:0] taken_0  = \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
-  wire [13:0] taken_1  = \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
+  wire [14:0] taken_0  = \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
+  wire [14:0] taken_1  = \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
   wire [14:0] place_0  = \u_dut.u_beside.u_place.gen_stage[0].data_q ;
   wire [14:0] place_1  = \u_dut.u_beside.u_place.gen_stage[1].data_q ;
   wire [7:0]  page_0   = \u_dut.u_beside.u_page.gen_stage[0].data_q ;
   wire [7:0]  page_1   = \u_dut.u_beside.u_page.gen_stage[1].data_q ;
   wire [2:0]  loads_0  = \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
   wire [2:0]  loads_1  = \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
-  wire [49:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
-  wire [49:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
-  wire [49:0] known    = \u_dut.u_vertex.known_q ;
+  wire [50:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
+  wire [50:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
+  wire [50:0] known    = \u_dut.u_vertex.known_q ;
   wire        whole    = \u_dut.u_vertex.whole_q ;
   wire [1:0]  waiting  = \u_dut.u_vertex.waiting_q ;
   wire [1:0]  read     = \u_dut.u_vertex.u_queue.read_q ;
@@ -260,7 +260,7 @@ module model_decoder #(
     at = all >> (number[1:0] * 49);
   endfunction
   // The fields of an entry in the words of known, of the queue, and of what retires.
-  function [34:0] of_known(input [49:0] word);
+  function [34:0] of_known(input [50:0] word);
     of_known = {word[49:48], word[37:21], word[15:0]};
   endfunction
   function same_word(input [82:0] word, input [48:0] one);
@@ -277,7 +277,7 @@ module model_decoder #(
 
   assign head_o = at(list, out);
   wire [48:0] e_first = at(list, out_head);
-  wire [49:0] newest  = vertex_0 ? known_0 : vertex_1 ? known_1 : known;
+  wire [50:0] newest  = vertex_0 ? known_0 : vertex_1 ? known_1 : known;
   wire [48:0] e_whole = at(list, out_queue);
   wire [48:0] e_1     = at(list, out_whole);
   wire [48:0] e_0     = at(list, out_whole + finish_1);

@@ -52,6 +52,7 @@ module model_intake #(
     .take_i  (s_valid && s_ready),
     .data_i  (s_data),
     .last_i  (s_last),
+    .as_i    (3'd0),
     .refuse_i(1'b0),
     .place_valid_i(1'b0),
     .place_i (12'd0),

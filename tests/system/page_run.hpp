@@ -34,7 +34,8 @@ class PageRun {
  public:
   PageRun(const PageBuild& build, std::uint64_t seed, const std::string& source = "always",
           const std::string& sink = "always")
-      : row_(find_configuration(build.row)),
+      : build_(build),
+        row_(find_configuration(build.row)),
         codec_(row_.format),
         core_(build.make(seed)),
         model_(row_, build.core.features, build.core.axis, build.core.pages, build.core.spans) {
@@ -85,6 +86,9 @@ class PageRun {
     }
     return found;
   }
+
+ protected:
+  PageBuild build_;
 
  private:
   const Configuration& row_;

@@ -31,6 +31,8 @@ bool StreamModel::known(const Beat& header) const {
       return has(kPagesFeature) && known_of_page(header);
     case Opcode::kPageVertices:
       return has(kPagesFeature) && known_of_page(header) && results;
+    case Opcode::kGrid:
+      return has(kGridsFeature) && known_grid(header) && results;
     default:
       return false;
   }
@@ -43,6 +45,8 @@ bool StreamModel::known_of_page(const Beat& header) const {
   std::uint32_t flags = has(kFourthFeature) ? kFourthFlag : 0;
   if (opcode != Opcode::kPoints && has(kLargeFeature)) flags |= kLargeFlag;
   if (opcode == Opcode::kPageVertices) flags |= kEveryFlag;
+  const bool large = (header.words[0] & kLargeFlag) != 0;
+  if (opcode == Opcode::kPageVertices && has(kPackedFeature) && !large) flags |= kPackedFlag;
   if (opcode == Opcode::kPageVertices && has(kMarksFeature)) flags |= kCountFlag | kInterruptFlag;
   const std::uint32_t second = opcode == Opcode::kPage     ? 0x00FFFFFF   // points an axis
                                : opcode == Opcode::kPoints ? 0x0003FFFF   // place
@@ -52,10 +56,28 @@ bool StreamModel::known_of_page(const Beat& header) const {
          (header.words[3] & ~third) == 0;
 }
 
-/// Whether a header of opcodes 5 to 7 has that flag; the others have none.
+/// The same of opcode 8; without pages there is no page but 0, and no flag.
+bool StreamModel::known_grid(const Beat& header) const {
+  std::uint32_t flags = 0xFF;
+  if (has(kPagesFeature)) {
+    flags |= 0xFF00 | (has(kFourthFeature) ? kFourthFlag : 0) |
+             (has(kLargeFeature) ? kLargeFlag : 0) |
+             (has(kMarksFeature) ? kCountFlag | kInterruptFlag : 0);
+  }
+  return (header.words[0] & ~flags) == 0 && (header.words[2] & ~0x300U) == 0;
+}
+
+/// Whether the packet under way has two vertices a beat.
+bool StreamModel::packed() const {
+  const auto opcode = static_cast<Opcode>(header_.words[0] & 0xFF);
+  return has(kPackedFeature) && (header_.words[0] & kPackedFlag) != 0 &&
+         (opcode == Opcode::kVertices || opcode == Opcode::kPageVertices);
+}
+
+/// Whether a header of opcodes 5 to 8 has that flag; the others have none.
 bool StreamModel::flagged(std::uint32_t flag) const {
   const auto opcode = static_cast<Opcode>(header_.words[0] & 0xFF);
-  const bool of_page = opcode >= Opcode::kPage && opcode <= Opcode::kPageVertices;
+  const bool of_page = opcode >= Opcode::kPage && opcode <= Opcode::kGrid;
   return of_page && (header_.words[0] & flag) != 0;
 }
 

@@ -10,7 +10,7 @@ namespace hwffd::model {
 StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
                          int axis_points, int pages, int spans)
     : evaluator_(make_evaluator_model(configuration)),
-      block_(WordCodec(configuration.format).is_block()),
+      codec_(configuration.format),
       features_(features),
       axis_points_(axis_points),
       pages_(pages),
@@ -55,7 +55,13 @@ void StreamModel::accept(const Beat& beat) {
       part_point(beat);
       break;
     case State::kVertex:
-      vertex(beat);
+      vertex(read_vertex(beat), beat.last);
+      break;
+    case State::kPair:
+      pair(beat);
+      break;
+    case State::kGrid:
+      grid_beat(beat);
       break;
     case State::kPoints:
       points(beat);
@@ -68,7 +74,7 @@ void StreamModel::accept(const Beat& beat) {
       break;
   }
   if (!beat.last) return;
-  if (payload && state_ != State::kDone) ++events_[event::kPacketShort];
+  if (payload && state_ != State::kDone && state_ != State::kDrop) ++events_[event::kPacketShort];
   state_ = State::kHeader;
 }
 
@@ -82,9 +88,11 @@ void StreamModel::header(const Beat& beat) {
     return;
   }
   const auto opcode = static_cast<Opcode>(beat.words[0] & 0xFF);
-  const int number = opcode == Opcode::kLattice    ? other_page()
-                     : opcode == Opcode::kVertices ? newest_
-                                                   : static_cast<int>(beat.words[0] >> 8 & 0xFF);
+  const bool newest =
+      opcode == Opcode::kVertices || (opcode == Opcode::kGrid && !has(kPagesFeature));
+  const int number = opcode == Opcode::kLattice ? other_page()
+                     : newest                   ? newest_
+                                                : static_cast<int>(beat.words[0] >> 8 & 0xFF);
   if (!start(opcode, number)) return;
   if (state_ == State::kDrop || beat.last) ++events_[event::kPacketShort];
 }
@@ -143,7 +151,7 @@ bool StreamModel::start_part(int number) {
   if (number >= static_cast<int>(pages_.size())) return refuse(event::kNoLattice);
   page_ = &pages_[number];
   place_ = header_.words[2];
-  const bool same_exponent = !block_ || page_->exponent == header_exponent();
+  const bool same_exponent = !codec_.is_block() || page_->exponent == header_exponent();
   if (!page_->loaded || !same_exponent || place_ + std::uint64_t{left_} > page_->points.size()) {
     return refuse(event::kPagePoints);
   }
@@ -156,6 +164,7 @@ bool StreamModel::start_vertices(Opcode opcode, int number) {
   wanted_ = static_cast<Results>(header_.words[2] >> 8 & 3);
   resident_ = opcode != Opcode::kInterleaved;
   packet_results_ = 0;
+  number_ = 0;
   page_ = nullptr;
   if (resident_ && number < static_cast<int>(pages_.size()) && pages_[number].loaded) {
     page_ = &pages_[number];
@@ -164,7 +173,11 @@ bool StreamModel::start_vertices(Opcode opcode, int number) {
       (page_ == nullptr || !page_->fourth || wanted_ == Results::kDeterminant)) {
     return refuse(event::kNoFourth);
   }
-  if (left_ != 0 || flagged(kEveryFlag)) state_ = State::kVertex;
+  if (opcode == Opcode::kGrid) {
+    state_ = State::kGrid;
+  } else if (left_ != 0 || flagged(kEveryFlag)) {
+    state_ = packed() ? State::kPair : State::kVertex;
+  }
   return true;
 }
 
@@ -250,29 +263,24 @@ void StreamModel::part_point(const Beat& beat) {
   if (--left_ == 0) state_ = State::kDone;
 }
 
-void StreamModel::vertex(const Beat& beat) {
+void StreamModel::vertex(const VertexBeat& read, bool last) {
   vertex_ = {};
-  const bool large = flagged(kLargeFlag);
-  for (int axis = 0; axis < 3; ++axis) {
-    vertex_.local[axis] = beat.words[axis];
-    const std::uint32_t word = beat.words[3];
-    const std::uint32_t fifth = axis_points_ > 16 ? word >> (28 + axis) & 1 : 0;
-    vertex_.cell[axis] = static_cast<int>(large ? word >> (14 + 6 * axis) & 63
-                                                : (word >> (16 + 4 * axis) & 15) | fifth << 4);
-  }
+  vertex_.local = read.local;
+  vertex_.cell = read.cell;
   vertex_.exponent = page_ != nullptr ? page_->exponent : header_exponent();
-  tag_ = static_cast<std::uint16_t>(beat.words[3] & (large ? 0x3FFF : 0xFFFF));
+  tag_ = static_cast<std::uint16_t>(read.tag & (flagged(kLargeFlag) ? kLargeTagMask : kTagMask));
   beat_ = 0;
   check_vertex();
   if (!resident_) {
     state_ = State::kPoints;
-    if (beat.last) finish_vertex(true, true);
+    if (last) finish_vertex(true, true);
     return;
   }
   if (page_ != nullptr) gather_support();
-  const bool complete = flagged(kEveryFlag) ? beat.last : left_ == 1;
-  finish_vertex(false, complete || beat.last);
-  state_ = complete ? State::kDone : State::kVertex;
+  const bool counted = state_ != State::kGrid && !flagged(kEveryFlag);
+  const bool complete = counted ? left_ == 1 : last;
+  finish_vertex(false, complete || last);
+  if (complete) state_ = State::kDone;
 }
 
 void StreamModel::check_vertex() {
@@ -318,7 +326,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   ++vertices_;
   const bool no_lattice = resident_ && page_ == nullptr;
   const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
-  const bool unloaded = no_functions || no_lattice;
+  const bool unloaded = no_functions || no_lattice || refused_;
   const bool out = outside_ || cell_outside_;
   const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
   const bool clamp = mode == OutsideMode::kClamp;

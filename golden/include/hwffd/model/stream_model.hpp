@@ -9,6 +9,7 @@
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/packets.hpp"
+#include "hwffd/stream/word_codec.hpp"
 
 namespace hwffd::model {
 
@@ -21,6 +22,8 @@ enum Feature : std::uint32_t {
   kLargeFeature = 1U << 1,
   kFourthFeature = 1U << 2,
   kSpansFeature = 1U << 3,
+  kGridsFeature = 1U << 4,
+  kPackedFeature = 1U << 5,
   kMarksFeature = 1U << 6,
   kResidentFeature = 1U << 8,
   kInterleavedFeature = 1U << 9,
@@ -63,6 +66,8 @@ class StreamModel {
     kLattice,
     kPart,
     kVertex,
+    kPair,
+    kGrid,
     kPoints,
     kDone,
     kDrop
@@ -82,6 +87,8 @@ class StreamModel {
   bool has(Feature feature) const { return (features_ & feature) != 0; }
   bool known(const Beat& header) const;
   bool known_of_page(const Beat& header) const;
+  bool known_grid(const Beat& header) const;
+  bool packed() const;
   bool flagged(std::uint32_t flag) const;
   void header(const Beat& beat);
   bool start(Opcode opcode, int number);
@@ -95,7 +102,12 @@ class StreamModel {
   void use_spans();
   void lattice_point(const Beat& beat);
   void part_point(const Beat& beat);
-  void vertex(const Beat& beat);
+  void vertex(const VertexBeat& read, bool last);
+  void pair(const Beat& beat);
+  void packed_vertex(std::uint64_t bits, bool last);
+  void grid_beat(const Beat& beat);
+  void grid();
+  VertexBeat read_vertex(const Beat& beat) const;
   void points(const Beat& beat);
   void check_vertex();
   void gather_support();
@@ -108,7 +120,7 @@ class StreamModel {
   int other_page() const { return pages_.size() > 1 ? 1 - newest_ : 0; }
 
   std::unique_ptr<EvaluatorModel> evaluator_;
-  bool block_;  // points have an exponent
+  WordCodec codec_;
   std::uint32_t features_;
   int axis_points_;
   std::vector<Page> pages_;
@@ -132,6 +144,9 @@ class StreamModel {
   bool resident_ = false;
   Results wanted_ = Results::kPosition;
   std::uint32_t left_ = 0;  // vertices, points of a part or spans
+  std::array<Beat, 4> grid_;
+  std::size_t number_ = 0;   // of a packed vertex in its packet
+  bool refused_ = false;     // it is no vertex
   VertexWords vertex_;
   std::array<std::uint32_t, 64> fourth_{};  // components of the vertex's points
   std::uint16_t tag_ = 0;

@@ -19,12 +19,14 @@ enum class Opcode : std::uint8_t {
   kPage = 5,
   kPoints = 6,
   kPageVertices = 7,
+  kGrid = 8,  ///< hwffd/stream/grid.hpp
   kSpans = 9  ///< hwffd/stream/spans.hpp
 };
 
-/// Flags of opcodes 5 to 7, bits of a header's word 0. docs/interface.md section 2.
+/// Flags of opcodes 5 to 8, bits of a header's word 0. docs/interface.md section 2.
 constexpr std::uint32_t kEveryFlag = 1U << 16;   ///< vertices come until tlast
 constexpr std::uint32_t kFourthFlag = 1U << 17;  ///< points have a fourth component
+constexpr std::uint32_t kPackedFlag = 1U << 18;  ///< hwffd/stream/packed.hpp; of opcode 3, too
 constexpr std::uint32_t kLargeFlag = 1U << 19;   ///< more than 32 points an axis, tags of 14 bits
 constexpr std::uint32_t kCountFlag = 1U << 20;   ///< results end with a unit that counts them
 constexpr std::uint32_t kInterruptFlag = 1U << 21;  ///< an interrupt when the results are in memory

@@ -1,0 +1,67 @@
+// How a stream model reads vertices: one from a beat, two of a beat, a grid of them.
+#include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/grid.hpp"
+#include "hwffd/stream/packed.hpp"
+
+namespace hwffd::model {
+
+/// A vertex as it stands in its beat.
+VertexBeat StreamModel::read_vertex(const Beat& beat) const {
+  VertexBeat read;
+  const bool large = flagged(kLargeFlag);
+  const std::uint32_t word = beat.words[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    read.local[axis] = beat.words[axis];
+    const std::uint32_t fifth = axis_points_ > 16 ? word >> (28 + axis) & 1 : 0;
+    read.cell[axis] = static_cast<int>(large ? word >> (14 + 6 * axis) & 63
+                                             : (word >> (16 + 4 * axis) & 15) | fifth << 4);
+  }
+  read.tag = static_cast<std::uint16_t>(word);
+  return read;
+}
+
+/// Two packed vertices; the second half of the last beat may be empty, and behind the last vertex
+/// it is not read.
+void StreamModel::pair(const Beat& beat) {
+  const std::uint64_t low = beat.words[0] | std::uint64_t{beat.words[1]} << 32;
+  const std::uint64_t high = beat.words[2] | std::uint64_t{beat.words[3]} << 32;
+  const bool alone = beat.last && high == kNoPackedVertex;
+  packed_vertex(low, alone);
+  if (!alone && state_ != State::kDone) packed_vertex(high, beat.last);
+}
+
+void StreamModel::packed_vertex(std::uint64_t bits, bool last) {
+  refused_ = bits >> 63 != 0;
+  if (refused_) refuse(event::kGridCount);
+  vertex(unpacked(vertex_of_bits(bits), number_++, codec_), last);
+  refused_ = false;
+}
+
+void StreamModel::grid_beat(const Beat& beat) {
+  grid_[0] = header_;
+  grid_[++beat_] = beat;
+  if (beat_ == 3) grid();
+}
+
+/// All vertices, if all of them are in the lattice.
+void StreamModel::grid() {
+  const Grid grid = grid_of(grid_);
+  const int cells = flagged(kLargeFlag) ? kLargeAxisPoints : kSmallAxisPoints;
+  if (page_ == nullptr || !grid_fits(grid, page_->dims, cells)) {
+    refuse(event::kGridCount);
+    state_ = State::kDrop;
+    return;
+  }
+  const std::array<int, 3> dims = page_->dims;
+  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
+    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
+      for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
+        const bool last = a + 1U == grid.count[0] && b + 1U == grid.count[1] &&
+                          c + 1U == grid.count[2];
+        vertex(grid_vertex(grid, dims, codec_, {a, b, c}), last);
+      }
+    }
+  }
+}
+
+}  // namespace hwffd::model

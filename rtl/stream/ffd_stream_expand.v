@@ -1,0 +1,242 @@
+// ffd_stream_expand: packets that say much in few beats become packets of vertices
+//
+// In front of the framer. A grid (opcode 8) becomes a packet of vertices of its page, or without
+// pages of the resident lattice, that come until tlast; a beat of packed vertices (flag P) becomes
+// two of one vertex each. The words are those that a driver would send for these vertices one by
+// one. All other packets pass as they came.
+//
+// Bad input:  a grid whose packet is too short, or that ffd_stream_grid calls bad, becomes one beat
+//             that belongs to nothing; what is behind a grid is dropped up to tlast. Of a packed
+//             vertex bit 63 refuses it. as_o tells the framer (FFD_AS_*). A header with bits that
+//             mean nothing keeps its opcode or flag, which are then unknown.
+// Formats:    docs/interface.md section 2; last_cell {k, j, i}.
+// Pipeline:   1 clock; a beat a clock, of packed ones one in two clocks. The first vertex of a grid
+//             23 clocks behind its last beat, then one a clock.
+// Freezes:    while m_beat_ready is 0. A grid waits until header_i says that its header, and with
+//             it its lattice, is known.
+// Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready through gates.
+// Parameters: FORMAT as in ffd_num.vh; FEATURES and AXIS as in ffd_stream_header, with one of the
+//             bits of grids and packed vertices.
+// Model:      golden/include/hwffd/stream/grid.hpp, packed.hpp.  Test: tests/system/grid_test.cpp.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_stream.vh"
+
+module ffd_stream_expand #(
+  parameter FORMAT   = 18,
+  parameter FEATURES = `FFD_FEATURES + 48,
+  parameter AXIS     = 16
+) (
+  input  wire                           clk,
+  input  wire                           rst,
+  input  wire                           s_beat_valid,
+  output wire                           s_beat_ready,
+  input  wire [127:0]                   s_beat_data,
+  input  wire                           s_beat_last,
+  output wire                           m_beat_valid,
+  input  wire                           m_beat_ready,
+  output wire [127:0]                   m_beat_data,
+  output wire                           m_beat_last,
+  output wire [2:0]                     as_o,
+  input  wire                           expects_i,    // the framer, a vertex
+  input  wire                           header_i,     // one goes on to the decoder
+  input  wire                           loaded_i,     // the lattice of that header
+  input  wire [3*`FFD_AXIS_W(AXIS)-1:0] last_cell_i,
+  output wire                           idle_o
+);
+  localparam GRIDS  = `FFD_FEATURE_GRIDS(FEATURES);
+  localparam PACKED = `FFD_FEATURE_PACKED(FEATURES);
+  localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
+  localparam LARGE  = `FFD_FEATURE_LARGE(FEATURES);
+  localparam [7:0] OPCODE_VERTICES = 8'd3;
+  localparam [7:0] OPCODE_OF_PAGE  = 8'd7;
+  localparam [7:0] OPCODE_GRID     = 8'd8;
+  localparam [2:0] HEADER = 3'd0, PASS = 3'd1, PAIRS = 3'd2, AXES = 3'd3, CHECK = 3'd4, WALK = 3'd5,
+                   CLOSE = 3'd6, DROP = 3'd7;
+
+  // ---- the beat that goes on
+
+  reg          open_q;     // not in reset
+  reg          valid_q;
+  reg  [127:0] data_q;     // of a vertex three coordinates Q1.24 in place of its words
+  reg          vertex_q;
+  reg          last_q;
+  reg  [2:0]   as_q;
+  reg          second_q;   // it may be behind the last vertex, which the framer knows
+  reg          rest_q;     // the second vertex of a pair waits
+  reg  [63:0]  rest_data_q;
+  reg          rest_last_q;
+  reg  [2:0]   state_q;
+  wire         free = !valid_q || m_beat_ready;
+  wire         pass = state_q == HEADER || state_q == PASS || state_q == PAIRS;
+  wire         sink = state_q == AXES || state_q == DROP;
+  wire         take = s_beat_valid && s_beat_ready;
+  assign s_beat_ready = open_q && ((pass && free && !rest_q) || sink);
+  assign idle_o       = !valid_q && !rest_q && state_q == HEADER;
+  always @(posedge clk) open_q <= !rst;
+
+  // ---- headers
+
+  wire [7:0] opcode  = s_beat_data[7:0];
+  wire       of_page = opcode == OPCODE_OF_PAGE && PAGES != 0;
+  // Of a grid no mode, no E and no P; without pages nothing but the kind of results.
+  wire       strange = s_beat_data[16] || s_beat_data[18] || s_beat_data[65:64] != 2'd0
+                    || (PAGES == 0 && (s_beat_data[31:8] != 24'd0 || s_beat_data[71:66] != 6'd0
+                                       || s_beat_data[95:74] != 22'd0));
+  wire       header  = take && state_q == HEADER;
+  wire       grid    = GRIDS != 0 && opcode == OPCODE_GRID && !strange;
+  wire       pairs   = PACKED != 0 && s_beat_data[18]
+                    && (opcode == OPCODE_VERTICES || (of_page && !s_beat_data[19]));
+  wire [127:0] grid_header = {32'd0, s_beat_data[95:17], 1'b1, s_beat_data[15:8],
+                              PAGES != 0 ? OPCODE_OF_PAGE : OPCODE_VERTICES};
+  wire [127:0] made_header = grid ? grid_header
+                           : {s_beat_data[127:19], s_beat_data[18] && !pairs, s_beat_data[17:0]};
+
+  // ---- a pair of vertices
+
+  wire [63:0] half  = rest_q ? rest_data_q : s_beat_data[63:0];
+  wire        alone = s_beat_last && &s_beat_data[127:64];  // the second one is empty
+  wire        one   = take && state_q == PAIRS;
+  wire        other = rest_q && free;
+
+  always @(posedge clk) begin
+    if (rst) rest_q <= 1'b0;
+    else rest_q <= (one && !alone) || (rest_q && !free);
+  end
+  always @(posedge clk) begin
+    if (one) rest_data_q <= s_beat_data[127:64];
+    if (one) rest_last_q <= s_beat_last;
+  end
+
+  // ---- a grid
+
+  reg  [1:0]  axis_q;
+  reg         ended_q;   // its packet
+  reg         short_q;
+  reg         known_q;   // its header has gone on
+  reg         large_q;
+  wire        axis_taken = take && state_q == AXES;
+  wire        end_axes   = axis_taken && (axis_q == 2'd2 || s_beat_last);
+  wire        walk       = state_q == WALK && free;
+  wire        close      = state_q == CLOSE && free;
+  wire        checked;
+  wire        bad;
+  wire        walk_last;
+  wire [17:0] grid_cells;
+  wire [74:0] grid_coordinates;
+  wire        decided = state_q == CHECK && known_q && checked;
+
+  always @(posedge clk) begin
+    if (header) large_q <= LARGE != 0 && PAGES != 0 && s_beat_data[19];
+    axis_q  <= header ? 2'd0 : axis_q + {1'b0, axis_taken};
+    known_q <= state_q != HEADER && !(valid_q && as_q == `FFD_AS_GRID) && (known_q || header_i);
+    if (end_axes) ended_q <= s_beat_last;
+    if (end_axes) short_q <= axis_q != 2'd2;
+  end
+
+  // That its lattice is known, the first clock of the check does not wait for.
+  reg checks_q;
+  wire checks = state_q == CHECK && known_q && !checks_q;
+  always @(posedge clk) checks_q <= state_q == CHECK && (checks_q || checks);
+
+  generate
+    if (GRIDS != 0) begin : gen_grid
+      ffd_stream_grid #(
+        .AXIS(AXIS)
+      ) u_grid (
+        .clk          (clk),
+        .rst          (rst),
+        .data_i       (s_beat_data),
+        .header_i     (header),
+        .axis_i       ({3{axis_taken}} & (3'd1 << axis_q)),
+        .check_i      (checks),
+        .loaded_i     (loaded_i),
+        .large_i      (large_q),
+        .last_cell_i  (last_cell_i),
+        .next_i       (walk),
+        .checked_o    (checked),
+        .bad_o        (bad),
+        .last_o       (walk_last),
+        .cells_o      (grid_cells),
+        .coordinates_o(grid_coordinates)
+      );
+    end else begin : gen_no_grid
+      assign {checked, bad, walk_last, grid_cells, grid_coordinates} = {96{1'b0}};
+      wire unused_grid = &{1'b0, checks, walk, loaded_i, last_cell_i};
+    end
+  endgenerate
+
+  // ---- the vertex of either: its number is its tag, for a grid from a given one on
+
+  reg  [15:0] tag_q;
+  wire        of_grid  = state_q == WALK;
+  wire        vertex   = one || other || walk;
+  wire [17:0] in_cell  = of_grid ? grid_cells
+                       : {2'd0, half[62:59], 2'd0, half[58:55], 2'd0, half[54:51]};
+  wire [31:0] few      = {1'b0, in_cell[16], in_cell[10], in_cell[4],
+                          in_cell[15:12], in_cell[9:6], in_cell[3:0], tag_q};
+  wire [31:0] fourth   = of_grid && large_q ? {in_cell, tag_q[13:0]} : few;
+  wire [74:0] place    = of_grid ? grid_coordinates
+                       : {half[50:34], 8'd0, half[33:17], 8'd0, half[16:0], 8'd0};
+  wire [127:0] vertex_data = {fourth, 7'd0, place[74:50], 7'd0, place[49:25], 7'd0, place[24:0]};
+
+  always @(posedge clk) begin
+    if (header) tag_q <= grid ? s_beat_data[127:112] : 16'd0;
+    else if (vertex) tag_q <= tag_q + 16'd1;
+  end
+
+  // ---- what comes next
+
+  always @(posedge clk) begin
+    if (rst) valid_q <= 1'b0;
+    else if (free) valid_q <= (take && pass) || other || walk || close;
+  end
+  always @(posedge clk) begin
+    if (free) begin
+      vertex_q <= vertex;
+      second_q <= rest_q;
+      data_q   <= vertex ? vertex_data : header ? made_header : s_beat_data;
+      last_q   <= rest_q ? rest_last_q : of_grid ? walk_last : state_q == CLOSE
+               || (state_q == PAIRS ? alone : s_beat_last);
+      as_q     <= rest_q || state_q == PAIRS ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
+                : of_grid            ? (walk_last && !ended_q ? `FFD_AS_LONG : `FFD_AS_IT_IS)
+                : state_q == CLOSE   ? (short_q ? `FFD_AS_SHORT : `FFD_AS_NO_GRID)
+                : header && grid     ? `FFD_AS_GRID : `FFD_AS_IT_IS;
+    end
+  end
+
+  always @(posedge clk) begin
+    if (rst) state_q <= HEADER;
+    else case (state_q)
+      HEADER: if (take && !s_beat_last) state_q <= grid ? AXES : pairs ? PAIRS : PASS;
+      AXES:   if (end_axes) state_q <= CHECK;
+      CHECK:  if (decided) state_q <= expects_i && !short_q && !bad ? WALK : CLOSE;
+      WALK:   if (walk && walk_last) state_q <= ended_q ? HEADER : DROP;
+      CLOSE:  if (close) state_q <= ended_q ? HEADER : DROP;
+      default: if (take && s_beat_last) state_q <= HEADER;
+    endcase
+  end
+
+  // ---- its words
+
+  assign m_beat_valid = valid_q;
+  assign m_beat_last  = last_q;
+  assign as_o         = second_q && !expects_i ? `FFD_AS_NOTHING : as_q;
+  assign m_beat_data[127:96] = data_q[127:96];
+  genvar a;
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_word
+      wire [31:0] word;
+      ffd_num_coordinate #(
+        .FORMAT(FORMAT)
+      ) u_word (
+        .coordinate_i(data_q[32*a +: 25]),
+        .word_o      (word)
+      );
+      assign m_beat_data[32*a +: 32] = vertex_q ? word : data_q[32*a +: 32];
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hwffd/stream/grid.hpp"
+#include "hwffd/stream/packed.hpp"
+#include "page_run.hpp"
+
+namespace hwffd::test {
+
+/// The cores with grids and packed vertices of tests/system/CMakeLists.txt.
+std::vector<PageBuild> expand_builds();
+
+/// Such a core with a lattice in it: in its last page, or resident where there are no pages.
+class ExpandRun : public PageRun {
+ public:
+  using PageRun::PageRun;
+
+  bool has(std::uint32_t feature) const { return (build_.core.features & feature) != 0; }
+  int page() const { return has(model::kPagesFeature) ? build_.core.pages - 1 : 0; }
+  int axis_points() const { return build_.core.axis; }
+
+  void send_lattice(const LatticeWords& lattice);
+  void send_grid(const Grid& grid, const PageVertices& how = {});
+  void send_vertices(const std::vector<VertexBeat>& vertices, const PageVertices& how = {});
+  void send_packed(const std::vector<PackedVertex>& vertices, const PageVertices& how = {});
+
+  /// Flags that the core has, and the kinds of results that it can make of the lattice.
+  PageVertices random_flags(tb::Random& random, const LatticeWords& lattice) const;
+  /// A lattice with a fourth component where the core has one, each axis of 4 to `most` points.
+  LatticeWords random_lattice(tb::Random& random, int most) const;
+  LatticeWords random_lattice(tb::Random& random, const std::array<int, 3>& dims) const;
+
+  /// That `count` results from `first` on are those from `again` on in every bit.
+  ::testing::AssertionResult same(std::size_t first, std::size_t again, std::size_t count);
+};
+
+/// A grid in a lattice: 1 to `most` vertices an axis, any places and directions, often with ends
+/// on faces, and often at the ends of a coordinate's unit.
+Grid random_grid(tb::Random& random, const std::array<int, 3>& dims, int most);
+
+/// Packed vertices of a lattice; with `stray` some are outside.
+std::vector<PackedVertex> random_packed(tb::Random& random, const std::array<int, 3>& dims,
+                                        std::size_t count, bool stray = false);
+
+}  // namespace hwffd::test
