@@ -44,6 +44,7 @@ common/ffd_stream_skid.v
 evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_address.v
 evaluator/ffd_eval_affine.v
+evaluator/ffd_eval_axis_weights.v
 evaluator/ffd_eval_bank_weights.v
 evaluator/ffd_eval_coefficient_file.v
 evaluator/ffd_eval_columns.v
@@ -61,6 +62,7 @@ evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
 evaluator/ffd_eval_powers.v
 evaluator/ffd_eval_quarters.v
+evaluator/ffd_eval_scan.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_serial.v
 evaluator/ffd_eval_serial_component.v

@@ -57,7 +57,8 @@ class Organization:
     @property
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
-        return self.form == "product" or (self.fold in (4, 64) and self.lanes == 1)
+        return self.form == "product" or self.fold == 64 or (
+            self.fold == 4 and self.lanes == 1 and not self.parameters.get("SCAN"))
 
     @property
     def weighs_axes(self):

@@ -10,7 +10,7 @@
 // Jacobian:   in one pass of 144 multiplications a component; derivative weights leave P3 out.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
-//             unused.
+//             unused. SCAN 1, of FOLD 4 and one lane: ffd_eval_scan.
 // Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -22,6 +22,7 @@ module ffd_org_affine #(
   parameter FOLD            = 1,
   parameter LANES           = 1,
   parameter JACOBIAN        = 0,
+  parameter SCAN            = 0,
   parameter FORMAT          = 17,
   parameter N               = 64,
   parameter PORTS           = 1,
@@ -42,6 +43,14 @@ module ffd_org_affine #(
       ffd_eval_serial #(
         `include "ffd_org_arguments.vh"
       ) u_serial (
+        `include "ffd_org_connections.vh"
+      );
+    end else if (SCAN != 0 && (FOLD != 4 || LANES != 1)) begin : gen_bad_scan
+      ERROR_ffd_org_affine_scan_wants_fold_4_and_a_lane u_error ();
+    end else if (SCAN != 0) begin : gen_scan
+      ffd_eval_scan #(
+        `include "ffd_org_arguments.vh"
+      ) u_scan (
         `include "ffd_org_connections.vh"
       );
     end else begin : gen_affine
