@@ -22,11 +22,17 @@ struct Options {
   std::int64_t core_vertices = 4'096;
   std::int64_t milliseconds = 1'500;
   std::uint64_t seed = 1;
-  std::vector<std::string> models{"factored-fx18-overlapped", "affine3-fx17-overlapped",
-                                  "basic-fp32-overlapped"};
+  std::vector<std::string> models;
   std::vector<std::string> rows;
   std::string scene;
 };
+
+/// Of the bit-true models those that are asked for, else one of each kind of organization and
+/// number.
+std::vector<std::string> models_of(const Options& options) {
+  if (!options.models.empty()) return options.models;
+  return {"factored-fx18-overlapped", "affine3-fx17-overlapped", "basic-fp32-overlapped"};
+}
 
 /// What a core is counted for: rows that this build has.
 std::vector<Configuration> cores_of(const Options& options) {
@@ -47,9 +53,10 @@ Measured measure(const Options& options) {
   if (!options.scene.empty()) write_scene(random, options.scene);
   const Scene sorted = sorted_by_cell(random);
   const std::vector<Configuration> counted = cores_of(options);
+  const std::vector<std::string> models = models_of(options);
   Measured measured;
   measured.vertices = random.vertices.size();
-  const double steps = 2.0 * static_cast<double>(3 + options.models.size() + counted.size());
+  const double steps = 2.0 * static_cast<double>(3 + models.size() + counted.size());
   const auto show = [&](const std::string& what) {
     const std::size_t done = measured.software.size() + measured.cores.size();
     show_progress(what, static_cast<double>(done) / steps);
@@ -65,7 +72,7 @@ Measured measure(const Options& options) {
     add(evaluator<double>(*scene, is_sorted, seconds));
     add(device("", *scene, is_sorted, seconds));
     const Scene few = first_of(*scene, static_cast<std::size_t>(options.model_vertices));
-    for (const std::string& model : options.models) add(device(model, few, is_sorted, seconds));
+    for (const std::string& model : models) add(device(model, few, is_sorted, seconds));
     const Scene fewer = first_of(*scene, static_cast<std::size_t>(options.core_vertices));
     for (const Configuration& row : counted) {
       measured.cores.push_back(count(row, fewer, is_sorted, options.seed));
@@ -88,9 +95,7 @@ int main(int argc, char** argv) {
   program.number("--core-vertices", options.core_vertices, "of them, of each core's RTL", 2,
                  1'000'000);
   program.number("--milliseconds", options.milliseconds, "for which each program runs", 1, 100'000);
-  program.app()
-      .add_option("--model", options.models, "rows whose bit-true models are timed")
-      ->capture_default_str();
+  program.app().add_option("--model", options.models, "rows whose bit-true models are timed");
   program.app().add_option("--row", options.rows, "rows whose cores are counted");
   program.app().add_option("--scene", options.scene, "folder for what is evaluated");
   program.seed(options.seed, "points and vertices");

@@ -108,6 +108,13 @@ def test_a_study_builds_one_program_and_runs_it(make, programs, name):
     assert lines[-1] == f"{name}<>"
 
 
+def test_compare_builds_its_program_and_runs_it_beside_others(make, programs):
+    programs(build__venv__bin__python='echo "python<$*>"')
+    lines = make("compare")[1]
+    assert lines[-2].endswith(" --target hwffd-compare")
+    assert lines[-1] == "python<-B studies/compare>"
+
+
 def test_bfp_selects_rows_of_its_format(make, programs):
     programs(**{"scripts__configurations.py": ":", "build__studies__hwffd_bfp": 'echo "bfp<$*>"'})
     lines = make("bfp", "ORG=basic", "FORMAT=fx18")[1]
