@@ -93,7 +93,8 @@ def _place(cell):
     cell = re.sub(r"\$flatten|\\|genblk\d+\.|gen_\w+(\[\d+\])?\.", "", cell)
     cell = re.sub(r"^u_chain\.", "", cell)
     cell = re.sub(rf"_({_CELLS})_.*", "", cell)
-    return re.sub(r"\.\d+(\.\d+)*(_\w+)?$|\.?\$.*$", "", cell)
+    cell = re.sub(r"\.?\$.*$", "", cell)
+    return re.sub(r"\.\d+(\.\d+)*(_\w+)?$", "", cell)
 
 
 def path_in_words(report):
