@@ -5,25 +5,38 @@ find_program(YOSYS yosys REQUIRED)
 get_filename_component(yosys_folder ${YOSYS} DIRECTORY)
 set(netlist_scripts ${CMAKE_SOURCE_DIR}/scripts)
 file(GLOB netlist_steps CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.ys
-     ${CMAKE_SOURCE_DIR}/synth/*/*.v)
+     ${CMAKE_SOURCE_DIR}/synth/*/*.v ${CMAKE_SOURCE_DIR}/synth/*/*.map
+     ${CMAKE_SOURCE_DIR}/synth/*/*.txt)
 
 # The cells of a target: ours, and yosys' own for the others. (Gates need none.)
-find_file(YOSYS_ECP5_CELLS ecp5/cells_sim.v PATHS ${yosys_folder}/../share/yosys NO_DEFAULT_PATH REQUIRED)
-file(GLOB netlist_cells_ecp5 CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tb/cells/ecp5/*.v)
-set(netlist_library_ecp5 LIBRARY ${YOSYS_ECP5_CELLS})
+foreach(cells ecp5,ecp5 gw5a,gowin)
+  string(REPLACE , ";" fields ${cells})
+  list(GET fields 0 target)
+  list(GET fields 1 folder)
+  find_file(YOSYS_${target}_CELLS ${folder}/cells_sim.v PATHS ${yosys_folder}/../share/yosys
+    NO_DEFAULT_PATH REQUIRED)
+  file(GLOB netlist_cells_${target} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tb/cells/${target}/*.v)
+  set(netlist_library_${target} LIBRARY ${YOSYS_${target}_CELLS})
+endforeach()
 
-# hwffd_netlist(<identifier> <target>)
+# hwffd_netlist(<identifier> <target> [<variant>])
 #
-# Makes the static library <identifier>_<target>_netlist, as hwffd_verilate does, of the netlist of a row.
+# Makes the static library <identifier>_<target>_netlist, as hwffd_verilate does, of the netlist of a row,
+# or of one of synth/variants.csv, whose identifier ends with the word of the variant.
 function(hwffd_netlist id target)
+  set(name ${HWFFD_CONFIGURATION_NAME_${id}})
+  if(ARGC GREATER 2)
+    string(REGEX REPLACE "_${ARGV2}$" "" row ${id})
+    set(name ${HWFFD_CONFIGURATION_NAME_${row}}+${ARGV2})
+  endif()
   set(netlist ${CMAKE_BINARY_DIR}/netlists/${id}_${target}.v)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${netlist}
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist.py
-            ${HWFFD_CONFIGURATION_NAME_${id}} ${target} ${netlist}
+            ${name} ${target} ${netlist}
     DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
-            ${HWFFD_RTL_DIR}/organizations.csv ${netlist_steps}
+            ${HWFFD_RTL_DIR}/organizations.csv ${CMAKE_SOURCE_DIR}/synth/variants.csv ${netlist_steps}
             ${netlist_scripts}/netlist.py ${netlist_scripts}/synthesis.py ${netlist_scripts}/rtl.py
     COMMENT "Synthesizing the netlist of ${id} for ${target}"
     VERBATIM)

@@ -16,9 +16,10 @@ import sys
 import configurations
 import rtl
 import synthesis
+import variants
 
 # The script of synth/ for each target.
-SCRIPTS = {"ecp5": "ecp5", "generic": "generic_memories"}
+SCRIPTS = {"ecp5": "ecp5", "generic": "generic_memories", "gw5a": "gw5a"}
 
 
 def steps(row, target, out):
@@ -29,14 +30,22 @@ def steps(row, target, out):
     return [*mapped, "splitnets", "opt_clean -purge", f'write_verilog -noattr "{out}"']
 
 
+def find(name):
+    """A row, or a core of synth/variants.csv. Raises TableError."""
+    rows = configurations.read()
+    changed = variants.read(rtl.ROOT / "synth" / "variants.csv", rows, synthesis.TOPS)
+    named = {variant.name: variant for variant, top in changed if top == synthesis.CORE}
+    return named[name] if name in named else configurations.find(rows, name)
+
+
 def main():
     parser = argparse.ArgumentParser(description="Writes the netlist of a configuration.")
-    parser.add_argument("name", help="a row of rtl/configurations.csv")
+    parser.add_argument("name", help="a row of rtl/configurations.csv, or NAME+VARIANT")
     parser.add_argument("target", choices=SCRIPTS)
     parser.add_argument("out", type=pathlib.Path, help="Verilog to write")
     options = parser.parse_args()
     try:
-        row = configurations.find(configurations.read(), options.name)
+        row = find(options.name)
         options.out.parent.mkdir(parents=True, exist_ok=True)
         commands = "; ".join(steps(row, options.target, options.out.resolve()))
         return subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", commands], cwd=rtl.ROOT,

@@ -90,10 +90,11 @@ def clock(report):
 
 def _place(cell):
     """The registers or the block that a cell belongs to, as named in the sources."""
-    cell = re.sub(r"genblk\d+\.|gen_\w+(\[\d+\])?\.", "", cell)
+    cell = re.sub(r"\$flatten|\\|genblk\d+\.|gen_\w+(\[\d+\])?\.", "", cell)
     cell = re.sub(r"^u_chain\.", "", cell)
     cell = re.sub(rf"_({_CELLS})_.*", "", cell)
-    return re.sub(r"\.\d+(\.\d+)*(_\w+)?$|\$.*$", "", cell)
+    cell = re.sub(r"\.?\$.*$", "", cell)
+    return re.sub(r"\.\d+(\.\d+)*(_\w+)?$", "", cell)
 
 
 def path_in_words(report):

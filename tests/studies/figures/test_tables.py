@@ -107,6 +107,13 @@ def test_the_table_of_results_joins_three_reports(reports):
         "`tree 8`", "`nested`"]
 
 
+def test_a_clock_with_a_remark_gives_no_vertices_a_second(reports):
+    rows = [samples.mapped("basic-fx18-overlapped", 500, target="gw5a", remark="unknown")]
+    data = reports(organizations=samples.ORGANIZATIONS, synth={**samples.SYNTH, "rows": rows})
+    one, = throughput.throughputs(data)
+    assert (one.per_second, one.rate) == (None, 1 / 64)
+
+
 def test_rates(data):
     timed, untimed = (next(one for one in throughput.throughputs(data) if one.name == name)
                       for name in ("basic-fx18-overlapped", "nested-fx18-overlapped"))
