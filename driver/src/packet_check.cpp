@@ -32,16 +32,18 @@ constexpr Feature kResultDeterminant{HWFFD_FEATURES_DETERMINANT_MASK, "determina
                                      "ask for positions"};
 constexpr Feature kSeveralPages{HWFFD_FEATURES_PAGES_MASK, "pages",
                                 "send whole lattices (opcodes 2, 3)"};
+constexpr Feature kPackedVertices{HWFFD_FEATURES_PACKED_MASK, "packed vertices",
+                                  "send one vertex a beat"};
 constexpr Feature kGrids{HWFFD_FEATURES_GRIDS_MASK, "grids", "send their vertices"};
 constexpr Feature kFunctionSpans{HWFFD_FEATURES_SPANS_MASK, "spans",
                                  "send functions of every cell (opcode 1)"};
 
-/// Flags of a header's word 0 by their bits, from this one on (docs/interface.md section 10).
+/// Flags of a header's word 0 by their bits, from this one on (docs/interface.md section 2).
 constexpr unsigned kFirstFlag = 16;
 constexpr Feature kFlagged[] = {
     {0, "", ""},  // that of its opcode will do
     {HWFFD_FEATURES_FOURTH_MASK, "fourth component", "send it as x of a second lattice"},
-    {HWFFD_FEATURES_PACKED_MASK, "packed vertices", "send one vertex a beat"},
+    kPackedVertices,
     {HWFFD_FEATURES_LARGE_MASK, "large lattices", "cut the lattice into pages"},
     {HWFFD_FEATURES_MARKS_MASK, "counts a packet", "give each packet a run of its own"},
     {HWFFD_FEATURES_MARKS_MASK, "interrupts a packet", "wait for the end of the run"},
@@ -92,7 +94,21 @@ void check_spans(const CoreIdentity& core, const PacketHeader& header) {
                     std::to_string(core.spans) + "; send fewer, or build with SPANS");
 }
 
-/// Of opcodes 5 to 9; those before have none.
+/// Without pages a grid is of the resident lattice, and its header names no page.
+void check_grid(const CoreIdentity& core, const PacketHeader& header) {
+  require(core, kGrids);
+  if ((core.features & HWFFD_FEATURES_PAGES_MASK) != 0) {
+    check_page(core, header[0]);
+  } else if ((header[0] >> 8) != 0) {
+    require(core, kSeveralPages);
+  }
+  const bool none =
+      (header[1] & 0xFFFF) == 0 || (header[1] >> 16) == 0 || (header[3] & 0xFFFF) == 0;
+  if (none) throw DriverError("a grid without a vertex: each count is 1 to 65535");
+  check_results(core, header[2]);
+}
+
+/// Of opcodes 5 to 9; those before have none but P of opcode 3.
 void check_flags(const CoreIdentity& core, std::uint32_t word) {
   const unsigned opcode = word & 0xFF;
   for (unsigned flag = 0; flag < 32 - kFirstFlag; ++flag) {
@@ -110,7 +126,9 @@ void check_flags(const CoreIdentity& core, std::uint32_t word) {
 void check_packet(const CoreIdentity& core, const PacketHeader& header) {
   const unsigned opcode = header[0] & 0xFF;
   const bool large = (header[0] >> (kFirstFlag + 3) & 1) != 0;
+  const bool packed = (header[0] >> (kFirstFlag + 2) & 1) != 0;
   if (opcode >= kPage && opcode <= kSpans) check_flags(core, header[0]);
+  if (packed && large) throw DriverError("packed vertices of a large lattice: send P or L");
   switch (opcode) {
     case kCoefficients:
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
@@ -120,6 +138,7 @@ void check_packet(const CoreIdentity& core, const PacketHeader& header) {
       return check_points(core, header[2], false);
     case kVertices:
       require(core, kResidentLattices);
+      if (packed) require(core, kPackedVertices);
       return check_results(core, header[2]);
     case kInterleaved:
       require(core, kInterleavedVertices);
@@ -136,9 +155,7 @@ void check_packet(const CoreIdentity& core, const PacketHeader& header) {
       check_page(core, header[0]);
       return check_results(core, header[2]);
     case kGrid:
-      require(core, kGrids);
-      check_page(core, header[0]);
-      return check_results(core, header[2]);
+      return check_grid(core, header);
     case kSpans:
       require(core, kFunctionSpans);
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);

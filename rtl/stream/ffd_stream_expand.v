@@ -14,7 +14,7 @@
 //             23 clocks behind its last beat, then one a clock.
 // Freezes:    while m_beat_ready is 0. A grid waits until header_i says that its header, and with
 //             it its lattice, is known.
-// Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready through gates.
+// Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready by gates.
 // Parameters: FORMAT as in ffd_num.vh; FEATURES and AXIS as in ffd_stream_header, with one of the
 //             bits of grids and packed vertices.
 // Model:      golden/include/hwffd/stream/grid.hpp, packed.hpp.  Test: tests/system/grid_test.cpp.
@@ -52,8 +52,14 @@ module ffd_stream_expand #(
   localparam [7:0] OPCODE_VERTICES = 8'd3;
   localparam [7:0] OPCODE_OF_PAGE  = 8'd7;
   localparam [7:0] OPCODE_GRID     = 8'd8;
-  localparam [2:0] HEADER = 3'd0, PASS = 3'd1, PAIRS = 3'd2, AXES = 3'd3, CHECK = 3'd4, WALK = 3'd5,
-                   CLOSE = 3'd6, DROP = 3'd7;
+  localparam [2:0] HEADER = 3'd0;
+  localparam [2:0] PASS   = 3'd1;
+  localparam [2:0] PAIRS  = 3'd2;
+  localparam [2:0] AXES   = 3'd3;
+  localparam [2:0] CHECK  = 3'd4;
+  localparam [2:0] WALK   = 3'd5;
+  localparam [2:0] CLOSE  = 3'd6;
+  localparam [2:0] DROP   = 3'd7;
 
   // ---- the beat that goes on
 

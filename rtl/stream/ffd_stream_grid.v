@@ -44,8 +44,10 @@ module ffd_stream_grid #(
   // A sum of two times what fits and once; whatever fits has three equal bits on top.
   localparam SUM_W    = START_W + 3;
   localparam COUNT_W  = 16;
-  localparam [4:0] LAST_DOUBLING = COUNT_W - 1, END = COUNT_W, FIRST = COUNT_W + 1,
-                   DONE = COUNT_W + 2;
+  localparam [4:0] LAST_DOUBLING = COUNT_W - 1;
+  localparam [4:0] END           = COUNT_W;
+  localparam [4:0] FIRST         = COUNT_W + 1;
+  localparam [4:0] DONE          = COUNT_W + 2;
 
   // ---- the check: doublings, the end, back to the start
 
@@ -120,8 +122,8 @@ module ffd_stream_grid #(
       // From nothing to the end of the doublings, then to the end, then back.
       wire             starts = first || ending || again;
       wire             steps  = goes || (doubling && left_q[COUNT_W-1]);
-      wire [SUM_W-1:0] before = sum_q & {SUM_W{!first && !again && !(doubling && begins)}};
-      wire [SUM_W-1:0] from   = doubling ? {before[SUM_W-2:0], 1'b0} : before;
+      wire [SUM_W-1:0] kept   = sum_q & {SUM_W{!first && !again && !(doubling && begins)}};
+      wire [SUM_W-1:0] from   = doubling ? {kept[SUM_W-2:0], 1'b0} : kept;
       wire [SUM_W-1:0] more   = starts ? {3'd0, start_q}
                               : {{(SUM_W - STEP_W) {step_q[STEP_W-1]}}, step_q} & {SUM_W{steps}};
       always @(posedge clk) begin
@@ -135,15 +137,15 @@ module ffd_stream_grid #(
       wire [23:0]       fraction = sum_q[FRACTION-1 -: 24];
       wire              above    = whole > {2'd0, last};
       wire              face     = whole == {2'd0, last} + 1'b1 && fraction == 24'd0;
-      wire [AXIS_W-1:0] within   = above ? last : whole[AXIS_W-1:0];
+      wire [AXIS_W-1:0] inner    = above ? last : whole[AXIS_W-1:0];
       wire [5:0]        here;
       if (AXIS_W < 6) begin : gen_few
-        assign here = {{(6 - AXIS_W) {1'b0}}, within};
+        assign here = {{(6 - AXIS_W) {1'b0}}, inner};
       end else begin : gen_many
-        assign here = within;
+        assign here = inner;
       end
-      assign outside[a]               = sum_q[SUM_W-1] || (above && !face) || (here[5] && !large_i);
-      assign cells_o[6*a +: 6]        = here;
+      assign outside[a] = sum_q[SUM_W-1] || (above && !face) || (here[5] && !large_i);
+      assign cells_o[6*a +: 6]         = here;
       assign coordinates_o[25*a +: 25] = above ? 25'h100_0000 : {1'b0, fraction};
     end
   endgenerate

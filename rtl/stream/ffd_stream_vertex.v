@@ -103,8 +103,8 @@ module ffd_stream_vertex #(
   ) u_known (
     .clk(clk),
     .rst(1'b0),
-    .d_i({refused_i, results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i, refuse_i,
-          no_functions_i, no_lattice_i, tag_i}),
+    .d_i({refused_i, results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i,
+          refuse_i, no_functions_i, no_lattice_i, tag_i}),
     .q_o(known)
   );
 

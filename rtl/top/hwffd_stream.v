@@ -1,7 +1,7 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
 // Packets in, result beats out, in the order of the vertices: docs/interface.md. Every ready, valid
-// and data bit of the streams leaves a register.
+// and data bit of the streams leaves a register; with grids or packed vertices tready, gates.
 //
 // Formats:    128-bit beats, four little-endian words; words by FORMAT (interface.md section 3).
 // Pipeline:   the organization's; the next vertex is loaded while the present one is evaluated.

@@ -89,6 +89,26 @@ LatticeWords ExpandRun::random_lattice(tb::Random& random, const std::array<int,
   return has(model::kFourthFeature) ? with_fourth(std::move(lattice), codec(), random) : lattice;
 }
 
+void ExpandRun::send_functions() {
+  send_bspline(has(model::kDerivativesFeature) ? Functions::kDerivativesToo : Functions::kBlending);
+}
+
+std::size_t ExpandRun::results(std::size_t vertices, const PageVertices& how) const {
+  return vertices * static_cast<std::size_t>(results_of(how.results)) * (how.fourth ? 2 : 1) +
+         (how.count ? 1 : 0);
+}
+
+::testing::AssertionResult ExpandRun::twice(const std::vector<std::size_t>& counts) {
+  std::size_t first = 0;
+  for (const std::size_t count : counts) {
+    const ::testing::AssertionResult equal = same(first, first + count, count);
+    if (!equal) return equal;
+    first += 2 * count;
+  }
+  if (bench().results().size() == first) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << bench().results().size() << " results";
+}
+
 ::testing::AssertionResult ExpandRun::same(std::size_t first, std::size_t again,
                                            std::size_t count) {
   const std::vector<Beat>& all = bench().results();

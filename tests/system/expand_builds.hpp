@@ -32,6 +32,13 @@ class ExpandRun : public PageRun {
   LatticeWords random_lattice(tb::Random& random, int most) const;
   LatticeWords random_lattice(tb::Random& random, const std::array<int, 3>& dims) const;
 
+  /// The functions, and their derivatives where the core has those.
+  void send_functions();
+  /// How many results so many vertices have.
+  std::size_t results(std::size_t vertices, const PageVertices& how) const;
+  /// That the results of each two packets in turn are the same, of so many results each, and that
+  /// there are no others.
+  ::testing::AssertionResult twice(const std::vector<std::size_t>& counts);
   /// That `count` results from `first` on are those from `again` on in every bit.
   ::testing::AssertionResult same(std::size_t first, std::size_t again, std::size_t count);
 };

@@ -33,8 +33,7 @@ TEST_P(Grids, AreTheVerticesSentOneByOne) {
     ExpandRun run(GetParam(), seed, seed % 2 == 0 ? "always" : "bursts",
                   seed % 3 == 0 ? "always" : "bernoulli");
     tb::Random random(seed);
-    run.send_bspline(run.has(model::kDerivativesFeature) ? Functions::kDerivativesToo
-                                                         : Functions::kBlending);
+    run.send_functions();
     std::vector<std::size_t> counts;
     for (int round = 0; round < 3; ++round) {
       const LatticeWords lattice = run.random_lattice(random, 8);
@@ -44,17 +43,11 @@ TEST_P(Grids, AreTheVerticesSentOneByOne) {
         const Grid grid = random_grid(random, lattice.dims, 5);
         run.send_grid(grid, how);
         run.send_vertices(grid_vertices(grid, lattice.dims, run.codec()), how);
-        counts.push_back(vertices_of(grid) * results_of(how.results) * (how.fourth ? 2 : 1) +
-                         (how.count ? 1 : 0));
+        counts.push_back(run.results(vertices_of(grid), how));
       }
     }
     ASSERT_TRUE(run.run());
-    std::size_t first = 0;
-    for (const std::size_t count : counts) {
-      ASSERT_TRUE(run.same(first, first + count, count));
-      first += 2 * count;
-    }
-    EXPECT_EQ(run.bench().results().size(), first);
+    ASSERT_TRUE(run.twice(counts));
     for (unsigned e = 0; e < kStreamEvents; ++e) {
       EXPECT_TRUE(e == kSaturated || run.bench().events()[e] == 0) << "event " << e;
     }
@@ -196,8 +189,7 @@ class BadGrids : public Grids {
         return grid;
       };
       add("no vertex", changed([&](Grid& g) { g.count[axis] = 0; }));
-      add("a start a unit behind the end",
-          changed([&](Grid& g) { g.start[axis] = end + kUnit; }));
+      add("a start a unit behind the end", changed([&](Grid& g) { g.start[axis] = end + kUnit; }));
       add("a start with bit 63",
           changed([&](Grid& g) { g.start[axis] |= std::uint64_t{1} << 63; }));
       add("an end a unit behind the end", changed([&](Grid& g) {
@@ -240,8 +232,7 @@ class BadGrids : public Grids {
       grid.start[axis] = 0;
       grid.count[axis] = 1;
       grid.step[axis] = std::int64_t{1} << 62;
-      add("a step that is not taken", grid, kUnknownOpcode,
-          vertices_of(good_) / good_.count[axis]);
+      add("a step that is not taken", grid, kUnknownOpcode, vertices_of(good_) / good_.count[axis]);
     }
   }
 

@@ -30,8 +30,7 @@ TEST_P(Packed, AreTheVerticesSentOneByOne) {
     ExpandRun run(GetParam(), seed, seed % 2 == 0 ? "always" : "bursts",
                   seed % 3 == 0 ? "always" : "bernoulli");
     tb::Random random(seed);
-    run.send_bspline(run.has(model::kDerivativesFeature) ? Functions::kDerivativesToo
-                                                         : Functions::kBlending);
+    run.send_functions();
     const LatticeWords lattice = run.random_lattice(random, 8);
     run.send_lattice(lattice);
     std::vector<std::size_t> counts;
@@ -43,15 +42,10 @@ TEST_P(Packed, AreTheVerticesSentOneByOne) {
       const auto vertices = random_packed(random, lattice.dims, some, true);
       run.send_packed(vertices, how);
       run.send_vertices(single(vertices, run.codec()), how);
-      counts.push_back(some * results_of(how.results) * (how.fourth ? 2 : 1) +
-                       (how.count ? 1 : 0));
+      counts.push_back(run.results(some, how));
     }
     ASSERT_TRUE(run.run());
-    std::size_t first = 0;
-    for (const std::size_t count : counts) {
-      ASSERT_TRUE(run.same(first, first + count, count));
-      first += 2 * count;
-    }
+    ASSERT_TRUE(run.twice(counts));
     EXPECT_EQ(run.events(kGridCount), 0U);
   }
 }
@@ -132,9 +126,10 @@ TEST_P(Packed, CountsAndEnds) {
     std::size_t results;
     Code code;
   };
-  const Ends all[] = {{3, 3, 3, kUnknownOpcode}, {3, 4, 3, kUnknownOpcode}, {5, 3, 3, kPacketShort},
-                      {6, 4, 4, kPacketShort},   {3, 6, 3, kPacketLong},    {4, 5, 4, kPacketLong},
-                      {2, 7, 2, kPacketLong},    {1, 2, 1, kUnknownOpcode}, {0, 2, 0, kPacketShort}};
+  const Ends all[] = {
+      {3, 3, 3, kUnknownOpcode}, {3, 4, 3, kUnknownOpcode}, {5, 3, 3, kPacketShort},
+      {6, 4, 4, kPacketShort},   {3, 6, 3, kPacketLong},    {4, 5, 4, kPacketLong},
+      {2, 7, 2, kPacketLong},    {1, 2, 1, kUnknownOpcode}, {0, 2, 0, kPacketShort}};
   tb::Random random(4);
   for (const Ends& ends : all) {
     SCOPED_TRACE(std::to_string(ends.count) + " of " + std::to_string(ends.vertices));
@@ -167,8 +162,7 @@ TEST_P(Packed, HaveNoFlagL) {
   if (!run.has(model::kPagesFeature)) GTEST_SKIP() << "no flags";
   tb::Random random(5);
   const LatticeWords lattice = run.random_lattice(random, 6);
-  std::vector<Beat> packet =
-      page_packed_packet(run.page(), random_packed(random, lattice.dims, 4));
+  std::vector<Beat> packet = page_packed_packet(run.page(), random_packed(random, lattice.dims, 4));
   packet[0].words[0] |= kLargeFlag;
   run.send_bspline();
   run.send_lattice(lattice);
@@ -273,9 +267,9 @@ TEST_P(Packed, AnyPacketsInAnyOrder) {
   for (std::uint64_t seed = tb::seed_from_environment(1), last = seed + 5; seed <= last; ++seed) {
     ExpandRun run(GetParam(), seed, seed % 2 == 0 ? "always" : "bursts", "bernoulli");
     tb::Random random(seed);
-    run.send(coefficients_packet(random_coefficients(run.codec(), random),
-                                 run.has(model::kDerivativesFeature) ? Functions::kDerivativesToo
-                                                                     : Functions::kBlending));
+    run.send(coefficients_packet(
+        random_coefficients(run.codec(), random),
+        run.has(model::kDerivativesFeature) ? Functions::kDerivativesToo : Functions::kBlending));
     AnyExpanded(run, random).send(80);
     ASSERT_TRUE(run.run());
     EXPECT_GT(run.bench().results().size(), 100U);

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "Vcg1_fx18_overlapped_1792.h"
+#include "Vcg1_fx18_overlapped_3888.h"
 #include "Vtree8_fx18_overlapped_512.h"
 #include "bad_packets.hpp"
 #include "hwffd/cores/verilated_stream_core.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "hwffd/stream/grid.hpp"
+#include "hwffd/stream/packed.hpp"
 #include "hwffd/tb/stream_bench.hpp"
 #include "named.hpp"
 #include "stimulus.hpp"
@@ -80,6 +83,8 @@ template <class Dut>
       send(random_packets(codec, random, 2));
       send(vertices_packet(random_vertices(codec, random, {6, 6, 6}, 2, true)));
       send(interleaved_packet(make_stimulus("extreme", codec, 1, seed)));
+      send(grid_packet(grid_between({0, 0, 0}, {0.5, 1, 1}, {2, 1, 1 + round % 3})));
+      send(packed_packet(std::vector<PackedVertex>(1 + round % 3)));
       bench.run_for(random.below(2000));
     }
     bench.run();
@@ -90,6 +95,8 @@ template <class Dut>
 }
 
 constexpr std::uint32_t kTree8 = model::kInterleavedFeature;
+constexpr std::uint32_t kExpands =
+    model::kAllFeatures | model::kGridsFeature | model::kPackedFeature;
 constexpr std::uint32_t kCg1 =
     model::kResidentFeature | model::kInterleavedFeature | model::kDerivativesFeature;
 
@@ -101,7 +108,11 @@ TEST(Sleep, AStoppedClockLosesNothing) {
   EXPECT_TRUE(
       run_stopping<Vtree8_fx18_overlapped_512>("tree8-fx18-overlapped", kTree8, false, more));
   EXPECT_GT(more, 1000U);
-  fmt::print("{} clocks stopped\n", stopped + more);
+  std::uint64_t most = 0;
+  EXPECT_TRUE(
+      run_stopping<Vcg1_fx18_overlapped_3888>("cg1-fx18-overlapped", kExpands, false, most));
+  EXPECT_GT(most, 500U);
+  fmt::print("{} clocks stopped\n", stopped + more + most);
 }
 
 TEST(Sleep, ABeatMustWakeIt) {

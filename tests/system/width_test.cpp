@@ -16,6 +16,8 @@
 #include "Vunits_out_256.h"
 #include "Vunits_out_64.h"
 #include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/grid.hpp"
+#include "hwffd/stream/packed.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
 #include "stimulus.hpp"
@@ -217,6 +219,17 @@ TEST(Width, APacketThatEndsInAHalfUnitEndsAWholeOne) {
   EXPECT_EQ(get(sim->m_unit_data, 4), (std::vector<std::uint32_t>{0x9ABCDEF0, 0x12345678, 0, 0}));
 }
 
+/// A lattice, a grid of it, and as many packed vertices.
+std::vector<Beat> expanded_packets(const WordCodec& codec, tb::Random& random,
+                                   std::size_t vertices) {
+  std::vector<Beat> packets = lattice_packet(random_lattice(codec, random, {5, 5, 5}));
+  append(packets,
+         grid_packet(grid_between({0, 0, 0}, {2, 2, 2}, {static_cast<int>(vertices), 1, 2})));
+  const PackedVertex vertex{{0x4000, 0x10000, 1}, {1, 0, 1}};
+  append(packets, packed_packet(std::vector<PackedVertex>(vertices, vertex)));
+  return packets;
+}
+
 /// A core behind such a bus, sent packets of every kind, bad ones among them.
 template <class Dut>
 void whole_core(unsigned width, bool wrong_keep) {
@@ -225,11 +238,12 @@ void whole_core(unsigned width, bool wrong_keep) {
     const Configuration& row = find_configuration("cg1-fx18-overlapped");
     const WordCodec codec(row.format);
     tb::Random random(tb::seed_from_environment(5));
-    model::StreamModel model(row);
+    model::StreamModel model(row,
+                             model::kAllFeatures | model::kGridsFeature | model::kPackedFeature);
     std::vector<Beat> units;
     for (int i = 0; i < 4; ++i) {
-      const std::vector<Beat> more = random_packets(codec, random, 25);
-      units.insert(units.end(), more.begin(), more.end());
+      append(units, random_packets(codec, random, 25));
+      append(units, expanded_packets(codec, random, i + 1));
     }
     const std::vector<BusBeat> sent = on_bus(units, width);
     const std::vector<BusBeat> expected = on_bus(model.run(units), width);

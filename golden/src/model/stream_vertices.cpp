@@ -56,8 +56,8 @@ void StreamModel::grid() {
   for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
     for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
       for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
-        const bool last = a + 1U == grid.count[0] && b + 1U == grid.count[1] &&
-                          c + 1U == grid.count[2];
+        const bool last =
+            a + 1U == grid.count[0] && b + 1U == grid.count[1] && c + 1U == grid.count[2];
         vertex(grid_vertex(grid, dims, codec_, {a, b, c}), last);
       }
     }

@@ -38,8 +38,9 @@ Grid grid_between(const std::array<double, 3>& first, const std::array<double, 3
     const int steps = count[axis] - 1;
     grid.count[axis] = static_cast<std::uint16_t>(count[axis]);
     // Half a unit more makes what is cut off rounded to nearest.
-    grid.start[axis] = static_cast<std::uint64_t>(
-        std::llround(std::ldexp(first[axis], kGridFraction)) + static_cast<std::int64_t>(kUnit / 2));
+    grid.start[axis] =
+        static_cast<std::uint64_t>(std::llround(std::ldexp(first[axis], kGridFraction)) +
+                                   static_cast<std::int64_t>(kUnit / 2));
     grid.step[axis] =
         steps == 0 ? 0 : std::llround(std::ldexp(last[axis] - first[axis], kGridFraction) / steps);
   }
@@ -102,10 +103,9 @@ std::vector<Beat> grid_packet(const Grid& grid, int page, const PageVertices& ho
   for (int axis = 0; axis < 3; ++axis) {
     const std::uint64_t start = grid.start[axis];
     const auto step = static_cast<std::uint64_t>(grid.step[axis]);
-    beats.push_back(
-        {{static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(start >> 32),
-          static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32)},
-         axis == 2});
+    beats.push_back({{static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(start >> 32),
+                      static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32)},
+                     axis == 2});
   }
   return beats;
 }

@@ -57,7 +57,9 @@ const Wanted kPackets[] = {
     {{7 | kPacked, 2, 0x200, 0}, 0xD21},
     {{7 | kResult, 2, 0, 0}, 0x141},
     {{7 | kInterrupt, 2, 0, 0}, 0x141},
-    {{8, 8, 0x100, 0}, 0x510},
+    {{3 | kPacked, 5, 2, 0}, 0x120},
+    {{8, 0x10008, 0x100, 1}, 0x510},
+    {{8 | 0x300, 0x10008, 0, 1}, 0x111},
     {{9 | kEvery, 9, 0, 0}, 8},
     {{9, 4, kDerivativesFollow | 5 << 8, 0}, 0x408},
 };
@@ -85,7 +87,7 @@ TEST(PacketCheck, NamesEachFeatureThatIsMissing) {
       ++refused;
     }
   }
-  EXPECT_EQ(refused, 34U);
+  EXPECT_EQ(refused, 38U);
 }
 
 TEST(PacketCheck, SaysItInOneLine) {
@@ -111,9 +113,15 @@ TEST(PacketCheck, KnowsTheLimits) {
     EXPECT_NE(complaint(core, {5, 0, points, 0}), "") << points;
   }
   for (const std::uint32_t opcode : {5U, 6U, 7U, 8U}) {
-    EXPECT_EQ(complaint(core, {opcode | 0x300, 1, kPoints & 0x0F0F0F, 0}), "") << opcode;
-    EXPECT_NE(complaint(core, {opcode | 0x400, 1, kPoints & 0x0F0F0F, 0}), "") << opcode;
+    const std::uint32_t counts = opcode == 8 ? 0x10001 : 1;
+    EXPECT_EQ(complaint(core, {opcode | 0x300, counts, kPoints & 0x0F0F0F, 1}), "") << opcode;
+    EXPECT_NE(complaint(core, {opcode | 0x400, counts, kPoints & 0x0F0F0F, 1}), "") << opcode;
   }
+  for (const PacketHeader& header :
+       {PacketHeader{8, 0x10000, 0, 1}, PacketHeader{8, 1, 0, 1}, PacketHeader{8, 0x10001, 0, 0}}) {
+    EXPECT_NE(complaint(core, header), "") << "no vertex";
+  }
+  EXPECT_NE(complaint(core_with(0xFFF), {7 | kPacked | kLarge, 2, 0, 0}), "") << "P and L";
   EXPECT_EQ(complaint(core, {9, 4, 5 << 8, 0}), "");
   EXPECT_NE(complaint(core, {9, 5, 5 << 8, 0}), "");
   EXPECT_NE(complaint(core, {9, 0xFFFFFFFF, 1 << 8, 0}), "") << "no wrap";
@@ -128,7 +136,8 @@ TEST(PacketCheck, KnowsTheFlagsOfEachOpcode) {
     const std::uint32_t word = opcode <= 2 || opcode == 5 ? kPoints : 0;
     for (unsigned flag = 0; flag < 16; ++flag) {
       const bool known = opcode < 5 || (flags[opcode - 5] >> flag & 1) != 0;
-      const PacketHeader header{opcode | 0x10000U << flag, 1, word, 0};
+      const PacketHeader header{opcode | 0x10000U << flag, 0x10001 & (opcode == 8 ? ~0U : 1U), word,
+                                opcode == 8 ? 1U : 0U};
       EXPECT_EQ(complaint(core_with(0xFFF), header).empty(), known) << opcode << " " << flag;
     }
   }

@@ -145,8 +145,8 @@ class StreamModel {
   Results wanted_ = Results::kPosition;
   std::uint32_t left_ = 0;  // vertices, points of a part or spans
   std::array<Beat, 4> grid_;
-  std::size_t number_ = 0;   // of a packed vertex in its packet
-  bool refused_ = false;     // it is no vertex
+  std::size_t number_ = 0;  // of a packed vertex in its packet
+  bool refused_ = false;    // it is no vertex
   VertexWords vertex_;
   std::array<std::uint32_t, 64> fourth_{};  // components of the vertex's points
   std::uint16_t tag_ = 0;

@@ -32,8 +32,7 @@ Grid grid_between(const std::array<double, 3>& first, const std::array<double, 3
 
 /// Whether a grid has vertices and all of them are in a lattice of so many points an axis.
 /// @param most_cells  a cell from this one on cannot be named
-bool grid_fits(const Grid& grid, const std::array<int, 3>& dims,
-               int most_cells = kLargeAxisPoints);
+bool grid_fits(const Grid& grid, const std::array<int, 3>& dims, int most_cells = kLargeAxisPoints);
 
 /// Vertex (a, b, c) of a grid that fits: what a driver would send in its place.
 VertexBeat grid_vertex(const Grid& grid, const std::array<int, 3>& dims, const WordCodec& codec,
