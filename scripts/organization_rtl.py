@@ -74,7 +74,9 @@ endmodule
 def header_text(rtl):
     """What other modules may ask of ORG."""
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
-    in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
+    def any_of(kind):
+        return " || ".join(f"(ORG) == {one.number}" for one in found if kind(one))
+
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -83,7 +85,11 @@ def header_text(rtl):
 
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \\
-  ({in_turn})
+  ({any_of(lambda one: one.in_turn)})
+
+// It takes for granted that the functions of an axis sum to one.
+`define FFD_ORG_AFFINE(ORG) \\
+  ({any_of(lambda one: one.form == "affine")})
 
 `endif
 """

@@ -9,7 +9,8 @@
 //             multipliers of 18 x 18 the format is fx17.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 64: in sequence, N is then 1, LANES unused.
-// Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
+// Not checked: that the functions loaded sum to one; bank 3 has what the others leave, and
+//             ffd_stream_sums tells.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

@@ -8,4 +8,8 @@
 `define FFD_ORG_IN_TURN(ORG) \
   ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13)
 
+// It takes for granted that the functions of an axis sum to one.
+`define FFD_ORG_AFFINE(ORG) \
+  ((ORG) == 10 || (ORG) == 11 || (ORG) == 12 || (ORG) == 13 || (ORG) == 14 || (ORG) == 15)
+
 `endif

@@ -17,7 +17,7 @@
 //             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
 //             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING;
-//             EVERY_CLOCK as in ffd_stream_vertex, SPANS in ffd_stream_functions.
+//             EVERY_CLOCK as in ffd_stream_vertex, SPANS and SUMS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,6 +36,7 @@ module ffd_stream_decoder #(
   parameter AXIS        = 16,
   parameter IN_FLIGHT   = 128,
   parameter SPANS       = 1,
+  parameter SUMS        = 0,
   parameter PAGE_W      = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
@@ -179,9 +180,7 @@ module ffd_stream_decoder #(
 
   // ---- when a beat may come
 
-  wire bank_busy;
-  wire functions_busy;
-  wire buffer_busy;
+  wire bank_busy, functions_busy, buffer_busy;
   wire slot_free;
   wire room;
   assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
@@ -228,17 +227,12 @@ module ffd_stream_decoder #(
   wire [1:0] degree;
   wire [3:0] nan;
   wire [3:0] outside;
+  wire [3:0] at_ends = {1'b0, beyond};
 
   genvar w;
   generate
     for (w = 0; w < 4; w = w + 1) begin : gen_word
       localparam [3:0] ABOVE = (1 << w) - 1;  // the degrees that this power is above
-      wire at_end;
-      if (w < 3) begin : gen_axis
-        assign at_end = beyond[w];
-      end else begin : gen_no_axis
-        assign at_end = 1'b0;
-      end
       ffd_num_in #(
         .FORMAT (FORMAT),
         .LATENCY(LATENCY)
@@ -247,7 +241,7 @@ module ffd_stream_decoder #(
         .role_i    (role),
         .clear_i   (function_beat && ABOVE[degree]),
         .clamp_i   (clamp),
-        .one_i     (at_end),
+        .one_i     (at_ends[w]),
         .word_i    (beat_data_i[32*w +: 32]),
         .exponent_i(exponent_q),
         .number_o  (numbers_o[w*POINT_W +: POINT_W]),
@@ -309,10 +303,12 @@ module ffd_stream_decoder #(
   );
 
   wire [`FFD_PLACES_W(SPANS)-1:0] places;
+  wire                            sum_fault;
   ffd_stream_functions #(
     .SPANS  (SPANS),
     .LATENCY(LATENCY),
-    .AXIS   (AXIS)
+    .AXIS   (AXIS),
+    .SUMS   (SUMS)
   ) u_functions (
     .clk           (clk),
     .rst           (rst),
@@ -325,6 +321,7 @@ module ffd_stream_decoder #(
     .bank_o        (bank),
     .loaded_o      (coefficients_loaded),
     .derivatives_o (derivatives_loaded),
+    .sum_fault_o   (sum_fault),
     .place_there_i (place),
     .load_axis_o   (load_axis_o),
     .load_address_o(load_address_o),
@@ -391,7 +388,9 @@ module ffd_stream_decoder #(
     .event_o             (of_vertex)
   );
 
-  assign event_o = framing | of_vertex;
+  wire [`FFD_EVENTS-1:0] of_functions = {{(`FFD_EVENTS - 1) {1'b0}}, sum_fault}
+                                      << `FFD_STREAM_EVENT(`FFD_EVENT_FUNCTIONS_SUM);
+  assign event_o = framing | of_vertex | of_functions;
   assign idle_o  = !any_inside && !moving;
 
   wire unused_ok = &{1'b0, nan[3], outside[3]};
