@@ -139,6 +139,7 @@ stream/ffd_stream_place.v
 stream/ffd_stream_readers.v
 stream/ffd_stream_resident.v
 stream/ffd_stream_slots.v
+stream/ffd_stream_sums.v
 stream/ffd_stream_units_in.v
 stream/ffd_stream_units_out.v
 stream/ffd_stream_vertex.v

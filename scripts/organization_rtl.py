@@ -75,7 +75,12 @@ endmodule
 def header_text(rtl):
     """What other modules may ask of ORG."""
     found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
-    in_turn = " || ".join(f"(ORG) == {one.number}" for one in found if one.in_turn)
+
+    def any_of(kind):
+        tests = [f"(ORG) == {one.number}" for one in found if kind(one)]
+        lines = (" || ".join(tests[i:i + 6]) for i in range(0, len(tests), 6))
+        return " || \\\n   ".join(lines)
+
     ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
     jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found
                            if one.jacobian] + ["0"])
@@ -87,7 +92,11 @@ def header_text(rtl):
 
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \\
-  ({in_turn})
+  ({any_of(lambda one: one.in_turn)})
+
+// It takes for granted that the functions of an axis sum to one.
+`define FFD_ORG_AFFINE(ORG) \\
+  ({any_of(lambda one: one.form == "affine")})
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)

@@ -58,7 +58,7 @@ class Organization:
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
         return self.form == "product" or self.fold == 64 or (
-            self.fold == 4 and self.lanes == 1 and not self.parameters.get("SCAN"))
+            self.fold == 4 and self.lanes == 1 and not self.scan)
 
     @property
     def weighs_axes(self):
@@ -73,6 +73,11 @@ class Organization:
     def ports(self):
         """At how many ports it reads points: lanes that read in every clock have their own."""
         return self.lanes if self.fold == 4 else 1
+
+    @property
+    def scan(self):
+        """Whether vertices that differ in s only share what comes before s."""
+        return self.parameters.get("SCAN", 0) != 0
 
     @property
     def jacobian(self):

@@ -41,6 +41,7 @@ def events_header_text(registers):
         return "k" + "".join(word.capitalize() for word in field.name.split("_"))
 
     lines = ",\n".join(f"  {constant(field)} = {field.low}" for field in events(registers))
+    last = constant(events(registers)[-1])
     return "\n".join([f"// {GENERATED}", "#pragma once", "", "namespace hwffd::event {", "",
                       "/// What may go wrong in the core and on its buses: bits of ERROR_STATUS",
                       "/// (docs/registers.md). Those up to kSaturated and from kPagePoints on are",
@@ -53,7 +54,7 @@ def events_header_text(registers):
                       "event::kSaturated;",
                       "}", "",
                       "/// Kinds of events of the stream.",
-                      "constexpr int kStreamEvents = stream_event(event::kGridCount) + 1;", "",
+                      f"constexpr int kStreamEvents = stream_event(event::{last}) + 1;", "",
                       "}  // namespace hwffd"]) + "\n"
 
 

@@ -76,7 +76,7 @@ std::string registers_against_model(Driver& driver, const model::StreamModel& mo
   const CoreErrors errors = driver.take_errors();
   std::string text;
   if (errors.status != status) {
-    text += fmt::format("ERROR_STATUS is {:07x}, the model's {:07x}\n", errors.status, status);
+    text += fmt::format("ERROR_STATUS is {:08x}, the model's {:08x}\n", errors.status, status);
   }
   const std::uint64_t vertices = driver.counters().vertices;
   if (driver.result_count() != results || vertices != model.vertices()) {

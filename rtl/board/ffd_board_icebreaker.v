@@ -43,7 +43,7 @@ module ffd_board_icebreaker #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
-  wire [13:0]  events;
+  wire [14:0]  events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;

@@ -28,7 +28,7 @@ module ffd_board_ulx3s #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
-  wire [13:0]  events;
+  wire [14:0]  events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;

@@ -109,7 +109,7 @@ module ffd_bus_core #(
   wire         vertex;
   wire         stall;
   wire         error_any;
-  wire [27:0]  error_event;
+  wire [28:0]  error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -209,7 +209,7 @@ module ffd_bus_core #(
   wire        core_rst;
   wire        core_idle;
   reg         core_idle_q;
-  wire [13:0] core_event;
+  wire [14:0] core_event;
   wire [2:0]  core_wait;
   wire [31:0] core_packet;
   wire [31:0] core_beat;

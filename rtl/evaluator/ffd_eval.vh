@@ -81,6 +81,11 @@
 // accumulator's latency. Wants ffd_organizations.vh.
 `define FFD_RESULT_INTERVAL(ORG, N) (`FFD_ORG_IN_TURN(ORG) ? 64 / (N) : 1)
 
+// Whether functions that are loaded must sum to one: the organization wants it, and it evaluates
+// what is loaded.
+`define FFD_FUNCTIONS_SUM(ORG, EVALUATOR) \
+  (`FFD_ORG_AFFINE(ORG) && (EVALUATOR) < `FFD_EVALUATOR_BSPLINE)
+
 // Evaluations inside, and places for their results: MOST, or with 0 what an organization needs to
 // keep its rate. Pipelines are some 100 clocks long, and at long intervals ten vertices take turns.
 `define FFD_IN_FLIGHT(MOST, ORG, N) \

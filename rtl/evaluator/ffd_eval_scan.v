@@ -63,8 +63,7 @@ module ffd_eval_scan #(
   reg  [SHARED_W-1:0] shared_q;
   reg  [OWN_W-1:0]    own_q;
   wire                may_begin;
-  wire                go     = held_q && (!begins_q || may_begin);
-  wire                begins = go && begins_q;
+  wire                go = held_q && (!begins_q || may_begin);
 
   assign s_vertex_ready = !held_q || go;
 
@@ -87,26 +86,32 @@ module ffd_eval_scan #(
 
   // ---- four steps of a run: u, t, and the banks of s from the last to the first
 
-  reg                  active_q;
-  reg  [1:0]           step_q;
-  reg  [SHARED_W-1:0]  run_q;
+  wire                  step_valid;
+  wire                  step_first;
+  wire                  step_last;
+  wire [1:0]            step;
   wire [2*WEIGHT_W-1:0] coordinates;
-  wire [11:0]          cell_index;
-  wire [SOURCE_W-1:0]  source;
-  wire [2*PLACE_W-1:0] bank;
+  wire [11:0]           cell_index;
+  wire [SOURCE_W-1:0]   source;
+  wire [2*PLACE_W-1:0]  bank;
 
-  assign may_begin = !active_q || step_q == 2'd3;
-  assign {coordinates, cell_index, source, bank} = run_q;
-
-  always @(posedge clk) begin
-    if (rst) active_q <= 1'b0;
-    else if (begins) active_q <= 1'b1;
-    else if (step_q == 2'd3) active_q <= 1'b0;
-  end
-  always @(posedge clk) begin
-    if (begins) run_q <= shared_q;
-    step_q <= begins ? 2'd0 : step_q + 2'd1;
-  end
+  ffd_eval_sequencer #(
+    .PAYLOAD_W(SHARED_W),
+    .STEPS    (FOLD),
+    .CONTEXTS (1),
+    .INTERVAL (1)
+  ) u_sequencer (
+    .clk           (clk),
+    .rst           (rst),
+    .s_vertex_valid(held_q && begins_q),
+    .s_vertex_ready(may_begin),
+    .s_vertex_data (shared_q),
+    .step_valid_o  (step_valid),
+    .step_first_o  (step_first),
+    .step_last_o   (step_last),
+    .step_o        (step),
+    .payload_o     ({coordinates, cell_index, source, bank})
+  );
 
   wire [3*4*WEIGHT_W-1:0] weights;
 
@@ -127,8 +132,8 @@ module ffd_eval_scan #(
     .load_axis_i   (load_axis_i),
     .load_address_i(load_address_i),
     .load_entry_i  (load_entry_i),
-    .step_valid_i  (active_q),
-    .step_i        (step_q),
+    .step_valid_i  (step_valid),
+    .step_i        (step),
     .coordinates_i ({coordinates, {WEIGHT_W{1'b0}}}),
     .cell_i        (cell_index),
     .bank_i        ({bank, {PLACE_W{1'b0}}}),
@@ -148,7 +153,7 @@ module ffd_eval_scan #(
   ) u_read_valid (
     .clk(clk),
     .rst(rst),
-    .d_i({active_q, active_q && step_q == 2'd3}),
+    .d_i({step_valid, step_valid && step_last}),
     .q_o({read_valid, read_last})
   );
 
@@ -158,7 +163,7 @@ module ffd_eval_scan #(
   ) u_read (
     .clk(clk),
     .rst(rst),
-    .d_i({~step_q, source, cell_index}),
+    .d_i({~step, source, cell_index}),
     .q_o({read_part, read_source, read_cell})
   );
 
@@ -207,7 +212,7 @@ module ffd_eval_scan #(
   ) u_held_new (
     .clk(clk),
     .rst(1'b0),
-    .d_i(step_q == 2'd3),
+    .d_i(step_last),
     .q_o(held_new)
   );
 
@@ -296,7 +301,7 @@ module ffd_eval_scan #(
 
   assign result_jacobian_o = {9 * SUM_W {1'b0}};
   assign forming_o         = 1'b0;
-  wire unused_ok = &{1'b0, sum_valid};
+  wire unused_ok = &{1'b0, sum_valid, step_first};
 endmodule
 
 `default_nettype wire

@@ -11,7 +11,8 @@
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
 //             unused. SCAN 1, of FOLD 4 and one lane: ffd_eval_scan.
-// Not checked: that the functions loaded sum to one; bank 3 has what the others leave.
+// Not checked: that the functions loaded sum to one; bank 3 has what the others leave, and
+//             ffd_stream_sums tells.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

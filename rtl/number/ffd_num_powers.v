@@ -22,7 +22,7 @@
 //             ADD_LATENCY. II 1, never frozen.
 // Parameters: FORMAT 8 to 32, latencies >= 1.
 // Not checked: that the coordinate is in [0, 1]; ffd_num_in sees to that.
-// Model:      golden/include/hwffd/model/org_powers.hpp.  Test: tests/evaluator, tests/system.
+// Model:      golden/include/hwffd/model/org_powers.hpp.  Test: tests/unit/powers.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

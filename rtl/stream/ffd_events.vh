@@ -31,4 +31,5 @@
 `define FFD_EVENT_SPAN_BEYOND          25
 `define FFD_EVENT_NO_FOURTH            26
 `define FFD_EVENT_GRID_COUNT           27
+`define FFD_EVENT_FUNCTIONS_SUM        28
 `endif

@@ -17,7 +17,7 @@
 //             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
 //             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING;
-//             EVERY_CLOCK as in ffd_stream_vertex, SPANS in ffd_stream_functions.
+//             EVERY_CLOCK as in ffd_stream_vertex, SPANS and SUMS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,6 +36,7 @@ module ffd_stream_decoder #(
   parameter AXIS        = 16,
   parameter IN_FLIGHT   = 128,
   parameter SPANS       = 1,
+  parameter SUMS        = 0,
   parameter PAGE_W      = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
@@ -182,9 +183,7 @@ module ffd_stream_decoder #(
 
   // ---- when a beat may come
 
-  wire bank_busy;
-  wire functions_busy;
-  wire buffer_busy;
+  wire bank_busy, functions_busy, buffer_busy;
   wire slot_free;
   wire room;
   assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
@@ -299,10 +298,12 @@ module ffd_stream_decoder #(
   );
 
   wire [`FFD_PLACES_W(SPANS)-1:0] places;
+  wire                            sum_fault;
   ffd_stream_functions #(
     .SPANS  (SPANS),
     .LATENCY(LATENCY),
-    .AXIS   (AXIS)
+    .AXIS   (AXIS),
+    .SUMS   (SUMS)
   ) u_functions (
     .clk           (clk),
     .rst           (rst),
@@ -315,6 +316,7 @@ module ffd_stream_decoder #(
     .bank_o        (bank),
     .loaded_o      (coefficients_loaded),
     .derivatives_o (derivatives_loaded),
+    .sum_fault_o   (sum_fault),
     .place_there_i (place),
     .load_axis_o   (load_axis_o),
     .load_address_o(load_address_o),
@@ -382,7 +384,9 @@ module ffd_stream_decoder #(
     .event_o             (of_vertex)
   );
 
-  assign event_o = framing | of_vertex;
+  wire [`FFD_EVENTS-1:0] of_functions = {{(`FFD_EVENTS - 1) {1'b0}}, sum_fault}
+                                      << `FFD_STREAM_EVENT(`FFD_EVENT_FUNCTIONS_SUM);
+  assign event_o = framing | of_vertex | of_functions;
   assign idle_o  = !any_inside && !moving;
 endmodule
 

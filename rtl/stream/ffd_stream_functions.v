@@ -11,14 +11,16 @@
 // spans walks through it; until then an entry of the epoch before says that it is still to change.
 //
 // Bad input:  a span that came only in part is not part of the set, and a packet that was cut short
-//             takes nothing into use. A packet of coefficients drops what came of a set.
+//             takes nothing into use. A packet of coefficients drops what came of a set. SUMS 1:
+//             functions of an axis that do not sum up are told, and taken.
 // Formats:    places FFD_PLACES_W, loads FFD_OWN_W in ffd_eval.vh; cell {k, j, i}, origin {u, t,
 //             s}, an entry of the table {epoch, filled, own, half}.
 // Pipeline:   beats are taken; loads go with their numbers, LATENCY clocks later; a vertex that is
 //             there in one clock has its places in the next, as they were when it was taken.
 // Freezes:    never. busy_o is 1 from a change on until all spans know of it, SPANS clocks; until
 //             then no packet of functions comes.
-// Parameters: SPANS 1 to 128; LATENCY >= 1, with spans 1 to 4; AXIS as in ffd_stream_header.
+// Parameters: SPANS 1 to 128; LATENCY >= 1, with spans 1 to 4; AXIS as in ffd_stream_header; SUMS
+//             0 or 1.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,7 +30,8 @@
 module ffd_stream_functions #(
   parameter SPANS   = 1,
   parameter LATENCY = 1,
-  parameter AXIS    = 16
+  parameter AXIS    = 16,
+  parameter SUMS    = 0
 ) (
   input  wire                               clk,
   input  wire                               rst,
@@ -41,6 +44,7 @@ module ffd_stream_functions #(
   output reg                                bank_o,          // changes with each of them
   output reg                                loaded_o,
   output reg                                derivatives_o,
+  output wire                               sum_fault_o,     // of the functions of an axis
   input  wire [11:0]                        place_there_i,   // as FFD_FRAME_INDEX
   output wire [1:0]                         load_axis_o,
   output wire [`FFD_OWN_W(SPANS)-1:0]       load_address_o,
@@ -76,10 +80,37 @@ module ffd_stream_functions #(
     else if (change_o) bank_o <= !bank_o;
   end
 
+  // ---- whether they sum up
+
+  wire [1:0] function_shift;
+  wire       of_derivative;
+  generate
+    if (SUMS != 0) begin : gen_sums
+      ffd_stream_sums #(
+        .LATENCY(LATENCY)
+      ) u_sums (
+        .clk         (clk),
+        .rst         (rst),
+        .take_i      (take_i && function_beat),
+        .words_i     (data_i),
+        .function_i  (index[1:0]),
+        .degree_i    (degree_o),
+        .shift_i     (function_shift),
+        .derivative_i(of_derivative),
+        .fault_o     (sum_fault_o)
+      );
+    end else begin : gen_no_sums
+      assign sum_fault_o = 1'b0;
+      wire unused_ok = &{1'b0, function_shift, of_derivative};
+    end
+  endgenerate
+
   generate
     if (SPANS == 1) begin : gen_one
       wire [1:0] axis  = index[5:4];
       wire [5:0] shift = index[8] ? derivative_shift_q : shift_q;
+      assign function_shift = shift[2*axis +: 2];
+      assign of_derivative  = index[8];
       assign degree_o = degree_q[2*axis +: 2];
       assign change_o = done;
       assign busy_o   = 1'b0;
@@ -101,7 +132,7 @@ module ffd_stream_functions #(
       ) u_load (
         .clk(clk),
         .rst(1'b0),
-        .d_i({!bank_o, shift[2*axis +: 2]}),
+        .d_i({!bank_o, function_shift}),
         .q_o({load_address_o[2], load_shift_o})
       );
       assign load_axis_o         = place_there_i[5:4];
@@ -141,6 +172,8 @@ module ffd_stream_functions #(
       wire [1:0] field      = spans_q ? 2'd0 : axis;
       wire [1:0] own_shift  = spans_q ? degree_q[5:4] : shift_q[2*axis +: 2];
       wire [1:0] its_shift  = derivative_shift_q[2*(spans_q ? 2'd1 : axis) +: 2];
+      assign function_shift = derivative ? its_shift : own_shift;
+      assign of_derivative  = derivative;
       assign degree_o = degree_q[2*field +: 2];
       assign change_o = done && (!spans_q || (ends_q && frame_i[`FFD_FRAME_FINAL]));
 
@@ -262,7 +295,7 @@ module ffd_stream_functions #(
       ) u_load (
         .clk(clk),
         .rst(1'b0),
-        .d_i({axis, derivative ? its_shift : own_shift, !spans_q, place, derivative, free,
+        .d_i({axis, function_shift, !spans_q, place, derivative, free,
               index[1:0]}),
         .q_o({load_axis_o, load_shift_o, load_address_o})
       );

@@ -41,7 +41,7 @@ module hwffd_stream #(
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
   output wire         m_axis_tuser,  // with the last beat of a packet with the flag I
-  output wire [13:0]  event_o,
+  output wire [14:0]  event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
@@ -167,8 +167,7 @@ module hwffd_stream #(
   wire [USER_W-1:0]                 result_user  = result_words_user[USER_W-1:0];
   wire                              evaluating;
   wire                              forming;
-  wire                              decoder_idle;
-  wire                              encoder_idle;
+  wire                              decoder_idle, encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
   // Of the bank and buffer that a vertex has read, a clock after it has left.
@@ -190,7 +189,8 @@ module hwffd_stream #(
     .PAGES      (PAGES),
     .AXIS       (AXIS),
     .IN_FLIGHT  (INSIDE),
-    .SPANS      (SPANS)
+    .SPANS      (SPANS),
+    .SUMS       (`FFD_FUNCTIONS_SUM(ORG, EVALUATOR) ? 1 : 0)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),

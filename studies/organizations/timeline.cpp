@@ -127,6 +127,10 @@ void add_contraction(std::vector<Lane>& lanes, const Row& row) {
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, 4 * components / parts * (1 + more), "t");
   add_contract(lanes, points, c, 4 * components / parts * (1 + 2 * more), "t");
+  if (scans(c)) {  // what vertices do along s is not of these steps, and not shown
+    points.expect(schedule.sums(), c.name);
+    return;
+  }
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, components * (1 + 2 * more), "s", parts == 4);
   add_contract(lanes, points, c, components * (1 + 3 * more), "s", parts == 4);

@@ -31,6 +31,12 @@ std::vector<Configuration> jacobian_rows() {
   });
 }
 
+/// The rows that this build has and that share what comes before s.
+std::vector<Configuration> scan_rows() {
+  return rows_where(
+      [](const Configuration& row) { return scans(row) && cores::has_evaluator_core(row); });
+}
+
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
   return rows_where([&](const Configuration& row) {
@@ -86,8 +92,25 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 class PaperSchedule : public Evaluator {};
 class KeepsCell : public Evaluator {};
 class GivesJacobian : public Evaluator {};
+class Scans : public Evaluator {
+ protected:
+  /// Runs of vertices that differ in s only, positions and derivatives along s mixed.
+  tb::EvaluatorStimulus draw_runs(std::size_t runs, std::uint64_t seed, std::size_t together) {
+    auto stimulus = draw(runs * together, seed, together);
+    tb::Random random(seed);
+    for (std::size_t v = 0; v < stimulus.vertices.size(); ++v) {
+      auto& vertex = stimulus.vertices[v];
+      vertex.derivative = random.chance(0.5) ? 0 : -1;
+      for (int axis = 1; axis < 3; ++axis) {
+        vertex.local[axis] = stimulus.vertices[v - v % together].local[axis];
+      }
+    }
+    return stimulus;
+  }
+};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);      // no row of tier sim does
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Scans);          // nor shares that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
   const auto stimulus = draw(200, tb::seed_from_environment(1));
@@ -191,6 +214,42 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   expect_no_mismatch(vertices);
 }
 
+// A vertex a clock in runs of as many as there are folds and more; shorter runs take as long as that.
+TEST_P(Scans, ClocksOfRuns) {
+  const std::uint64_t folded = folds(GetParam());
+  std::size_t before = 0;
+  for (const std::size_t together : {1, 2, 3, 4, 5, 40}) {
+    bench_.run(draw_runs(12, together, together));
+    const auto& clocks = bench_.result_clocks();
+    for (std::size_t v = before; v + together < clocks.size(); v += together) {
+      EXPECT_EQ(clocks[v + together] - clocks[v], std::max<std::uint64_t>(folded, together))
+          << "run of " << together << ", vertex " << v - before;
+    }
+    before = clocks.size();
+  }
+  expect_no_mismatch(before);
+}
+
+// Each of what a run shares ends it when it changes, alone: t, u, the cell, the support, the bank.
+TEST_P(Scans, WhatEndsARun) {
+  auto stimulus = draw_runs(60, tb::seed_from_environment(4), 4);
+  tb::Random random(7);
+  const auto other = draw(stimulus.vertices.size(), 9).vertices;
+  for (std::size_t v = 2; v < stimulus.vertices.size(); v += 4) {
+    auto& vertex = stimulus.vertices[v];
+    switch (random.below(6)) {
+      case 0: vertex.local[1] = other[v].local[1]; break;
+      case 1: vertex.local[2] = other[v].local[2]; break;
+      case 2: vertex.cell[random.below(3)] ^= 1; break;
+      case 3: vertex.support ^= 1; break;
+      case 4: vertex.bank ^= 1; break;
+      default: vertex.derivative = 1 + static_cast<int>(random.below(2));
+    }
+  }
+  bench_.run(stimulus, tb::make_throttle("bursts", 5), tb::make_throttle("bernoulli", 6));
+  expect_no_mismatch(stimulus.vertices.size());
+}
+
 // Four results in one pass, among vertices that want one of them, all with the bits of a pass of
 // its own.
 TEST_P(GivesJacobian, BitsAmongOtherVertices) {
@@ -238,6 +297,7 @@ TEST_P(PaperSchedule, DoesNotOverlap) {
 INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, GivesJacobian, ::testing::ValuesIn(jacobian_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Scans, ::testing::ValuesIn(scan_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), by_name);
 
 }  // namespace

@@ -7,7 +7,7 @@
 `default_nettype none
 
 module formal_bus_registers #(
-  parameter ERRORS = 28
+  parameter ERRORS = 29
 ) (
   input wire        clk,
   input wire        rst,

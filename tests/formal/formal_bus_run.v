@@ -82,7 +82,7 @@ module formal_bus_run (
     .irq_state_packet_set_i  (1'b0),
     .irq_state_descriptor_set_i(1'b0),
     .error_any_i             (1'b0),
-    .error_event_i           (28'd0),
+    .error_event_i           (29'd0),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),
     .error_address_valid_i   (1'b0),

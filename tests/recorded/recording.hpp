@@ -16,8 +16,9 @@
 /// of a hash names its reason in CHANGELOG.md.
 namespace hwffd::test {
 
-/// Events that recorded streams know: those of the packets that every core has.
-constexpr int kRecordedEvents = event::kSaturated + 1;
+/// Events that recorded streams know: those of the packets that every core has, and the last, which
+/// cores of some organizations have, that functions do not sum to one.
+constexpr int kRecordedEvents = event::kSaturated + 2;
 using RecordedEvents = std::array<std::uint64_t, kRecordedEvents>;
 
 /// Those of a core. Throws hwffd::Error if it has counted any other.
@@ -28,7 +29,7 @@ struct Recording {
   std::string row;
   std::size_t results = 0;
   std::uint64_t hash = 0;   ///< of the results in their order, see `hash_of`
-  RecordedEvents events{};  ///< of the input, by number; none at the read port
+  RecordedEvents events{};  ///< of the input, in that order; none at the read port
 };
 
 /// FNV-1a, 64 bits, over the little-endian words of each beat and one byte for its tlast.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bad_packets.hpp"
+#include "hwffd/model/organizations.hpp"
+#include "hwffd/stream/blending.hpp"
 #include "system_run.hpp"
 
 namespace hwffd::test {
@@ -30,7 +32,7 @@ class BadInput : public PerConfiguration {
     run.send(vertices_packet(vertices(3)));
     ASSERT_TRUE(run.run());
     for (unsigned e = 0; e < kStreamEvents; ++e) {
-      EXPECT_EQ(run.bench().events()[e], e == code ? count : 0) << "event " << e;
+      EXPECT_EQ(run.bench().events()[e], e == stream_event(code) ? count : 0) << "event " << e;
     }
     results_ = run.bench().results();
     for (std::size_t v = 1; v <= 3; ++v) expect_status(results_.size() - v, 0);  // those after
@@ -58,6 +60,56 @@ TEST_P(BadInput, Packets) {
       EXPECT_EQ(results_.at(3).words[0], 0x7FC00000U);
     }
   }
+}
+
+// Told where the organization takes for granted what is not so, once an axis for functions and once
+// for derivatives; words may be off by a few units.
+TEST_P(BadInput, FunctionsThatDoNotSumToOne) {
+  const bool wanted = organization_of(GetParam()).form == Form::kAffine && !wired_in(GetParam());
+  std::array<AxisWords, 3> axes;
+  for (AxisWords& axis : axes) axis = encode(family("catmull-rom", codec_), codec_);
+  const auto expect_told = [&](std::uint64_t count, const std::array<AxisWords, 3>& functions) {
+    expect_event(kFunctionsSum, wanted ? count : 0,
+                 coefficients_packet(functions, Functions::kDerivativesToo));
+  };
+  expect_told(0, axes);
+  for (const int first : {1, 2}) {
+    auto hermite = axes;
+    for (int a = first; a < 3; ++a) hermite[a] = encode(family("hermite", codec_), codec_);
+    expect_told(2 * (3 - first), hermite);
+  }
+  if (!wanted) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int power = 0; power < 4; ++power) {
+      for (const bool derivative : {false, true}) {
+        for (const int units : {-5, -4, 3, 4}) {
+          SCOPED_TRACE(units);
+          auto off = axes;
+          auto& words = derivative ? off[axis].derivative.word : off[axis].word;
+          words[random_.below(4)][power] += static_cast<std::uint32_t>(units);
+          expect_told(units < -4 || units > 3 ? 1 : 0, off);
+        }
+      }
+    }
+  }
+}
+
+// A power above the degree does not count, and neither do functions that came only in part.
+TEST_P(BadInput, FunctionsOfALowDegreeSumToOne) {
+  std::array<AxisWords, 3> axes;
+  for (AxisWords& axis : axes) {
+    axis = encode(family("linear", codec_), codec_);
+    for (auto* words : {&axis.word, &axis.derivative.word}) {
+      for (auto& function : *words)
+        function[2] = function[3] = codec_.coefficient(random_.unit(), 0);
+    }
+  }
+  expect_event(kFunctionsSum, 0, coefficients_packet(axes, Functions::kDerivativesToo));
+  std::vector<Beat> cut = coefficients_packet(axes, Functions::kDerivativesToo);
+  cut[7].words[0] += 99;  // function 2 of axis t, and the packet ends there
+  cut.resize(8);
+  cut.back().last = true;
+  expect_event(kPacketShort, 1, cut);
 }
 
 TEST_P(BadInput, NothingLoaded) {

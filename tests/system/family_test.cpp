@@ -43,10 +43,7 @@ double bound(const Configuration& row) {
 }
 
 /// An evaluator with the B-spline wired in ignores what is loaded.
-bool hard_wired(const Configuration& row) {
-  const std::string evaluator = row.evaluator;
-  return evaluator == "bspline" || evaluator == "powers";
-}
+bool hard_wired(const Configuration& row) { return wired_in(row); }
 
 /// Whether bank 3 of an axis has what the others leave of one.
 bool completes(const Configuration& row) { return organization_of(row).form == Form::kAffine; }

@@ -40,6 +40,8 @@ int lanes(const Configuration& row) { return organization_of(row).lanes; }
 
 bool gives_jacobian(const Configuration& row) { return organization_of(row).jacobian; }
 
+bool scans(const Configuration& row) { return organization_of(row).scan; }
+
 std::optional<double> paper_clocks(const Configuration& row) {
   return clocks(row, organization_of(row).paper);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hwffd/model/organizations.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
 namespace hwffd::model {
@@ -14,7 +15,9 @@ StreamModel::StreamModel(const Configuration& configuration, std::uint32_t featu
       features_(features),
       axis_points_(axis_points),
       pages_(pages),
-      spans_(spans) {}
+      spans_(spans),
+      sums_wanted_(organization_of(configuration).form == Form::kAffine &&
+                   !wired_in(configuration)) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;
@@ -193,8 +196,9 @@ void StreamModel::coefficients(const Beat& beat) {
     evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
   }
   const bool of_derivative = beat_ >= kCoefficientBeats;
-  spans_.set_common(axis, beat_ % 4, of_derivative,
-                    {field(0), field(of_derivative ? 16 : 8), beat.words});
+  const FunctionWords words{field(0), field(of_derivative ? 16 : 8), beat.words};
+  spans_.set_common(axis, beat_ % 4, of_derivative, words);
+  check_sums(beat_ % 4, of_derivative, words);
   if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
     bank_ = 1 - bank_;
     spans_.take_common();
@@ -219,8 +223,9 @@ void StreamModel::span(const Beat& beat) {
   const bool of_derivative = beat_ >= 4;
   const auto first = static_cast<std::uint32_t>(word >> 8 & 0xFF);
   const auto at = static_cast<int>(first + header_.words[1] - left_);
-  spans_.receive(field(22), at, beat_ % 4, of_derivative,
-                 {field(0), field(of_derivative ? 18 : 4), beat.words});
+  const FunctionWords words{field(0), field(of_derivative ? 18 : 4), beat.words};
+  spans_.receive(field(22), at, beat_ % 4, of_derivative, words);
+  check_sums(beat_ % 4, of_derivative, words);
   if (++beat_ < (derivatives ? 8 : 4)) return;
   beat_ = 0;
   spans_.complete(field(22), at, derivatives);
@@ -229,6 +234,12 @@ void StreamModel::span(const Beat& beat) {
   if ((header_.words[0] & kEndsSet) == 0) return;
   derivatives_loaded_ = derivatives_loaded_ && spans_.set_has_derivatives();
   spans_.take_set();
+}
+
+void StreamModel::check_sums(int function, bool derivative, const FunctionWords& words) {
+  if (!sums_wanted_) return;
+  const bool fault = sums_.fault(function, words.degree, words.shift, derivative, words.words);
+  if (fault) ++events_[stream_event(event::kFunctionsSum)];
 }
 
 /// Gives the evaluator the functions of the vertex's cell.

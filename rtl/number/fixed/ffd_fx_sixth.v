@@ -8,7 +8,7 @@
 //             by what the factors left out would have added, less than 3.
 // Pipeline:   LATENCY registers, spread over the steps; II 1, never frozen.
 // Parameters: W 4 to 64, LATENCY >= 0.
-// Model:      golden/include/hwffd/model/org_powers.hpp.  Test: tests/evaluator, tests/system.
+// Model:      golden/include/hwffd/model/org_powers.hpp.  Test: tests/unit/powers.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

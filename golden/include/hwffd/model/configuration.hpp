@@ -23,6 +23,11 @@ struct Configuration {
 /// Whether vertices follow each other before the one in front has ended; else the paper's schedule.
 inline bool overlaps(const Configuration& row) { return row.schedule == std::string("overlapped"); }
 
+/// Whether the evaluator has the B-spline wired in, so that what is loaded is ignored.
+inline bool wired_in(const Configuration& row) {
+  return row.evaluator == std::string("bspline") || row.evaluator == std::string("powers");
+}
+
 /// Every row of the table, in its order, whatever tier this build is.
 const std::vector<Configuration>& configurations();
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
+#include "hwffd/model/function_sums.hpp"
 #include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
@@ -99,6 +100,7 @@ class StreamModel {
   void coefficients(const Beat& beat);
   bool start_spans();
   void span(const Beat& beat);
+  void check_sums(int function, bool derivative, const FunctionWords& words);
   void use_spans();
   void lattice_point(const Beat& beat);
   void part_point(const Beat& beat);
@@ -129,6 +131,8 @@ class StreamModel {
   Page* page_ = nullptr;   // of the packet under way; of vertices, none if there is none
   std::size_t place_ = 0;  // of the next point of a part
   SpanTable spans_;
+  bool sums_wanted_;  // functions must sum to one
+  FunctionSums sums_;
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;

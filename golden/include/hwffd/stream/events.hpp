@@ -34,7 +34,8 @@ enum Code : unsigned {
   kPagePoints = 24,
   kSpanBeyond = 25,
   kNoFourth = 26,
-  kGridCount = 27
+  kGridCount = 27,
+  kFunctionsSum = 28
 };
 
 }  // namespace hwffd::event
@@ -47,6 +48,6 @@ constexpr unsigned stream_event(event::Code code) {
 }
 
 /// Kinds of events of the stream.
-constexpr int kStreamEvents = stream_event(event::kGridCount) + 1;
+constexpr int kStreamEvents = stream_event(event::kFunctionsSum) + 1;
 
 }  // namespace hwffd
