@@ -1,5 +1,5 @@
-// The netlist of the core that fills a Gowin GW5A, positions of a resident lattice only: every bit of 2,000
-// vertices from random cells, one of them in each clock.
+// The netlist of the core that fills a Gowin GW5A, positions of a resident lattice only: every bit
+// of 2,000 vertices from random cells, one of them in each clock.
 #include <gtest/gtest.h>
 
 #include "Vaffine_fx17_overlapped_resident_gw5a_netlist.h"
