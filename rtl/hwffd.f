@@ -34,6 +34,7 @@ bus/ffd_wb_slave.v
 cache/ffd_cache_beats.v
 cache/ffd_cache_lane.v
 cache/ffd_cache_points.v
+cache/ffd_cache_stores.v
 cache/ffd_cache_writer.v
 common/ffd_mem_sdp.v
 common/ffd_num_delay.v

@@ -79,7 +79,7 @@ def header_text(rtl):
     def any_of(kind):
         tests = [f"(ORG) == {one.number}" for one in found if kind(one)]
         lines = (" || ".join(tests[i:i + 6]) for i in range(0, len(tests), 6))
-        return " || \\\n   ".join(lines)
+        return " || \\\n    ".join(lines)
 
     ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
     jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found

@@ -5,11 +5,11 @@
 //
 // AFFINE 1:   bank 3 has no evaluator. Its weight is what the others leave, and in its place stands
 //             what they leave it of: 1, of a derivative 0.
-// SHARED 1:   the axis is chosen with each coordinate, and the files have the functions of all three.
+// SHARED 1:   the axis is chosen with each coordinate, and a file has the functions of all.
 //
 // Pipeline:   coordinate | SHARED | FFD_POLY_LATENCY: weights. II 1, never frozen.
-// Parameters: SHARED, AFFINE 0 or 1, AFFINE in fixed point only; EVALUATOR not iterative; the others
-//             as in every organization.
+// Parameters: SHARED, AFFINE 0 or 1, AFFINE in fixed point only; EVALUATOR not iterative; the
+//             others as in every organization.
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

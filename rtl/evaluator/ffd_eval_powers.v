@@ -59,7 +59,8 @@ module ffd_eval_powers #(
   // computed would be given a multiplier.)
   wire [4*WEIGHT_W-1:0] turned = residue[0] ? {of_function[0 +: 3*WEIGHT_W],
                                                of_function[3*WEIGHT_W +: WEIGHT_W]} : of_function;
-  assign of_bank = residue[1] ? {turned[0 +: 2*WEIGHT_W], turned[2*WEIGHT_W +: 2*WEIGHT_W]} : turned;
+  assign of_bank = residue[1] ? {turned[0 +: 2*WEIGHT_W], turned[2*WEIGHT_W +: 2*WEIGHT_W]}
+                              : turned;
 
   ffd_num_delay #(
     .WIDTH  (4 * WEIGHT_W),

@@ -7,11 +7,11 @@
 // what runs share is made for the next while the vertices of the present one pass. So a vertex a
 // clock in runs of four and more, and from random cells in four clocks.
 //
-// Formats, rounding: those of ffd_eval_contraction; docs/numerics.md section 4. The bits are those of
-//             every other folding.
+// Formats, rounding: those of ffd_eval_contraction; docs/numerics.md section 4. The bits are those
+//             of every other folding.
 // Schedule:   a vertex every clock, a run every four.
-// Pipeline:   vertex | its run's steps: FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points |
-//             ffd_eval_contraction of two axes | narrowed, the four of the run | ffd_eval_affine.
+// Pipeline:   vertex | its run's steps: FFD_CHOICE_LATENCY, FFD_POLY_LATENCY: weights of u, points
+//             | ffd_eval_contraction of two axes | narrowed, the four of the run | ffd_eval_affine.
 // Freezes:    never. Results leave in the order of the vertices and are not held back.
 // Parameters: those of ffd_org_affine, which checks them; N 16. EVALUATOR not iterative.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
@@ -29,10 +29,6 @@ module ffd_eval_scan #(
   `include "ffd_org_ports.vh"
 );
   localparam FOLD         = 4;
-  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
-  localparam POINT_W      = `FFD_POINT_W(FORMAT);
-  localparam SUM_W        = `FFD_SUM_W(FORMAT);
-  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
   localparam POLY_LATENCY = `FFD_POLY_LATENCY(EVALUATOR, FILE_LATENCY, STEP_LATENCY,
@@ -44,6 +40,10 @@ module ffd_eval_scan #(
   localparam POINT_DELAY  = READ_DELAY + READ_LATENCY + 2 * CONTRACT;
   // Clocks from a vertex that goes to its points: five steps behind it a run's are held.
   localparam HELD_DELAY   = 5 + POINT_DELAY;
+  localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
+  localparam POINT_W      = `FFD_POINT_W(FORMAT);
+  localparam SUM_W        = `FFD_SUM_W(FORMAT);
+  localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam SHARED_W     = 2 * WEIGHT_W + 12 + SOURCE_W + 2 * PLACE_W;
   localparam OWN_W        = WEIGHT_W + PLACE_W;
 

@@ -2,8 +2,8 @@
 //
 // The 64 points of a cell are read at once, one from each bank, and the four weights of each axis
 // are rotated into the order of the banks: 12 polynomials and 84 multiplications a component, and
-// a vertex a clock from any cell. Folded by two or four, 32 or 16 banks a clock on a part of it, the
-// fold in the memory; by three, one component a clock on a third of it; by six, both. What is
+// a vertex a clock from any cell. Folded by two or four, 32 or 16 banks a clock on a part of it,
+// the fold in the memory; by three, one component a clock on a third of it; by six, both. What is
 // folded by three reads points in one of three clocks, so that up to three such lanes share one
 // store of points; lanes folded by four read in every clock, each from a store of its own, at a
 // port of its own. Vertices are dealt to the lanes in turn; all take equally long, so results keep

@@ -23,8 +23,8 @@ input  wire [SOURCE_W-1:0]                             s_vertex_source,
 input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
 input  wire                                            s_vertex_changed,
 
-// The points wanted, N from index on, at each of PORTS ports; last: the vertex reads no more, of one
-// vertex in a clock. They come as {z, y, x} each, exactly READ_LATENCY clocks later, always.
+// The points wanted, N from index on, at each of PORTS ports; last: the vertex reads no more, of
+// one vertex in a clock. They come as {z, y, x} each, exactly READ_LATENCY clocks later, always.
 output wire [PORTS-1:0]                                read_o,
 output wire [PORTS-1:0]                                read_last_o,
 output wire [PORTS*SOURCE_W-1:0]                       read_source_o,

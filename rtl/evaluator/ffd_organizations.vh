@@ -7,12 +7,12 @@
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \
   ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || \
-   (ORG) == 13 || (ORG) == 16)
+    (ORG) == 13 || (ORG) == 16)
 
 // It takes for granted that the functions of an axis sum to one.
 `define FFD_ORG_AFFINE(ORG) \
   ((ORG) == 10 || (ORG) == 11 || (ORG) == 12 || (ORG) == 13 || (ORG) == 14 || (ORG) == 15 || \
-   (ORG) == 16 || (ORG) == 17 || (ORG) == 18 || (ORG) == 19 || (ORG) == 21)
+    (ORG) == 16 || (ORG) == 17 || (ORG) == 18 || (ORG) == 19 || (ORG) == 21)
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ((ORG) == 17 ? 3 : 1)

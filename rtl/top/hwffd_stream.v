@@ -1,7 +1,7 @@
 // hwffd_stream: the evaluator between two AXI4-Streams
 //
 // Packets in, result beats out, in the order of the vertices: docs/interface.md. Every ready, valid
-// and data bit of the streams leaves a register; with grids or packed vertices tready, gates.
+// and data bit of the streams leaves a register; with grids or packed vertices tready leaves gates.
 //
 // Formats:    128-bit beats, four little-endian words; words by FORMAT (interface.md section 3).
 // Pipeline:   the organization's; the next vertex is loaded while the present one is evaluated.
@@ -51,8 +51,8 @@ module hwffd_stream #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
   localparam PORTS        = `FFD_ORG_PORTS(ORG);
-  // Registers around the memories of a lane, in front of those of 64 and of several stores; not with
-  // the paper's units.
+  // Registers around the memories of a lane, in front of those of 64 and of several stores; not
+  // with the paper's units.
   localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 || PORTS > 1 ? 3 : 2;
   // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
   // two more; one drains, one loads.
@@ -152,7 +152,7 @@ module hwffd_stream #(
   wire [PORTS*(SOURCE_W+1)-1:0]     read_source;
   wire [PORTS*12-1:0]               read_cell;
   wire [PORTS*6-1:0]                read_index;
-  wire [PORTS-1:0]                  read_slot_last;
+  wire                              read_slot_last;
   wire [PORTS*N*3*POINT_W-1:0]      points;
   wire                              result_valid;
   wire                              result_ready;
@@ -232,7 +232,7 @@ module hwffd_stream #(
     .last_cell_o         (last_cell),
     .slot_free_o         (slot_free),
     .rooms_o             (rooms),
-    .slot_free_i         (|read_slot_last),
+    .slot_free_i         (read_slot_last),
     .evaluating_i        (evaluating),
     .retire_i            (retire_q),
     .retire_user_i       (retire_user_q),
@@ -285,39 +285,34 @@ module hwffd_stream #(
     end
   endgenerate
 
-  // A store of points for each port of the evaluator, all with the same points.
-  generate
-    for (w = 0; w < PORTS; w = w + 1) begin : gen_store
-      wire [SOURCE_W:0] source = read_source[(SOURCE_W+1)*w +: SOURCE_W+1];
-      assign read_slot_last[w] = read_last[w] && source[SOURCE_W:SOURCE_W-1] == 2'b00;
-
-      ffd_cache_points #(
-        .FORMAT  (FORMAT),
-        .FEATURES(FEATURES),
-        .N       (N),
-        .SLOTS   (SLOTS),
-        .PAGES   (PAGES),
-        .AXIS    (AXIS),
-        .LATENCY (READ_LATENCY)
-      ) u_cache (
-        .clk             (clk),
-        .numbers_i       (numbers),
-        .lattice_write_i (lattice_write),
-        .lattice_buffer_i(lattice_buffer),
-        .lattice_at_i    (lattice_at),
-        .lattice_fourth_i(lattice_fourth),
-        .slot_write_i    (slot_write),
-        .slot_i          (slot),
-        .slot_cell_i     (slot_cell),
-        .slot_group_i    (slot_group),
-        .slot_phase_i    (slot_phase),
-        .read_source_i   (source[SOURCE_W-1:0]),
-        .read_cell_i     (read_cell[12*w +: 12]),
-        .read_index_i    (read_index[6*w +: 6]),
-        .points_o        (points[N*3*POINT_W*w +: N*3*POINT_W])
-      );
-    end
-  endgenerate
+  ffd_cache_stores #(
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES),
+    .PORTS   (PORTS),
+    .N       (N),
+    .SLOTS   (SLOTS),
+    .PAGES   (PAGES),
+    .AXIS    (AXIS),
+    .LATENCY (READ_LATENCY)
+  ) u_stores (
+    .clk             (clk),
+    .numbers_i       (numbers),
+    .lattice_write_i (lattice_write),
+    .lattice_buffer_i(lattice_buffer),
+    .lattice_at_i    (lattice_at),
+    .lattice_fourth_i(lattice_fourth),
+    .slot_write_i    (slot_write),
+    .slot_i          (slot),
+    .slot_cell_i     (slot_cell),
+    .slot_group_i    (slot_group),
+    .slot_phase_i    (slot_phase),
+    .read_last_i     (read_last),
+    .read_source_i   (read_source),
+    .read_cell_i     (read_cell),
+    .read_index_i    (read_index),
+    .slot_free_o     (read_slot_last),
+    .points_o        (points)
+  );
 
   ffd_eval_stream #(
     `include "ffd_row_arguments.vh"
