@@ -59,8 +59,11 @@ module ffd_eval_powers #(
   generate
     for (b = 0; b < 4; b = b + 1) begin : gen_bank
       localparam [1:0] BANK = b;
-      wire [1:0] blending = BANK - residue;
-      assign of_bank[b*WEIGHT_W +: WEIGHT_W] = of_function[blending*WEIGHT_W +: WEIGHT_W];
+      wire [1:0]            blending = BANK - residue;
+      wire [2*WEIGHT_W-1:0] pair = blending[1] ? of_function[4*WEIGHT_W-1:2*WEIGHT_W]
+                                               : of_function[2*WEIGHT_W-1:0];
+      assign of_bank[b*WEIGHT_W +: WEIGHT_W] = blending[0] ? pair[2*WEIGHT_W-1:WEIGHT_W]
+                                                           : pair[WEIGHT_W-1:0];
     end
   endgenerate
 
