@@ -8,6 +8,7 @@
 #include "Vexpand_bfp.h"
 #include "Vexpand_cg1.h"
 #include "Vexpand_fx32.h"
+#include "Vexpand_scan.h"
 #include "Vexpand_tree8.h"
 
 namespace hwffd::test {
@@ -36,6 +37,7 @@ const PageBuild kBuilds[] = {
       64, 3},
      make_page_core<Vexpand_tree8>},
     {"affine", "affine-fx17-overlapped", {kPlain, 16, 2}, make_page_core<Vexpand_affine>},
+    {"scan", "scan4-fx17-overlapped", {kPlain, 16, 2}, make_page_core<Vexpand_scan>},
 };
 
 /// A place along an axis of so many cells.
