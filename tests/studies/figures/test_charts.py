@@ -18,7 +18,7 @@ from rtl import ROOT
 CORES = [{**row, "top": "hwffd_stream"} for row in samples.SYNTH["rows"]]
 REPORTS = {"organizations": samples.ORGANIZATIONS, "synth": {**samples.SYNTH, "rows": CORES}, "words": samples.WORDS,
            "streams": samples.STREAMS, "timelines": samples.TIMELINES,
-           "structure": samples.STRUCTURE}
+           "structure": samples.STRUCTURE, "compare": samples.COMPARE}
 # A picture -> words that stand in it. Letters are paths; the words stand in comments beside them.
 WORDS = {
     "organizations.svg": ("basic", "tree 8", "nested", "overlapped", "paper's schedule, as built"),
@@ -28,6 +28,8 @@ WORDS = {
     "words.svg": ("half a pixel of 4,096", "product form, largest", "binary32 tree, largest"),
     "streams.svg": ("cat.3ds, 10 vertices", "changed points, by cell", "resident"),
     "structure-hwffd_top-basic-fx18.svg": ("hwffd_top", "ffd_mid_a", "\u00d7 2", "52.1%", "192"),
+    "compare.svg": ("LatticeEvaluator<float>", "interpolation 2.2 eval_cubic",
+                    "hwffd_stream basic-fx18-overlapped", "sorted by cell"),
 }
 
 
