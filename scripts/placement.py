@@ -138,7 +138,9 @@ class Placement:
     @functools.cached_property
     def packed(self):
         """Names of the subjects of which a bitstream is packed: whole cores with pins, which those on
-        ECP5 have not. Raises TableError."""
+        ECP5 have not; none where there is no table, as for proofs. Raises TableError."""
+        if not (self.root / TABLE).is_file():
+            return []
         parts = [name.split(".") for name in self.placers]
         return [".".join(words) for words in parts
                 if words[1] == synthesis.CORE and words[2] in synthesis.CORE_TARGETS]

@@ -272,7 +272,7 @@ def test_headers_of_the_tops():
         assert len(top.parameters) == len(re.findall(r"^ *parameter ", source, re.M))
     assert set(axi.parameters) - set(wishbone.parameters) == {"SECURE_ONLY"}
     for name, complaint in (("nothing", "no module nothing"),
-                            ("ffd_org_select", "ffd_org_select: not a port")):
+                            ("ffd_org_tree", "ffd_org_tree: not a port")):
         with pytest.raises(module_header.HeaderError, match=complaint):
             module_header.read(sources, name)
 

@@ -32,17 +32,17 @@ module ffd_fx_sixth #(
   genvar k;
   generate
     for (k = 0; k < STEPS - 1; k = k + 1) begin : gen_step
-      wire [W-1:0] before;
-      wire [W-1:0] after;
-      wire [W-1:0] next;
+      wire [W-1:0] part;
+      wire [W-1:0] more;
+      wire [W-1:0] held;
 
       if (k == 0) begin : gen_first
-        assign before = value_i;
+        assign part = value_i;
       end else begin : gen_next
-        assign before = gen_step[k-1].next;
+        assign part = gen_step[k-1].held;
       end
 
-      assign after = before + (before >> (2 << k));
+      assign more = part + (part >> (2 << k));
 
       ffd_num_delay #(
         .WIDTH  (W),
@@ -50,13 +50,19 @@ module ffd_fx_sixth #(
       ) u_step (
         .clk(clk),
         .rst(1'b0),
-        .d_i(after),
-        .q_o(next)
+        .d_i(more),
+        .q_o(held)
       );
     end
   endgenerate
 
-  assign eighth_o = gen_step[STEPS-2].next;
+  generate
+    if (STEPS > 1) begin : gen_last
+      assign eighth_o = gen_step[STEPS-2].held;
+    end else begin : gen_refused
+      assign eighth_o = value_i;
+    end
+  endgenerate
 endmodule
 
 `default_nettype wire

@@ -69,7 +69,7 @@ COMPARE = {"vertices": 1000, "processor": "a processor", "vector_units": "AVX2",
      "per_multiplier": None, "error": 1e-7, "sorted": ordered, "source": "a sample",
      "latency_ns": 20.0, "bytes_per_vertex": 28.0, "energy_nj_per_vertex": None}
     for what, kind, device, rate in (
-        ("LatticeEvaluator<float>", "own", "a processor", 6e7),
+        ("device reference", "own", "a processor", 6e7),
         ("interpolation 2.2, eval_cubic", "peer", "a processor", 1e7),
         ("hwffd_stream basic-fx18-overlapped", "core", "a chip", 2e6))
     for ordered in (False, True)]}
