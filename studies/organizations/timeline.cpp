@@ -97,9 +97,9 @@ void add_contract(std::vector<Lane>& lanes, Pipeline& pipeline, const Configurat
   const bool fused = c.fma_latency > 0;
   const int products = in_steps ? 1 : is_affine(c) ? 3 : fused ? 2 : 4;
   pipeline.pass(lanes, units(sums * products, "product") + " along " + axis, c.mul_latency);
-  pipeline.pass(lanes,
-                units(in_steps ? sums : sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
-                fused ? c.fma_latency : c.add_latency);
+  pipeline.pass(
+      lanes, units(in_steps ? sums : sums * 2, fused ? "multiply-add" : "adder") + " along " + axis,
+      fused ? c.fma_latency : c.add_latency);
   pipeline.pass(lanes, units(sums, "adder") + " along " + axis, c.add_latency);
 }
 

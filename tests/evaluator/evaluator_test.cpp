@@ -214,7 +214,8 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   expect_no_mismatch(vertices);
 }
 
-// A vertex a clock in runs of as many as there are folds and more; shorter runs take as long as that.
+// A vertex a clock in runs of as many as there are folds and more; shorter runs take as long as
+// that.
 TEST_P(Scans, ClocksOfRuns) {
   const std::uint64_t folded = folds(GetParam());
   std::size_t before = 0;
@@ -238,12 +239,23 @@ TEST_P(Scans, WhatEndsARun) {
   for (std::size_t v = 2; v < stimulus.vertices.size(); v += 4) {
     auto& vertex = stimulus.vertices[v];
     switch (random.below(6)) {
-      case 0: vertex.local[1] = other[v].local[1]; break;
-      case 1: vertex.local[2] = other[v].local[2]; break;
-      case 2: vertex.cell[random.below(3)] ^= 1; break;
-      case 3: vertex.support ^= 1; break;
-      case 4: vertex.bank ^= 1; break;
-      default: vertex.derivative = 1 + static_cast<int>(random.below(2));
+      case 0:
+        vertex.local[1] = other[v].local[1];
+        break;
+      case 1:
+        vertex.local[2] = other[v].local[2];
+        break;
+      case 2:
+        vertex.cell[random.below(3)] ^= 1;
+        break;
+      case 3:
+        vertex.support ^= 1;
+        break;
+      case 4:
+        vertex.bank ^= 1;
+        break;
+      default:
+        vertex.derivative = 1 + static_cast<int>(random.below(2));
     }
   }
   bench_.run(stimulus, tb::make_throttle("bursts", 5), tb::make_throttle("bernoulli", 6));

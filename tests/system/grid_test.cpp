@@ -323,8 +323,8 @@ TEST_P(BadGrids, CellsThatHaveNoName) {
   EXPECT_EQ(run_.events(kGridCount), 1U);
 }
 
-// Clocks: at the rate of the organization, one that scans in runs of four, the vertices of a line in
-// a cell; and a grid begins as soon as it is checked.
+// Clocks: at the rate of the organization, one that scans in runs of four, the vertices of a line
+// in a cell; and a grid begins as soon as it is checked.
 TEST_P(Grids, ClocksOfAGrid) {
   tb::Random random(6);
   ExpandRun run(GetParam(), 1);

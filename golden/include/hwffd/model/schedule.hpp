@@ -23,8 +23,8 @@ int lanes(const Configuration& row);
 /// Whether an organization gives the position of a vertex and its three derivatives in one pass.
 bool gives_jacobian(const Configuration& row);
 
-/// Whether it evaluates a vertex a clock while only s changes, in runs of as many vertices as it has
-/// folds and more.
+/// Whether it evaluates a vertex a clock while only s changes, in runs of as many vertices as it
+/// has folds and more.
 bool scans(const Configuration& row);
 
 /// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
