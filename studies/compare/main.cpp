@@ -82,9 +82,7 @@ Measured measure(const Options& options) {
   return measured;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_study(int argc, char** argv) {
   Options options;
   StudyProgram program("hwffd-compare",
                        "Times the project's programs and counts clocks of its cores.");
@@ -103,4 +101,10 @@ int main(int argc, char** argv) {
     const Measured measured = measure(options);
     return Findings{{{"compare-own", json_report(measured)}}, faults(measured)};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("hwffd-compare", [&] { return run_study(argc, argv); });
 }

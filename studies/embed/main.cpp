@@ -7,6 +7,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
+#include "program.hpp"
 #include "report.hpp"
 #include "study_program.hpp"
 
@@ -28,9 +29,7 @@ std::vector<Row> rows_of(const std::string& model, bool required) {
   return of_mesh(model);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_study(int argc, char** argv) {
   std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
   std::int64_t points = 10'000;
   std::uint64_t seed = 1;
@@ -48,4 +47,10 @@ int main(int argc, char** argv) {
     }
     return Findings{{{"embed", json_report(rows)}}, faults(rows)};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("hwffd-embed", [&] { return run_study(argc, argv); });
 }

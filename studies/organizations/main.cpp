@@ -35,9 +35,7 @@ std::string timed_format(const std::vector<const Configuration*>& rows) {
   return has ? "fx18" : rows.front()->format;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_study(int argc, char** argv) {
   std::int64_t vertices = 4001;
   std::int64_t seam_values = 60'000;
   std::uint64_t seed = 1;
@@ -64,4 +62,10 @@ int main(int argc, char** argv) {
                      {"timelines", timelines(comparison, timed_format(rows))}},
                     faults(comparison)};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("hwffd-organizations", [&] { return run_study(argc, argv); });
 }

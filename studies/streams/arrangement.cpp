@@ -20,6 +20,12 @@ constexpr std::uint64_t kSupport = 64;  // points
 
 std::uint64_t beats_of_words(std::uint64_t words) { return (words + 3) / 4; }
 
+/// Two vertices a beat; a packet of an odd number has a beat that is half empty.
+std::uint64_t packed_beats(std::uint64_t vertices) {
+  static_assert(kPacketVertices % 2 == 0, "only the last packet may be odd");
+  return (vertices + 1) / 2;
+}
+
 std::uint64_t beats_of_packets(std::uint64_t vertices) {
   return kHeader * ((vertices + kPacketVertices - 1) / kPacketVertices);
 }
@@ -88,6 +94,8 @@ std::string Arrangement::name() const {
       return "changed points";
     case Kind::kCells:
       return cells == 1 ? "1 cell" : fmt::format("{} cells", cells);
+    case Kind::kPacked:
+      return "packed";
     case Kind::kResident:
       break;
   }
@@ -103,7 +111,7 @@ std::vector<Arrangement> arrangements() {
   return {{Kind::kInterleaved, 0, {"file"}},   {Kind::kChanged, 0, {"file", "cell", "curve"}},
           {Kind::kCells, 1, {"file", "cell"}},  // sorted, more of them change nothing
           {Kind::kCells, 4, {"file"}},         {Kind::kCells, 16, {"file"}},
-          {Kind::kResident, 0, {"file"}}};
+          {Kind::kResident, 0, {"file"}},      {Kind::kPacked, 0, {"file"}}};
 }
 
 Arrangement find_arrangement(const std::string& name) {
@@ -125,10 +133,12 @@ std::uint64_t predicted_beats(const Arrangement& arrangement, const Index3& dims
     case Kind::kCells:
       return beats + cell_beats(cells, arrangement.cells);
     case Kind::kResident:
+    case Kind::kPacked:
       break;
   }
   const auto points = static_cast<std::uint64_t>(dims[0]) * dims[1] * dims[2];
-  return beats + kHeader + points + beats_of_packets(vertices) + vertices;
+  return beats + kHeader + points + beats_of_packets(vertices) +
+         (arrangement.kind == Kind::kPacked ? packed_beats(vertices) : vertices);
 }
 
 std::vector<Beat> packets(const Arrangement& arrangement, const Lattice& lattice,

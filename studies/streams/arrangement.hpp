@@ -16,14 +16,16 @@ struct Arrangement {
     kInterleaved,  ///< every vertex with its 64 points (fig. 3)
     kChanged,      ///< every vertex with those of its points that the vertex before did not have
     kCells,        ///< vertices, and the 64 points of a cell that is not among the last few used
-    kResident      ///< the lattice once, then vertices
+    kResident,     ///< the lattice once, then vertices
+    kPacked        ///< the same with packed vertices, two a beat (flag P)
   };
   Kind kind;
   std::size_t cells = 0;  ///< kCells: how many are kept; the one unused for longest makes room
   std::vector<std::string> orders;  ///< of the vertices, as far as they make a difference
 
   std::string name() const;
-  /// Whether the core takes it. kCells with one cell is a lattice of 4 x 4 x 4 points, reloaded.
+  /// Whether a core without options takes it. kCells with one cell is a lattice of 4 x 4 x 4
+  /// points, reloaded; kPacked is for cores with packed vertices.
   bool is_built() const;
 };
 

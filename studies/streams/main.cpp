@@ -32,9 +32,7 @@ std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models, bool re
   return meshes;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_study(int argc, char** argv) {
   std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
   std::vector<int> lattices{4, 6, 8, 12, 16};
   StudyProgram program("hwffd-streams",
@@ -52,4 +50,10 @@ int main(int argc, char** argv) {
     const std::vector<PagesRow> pages = pages_study(meshes, {24, 32, 48, 64}, configuration);
     return Findings{{{"streams", json_report(rows, pages)}}, faults(rows, pages)};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("hwffd-streams", [&] { return run_study(argc, argv); });
 }

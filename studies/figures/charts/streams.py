@@ -7,10 +7,10 @@ import pandas
 from matplotlib import pyplot
 from matplotlib.ticker import NullLocator, ScalarFormatter
 
-from figures.charts import BLACK, BLUE, GREEN, PURPLE, RED, TEAL, save
+from figures.charts import BLACK, BLUE, GREEN, GREY, PURPLE, RED, TEAL, save
 
 COLOURS = {"interleaved": BLACK, "changed points": RED, "1 cell": PURPLE, "4 cells": BLUE,
-           "16 cells": TEAL, "resident": GREEN}
+           "16 cells": TEAL, "resident": GREEN, "packed": GREY}
 DASHES = {"file": "-", "cell": "--", "curve": ":"}
 
 
@@ -30,7 +30,7 @@ def draw(reports, folder):
         axes.set(title=f"{mesh}, {of_mesh['vertices'].iloc[0]:,} vertices",
                  xlabel="control points an axis")
         axes.set_xticks(sorted(frame["points"].unique()))
-        axes.set_yticks([4, 10, 20, 50, 100, 200])
+        axes.set_yticks([2, 4, 10, 20, 50, 100, 200])
         axes.yaxis.set_major_formatter(ScalarFormatter())
         axes.yaxis.set_minor_locator(NullLocator())
     grid.flat[0].set_ylabel("words moved to the core per vertex")

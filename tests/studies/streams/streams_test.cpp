@@ -10,6 +10,7 @@
 #include "arrangement.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/stream/packed.hpp"
 #include "hwffd/tb/random.hpp"
 #include "order.hpp"
 #include "pages.hpp"
@@ -92,10 +93,24 @@ TEST(Predicted, ByHand) {
   };
   EXPECT_EQ(beats(Kind::kInterleaved, 0), 1 + 3 * 49U);
   EXPECT_EQ(beats(Kind::kResident, 0), 1 + 80 + 1 + 3U);
+  EXPECT_EQ(beats(Kind::kPacked, 0), 1 + 80 + 1 + 2U);
   EXPECT_EQ(beats(Kind::kCells, 1), 3 * (1 + 64 + 1 + 1U));
   EXPECT_EQ(beats(Kind::kCells, 2), 1 + 64 + 1 + 1 + 1 + 64 + 1 + 2U);
   // 64 points are 192 words, 16 are 48; with two words of mask 49 and 13 beats.
   EXPECT_EQ(beats(Kind::kChanged, 0), 1 + (1 + 49) + 2 * (1 + 13U));
+}
+
+TEST(Predicted, PackedVerticesAreTheSizeOfTheirPackets) {
+  for (const std::size_t count : {1U, 2U, 1023U, 1024U, 1025U, 3001U}) {
+    std::size_t beats = kCoefficients + 1 + 80;
+    for (std::size_t left = count; left > 0;) {
+      const std::size_t some = std::min<std::size_t>(left, kPacketVertices);
+      beats += packed_packet(std::vector<PackedVertex>(some)).size();
+      left -= some;
+    }
+    const std::vector<Index3> cells(count, Index3{0, 0, 0});
+    EXPECT_EQ(predicted_beats({Kind::kPacked, 0, {}}, {4, 4, 5}, cells), beats) << count;
+  }
 }
 
 TEST(Predicted, IsTheSizeOfThePackets) {
@@ -124,7 +139,7 @@ TEST(Study, CountedEqualsPredicted) {
   const std::vector<Row> rows = study(meshes, {4, 7}, find_configuration("basic-fx18-overlapped"),
                                       [](std::size_t, std::size_t) {});
   EXPECT_EQ(faults(rows), "");
-  ASSERT_EQ(rows.size(), 2 * 9U);
+  ASSERT_EQ(rows.size(), 2 * 10U);
   std::size_t counted = 0;
   for (const Row& row : rows) {
     counted += row.counted ? 1 : 0;
