@@ -50,8 +50,9 @@ module ffd_stream_framer #(
   output wire                      expects_o, // a vertex
   output wire                      idle_o
 );
-  localparam AXIS_W = `FFD_AXIS_W(AXIS);
-  localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
+  localparam AXIS_W      = `FFD_AXIS_W(AXIS);
+  localparam PAGES       = `FFD_FEATURE_PAGES(FEATURES);
+  localparam INTERLEAVED = `FFD_FEATURE_INTERLEAVED(FEATURES);
 
   wire [2:0] as      = as_i & {3{`FFD_FEATURE_EXPANDED(FEATURES)}};
   wire       no_grid = as == `FFD_AS_NO_GRID;
@@ -88,14 +89,16 @@ module ffd_stream_framer #(
   reg  points_q;
   reg  done;      // the first one behind the payload
 
-  reg  resident_q;  // vertices without points of their own
-  reg  part_q;      // points are counted
-  reg  every_q;     // vertices are not
-  reg  spans_q;     // functions are those of so many spans
-  wire one;         // it is the last
+  reg  own_q;        // vertices with points of their own
+  reg  part_q;       // points are counted
+  reg  every_q;      // vertices are not
+  reg  spans_q;      // functions are those of so many spans
+  reg  number_last;  // of them, points or spans: the number is that of the last
   wire top;
+  wire own          = INTERLEAVED != 0 && own_q;
+  wire one          = every_q ? last_i : number_last;  // it is the last
   wire vertex       = vertex_q && !no_grid && as != `FFD_AS_SHORT && !behind;
-  wire vertex_done  = (vertex && resident_q) || (points_q && top);
+  wire vertex_done  = (vertex && !own) || (points_q && top);
   wire point_done   = point_q && (part_q ? one : top);
   wire functions    = top && (!spans_q || one);
   wire payload_done = (function_q && functions) || point_done || (vertex_done && one);
@@ -113,30 +116,37 @@ module ffd_stream_framer #(
       point_q    <= !last_i && (header_q ? good_lattice || (is_part && !none)
                                          : point_q && !point_done);
       vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
-      points_q   <= !last_i && ((vertex_q && !resident_q) || (points_q && !top));
+      points_q   <= !last_i && ((vertex_q && own) || (points_q && own && !top));
       done       <= !last_i && (payload_done || (done && behind));
     end
   end
 
-  // ---- the number of a vertex, a point or a span in its packet, from 1 on
+  // What a header says is read in every clock in which the next beat is one: the last of these is
+  // that of the beat. So it waits for no handshake.
+
+  // ---- the number of a vertex, a point or a span in its packet, from 1 on: kept is that of the
+  // next one, and whether this one is the last.
 
   reg  [31:0] count_q;
-  reg  [31:0] number_q;
-  assign one = every_q ? last_i : number_q == count_q;
+  reg  [31:0] next_q;
+  wire        counted = vertex_done || point_q || (function_q && spans_q && top);
   always @(posedge clk) begin
-    if (take_i && header_q) begin
-      count_q    <= data_i[63:32];
-      resident_q <= is_vertices;
-      part_q     <= is_part;
-      every_q    <= kind[`FFD_KIND_EVERY];
+    if (header_q) begin
+      count_q <= data_i[63:32];
+      own_q   <= is_interleaved;
+      part_q  <= is_part;
+      every_q <= kind[`FFD_KIND_EVERY];
     end
     if (SPANS == 1) spans_q <= 1'b0;
-    else if (take_i && header_q) spans_q <= is_spans;
+    else if (header_q) spans_q <= is_spans;
   end
   always @(posedge clk) begin
-    if (take_i && header_q) number_q <= 32'd1;
-    else if (take_i && (vertex_done || point_q || (function_q && spans_q && top))) begin
-      number_q <= number_q + 32'd1;
+    if (header_q) begin
+      next_q      <= 32'd2;
+      number_last <= data_i[63:32] == 32'd1;
+    end else if (take_i && counted) begin
+      next_q      <= next_q + 32'd1;
+      number_last <= next_q == count_q;
     end
   end
 
@@ -166,14 +176,14 @@ module ffd_stream_framer #(
       assign index[4*d +: 4] = digit[3:0];
       assign high[2*d +: 2]  = digit[5:4];
       always @(posedge clk) begin
-        if (take_i && header_q) begin
+        if (header_q) begin
           top_q <= is_coefficients ? derivatives_top[6*d +: AXIS_W]
                  : is_spans        ? spans_top[6*d +: AXIS_W]
                  : is_lattice      ? points - 1'b1 : POINTS_TOP[6*d +: AXIS_W];
         end else if (PAGES != 0 && place_valid_i) begin
           top_q <= tops_i[AXIS_W*d +: AXIS_W];
         end
-        if (take_i && !counts) digit_q <= {AXIS_W{1'b0}};
+        if (!counts) digit_q <= {AXIS_W{1'b0}};
         else if (take_i && step[d]) digit_q <= at_top[d] ? {AXIS_W{1'b0}} : digit_q + 1'b1;
         else if (PAGES != 0 && place_valid_i) digit_q <= place_i[AXIS_W*d +: AXIS_W];
       end
@@ -187,7 +197,7 @@ module ffd_stream_framer #(
   wire payload = function_q || point_q || vertex_q || points_q;
   wire refused = !(is_coefficients || good_lattice || of_vertices || is_part || good_spans);
   wire nothing = (of_vertices || is_part || is_spans) && none;
-  wire finish  = (vertex && (resident_q || last_i)) || (points_q && (top || last_i));
+  wire finish  = (vertex && (!own || last_i)) || (points_q && (top || last_i));
 
   assign frame_o[`FFD_FRAME_INDEX]    = index;
   assign frame_o[`FFD_FRAME_TOP]      = top;
@@ -209,7 +219,7 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
   assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign frame_o[`FFD_FRAME_REFUSED]  = vertex_q && (as == `FFD_AS_REFUSED || no_grid);
-  assign claims_o                     = vertex_q && !resident_q;
+  assign claims_o                     = vertex_q && own;
   assign expects_o                    = vertex_q;
   assign idle_o                       = header_q;
 

@@ -103,9 +103,10 @@ module formal_stream_framer #(
   (* hierconn *) wire        \u_dut.vertex_q ;
   (* hierconn *) wire        \u_dut.points_q ;
   (* hierconn *) wire        \u_dut.done ;
-  (* hierconn *) wire        \u_dut.resident_q ;
+  (* hierconn *) wire        \u_dut.own_q ;
+  (* hierconn *) wire        \u_dut.number_last ;
   (* hierconn *) wire [31:0] \u_dut.count_q ;
-  (* hierconn *) wire [31:0] \u_dut.number_q ;
+  (* hierconn *) wire [31:0] \u_dut.next_q ;
   (* hierconn *) wire [11:0] \u_dut.index ;
   (* hierconn *) wire [3:0]  \u_dut.gen_digit[0].top_q ;
   (* hierconn *) wire [3:0]  \u_dut.gen_digit[1].top_q ;
@@ -116,8 +117,9 @@ module formal_stream_framer #(
                        \u_dut.gen_digit[0].top_q };
   wire        below  = digits[3:0] <= top[3:0] && digits[7:4] <= top[7:4]
                     && digits[11:8] <= top[11:8];
-  wire        same_left   = left_q != 0 && \u_dut.count_q - \u_dut.number_q == left_q - 1
-                         && \u_dut.resident_q == (opcode_q == VERTICES);
+  wire        same_left   = left_q != 0 && \u_dut.count_q - \u_dut.next_q == left_q - 2
+                         && \u_dut.number_last == (left_q == 1)
+                         && \u_dut.own_q == (opcode_q == INTERLEAVED);
   wire        begins      = opcode_q == VERTICES || at_q == 0;
   wire [11:0] functions   = 12'd12 * digits[11:8] + 12'd4 * digits[7:4] + digits[3:0];
   wire [11:0] points_sent = 12'd3 * digits[7:4] + digits[3:0] + 12'd1;

@@ -100,7 +100,7 @@ module model_intake #(
   (* hierconn *) wire        \u_framer.vertex_q ;
   (* hierconn *) wire        \u_framer.points_q ;
   (* hierconn *) wire        \u_framer.done ;
-  (* hierconn *) wire        \u_framer.resident_q ;
+  (* hierconn *) wire        \u_framer.own_q ;
   (* hierconn *) wire [11:0] \u_framer.index ;
   (* hierconn *) wire [3:0]  \u_framer.gen_digit[0].top_q ;
   (* hierconn *) wire [3:0]  \u_framer.gen_digit[1].top_q ;
@@ -109,7 +109,7 @@ module model_intake #(
   wire        next_point    = \u_framer.point_q ;
   wire        next_vertex   = \u_framer.vertex_q ;
   wire        next_points   = \u_framer.points_q ;
-  wire        next_resident = \u_framer.resident_q ;
+  wire        next_resident = !\u_framer.own_q ;
   wire [11:0] next_index    = \u_framer.index ;
   wire [11:0] next_top      = {\u_framer.gen_digit[2].top_q , \u_framer.gen_digit[1].top_q ,
                                \u_framer.gen_digit[0].top_q };
@@ -159,9 +159,10 @@ module model_intake #(
   end
 
   wire with_header = there_o && header;
-  wire of_vertices = next_vertex || next_points || (there_o && (vertex || points));
-  wire same        = (!of_vertices || with_header
-                      || (decoder_resident_i == next_resident && resident_i == next_resident))
+  wire next_source = next_vertex || next_points;
+  wire of_vertices = next_source || (there_o && (vertex || points));
+  wire same        = (!of_vertices || with_header || decoder_resident_i == resident_i)
+                  && (!next_source || with_header || decoder_resident_i == next_resident)
                   && (!next_points || !next_resident)
                   && (!next_point || (at_least_3(next_top) && below(next_index, next_top)
                                       && next_top == (with_header ? header_top : size_top)));
