@@ -95,46 +95,62 @@ def _variables(lines):
     return by_identifier, by_name
 
 
-def _change(line):
-    """(identifier, value) of a line that says one, else (None, "")."""
-    if line[0] in "01xz":
-        return line[1:].rstrip(), line[0]
-    if line[0] == "b":
-        value, identifier = line[1:].split()
-        return identifier, value
-    return None, ""
-
-
 def _values(value, width):
     """As many as there are bits: leading zeros are not written, nor a leading x more than once."""
     return value if len(value) == width else value.rjust(
         width, "0" if value[0] in "01" else value[0])
 
 
+class _Reader:
+    """Lines of a file behind its names. Clocks are counted from $dumpon, in units of its time."""
+
+    def __init__(self, by_identifier, period):
+        self.bits, self.period = by_identifier, period
+        self.time = self.begun = self.ended = self.clock = 0
+        self.on = self.first = False  # what is written counts; it is how all of it begins
+
+    def moves(self, time):
+        self.time, self.clock = time, (time - self.begun) // self.period
+        self.first = self.first and time == self.begun
+
+    def turns(self, line):
+        if line.startswith("$dumpon"):
+            self.on = self.first = True
+            self.begun, self.clock = self.time, 0
+        elif line.startswith("$dumpoff") and self.on:
+            self.on, self.ended = False, self.time
+
+    def changes(self, identifier, value):
+        bits = self.bits[identifier]
+        for bit, one in zip(bits, _values(value, len(bits))):
+            if self.first:
+                bit.begins(one, self.time)
+            else:
+                bit.takes(one, self.time, self.clock)
+
+    def reads(self, lines):
+        for line in lines:
+            first = line[0]
+            if first == "#":
+                self.moves(int(line[1:]))
+            elif first == "$":
+                self.turns(line)
+            elif not self.on:
+                continue
+            elif first in "01xz":
+                self.changes(line[1:].rstrip(), first)
+            elif first == "b":
+                self.changes(*reversed(line[1:].split()))
+
+
 def read(lines, period):
-    """The Activity of the lines of a file. Clocks are counted from $dumpon, in units of its time."""
+    """The Activity of the lines of a file, its clock in units of the file's time."""
     lines = iter(lines)
     by_identifier, by_name = _variables(lines)
-    time = begun = ended = clock = 0
-    on = first = False
-    for line in lines:
-        if line[0] == "#":
-            time = int(line[1:])
-            clock, first = (time - begun) // period, first and time == begun
-        elif line[0] == "$":
-            if line.startswith("$dumpon"):
-                on, first, begun, clock = True, True, time, 0
-            elif line.startswith("$dumpoff") and on:
-                on, ended = False, time
-        elif on:
-            identifier, value = _change(line)
-            bits = by_identifier.get(identifier, ())
-            for bit, one in zip(bits, _values(value, len(bits)) if bits else ""):
-                if first:
-                    bit.begins(one, time)
-                else:
-                    bit.takes(one, time, clock)
+    reader = _Reader(by_identifier, period)
+    reader.reads(lines)
     for bits in by_identifier.values():
         for bit in bits:
-            bit.ends(ended)
-    return Activity({name: bit.net for name, bit in by_name.items()}, ended - begun if ended else 0)
+            bit.ends(reader.ended)
+    time = reader.ended - reader.begun if reader.ended else 0
+    return Activity({name: bit.net for name, bit in by_name.items()}, time)
