@@ -87,7 +87,7 @@ class Netlist:
 
     def output(self, cell, kinds):
         """(pin, net) of what a cell drives. Raises NetlistError."""
-        found = [(pin, cell.pins[pin]) for pin in kinds[cell.kind].outputs() if cell.pins.get(pin)]
+        found = [(pin, cell.pins[pin]) for pin in kinds[cell.kind].outputs if cell.pins.get(pin)]
         if len(found) != 1:
             raise NetlistError(f"cell {cell.name}, {cell.kind}, drives {len(found)} nets")
         return found[0]
@@ -96,9 +96,9 @@ class Netlist:
         """net -> the capacitance of the pins that it goes to"""
         found = {}
         for cell in self.cells:
-            for pin in kinds[cell.kind].inputs():
+            for pin, capacitance in kinds[cell.kind].inputs.items():
                 net = cell.pins.get(pin)
-                found[net] = found.get(net, 0) + kinds[cell.kind].capacitance(pin)
+                found[net] = found.get(net, 0) + capacitance
         return found
 
 

@@ -10,6 +10,7 @@ are divided, so that the mean comes out; tests/studies/energy computes some by h
 SPDX-License-Identifier: Apache-2.0
 """
 
+import functools
 import re
 from dataclasses import dataclass
 
@@ -47,21 +48,22 @@ class Cell:
     name: str
     text: str
 
-    @property
+    @functools.cached_property
     def pins(self):
         """name -> its text"""
         return {_PIN_NAME.match(part).group(1): part for part in _PIN.split(self.text)[1:]}
 
+    @functools.cached_property
     def outputs(self):
         return [name for name, text in self.pins.items() if _field(text, "direction") == "output"]
 
+    @functools.cached_property
     def inputs(self):
-        return [name for name in self.pins if name not in self.outputs()]
+        """pin -> its capacitance in pF"""
+        return {name: float(_field(text, "capacitance")) for name, text in self.pins.items()
+                if name not in self.outputs}
 
-    def capacitance(self, pin):
-        return float(_field(self.pins[pin], "capacitance"))
-
-    @property
+    @functools.cached_property
     def is_register(self):
         return _field(self.text, "clocked_on") is not None
 
@@ -106,10 +108,10 @@ def expression(function):
 def model(cell):
     """A cell in Verilog. A register starts with any value, as one does that is switched on."""
     kind = "output reg" if cell.is_register else "output"
-    pins = ", ".join([*(f"input {pin}" for pin in cell.inputs()),
-                      *(f"{kind} {pin}" for pin in cell.outputs())])
+    pins = ", ".join([*(f"input {pin}" for pin in cell.inputs),
+                      *(f"{kind} {pin}" for pin in cell.outputs)])
     lines = [f"module {cell.name} ({pins});"]
-    for pin in cell.outputs():
+    for pin in cell.outputs:
         delay = f"#{cell.delay_ps(pin)}"
         if not cell.is_register:
             lines.append(f"  assign {delay} {pin} = {expression(_field(cell.pins[pin], 'function'))};")
