@@ -12,6 +12,8 @@ import subprocess
 from dataclasses import dataclass
 
 import configurations
+import digest
+import liberty
 import library
 import rtl
 import synthesis
@@ -48,9 +50,14 @@ def steps(work, mapped, out):
             f'write_verilog -noattr "{out}"']
 
 
+def key(work, mapped):
+    """Of all that a netlist depends on."""
+    return digest.of(work.netlist_key(mapped), *steps(work, mapped, ""), digest.lines(liberty.PATH))
+
+
 def made(work, mapped, folder):
     """The file of the netlist, mapped unless it is there. Raises NetlistError."""
-    path = folder / f"{mapped.row.name}.{work.netlist_key(mapped)}.v"
+    path = folder / f"{mapped.row.name}.{key(work, mapped)}.v"
     if path.is_file():
         return path
     folder.mkdir(parents=True, exist_ok=True)
