@@ -119,7 +119,7 @@ compare: install
 	@$(CMAKE_BUILD) --target hwffd-compare
 	@$(STUDY) compare -- $(BUILD)/venv/bin/python -B studies/compare
 
-# Netlists are kept in build/energy/; Icarus and OpenSTA take two minutes.
+# Netlists are kept in build/energy/: they are half of the four minutes that it takes on one core.
 energy: install
 	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
