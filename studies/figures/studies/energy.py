@@ -14,7 +14,7 @@ def _share(row, field):
     return shown(row[field] / row["energy_nj_per_vertex"], ".0%")
 
 
-def rows(reports):
+def evaluators(reports):
     """Energies of each evaluator, in the order of the report."""
     return Table(
         ["evaluator", "cells", "cycles per vertex", "nJ per vertex", "clock", "glitches",
@@ -28,7 +28,7 @@ def rows(reports):
 def printed(reports):
     report = reports.get("energy")
     return (f"{report['volts']} V, a clock of {report['period_ns']} ns; {report['rows'][0]['device']}\n\n"
-            + rows(reports).text())
+            + evaluators(reports).text())
 
 
 def missing(reports):
@@ -49,7 +49,7 @@ def _share_of(choice, field):
         row[field] / row["energy_nj_per_vertex"] for row in reports.rows("energy"))
 
 
-TABLES = {"rows": rows}
+TABLES = {"evaluators": evaluators}
 FIGURES = {
     "least_name": _of(min, "name"), "least_nj": _of(min, "energy_nj_per_vertex"),
     "most_name": _of(max, "name"), "most_nj": _of(max, "energy_nj_per_vertex"),

@@ -60,7 +60,7 @@ ENERGY = {"volts": 1.8, "period_ns": 10, "rows": [
 
 def test_energies_and_their_shares(reports):
     data = reports(energy=ENERGY)
-    assert energy.rows(data).rows[0] == [
+    assert energy.evaluators(data).rows[0] == [
         "`affine64-fx17-overlapped`", "50,000", "64", "200.0", "50%", "20%", "0.34", "7"]
     assert (data.figure("energy", "least_name"), data.figure("energy", "most_nj")) == (
         "affine64-fx17-overlapped", 300)
