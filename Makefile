@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -54,6 +54,7 @@ help:
 	@echo '  make streams        how many words must be moved for each vertex'
 	@echo '  make embed          meshes in box, cylinder, sphere and custom lattices'
 	@echo '  make compare        vertices a second beside other programs, on one core and in hardware'
+	@echo '  make energy         what a vertex costs in evaluators of standard cells, from the toggles of their nets'
 	@echo 'Check it'
 	@echo '  make test           build everything and run the tests'
 	@echo '  make test-all       every configuration, and the long tests'
@@ -117,6 +118,13 @@ compare: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd-compare
 	@$(STUDY) compare -- $(BUILD)/venv/bin/python -B studies/compare
+
+# Netlists are kept in build/energy/: they are half of the four minutes that it takes on one core.
+energy: install
+	@scripts/python_env figures
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-energy-words
+	@$(STUDY) energy -- $(BUILD)/venv/bin/python -B studies/energy
 
 hwffd: install
 	@scripts/python_env

@@ -53,6 +53,11 @@ REPORTS = {
         (*_RTL, "geometry/**/lattice/lattice_evaluator.?pp", "geometry/**/lattice/contraction.?pp",
          "studies/compare/*.?pp", "studies/compare/*.py", "scripts/requirements-compare.txt",
          "docs/reports/pnr.json", "docs/reports/synth.json", "docs/reports/dma.json")),
+    "energy": Report(
+        "make energy",
+        (*_RTL, *_MODEL, "synth/prepare.ys", "synth/verify.ys", "synth/osu018.*",
+         "studies/energy/*.?pp", "studies/energy/*.v", "studies/energy/*.py",
+         "studies/compare/scene.?pp")),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),

@@ -41,6 +41,13 @@ def _scaled(row, field, unit, form):
     return shown(None if row[field] is None else row[field] / unit, form)
 
 
+def cells(reports):
+    """Evaluators in standard cells, where make energy has been: they have an energy and no clock."""
+    found = reports.rows("energy") if reports.has("energy") else []
+    return [[f"`ffd_org_select` {row['name']}", row["device"], *["-"] * 5,
+             shown(row["energy_nj_per_vertex"], ".1f"), "-"] for row in found]
+
+
 def programs(reports):
     """Each with vertices in any order and sorted by cell."""
     lines = []
@@ -53,7 +60,7 @@ def programs(reports):
             shown(max(one["error"], in_order["error"]), ".1e")])
     return Table(["what", "on", "million vertices per second", "sorted by cell",
                   "per multiplier", "latency, ns", "bytes per vertex", "nJ per vertex",
-                  "max error"], lines)
+                  "max error"], lines + cells(reports))
 
 
 def printed(reports):

@@ -150,6 +150,13 @@ def test_table_and_figures(reports, whole):
     assert catalogue.missing(data, "compare") == ""
 
 
+def test_standard_cells_have_an_energy_and_no_clock(reports, whole):
+    cells = {"rows": [{"name": "cg1-fx18-overlapped", "device": "cells", "energy_nj_per_vertex": 250.04}]}
+    lines = markers.table(reports(compare=whole, energy=cells), "compare.programs").rows
+    assert len(lines) == 8
+    assert lines[-1] == ["`ffd_org_select` cg1-fx18-overlapped", "cells", *["-"] * 5, "250.0", "-"]
+
+
 def test_a_clock_with_a_remark_is_no_fastest_core(reports, whole):
     marked = copy.deepcopy(whole)
     for row in marked["rows"]:

@@ -11,7 +11,7 @@ import samples
 from figures import check, markers, sources, table
 from figures.catalogue import CHARTS, REPORTS, missing, module, printed
 from figures.reports import FRESH
-from figures.studies import organizations, streams, synth, throughput, words
+from figures.studies import energy, organizations, streams, synth, throughput, words
 from rtl import ROOT
 
 
@@ -48,6 +48,25 @@ def test_words_of_one_mesh(reports):
     made = streams.words(reports(streams=samples.STREAMS), "horse.3ds")
     assert made.heads[2:] == ["4x4x4", "16x16x16"]
     assert made.rows[-1] == ["resident", "file", "4.05", "8.09"]
+
+
+ENERGY = {"volts": 1.8, "period_ns": 10, "rows": [
+    {"name": name, "device": "cells", "cells": 50000, "clocks_per_vertex": 64.0, "compared": 7,
+     "energy_nj_per_vertex": spent, "clock_nj": spent / 2, "glitches_nj": spent / 5,
+     "leakage_nj": spent / 100, "toggles_per_clock": 0.3351} for name, spent in (
+         ("affine64-fx17-overlapped", 200.0), ("basic-fx18-overlapped", 300.0),
+         ("cg1-fx18-overlapped", 250.0))]}
+
+
+def test_energies_and_their_shares(reports):
+    data = reports(energy=ENERGY)
+    assert energy.evaluators(data).rows[0] == [
+        "`affine64-fx17-overlapped`", "50,000", "64", "200.0", "50%", "20%", "0.34", "7"]
+    assert (data.figure("energy", "least_name"), data.figure("energy", "most_nj")) == (
+        "affine64-fx17-overlapped", 300)
+    assert data.figure("energy", "clock_least") == data.figure("energy", "clock_most") == 0.5
+    assert not missing(data, "energy")
+    assert missing(reports(energy={**ENERGY, "rows": ENERGY["rows"][:2]}), "energy") == "rows"
 
 
 @pytest.fixture
