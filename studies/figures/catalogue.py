@@ -26,6 +26,8 @@ class Report:
     volatile: tuple = ()
     selectors: tuple = ()  # fields that narrow its command to the rows in question
     written: str = ""  # the name under which its command writes it, where that is another
+    # Fields that tell one row from another, where rows that took hours may outlive a change.
+    identity: tuple = ()
 
 
 REPORTS = {
@@ -46,8 +48,9 @@ REPORTS = {
     "dma": Report("make sim STREAM=dma", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs",
                   written="sim"),
     "synth": Report("make synth", _SYNTH, volatile=("seconds", "kinds"),
-                    selectors=("target", "org", "n", "format")),
-    "pnr": Report("make pnr", (*_SYNTH, "synth/clocks.csv")),
+                    selectors=("target", "org", "n", "format"),
+                    identity=("name", "variant", "top", "target")),
+    "pnr": Report("make pnr", (*_SYNTH, "synth/clocks.csv"), identity=("name", "top", "target")),
     "compare": Report(
         "make compare",
         (*_RTL, "geometry/**/lattice/lattice_evaluator.?pp", "geometry/**/lattice/contraction.?pp",

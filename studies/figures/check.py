@@ -49,6 +49,11 @@ def check(root):
     return len(names), wrong, unmeasured + _stale(root, reports)
 
 
+def older(reports, name):
+    """How many rows were kept beside a part that was measured anew (measure.with_older)."""
+    return sum(bool(row.get("older")) for row in reports.get(name).get(REPORTS[name].rows) or [])
+
+
 def _stale(root, reports):
     """A line for each committed report that lacks rows or whose sources have changed since, with
     what renews it.
@@ -62,10 +67,12 @@ def _stale(root, reports):
         try:
             measured = reports.get(name).get(STAMP, {}).get("sources")
             stale = measured != sources.key(root, REPORTS[name].sources)
-            absent = missing(reports, name)
-            if stale or absent:
-                state = "is stale" if stale else f"lacks {absent}"
-                lines.append(f"{where} {state}: {REPORTS[name].command} && "
+            absent, kept = missing(reports, name), older(reports, name)
+            states = [text for is_so, text in (
+                (stale, "is stale"), (absent, f"lacks {absent}"),
+                (kept, f"has {kept} rows of earlier sources")) if is_so]
+            if states:
+                lines.append(f"{where} {states[0]}: {REPORTS[name].command} && "
                              f"scripts/figures adopt {name}")
         except (RequestError, sources.SourceError) as error:
             lines.append(f"{where}: {error}")

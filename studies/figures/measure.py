@@ -85,6 +85,16 @@ def _without(value, volatile):
     return value
 
 
+def with_older(report, kept, name):
+    """The report with those rows of the one committed before that it has none for, marked `older`,
+    in the order of that one; what was not there comes last.
+    """
+    field, identity = REPORTS[name].rows, REPORTS[name].identity
+    new = {tuple(row[one] for one in identity): row for row in report[field]}
+    old = {tuple(row[one] for one in identity): {**row, "older": True} for row in kept[field]}
+    return {**report, field: list({**old, **new}.values())}
+
+
 def committed_form(report, name):
     """What of a report is committed: all but what differs from run to run."""
     return dump(_without(report, REPORTS[name].volatile))
@@ -92,7 +102,8 @@ def committed_form(report, name):
 
 def adopt(root, name, part=False):
     """Takes build/reports/NAME.json into docs/reports/. Raises RequestError where it is not of the
-    present sources, or not whole and a part is not asked for.
+    present sources, or not whole and a part is not asked for. Beside a part stay the committed rows
+    that it lacks, if rows have an identity.
     """
     if name not in REPORTS:
         raise RequestError(f"no report '{name}': one of {', '.join(REPORTS)}")
@@ -106,7 +117,10 @@ def adopt(root, name, part=False):
     absent = missing(fresh, name)
     if absent and not part:
         raise RequestError(f"{path} is not whole: {absent}: {cure}; or adopt --part")
-    kept = Reports(root, COMMITTED).path(name)
+    committed = Reports(root, COMMITTED)
+    if part and REPORTS[name].identity and committed.has(name):
+        report = with_older(report, committed.get(name), name)
+    kept = committed.path(name)
     kept.parent.mkdir(parents=True, exist_ok=True)
     kept.write_text(committed_form(stamped(report, name, report[STAMP]["sources"]), name),
                     encoding="utf-8")

@@ -7,8 +7,9 @@ import json
 import sys
 
 import pytest
-from figures import measure, sources
+from figures import check, measure, sources
 from figures.catalogue import REPORTS
+from figures.reports import COMMITTED, Reports
 from rtl import ROOT
 
 WRITE = """import json, pathlib, sys
@@ -81,6 +82,28 @@ def test_what_is_not_whole_or_old_is_not_taken(checkout, figures, study):
     assert "is older than its sources: make plates" in figures("adopt", "plates")[1]
     assert "there is no report yet: make words" in figures("adopt", "words")[1]
     assert "no report 'x'" in figures("adopt", "x")[1]
+
+
+def test_rows_that_were_not_measured_again_stay(checkout, figures):
+    def row(name, clock, **more):
+        return {"name": name, "top": "hwffd_stream", "target": "ecp5", "fmax_mhz": clock, **more}
+
+    checkout.link("synth")
+    key = sources.key(ROOT, REPORTS["pnr"].sources)
+
+    def report(*rows):
+        return {"measured": {"command": "make pnr", "sources": key}, "rows": rows}
+
+    committed = "docs/reports/pnr.json"
+    checkout.put({committed: report(row("a", 1.0), row("b", 2.0)),
+                  "build/reports/pnr.json": report(row("c", 4.0), row("b", 3.0))})
+    assert figures("adopt", "--part", "pnr") == (0, f"wrote {committed}\n")
+    assert json.loads(checkout.text(committed))["rows"] == [
+        row("a", 1.0, older=True), row("b", 3.0), row("c", 4.0)]
+    reports = Reports(checkout.root, COMMITTED)
+    assert check.older(reports, "pnr") == 1
+    assert measure.with_older(reports.get("pnr"), reports.get("pnr"), "pnr")["rows"] == list(
+        reports.rows("pnr"))
 
 
 def test_what_differs_from_run_to_run_is_not_committed():
