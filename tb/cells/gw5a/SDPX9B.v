@@ -6,16 +6,17 @@
 // are x, as yosys may not count on them.
 //
 // Pipeline:   the read register. LATENCY 1; CEB holds it.
-// Parameters: others than these do not elaborate, nor do widths that differ. Contents start at x, which
-//             is stricter than zeros. Blocks are selected by zeros.
+// Parameters: others than these do not elaborate, nor do widths that differ, nor other contents than
+//             zeros; they start at x, which is stricter. Blocks are selected by zeros.
 // Not checked: OCE, which means nothing without an output register, and RESET, which is 0.
 // Test:       the tests netlist.gw5a.* (tests/system).
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module SDPX9B #(
-  parameter BIT_WIDTH_0 = 36,
-  parameter BIT_WIDTH_1 = 36
+  parameter         BIT_WIDTH_0 = 36,
+  parameter         BIT_WIDTH_1 = 36,
+  parameter [287:0] INIT_RAM_00 = 288'd0
 ) (
   input  wire        CLKA,
   input  wire        CEA,
@@ -39,6 +40,9 @@ module SDPX9B #(
     if (BIT_WIDTH_0 != BIT_WIDTH_1 || (WIDTH != 9 && WIDTH != 18 && WIDTH != 36))
     begin : gen_bad_width
       ERROR_SDPX9B_widths_must_be_equal_and_9_18_or_36 u_error ();
+    end
+    if (INIT_RAM_00 != 288'd0) begin : gen_bad_contents
+      ERROR_SDPX9B_contents_must_be_zeros u_error ();
     end
   endgenerate
 
