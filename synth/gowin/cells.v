@@ -35,7 +35,8 @@ module SDPB #(
   parameter BIT_WIDTH_1 = 32,
   parameter BLK_SEL_0   = 3'b000,
   parameter BLK_SEL_1   = 3'b000,
-  parameter RESET_MODE  = "SYNC"
+  parameter RESET_MODE  = "SYNC",
+  parameter INIT_RAM_00 = 256'd0
 ) (
   input  wire        CLKA,
   input  wire        CEA,
@@ -58,7 +59,8 @@ module SDPX9B #(
   parameter BIT_WIDTH_1 = 36,
   parameter BLK_SEL_0   = 3'b000,
   parameter BLK_SEL_1   = 3'b000,
-  parameter RESET_MODE  = "SYNC"
+  parameter RESET_MODE  = "SYNC",
+  parameter INIT_RAM_00 = 288'd0
 ) (
   input  wire        CLKA,
   input  wire        CEA,
