@@ -4,15 +4,37 @@ reach after place and route.
 SPDX-License-Identifier: Apache-2.0
 """
 
+import functools
+
+import rtl
+import tables
+import variants
+
 CORE, SYSTEM = "hwffd_stream", "hwffd_axi"
 # By how much clocks of vertices in any order may differ from those of sorted ones, in an
 # organization that does not look at the order.
 SAME = 1.01
 
 
+@functools.cache
+def _with_features():
+    """{variant that differs in its features only: its row}. Raises TableError."""
+    lines = tables.read(rtl.ROOT / "synth" / "variants.csv", variants.COLUMNS)
+    return {f"{fields['name']}+{fields['variant']}": fields["name"] for _, fields in lines
+            if fields["parameters"].startswith("FEATURES=") and " " not in fields["parameters"]}
+
+
+def counted_as(name):
+    """The row in whose RTL the clocks of a core are counted: its own. A variant with fewer features is
+    as fast as its row, of one with other parameters nothing is counted: None.
+    """
+    return _with_features().get(name) if "+" in name else name
+
+
 def names(reports):
-    """Rows whose core has been routed, each once."""
-    return list(dict.fromkeys(row["name"] for row in reports.rows("pnr", top=CORE)))
+    """Rows whose core has been routed, as they are counted, each once."""
+    found = [counted_as(row["name"]) for row in reports.rows("pnr", top=CORE)]
+    return list(dict.fromkeys(name for name in found if name))
 
 
 def _multipliers(reports, routed):
@@ -55,7 +77,7 @@ def rows(reports, counted):
     """
     found = []
     for routed in reports.rows("pnr", top=f"{CORE},{SYSTEM}"):
-        pair = [core for core in counted if core["name"] == routed["name"]]
+        pair = [core for core in counted if core["name"] == counted_as(routed["name"])]
         if not pair:
             continue
         if routed["top"] == CORE:

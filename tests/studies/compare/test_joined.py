@@ -66,6 +66,19 @@ def reports(checkout):
     return of
 
 
+def test_a_variant_with_other_features_has_the_clocks_of_its_row(reports):
+    row, small = "affine4x3-fx17-overlapped-powers", "cg1-fx16-overlapped+small"
+    found = reports(pnr={"rows": [clock(f"{row}+resident", "hwffd_stream", 90.0),
+                                  clock(small, "hwffd_stream", 40.0)]},
+                    synth={"rows": [{"name": f"{row}+resident", "top": "hwffd_stream",
+                                     "target": "ecp5", "dsp": 150}]})
+    assert routed.names(found) == [row]
+    rows = routed.rows(found, core(row, (4 / 3, 4 / 3)))
+    assert [(one["what"], one["multipliers"]) for one in rows] == [
+        (f"hwffd_stream {row}+resident", 150)] * 2
+    assert rows[0]["vertices_per_s"] == pytest.approx(67.5e6)
+
+
 def test_a_core_has_the_routed_clock_and_the_clocks_counted(reports):
     rows = routed.rows(reports(), CORES)
     assert [(row["what"], row["sorted"], row["vertices_per_s"]) for row in rows] == [
