@@ -54,7 +54,6 @@ help:
 	@echo '  make streams        how many words must be moved for each vertex'
 	@echo '  make embed          meshes in box, cylinder, sphere and custom lattices'
 	@echo '  make compare        vertices a second beside other programs, on one core and in hardware'
-	@echo '  make energy         what a vertex costs in evaluators of standard cells, from the toggles of their nets'
 	@echo 'Check it'
 	@echo '  make test           build everything and run the tests'
 	@echo '  make test-all       every configuration, and the long tests'
@@ -69,6 +68,7 @@ help:
 	@echo '  make synth-baseline write that file anew'
 	@echo '  make structure      the tops as trees of modules, with the size of each'
 	@echo '  make pnr            clocks after place and route with nextpnr (an hour)'
+	@echo '  make energy         what a vertex costs in standard cells, from the toggles of their nets'
 	@echo '  make boards         bitstreams for ULX3S and iCEBreaker'
 	@echo
 	@echo 'JOBS=$(JOBS) processes side by side. docs/commands.md has all variables, docs/studies the results.'
