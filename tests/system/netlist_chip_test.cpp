@@ -43,7 +43,8 @@ struct ChipName {
   }
 };
 
-TYPED_TEST_SUITE(ChipNetlist, (testing::Types<Gw5a, Ecp5>), ChipName);
+using Chips = testing::Types<Gw5a, Ecp5>;
+TYPED_TEST_SUITE(ChipNetlist, Chips, ChipName);
 
 TYPED_TEST(ChipNetlist, VerticesOfAnyCell) {
   const Configuration& row = find_configuration(TypeParam::kRow);
