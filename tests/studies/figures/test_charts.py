@@ -29,7 +29,7 @@ WORDS = {
     "streams.svg": ("cat.3ds, 10 vertices", "changed points, by cell", "resident"),
     "structure-hwffd_top-basic-fx18.svg": ("hwffd_top", "ffd_mid_a", "\u00d7 2", "52.1%", "192"),
     "compare.svg": ("device reference", "interpolation 2.2 eval_cubic",
-                    "hwffd_stream basic-fx18-overlapped", "sorted by cell"),
+                    "hwffd_stream basic-fx18-overlapped, a chip", "sorted by cell"),
 }
 
 
