@@ -119,7 +119,7 @@ compare: install
 	@$(CMAKE_BUILD) --target hwffd-compare
 	@$(STUDY) compare -- $(BUILD)/venv/bin/python -B studies/compare
 
-# Netlists are kept in build/energy/: they are half of the four minutes that it takes on one core.
+# Netlists are kept in build/energy/, since to map them takes as long as the rest.
 energy: install
 	@scripts/python_env figures
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <utility>
 
 #include "hwffd/atomic_file.hpp"
 #include "program.hpp"
@@ -25,8 +24,8 @@ int conclude_study(const Findings& findings, const std::filesystem::path& folder
 
 }  // namespace
 
-StudyProgram::StudyProgram(std::string name, const std::string& what)
-    : name_(std::move(name)), app_(std::make_unique<CLI::App>(what)) {
+StudyProgram::StudyProgram(const std::string& what, int argc, char** argv)
+    : argc_(argc), argv_(argv), app_(std::make_unique<CLI::App>(what)) {
   app_->add_option("--output", output_, "folder for reports")->capture_default_str();
 }
 
@@ -41,10 +40,16 @@ void StudyProgram::seed(std::uint64_t& value, const std::string& of_what) {
   app_->add_option("--seed", value, "seed of " + of_what)->capture_default_str();
 }
 
-int StudyProgram::run(int argc, char** argv, const std::function<Findings()>& measure) {
-  return run_program(name_, [&] {
-    parse_command_line(*app_, argc, argv);
-    return conclude_study(measure(), std::filesystem::path(output_) / "reports");
+int StudyProgram::run(const std::function<Findings()>& measure) {
+  parse_command_line(*app_, argc_, argv_);
+  return conclude_study(measure(), std::filesystem::path(output_) / "reports");
+}
+
+int run_study(const std::string& name, const std::string& what, int argc, char** argv,
+              const std::function<int(StudyProgram& program)>& body) {
+  return run_program(name, [&] {
+    StudyProgram program(what, argc, argv);
+    return body(program);
   });
 }
 

@@ -24,13 +24,13 @@ struct Findings {
   std::string faults;  ///< what does not hold, a line each; empty if all does
 };
 
-/// The program of a study: it measures and writes its reports to <output>/reports/NAME.json, from
-/// which scripts/figures prints tables and draws. It ends with 1 where something does not hold.
+/// The program of a study, inside `run_study`: it measures and writes its reports to
+/// <output>/reports/NAME.json, from which scripts/figures prints tables and draws. It ends with 1
+/// where something does not hold.
 class StudyProgram {
  public:
-  /// @param name  of the program
   /// @param what  it does, for its help
-  StudyProgram(std::string name, const std::string& what);
+  StudyProgram(const std::string& what, int argc, char** argv);
   ~StudyProgram();
   StudyProgram(const StudyProgram&) = delete;
   StudyProgram& operator=(const StudyProgram&) = delete;
@@ -44,13 +44,22 @@ class StudyProgram {
   /// "--seed"
   void seed(std::uint64_t& value, const std::string& of_what);
 
-  /// Reads the command line, measures and writes. What main() returns.
-  int run(int argc, char** argv, const std::function<Findings()>& measure);
+  /// Reads the command line, measures and writes. The exit status.
+  int run(const std::function<Findings()>& measure);
 
  private:
-  std::string name_;
+  int argc_;
+  char** argv_;
   std::string output_ = "build";
   std::unique_ptr<CLI::App> app_;
 };
+
+/// What main() of a study returns.
+/// @param name  of the program
+/// @param what  it does, for its help
+/// @param body  adds its options and ends with StudyProgram::run; whatever it throws becomes a line
+///              and an exit status, as in run_program
+int run_study(const std::string& name, const std::string& what, int argc, char** argv,
+              const std::function<int(StudyProgram& program)>& body);
 
 }  // namespace hwffd

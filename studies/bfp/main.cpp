@@ -26,23 +26,27 @@ std::vector<const Configuration*> built_rows() {
   return rows;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   std::int64_t vertices = 10'000'000;
   std::int64_t rtl_vertices = 2'000;
   std::uint64_t seed = 1;
-  StudyProgram program(
-      "hwffd-bfp", "Measures block floating point against eq. (1), and its organizations' bits.");
   program.number("--vertices", vertices, "vertices of every distribution of control points", 1,
                  1'000'000'000);
   program.number("--rtl-vertices", rtl_vertices, "vertices of every row in RTL", 1, 1'000'000);
   program.seed(seed, "lattices, vertices and registers");
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     const std::vector<Agreement> agreements =
         compare(built_rows(), static_cast<std::size_t>(rtl_vertices), seed, show_rows_done);
     const std::vector<Result> results =
         study(vertices, seed, [](double done) { show_progress("measured", done); });
     return Findings{{{"bfp", json_report(results, agreements)}}, faults(results, agreements)};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_study("hwffd-bfp",
+                   "Measures block floating point against eq. (1), and its organizations' bits.",
+                   argc, argv, carry_out);
 }

@@ -24,6 +24,7 @@ for _variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[1:1] = [str(ROOT / "studies"), str(ROOT / "scripts")]
 
+import configurations  # noqa: E402  pylint: disable=wrong-import-position
 import joined  # noqa: E402  pylint: disable=wrong-import-position
 import peers  # noqa: E402  pylint: disable=wrong-import-position
 import routed  # noqa: E402  pylint: disable=wrong-import-position
@@ -77,7 +78,8 @@ def main():
     except Missing as missing:
         print(f"compare: there is no report yet: {missing}", file=sys.stderr)
         return 1
-    except (joined.CompareError, peers.PeerError, RequestError, ImportError, OSError) as error:
+    except (joined.CompareError, peers.PeerError, RequestError, configurations.TableError,
+            ImportError, OSError) as error:
         print(f"compare: {error}", file=sys.stderr)
         return 1
     return 0

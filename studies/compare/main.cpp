@@ -82,10 +82,8 @@ Measured measure(const Options& options) {
   return measured;
 }
 
-int run_study(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   Options options;
-  StudyProgram program("hwffd-compare",
-                       "Times the project's programs and counts clocks of its cores.");
   program.number("--vertices", options.vertices, "of LatticeEvaluator and device reference", 1,
                  100'000'000);
   program.number("--model-vertices", options.model_vertices, "of them, of each bit-true model", 1,
@@ -97,7 +95,7 @@ int run_study(int argc, char** argv) {
   program.app().add_option("--row", options.rows, "rows whose cores are counted");
   program.app().add_option("--scene", options.scene, "folder for what is evaluated");
   program.seed(options.seed, "points and vertices");
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     const Measured measured = measure(options);
     return Findings{{{"compare-own", json_report(measured)}}, faults(measured)};
   });
@@ -106,5 +104,6 @@ int run_study(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("hwffd-compare", [&] { return run_study(argc, argv); });
+  return run_study("hwffd-compare", "Times the project's programs and counts clocks of its cores.",
+                   argc, argv, carry_out);
 }

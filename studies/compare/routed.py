@@ -4,11 +4,7 @@ reach after place and route.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import functools
-
-import rtl
-import tables
-import variants
+import netlist
 
 CORE, SYSTEM = "hwffd_stream", "hwffd_axi"
 # By how much clocks of vertices in any order may differ from those of sorted ones, in an
@@ -16,19 +12,14 @@ CORE, SYSTEM = "hwffd_stream", "hwffd_axi"
 SAME = 1.01
 
 
-@functools.cache
-def _with_features():
-    """{variant that differs in its features only: its row}. Raises TableError."""
-    lines = tables.read(rtl.ROOT / "synth" / "variants.csv", variants.COLUMNS)
-    return {f"{fields['name']}+{fields['variant']}": fields["name"] for _, fields in lines
-            if fields["parameters"].startswith("FEATURES=") and " " not in fields["parameters"]}
-
-
 def counted_as(name):
-    """The row in whose RTL the clocks of a core are counted: its own. A variant with fewer features is
-    as fast as its row, of one with other parameters nothing is counted: None.
+    """The row in whose RTL the clocks of a core are counted: its own. A variant with other features is
+    as fast as its row, of one with other parameters nothing is counted: None. Raises TableError.
     """
-    return _with_features().get(name) if "+" in name else name
+    if "+" not in name:
+        return name
+    variant = netlist.find(name)
+    return variant.row.name if set(dict(variant.more)) == {"FEATURES"} else None
 
 
 def names(reports):

@@ -7,7 +7,6 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "program.hpp"
 #include "report.hpp"
 #include "study_program.hpp"
 
@@ -29,18 +28,15 @@ std::vector<Row> rows_of(const std::string& model, bool required) {
   return of_mesh(model);
 }
 
-int run_study(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
   std::int64_t points = 10'000;
   std::uint64_t seed = 1;
-  StudyProgram program(
-      "hwffd-embed",
-      "Embeds meshes, and points inside by construction, in lattices of every kind.");
   const CLI::Option* given = program.app().add_option(
       "--model", models, "meshes (cat.3ds horse.3ds bunny.obj, where present)");
   program.number("--points", points, "points by construction in each lattice", 1, 10'000'000);
   program.seed(seed, "these points");
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     std::vector<Row> rows = by_construction(static_cast<std::size_t>(points), seed);
     for (const std::string& model : models) {
       for (Row& row : rows_of(model, !given->empty())) rows.push_back(std::move(row));
@@ -52,5 +48,7 @@ int run_study(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("hwffd-embed", [&] { return run_study(argc, argv); });
+  return run_study("hwffd-embed",
+                   "Embeds meshes, and points inside by construction, in lattices of every kind.",
+                   argc, argv, carry_out);
 }

@@ -130,7 +130,7 @@ module ffd_bench_energy #(
     $readmemh("steps.hex", steps);
     $readmemh("results.hex", wanted);
     $dumpfile("nets.vcd");
-    $dumpvars(1, u_bench.u_evaluator.u_org.u_cells);
+    $dumpvars(1, u_bench.u_evaluator.u_org.gen_cells.u_cells);
     $dumpoff;
     {clk, rst, asleep, step} = {1'b0, 1'b1, 1'b1, 164'd0};
     {at, taken, got, wrong, waited} = {5{32'd0}};

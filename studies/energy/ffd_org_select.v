@@ -22,31 +22,14 @@ module ffd_org_select #(
 );
   wire clk_cells = clk && !ffd_bench_energy.asleep;
 
-  ffd_energy_netlist u_cells (
-    .clk                 (clk_cells),
-    .rst                 (rst),
-    .load_i              (load_i),
-    .load_axis_i         (load_axis_i),
-    .load_address_i      (load_address_i),
-    .load_entry_i        (load_entry_i),
-    .s_vertex_valid      (s_vertex_valid),
-    .s_vertex_ready      (s_vertex_ready),
-    .s_vertex_coordinates(s_vertex_coordinates),
-    .s_vertex_cell       (s_vertex_cell),
-    .s_vertex_source     (s_vertex_source),
-    .s_vertex_bank       (s_vertex_bank),
-    .s_vertex_changed    (s_vertex_changed),
-    .read_o              (read_o),
-    .read_last_o         (read_last_o),
-    .read_source_o       (read_source_o),
-    .read_cell_o         (read_cell_o),
-    .read_index_o        (read_index_o),
-    .read_points_i       (read_points_i),
-    .forming_o           (forming_o),
-    .result_valid_o      (result_valid_o),
-    .result_sum_o        (result_sum_o),
-    .result_jacobian_o   (result_jacobian_o)
-  );
+  generate
+    if (1) begin : gen_cells
+      wire clk = clk_cells;
+      ffd_energy_netlist u_cells (
+        `include "ffd_org_connections.vh"
+      );
+    end
+  endgenerate
 endmodule
 
 `default_nettype wire

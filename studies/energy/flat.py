@@ -8,7 +8,6 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import re
-import subprocess
 from dataclasses import dataclass
 
 import configurations
@@ -62,10 +61,9 @@ def made(work, mapped, folder):
         return path
     folder.mkdir(parents=True, exist_ok=True)
     draft, log = path.with_suffix(".draft"), path.with_suffix(".log")
-    with log.open("w", encoding="utf-8") as said:
-        status = subprocess.run(
-            ["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))], cwd=rtl.ROOT,
-            stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT, check=False).returncode
+    status, said = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))],
+                           rtl.ROOT)
+    log.write_text(said, encoding="utf-8")
     if status:
         raise NetlistError(f"yosys ended with {status}: see {log}")
     draft.rename(path)

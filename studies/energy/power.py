@@ -7,11 +7,11 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import re
-import subprocess
 from dataclasses import dataclass
 
 import flat
 import library
+import rtl
 import timing
 
 PERIOD_NS = timing.PERIOD_NS
@@ -74,12 +74,10 @@ def run(netlist, toggles, files, folder):
     """The Power for some toggles."""
     path = folder / "power.tcl"
     path.write_text(script(netlist, toggles, files), encoding="utf-8")
-    done = subprocess.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)],
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
-    if done.returncode:
-        raise PowerError(f"{timing.PROGRAM} ended with {done.returncode}")
-    return parse(done.stdout)
+    status, said = rtl.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)])
+    if status:
+        raise PowerError(f"{timing.PROGRAM} ended with {status}")
+    return parse(said)
 
 
 def charged_pj(netlist, kinds, toggles):

@@ -5,11 +5,11 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import re
-import subprocess
 from dataclasses import dataclass
 
 import activity
 import power
+import rtl
 
 HERE = pathlib.Path(__file__).resolve().parent
 BENCH = "ffd_bench_energy"
@@ -36,12 +36,11 @@ class Run:
 
 def command(command_line, folder, log):
     """Raises SimulationError where a program fails."""
-    with (folder / log).open("w", encoding="utf-8") as said:
-        status = subprocess.run(list(map(str, command_line)), cwd=folder, stdin=subprocess.DEVNULL,
-                                stdout=said, stderr=subprocess.STDOUT, check=False).returncode
+    status, said = rtl.run(list(map(str, command_line)), folder)
+    (folder / log).write_text(said, encoding="utf-8")
     if status:
         raise SimulationError(f"{command_line[0]} ended with {status}: see {folder / log}")
-    return (folder / log).read_text(encoding="utf-8", errors="replace")
+    return said
 
 
 def sources(work):

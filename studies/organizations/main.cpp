@@ -35,14 +35,11 @@ std::string timed_format(const std::vector<const Configuration*>& rows) {
   return has ? "fx18" : rows.front()->format;
 }
 
-int run_study(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   std::int64_t vertices = 4001;
   std::int64_t seam_values = 60'000;
   std::uint64_t seed = 1;
   std::string operators = "build/generated/operators.json";
-  StudyProgram program(
-      "hwffd-organizations",
-      "Compares organizations at their read port: clocks, operators, errors, seams.");
   program.number("--vertices", vertices,
                  "random vertices of every row, 41 and a multiple of 120; slow rows: 1241 at most",
                  161, 1'000'000);
@@ -50,7 +47,7 @@ int run_study(int argc, char** argv) {
                  "components of shared vertices of every row; slow rows: a tenth", 1, 10'000'000);
   program.seed(seed, "vertices and registers");
   program.app().add_option("--operators", operators, "what scripts/operators.py wrote");
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     if ((vertices - 41) % 120 != 0) {
       throw UsageError("--vertices: expected 41 and a multiple of 120");
     }
@@ -67,5 +64,7 @@ int run_study(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("hwffd-organizations", [&] { return run_study(argc, argv); });
+  return run_study("hwffd-organizations",
+                   "Compares organizations at their read port: clocks, operators, errors, seams.",
+                   argc, argv, carry_out);
 }

@@ -32,17 +32,15 @@ std::vector<NamedMesh> meshes_of(const std::vector<std::string>& models, bool re
   return meshes;
 }
 
-int run_study(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   std::vector<std::string> models{"cat.3ds", "horse.3ds", "bunny.obj"};
   std::vector<int> lattices{4, 6, 8, 12, 16};
-  StudyProgram program("hwffd-streams",
-                       "Counts the words that arrangements of the control points move.");
   const CLI::Option* given =
       program.app().add_option("--models", models, "meshes (cat.3ds horse.3ds bunny.obj)");
   program.app()
       .add_option("--lattices", lattices, "control points an axis (4 6 8 12 16)")
       ->check(CLI::Range(Lattice::kMinPoints, kAxisPoints));
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     std::sort(lattices.begin(), lattices.end());
     const Configuration& configuration = find_configuration("basic-fx18-overlapped");
     const std::vector<NamedMesh> meshes = meshes_of(models, !given->empty());
@@ -55,5 +53,7 @@ int run_study(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("hwffd-streams", [&] { return run_study(argc, argv); });
+  return run_study("hwffd-streams",
+                   "Counts the words that arrangements of the control points move.", argc, argv,
+                   carry_out);
 }

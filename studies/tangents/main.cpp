@@ -30,17 +30,12 @@ std::vector<Configuration> rows() {
   return found;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int carry_out(StudyProgram& program) {
   std::int64_t vertices = 5000;
   std::uint64_t seed = 1;
-  StudyProgram program(
-      "hwffd-tangents",
-      "Checks derivatives and det J that the RTL evaluates, in each number format.");
   program.number("--vertices", vertices, "in each of two lattices", 1, 1'000'000);
   program.seed(seed, "vertices and points");
-  return program.run(argc, argv, [&] {
+  return program.run([&] {
     std::vector<RowResult> results;
     std::string wrong;
     for (const Configuration& row : rows()) {
@@ -51,4 +46,12 @@ int main(int argc, char** argv) {
     if (results.empty()) wrong = "no row of this build has streams\n";
     return Findings{{{"tangents", json_report(results)}}, wrong};
   });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_study("hwffd-tangents",
+                   "Checks derivatives and det J that the RTL evaluates, in each number format.",
+                   argc, argv, carry_out);
 }
