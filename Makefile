@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -45,7 +45,7 @@ help:
 	@echo '  make hwffd          the command hwffd, the library, the Python module; PREFIX= installs them'
 	@echo '  make plates         the ten plates of the paper, drawn from the simulated hardware'
 	@echo '  make mass-spring    an example: a mesh in a lattice of masses and springs'
-	@echo '  make clean          remove build/ and build-trace/'
+	@echo '  make clean          remove build/, build-trace/ and build-coverage/'
 	@echo 'See it (tables, pictures and reports)'
 	@echo '  make organizations  what organizations of the arithmetic cost in clock cycles and operators'
 	@echo '  make words          how many bits fixed point needs: errors measured and proved'
@@ -62,6 +62,8 @@ help:
 	@echo '  make glapi          the OpenGL calls and their errors, beside those of Mesa'
 	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
 	@echo '  make soak           mixed good and bad traffic through hwffd_axi, SEEDS= of them'
+	@echo 'Trust it (docs/assurance.md)'
+	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
 	@echo '  make synth-check    whether size or depth has grown over synth/baseline.csv'
@@ -195,6 +197,15 @@ test-all: install
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'
 
+# A build of its own, whose models and libraries count; SHARE=8 runs an eighth of each program's tests.
+coverage: BUILD = build-coverage
+coverage: install
+	@scripts/python_env
+	@scripts/python_env coverage
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_COVERAGE=ON
+	@$(CMAKE_BUILD)
+	@$(STUDY) coverage -- build/venv/bin/python -B studies/coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
+
 soak: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target axi_test
@@ -206,4 +217,4 @@ lint: install
 	@scripts/lint -j $(JOBS)
 
 clean:
-	@rm -rf build build-trace
+	@rm -rf build build-trace build-coverage

@@ -17,11 +17,14 @@ if(HWFFD_TRACE)
   list(APPEND runtime verilated_fst_c.cpp)
 endif()
 list(TRANSFORM runtime PREPEND ${VERILATOR_ROOT}/include/)
+if(HWFFD_COVERAGE)
+  list(APPEND runtime ${CMAKE_SOURCE_DIR}/tb/coverage/coverage_counters.cpp)
+endif()
 add_library(verilated_runtime STATIC ${runtime})
 target_include_directories(verilated_runtime SYSTEM PUBLIC
   ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
-target_compile_options(verilated_runtime PRIVATE -w)
+target_compile_options(verilated_runtime PRIVATE -w -fno-profile-arcs -fno-test-coverage)
 
 # Headers, and modules by their names, are found in the folders of rtl/hwffd.f.
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/cores/rtl/ffd_bench.vlt)
@@ -49,6 +52,8 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # A model is compiled as one file, since its headers take longer than most of its parts. Partial
 # redundancies are left alone: to look for them is half of the time to compile `factored`, which then
 # runs a tenth slower.
+#
+# Where HWFFD_COVERAGE is on, a model counts its lines, branches and toggles (tb/coverage/). Netlists do not.
 #
 # NETLIST says that the sources are gates or cells: not linted, since yosys writes what it likes; and
 # compiled for a short build, because an optimizer gains little on a hundred thousand lines without a
@@ -80,6 +85,10 @@ function(hwffd_verilate target)
   else()
     set(control ${HWFFD_BENCH_CONTROL})
     list(APPEND flags -Wall ${verilate_folders} ${control})
+    if(HWFFD_COVERAGE)
+      list(APPEND flags --coverage-line --coverage-toggle)
+      set(options -O1)
+    endif()
   endif()
   if(ARG_LIBRARY)
     list(APPEND flags -DNO_INCLUDES -v ${ARG_LIBRARY})
@@ -116,7 +125,7 @@ function(hwffd_compile_model target dir)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${dir}/V${target}.cpp)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  target_compile_options(${target} PRIVATE -w -g0 ${ARGN})
+  target_compile_options(${target} PRIVATE -w -g0 -fno-profile-arcs -fno-test-coverage ${ARGN})
   target_compile_definitions(${target} PRIVATE
     VM_TRACE=$<BOOL:${HWFFD_TRACE}> VM_TRACE_FST=$<BOOL:${HWFFD_TRACE}>)
   if(HWFFD_TRACE)

@@ -61,6 +61,9 @@ REPORTS = {
         (*_RTL, *_MODEL, "synth/prepare.ys", "synth/verify.ys", "synth/osu018.*",
          "studies/energy/*.?pp", "studies/energy/*.v", "studies/energy/*.py",
          "studies/compare/scene.?pp")),
+    "coverage": Report("make coverage", (
+        "rtl/**/*.v", "rtl/configurations.csv", "studies/coverage/*.py", "studies/coverage/*.csv",
+        "tb/coverage/*.cpp")),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),

@@ -1,0 +1,73 @@
+"""What models have counted of their lines, branches and toggles, module by module.
+
+A model writes a line with tabs for each place of a source (tb/coverage/coverage_counters.cpp): page,
+line, column, comment, further lines, count. A page is v_KIND/MODULE, with __ and letters behind it
+where the module has other parameters than its own. A place counts as run if any model of any program
+has run it, whatever its parameters.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import collections
+import dataclasses
+import re
+
+KINDS = ("line", "branch", "toggle")
+_PAGE = re.compile(r"v_(line|branch|toggle)/(\w+?)(?:__\w+)?$")
+
+
+class CoverageError(Exception):
+    """Counts that cannot be read, or were never made."""
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class Place:
+    """A line, a branch of a statement, or a bit of a signal."""
+
+    module: str
+    kind: str
+    line: int
+    what: str  # of a branch: if, else, ...; of a toggle: the signal's bit; of a line nothing
+
+
+def _lines(text, first):
+    """The numbers in '137-139,141'."""
+    numbers = set() if text else {first}
+    for part in filter(None, text.split(",")):
+        start, _, end = part.partition("-")
+        numbers.update(range(int(start), int(end or start) + 1))
+    return numbers
+
+
+def read(paths):
+    """{place: how often it was run}, of all files together."""
+    counts = collections.Counter()
+    for path in paths:
+        for row in path.read_text(encoding="utf-8").splitlines():
+            _add(counts, path, row)
+    if not counts:
+        raise CoverageError("nothing was counted: no model of these programs counts; "
+                            "build them with -DHWFFD_COVERAGE=ON")
+    return counts
+
+
+def _add(counts, path, row):
+    fields = row.split("\t")
+    page = _PAGE.match(fields[0])
+    if len(fields) != 6 or not page:
+        raise CoverageError(f"{path}: not a count: {row}")
+    (kind, module), line, count = page.groups(), int(fields[1]), int(fields[5])
+    if kind != "line":
+        what = fields[3] + ("" if kind == "toggle" else f" {fields[2]}")
+        counts[Place(module, kind, line, what)] += count
+    if kind != "toggle":
+        for number in _lines(fields[4], line):
+            counts[Place(module, "line", number, "")] += count
+
+
+def modules(counts):
+    """{module: {kind: [places]}}, places in order."""
+    found = collections.defaultdict(lambda: {kind: [] for kind in KINDS})
+    for place in sorted(counts):
+        found[place.module][place.kind].append(place)
+    return found

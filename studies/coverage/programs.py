@@ -1,0 +1,59 @@
+"""The test programs of a build, run with their counters on.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import pool
+from counts import CoverageError
+
+
+def listed(build):
+    """Test programs of the label test, each once."""
+    answer = subprocess.run(["ctest", "--test-dir", str(build), "-L", "^test$", "--show-only=json-v1"],
+                            capture_output=True, text=True, check=False)
+    if answer.returncode:
+        raise CoverageError(f"{build}: ctest lists no tests: make coverage builds them")
+    commands = {test["command"][0] for test in json.loads(answer.stdout)["tests"]
+                if any("--gtest_filter" in word for word in test.get("command", []))}
+    return sorted(pathlib.Path(command) for command in commands)
+
+
+def _key(program, build):
+    return "-".join(program.relative_to(build).parts[1:])
+
+
+def run(programs, build, folder, jobs, share):
+    """Runs each, or the first of `share` parts of its tests; the files of counts. What was counted of a
+    program that is as it was is not counted again."""
+    folder.mkdir(parents=True, exist_ok=True)
+    paths, failed = {program: folder / f"{_key(program, build)}-{share}.tsv" for program in programs}, []
+
+    def work(program):
+        path = paths[program]
+        if path.exists() and path.stat().st_mtime > program.stat().st_mtime:
+            return 0
+        new = path.with_suffix(".new")
+        settings = {"HWFFD_COVERAGE": str(new), "GTEST_TOTAL_SHARDS": str(share), "GTEST_SHARD_INDEX": "0"}
+        with path.with_suffix(".log").open("w") as log:
+            status = subprocess.run([program, "--gtest_brief=1"], stdout=log, stderr=log, check=False,
+                                    cwd=program.parent, env={**os.environ, **settings}).returncode
+        if status == 0 and new.exists():
+            new.replace(path)
+        return status
+
+    def ended(program, done):
+        if done.result():
+            failed.append(program)
+            print(f"coverage: {program.name} fails: see {paths[program].with_suffix('.log')}",
+                  file=sys.stderr)
+
+    pool.run(work, programs, jobs, ended, name=lambda program: program.name)
+    if failed:
+        raise CoverageError(f"{len(failed)} of {len(programs)} programs fail")
+    return [path for path in paths.values() if path.exists()]

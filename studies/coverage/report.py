@@ -1,0 +1,53 @@
+"""The report of `make coverage`, and what in it falls short.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from counts import KINDS, modules
+
+# Percent of each module; of C++ in each folder.
+LEAST = {"line": 100.0, "branch": 100.0, "toggle": 99.0}
+LEAST_CPP = {"line": 95.0, "branch": 90.0}
+SHOWN = 20  # places of a module that are named
+
+
+def _percent(run, places):
+    return round(100.0 * run / places, 2) if places else None
+
+
+def row(module, places, counts, left_out):
+    """A module: percentages of what is not left out, and the places that were not run."""
+    found = {"module": module}
+    missed = []
+    for kind in KINDS:
+        asked = [place for place in places[kind] if place not in left_out]
+        run = [place for place in asked if counts[place]]
+        found[kind] = _percent(len(run), len(asked))
+        found[f"{kind}s"] = len(asked)
+        missed += [f"{kind} {place.line} {place.what}".rstrip() for place in asked
+                   if not counts[place]]
+    found["excluded"] = sum(place in left_out for kind in KINDS for place in places[kind])
+    found["missed"] = len(missed)
+    found["missed_places"] = missed[:SHOWN]
+    return found
+
+
+def rows(wanted, counts, left_out):
+    """A row for each module of rtl/, also for one that no program has."""
+    known = modules(counts)
+    nothing = {kind: [] for kind in KINDS}
+    return [row(module, known.get(module, nothing), counts, left_out) for module in wanted]
+
+
+def faults(report):
+    """What falls short, a line each."""
+    said = []
+    for one in report["rows"]:
+        if not any(one[f"{kind}s"] for kind in KINDS):
+            said.append(f"{one['module']}: no program has it")
+        said += [f"{one['module']}: {kind} {one[kind]} %, need {least:g}"
+                 for kind, least in LEAST.items() if one[kind] is not None and one[kind] < least]
+    for one in report["cpp"]:
+        said += [f"{one['folder']}/: {kind} {one[kind]} %, need {least:g}"
+                 for kind, least in LEAST_CPP.items() if one[kind] < least]
+    return said
