@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage mutants hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -64,6 +64,7 @@ help:
 	@echo '  make soak           mixed good and bad traffic through hwffd_axi, SEEDS= of them'
 	@echo 'Trust it (docs/assurance.md)'
 	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
+	@echo '  make mutants        single changes of the RTL, and whether the tests see them'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
 	@echo '  make synth-check    whether size or depth has grown over synth/baseline.csv'
@@ -205,6 +206,13 @@ coverage: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_COVERAGE=ON
 	@$(CMAKE_BUILD)
 	@$(STUDY) coverage -- build/venv/bin/python -B studies/coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
+
+# MUTANTS= of each subject; what is known of the same mutants is not run again.
+mutants: install
+	@scripts/python_env
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target dma_test number_test system_test
+	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) --mutants $(or $(call given,MUTANTS),500)
 
 soak: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)

@@ -64,6 +64,9 @@ REPORTS = {
     "coverage": Report("make coverage", (
         "rtl/**/*.v", "rtl/configurations.csv", "studies/coverage/*.py", "studies/coverage/*.csv",
         "tb/coverage/*.cpp")),
+    "mutants": Report("make mutants", (
+        "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
+        "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),

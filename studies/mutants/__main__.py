@@ -1,0 +1,121 @@
+"""make mutants: single changes of the RTL, and whether the tests see them.
+
+    python studies/mutants [--build FOLDER] [--only NAME ...] [--mutants N] [--seed N] [-j JOBS]
+
+Of each subject (subjects.csv) yosys changes the netlist in N places, one at a time, and the tests run
+that `make test` has. What they do not see is proved to change nothing, or has survived. Writes
+FOLDER/reports/mutants.json. The exit status is 1 where a subject falls short of its aim.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import collections
+import csv
+import hashlib
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "scripts"))
+
+import built  # noqa: E402  pylint: disable=wrong-import-position
+import campaign  # noqa: E402  pylint: disable=wrong-import-position
+import equivalence  # noqa: E402  pylint: disable=wrong-import-position
+import netlist  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+
+TABLE = pathlib.Path(__file__).with_name("subjects.csv")
+
+
+def subjects(only):
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    unknown = set(only) - {row["name"] for row in rows}
+    if unknown:
+        raise built.MutantError(f"no subject is called {', '.join(sorted(unknown))}")
+    return [row for row in rows if not only or row["name"] in only]
+
+
+def seed_of_sources():
+    """Other mutants with every change of the RTL, the same on every machine."""
+    text = b"".join(path.read_bytes() for path in sorted((ROOT / "rtl").glob("**/*.v")))
+    return int(hashlib.sha256(text).hexdigest()[:6], 16)
+
+
+def measure(options, subject):
+    """A subject: verdicts of its mutants, and those that survive."""
+    model = built.model(options.build, subject["library"])
+    folder = options.build / "mutants" / f"{subject['name']}-{options.seed}-{options.mutants}"
+    folder.mkdir(parents=True, exist_ok=True)
+    print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
+    mutants = netlist.listed(ROOT, model, folder, options.mutants, options.seed)
+    source = (folder / f"{model.top}.sv")
+    before = source.read_text() if source.exists() else ""
+    program = campaign.program(options.build, subject, model, mutants, folder)
+    if source.read_text() != before:
+        (folder / "passed.json").unlink(missing_ok=True)
+    verdicts = {number: "killed" for number in range(1, len(mutants) + 1)}
+    for number in campaign.run(program, subject, mutants, options.jobs):
+        same = equivalence.proved(ROOT, model, mutants[number - 1], number, folder)
+        verdicts[number] = "equivalent" if same else "survived"
+    return mutants, verdicts
+
+
+def rows(subject, mutants, verdicts):
+    """A row for each module of the subject."""
+    counts, names = collections.defaultdict(collections.Counter), collections.defaultdict(list)
+    for number, verdict in verdicts.items():
+        module, _ = netlist.module(mutants[number - 1])
+        counts[module][verdict] += 1
+        if verdict == "survived":
+            names[module].append({"number": number, "change": netlist.single(mutants[number - 1])})
+    return [{"subject": subject["name"], "module": module, "total": sum(found.values()),
+             **{verdict: found[verdict] for verdict in ("killed", "equivalent", "survived")},
+             "survivors": names[module]} for module, found in sorted(counts.items())]
+
+
+def score(found):
+    """Percent of the mutants that are not equivalent."""
+    asked = sum(row["killed"] + row["survived"] for row in found)
+    return 100.0 * sum(row["killed"] for row in found) / asked if asked else 0.0
+
+
+def work_on(options):
+    found, faults = [], []
+    for subject in subjects(options.only):
+        mine = rows(subject, *measure(options, subject))
+        found += mine
+        if score(mine) < float(subject["aim"]):
+            faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
+    total = {verdict: sum(row[verdict] for row in found)
+             for verdict in ("total", "killed", "equivalent", "survived")}
+    report = {"seed": options.seed, **total, "killed_percent": round(score(found), 2), "rows": found}
+    path = options.build / "reports" / "mutants.json"
+    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
+          f"{total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="mutants", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME", help="subjects; all unless given")
+    parser.add_argument("--mutants", type=int, default=400, metavar="N", help="of each subject")
+    parser.add_argument("--seed", type=int, default=seed_of_sources(), help="of their choice")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
+    options = parser.parse_args()
+    options.build = options.build.resolve()
+    try:
+        faults = work_on(options)
+    except (built.MutantError, OSError) as error:
+        faults = [str(error)]
+    for fault in faults:
+        print(f"mutants: {fault}", file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

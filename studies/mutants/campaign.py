@@ -1,0 +1,73 @@
+"""Mutants of a model against the tests that `make test` has: a number, a run.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+
+import pool
+from built import MutantError, link
+from netlist import write
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIMIT = 300  # seconds of a run; the bench's own watchdogs end a hang long before
+CHOICE = """#include <cstdlib>
+extern "C" int hwffd_mutant() {
+  const char* number = std::getenv("HWFFD_MUTANT");
+  return number != nullptr ? std::atoi(number) : 0;
+}
+"""
+
+
+def _shell(command, folder):
+    done = subprocess.run(command, cwd=folder, check=False, capture_output=True, text=True)
+    if done.returncode:
+        raise MutantError(f"{command[0]}: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
+    return done.stdout.strip()
+
+
+def program(build, subject, model, mutants, folder):
+    """The test program with the mutants in place of the model."""
+    source = write(ROOT, model, mutants, folder)
+    (folder / "choice.cpp").write_text(CHOICE)
+    runtime = _shell(["verilator", "--getenv", "VERILATOR_ROOT"], folder) + "/include"
+    _shell([ROOT / "cmake" / "verilate.sh", model.name, "verilator", "--cc", "-O3", "--x-initial",
+            "unique", "--x-assign", "unique", "-Wno-lint", "-Wno-fatal", "--top-module", model.top,
+            "--prefix", model.name, source], folder)
+    for name in (model.name, "choice"):
+        _shell(["c++", *model.flags, f"-I{runtime}", f"-I{runtime}/vltstd", "-c", f"{name}.cpp"], folder)
+    library = folder / "libmutants.a"
+    library.unlink(missing_ok=True)
+    _shell(["ar", "rcs", library, f"{model.name}.o", "choice.o"], folder)
+    return link(build, subject["program"], subject["library"], library, folder / "tests")
+
+
+def passes(path, tests, number):
+    """Whether the tests pass with a mutant; a run that does not end does not pass."""
+    try:
+        return subprocess.run(
+            [path, "--gtest_brief=1", "--gtest_fail_fast", f"--gtest_filter={tests}"], check=False,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LIMIT,
+            env={**os.environ, "HWFFD_MUTANT": str(number)}).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def run(path, subject, mutants, jobs):
+    """The numbers of those that the tests did not see. What is known already is not run again."""
+    kept = path.with_name("passed.json")
+    known = json.loads(kept.read_text()) if kept.exists() else {}
+    if not passes(path, subject["tests"], 0):
+        raise MutantError(f"{path}: the tests fail without a mutant")
+    left = [number for number in range(1, len(mutants) + 1) if str(number) not in known]
+
+    def ended(number, done):
+        known[str(number)] = done.result()
+        kept.write_text(json.dumps(known))
+
+    pool.run(lambda number: passes(path, subject["tests"], number), left, jobs, ended,
+             name=lambda number: f"mutant {number}")
+    return [number for number in range(1, len(mutants) + 1) if known[str(number)]]

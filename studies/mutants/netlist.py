@@ -1,0 +1,92 @@
+"""A design of which a number chooses one of many mutants: single changes by yosys' `mutate`.
+
+Each instance has a module of its own, so that a mutant is of one place. The memories stay memories.
+The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is as it was.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import re
+import subprocess
+
+from built import MutantError
+
+CHOICE = "mutant"
+_PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", re.MULTILINE)
+# Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
+_CLOCK = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk ")
+_IMPORT = 'import "DPI-C" function int hwffd_mutant();\n'
+
+
+def _read(root, model):
+    """The steps of yosys that read a model's design."""
+    inside = sorted(path.relative_to(root) for path in root.glob("rtl/**/*.v*"))
+    folders = " ".join(f"-I {path}" for path in sorted({one.parent for one in inside}))
+    sources = [str(path) for path in inside if path.suffix == ".v"]
+    sources += [source for source in model.sources if not source.startswith(str(root / "rtl"))]
+    values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
+    return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
+            *([f"chparam {values} {model.top}"] if values else []),
+            f"hierarchy -check -top {model.top}", "proc", "opt_clean", "uniquify", "opt_clean"]
+
+
+def yosys(root, path, steps, limit=None):
+    """Runs the steps; whether they went well. Output lies beside the script."""
+    path.write_text("\n".join([*steps, ""]), encoding="utf-8")
+    with path.with_suffix(".log").open("w") as log:
+        try:
+            return subprocess.run(["yosys", "-q", "-s", path], cwd=root, check=False, stdout=log,
+                                  stderr=log, timeout=limit).returncode == 0
+        except subprocess.TimeoutExpired:
+            return False
+
+
+def base(folder):
+    """The step that reads the design once more, its cells under the names that mutants know."""
+    return f"read_rtlil {folder / 'design.il'}"
+
+
+def listed(root, model, folder, number, seed):
+    """So many mutants but those of clocks, each the command that makes it."""
+    path = folder / "mutants.txt"
+    if not yosys(root, folder / "list.ys", [
+            *_read(root, model), f"write_rtlil {folder / 'design.il'}",
+            f"mutate -list {number} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
+        raise MutantError(f"yosys lists no mutants: see {folder / 'list.log'}")
+    found = [line for line in path.read_text().splitlines()
+             if line.startswith("mutate") and not _CLOCK.search(line)]
+    if not found:
+        raise MutantError("0 mutants were applied: the design has nothing to change")
+    return [re.sub(rf"-ctrl {CHOICE} 16 \d+", f"-ctrl {CHOICE} 16 {place}", line)
+            for place, line in enumerate(found, 1)]
+
+
+def write(root, model, mutants, folder):
+    """The design with all of them, in SystemVerilog."""
+    plain = folder / "plain.v"
+    if not yosys(root, folder / "apply.ys", [base(folder), *mutants, "opt_clean",
+                                             f"write_verilog -noattr {plain}"]):
+        raise MutantError(f"yosys cannot apply the mutants: see {folder / 'apply.log'}")
+    text = plain.read_text(encoding="utf-8")
+    start = text.index(f"module {model.top}(")
+    end = text.index("endmodule", start)
+    top, ports = _PORT.subn(
+        r"  int number;\n  wire [\1:0] mutant = number[\1:0];\n  initial number = hwffd_mutant();\n",
+        text[start:end].replace(f", {CHOICE});", ");", 1))
+    if ports != 1:
+        raise MutantError(f"{plain}: the top has no number of the mutant")
+    out = folder / f"{model.top}.sv"
+    out.write_text(_IMPORT + text[:start] + top + text[end:], encoding="utf-8")
+    return out
+
+
+def single(mutant):
+    """The command without its choice: the change alone."""
+    return re.sub(rf" -ctrl {CHOICE} \d+ \d+", "", mutant)
+
+
+def module(mutant):
+    """The module of rtl/ that it changes, as its source says, and the instance."""
+    place = re.search(r"-module (\S+)", mutant)[1].lstrip("\\")
+    source = re.search(r"-src (\S*?)(\w+)\.s?v:", mutant)
+    return (source[2] if source else place), place

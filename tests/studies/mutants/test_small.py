@@ -1,0 +1,93 @@
+"""Mutants of a counter: what is listed, chosen and proved of them, and what is refused.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(ROOT / "studies" / "mutants"), str(ROOT / "scripts")]
+
+import built  # noqa: E402  pylint: disable=wrong-import-position
+import equivalence  # noqa: E402  pylint: disable=wrong-import-position
+import netlist  # noqa: E402  pylint: disable=wrong-import-position
+
+COUNTER = """module counter #(parameter WIDTH = 4) (
+  input wire clk, input wire rst, input wire up_i, output reg [WIDTH-1:0] count_o);
+  wire never = count_o[0] && !count_o[0];
+  always @(posedge clk) begin
+    if (rst) count_o <= {WIDTH{1'b0}};
+    else if (up_i || never) count_o <= count_o + 1'b1;
+  end
+endmodule
+"""
+# Counts up and down the number of the mutant, and prints what comes out.
+PROGRAM = """#include <cstdio>
+#include <cstdlib>
+#include "Vcounter.h"
+extern "C" int hwffd_mutant() { return std::atoi(std::getenv("HWFFD_MUTANT")); }
+int main() {
+  Vcounter dut;
+  for (int clock = 0; clock < 40; ++clock) {
+    dut.rst = clock < 2;
+    dut.up_i = clock % 3 != 0;
+    dut.clk = 0;
+    dut.eval();
+    dut.clk = 1;
+    dut.eval();
+    std::printf("%d ", dut.count_o);
+  }
+}
+"""
+
+
+@pytest.fixture(name="root")
+def _root(tmp_path):
+    (tmp_path / "rtl" / "small").mkdir(parents=True)
+    (tmp_path / "rtl" / "small" / "counter.v").write_text(COUNTER)
+    return tmp_path
+
+
+MODEL = built.Model("Vcounter", "counter", (("WIDTH", "3"),), (), ())
+
+
+def outputs(root, mutants):
+    """What each mutant counts, number 0 first."""
+    source = netlist.write(root, MODEL, mutants, root)
+    (root / "main.cpp").write_text(PROGRAM)
+    subprocess.run(["verilator", "--cc", "--exe", "--build", "-Wno-lint", "-Wno-fatal", "--top-module",
+                    "counter", "--prefix", "Vcounter", "-o", root / "run", "--Mdir", root / "made",
+                    source, root / "main.cpp"], check=True, capture_output=True)
+    return [subprocess.run([root / "run"], env={"HWFFD_MUTANT": str(number)}, check=True,
+                           capture_output=True, text=True).stdout
+            for number in range(len(mutants) + 1)]
+
+
+def test_what_looks_the_same_is_proved_the_same_and_nothing_else(root):
+    mutants = netlist.listed(root, MODEL, root, 40, 1)
+    shown = outputs(root, mutants)
+    same = [number for number in range(1, len(shown)) if shown[number] == shown[0]]
+    proved = [number for number in range(1, len(shown))
+              if equivalence.proved(root, MODEL, mutants[number - 1], number, root)]
+    assert 0 < len(same) < len(mutants)
+    assert proved and set(proved) <= set(same)
+
+
+def test_modules_are_named_as_their_files(root):
+    mutants = netlist.listed(root, MODEL, root, 3, 1)
+    assert {netlist.module(mutant)[0] for mutant in mutants} == {"counter"}
+
+
+def test_a_design_with_nothing_to_change_is_an_error(root):
+    (root / "rtl" / "small" / "counter.v").write_text("module counter #(parameter WIDTH = 4) ();\nendmodule\n")
+    with pytest.raises(built.MutantError, match="no mutants|0 mutants"):
+        netlist.listed(root, MODEL, root, 3, 1)
+
+
+def test_a_build_that_is_not_there_is_an_error(tmp_path):
+    with pytest.raises(built.MutantError, match="make test builds it"):
+        built.model(tmp_path, "libdma_small.a")
