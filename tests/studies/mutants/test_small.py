@@ -18,7 +18,7 @@ import netlist  # noqa: E402  pylint: disable=wrong-import-position
 
 COUNTER = """module counter #(parameter WIDTH = 4) (
   input wire clk, input wire rst, input wire up_i, output reg [WIDTH-1:0] count_o);
-  wire never = count_o[0] && !count_o[0];
+  wire never = count_o == 3'd7 && count_o == 3'd0;
   always @(posedge clk) begin
     if (rst) count_o <= {WIDTH{1'b0}};
     else if (up_i || never) count_o <= count_o + 1'b1;
