@@ -37,7 +37,11 @@ def read(folder):
     return Answers(beats(folder / "results.txt"), tuple(map(int, events)))
 
 
+def differing(got, wanted):
+    """Places at which two rows differ, where one has nothing too."""
+    return sum(a != b for a, b in itertools.zip_longest(got, wanted))
+
+
 def mismatches(got, wanted):
     """Results that differ, are absent or should not be there, and events that were not as often."""
-    return sum(a != b for one, other in ((got.results, wanted.results), (got.events, wanted.events))
-               for a, b in itertools.zip_longest(one, other))
+    return differing(got.results, wanted.results) + differing(got.events, wanted.events)

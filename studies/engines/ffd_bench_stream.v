@@ -24,8 +24,9 @@ module ffd_bench_stream #(
   parameter SEED     = 1,
   parameter PATIENCE = 20000
 );
-  localparam EVENTS = 15;
-  localparam TAIL   = 256;  // clocks in which no result may come any more
+  localparam EVENTS   = 15;
+  localparam TAIL     = 256;  // clocks in which no result may come any more
+  localparam SETTLING = 4;    // registers.py
 
   reg          aclk;
   reg          aresetn;
@@ -78,13 +79,15 @@ module ffd_bench_stream #(
     .idle_o        (idle)
   );
 
-  // What must be known from the first edge in reset on.
-  reg  watched;
-  wire m_told = watched && m_valid;
-  wire e_told = watched && events != 0;
+  // What must be known: outputs from the first edge in reset on, registers SETTLING edges later.
+  integer clocks;
+  reg     watched;
+  wire    settled = watched && clocks > SETTLING;
+  wire    m_told  = watched && m_valid;
+  wire    e_told  = watched && events != 0;
   ffd_bench_known #(1, "tready")                 k_ready (aclk, watched, s_ready);
   ffd_bench_known #(1, "tvalid")                 k_valid (aclk, watched, m_valid);
-  ffd_bench_known #(EVENTS, "event_o")           k_event (aclk, watched, events);
+  ffd_bench_known #(15, "event_o")               k_event (aclk, watched, events);
   ffd_bench_known #(1, "vertex_o")               k_vertex(aclk, watched, vertex);
   ffd_bench_known #(3, "wait_o")                 k_wait  (aclk, watched, waits);
   ffd_bench_known #(1, "idle_o")                 k_idle  (aclk, watched, idle);
@@ -93,7 +96,6 @@ module ffd_bench_stream #(
 
   reg  [128:0] beats [0:BEATS-1];
   integer      of_kind [0:EVENTS-1];
-  integer      clocks;
   integer      at;
   integer      got;
   integer      still;
@@ -131,7 +133,7 @@ module ffd_bench_stream #(
 
   always @(posedge aclk) begin
     clocks <= clocks + 1;
-    still  <= (s_valid && s_ready) || (m_valid && m_ready) ? 0 : still + 1;
+    still  <= s_valid && s_ready === 1'b1 || m_valid === 1'b1 && m_ready ? 0 : still + 1;
     if (aresetn) begin
       if (m_valid && m_ready) begin
         $fdisplay(results, "%b_%h_%h_%h_%h", m_last, m_data[127:96], m_data[95:64],

@@ -4,17 +4,17 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pathlib
+import shutil
 import time
 from dataclasses import dataclass
 
 import answers
+import axi
 import icarus
-import planted
-import registers
-import rtl
+import unknown
 
-HERE = pathlib.Path(__file__).resolve().parent
-TOP, BENCH, WATCHED = "hwffd_stream", "ffd_bench_stream", "ffd_bench_registers"
+TOP, BENCH = "hwffd_stream", "ffd_bench_stream"
+AXI_TOP, AXI_BENCH = "hwffd_axi", "ffd_bench_axi"
 # Programs with the core inside, of studies/engines/CMakeLists.txt; Icarus reads the sources.
 PROGRAMS = ("verilator", "cxxrtl", "ecp5")
 ENGINES = (PROGRAMS[0], "icarus", *PROGRAMS[1:])
@@ -28,15 +28,6 @@ class Stream:
     folder: pathlib.Path
     beats: int
     wanted: answers.Answers
-
-
-@dataclass(frozen=True)
-class Unknown:
-    """What Icarus saw of X: in how many clocks, of how many bits that must be known, which names."""
-
-    clocks: int
-    checked: int
-    names: tuple
 
 
 def prepare(programs, row, folder, beats=None):
@@ -57,29 +48,27 @@ def simulate(programs, engine, stream, suffix=""):
     return answers.read(folder), time.monotonic() - begun
 
 
-def _sources(sources, faults, folder):
-    """The files of the core, those with faults in copies."""
-    own = {path.name: path for path in (planted.copy(fault, folder) for fault in faults)}
-    return [own.get(pathlib.Path(path).name, path) for path in sources.needed(TOP)]
-
-
-OUTPUTS = 1 + 1 + 15 + 1 + 3 + 1 + 130 + 64  # bits that ffd_bench_stream watches itself
-
-
 def simulate_with_x(stream, faults=(), suffix=""):
     """(Answers, seconds, Unknown) of Icarus."""
-    folder, sources = stream.folder / f"icarus{suffix}", rtl.Sources()
+    folder = stream.folder / f"icarus{suffix}"
     folder.mkdir(exist_ok=True)
-    (folder / "beats.hex").write_bytes((stream.folder / "beats.hex").read_bytes())
-    found = registers.find(sources, TOP, stream.row.parameters, folder)
-    watch = folder / f"{WATCHED}.v"
-    watch.write_text(registers.watch(found, f"{BENCH}.u_core", f"{BENCH}.aclk", f"{BENCH}.watched"),
-                     encoding="utf-8")
-    parameters = {**stream.row.parameters, "BEATS": stream.beats, "RESULTS": len(stream.wanted.results)}
+    shutil.copyfile(stream.folder / "beats.hex", folder / "beats.hex")
     begun = time.monotonic()
-    clocks, names = icarus.run(icarus.Bench(
-        (BENCH, WATCHED), parameters,
-        (*_sources(sources, faults, folder), HERE / f"{BENCH}.v", HERE / "ffd_bench_known.v", watch),
-        tuple(sources.includes), (rtl.SIMULATION,)), folder)
-    checked = OUTPUTS + sum(map(len, found.values()))
-    return answers.read(folder), time.monotonic() - begun, Unknown(clocks, checked, tuple(names))
+    found = unknown.run(TOP, BENCH, stream.row, {
+        "BEATS": stream.beats, "RESULTS": len(stream.wanted.results)}, folder, faults)
+    return answers.read(folder), time.monotonic() - begun, found
+
+
+def simulate_in_memory(stream, faults=(), suffix=""):
+    """(results that differ from the model's, Unknown) of the core behind its buses, in Icarus."""
+    folder = stream.folder / f"axi{suffix}"
+    folder.mkdir(exist_ok=True)
+    wanted = stream.wanted.results
+    job = axi.job(answers.beats(stream.folder / "beats.hex"), len(wanted))
+    for name, lines in (("steps", job.steps), ("memory", job.memory)):
+        (folder / f"{name}.hex").write_text("\n".join([*lines, ""]), encoding="ascii")
+    found = unknown.run(AXI_TOP, AXI_BENCH, stream.row, {
+        "STEPS": len(job.steps), "WORDS": job.words, "RESULTS": len(wanted), "FIRST": job.first},
+        folder, faults)
+    got = answers.beats(folder / "results.txt")
+    return answers.differing(got, ["0" + beat[1:] for beat in wanted]), found
