@@ -3,17 +3,17 @@
 find_path(CXXRTL_INCLUDE backends/cxxrtl/cxxrtl.h PATHS ${yosys_folder}/../share/yosys/include
   NO_DEFAULT_PATH REQUIRED)
 
-# hwffd_cxxrtl(<library> <row> <source>)
+# hwffd_cxxrtl(<library> <row> <source> [<planted>])
 #
 # Makes the static library of `hwffd_stream` of a row. The source is compiled with the macros
-# HWFFD_CXXRTL_HEADER and HWFFD_ROW.
+# HWFFD_CXXRTL_HEADER and HWFFD_ROW. A planted file is taken for that of rtl/ of its name.
 function(hwffd_cxxrtl library row source)
   set(made ${CMAKE_BINARY_DIR}/cxxrtl/${library}.cc)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${made} ${CMAKE_BINARY_DIR}/cxxrtl/${library}.h
-    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/cxxrtl.py ${row} ${made}
-    DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
+    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/cxxrtl.py ${row} ${made} --planted ${ARGN}
+    DEPENDS ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
             ${netlist_scripts}/cxxrtl.py ${netlist_scripts}/rtl.py
     COMMENT "Writing ${row} as C++"
     VERBATIM)

@@ -32,8 +32,8 @@ def main():
     parser = argparse.ArgumentParser(description="Writes a configuration as C++.")
     parser.add_argument("name", help="a row of rtl/configurations.csv")
     parser.add_argument("out", type=pathlib.Path, help="C++ to write; its header is beside it")
-    parser.add_argument("--planted", type=pathlib.Path, action="append", default=[], metavar="FILE",
-                        help="a source to take in place of that of its name")
+    parser.add_argument("--planted", type=pathlib.Path, nargs="*", default=[], metavar="FILE",
+                        help="sources to take in place of those of their names")
     options = parser.parse_args()
     try:
         row = configurations.find(configurations.read(), options.name)

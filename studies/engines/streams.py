@@ -1,4 +1,4 @@
-"""The engines: how each takes the recorded commands of a row, and what it leaves.
+"""The engines: how each takes the recorded commands of a row, and what comes of it.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -15,9 +15,10 @@ import unknown
 
 TOP, BENCH = "hwffd_stream", "ffd_bench_stream"
 AXI_TOP, AXI_BENCH = "hwffd_axi", "ffd_bench_axi"
-# Programs with the core inside, of studies/engines/CMakeLists.txt; Icarus reads the sources.
+# Programs with the core inside, of studies/engines/CMakeLists.txt; Icarus reads the sources itself.
 PROGRAMS = ("verilator", "cxxrtl", "ecp5")
-ENGINES = (PROGRAMS[0], "icarus", *PROGRAMS[1:])
+# The word behind those of cores with a fault, and behind folders.
+PLANTED = "-planted"
 
 
 @dataclass(frozen=True)
@@ -39,24 +40,37 @@ def prepare(programs, row, folder, beats=None):
 
 
 def simulate(programs, engine, stream, suffix=""):
-    """(Answers, seconds) of a program with a core inside; the suffix names one with a fault."""
+    """(results that differ from the model's, seconds) of a program with a core inside; the suffix names
+    one with a fault."""
     folder = stream.folder / (engine + suffix)
     folder.mkdir(exist_ok=True)
     begun = time.monotonic()
     icarus.command([programs / f"hwffd-engine-{engine}-{stream.row.name}{suffix}", "--row",
                     stream.row.name, "--folder", stream.folder, "--output", folder], folder, "run.log")
-    return answers.read(folder), time.monotonic() - begun
+    return answers.mismatches(answers.read(folder), stream.wanted), time.monotonic() - begun
+
+
+def _subject(stream, faults, suffix, gates=False):
+    """A folder with the beats, and the core between its streams."""
+    folder = stream.folder / (("gates" if gates else "icarus") + suffix)
+    folder.mkdir(exist_ok=True)
+    shutil.copyfile(stream.folder / "beats.hex", folder / "beats.hex")
+    return unknown.Subject(TOP, BENCH, stream.row, {
+        "BEATS": stream.beats, "RESULTS": len(stream.wanted.results)}, folder, faults)
 
 
 def simulate_with_x(stream, faults=(), suffix=""):
-    """(Answers, seconds, Unknown) of Icarus."""
-    folder = stream.folder / f"icarus{suffix}"
-    folder.mkdir(exist_ok=True)
-    shutil.copyfile(stream.folder / "beats.hex", folder / "beats.hex")
-    begun = time.monotonic()
-    found = unknown.run(TOP, BENCH, stream.row, {
-        "BEATS": stream.beats, "RESULTS": len(stream.wanted.results)}, folder, faults)
-    return answers.read(folder), time.monotonic() - begun, found
+    """(results that differ from the model's, Unknown) of the sources in Icarus."""
+    subject = _subject(stream, faults, suffix)
+    found = unknown.in_sources(subject)
+    return answers.mismatches(answers.read(subject.folder), stream.wanted), found
+
+
+def simulate_gates(stream, faults=(), suffix=""):
+    """(results that differ from the model's, Unknown) of gates in Icarus."""
+    subject = _subject(stream, faults, suffix, gates=True)
+    found = unknown.in_gates(subject)
+    return answers.mismatches(answers.read(subject.folder), stream.wanted), found
 
 
 def simulate_in_memory(stream, faults=(), suffix=""):
@@ -67,8 +81,8 @@ def simulate_in_memory(stream, faults=(), suffix=""):
     job = axi.job(answers.beats(stream.folder / "beats.hex"), len(wanted))
     for name, lines in (("steps", job.steps), ("memory", job.memory)):
         (folder / f"{name}.hex").write_text("\n".join([*lines, ""]), encoding="ascii")
-    found = unknown.run(AXI_TOP, AXI_BENCH, stream.row, {
+    found = unknown.in_sources(unknown.Subject(AXI_TOP, AXI_BENCH, stream.row, {
         "STEPS": len(job.steps), "WORDS": job.words, "RESULTS": len(wanted), "FIRST": job.first},
-        folder, faults)
+        folder, faults))
     got = answers.beats(folder / "results.txt")
     return answers.differing(got, ["0" + beat[1:] for beat in wanted]), found
