@@ -22,8 +22,12 @@ endforeach()
 # hwffd_netlist(<identifier> <target> [<variant>])
 #
 # Makes the static library <identifier>_<target>_netlist, as hwffd_verilate does, of the netlist of a row,
-# or of one of synth/variants.csv, whose identifier ends with the word of the variant.
+# or of one of synth/variants.csv, whose identifier ends with the word of the variant. It is made once,
+# however many ask for it; so is that of a fault.
 function(hwffd_netlist id target)
+  if(TARGET ${id}_${target}_netlist)
+    return()
+  endif()
   set(name ${HWFFD_CONFIGURATION_NAME_${id}})
   if(ARGC GREATER 2)
     string(REGEX REPLACE "_${ARGV2}$" "" row ${id})
@@ -47,6 +51,9 @@ endfunction()
 #
 # The same as <identifier>_fault_netlist, of a copy of the netlist for ecp5 in which one LUT is wrong.
 function(hwffd_faulty_netlist id)
+  if(TARGET ${id}_fault_netlist)
+    return()
+  endif()
   set(good ${CMAKE_BINARY_DIR}/netlists/${id}_ecp5.v)
   set(faulty ${CMAKE_BINARY_DIR}/netlists/${id}_fault.v)
   add_custom_command(

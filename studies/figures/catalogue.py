@@ -13,6 +13,9 @@ _MODEL = (*(f"golden/**/{part}/*.?pp" for part in ("numerics", "bounds", "oracle
           "golden/**/model/evaluator.?pp", "golden/**/stream/w*.?pp")
 _GEOMETRY = ("geometry/**/lattice/*.?pp", "geometry/**/mesh/*.?pp")
 _SYNTH = (*_RTL, "synth/*.ys", "synth/osu018.*")
+_ENGINES = (*_RTL, "synth/prepare.ys", "synth/ecp5.ys", "synth/generic_memories.ys",
+            "tests/recorded/commands/*", "studies/engines/*.?pp", "studies/engines/*.v",
+            "studies/engines/*.py", "tb/cells/ecp5/*.v", "scripts/cxxrtl.py")
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,8 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+    "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
+    "unknowns": Report("make engines", _ENGINES),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),

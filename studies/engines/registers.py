@@ -1,0 +1,94 @@
+"""Registers that reset clears, found by yosys: those that are constants while it lasts, and only then.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import re
+
+import rtl
+
+RESET = "aresetn"  # 0 while it lasts
+DEEP = 4  # (SETTLING of the benches) registers behind each other, each of which is a constant because of the one before
+# Bits below the first of these delays are beside a valid, which is that one, and known while it is 1.
+_BESIDE = re.compile(r"_valid\.gen_stage\[\d+\]\.data_q$")
+_CONSTANTS = ("0", "1")
+# What yosys puts around an arm of a chain of `else if`, which has a name and lies in no other scope.
+_ELSE = re.compile(r"\bgenblk\d+\.")
+
+
+class RegisterError(Exception):
+    """A design whose registers are not found, in one line."""
+
+
+def steps(sources, top, parameters, free, held):
+    """The steps of yosys: a flat design as it is, and with a reset that does not end."""
+    folders = " ".join(f"-I {folder}" for folder in sources.includes)
+    given = "".join(f" -chparam {name} {value}" for name, value in parameters.items())
+    return [f"read_verilog {folders} {' '.join(sources.needed(top))}",
+            f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", "flatten",
+            f"write_json {free}", f"delete -input {top}/{RESET}", "setundef -undriven -zero",
+            *["opt_expr", "opt_expr", "opt_dff -nodffe -nosdff"] * DEEP, f"write_json {held}"]
+
+
+def _bits(module):
+    """(name as simulators have it, place or None) -> bit, of all nets with a name."""
+    return {(name, place + wire.get("offset", 0) if len(wire["bits"]) > 1 else None): bit
+            for name, wire in module["netnames"].items() if not wire.get("hide_name")
+            for place, bit in enumerate(wire["bits"])}
+
+
+def cleared(free, held):
+    """{name: its bits, from the lowest on} of the registers of a flat module, without and with a reset
+    that lasts: the shortest name of each bit, that of a register where there is one. Raises
+    RegisterError."""
+    outputs = {bit for cell in free["cells"].values() if cell["type"] == "$dff"
+               for bit in cell["connections"]["Q"]}
+    lasting = _bits(held)
+    names = {}
+    for place, bit in _bits(free).items():
+        if bit in outputs and lasting.get(place) in _CONSTANTS:
+            own = _ELSE.sub("", place[0])
+            names.setdefault(bit, []).append((not own.endswith("_q"), len(own), own, place[1]))
+    if not names:
+        raise RegisterError("no registers that reset clears")
+    found = {}
+    for _, _, name, place in map(min, names.values()):
+        found.setdefault(name, []).append(place)
+    return {name: sorted(found[name]) for name in sorted(found)}
+
+
+def find(sources, top, parameters, folder):
+    """cleared() of a top with its parameters. Raises RegisterError."""
+    files = [folder / f"{name}.json" for name in ("free", "held")]
+    status, said = rtl.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
+    if status:
+        raise RegisterError(f"yosys: {said.strip().splitlines()[-1]}")
+    modules = [json.loads(path.read_text(encoding="utf-8"))["modules"][top] for path in files]
+    for path in files:
+        path.unlink()
+    return cleared(*modules)
+
+
+def _split(name, places):
+    """(places, the place of the valid that they are beside, or None) of what is watched together."""
+    if len(places) > 1 and _BESIDE.search(name):
+        return [(places[-1:], None), (places[:-1], places[-1])]
+    return [(places, None)]
+
+
+def watch(found, core, clock, must):
+    """Verilog: a module ffd_bench_registers, a top of its own, that watches them in an instance `core`
+    while `must` is 1, at the edges of `clock`."""
+
+    def bit(name, place):
+        return f"{core}.{name}" + ("" if place is None else f"[{place}]")
+
+    lines = []
+    for name, places in found.items():
+        for some, valid in _split(name, places):
+            when = must if valid is None else f"{must} && {bit(name, valid)}"
+            value = ", ".join(bit(name, place) for place in reversed(some))
+            lines.append(f'  ffd_bench_known #({len(some)}, "{name}") k{len(lines)} ({clock}, {when}, '
+                         f"{{{value}}});")
+    return "\n".join(["module ffd_bench_registers;", *lines, "endmodule", ""])

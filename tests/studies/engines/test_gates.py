@@ -1,0 +1,17 @@
+"""X in gates, which hand it on.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import planted
+import streams
+
+
+def test_no_x_comes_out_of_gates(recording):
+    mismatches, found = streams.simulate_gates(recording())
+    assert (mismatches, found.names) == (0, ()) and found.clocks > 10_000
+
+
+def test_x_of_a_register_without_reset_comes_out(recording):
+    found = streams.simulate_gates(recording(600), (planted.RESET,))[1]
+    assert any("tready" in name for name in found.names)
