@@ -20,11 +20,16 @@ list(TRANSFORM runtime PREPEND ${VERILATOR_ROOT}/include/)
 if(HWFFD_COVERAGE)
   list(APPEND runtime ${CMAKE_SOURCE_DIR}/tb/coverage/coverage_counters.cpp)
 endif()
+# What is not counted in a build that counts: what simulators have written.
+set(uncounted "")
+if(HWFFD_COVERAGE)
+  set(uncounted -fno-profile-arcs -fno-test-coverage)
+endif()
 add_library(verilated_runtime STATIC ${runtime})
 target_include_directories(verilated_runtime SYSTEM PUBLIC
   ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
-target_compile_options(verilated_runtime PRIVATE -w -fno-profile-arcs -fno-test-coverage)
+target_compile_options(verilated_runtime PRIVATE -w ${uncounted})
 
 # Headers, and modules by their names, are found in the folders of rtl/hwffd.f.
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/cores/rtl/ffd_bench.vlt)
@@ -125,7 +130,7 @@ function(hwffd_compile_model target dir)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${dir}/V${target}.cpp)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  target_compile_options(${target} PRIVATE -w -g0 -fno-profile-arcs -fno-test-coverage ${ARGN})
+  target_compile_options(${target} PRIVATE -w -g0 ${uncounted} ${ARGN})
   target_compile_definitions(${target} PRIVATE
     VM_TRACE=$<BOOL:${HWFFD_TRACE}> VM_TRACE_FST=$<BOOL:${HWFFD_TRACE}>)
   if(HWFFD_TRACE)
