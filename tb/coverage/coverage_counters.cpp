@@ -1,10 +1,11 @@
-// What a Verilated model counts of its lines, branches and toggles, for all models of a process together.
+// What a Verilated model counts of its lines, branches and toggles, for all models of a process
+// together.
 //
-// Stands in for Verilator's own verilated_cov.cpp, which keeps the counters of each instance and of each
-// simulation under their full names: a test makes hundreds of cores, and what is asked is only whether
-// a line of a module was ever run. Counters are one set a class (cmake/verilate.sh makes them so); at the
-// end of the process those of one place in a source are added and written to $HWFFD_COVERAGE, as
-// lines with tabs: page, line, column, comment, further lines, count.
+// Stands in for Verilator's own verilated_cov.cpp, which keeps the counters of each instance and of
+// each simulation under their full names: a test makes hundreds of cores, and what is asked is only
+// whether a line of a module was ever run. Counters are one set a class (cmake/verilate.sh makes
+// them so); at the end of the process those of one place in a source are added and written to
+// $HWFFD_COVERAGE, as lines with tabs: page, line, column, comment, further lines, count.
 // SPDX-License-Identifier: Apache-2.0
 #include <verilated.h>
 #include <verilated_cov.h>
