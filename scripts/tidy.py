@@ -25,7 +25,7 @@ _PRECOMPILED = re.compile(r" -Winvalid-pch| -include \S+cmake_pch\.hxx| -Werror\
 _FINDING = re.compile(r"^.*\b(?:warning|error): .*$", re.MULTILINE)
 _INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](?:\.\./)*([^<>"]+)[>"]', re.MULTILINE)
 _TOGETHER = re.compile(r"/Unity/unity_\d+_cxx\.cxx$")
-_MODEL = re.compile(r"error: '(V\w+\.h)' file not found")
+_MODEL = re.compile(r"error: '((?:V\w+|\w+_cxxrtl)\.h)' file not found")
 
 
 class TidyError(Exception):
