@@ -213,7 +213,7 @@ coverage: install
 	@scripts/python_env coverage
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_COVERAGE=ON
 	@$(CMAKE_BUILD)
-	@$(STUDY) coverage -- build/venv/bin/python -B studies/coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
+	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
 # MUTANTS= of each subject; what is known of the same mutants is not run again.
 mutants: install

@@ -65,7 +65,7 @@ REPORTS = {
          "studies/energy/*.?pp", "studies/energy/*.v", "studies/energy/*.py",
          "studies/compare/scene.?pp")),
     "coverage": Report("make coverage", (
-        "rtl/**/*.v", "rtl/configurations.csv", "studies/coverage/*.py", "studies/coverage/*.csv",
+        "rtl/**/*.v", "rtl/configurations.csv", "studies/rtl_coverage/*.py", "studies/rtl_coverage/*.csv",
         "tb/coverage/*.cpp")),
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",

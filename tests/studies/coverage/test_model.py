@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "studies" / "coverage"), str(ROOT / "scripts")]
+sys.path[:0] = [str(ROOT / "studies" / "rtl_coverage"), str(ROOT / "scripts")]
 
 import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
 

@@ -1,6 +1,6 @@
 """make coverage: which lines, branches and bits of the RTL the tests run, and which lines of the C++.
 
-    python studies/coverage [--build FOLDER] [-j JOBS] [--share N] [--only PATTERN]
+    python studies/rtl_coverage [--build FOLDER] [-j JOBS] [--share N] [--only PATTERN]
 
 Runs the test programs of a build whose models count. Writes build/reports/coverage.json, and each
 module's source with counts into FOLDER/coverage/annotated/. The exit status is 1 where a module falls
