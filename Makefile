@@ -61,7 +61,7 @@ help:
 	@echo '  make formal         unbounded proofs of control and transport, each with a planted bug'
 	@echo '  make glapi          the OpenGL calls and their errors, beside those of Mesa'
 	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
-	@echo '  make soak           mixed good and bad traffic through hwffd_axi, SEEDS= of them'
+	@echo '  make soak           random traffic with new seeds, for HOURS='
 	@echo 'Trust it (docs/assurance.md)'
 	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
 	@echo '  make mutants        single changes of the RTL, and whether the tests see them'
@@ -215,17 +215,19 @@ coverage: install
 	@$(CMAKE_BUILD)
 	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
-# MUTANTS= of each subject; what is known of the same mutants is not run again.
+# MUTANTS= of all subjects together; what is known of the same mutants is not run again.
 mutants: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target dma_test number_test system_test
-	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) --mutants $(or $(call given,MUTANTS),500)
+	@$(CMAKE_BUILD) --target dma_test axil_test number_test float_test evaluator_test system_test
+	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS))
 
+# Programs of studies/soak/traffic.csv.
+SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test
 soak: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target axi_test
-	@HWFFD_SOAK="$(or $(call given,SEEDS),100)" $(BUILD)/tests/bus/axi/axi_test --gtest_brief=1 --gtest_filter='*Soak*'
+	@$(CMAKE_BUILD) --target $(SOAK_PROGRAMS)
+	@$(STUDY) soak -- python3 -B studies/soak -j $(JOBS) $(addprefix --hours ,$(call given,HOURS))
 
 lint: install
 	@scripts/python_env

@@ -70,6 +70,7 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+    "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",

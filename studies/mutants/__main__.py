@@ -1,10 +1,12 @@
 """make mutants: single changes of the RTL, and whether the tests see them.
 
-    python studies/mutants [--build FOLDER] [--only NAME ...] [--mutants N] [--seed N] [-j JOBS]
+    python studies/mutants [--build FOLDER] [--only NAME ...] [--mutants N] [--seed N] [--report FILE]
+                           [-j JOBS]
 
-Of each subject (subjects.csv) yosys changes the netlist in N places, one at a time, and the tests run
-that `make test` has. What they do not see is proved to change nothing, or has survived. Writes
-FOLDER/reports/mutants.json. The exit status is 1 where a subject falls short of its aim.
+Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
+run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
+change something, and it has survived; or neither is known in time. Writes the report. The exit status
+is 1 where a subject falls short of its aim, to which what is undecided counts as survived.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -24,9 +26,12 @@ import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
+import pool  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 
 TABLE = pathlib.Path(__file__).with_name("subjects.csv")
+VERDICTS = ("killed", "equivalent", "undecided", "survived")
+SURVIVORS = ("undecided", "survived")
 
 
 def subjects(only):
@@ -38,28 +43,35 @@ def subjects(only):
     return [row for row in rows if not only or row["name"] in only]
 
 
+def numbers(chosen, total):
+    """How many mutants of each subject: those of the table, or of `total` as large a part."""
+    table = [int(subject["mutants"]) for subject in chosen]
+    return [max(1, round(number * total / sum(table))) for number in table] if total else table
+
+
 def seed_of_sources():
     """Other mutants with every change of the RTL, the same on every machine."""
     text = b"".join(path.read_bytes() for path in sorted((ROOT / "rtl").glob("**/*.v")))
     return int(hashlib.sha256(text).hexdigest()[:6], 16)
 
 
-def measure(options, subject):
-    """A subject: verdicts of its mutants, and those that survive."""
+def measure(options, subject, number):
+    """A subject: so many mutants, and their verdicts."""
     model = built.model(options.build, subject["library"])
-    folder = options.build / "mutants" / f"{subject['name']}-{options.seed}-{options.mutants}"
+    folder = options.build / "mutants" / f"{subject['name']}-{options.seed}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
     print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
-    mutants = netlist.listed(ROOT, model, folder, options.mutants, options.seed)
+    mutants = netlist.listed(ROOT, model, folder, number, options.seed)
     source = (folder / f"{model.top}.sv")
     before = source.read_text() if source.exists() else ""
     program = campaign.program(options.build, subject, model, mutants, folder)
     if source.read_text() != before:
         (folder / "passed.json").unlink(missing_ok=True)
-    verdicts = {number: "killed" for number in range(1, len(mutants) + 1)}
-    for number in campaign.run(program, subject, mutants, options.jobs):
-        same = equivalence.proved(ROOT, model, mutants[number - 1], number, folder)
-        verdicts[number] = "equivalent" if same else "survived"
+    verdicts = {place: "killed" for place in range(1, len(mutants) + 1)}
+    unseen = campaign.run(program, subject, mutants, options.jobs)
+    pool.run(lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder), unseen,
+             options.jobs, lambda place, done: verdicts.update({place: done.result()}),
+             name=lambda place: f"proof {place}")
     return mutants, verdicts
 
 
@@ -69,33 +81,35 @@ def rows(subject, mutants, verdicts):
     for number, verdict in verdicts.items():
         module, _ = netlist.module(mutants[number - 1])
         counts[module][verdict] += 1
-        if verdict == "survived":
-            names[module].append({"number": number, "change": netlist.single(mutants[number - 1])})
+        if verdict in SURVIVORS:
+            names[module].append({"number": number, "verdict": verdict,
+                                  "change": netlist.single(mutants[number - 1])})
     return [{"subject": subject["name"], "module": module, "total": sum(found.values()),
-             **{verdict: found[verdict] for verdict in ("killed", "equivalent", "survived")},
+             **{verdict: found[verdict] for verdict in VERDICTS},
              "survivors": names[module]} for module, found in sorted(counts.items())]
 
 
 def score(found):
     """Percent of the mutants that are not equivalent."""
-    asked = sum(row["killed"] + row["survived"] for row in found)
+    asked = sum(row["total"] - row["equivalent"] for row in found)
     return 100.0 * sum(row["killed"] for row in found) / asked if asked else 0.0
 
 
 def work_on(options):
     found, faults = [], []
-    for subject in subjects(options.only):
-        mine = rows(subject, *measure(options, subject))
+    chosen = subjects(options.only)
+    for subject, number in zip(chosen, numbers(chosen, options.mutants)):
+        mine = rows(subject, *measure(options, subject, number))
         found += mine
         if score(mine) < float(subject["aim"]):
             faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
     total = {verdict: sum(row[verdict] for row in found)
-             for verdict in ("total", "killed", "equivalent", "survived")}
+             for verdict in ("total", *VERDICTS)}
     report = {"seed": options.seed, **total, "killed_percent": round(score(found), 2), "rows": found}
-    path = options.build / "reports" / "mutants.json"
+    path = options.report or options.build / "reports" / "mutants.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
-          f"{total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
+          f"{total['undecided']} undecided, {total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
     return faults
 
 
@@ -103,8 +117,9 @@ def main():
     parser = argparse.ArgumentParser(prog="mutants", description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="subjects; all unless given")
-    parser.add_argument("--mutants", type=int, default=400, metavar="N", help="of each subject")
+    parser.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
     parser.add_argument("--seed", type=int, default=seed_of_sources(), help="of their choice")
+    parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()
     options.build = options.build.resolve()

@@ -22,6 +22,7 @@ class Model:
     top: str
     parameters: tuple  # of (name, value)
     sources: tuple   # beyond those that are found by their names
+    control: tuple   # files that tell Verilator what tests reach into
     flags: tuple     # for the compiler
 
 
@@ -40,8 +41,8 @@ def model(build, library):
         raise MutantError(f"{library} is not verilated")
     words = shlex.split(found[-1].split("&&")[1])
     parameters = tuple(tuple(word[2:].split("=")) for word in words if re.match(r"-G\w+=", word))
-    sources = tuple(word for word in words if word.endswith(".v"))
-    return Model(words[1], words[words.index("--top-module") + 1], parameters, sources,
+    sources, control = (tuple(word for word in words if word.endswith(end)) for end in (".v", ".vlt"))
+    return Model(words[1], words[words.index("--top-module") + 1], parameters, sources, control,
                  ("-O1", "-w", "-std=c++17", "-fPIC"))
 
 

@@ -7,13 +7,14 @@ import json
 import os
 import pathlib
 import subprocess
+import time
 
 import pool
 from built import MutantError, link
 from netlist import write
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LIMIT = 300  # seconds of a run; the bench's own watchdogs end a hang long before
+LEAST, TIMES = 10, 5  # a run may take so many seconds, or so many times what the tests take without a mutant
 CHOICE = """#include <cstdlib>
 extern "C" int hwffd_mutant() {
   const char* number = std::getenv("HWFFD_MUTANT");
@@ -36,7 +37,7 @@ def program(build, subject, model, mutants, folder):
     runtime = _shell(["verilator", "--getenv", "VERILATOR_ROOT"], folder) + "/include"
     _shell([ROOT / "cmake" / "verilate.sh", model.name, "verilator", "--cc", "-O3", "--x-initial",
             "unique", "--x-assign", "unique", "-Wno-lint", "-Wno-fatal", "--top-module", model.top,
-            "--prefix", model.name, source], folder)
+            "--prefix", model.name, *model.control, source], folder)
     for name in (model.name, "choice"):
         _shell(["c++", *model.flags, f"-I{runtime}", f"-I{runtime}/vltstd", "-c", f"{name}.cpp"], folder)
     library = folder / "libmutants.a"
@@ -45,12 +46,12 @@ def program(build, subject, model, mutants, folder):
     return link(build, subject["program"], subject["library"], library, folder / "tests")
 
 
-def passes(path, tests, number):
+def passes(path, tests, number, limit=None):
     """Whether the tests pass with a mutant; a run that does not end does not pass."""
     try:
         return subprocess.run(
             [path, "--gtest_brief=1", "--gtest_fail_fast", f"--gtest_filter={tests}"], check=False,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LIMIT,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=limit,
             env={**os.environ, "HWFFD_MUTANT": str(number)}).returncode == 0
     except subprocess.TimeoutExpired:
         return False
@@ -60,14 +61,16 @@ def run(path, subject, mutants, jobs):
     """The numbers of those that the tests did not see. What is known already is not run again."""
     kept = path.with_name("passed.json")
     known = json.loads(kept.read_text()) if kept.exists() else {}
+    start = time.monotonic()
     if not passes(path, subject["tests"], 0):
         raise MutantError(f"{path}: the tests fail without a mutant")
+    limit = max(LEAST, TIMES * (time.monotonic() - start))
     left = [number for number in range(1, len(mutants) + 1) if str(number) not in known]
 
     def ended(number, done):
         known[str(number)] = done.result()
         kept.write_text(json.dumps(known))
 
-    pool.run(lambda number: passes(path, subject["tests"], number), left, jobs, ended,
+    pool.run(lambda number: passes(path, subject["tests"], number, limit), left, jobs, ended,
              name=lambda number: f"mutant {number}")
     return [number for number in range(1, len(mutants) + 1) if known[str(number)]]

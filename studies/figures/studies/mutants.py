@@ -4,30 +4,58 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import collections
+import csv
+import re
 
 from figures.expressions import shown
 from figures.table import Table
 
-VERDICTS = ("total", "killed", "equivalent", "survived")
+VERDICTS = ("total", "killed", "equivalent", "undecided", "survived")
+HEADS = ["mutants", "killed", "equivalent", "undecided", "survived", "killed, %"]
 
 
-def _percent(row):
-    asked = row["killed"] + row["survived"]
-    return shown(100 * row["killed"] / asked, ".1f") if asked else "-"
+def _subjects(reports):
+    lines = (reports.root / "studies" / "mutants" / "subjects.csv").read_text(encoding="utf-8").splitlines()
+    return {row["name"]: row for row in csv.DictReader(lines)}
+
+
+def _sums(reports, field):
+    sums = collections.defaultdict(collections.Counter)
+    for row in reports.rows("mutants"):
+        sums[row[field]].update({verdict: row[verdict] for verdict in VERDICTS})
+    return sums
+
+
+def _cells(found):
+    asked = found["total"] - found["equivalent"]
+    return [*(shown(found[verdict], ",") for verdict in VERDICTS),
+            shown(100 * found["killed"] / asked, ".1f") if asked else "-"]
+
+
+def subjects(reports):
+    """Each subject and its aim."""
+    aims = _subjects(reports)
+    return Table(["subject", "aim, %", *HEADS],
+                 [[f"`{name}`", aims[name]["aim"], *_cells(found)]
+                  for name, found in _sums(reports, "subject").items()])
 
 
 def modules(reports):
     """Each module, of all subjects together."""
-    sums = collections.defaultdict(collections.Counter)
-    for row in reports.rows("mutants"):
-        sums[row["module"]].update({verdict: row[verdict] for verdict in VERDICTS})
-    return Table(["module", "mutants", "killed", "equivalent", "survived", "killed, %"],
-                 [[f"`{module}`", *(shown(found[verdict], ",") for verdict in VERDICTS), _percent(found)]
-                  for module, found in sorted(sums.items())])
+    return Table(["module", *HEADS], [[f"`{module}`", *_cells(found)]
+                                      for module, found in sorted(_sums(reports, "module").items())])
+
+
+def left(reports):
+    """Each mutant that counts as survived."""
+    lines = [[row["subject"], f"`{row['module']}`", one["verdict"],
+              f"`{re.sub(r' -src .*', '', one['change'])}`"]
+             for row in reports.rows("mutants") for one in row["survivors"]]
+    return Table(["subject", "module", "verdict", "change"], lines or [["-", "-", "-", "none"]])
 
 
 def missing(reports):
-    wanted = {"dma", "number", "stream"} - {row["subject"] for row in reports.rows("mutants")}
+    wanted = set(_subjects(reports)) - {row["subject"] for row in reports.rows("mutants")}
     return ", ".join(sorted(wanted))
 
 
@@ -35,5 +63,6 @@ def _of(verdict):
     return lambda reports: reports.get("mutants")[verdict]
 
 
-TABLES = {"modules": modules}
-FIGURES = {**{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent")}
+TABLES = {"subjects": subjects, "modules": modules, "left": left}
+FIGURES = {**{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
+           "modules": lambda reports: len({row["module"] for row in reports.rows("mutants")})}

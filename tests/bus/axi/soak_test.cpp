@@ -1,6 +1,6 @@
 // Good and bad traffic mixed, round after round on one system, under waiting that changes with
 // every round: every result of what went well is exact, every error is survived. The environment
-// variable HWFFD_SOAK is the number of seeds; `make soak` sets it to 100.
+// variable HWFFD_SOAK is the number of seeds, from SEED on.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,0 +1,125 @@
+"""Runs of test programs with a seed, and what they say of themselves.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import time
+from dataclasses import dataclass, field
+
+from progress import Progress
+
+LIMIT = 1800  # seconds of a run: one that hangs has failed
+
+
+class SoakError(Exception):
+    """What cannot be run."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of traffic: the program of a build that makes it, and which of its tests do."""
+
+    name: str
+    program: str
+    tests: str
+
+
+@dataclass(frozen=True)
+class Round:
+    """A kind of traffic from a seed."""
+
+    kind: Kind
+    seed: int
+
+
+@dataclass(frozen=True)
+class Done:
+    """How a round went: tests that ran and those that failed; what was counted in them."""
+
+    round: Round
+    log: pathlib.Path
+    tests: int
+    failed: tuple
+    results: int
+    clocks: int
+
+
+def one(turn, build, folder):
+    """Runs a round. A program that ends without its report has failed, whatever it was at."""
+    stem = folder / f"{turn.kind.name}-{turn.seed}"
+    log, report = stem.with_suffix(".log"), stem.with_suffix(".json")
+    report.unlink(missing_ok=True)
+    settings = {"SEED": str(turn.seed), "HWFFD_SOAK": "1", "GTEST_OUTPUT": f"json:{report}"}
+    program = build / turn.kind.program
+    if not program.is_file():
+        raise SoakError(f"{program} is not there: make soak builds it")
+    with log.open("w", encoding="utf-8") as output:
+        try:
+            status = subprocess.run([program, f"--gtest_filter={turn.kind.tests}"], stdout=output,
+                                    stderr=output, cwd=program.parent, check=False, timeout=LIMIT,
+                                    env={**os.environ, **settings}).returncode
+        except subprocess.TimeoutExpired:
+            status = None
+    return _done(turn, log, report, status)
+
+
+def _done(turn, log, report, status):
+    text = log.read_text(encoding="utf-8", errors="replace")
+    suites = json.loads(report.read_text())["testsuites"] if report.exists() else []
+    cases = [case for suite in suites for case in suite["testsuite"] if case["status"] == "RUN"]
+    failed = tuple(f"{case['classname']}.{case['name']}" for case in cases if case.get("failures"))
+    if not cases:
+        failed = ("no end" if status is None else f"no report, exit status {status}",)
+    results, clocks = (sum(int(found) for found in re.findall(rf"(\d+) {unit}\b", text))
+                       for unit in ("results", "clocks"))
+    report.unlink(missing_ok=True)
+    if not failed:
+        log.unlink()
+    return Done(turn, log, len(cases), failed, results, clocks)
+
+
+@dataclass
+class Sums:
+    """What was run, by kind of traffic."""
+
+    rows: dict = field(default_factory=dict)
+
+    def add(self, done):
+        row = self.rows.setdefault(done.round.kind.name, {
+            "traffic": done.round.kind.name, "seeds": 0, "tests": 0, "failed": 0, "results": 0, "clocks": 0})
+        row["seeds"] += 1
+        for name, number in (("tests", done.tests), ("failed", len(done.failed)),
+                             ("results", done.results), ("clocks", done.clocks)):
+            row[name] += number
+
+    @property
+    def faults(self):
+        return sum(row["failed"] for row in self.rows.values())
+
+
+def run(rounds, options, folder, end, ended):
+    """Runs rounds side by side, as long as it is not `end` (None: all of them); the last one."""
+    progress, last, running, number = Progress(), None, set(), 0
+    with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
+        for turn in rounds:
+            if end is not None and time.monotonic() >= end:
+                break
+            last, number = turn, number + 1
+            running.add(pool.submit(one, turn, options.build, folder))
+            left = f"{max(0.0, end - time.monotonic()) / 60:.0f} minutes left" if end else "corpus"
+            progress.step(number, number, f"{turn.kind.name}, seed {turn.seed}, {left}")
+            while len(running) >= max(1, options.jobs):
+                done, running = concurrent.futures.wait(
+                    running, return_when=concurrent.futures.FIRST_COMPLETED)
+                for one_done in done:
+                    ended(one_done.result())
+        for one_done in running:
+            ended(one_done.result())
+    progress.end()
+    return last
