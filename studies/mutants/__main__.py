@@ -61,18 +61,26 @@ def measure(options, subject, number):
     folder = options.build / "mutants" / f"{subject['name']}-{options.seed}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
     print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
-    mutants = netlist.listed(ROOT, model, folder, number, options.seed)
+    mutants = netlist.listed(ROOT, model, folder, number, options.seed, subject["modules"])
     source = (folder / f"{model.top}.sv")
     before = source.read_text() if source.exists() else ""
     program = campaign.program(options.build, subject, model, mutants, folder)
+    judged = folder / "verdicts.json"
     if source.read_text() != before:
-        (folder / "passed.json").unlink(missing_ok=True)
+        for path in (folder / "passed.json", judged):
+            path.unlink(missing_ok=True)
     verdicts = {place: "killed" for place in range(1, len(mutants) + 1)}
     unseen = campaign.run(program, subject, mutants, options.jobs)
-    pool.run(lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder), unseen,
-             options.jobs, lambda place, done: verdicts.update({place: done.result()}),
+    known = json.loads(judged.read_text()) if judged.exists() else {}
+
+    def ended(place, done):
+        known[str(place)] = done.result()
+        judged.write_text(json.dumps(known))
+
+    pool.run(lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder),
+             [place for place in unseen if str(place) not in known], options.jobs, ended,
              name=lambda place: f"proof {place}")
-    return mutants, verdicts
+    return mutants, {**verdicts, **{place: known[str(place)] for place in unseen}}
 
 
 def rows(subject, mutants, verdicts):

@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 
 from netlist import base, module, single, yosys
 
-SECONDS = 60  # of a proof, and of a search
+SECONDS = 15  # of a proof, and of a search
 CLOCKS = 8    # from a state of zeros, in which a difference is looked for
 
 

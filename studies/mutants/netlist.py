@@ -6,12 +6,14 @@ The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is
 SPDX-License-Identifier: Apache-2.0
 """
 
+import fnmatch
 import re
 import subprocess
 
 from built import MutantError
 
 CHOICE = "mutant"
+FOR_ONE = 4  # times as many are listed where only some of the modules are asked for
 _PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", re.MULTILINE)
 # Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
 _CLOCK = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk ")
@@ -46,15 +48,21 @@ def base(folder):
     return f"read_rtlil {folder / 'design.il'}"
 
 
-def listed(root, model, folder, number, seed):
-    """So many mutants but those of clocks, each the command that makes it."""
+def _chosen(lines, modules, number):
+    """So many of those in modules of these names, but of clocks."""
+    found = [line for line in lines if line.startswith("mutate") and not _CLOCK.search(line)
+             and any(fnmatch.fnmatchcase(module(line)[0], pattern) for pattern in modules.split())]
+    return found[:number]
+
+
+def listed(root, model, folder, number, seed, modules="*"):
+    """So many mutants at most of these modules, each the command that makes it."""
     path = folder / "mutants.txt"
     if not yosys(root, folder / "list.ys", [
             *_read(root, model), f"write_rtlil {folder / 'design.il'}",
-            f"mutate -list {number} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
+            f"mutate -list {number * (1 if modules == '*' else FOR_ONE)} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
         raise MutantError(f"yosys lists no mutants: see {folder / 'list.log'}")
-    found = [line for line in path.read_text().splitlines()
-             if line.startswith("mutate") and not _CLOCK.search(line)]
+    found = _chosen(path.read_text().splitlines(), modules, number)
     if not found:
         raise MutantError("0 mutants were applied: the design has nothing to change")
     return [re.sub(rf"-ctrl {CHOICE} 16 \d+", f"-ctrl {CHOICE} 16 {place}", line)
