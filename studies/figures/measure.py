@@ -87,12 +87,16 @@ def _without(value, volatile):
 
 def with_older(report, kept, name):
     """The report with those rows of the one committed before that it has none for, marked `older`,
-    in the order of that one; what was not there comes last.
+    in the order of that one; what was not there comes last. A figure beside the rows that was not
+    measured stays as it was.
     """
     field, identity = REPORTS[name].rows, REPORTS[name].identity
     new = {tuple(row[one] for one in identity): row for row in report[field]}
     old = {tuple(row[one] for one in identity): {**row, "older": True} for row in kept[field]}
-    return {**report, field: list({**old, **new}.values())}
+    beside = {key: {**value, **{one: found for one, found in report[key].items() if found is not None}}
+              for key, value in kept.items()
+              if key != STAMP and isinstance(value, dict) and isinstance(report.get(key), dict)}
+    return {**report, **beside, field: list({**old, **new}.values())}
 
 
 def committed_form(report, name):

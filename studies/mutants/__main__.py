@@ -55,6 +55,15 @@ def seed_of_sources():
     return int(hashlib.sha256(text).hexdigest()[:6], 16)
 
 
+def forget(kept, *sources, text):
+    """Removes what is kept of other sources than these."""
+    key = hashlib.sha256(text.encode() + b"".join(path.read_bytes() for path in sources)).hexdigest()
+    path = kept.with_suffix(".key")
+    if not path.exists() or path.read_text() != key:
+        kept.unlink(missing_ok=True)
+        path.write_text(key)
+
+
 def measure(options, subject, number):
     """A subject: so many mutants, and their verdicts."""
     model = built.model(options.build, subject["library"])
@@ -62,13 +71,11 @@ def measure(options, subject, number):
     folder.mkdir(parents=True, exist_ok=True)
     print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
     mutants = netlist.listed(ROOT, model, folder, number, options.seed, subject["modules"])
-    source = (folder / f"{model.top}.sv")
-    before = source.read_text() if source.exists() else ""
     program = campaign.program(options.build, subject, model, mutants, folder)
     judged = folder / "verdicts.json"
-    if source.read_text() != before:
-        for path in (folder / "passed.json", judged):
-            path.unlink(missing_ok=True)
+    netlisted = folder / f"{model.top}.sv"
+    forget(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
+    forget(judged, netlisted, text="")
     verdicts = {place: "killed" for place in range(1, len(mutants) + 1)}
     unseen = campaign.run(program, subject, mutants, options.jobs)
     known = json.loads(judged.read_text()) if judged.exists() else {}
