@@ -219,7 +219,7 @@ coverage: install
 mutants: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target dma_test axil_test number_test float_test evaluator_test system_test
+	@$(CMAKE_BUILD) --target dma_test axil_test number_test range_test powers_test sequencer_test float_test evaluator_test system_test
 	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS))
 
 # Programs of studies/soak/traffic.csv.

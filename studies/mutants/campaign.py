@@ -46,6 +46,13 @@ def program(build, subject, model, mutants, folder):
     return link(build, subject["program"], subject["library"], library, folder / "tests")
 
 
+def _names(path, tests):
+    """Tests of these names."""
+    listed = subprocess.run([path, "--gtest_list_tests", f"--gtest_filter={tests}"], check=False,
+                            capture_output=True, text=True).stdout
+    return [line.strip() for line in listed.splitlines() if line.startswith("  ")]
+
+
 def passes(path, tests, number, limit=None):
     """Whether the tests pass with a mutant; a run that does not end does not pass."""
     try:
@@ -61,6 +68,8 @@ def run(path, subject, mutants, jobs):
     """The numbers of those that the tests did not see. What is known already is not run again."""
     kept = path.with_name("passed.json")
     known = json.loads(kept.read_text()) if kept.exists() else {}
+    if not _names(path, subject["tests"]):
+        raise MutantError(f"{path}: no test is called {subject['tests']}")
     start = time.monotonic()
     if not passes(path, subject["tests"], 0):
         raise MutantError(f"{path}: the tests fail without a mutant")
