@@ -7,8 +7,8 @@
 
 namespace hwffd::upsets {
 
-/// Goes through the traffic once without a fault. At the clock of each upset a copy of the process is
-/// made (fork), in which that bit is inverted, and which goes on to the end by itself: so all of
+/// Goes through the traffic once without a fault. At the clock of each upset a copy of the process
+/// is made (fork), in which that bit is inverted, and which goes on to the end by itself: so all of
 /// the bench is as it was at that clock, and nothing is simulated twice up to it.
 class Campaign final : public Trigger {
  public:

@@ -1,5 +1,5 @@
-// hwffd-upsets-TOP: bits of a core inverted while it works, one in each of many runs, and what became
-// of it, a line each. The core is HWFFD_UPSET_CORE, a Verilated netlist of netlist.py.
+// hwffd-upsets-TOP: bits of a core inverted while it works, one in each of many runs, and what
+// became of it, a line each. The core is HWFFD_UPSET_CORE, a Verilated netlist of netlist.py.
 
 #include <fmt/format.h>
 #include <fmt/os.h>
@@ -31,9 +31,9 @@ struct Options {
 std::uint64_t rehearse(Plan& plan) {
   Counter counter;
   Made made(plan, counter);
-  made.scenario.run(counter);
+  made.scenario->run(counter);
   const std::size_t wanted = plan.first.results.size() + plan.second.results.size();
-  if (made.scenario.judge().outcome != Outcome::kNoEffect || made.scenario.compared() != wanted)
+  if (made.scenario->judge().outcome != Outcome::kNoEffect || made.scenario->compared() != wanted)
     throw Error("without a flip the results are not those of the model");
   return counter.clocks;
 }
@@ -69,8 +69,8 @@ void work(const Options& options) {
   plan.limit = 3 * clocks + 2000;
   Campaign campaign(chosen(options, design, clocks), options.jobs);
   Made made(plan, campaign);
-  made.scenario.run(campaign);
-  if (campaign.struck()) campaign.report(made.scenario.judge());
+  made.scenario->run(campaign);
+  if (campaign.struck()) campaign.report(made.scenario->judge());
   write(options, design, clocks, campaign.upsets(), campaign.verdicts());
 }
 

@@ -38,32 +38,8 @@ struct Plan {
   std::uint64_t limit = 200'000;  ///< clocks that a traffic may take; set after the first run
 };
 
-class StreamScenario final : public Scenario {
- public:
-  StreamScenario(cores::StreamCore& core, const Plan& plan);
-  ~StreamScenario() override;
-  void run(Trigger& trigger) override;
-  Verdict judge() override;
-  std::uint64_t compared() const override;
-
- private:
-  class Bench;
-  std::unique_ptr<Bench> bench_;
-  const Plan& plan_;
-};
-
-class AxiScenario final : public Scenario {
- public:
-  AxiScenario(cores::AxiCore& core, const Plan& plan);
-  ~AxiScenario() override;
-  void run(Trigger& trigger) override;
-  Verdict judge() override;
-  std::uint64_t compared() const override;
-
- private:
-  class Bench;
-  std::unique_ptr<Bench> bench_;
-  const Plan& plan_;
-};
+/// Of hwffd_stream and of hwffd_axi. Core and plan must outlive it.
+std::unique_ptr<Scenario> make_scenario(cores::StreamCore& core, const Plan& plan);
+std::unique_ptr<Scenario> make_scenario(cores::AxiCore& core, const Plan& plan);
 
 }  // namespace hwffd::upsets

@@ -13,11 +13,9 @@ namespace {
 constexpr std::uint64_t kQuiet = 64;  // clocks at rest, after which nothing comes
 constexpr double kReady = 0.7;        // of the clocks: both sides wait now and then
 
-}  // namespace
-
-class StreamScenario::Bench {
+class StreamBench {
  public:
-  Bench(cores::StreamCore& core, const Plan& plan)
+  StreamBench(cores::StreamCore& core, const Plan& plan)
       : core_(core), plan_(plan), loop_(core), random_(plan.seed), driver_(plan.seed) {}
 
   void reset() {
@@ -81,33 +79,45 @@ class StreamScenario::Bench {
   bool wrong_ = false;
 };
 
-StreamScenario::StreamScenario(cores::StreamCore& core, const Plan& plan)
-    : bench_(new Bench(core, plan)), plan_(plan) {}
+class StreamScenario final : public Scenario {
+ public:
+  StreamScenario(cores::StreamCore& core, const Plan& plan) : bench_(core, plan), plan_(plan) {}
 
-StreamScenario::~StreamScenario() = default;
+  void run(Trigger& trigger) override;
+  Verdict judge() override;
+  std::uint64_t compared() const override { return bench_.compared(); }
+
+ private:
+  StreamBench bench_;
+  const Plan& plan_;
+};
 
 void StreamScenario::run(Trigger& trigger) {
-  bench_->reset();
+  bench_.reset();
   trigger.open();
-  bench_->pass(plan_.first);
+  bench_.pass(plan_.first);
   trigger.close();
-  bench_->pass(plan_.second);
+  bench_.pass(plan_.second);
 }
 
 Verdict StreamScenario::judge() {
   Verdict verdict;
-  if (bench_->right() && !bench_->broken()) return verdict;
-  const bool hung = bench_->hung(), flagged = bench_->flagged(), wrong = bench_->wrong();
-  bench_->reset();
-  bench_->pass(plan_.first);
-  verdict.recovered = verdict.restarted = bench_->right();
-  verdict.outcome = hung     ? verdict.recovered ? Outcome::kHangCleared : Outcome::kHangStuck
+  if (bench_.right() && !bench_.broken()) return verdict;
+  const bool hung = bench_.hung(), flagged = bench_.flagged(), wrong = bench_.wrong();
+  bench_.reset();
+  bench_.pass(plan_.first);
+  verdict.recovered = verdict.restarted = bench_.right();
+  verdict.outcome = hung      ? verdict.recovered ? Outcome::kHangCleared : Outcome::kHangStuck
                     : flagged ? Outcome::kFlagged
                     : wrong   ? Outcome::kSilent
-                                       : Outcome::kOther;
+                              : Outcome::kOther;
   return verdict;
 }
 
-std::uint64_t StreamScenario::compared() const { return bench_->compared(); }
+}  // namespace
+
+std::unique_ptr<Scenario> make_scenario(cores::StreamCore& core, const Plan& plan) {
+  return std::make_unique<StreamScenario>(core, plan);
+}
 
 }  // namespace hwffd::upsets

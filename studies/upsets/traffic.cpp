@@ -67,7 +67,8 @@ Traffic make_traffic(const Configuration& row, std::size_t count, std::uint64_t 
   model::StreamModel model(row, model::kAllFeatures, kAxis);
   traffic.results = model.run(traffic.beats);
   const model::StreamEvents& events = model.events();
-  if (traffic.results.empty() || std::any_of(events.begin(), events.end(), [](auto n) { return n; }))
+  if (traffic.results.empty() ||
+      std::any_of(events.begin(), events.end(), [](auto n) { return n; }))
     throw Error("the traffic has no results, or an event");
   return traffic;
 }
