@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -65,6 +65,7 @@ help:
 	@echo 'Trust it (docs/assurance.md)'
 	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
 	@echo '  make mutants        single changes of the RTL, and whether the tests see them'
+	@echo '  make upsets         bits that flip while the core works: what becomes of each'
 	@echo '  make engines        the same commands in four simulators, and where an X may be'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
@@ -221,6 +222,13 @@ mutants: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target dma_test axil_test number_test range_test powers_test sequencer_test float_test evaluator_test system_test
 	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS))
+
+# FLIPS= of each core in registers, and as many in memories.
+upsets: install
+	@scripts/python_env
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd_upsets_programs
+	@$(STUDY) upsets -- python3 -B studies/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
 
 # Programs of studies/soak/traffic.csv.
 SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test

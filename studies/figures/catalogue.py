@@ -70,6 +70,9 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+    "upsets": Report("make upsets", (
+        "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
+        "studies/upsets/*.py", "tb/**/axi_*.?pp", "driver/**/driver.?pp")),
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),

@@ -78,7 +78,7 @@ void AxiSystem::count() {
 template <class Responses>
 const AxiLiteResponse& AxiSystem::answer(const Responses& responses, std::size_t number) {
   for (std::uint64_t waited = 0; responses.size() <= number; ++waited) {
-    if (waited == kAccessLimit) throw std::runtime_error("watchdog: no response to a register");
+    if (waited == access_limit) throw std::runtime_error("watchdog: no response to a register");
     step();
   }
   return responses[number];

@@ -41,7 +41,7 @@ class AxiSystem final : public RegisterPort {
   static constexpr std::uint64_t kOutstanding = 8;
   static constexpr std::uint64_t kMaxBurst = 256;
   /// Clocks after which an access that has no response throws.
-  static constexpr std::uint64_t kAccessLimit = 100'000;
+  std::uint64_t access_limit = 100'000;
 
   /// Comes up out of reset. The core must outlive the system.
   AxiSystem(cores::AxiCore& core, std::uint64_t seed);

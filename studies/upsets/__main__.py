@@ -1,0 +1,88 @@
+"""make upsets: single bits of registers and memories flip while traffic runs, and what becomes of each.
+
+    python studies/upsets [--programs FOLDER] [--designs FOLDER] [--output FOLDER] [--core NAME ...]
+                          [--flips N] [--seed N] [-j JOBS]
+
+Each core of CORES runs N times with a flip in a register and N times with one in a memory, at a bit and
+a clock that are as likely as any other. Writes FOLDER/reports/upsets.json. The exit status is 1 where
+nothing was flipped, a run failed, or a hardened core hangs for good or writes where it may not.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "scripts"))
+
+import counted  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+
+ROW = "basic-fx18-overlapped"
+# The programs, the top of each and whether it is hardened.
+CORES = {"stream": ("hwffd_stream", False), "axi": ("hwffd_axi", False)}
+KINDS = ("registers", "memories")
+FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
+
+
+def measure(options):
+    """(rows, modules) of the report."""
+    rows, modules = [], []
+    for name in options.core:
+        top, hardened = CORES[name]
+        for kind in KINDS:
+            print(f"upsets: {name}: {options.flips} flips in {kind}", file=sys.stderr, flush=True)
+            run = counted.Run(options.programs / f"hwffd-upsets-{name}", ROW,
+                              options.designs / f"{name}.json", kind,
+                              options.output / "upsets" / f"{name}-{kind}.csv")
+            flips = counted.flips(run, options.flips, options.seed, options.jobs)
+            what = {"top": top, "hardened": hardened, "bits": kind}
+            rows.append({**what, "of": flips.bits(kind), "clocks": flips.clocks,
+                         **counted.row(flips.lines)})
+            modules += [{**what, "module": module, **counted.row(lines)}
+                        for module, lines in counted.by_module(flips.lines)]
+    return rows, modules
+
+
+def faults(rows):
+    """What does not hold, a line each."""
+    return [f"{row['top']}, hardened, {row['bits']}: {row[outcome]} flips end in {outcome}"
+            for row in rows if row["hardened"] for outcome in counted.FORBIDDEN if row[outcome]]
+
+
+def work_on(options):
+    rows, modules = measure(options)
+    path = options.output / "reports" / "upsets.json"
+    synthesis.write(path, json.dumps({"row": ROW, "seed": options.seed, "rows": rows, "modules": modules},
+                                     indent=2) + "\n")
+    print(f"wrote {path}")
+    return faults(rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="upsets", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "studies" / "upsets")
+    parser.add_argument("--designs", type=pathlib.Path, default=ROOT / "build" / "upsets")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--core", action="append", choices=CORES, help="one or several; all unless given")
+    parser.add_argument("--flips", type=int, default=FLIPS, help="of each core and kind of bits")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
+    options = parser.parse_args()
+    options.core = options.core or list(CORES)
+    for name in ("programs", "designs", "output"):
+        setattr(options, name, getattr(options, name).resolve())
+    try:
+        found = work_on(options)
+    except (counted.UpsetError, OSError) as error:
+        found = [error]
+    for fault in found:
+        print(f"upsets: {fault}", file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
