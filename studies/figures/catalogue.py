@@ -70,6 +70,8 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+    "theorems": Report("make theorems", ("rtl/number/**/*.v", "rtl/common/ffd_num_delay.v", "studies/theorems/*.py",
+                                         "scripts/requirements-theorems.txt"), volatile=("seconds", "counterexample")),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",

@@ -9,6 +9,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import time
 from importlib import metadata
 
 
@@ -42,7 +43,7 @@ def _z3(path):
 
 def main():
     found, words = {"bitwuzla": _bitwuzla, "z3": _z3}[sys.argv[1]](sys.argv[2])
-    print(json.dumps({"result": found, "words": words}))
+    print(json.dumps({"result": found, "words": words, "seconds": round(time.process_time(), 2)}))
 
 
 def versions():
@@ -50,16 +51,16 @@ def versions():
 
 
 def run(solver, path, limit):
-    """(unsat, sat, unknown or what went wrong, words of a counterexample)."""
+    """(unsat, sat, unknown or what went wrong, words of a counterexample, seconds of processor)."""
     try:
         done = subprocess.run([sys.executable, "-B", pathlib.Path(__file__), solver, path], check=False,
                               capture_output=True, text=True, timeout=limit)
     except subprocess.TimeoutExpired:
-        return "unknown", {}
+        return "unknown", {}, float(limit)
     if done.returncode:
-        return "error: " + (done.stderr.strip().splitlines() or ["nothing said"])[-1], {}
+        return "error: " + (done.stderr.strip().splitlines() or ["nothing said"])[-1], {}, 0.0
     said = json.loads(done.stdout)
-    return said["result"], said["words"]
+    return said["result"], said["words"], said["seconds"]
 
 
 if __name__ == "__main__":

@@ -163,9 +163,36 @@ def _in():
     return tuple(found)
 
 
-_OUT = tuple(Case("ffd_num_out", {"FORMAT": form, "POWER": power, "SHIFT": shift, "LATENCY": latency}, latency, left)
-             for form in (99, *range(72, 99)) for power, shift in ((1, 0), (3, 2), (3, 7), (1, 7))
-             for latency in ((0, 1, 4, 6) if form == 99 else (0,)) if form == 99 or (power, shift) == (1, 0))
+class Leading:
+    """`left` of the sums whose magnitude has its leading one at one place, or is zero (place -1)."""
+
+    def __init__(self, place):
+        self.place = place
+
+    def __call__(self, unit, p):
+        assumed, goal = left(unit, p)
+        value = total(unit.inputs["sum_i"], p["FORMAT"]).value
+        size = ite(value.bit(value.width - 1), -value, value)
+        if self.place < 0:
+            return [*assumed, size.eq(0)], goal
+        top = size.bits(size.width - 1, self.place)
+        return [*assumed, top.eq(1)], goal
+
+    def label(self):
+        return f"leading one at {self.place}"
+
+    __str__ = label
+
+
+def _out(width_of, claims, power=1, shift=0):
+    parameters = {"FORMAT": 64 + width_of, "POWER": power, "SHIFT": shift}
+    return tuple(Case("ffd_num_out", {**parameters, "LATENCY": 0}, 0, claim) for claim in claims)
+
+
+# Two words of other lengths whole; the one that rows have, with each of the 76 places of a leading one.
+_OUT35 = _out(35, map(Leading, range(-1, 2 * 35 + 6)))
+_OUT_LATER = tuple(Case("ffd_num_out", {"FORMAT": 99, "POWER": 1, "SHIFT": 0, "LATENCY": latency}, latency, left)
+                   for latency in range(1, 13))
 
 THEOREMS = (
     Theorem("num.range", "Whether a word is no number, below 0 or above 1, and the nearest word in [0, 1].",
@@ -174,9 +201,13 @@ THEOREMS = (
     Theorem("num.in", "A word of the stream as a coordinate, a coefficient or a point: rounded half up once, clamped "
             "or saturated, flagged; in blocks times 2^-exponent, infinities and NaN beside the number.", "all formats",
             Bug("ffd_bfp_align", "negate2 ? !(half && rest) : half", "negate2 ? !half : half"), _in(), control=-1),
-    Theorem("num.out.block", "sum x 2^(POWER exponent - SHIFT) rounded once to binary32, ties to even; infinities and "
-            "NaN are those beside the sum.", "W 8 to 35, every exponent, sum and shape that a row has at W 35",
-            Bug("ffd_bfp_normalise", "p4_significand[0] || p4_sticky", "p4_significand[0]"), _OUT),
+    Theorem("num.out.block", "sum x 2^exponent rounded once to binary32, ties to even; infinities and NaN are those "
+            "beside the sum.", "W 35, latencies 0 to 12",
+            Bug("ffd_bfp_normalise", "p4_significand[0] || p4_sticky", "p4_significand[0]"), _OUT35, also=_OUT_LATER,
+            control=40, note="by the place of the leading one"),
+    Theorem("num.out.block.narrow", "The same of narrow words at once, also times 2^(3 exponent - SHIFT), as of det J.",
+            "W 8, SHIFT 0, 2 and 7", Bug("ffd_num_out", "total[WIDE_W-2] != sign || ", ""),
+            (*_out(8, (left,), 3, 2), *_out(8, (left,)), *_out(8, (left,), 3, 7))),
     Theorem("num.out.fp32", "The sum is the word; a NaN is told.", "binary32",
             Bug("ffd_num_out", "&sum_i[30:23] & |sum_i[22:0]", "&sum_i[30:23]"),
             tuple(Case("ffd_num_out", {"FORMAT": FP32, "LATENCY": latency}, latency, left_fp32) for latency in (0, 1))),
