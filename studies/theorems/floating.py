@@ -131,6 +131,6 @@ THEOREMS = (
     Theorem("fp32.fma", "a b + c exactly, rounded once to nearest, ties to even, for all triples of words.",
             "binary32, latencies 1 to 12",
             Bug("ffd_fp_fma", "p5_bit | (p5_negative & ~p5_rest)", "p5_bit"),
-            **_cases("ffd_fp_fma", *map(Fused, _DISTANCES)), nightly=True,
+            **_cases("ffd_fp_fma", *map(Fused, _DISTANCES)), nightly=True, heavy=True,
             note="by the distance of product and c; the product shared; lemmas product.*"),
 )

@@ -10,7 +10,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import pathlib
 import subprocess
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import terms
 
@@ -30,7 +30,6 @@ class Unit:
     inputs: dict
     outputs: dict
     depths: dict                       # clocks from the inputs, by output
-    cells: dict = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -59,23 +58,27 @@ def _sources(bug, folder):
     return files
 
 
-def _elaborated(name, parameters, bug, folder):
-    """The flat netlist as yosys writes it."""
+def _elaborated(wanted, bug, folder):
+    """The flat netlists as yosys writes them, of (unit, parameters)."""
     folder.mkdir(parents=True, exist_ok=True)
-    out = folder / "netlist.json"
-    out.unlink(missing_ok=True)
-    values = "".join(f" -chparam {key} {number}" for key, number in parameters.items())
     includes = " ".join(f"-I {ROOT / part}" for part in FOLDERS)
     steps = [f"read_verilog -defer {includes} " + " ".join(map(str, _sources(bug, folder))),
-             f"hierarchy -check -top {name}{values}", "proc", "flatten", "check -assert", "opt_clean",
-             f"rename -top {name}", f"write_json {out}"]
+             "design -save sources"]
+    outs = [folder / f"netlist-{place}.json" for place in range(len(wanted))]
+    for (name, parameters), out in zip(wanted, outs):
+        out.unlink(missing_ok=True)
+        values = "".join(f" -chparam {key} {number}" for key, number in parameters.items())
+        steps += ["design -load sources", f"hierarchy -check -top {name}{values}", "proc", "flatten",
+                  "check -assert", "opt_clean", f"rename -top {name}", f"write_json {out}"]
     (folder / "script.ys").write_text("\n".join(steps) + "\n", encoding="utf-8")
     done = subprocess.run(["yosys", "-q", "-s", folder / "script.ys"], check=False,
                           capture_output=True, text=True)
-    if done.returncode or not out.exists():
-        said = (done.stderr or done.stdout or "nothing").strip().splitlines()[-1]
-        raise TheoremError(f"{name} {parameters}: yosys says: {said}")
-    return json.loads(out.read_text(encoding="utf-8"))["modules"][name]
+    for (name, parameters), out in zip(wanted, outs):
+        if not out.exists():
+            said = (done.stderr or done.stdout or "nothing").strip().splitlines()[-1]
+            raise TheoremError(f"{name} {parameters}: yosys says: {said}")
+        yield json.loads(out.read_text(encoding="utf-8"))["modules"][name]
+        out.unlink()
 
 
 class _Reader:
@@ -216,22 +219,22 @@ def _computed(cell, word, cut):
     return getattr(a, _ARITHMETIC[kind])(b)
 
 
-def read(name, parameters, folder, bug=None, late=None, cut=terms.Term.__mul__, inside=()):
-    """A unit as terms. `late` says how many clocks after the others an input comes, `cut` what a
-    product is, `inside` names wires that are wanted beside the outputs."""
-    module = _elaborated(name, parameters, bug, pathlib.Path(folder))
-    reader = _Reader(module, name, late or {}, cut)
-    wanted = {port: said["bits"] for port, said in module["ports"].items() if said["direction"] == "output"}
-    for wire in inside:
-        if wire not in module["netnames"]:
-            raise TheoremError(f"{name} has no wire {wire}")
-        wanted[wire] = module["netnames"][wire]["bits"]
+def read(wanted, folder, bug=None, cut=terms.Term.__mul__):
+    """Units as terms, of (unit, parameters, late): `late` says how many clocks after the others an
+    input comes, `cut` what a product is."""
+    netlists = _elaborated([(name, parameters) for name, parameters, _ in wanted], bug, pathlib.Path(folder))
+    return [_unit(name, module, late, cut) for (name, _, late), module in zip(wanted, netlists)]
+
+
+def _unit(name, module, late, cut):
+    reader = _Reader(module, name, late, cut)
     unit = Unit(name, reader.inputs, {}, {})
-    for port, found in wanted.items():
-        reader.resolve(found)
-        depths = reader.depths(found)
+    for port, said in module["ports"].items():
+        if said["direction"] != "output":
+            continue
+        reader.resolve(said["bits"])
+        depths = reader.depths(said["bits"])
         if len(depths) > 1:
             raise TheoremError(f"{name}: bits of {port} come {sorted(depths)} clocks after the inputs")
-        unit.outputs[port] = reader.word(found)
-        unit.depths[port] = next(iter(depths), None)
+        unit.outputs[port], unit.depths[port] = reader.word(said["bits"]), next(iter(depths), None)
     return unit

@@ -20,6 +20,7 @@ import terms
 from netlist import TheoremError
 
 PROVED, REFUTED, OPEN = "proved", "refuted", "open"
+SMALL = 16  # questions that a solver is given at once
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class Theorem:
     also: tuple = ()                  # cases that must be the first one's circuit but for registers
     control: int = 0                  # the case that the bug must break
     nightly: bool = False
+    heavy: bool = False               # each question takes seconds
     quick: bool = False               # one of those that `make test` proves
 
 
@@ -80,32 +82,48 @@ class Prover:
 
     def __init__(self, folder, jobs=1, say=lambda text: None):
         self.folder, self.jobs, self.say = folder, jobs, say
-        self.units = {}                   # the last one: its next case may differ in the claim alone
+        self.units = {}
         (folder / "questions").mkdir(parents=True, exist_ok=True)
 
-    def ask(self, script, solver, limit):
-        """unsat, sat or unknown, a counterexample, and seconds of processor; known answers are not asked again."""
+    def _path(self, script, solver):
         versions = json.dumps(solve.versions())
         digest = hashlib.sha256(f"{solver} {versions} {script}".encode()).hexdigest()[:24]
-        path = self.folder / "questions" / f"{digest}.smt2"
-        answer = path.with_suffix(".json")
-        if answer.exists():
-            known = json.loads(answer.read_text(encoding="utf-8"))
-            return known["result"], known["words"], known["seconds"]
-        path.write_text(script, encoding="utf-8")
-        result, words, seconds = solve.run(solver, path, limit)
-        if result not in ("sat", "unsat", "unknown"):
-            raise TheoremError(f"{solver} says of {path}: {result}")
-        if result != "unknown":
-            answer.write_text(json.dumps({"result": result, "words": words, "seconds": seconds}))
-        return result, words, seconds
+        return self.folder / "questions" / f"{digest}.smt2"
+
+    def ask(self, scripts, solver, limit):
+        """For each script unsat, sat or unknown, a counterexample, and seconds of processor; what is
+        answered already is not asked again."""
+        paths = [self._path(script, solver) for script in scripts]
+        left = [path for path in paths if not path.with_suffix(".json").exists()]
+        for path, script in zip(paths, scripts):
+            path.write_text(script, encoding="utf-8")
+        found = {}
+        for path, answer in zip(left, solve.run(solver, left, limit) if left else ()):
+            if answer[0] not in ("sat", "unsat", "unknown"):
+                raise TheoremError(f"{solver} says of {path}: {answer[0]}")
+            found[path] = answer
+            if answer[0] != "unknown":
+                path.with_suffix(".json").write_text(json.dumps(answer))
+        return [found.get(path) or json.loads(path.with_suffix(".json").read_text(encoding="utf-8"))
+                for path in paths]
+
+    def elaborate(self, cases):
+        """Reads the units of cases at once."""
+        keys = {self._key(case): case for case in cases}
+        found = netlist.read([(case.unit, case.parameters, case.late) for case in keys.values()],
+                             self.folder / "netlists", cut=shared)
+        self.units = dict(zip(keys, found))
+
+    @staticmethod
+    def _key(case, bug=None):
+        return (case.unit, *case.parameters.items(), *case.late.items(), bug)
 
     def unit(self, case, bug=None):
         """The terms of a case, its registers counted."""
-        key = (case.unit, *case.parameters.items(), *case.late.items(), bug)
+        key = self._key(case, bug)
         if key not in self.units:
-            self.units = {key: netlist.read(case.unit, case.parameters, self.folder / "netlists" / case.unit, bug,
-                                            case.late, shared)}
+            self.units[key], = netlist.read([(case.unit, case.parameters, case.late)],
+                                            self.folder / "netlists", bug, shared)
         unit = self.units[key]
         if bug is not None:
             return unit
@@ -131,29 +149,37 @@ class Prover:
 
     def _cases(self, theorem):
         """(seconds, questions, what is left open), each question counted once."""
+        self.elaborate((*theorem.cases, *theorem.also))
         questions, left = {}, list(self._same(theorem))
         for case in theorem.cases:
             questions.setdefault(self.question(case), case)
         if not questions:
             raise TheoremError(f"{theorem.name}: 0 cases")
 
-        def answer(item):
-            return self.ask(item[0], item[1].solver, item[1].limit)
+        # Small ones together, since a solver starts as long as it takes for one.
+        several = SMALL if len(questions) > SMALL and not theorem.heavy else 1
+        scripts = list(questions)
+        chunks = [scripts[place:place + several] for place in range(0, len(scripts), several)]
+
+        def answer(chunk):
+            case = questions[chunk[0]]
+            return self.ask(chunk, case.solver, case.limit)
 
         seconds = 0.0
         with futures.ThreadPoolExecutor(self.jobs) as pool:
-            for case, (result, words, took) in zip(questions.values(), pool.map(answer, questions.items())):
-                seconds += took
-                if result != "unsat":
-                    left.append(f"{case.label}: {result}" + (f" {words}" if words else ""))
-                    self.say(f"theorems: {theorem.name}: {left[-1]}")
+            for chunk, answers in zip(chunks, pool.map(answer, chunks)):
+                for script, (result, words, took) in zip(chunk, answers):
+                    seconds += took
+                    if result != "unsat":
+                        left.append(f"{questions[script].label}: {result}" + (f" {words}" if words else ""))
+                        self.say(f"theorems: {theorem.name}: {left[-1]}")
         return seconds, len(questions), left
 
     def prove(self, theorem):
         """The row of a theorem."""
         seconds, questions, left = self._cases(theorem)
         case = theorem.cases[theorem.control]
-        control, words, _ = self.ask(self.question(case, theorem.bug), case.solver, case.limit)
+        (control, words, _), = self.ask([self.question(case, theorem.bug)], case.solver, case.limit)
         return {"name": theorem.name, "unit": case.unit, "statement": theorem.statement,
                 "result": OPEN if left else PROVED,
                 "negative_control": {"sat": REFUTED, "unsat": "not refuted"}.get(control, OPEN),
@@ -165,8 +191,7 @@ class Prover:
 
     def lemma(self, lemma):
         """The row of a truth about whole numbers."""
-        result, _, seconds = self.ask(lemma.script, "z3", 120)
-        control, words, _ = self.ask(lemma.false, "z3", 120)
+        (result, _, seconds), (control, words, _) = self.ask([lemma.script, lemma.false], "z3", 600)
         return {"name": lemma.name, "unit": "whole numbers", "statement": lemma.statement,
                 "result": PROVED if result == "unsat" else OPEN,
                 "negative_control": {"sat": REFUTED, "unsat": "not refuted"}.get(control, OPEN),

@@ -1,6 +1,6 @@
-"""Runs a solver on a script, in a process of its own: `python solve.py SOLVER SCRIPT`.
+"""Runs a solver on scripts, in a process of its own: `python solve.py SOLVER SCRIPT...`.
 
-Prints unsat, sat with a word for each variable, or unknown.
+Prints a line for each: unsat, sat with a word for each variable, or unknown.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -42,25 +42,33 @@ def _z3(path):
 
 
 def main():
-    found, words = {"bitwuzla": _bitwuzla, "z3": _z3}[sys.argv[1]](sys.argv[2])
-    print(json.dumps({"result": found, "words": words, "seconds": round(time.process_time(), 2)}))
+    ask = {"bitwuzla": _bitwuzla, "z3": _z3}[sys.argv[1]]
+    for path in sys.argv[2:]:
+        start = time.process_time()
+        found, words = ask(path)
+        print(json.dumps({"result": found, "words": words,
+                          "seconds": round(time.process_time() - start, 2)}), flush=True)
 
 
 def versions():
     return {name: metadata.version(name) for name in ("bitwuzla", "z3-solver")}
 
 
-def run(solver, path, limit):
-    """(unsat, sat, unknown or what went wrong, words of a counterexample, seconds of processor)."""
-    try:
-        done = subprocess.run([sys.executable, "-B", pathlib.Path(__file__), solver, path], check=False,
-                              capture_output=True, text=True, timeout=limit)
-    except subprocess.TimeoutExpired:
-        return "unknown", {}, float(limit)
-    if done.returncode:
-        return "error: " + (done.stderr.strip().splitlines() or ["nothing said"])[-1], {}, 0.0
-    said = json.loads(done.stdout)
-    return said["result"], said["words"], said["seconds"]
+def run(solver, paths, limit):
+    """For each script (unsat, sat, unknown or what went wrong, words of a counterexample, seconds of
+    processor); the limit, in seconds of the clock, is of them together."""
+    command = [sys.executable, "-B", pathlib.Path(__file__), solver, *paths]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            out, said = process.communicate(timeout=limit)
+            fault = f"error: {(said.strip().splitlines() or ['nothing said'])[-1]}"
+        except subprocess.TimeoutExpired:
+            process.kill()
+            out, _ = process.communicate()
+            fault = "unknown"
+    found = [json.loads(line) for line in out.splitlines() if line.endswith("}")]
+    answers = [(one["result"], one["words"], one["seconds"]) for one in found]
+    return answers + [(fault, {}, float(limit))] * (len(paths) - len(answers))
 
 
 if __name__ == "__main__":

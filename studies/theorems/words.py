@@ -204,7 +204,7 @@ THEOREMS = (
     Theorem("num.out.block", "sum x 2^exponent rounded once to binary32, ties to even; infinities and NaN are those "
             "beside the sum.", "W 35, latencies 0 to 12",
             Bug("ffd_bfp_normalise", "p4_significand[0] || p4_sticky", "p4_significand[0]"), _OUT35, also=_OUT_LATER,
-            control=40, note="by the place of the leading one"),
+            control=40, heavy=True, note="by the place of the leading one"),
     Theorem("num.out.block.narrow", "The same of narrow words at once, also times 2^(3 exponent - SHIFT), as of det J.",
             "W 8, SHIFT 0, 2 and 7", Bug("ffd_num_out", "total[WIDE_W-2] != sign || ", ""),
             (*_out(8, (left,), 3, 2), *_out(8, (left,)), *_out(8, (left,), 3, 7))),

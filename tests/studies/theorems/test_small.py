@@ -65,7 +65,7 @@ def test_a_false_claim_is_open_and_says_where(tmp_path):
 
 def test_a_bug_whose_text_is_not_there_is_an_error(tmp_path):
     with pytest.raises(netlist.TheoremError, match="0 times"):
-        netlist.read("ffd_fx_round", {}, tmp_path, netlist.Bug("ffd_fx_round", "no such text", ""))
+        netlist.read([("ffd_fx_round", {}, {})], tmp_path, netlist.Bug("ffd_fx_round", "no such text", ""))
 
 
 def simulated(name, parameters, inputs, latency, folder):
@@ -103,7 +103,7 @@ OUTPUTS = {"ffd_fp_add": {"result_o": 32}, "ffd_fp_mul": {"result_o": 32}, "ffd_
 
 @pytest.mark.parametrize("name,parameters", UNITS, ids=lambda one: one if isinstance(one, str) else "")
 def test_terms_say_what_icarus_says(name, parameters, tmp_path):
-    unit = netlist.read(name, parameters, tmp_path)
+    unit, = netlist.read([(name, parameters, {})], tmp_path)
     out = next(iter(OUTPUTS[name]))
     chosen, inputs, place, numbers = random.Random(1), {}, 0, []
     for port, word in unit.inputs.items():
@@ -133,7 +133,7 @@ def test_what_is_no_pipeline_is_refused(text, complaint, tmp_path, monkeypatch):
     monkeypatch.setattr(netlist, "ROOT", tmp_path)
     monkeypatch.setattr(netlist, "FOLDERS", ("rtl",))
     with pytest.raises(netlist.TheoremError, match=complaint):
-        netlist.read("small", {}, tmp_path / "made")
+        netlist.read([("small", {}, {})], tmp_path / "made")
 
 
 def test_what_a_number_rounds_to_is_what_the_host_says():
