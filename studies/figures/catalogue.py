@@ -74,6 +74,8 @@ REPORTS = {
         "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
         "studies/upsets/*.py", "tb/**/axi_*.?pp", "driver/**/driver.?pp")),
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
+    "theorems": Report("make theorems", ("rtl/number/**/*.v", "rtl/common/ffd_num_delay.v", "studies/theorems/*.py",
+                                         "scripts/requirements-theorems.txt"), volatile=("seconds", "counterexample")),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",

@@ -1,0 +1,51 @@
+"""What products of whole numbers have that the units rely on. The solvers of words take a product for
+any word that has this; here it is proved of the products themselves.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import terms
+from prove import Lemma
+
+
+def _script(names, assumed, claimed):
+    lines = ["(set-logic ALL)", *(f"(declare-const {name} Int)" for name in names),
+             *(f"(assert {one})" for one in assumed), f"(assert (not {claimed}))", "(check-sat)", ""]
+    return "\n".join(lines)
+
+
+_HALVES = ("ah", "al", "bh", "bl", "n")
+_PARTS = "(= (* (+ (* ah n) al) (+ (* bh n) bl)) (+ (* ah bh n n) (* (+ (* ah bl) {0}) n) (* al bl)))"
+_LOW = ("(>= n 1)", "(>= al 0)", "(< al n)", "(>= bl 0)", "(< bl n)")
+
+# For significands a and b below 2^p that are whole numbers, with 2^(p-1) called h.
+_BOUND = ("(>= h 1)", "(>= a 0)", "(>= b 0)", "(< a (* 2 h))", "(< b (* 2 h))")
+
+LEMMAS = (
+    Lemma("product.parts", "A product is the sum of the four products of its factors' halves.",
+          _script(_HALVES, (), _PARTS.format("(* al bh)")),
+          _script(_HALVES, (), _PARTS.format("(* ah bh)"))),
+    Lemma("product.low", "The product of two lower halves, each below n, is below n^2 and not negative.",
+          _script(_HALVES, _LOW, "(and (>= (* al bl) 0) (< (* al bl) (* n n)))"),
+          _script(_HALVES, _LOW, "(and (>= (* al bl) 0) (< (* al bl) (- (* n n) (* 2 n))))")),
+    Lemma("product.normal", "A significand with its hidden bit times one that is not zero has its leading one "
+          "at the hidden bit or above.",
+          _script("abh", (*_BOUND, "(>= a h)", "(>= b 1)"), "(>= (* a b) h)"),
+          _script("abh", (*_BOUND, "(>= b 1)"), "(>= (* a b) h)")),
+    Lemma("product.zero", "A product is zero exactly where a factor is.",
+          _script("ab", (), "(= (= (* a b) 0) (or (= a 0) (= b 0)))"),
+          _script("ab", (), "(= (= (* a b) 0) (and (= a 0) (= b 0)))")),
+    Lemma("product.largest", "The product of two significands is at most that of the two largest.",
+          _script("abh", _BOUND, "(<= (* a b) (* (- (* 2 h) 1) (- (* 2 h) 1)))"),
+          _script("abh", _BOUND, "(< (* a b) (* (- (* 2 h) 1) (- (* 2 h) 1)))")),
+)
+
+
+def truths_of(product, one, other, width):
+    """`product.normal`, `product.zero` and `product.largest` of the product of two significands."""
+    zeros = one.significand.eq(0), other.significand.eq(0)
+    hidden = [number.significand.bit(width - 1) for number in (one, other)]
+    least = 1 << (width - 1)
+    return [terms.implies(hidden[0] & ~zeros[1], product >= least),
+            terms.implies(hidden[1] & ~zeros[0], product >= least),
+            product.eq(0).eq(zeros[0] | zeros[1]), product <= ((1 << width) - 1) ** 2]
