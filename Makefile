@@ -233,13 +233,14 @@ upsets: install
 	@$(CMAKE_BUILD) --target hwffd_upsets_programs
 	@$(STUDY) upsets -- python3 -B studies/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
 
-# Programs of studies/soak/traffic.csv.
-SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test
 # NIGHTLY=1 proves the fused unit too, an hour. Answers are kept by the digest of the question.
 theorems: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
 	@$(STUDY) theorems -- $(BUILD)/venv/bin/python -B studies/theorems -j $(JOBS) $(if $(filter-out 0,$(call given,NIGHTLY)),--nightly)
+
+# Programs of studies/soak/traffic.csv.
+SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test
 soak: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target $(SOAK_PROGRAMS)
