@@ -134,24 +134,12 @@ struct Powers {
   static Four exact(double x) { return bounds::bspline(x); }
 };
 
-/// The weights of `affine`: one function gets what the others leave of one, which one depends on
-/// the cell.
-template <class F>
-class Affine {
- public:
-  Affine(Horner<F> horner, int left) : horner_(std::move(horner)), left_(left) {}
-  Four operator()(typename F::Weight x) const {
-    Four weights = horner_(x);
-    weights[left_] = 0;
-    weights[left_] = 1 - (weights[0] + weights[1] + weights[2] + weights[3]);
-    return weights;
-  }
-  Four exact(double x) const { return horner_.exact(x); }
-
- private:
-  Horner<F> horner_;
-  int left_;
-};
+/// `affine` gives one function what the others leave of one; which, depends on the cell.
+inline Four completed(Four weights, int left) {
+  weights[left] = 0;
+  weights[left] = 1 - (weights[0] + weights[1] + weights[2] + weights[3]);
+  return weights;
+}
 
 /// The weights that `nested` would have if it rounded nothing but the matrix of each axis.
 template <class F>

@@ -2,9 +2,10 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
-#include "enumeration.hpp"
+#include "axis.hpp"
 #include "triples.hpp"
 
 namespace hwffd::certified {
@@ -57,20 +58,30 @@ class Grid {
 };
 
 /// All coordinates of a format, as boxes: one each where they are few.
-template <class F, class Weights>
-std::vector<ErrorBox> error_boxes(const Weights& weights) {
-  constexpr std::int64_t kFew = 1 << 18;
-  using C = Coordinates<F>;
-  if (C::kLast - C::kFirst < kFew) {
-    std::vector<ErrorBox> boxes;
-    visit_all<F>(weights, 1, 1, [&](std::size_t, const AxisPoint& point) {
-      boxes.emplace_back().add(point.x, point.error());
-    });
-    return boxes;
+template <class F>
+class Boxes {
+ public:
+  static constexpr bool kFew = Coordinates<F>::kLast - Coordinates<F>::kFirst < 1 << 17;
+
+  explicit Boxes(bool wanted) : wanted_(wanted) {
+    if (wanted && !kFew) grid_ = std::make_unique<Grid>(Coordinates<F>::kUnit);
   }
-  Grid grid(C::kUnit);
-  visit_all<F>(weights, 1, 16, [&](std::size_t, const AxisPoint& point) { grid.visit(point); });
-  return grid.boxes();
-}
+  void visit(const AxisPoint& point) {
+    if (!wanted_) return;
+    if (grid_) {
+      grid_->visit(point);
+      return;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    few_.emplace_back().add(point.x, point.error());
+  }
+  std::vector<ErrorBox> take() { return grid_ ? grid_->boxes() : std::move(few_); }
+
+ private:
+  bool wanted_;
+  std::unique_ptr<Grid> grid_;
+  std::mutex mutex_;
+  std::vector<ErrorBox> few_;
+};
 
 }  // namespace hwffd::certified

@@ -72,26 +72,41 @@ class Extremes {
   std::vector<Best> best_ = std::vector<Best>(kPieces * kKinds);
 };
 
-template <class F, class Weights>
-AxisFacts axis_facts(const Weights& weights, std::int64_t stride) {
+/// Which function's weight is what the others leave of one; kNone: it is computed as theirs are.
+constexpr int kNone = -1;
+
+inline AxisPoint variant(AxisPoint point, int left) {
+  if (left != kNone) point.weight = completed(point.weight, left);
+  return point;
+}
+
+/// @param lefts  what is looked at of each coordinate, one after the other
+/// @param also   gets every point as well, on several threads: also(AxisPoint)
+template <class F, class Weights, class Also>
+AxisFacts axis_facts(const Weights& weights, std::int64_t stride, const std::vector<int>& lefts,
+                     const Also& also) {
   constexpr std::size_t kParts = 16;
   struct Part {
     AxisFacts facts;
     Extremes extremes;
   };
   std::vector<Part> parts(kParts);
-  visit_all<F>(weights, stride, kParts, [&](std::size_t number, const AxisPoint& point) {
+  visit_all<F>(weights, stride, kParts, [&](std::size_t number, const AxisPoint& plain) {
     Part& part = parts[number];
-    const Four e = point.error();
-    part.facts.error = std::max(part.facts.error, norm(e));
-    for (const double of_one : e) {
-      if (std::abs(of_one) > part.facts.weight) {
-        part.facts.weight = std::abs(of_one);
-        part.facts.word = point.word;
+    for (const int left : lefts) {
+      const AxisPoint point = variant(plain, left);
+      const Four e = point.error();
+      part.facts.error = std::max(part.facts.error, norm(e));
+      for (const double of_one : e) {
+        if (std::abs(of_one) > part.facts.weight) {
+          part.facts.weight = std::abs(of_one);
+          part.facts.word = point.word;
+        }
       }
+      ++part.facts.coordinates;
+      part.extremes.visit(point);
+      also(point);
     }
-    ++part.facts.coordinates;
-    part.extremes.visit(point);
   });
   AxisFacts all;
   for (const Part& part : parts) {

@@ -2,6 +2,7 @@
 
 #include "boxes.hpp"
 #include "coordinates.hpp"
+#include "enumeration.hpp"
 #include "hwffd/model/org_affine.hpp"
 #include "hwffd/model/org_cg.hpp"
 #include "pairs.hpp"
@@ -29,11 +30,13 @@ int width_of() {
 /// whose weights have many zeros, and random ones.
 template <class F, class Weights>
 std::vector<Candidate> candidates(const Weights& weights, const std::vector<AxisPoint>& extreme,
-                                  int cell, std::mt19937_64& engine) {
+                                  int left, std::mt19937_64& engine) {
   using C = Coordinates<F>;
   std::vector<Candidate> result;
   const auto add = [&](std::uint32_t word) {
-    Candidate candidate{axis_point<F>(weights, word), cell, {}};
+    // Bank 3, which is left over, has function `left` in this cell.
+    const int cell = left == kNone ? 0 : 3 - left;
+    Candidate candidate{variant(axis_point<F>(weights, word), left), cell, {}};
     for (int l = 0; l < 4; ++l) {
       candidate.units[l] = std::llround(candidate.point.weight[l] / C::kUnit);
     }
@@ -141,7 +144,7 @@ class FixedFacts {
     if (!wanted("format", name_)) return;
     const bool contracts = wanted("form", "factored");
     if (contracts || wanted("form", "product")) {
-      axis("bspline", std::vector<Horner<F>>{horner_}, {0}, true);
+      axis("bspline", horner_, {kNone}, true);
       if (contracts) add<model::OrgFactored>("factored");
       if (wanted("form", "product")) {
         if (kFew) facts_.weights.back().pair = largest_pair(candidates_, F::kWeightFraction);
@@ -150,14 +153,11 @@ class FixedFacts {
     }
     if constexpr (!std::is_same_v<F, Block32>) {
       if (wanted("form", "affine")) {
-        std::vector<Affine<F>> four;
-        for (int left = 0; left < 4; ++left) four.emplace_back(horner_, left);
-        // Bank 3, which is left over, has function `left` in this cell.
-        axis("affine", four, {3, 2, 1, 0}, true);
+        axis("affine", horner_, {0, 1, 2, 3}, true);
         add<model::OrgAffine>("affine");
       }
       if (wanted("form", "powers") && name_ != "fx16") {
-        axis("powers", std::vector<Powers<F>>(1), {0}, true);
+        axis("powers", Powers<F>(), {kNone}, true);
         add<model::OrgPowers>("powers");
       }
       if (wanted("form", "nested")) nested();
@@ -175,37 +175,39 @@ class FixedFacts {
 
   /// Every coordinate, all triples of them, and which of them to try.
   template <class Weights>
-  void axis(const std::string& what, const std::vector<Weights>& variants,
-            const std::vector<int>& cells, bool triples) {
-    WeightsFact fact;
-    fact.weights = what;
-    fact.format = name_;
-    fact.bend = C::kBend;
+  void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
+            bool triples) {
+    Boxes<F> boxes(triples && stride() == 1 && !std::is_same_v<F, Block32>);
+    const AxisFacts found = axis_facts<F>(weights, stride(), lefts,
+                                          [&](const AxisPoint& point) { boxes.visit(point); });
+    WeightsFact fact = fact_of(what, found);
     fact.all = stride() == 1;
-    candidates_.clear();
-    std::vector<ErrorBox> boxes;
     auto engine = seeded(name_ + what);
-    for (std::size_t v = 0; v < variants.size(); ++v) {
-      const AxisFacts found = axis_facts<F>(variants[v], stride());
-      fact.error = std::max(fact.error, found.error);
-      if (found.weight > fact.weight) {
-        fact.weight = found.weight;
-        fact.word = found.word;
-      }
-      fact.coordinates += found.coordinates;
-      for (const Candidate& one : candidates<F>(variants[v], found.extreme, cells[v], engine)) {
+    candidates_.clear();
+    for (const int left : lefts) {
+      for (const Candidate& one : candidates<F>(weights, found.extreme, left, engine)) {
         candidates_.push_back(one);
       }
-      if (triples && fact.all && !std::is_same_v<F, Block32>) {
-        for (const ErrorBox& box : error_boxes<F>(variants[v])) boxes.push_back(box);
-      }
     }
-    if (!boxes.empty()) {
-      const TripleBound bound = bound_triples(std::move(boxes), kTolerance);
+    std::vector<ErrorBox> all = boxes.take();
+    if (!all.empty()) {
+      const TripleBound bound = bound_triples(std::move(all), kTolerance);
       fact.distance = bound.bound;
       fact.reached = bound.reached;
     }
     facts_.weights.push_back(fact);
+  }
+
+  WeightsFact fact_of(const std::string& what, const AxisFacts& found) const {
+    WeightsFact fact;
+    fact.weights = what;
+    fact.format = name_;
+    fact.weight = found.weight;
+    fact.word = found.word;
+    fact.error = found.error;
+    fact.bend = C::kBend;
+    fact.coordinates = found.coordinates;
+    return fact;
   }
 
   template <template <class> class Organization>
@@ -236,7 +238,7 @@ class FixedFacts {
 
   /// Its roundings count most where powers of the centred coordinates are near 1.
   void nested() {
-    axis("centred", std::vector<Centred<F>>{Centred<F>(horner_)}, {0}, false);
+    axis("centred", Centred<F>(horner_), {kNone}, false);
     auto engine = seeded(name_ + "nested");
     const WordCodec codec(name_);
     const Centred<F> centred(horner_);
@@ -268,15 +270,11 @@ class FixedFacts {
     if (!wanted("form", "weights")) return;
     for (const std::string& family : family_names()) {
       if (family == "bspline" && effort_.form.empty()) continue;  // has been looked at
-      const AxisFacts found = axis_facts<F>(Horner<F>(family, name_), kFew ? 1 : 1021);
-      WeightsFact fact{family, name_};
-      fact.weight = found.weight;
-      fact.word = found.word;
-      fact.error = found.error;
-      fact.bend = C::kBend;
-      fact.coordinates = found.coordinates;
-      fact.all = kFew;
-      facts_.weights.push_back(fact);
+      const std::int64_t step = kFew ? 1 : 1021;
+      const AxisFacts found =
+          axis_facts<F>(Horner<F>(family, name_), step, {kNone}, [](const AxisPoint& /*point*/) {});
+      facts_.weights.push_back(fact_of(family, found));
+      facts_.weights.back().all = kFew;
     }
   }
 

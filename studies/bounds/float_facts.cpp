@@ -26,7 +26,8 @@ class FloatFacts {
 
  private:
   void weights(const std::string& family, std::int64_t stride) {
-    const AxisFacts found = axis_facts<F>(Horner<F>(family, "fp32"), stride);
+    const AxisFacts found = axis_facts<F>(Horner<F>(family, "fp32"), stride, {kNone},
+                                          [](const AxisPoint& /*point*/) {});
     WeightsFact fact{family, name_};
     fact.weight = found.weight;
     fact.word = found.word;

@@ -70,6 +70,8 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+    "bounds": Report("make bounds", (*_MODEL, "golden/**/stream/blending.?pp", "studies/bounds/*.?pp",
+                                     "studies/bounds/*.py", "studies/bounds/coq/*.v")),
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),
