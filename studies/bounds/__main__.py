@@ -5,8 +5,8 @@
 Gappa proves each bound from the operations of the core, Coq checks its proof and ties it to the
 program of the form. What the proofs take of the weights (their largest errors over every coordinate)
 and vertices that come near the bounds are those of hwffd-bounds, which searches the bit-true model.
-Writes FOLDER/reports/bounds.json. The exit status is 1 where a bound is not proved, is exceeded, or
-would have been accepted 2 % smaller.
+Writes FOLDER/reports/bounds.json. The exit status is 1 where a bound is not proved or is exceeded, or
+where one 2 % below what is reached is accepted too.
 
 SPDX-License-Identifier: Apache-2.0
 """
