@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -67,6 +67,7 @@ help:
 	@echo '  make mutants        single changes of the RTL, and whether the tests see them'
 	@echo '  make upsets         bits that flip while the core works: what becomes of each'
 	@echo '  make theorems       the arithmetic proved for all operands, each with a planted bug'
+	@echo '  make bounds         bounds of every error by Gappa, accepted by Coq, beside errors reached'
 	@echo '  make engines        the same commands in four simulators, and where an X may be'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
@@ -138,6 +139,14 @@ engines: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target hwffd_engines
 	@$(STUDY) engines,unknowns -- $(BUILD)/venv/bin/python -B studies/engines
+
+# What Coq has accepted is kept in build/bounds/.
+bounds: install
+	@scripts/install bounds
+	@scripts/python_env figures
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-bounds
+	@$(STUDY) bounds -- python3 -B studies/bounds
 
 hwffd: install
 	@scripts/python_env

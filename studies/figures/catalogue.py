@@ -73,6 +73,8 @@ REPORTS = {
     "upsets": Report("make upsets", (
         "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
         "studies/upsets/*.py", "tb/**/axi_*.?pp", "driver/**/driver.?pp")),
+    "bounds": Report("make bounds", (*_MODEL, "golden/**/stream/blending.?pp", "studies/bounds/*.?pp",
+                                     "studies/bounds/*.py", "studies/bounds/coq/*.v")),
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
     "theorems": Report("make theorems", ("rtl/number/**/*.v", "rtl/common/ffd_num_delay.v", "studies/theorems/*.py",
                                          "scripts/requirements-theorems.txt"), volatile=("seconds", "counterexample")),

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "hwffd/bounds/axis_error.hpp"
+#include "hwffd/model/org_nested.hpp"
+#include "hwffd/model/org_powers.hpp"
+#include "hwffd/numerics/binary32.hpp"
+#include "hwffd/numerics/block.hpp"
+#include "hwffd/numerics/fixed.hpp"
+
+namespace hwffd::certified {
+
+using Four = std::array<double, 4>;
+
+/// An axis at one coordinate: what is computed there and what eq. (1) has.
+struct AxisPoint {
+  std::uint32_t word = 0;  ///< the coordinate as given
+  double x = 0;
+  Four weight{};
+  Four exact{};
+
+  Four error() const {
+    Four e{};
+    for (int l = 0; l < 4; ++l) e[l] = weight[l] - exact[l];
+    return e;
+  }
+};
+
+inline double norm(const Four& values) {
+  return std::abs(values[0]) + std::abs(values[1]) + std::abs(values[2]) + std::abs(values[3]);
+}
+
+/// What a format's coordinates are, and numbers of weights as doubles: exact for all of them.
+template <class F>
+struct Coordinates;
+
+/// Fixed point: a word of 31 bits behind the point is rounded half up, so that two words, half a
+/// unit below the number and just not half a unit above it, are the ends of those that it stands
+/// for.
+template <int W>
+struct Coordinates<Fixed<W>> {
+  static constexpr double kUnit = 1.0 / static_cast<double>(std::int64_t{1} << (W - 2));
+  static constexpr int kEnds = 2;
+  /// Between the ends functions are lines but for this much of their sum.
+  static constexpr double kBend = 3 * (kUnit / 2) * (kUnit / 2);
+  static constexpr std::int64_t kFirst = 0;
+  static constexpr std::int64_t kLast = std::int64_t{1} << (W - 2);
+
+  static std::uint32_t word(std::int64_t k, int end) {
+    constexpr int kPad = 33 - W;
+    const std::int64_t half = std::int64_t{1} << (kPad - 1);
+    const std::int64_t at = (k << kPad) + (end == 0 ? -half : half - 1);
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(at, 0, 0x80000000));
+  }
+  static double value(std::uint32_t word) { return std::ldexp(word, -31); }
+  static double number(const typename Fixed<W>::Weight& w) {
+    return static_cast<double>(w.value) * kUnit;
+  }
+};
+
+/// Words of binary32 in [0, 1], from 2^-40 on: below, what is computed is the same as at 0 but for
+/// 2^-39 at most.
+struct FloatCoordinates {
+  static constexpr int kEnds = 1;
+  static constexpr double kBend = 0x1p-39;
+  static constexpr std::int64_t kFirst = 0x2B800000;
+  static constexpr std::int64_t kLast = 0x3F800000;
+
+  static std::uint32_t word(std::int64_t k, int /*end*/) { return static_cast<std::uint32_t>(k); }
+  static double value(std::uint32_t word) { return float_of_bits(word); }
+};
+
+template <>
+struct Coordinates<Block32> : FloatCoordinates {
+  static constexpr double kUnit = 0x1p-33;
+  static double number(const Block32::Weight& w) { return static_cast<double>(w.value) * kUnit; }
+};
+template <>
+struct Coordinates<Binary32> : FloatCoordinates {
+  static constexpr double kUnit = 0x1p-24;
+  static double number(float w) { return w; }
+};
+template <>
+struct Coordinates<Binary32Fused> : Coordinates<Binary32> {};
+
+/// Where weights come from: Horner's rule over coefficients that are loaded.
+template <class F>
+class Horner {
+ public:
+  Horner(const std::string& name, const std::string& format) : is_bspline_(name == "bspline") {
+    const Blending blending = family(name, WordCodec(format));
+    coefficient_ = blending.coefficient;
+    const AxisWords axis = encode(blending, WordCodec(format));
+    for (int l = 0; l < 4; ++l) bank_.load(0, l, axis.degree, axis.shift, axis.word[l]);
+  }
+  Four operator()(typename F::Weight x) const {
+    Four weights{};
+    for (int l = 0; l < 4; ++l) {
+      weights[l] = Coordinates<F>::number(model::polynomial<F>(bank_, 0, l, x));
+    }
+    return weights;
+  }
+  /// Of the family, whose one sixth is not rounded.
+  Four exact(double x) const {
+    if (is_bspline_) return bounds::bspline(x);
+    Four values{};
+    for (int l = 0; l < 4; ++l) {
+      const auto& c = coefficient_[l];
+      values[l] = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+    }
+    return values;
+  }
+  const model::CoefficientBank<F>& bank() const { return bank_; }
+
+ private:
+  bool is_bspline_;
+  Blending::Matrix coefficient_{};
+  model::CoefficientBank<F> bank_;
+};
+
+template <class F>
+struct Powers {
+  Four operator()(typename F::Weight x) const {
+    const auto computed = model::PowersBspline<F>::weights(x);
+    Four weights{};
+    for (int l = 0; l < 4; ++l) weights[l] = Coordinates<F>::number(computed[l]);
+    return weights;
+  }
+  static Four exact(double x) { return bounds::bspline(x); }
+};
+
+/// `affine` gives one function what the others leave of one; which, depends on the cell.
+inline Four completed(Four weights, int left) {
+  weights[left] = 0;
+  weights[left] = 1 - (weights[0] + weights[1] + weights[2] + weights[3]);
+  return weights;
+}
+
+/// The weights that `nested` would have if it rounded nothing but the matrix of each axis.
+template <class F>
+class Centred {
+ public:
+  explicit Centred(const Horner<F>& horner) : horner_(horner) {
+    // One control point at a time through one axis: the other two are constant.
+    const AxisWords one = encode(family("constant", WordCodec("fx18")), WordCodec("fx18"));
+    model::CoefficientBank<F> bank;
+    for (int l = 0; l < 4; ++l) {
+      bank.entry[0][l] = horner.bank().entry[0][l];
+      for (int axis = 1; axis < 3; ++axis) {
+        bank.load(axis, l, one.degree, one.shift, one.word[l]);
+      }
+    }
+    for (int l = 0; l < 4; ++l) {
+      model::Support<F> support{};
+      support[16 * l][0].value = std::int64_t{1} << (F::kPointFraction - 1);  // 1/2
+      const auto cell = model::OrgNested<F>::form({0, 0, 0}, support, bank);
+      for (int k = 0; k < 4; ++k) {
+        matrix_[k][l] =
+            2 * std::ldexp(static_cast<double>(cell.vector[16 * k][0].value), -F::kPointFraction);
+      }
+    }
+  }
+  Four operator()(typename F::Weight x) const {
+    const double c = 2 * Coordinates<F>::number(x) - 1;
+    Four weights{};
+    for (int l = 0; l < 4; ++l) {
+      weights[l] = matrix_[0][l] + c * (matrix_[1][l] + c * (matrix_[2][l] + c * matrix_[3][l]));
+    }
+    return weights;
+  }
+  Four exact(double x) const { return horner_.exact(x); }
+
+ private:
+  Horner<F> horner_;
+  std::array<Four, 4> matrix_{};
+};
+
+template <class F, class Weights>
+AxisPoint axis_point(const Weights& weights, std::uint32_t word) {
+  const double x = Coordinates<F>::value(word);
+  return {word, x, weights(F::coordinate(word)), weights.exact(x)};
+}
+
+}  // namespace hwffd::certified

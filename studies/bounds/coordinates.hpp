@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <random>
+
+#include "axis.hpp"
+
+namespace hwffd::certified {
+
+/// An axis at one coordinate with its weights in units.
+struct Candidate {
+  AxisPoint point;
+  int cell = 0;  ///< where these weights depend on it
+  std::array<std::int64_t, 4> units{};
+};
+
+using Triple = std::array<Candidate, 3>;
+
+/// The sum of 64 errors of products of weights, none of which is rounded: what `factored` has.
+inline double exact_distance(const Candidate& s, const Candidate& t, const Candidate& u) {
+  double sum = 0;
+  for (int l = 0; l < 4; ++l) {
+    for (int m = 0; m < 4; ++m) {
+      const double computed = s.point.weight[l] * t.point.weight[m];
+      const double exact = s.point.exact[l] * t.point.exact[m];
+      for (int n = 0; n < 4; ++n) {
+        sum += std::abs(computed * u.point.weight[n] - exact * u.point.exact[n]);
+      }
+    }
+  }
+  return sum;
+}
+
+/// The product of two weights of `fraction` digits, rounded half up.
+template <class Wide>
+std::int64_t rounded_product(std::int64_t a, std::int64_t b, int fraction) {
+  return static_cast<std::int64_t>((static_cast<Wide>(a) * b + (Wide{1} << (fraction - 1))) >>
+                                   fraction);
+}
+
+/// The same of products that are rounded twice: the product form.
+template <class Wide>
+double rounded_distance(const Candidate& s, const Candidate& t, const Candidate& u, int fraction) {
+  const double unit = std::ldexp(1, -fraction);
+  double sum = 0;
+  for (int l = 0; l < 4; ++l) {
+    for (int m = 0; m < 4; ++m) {
+      const std::int64_t pair = rounded_product<Wide>(s.units[l], t.units[m], fraction);
+      const double exact = s.point.exact[l] * t.point.exact[m];
+      for (int n = 0; n < 4; ++n) {
+        const std::int64_t all = rounded_product<Wide>(pair, u.units[n], fraction);
+        sum += std::abs(static_cast<double>(all) * unit - exact * u.point.exact[n]);
+      }
+    }
+  }
+  return sum;
+}
+
+/// One axis after the other takes its best candidate, until none improves; from so many random
+/// starts.
+template <class Objective>
+Triple best_triple(const std::vector<Candidate>& candidates, int starts, std::mt19937_64& engine,
+                   const Objective& objective) {
+  Triple best;
+  double most = -1;
+  for (int start = 0; start < starts; ++start) {
+    Triple triple;
+    for (Candidate& axis : triple) axis = candidates[engine() % candidates.size()];
+    double here = -1;
+    for (int axis = 0, idle = 0; idle < 3; axis = (axis + 1) % 3) {
+      const double before = here;
+      Triple probe = triple;
+      for (const Candidate& candidate : candidates) {
+        probe[axis] = candidate;
+        const double reached = objective(probe);
+        if (reached > here) {
+          here = reached;
+          triple[axis] = candidate;
+        }
+      }
+      idle = here > before * (1 + 1e-12) ? 0 : idle + 1;
+    }
+    if (here > most) {
+      most = here;
+      best = triple;
+    }
+  }
+  return best;
+}
+
+}  // namespace hwffd::certified

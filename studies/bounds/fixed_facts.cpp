@@ -1,0 +1,298 @@
+#include "fixed_facts.hpp"
+
+#include "boxes.hpp"
+#include "coordinates.hpp"
+#include "enumeration.hpp"
+#include "hwffd/model/org_affine.hpp"
+#include "hwffd/model/org_cg.hpp"
+#include "pairs.hpp"
+
+namespace hwffd::certified {
+namespace {
+
+constexpr double kTolerance = 0.02;  // of branch and bound
+
+std::mt19937_64 seeded(const std::string& text) {
+  std::seed_seq seed(text.begin(), text.end());
+  return std::mt19937_64(seed);
+}
+
+template <class F>
+int width_of() {
+  if constexpr (std::is_same_v<F, Block32>) {
+    return Block32::kWidth;
+  } else {
+    return F::kWeightFraction + 2;
+  }
+}
+
+/// Coordinates to try: all where they are few; else those of large errors, some around fractions
+/// whose weights have many zeros, and random ones.
+template <class F, class Weights>
+std::vector<Candidate> candidates(const Weights& weights, const std::vector<AxisPoint>& extreme,
+                                  int left, std::mt19937_64& engine) {
+  using C = Coordinates<F>;
+  std::vector<Candidate> result;
+  const auto add = [&](std::uint32_t word) {
+    // Bank 3, which is left over, has function `left` in this cell.
+    const int cell = left == kNone ? 0 : 3 - left;
+    Candidate candidate{variant(axis_point<F>(weights, word), left), cell, {}};
+    for (int l = 0; l < 4; ++l) {
+      candidate.units[l] = std::llround(candidate.point.weight[l] / C::kUnit);
+    }
+    result.push_back(candidate);
+  };
+  const auto both_ends = [&](std::int64_t k) {
+    for (int end = 0; end < C::kEnds; ++end) add(C::word(k, end));
+  };
+  if (C::kLast - C::kFirst < 1 << 17) {
+    for (std::int64_t k = C::kFirst; k <= C::kLast; ++k) both_ends(k);
+    return result;
+  }
+  for (const AxisPoint& point : extreme) add(point.word);
+  const WordCodec codec(C::kEnds == 2 ? "fx32" : "fp32");
+  for (int part = 1; part < 64; ++part) {
+    for (int off = -64; off <= 64; ++off) {
+      add(codec.coordinate(part / 64.0 + std::ldexp(off, C::kEnds == 2 ? -30 : -24)));
+    }
+  }
+  for (int i = 0; i < 20000; ++i) {
+    const double x = static_cast<double>(engine() >> 11) * 0x1p-53;
+    add(codec.coordinate(x));
+  }
+  return result;
+}
+
+/// A family's functions in the bank of a core, on all axes.
+void load(model::EvaluatorModel& core, const std::string& format) {
+  const WordCodec codec(format);
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < 4; ++l) core.load(0, a, l, axis.degree, axis.shift, axis.word[l]);
+  }
+}
+
+/// Turns points until the result is above 1/2, where its own rounding is largest: first those that
+/// cost the least of the weights' error, which are those of large weights.
+void keep_large(const Four (&exact)[3], model::VertexWords& vertex) {
+  std::array<std::pair<double, int>, 64> order;
+  for (int p = 0; p < 64; ++p) {
+    order[p] = {exact[0][p >> 4] * exact[1][p >> 2 & 3] * exact[2][p & 3], p};
+  }
+  std::sort(order.rbegin(), order.rend());
+  for (int c = 0; c < 3; ++c) {
+    const std::uint32_t sign = c == 1 ? 0x80000000 : 0;
+    double sum = 0;
+    for (const auto& [weight, p] : order) {
+      sum += (vertex.points[3 * p + c] & 0x80000000) == sign ? weight : -weight;
+    }
+    for (const auto& [weight, p] : order) {
+      std::uint32_t& word = vertex.points[3 * p + c];
+      if (sum > 0.51) break;
+      if ((word & 0x80000000) == sign) continue;
+      word ^= 0x80000000;
+      sum += 2 * weight;
+    }
+  }
+}
+
+/// From coordinates to a vertex: points as large as they may be, each with the sign of the error
+/// of its weight; the second component has the opposite ones.
+template <class F, template <class> class Organization, class Weight>
+Witness climb(const std::string& format, const Triple& triple, const Weight& weight_of,
+              std::int64_t steps, std::mt19937_64& engine) {
+  model::EvaluatorModelOf<F, Organization> core{Configuration{}};
+  load(core, format);
+  model::VertexWords vertex;
+  Four exact[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    vertex.local[axis] = triple[axis].point.word;
+    vertex.cell[axis] = triple[axis].cell;
+    exact[axis] = triple[axis].point.exact;
+  }
+  for (int p = 0; p < 64; ++p) {
+    const int l = p >> 4;
+    const int m = p >> 2 & 3;
+    const int n = p & 3;
+    const double error = weight_of(triple, l, m, n) - exact[0][l] * exact[1][m] * exact[2][n];
+    for (int c = 0; c < 3; ++c) {
+      const double sign = (c == 1) == (error > 0) ? -1 : 1;
+      vertex.points[3 * p + c] = PointsOf<F>::top(sign, width_of<F>());
+    }
+  }
+  if constexpr (std::is_same_v<F, Block32>) keep_large(exact, vertex);
+  Climb<F, Organization> climbing(core, format, exact, vertex);
+  climbing.run(static_cast<int>(steps), engine);
+  return climbing.best();
+}
+
+double plain_weight(const Triple& t, int l, int m, int n) {
+  return t[0].point.weight[l] * t[1].point.weight[m] * t[2].point.weight[n];
+}
+
+template <class F>
+class FixedFacts {
+ public:
+  using C = Coordinates<F>;
+  static constexpr bool kFew = Coordinates<F>::kLast - Coordinates<F>::kFirst < 1 << 17;
+  using Wide = std::conditional_t<(F::kWeightFraction > 30), Int128, std::int64_t>;
+
+  FixedFacts(std::string name, const Effort& effort, Facts& facts)
+      : name_(std::move(name)), effort_(effort), facts_(facts), horner_("bspline", name_) {}
+
+  void run() {
+    if (!wanted("format", name_)) return;
+    const bool contracts = wanted("form", "factored");
+    if (contracts || wanted("form", "product")) {
+      axis("bspline", horner_, {kNone}, true);
+      if (contracts) add<model::OrgFactored>("factored");
+      if (wanted("form", "product")) {
+        if (kFew) facts_.weights.back().pair = largest_pair(candidates_, F::kWeightFraction);
+        product();
+      }
+    }
+    if constexpr (!std::is_same_v<F, Block32>) {
+      if (wanted("form", "affine")) {
+        axis("affine", horner_, {0, 1, 2, 3}, true);
+        add<model::OrgAffine>("affine");
+      }
+      if (wanted("form", "powers") && name_ != "fx16") {
+        axis("powers", Powers<F>(), {kNone}, true);
+        add<model::OrgPowers>("powers");
+      }
+      if (wanted("form", "nested")) nested();
+    }
+    families();
+  }
+
+ private:
+  bool wanted(const char* what, const std::string& name) const {
+    const std::string& only = what == std::string("form") ? effort_.form : effort_.format;
+    return only.empty() || only == name;
+  }
+
+  std::int64_t stride() const { return effort_.all || kFew ? 1 : 4099; }
+
+  /// Every coordinate, all triples of them, and which of them to try.
+  template <class Weights>
+  void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
+            bool triples) {
+    Boxes<F> boxes(triples && stride() == 1 && !std::is_same_v<F, Block32>);
+    const AxisFacts found = axis_facts<F>(weights, stride(), lefts,
+                                          [&](const AxisPoint& point) { boxes.visit(point); });
+    WeightsFact fact = fact_of(what, found);
+    fact.all = stride() == 1;
+    auto engine = seeded(name_ + what);
+    candidates_.clear();
+    for (const int left : lefts) {
+      for (const Candidate& one : candidates<F>(weights, found.extreme, left, engine)) {
+        candidates_.push_back(one);
+      }
+    }
+    std::vector<ErrorBox> all = boxes.take();
+    if (!all.empty()) {
+      const TripleBound bound = bound_triples(std::move(all), kTolerance);
+      fact.distance = bound.bound;
+      fact.reached = bound.reached;
+    }
+    facts_.weights.push_back(fact);
+  }
+
+  WeightsFact fact_of(const std::string& what, const AxisFacts& found) const {
+    WeightsFact fact;
+    fact.weights = what;
+    fact.format = name_;
+    fact.weight = found.weight;
+    fact.word = found.word;
+    fact.error = found.error;
+    fact.bend = C::kBend;
+    fact.coordinates = found.coordinates;
+    return fact;
+  }
+
+  template <template <class> class Organization>
+  void add(const std::string& form) {
+    auto engine = seeded(name_ + form);
+    const Triple triple =
+        best_triple(candidates_, static_cast<int>(effort_.starts), engine,
+                    [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
+    const Witness found =
+        climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
+    facts_.forms.push_back({form, name_, found});
+  }
+
+  void product() {
+    auto engine = seeded(name_ + "product");
+    constexpr int kFraction = F::kWeightFraction;
+    // Roundings, not weights, are most of it, so more starts are worth while.
+    const Triple triple = best_triple(
+        candidates_, static_cast<int>(8 * effort_.starts), engine,
+        [](const Triple& t) { return rounded_distance<Wide>(t[0], t[1], t[2], kFraction); });
+    const auto weight = [](const Triple& t, int l, int m, int n) {
+      const std::int64_t pair = rounded_product<Wide>(t[0].units[l], t[1].units[m], kFraction);
+      return static_cast<double>(rounded_product<Wide>(pair, t[2].units[n], kFraction)) * C::kUnit;
+    };
+    const Witness found = climb<F, model::OrgCg>(name_, triple, weight, effort_.steps / 4, engine);
+    facts_.forms.push_back({"product", name_, found});
+  }
+
+  /// Its roundings count most where powers of the centred coordinates are near 1.
+  void nested() {
+    axis("centred", Centred<F>(horner_), {kNone}, false);
+    auto engine = seeded(name_ + "nested");
+    const WordCodec codec(name_);
+    const Centred<F> centred(horner_);
+    Witness best;
+    Triple chosen;
+    const auto at = [&](const Triple& triple, std::int64_t steps) {
+      const Witness found = climb<F, model::OrgNested>(name_, triple, plain_weight, steps, engine);
+      if (found.error > best.error) {
+        best = found;
+        chosen = triple;
+      }
+    };
+    for (int start = 0; start < 40; ++start) {
+      Triple triple;
+      for (Candidate& axis : triple) {
+        const double near = std::ldexp(1 + static_cast<double>(engine() >> 11) * 0x1p-53,
+                                       -4 - static_cast<int>(engine() % 8));
+        axis.point = axis_point<F>(centred, codec.coordinate(engine() % 2 == 0 ? near : 1 - near));
+      }
+      at(triple, effort_.steps / 50);
+    }
+    const Triple last = chosen;
+    at(last, effort_.steps);
+    facts_.forms.push_back({"nested", name_, best});
+  }
+
+  /// Weights alone, of the families whose functions are not those of the composed forms.
+  void families() {
+    if (!wanted("form", "weights")) return;
+    for (const std::string& family : family_names()) {
+      if (family == "bspline" && effort_.form.empty()) continue;  // has been looked at
+      const std::int64_t step = kFew ? 1 : 1021;
+      const AxisFacts found =
+          axis_facts<F>(Horner<F>(family, name_), step, {kNone}, [](const AxisPoint& /*point*/) {});
+      facts_.weights.push_back(fact_of(family, found));
+      facts_.weights.back().all = kFew;
+    }
+  }
+
+  std::string name_;
+  const Effort& effort_;
+  Facts& facts_;
+  Horner<F> horner_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+void find_fixed_facts(const Effort& effort, Facts& facts) {
+  FixedFacts<Fixed<16>>("fx16", effort, facts).run();
+  FixedFacts<Fixed<17>>("fx17", effort, facts).run();
+  FixedFacts<Fixed<18>>("fx18", effort, facts).run();
+  FixedFacts<Fixed<32>>("fx32", effort, facts).run();
+  FixedFacts<Block32>("bfp32", effort, facts).run();
+}
+
+}  // namespace hwffd::certified

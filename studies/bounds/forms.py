@@ -1,0 +1,193 @@
+"""Composed bounds as Gappa scripts, and the theorem that each of them ends in.
+
+A script takes what is known of the weights of an axis (`e`), of the products of three axes (`a`) or
+of two (`r`), and bounds the formula that coq/Fixed.v, Nested.v and Float.v prove of a form.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import fractions
+from dataclasses import dataclass
+
+import dyadic
+
+CONTRACTED = ("a + given*(g*g*g) + half*(g*g + g) + last", ("e", "a"))
+FORMULAS = {
+    "factored": CONTRACTED, "affine": CONTRACTED, "powers": CONTRACTED,
+    "product": ("q + (1 + q)*given + last", ("e", "a")),
+    "product by pairs": ("q + (1 + q)*given + last", ("e", "r")),
+    "nested": ("a + given*(g*g*g) + half*(4*g*g + 16*g + 64 + 48 + 12 + 3) + last", ("e", "a")),
+}
+DISTANCES = {"product": "a + 16*unit2*g + 64*unit2", "product by pairs": "64*unit2 + r*g + e"}
+ORDERS = {"sequence": (False, 65, 128), "tree": (True, 7, 127)}
+FUSED_ORDERS = {"sequence": (False, 64, 64), "tree": (True, 7, 95)}
+
+HALF_UP, EXACTLY = "half_up", "exactly"
+
+
+@dataclass(frozen=True)
+class Rounding:
+    """One rounding of the core: to multiples of 2^exponent, or none, where a number is one already."""
+
+    exponent: int | None
+
+    def half(self):
+        return dyadic.Dyadic(0, 0) if self.exponent is None else dyadic.power(self.exponent - 1)
+
+    def coq(self):
+        return "exactly" if self.exponent is None else f"(half_up ({self.exponent}))"
+
+    def half_coq(self):
+        return "0" if self.exponent is None else f"(half ({self.exponent}))"
+
+    def proof(self):
+        return "exactly_error" if self.exponent is None else f"(half_up_error ({self.exponent}))"
+
+
+@dataclass(frozen=True)
+class Roundings:
+    """What a fixed-point format rounds: weights, points as given, narrowed sums, the result."""
+
+    weight: Rounding
+    point: Rounding
+    narrow: Rounding
+    last: Rounding
+
+
+def roundings(form, nested=False):
+    """Words of points and results have 31 digits: `fx32` takes points as they are, and a sum of up to
+    31 digits, or a point of `nested`, goes out as it is."""
+    width = form.width()
+    point = Rounding(1 - width)
+    if form.name == "bfp32":
+        last = Rounding(None)  # rounded to binary32 afterwards
+    else:
+        last = Rounding(None if nested or 2 * width - 3 <= 31 else -31)
+    return Roundings(Rounding(2 - width), Rounding(None) if width == 32 else point, point, last)
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of weights: sums of magnitudes of errors on one axis, of three, and of two."""
+
+    axis: dyadic.Dyadic
+    triple: dyadic.Dyadic
+    pair: dyadic.Dyadic | None = None
+
+
+def of_axes(axis):
+    """What the errors of single axes say of three."""
+    e = axis.value()
+    return Known(axis, dyadic.above((1 + e) ** 3 - 1, 40))
+
+
+def fixed_script(form, rounds, known, bound=None):
+    formula, names = FORMULAS[form]
+    lines = [f"given = {rounds.point.half().gappa()};", f"half = {rounds.narrow.half().gappa()};",
+             f"last = {rounds.last.half().gappa()};", f"unit2 = {rounds.weight.half().gappa()};",
+             "g = 1 + e;"]
+    if form in DISTANCES:
+        lines.append(f"q = {DISTANCES[form]};")
+    lines.append(f"all = {formula};")
+    values = {"e": known.axis, "a": known.triple, "r": known.pair}
+    given = " /\\ ".join(f"{name} in [0,{values[name].gappa()}]" for name in names)
+    return "\n".join(lines) + "\n" + goal(given, bound)
+
+
+def goal(given, bound):
+    wanted = f"[0,{bound.gappa()}]" if bound is not None else "?"
+    return f"{{ {given} -> |all| in {wanted} }}\n" if bound is None else f"{{ {given} -> all in {wanted} }}\n"
+
+
+def float_script(order, known, bound=None):
+    """The formula of Float.v, whose power is written out."""
+    _, depth, count = order
+    lines = ["eps = 1b-24;", "eta = 1b-150;", "g = 1 + e;", "c = 1 + eps;", "k0 = 1;"]
+    lines += [f"k{n + 1} = c * k{n};" for n in range(depth)]
+    lines += ["k = c * c - 1;", "q = a + k*(g*g*g) + (16*c*g + 64)*eta;",
+              f"all = q + (k{depth} - 1)*(1 + q) + {count}*k{depth}*eta;"]
+    given = f"e in [0,{known.axis.gappa()}] /\\ a in [0,{known.triple.gappa()}]"
+    return "\n".join(lines) + "\n" + goal(given, bound)
+
+
+QUANTIFIED = "forall (s t u bs bt bu : nat -> R) (P : nat -> nat -> nat -> R)"
+IMPORTS = "Require Import Sums Fixed Nested Float Programs Certified.\nOpen Scope R_scope.\n"
+NUMBERS = "numbers"
+
+
+def certificate_of(values):
+    """The use of Gappa's theorem at the ends of what it takes."""
+    ends = " ".join(value.coq() for value in values)
+    return f"apply (proj2 (certificate {ends} ltac:({NUMBERS})))"
+
+
+def fixed_theorem(form, rounds, known, bound):
+    """The program of the form is within the bound of eq. (1)."""
+    e, a = known.axis.coq(), known.triple.coq()
+    point, narrow, last, weight = rounds.point, rounds.narrow, rounds.last, rounds.weight
+    proofs = {"given": point, "half": narrow, "last": last, "unit": weight}
+    if form.startswith("product"):
+        by_pair = form == "product by pairs"
+        program = f"product_program s t u P {weight.coq()} {point.coq()} {last.coq()}"
+        pair = (f"pair_distance bs bt (fun l m => {weight.coq()} (s l * t m)) <= {known.pair.coq()} -> "
+                if by_pair else "")
+        lemma = (f"(product_by_{'pair' if by_pair else 'triple'} {e} {a} {bound.coq()} s t u bs bt bu P "
+                 f"{point.coq()} {weight.coq()} {last.coq()} {point.half_coq()} {weight.half_coq()} "
+                 f"{last.half_coq()} V {proofs['given'].proof()} {proofs['last'].proof()} "
+                 f"{proofs['unit'].proof()}" + (f" {known.pair.coq()} R)" if by_pair else ")"))
+        names = "V R" if by_pair else "V"
+        values = [known.axis, known.pair if by_pair else known.triple]
+    else:
+        program = f"factored_program s t u P {point.coq()} {narrow.coq()} {last.coq()}"
+        pair = ""
+        lemma = (f"(factored_certified {e} {a} {bound.coq()} s t u bs bt bu P {point.coq()} {narrow.coq()} "
+                 f"{last.coq()} {point.half_coq()} {narrow.half_coq()} {last.half_coq()} V "
+                 f"{proofs['given'].proof()} {proofs['half'].proof()} {proofs['last'].proof()})")
+        names, values = "V", [known.axis, known.triple]
+    if by_block(rounds, form):
+        return block_theorem(program, pair, lemma, names, values, bound, (e, a))
+    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P -> {pair}\n"
+            f"  Rabs ({program} - eq1 bs bt bu P) <= {bound.coq()}.\n"
+            f"Proof.\n  intros s t u bs bt bu P {names}.\n  apply {lemma}.\n  {certificate_of(values)}.\nQed.\n")
+
+
+def by_block(rounds, _form):
+    return rounds.weight.exponent == -33
+
+
+def block_theorem(program, pair, lemma, names, values, bound, known):
+    """A result of the block, which is rounded to binary32 at last; relative to the block's 2^e."""
+    total = dyadic.exact(bound.value() + fractions.Fraction(1, 2 ** 25))
+    e, a = known
+    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P -> {pair}\n"
+            f"  Rabs ({program}) <= 1 ->\n"
+            f"  Rabs (nearest ({program}) - eq1 bs bt bu P) <= {total.coq()}.\n"
+            f"Proof.\n  intros s t u bs bt bu P {names} Small.\n"
+            f"  apply (rounded_at_last _ _ {bound.coq()}); [|exact Small|{NUMBERS}].\n"
+            f"  apply {lemma}.\n  {certificate_of(values)}.\nQed.\n")
+
+
+def nested_theorem(rounds, known, bound):
+    e, a = known.axis.coq(), known.triple.coq()
+    point, narrow = rounds.point, rounds.narrow
+    program = f"nested_program ms mt mu x y z P {point.coq()} {narrow.coq()} {rounds.last.coq()}"
+    weights = " ".join(f"(fun i => at_power {x} (fun k => {m} k i))"
+                       for x, m in (("x", "ms"), ("y", "mt"), ("z", "mu")))
+    return (f"{IMPORTS}Theorem bound : forall ms mt mu x y z bs bt bu P,\n"
+            f"  Rabs x <= 1 -> Rabs y <= 1 -> Rabs z <= 1 -> vertex {e} {a} {weights} bs bt bu P ->\n"
+            f"  Rabs ({program} - eq1 bs bt bu P) <= {bound.coq()}.\n"
+            "Proof.\n  intros ms mt mu x y z bs bt bu P X Y Z V.\n"
+            f"  apply (nested_certified {e} {a} {bound.coq()} {point.half_coq()} {narrow.half_coq()} "
+            f"{rounds.last.half_coq()} {point.coq()} {narrow.coq()} {rounds.last.coq()} ms mt mu x y z bs bt bu P\n"
+            f"    X Y Z V {point.proof()} {narrow.proof()} {rounds.last.proof()}).\n"
+            f"  {certificate_of([known.axis, known.triple])}.\nQed.\n")
+
+
+def float_theorem(order, fused, known, bound):
+    e, a = known.axis.coq(), known.triple.coq()
+    what = f"{'true' if order[0] else 'false'} {'true' if fused else 'false'}"
+    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P ->\n"
+            f"  Rabs (float_program {what} s t u P - eq1 bs bt bu P) <= {bound.coq()}.\n"
+            "Proof.\n  intros s t u bs bt bu P V.\n"
+            f"  apply (float_certified {what} {e} {a} {bound.coq()} s t u bs bt bu P V).\n"
+            f"  {certificate_of([known.axis, known.triple])}.\nQed.\n")

@@ -1,0 +1,83 @@
+"""make bounds: what is proved of errors, beside errors that are reached.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+from figures.expressions import shown
+from figures.table import Table
+
+FORMS = ("product", "factored", "affine", "powers", "nested", "sequence", "tree")
+# Of a form, what its ratio shall be at most.
+AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
+FAMILIES = ("bspline", "bernstein", "hermite", "catmull-rom", "linear")
+
+
+def _unit(name):
+    """A unit of a weight."""
+    return 2.0 ** {"fx16": -14, "fx17": -15, "fx18": -16, "fx32": -30, "bfp32": -33}.get(name, -24)
+
+
+def _ratio(row):
+    return row["bound"] / row["witness"]
+
+
+def forms(reports):
+    """Composed bounds, a form and format a line."""
+    rows = sorted((row for row in reports.rows("bounds") if row["form"] in FORMS),
+                  key=lambda row: FORMS.index(row["form"]))
+    return Table(["form", "format", "bound", "reached", "ratio", "checked by", "taken for granted"],
+                 [[f"`{row['form']}`", f"`{row['format']}`", shown(row["bound"], ".3e"),
+                   shown(row["witness"], ".3e"), shown(_ratio(row), ".2f"), row["checked_by"],
+                   row["hypothesis"] or "nothing"] for row in rows])
+
+
+def weights(reports):
+    """Weights of a family, a format a column: the bound in units, and its ratio to what is reached."""
+    rows = {(row["form"], row["format"]): row for row in reports.rows("bounds")}
+    formats = list(dict.fromkeys(row["format"] for row in reports.rows("bounds")))
+
+    def cell(family, name):
+        row = rows.get((f"weights {family}", name))
+        return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})" if row else "exact"
+
+    return Table(["functions", *(f"`{name}`" for name in formats)],
+                 [[f"`{family}`", *(cell(family, name) for name in formats)] for family in FAMILIES])
+
+
+def axes(reports):
+    """What the search has looked at all of, in units of a weight."""
+    lines = []
+    for row in reports.get("bounds")["axes"]:
+        if row["weights"] not in ("bspline", "affine", "powers", "centred"):
+            continue
+        unit = _unit(row["format"])
+        lines.append([f"`{row['weights']}`", f"`{row['format']}`", shown(row["coordinates"], ","),
+                      shown(row["error"] / unit, ".2f"),
+                      *(shown(row[field] / unit, ".2f") if row[field] else "-" for field in ("pair", "distance"))])
+    return Table(["weights", "format", "coordinates", "one axis", "two, rounded", "three"], lines)
+
+
+def missing(reports):
+    found = {row["form"] for row in reports.rows("bounds")}
+    wanted = {*FORMS, *(f"weights {family}" for family in FAMILIES)}
+    return ", ".join(sorted(wanted - found))
+
+
+def _largest(form):
+    return lambda reports: max(_ratio(row) for row in reports.rows("bounds") if row["form"] == form)
+
+
+def _missed(reports):
+    """Rows that miss their aim, in words."""
+    names = [f"`{row['form']}` in `{row['format']}`" for row in reports.rows("bounds")
+             if row["format"] != "bfp32" and _ratio(row) > AIMS.get(row["form"], 1e9)]
+    return ", ".join(names) or "none"
+
+
+def _kind(checked_by):
+    return lambda reports: sum(row["checked_by"] == checked_by for row in reports.rows("bounds"))
+
+
+TABLES = {"forms": forms, "weights": weights, "axes": axes}
+FIGURES = {**{f"ratio_{form}": _largest(form) for form in FORMS}, "missed": _missed,
+           "certified": _kind("gappa+coq"), "of": lambda reports: len(reports.rows("bounds"))}

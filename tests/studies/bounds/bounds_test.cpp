@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "boxes.hpp"
+#include "coordinates.hpp"
+#include "enumeration.hpp"
+#include "facts.hpp"
+#include "hwffd/model/org_factored.hpp"
+#include "pairs.hpp"
+#include "triples.hpp"
+
+namespace hwffd::certified {
+namespace {
+
+using F = Fixed<16>;
+
+std::vector<Candidate> some_points(int count) {
+  const Horner<F> horner("bspline", "fx16");
+  std::mt19937_64 engine(5);
+  std::vector<Candidate> points;
+  for (int i = 0; i < count; ++i) {
+    Candidate one{axis_point<F>(horner, static_cast<std::uint32_t>(engine() >> 33)), 0, {}};
+    for (int l = 0; l < 4; ++l) one.units[l] = std::llround(std::ldexp(one.point.weight[l], 14));
+    points.push_back(one);
+  }
+  return points;
+}
+
+double largest_of_all(const std::vector<Candidate>& points) {
+  double largest = 0;
+  for (const Candidate& s : points) {
+    for (const Candidate& t : points) {
+      for (const Candidate& u : points) largest = std::max(largest, exact_distance(s, t, u));
+    }
+  }
+  return largest;
+}
+
+TEST(Triples, BranchAndBoundFindsTheLargest) {
+  const auto points = some_points(40);
+  std::vector<ErrorBox> boxes;
+  for (const Candidate& one : points) boxes.emplace_back().add(one.point.x, one.point.error());
+  const double largest = largest_of_all(points);
+  const TripleBound found = bound_triples(boxes, 0.02);
+  EXPECT_GE(found.bound, largest);
+  EXPECT_LE(found.bound, 1.03 * largest);
+  EXPECT_NEAR(found.reached, largest, 0.03 * largest);
+}
+
+TEST(Triples, BoundsWhatLiesInBoxes) {
+  const auto points = some_points(60);
+  std::vector<ErrorBox> boxes;
+  for (std::size_t i = 0; i < points.size(); i += 2) {
+    ErrorBox& box = boxes.emplace_back();
+    for (const std::size_t j : {i, i + 1}) box.add(points[j].point.x, points[j].point.error());
+  }
+  EXPECT_GE(bound_triples(boxes, 0.1).bound, largest_of_all(points));
+}
+
+TEST(Triples, NothingIsAnError) { EXPECT_THROW(bound_triples({}, 0.1), std::invalid_argument); }
+
+TEST(Pairs, RoundAsTheModelDoes) {
+  const auto points = some_points(50);
+  double largest = 0;
+  for (const Candidate& s : points) {
+    for (const Candidate& t : points) {
+      double sum = 0;
+      for (int i = 0; i < 16; ++i) {
+        const int l = i / 4;
+        const int m = i % 4;
+        const auto product = F::mul({s.units[l], false}, {t.units[m], false});
+        sum += std::abs(std::ldexp(static_cast<double>(product.value), -14) -
+                        s.point.exact[l] * t.point.exact[m]);
+      }
+      largest = std::max(largest, sum);
+    }
+  }
+  EXPECT_NEAR(largest_pair(points, 14), largest, 1e-12);
+}
+
+TEST(Coordinates, BothEndsAreRoundedToTheirNumber) {
+  using C = Coordinates<F>;
+  for (const std::int64_t k : {std::int64_t{1}, std::int64_t{77}, C::kLast - 1}) {
+    for (const int end : {0, 1}) EXPECT_EQ(F::coordinate(C::word(k, end)).value, k);
+    EXPECT_EQ(F::coordinate(C::word(k, 0) - 1).value, k - 1);
+    EXPECT_EQ(F::coordinate(C::word(k, 1) + 1).value, k + 1);
+  }
+}
+
+// What the search reports is what the model gives for the words it reports.
+TEST(Search, ItsWitnessIsReproduced) {
+  Effort effort;
+  effort.form = "factored";
+  effort.format = "fx16";
+  effort.starts = 2;
+  effort.steps = 20'000;
+  const Facts facts = find_facts(effort);
+  ASSERT_EQ(facts.forms.size(), 1U);
+  const Witness& witness = facts.forms[0].witness;
+  model::EvaluatorModelOf<F, model::OrgFactored> core{Configuration{}};
+  const WordCodec codec("fx16");
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < 4; ++l) core.load(0, a, l, axis.degree, axis.shift, axis.word[l]);
+  }
+  EXPECT_EQ(core.evaluate(0, witness.vertex).words[witness.component], witness.result);
+  // More than half of what is proved of it, and no more.
+  EXPECT_GT(witness.error, 5e-4);
+  EXPECT_LT(witness.error, 7e-4);
+}
+
+TEST(Search, NothingIsFoundOfAFormThatIsNone) {
+  Effort effort;
+  effort.form = "none";
+  effort.format = "fx16";
+  const Facts facts = find_facts(effort);
+  EXPECT_TRUE(facts.forms.empty() && facts.weights.empty());
+}
+
+}  // namespace
+}  // namespace hwffd::certified
