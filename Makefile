@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -68,6 +68,7 @@ help:
 	@echo '  make upsets         bits that flip while the core works: what becomes of each'
 	@echo '  make theorems       the arithmetic proved for all operands, each with a planted bug'
 	@echo '  make bounds         bounds of every error by Gappa, accepted by Coq, beside errors reached'
+	@echo '  make testfloat      the binary32 units on N= operands by the scheme of TestFloat'
 	@echo '  make engines        the same commands in four simulators, and where an X may be'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'
@@ -247,6 +248,13 @@ theorems: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
 	@$(STUDY) theorems -- $(BUILD)/venv/bin/python -B studies/theorems -j $(JOBS) $(if $(filter-out 0,$(call given,NIGHTLY)),--nightly)
+
+# N= cases of each unit and latency: 100000000 nightly.
+testfloat: install
+	@scripts/python_env figures
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-testfloat
+	@$(STUDY) testfloat -- $(BUILD)/studies/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
 
 # Programs of studies/soak/traffic.csv.
 SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test

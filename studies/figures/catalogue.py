@@ -78,6 +78,8 @@ REPORTS = {
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),
     "theorems": Report("make theorems", ("rtl/number/**/*.v", "rtl/common/ffd_num_delay.v", "studies/theorems/*.py",
                                          "scripts/requirements-theorems.txt"), volatile=("seconds", "counterexample")),
+    "testfloat": Report("make testfloat", ("rtl/number/float/*.v", "rtl/number/fixed/ffd_fx_block.v",
+                                           "rtl/common/ffd_num_delay.v", "studies/testfloat/*.?pp")),
     "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
     "unknowns": Report("make engines", _ENGINES),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
