@@ -34,18 +34,34 @@ class Parser(argparse.ArgumentParser):
 
 
 def run(parser, work, faults):
-    """work(options, root) and its exit status; 1 where it raises one of `faults`, 2 where the request
-    makes no sense, 130 where it was interrupted: what had been made by then is kept."""
+    """As `ended`, of work(options, root)."""
     options = parser.parse_args()
+    return ended(parser.prog, lambda: work(options, options.root.resolve()), faults)
+
+
+def ended(prog, work, faults):
+    """work() and its exit status; 1 where it raises one of `faults`, 2 where the request makes no sense,
+    130 where it was interrupted: what had been made by then is kept."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        return work(options, options.root.resolve())
+        return work()
     except Request as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        print(f"{prog}: {error}", file=sys.stderr)
         return 2
     except (*faults, OSError) as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        print(f"{prog}: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print(f"{parser.prog}: interrupted; what had been finished is kept", file=sys.stderr)
+        print(f"{prog}: interrupted; what had been finished is kept", file=sys.stderr)
         return 130
+
+
+def measured(prog, work, faults):
+    """As `ended`, of what measures: work() says what does not hold, a line each, and 1 is for any."""
+    def status():
+        found = work()
+        for line in found:
+            print(f"{prog}: {line}", file=sys.stderr)
+        return 1 if found else 0
+
+    return ended(prog, status, faults)

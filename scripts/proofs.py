@@ -135,12 +135,10 @@ class Proofs:
     def mutated(self, one):
         """The text of a module with its bug. Raises ProofError."""
         path = self.sources.files[one.file]
-        text = path.read_text()
-        count = text.count(one.original)
-        if count != 1:
-            raise ProofError(
-                f"the text that the planted bug replaces is {count} times in {path.name}, not once")
-        return text.replace(one.original, one.mutant)
+        try:
+            return rtl.changed(path.read_text(), one.original, one.mutant, path.name)
+        except ValueError as error:
+            raise ProofError(str(error)) from error
 
     def script(self, one, planted=None):
         """The steps of yosys up to the circuit of the proof, or of its control: with the file in which

@@ -31,6 +31,14 @@ def strip_comments(text):
     return _COMMENT.sub(blank, text)
 
 
+def changed(text, original, mutant, where):
+    """The text with a bug planted. Raises ValueError unless what it replaces is there exactly once."""
+    count = text.count(original)
+    if count != 1:
+        raise ValueError(f"the text that the planted bug replaces is {count} times in {where}, not once")
+    return text.replace(original, mutant)
+
+
 def line_of(text, offset):
     """Number of the line in which a character stands."""
     return text.count("\n", 0, offset) + 1

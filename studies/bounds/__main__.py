@@ -20,6 +20,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
 
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import gappa  # noqa: E402  pylint: disable=wrong-import-position
 import rows  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
@@ -89,13 +90,7 @@ def main():
     parser.add_argument("--no-coq", action="store_true", help="Gappa alone")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    try:
-        faults = work_on(options)
-    except (gappa.BoundsError, OSError, KeyError) as error:
-        faults = [str(error)]
-    for fault in faults:
-        print(f"bounds: {fault}", file=sys.stderr)
-    return 1 if faults else 0
+    return front.measured(parser.prog, lambda: work_on(options), (gappa.BoundsError, KeyError))
 
 
 if __name__ == "__main__":

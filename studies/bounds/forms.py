@@ -144,14 +144,14 @@ def fixed_theorem(form, rounds, known, bound):
                  f"{last.coq()} {point.half_coq()} {narrow.half_coq()} {last.half_coq()} V "
                  f"{proofs['given'].proof()} {proofs['half'].proof()} {proofs['last'].proof()})")
         names, values = "V", [known.axis, known.triple]
-    if by_block(rounds, form):
+    if by_block(rounds):
         return block_theorem(program, pair, lemma, names, values, bound, (e, a))
     return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P -> {pair}\n"
             f"  Rabs ({program} - eq1 bs bt bu P) <= {bound.coq()}.\n"
             f"Proof.\n  intros s t u bs bt bu P {names}.\n  apply {lemma}.\n  {certificate_of(values)}.\nQed.\n")
 
 
-def by_block(rounds, _form):
+def by_block(rounds):
     return rounds.weight.exponent == -33
 
 

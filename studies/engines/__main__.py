@@ -22,6 +22,7 @@ sys.path.insert(1, str(ROOT / "scripts"))
 import answers  # noqa: E402  pylint: disable=wrong-import-position
 import axi  # noqa: E402  pylint: disable=wrong-import-position
 import configurations  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import icarus  # noqa: E402  pylint: disable=wrong-import-position
 import measured  # noqa: E402  pylint: disable=wrong-import-position
 import planted  # noqa: E402  pylint: disable=wrong-import-position
@@ -33,6 +34,8 @@ import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 ROWS = ("basic-fx18-overlapped", "basic-fx32-overlapped", "affine64-fx17-overlapped",
         "basic-fp32-overlapped", "basic-bfp32-overlapped")
 PLANTED_BEATS = 600  # of the recording
+FAULTS = (answers.AnswerError, axi.AxiError, configurations.TableError, icarus.SimulationError,
+          planted.PlantError, registers.RegisterError)
 
 
 def reports(options):
@@ -69,14 +72,7 @@ def main():
     options = parser.parse_args()
     options.row = options.row or list(ROWS)
     options.programs, options.output = options.programs.resolve(), options.output.resolve()
-    try:
-        found = work_on(options)
-    except (answers.AnswerError, axi.AxiError, configurations.TableError, icarus.SimulationError,
-            planted.PlantError, registers.RegisterError, OSError) as error:
-        found = [error]
-    for fault in found:
-        print(f"engines: {fault}", file=sys.stderr)
-    return 1 if found else 0
+    return front.measured(parser.prog, lambda: work_on(options), FAULTS)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ sys.path.insert(1, str(ROOT / "scripts"))
 
 import fixed  # noqa: E402  pylint: disable=wrong-import-position
 import floating  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import lemmas  # noqa: E402  pylint: disable=wrong-import-position
 import prove  # noqa: E402  pylint: disable=wrong-import-position
 import solve  # noqa: E402  pylint: disable=wrong-import-position
@@ -76,13 +77,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    try:
-        faults = work_on(options)
-    except (prove.TheoremError, OSError) as error:
-        faults = [str(error)]
-    for fault in faults:
-        print(f"theorems: {fault}", file=sys.stderr)
-    return 1 if faults else 0
+    return front.measured(parser.prog, lambda: work_on(options), (prove.TheoremError,))
 
 
 if __name__ == "__main__":

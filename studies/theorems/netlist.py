@@ -12,6 +12,7 @@ import pathlib
 import subprocess
 from dataclasses import dataclass
 
+import rtl
 import terms
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -49,12 +50,12 @@ def _sources(bug, folder):
     place = next((one for one, path in enumerate(files) if path.stem == bug.module), None)
     if place is None:
         raise TheoremError(f"the planted bug is in {bug.module}, which is not read")
-    text = files[place].read_text(encoding="utf-8")
-    if text.count(bug.original) != 1:
-        raise TheoremError(f"the text that the planted bug replaces is {text.count(bug.original)} times "
-                           f"in {bug.module}, not once")
+    try:
+        text = rtl.changed(files[place].read_text(encoding="utf-8"), bug.original, bug.mutant, bug.module)
+    except ValueError as error:
+        raise TheoremError(str(error)) from error
     files[place] = folder / f"{bug.module}.v"
-    files[place].write_text(text.replace(bug.original, bug.mutant), encoding="utf-8")
+    files[place].write_text(text, encoding="utf-8")
     return files
 
 

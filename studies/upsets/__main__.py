@@ -19,6 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
 
 import counted  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 
 ROW = "basic-fx18-overlapped"
@@ -75,13 +76,7 @@ def main():
     options.core = options.core or list(CORES)
     for name in ("programs", "designs", "output"):
         setattr(options, name, getattr(options, name).resolve())
-    try:
-        found = work_on(options)
-    except (counted.UpsetError, OSError) as error:
-        found = [error]
-    for fault in found:
-        print(f"upsets: {fault}", file=sys.stderr)
-    return 1 if found else 0
+    return front.measured(parser.prog, lambda: work_on(options), (counted.UpsetError,))
 
 
 if __name__ == "__main__":
