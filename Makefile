@@ -229,11 +229,14 @@ coverage: install
 	@$(CMAKE_BUILD)
 	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
+# The test programs in a column of a table.
+programs_of = $(sort $(notdir $(shell tail -n +2 $1 | cut -d, -f$2)))
+
 # MUTANTS= of all subjects together; what is known of the same mutants is not run again.
 mutants: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target dma_test axil_test number_test range_test powers_test sequencer_test float_test evaluator_test system_test
+	@$(CMAKE_BUILD) --target $(call programs_of,studies/mutants/subjects.csv,3)
 	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS))
 
 # FLIPS= of each core in registers, and as many in memories.
@@ -256,11 +259,9 @@ testfloat: install
 	@$(CMAKE_BUILD) --target hwffd-testfloat
 	@$(STUDY) testfloat -- $(BUILD)/studies/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
 
-# Programs of studies/soak/traffic.csv.
-SOAK_PROGRAMS := axi_test dma_test axil_test system_test pages_test expand_test features_test origins_test evaluator_test
 soak: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target $(SOAK_PROGRAMS)
+	@$(CMAKE_BUILD) --target $(call programs_of,studies/soak/traffic.csv,2)
 	@$(STUDY) soak -- python3 -B studies/soak -j $(JOBS) $(addprefix --hours ,$(call given,HOURS))
 
 lint: install

@@ -25,9 +25,10 @@ sys.path.insert(1, str(ROOT / "scripts"))
 import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
-import pool  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+from known import Known  # noqa: E402  pylint: disable=wrong-import-position
 
 TABLE = pathlib.Path(__file__).with_name("subjects.csv")
 VERDICTS = ("killed", "equivalent", "undecided", "survived")
@@ -55,15 +56,6 @@ def seed_of_sources():
     return int(hashlib.sha256(text).hexdigest()[:6], 16)
 
 
-def forget(kept, *sources, text):
-    """Removes what is kept of other sources than these."""
-    key = hashlib.sha256(text.encode() + b"".join(path.read_bytes() for path in sources)).hexdigest()
-    path = kept.with_suffix(".key")
-    if not path.exists() or path.read_text() != key:
-        kept.unlink(missing_ok=True)
-        path.write_text(key)
-
-
 def measure(options, subject, number):
     """A subject: so many mutants, and their verdicts."""
     model = built.model(options.build, subject["library"])
@@ -72,22 +64,13 @@ def measure(options, subject, number):
     print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
     mutants = netlist.listed(ROOT, model, folder, number, options.seed, subject["modules"])
     program = campaign.program(options.build, subject, model, mutants, folder)
-    judged = folder / "verdicts.json"
     netlisted = folder / f"{model.top}.sv"
-    forget(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
-    forget(judged, netlisted, text="")
-    verdicts = {place: "killed" for place in range(1, len(mutants) + 1)}
-    unseen = campaign.run(program, subject, mutants, options.jobs)
-    known = json.loads(judged.read_text()) if judged.exists() else {}
-
-    def ended(place, done):
-        known[str(place)] = done.result()
-        judged.write_text(json.dumps(known))
-
-    pool.run(lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder),
-             [place for place in unseen if str(place) not in known], options.jobs, ended,
-             name=lambda place: f"proof {place}")
-    return mutants, {**verdicts, **{place: known[str(place)] for place in unseen}}
+    tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
+    unseen = campaign.unseen(program, subject, mutants, tested, options.jobs)
+    judged = Known(folder / "verdicts.json", netlisted, pathlib.Path(equivalence.__file__))
+    verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder),
+                         options.jobs, "proof")
+    return mutants, {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)}
 
 
 def rows(subject, mutants, verdicts):
@@ -138,13 +121,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    try:
-        faults = work_on(options)
-    except (built.MutantError, OSError) as error:
-        faults = [str(error)]
-    for fault in faults:
-        print(f"mutants: {fault}", file=sys.stderr)
-    return 1 if faults else 0
+    return front.measured(parser.prog, lambda: work_on(options), (built.MutantError,))
 
 
 if __name__ == "__main__":

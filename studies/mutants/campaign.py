@@ -3,13 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import json
 import os
 import pathlib
 import subprocess
 import time
 
-import pool
 from built import MutantError, link
 from netlist import write
 
@@ -64,22 +62,14 @@ def passes(path, tests, number, limit=None):
         return False
 
 
-def run(path, subject, mutants, jobs):
-    """The numbers of those that the tests did not see. What is known already is not run again."""
-    kept = path.with_name("passed.json")
-    known = json.loads(kept.read_text()) if kept.exists() else {}
+def unseen(path, subject, mutants, tested, jobs):
+    """The numbers of those that the tests did not see."""
     if not _names(path, subject["tests"]):
         raise MutantError(f"{path}: no test is called {subject['tests']}")
     start = time.monotonic()
     if not passes(path, subject["tests"], 0):
         raise MutantError(f"{path}: the tests fail without a mutant")
     limit = max(LEAST, TIMES * (time.monotonic() - start))
-    left = [number for number in range(1, len(mutants) + 1) if str(number) not in known]
-
-    def ended(number, done):
-        known[str(number)] = done.result()
-        kept.write_text(json.dumps(known))
-
-    pool.run(lambda number: passes(path, subject["tests"], number, limit), left, jobs, ended,
-             name=lambda number: f"mutant {number}")
-    return [number for number in range(1, len(mutants) + 1) if known[str(number)]]
+    passed = tested.of(range(1, len(mutants) + 1),
+                       lambda number: passes(path, subject["tests"], number, limit), jobs, "mutant")
+    return [number for number, alive in passed.items() if alive]

@@ -2,8 +2,8 @@
 
     python studies/soak [--build FOLDER] [--hours H] [--only NAME ...] [--corpus FILE] [-j JOBS]
 
-Runs tests that take their traffic from a seed (traffic.csv), one seed after the other and each kind in
-turn; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to
+Runs tests that take their traffic from a seed (traffic.csv), one seed after the other, each with all
+kinds, to the end of the seed in which the time is over; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to
 the corpus. The seeds go on where the last run ended, build/soak/next.json. Writes
 FOLDER/reports/soak.json. The exit status is 1 where a test failed or nothing was run.
 
@@ -19,47 +19,45 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
 
+import front  # noqa: E402  pylint: disable=wrong-import-position
+import pool  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 from corpus import Corpus, Kept, traffic  # noqa: E402  pylint: disable=wrong-import-position
-from runs import Round, Sums, SoakError, run  # noqa: E402  pylint: disable=wrong-import-position
+from runs import Round, SoakError, Sums, one  # noqa: E402  pylint: disable=wrong-import-position
 
 HERE = pathlib.Path(__file__).resolve().parent
 FIRST = 1000  # tests have smaller seeds
 STRIDE = 16   # a test may take so many from the one that it is given
 
 
-def upwards(kinds, first):
-    """Rounds without end: each seed with each kind of traffic."""
-    seed = first
-    while True:
-        for kind in kinds:
-            yield Round(kind, seed)
-        seed += STRIDE
-
-
 def soak(options, kinds, corpus, sums):
-    """Runs the corpus, then new seeds until the time is over; the next seed."""
-    def ended(done):
-        sums.add(done)
-        for test in done.failed:
-            print(f"soak: {done.round.kind.name}: SEED={done.round.seed}: {test} fails: see {done.log}",
+    """Runs the corpus, then each new seed with each kind of traffic until the time is over."""
+    def ended(_, done):
+        found = done.result()
+        sums.add(found)
+        for test in found.failed:
+            print(f"soak: {found.round.kind.name}: SEED={found.round.seed}: {test} fails: see {found.log}",
                   file=sys.stderr, flush=True)
-            corpus.keep(Kept(done.round.kind.name, done.round.seed, test))
+            corpus.keep(Kept(found.round.kind.name, found.round.seed, test))
+
+    def run(rounds):
+        pool.run(lambda turn: one(turn, options.build, folder), rounds, options.jobs, ended,
+                 name=lambda turn: f"{turn.kind.name}, seed {turn.seed}")
 
     folder = options.build / "soak"
     folder.mkdir(parents=True, exist_ok=True)
+    run([Round(kinds[kept.traffic], kept.seed) for kept in corpus.kept if kept.traffic in kinds])
     path = folder / "next.json"
-    first = json.loads(path.read_text()) if path.exists() else FIRST
-    run([Round(kinds[kept.traffic], kept.seed) for kept in corpus.kept if kept.traffic in kinds],
-        options, folder, None, ended)
+    seed = json.loads(path.read_text()) if path.exists() else FIRST
     end = time.monotonic() + 3600 * options.hours
-    last = run(upwards(kinds.values(), first), options, folder, end, ended) if options.hours else None
-    if last:
-        path.write_text(json.dumps(last.seed + STRIDE))
+    while time.monotonic() < end:
+        run([Round(kind, seed) for kind in kinds.values()])
+        seed += STRIDE
+        path.write_text(json.dumps(seed))
 
 
 def work_on(options):
-    """What does not hold, a line each."""
+    """How many tests failed."""
     kinds = traffic(HERE / "traffic.csv", options.only)
     corpus = Corpus(options.corpus)
     sums, start = Sums(), time.monotonic()
@@ -86,11 +84,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    try:
-        return 1 if work_on(options) else 0
-    except (SoakError, OSError) as error:
-        print(f"soak: {error}", file=sys.stderr)
-        return 1
+    return front.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError,))
 
 
 if __name__ == "__main__":

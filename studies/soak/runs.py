@@ -3,16 +3,12 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import concurrent.futures
 import json
 import os
 import pathlib
 import re
 import subprocess
-import time
 from dataclasses import dataclass, field
-
-from progress import Progress
 
 LIMIT = 1800  # seconds of a run: one that hangs has failed
 
@@ -101,25 +97,3 @@ class Sums:
     @property
     def faults(self):
         return sum(row["failed"] for row in self.rows.values())
-
-
-def run(rounds, options, folder, end, ended):
-    """Runs rounds side by side, as long as it is not `end` (None: all of them); the last one."""
-    progress, last, running, number = Progress(), None, set(), 0
-    with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
-        for turn in rounds:
-            if end is not None and time.monotonic() >= end:
-                break
-            last, number = turn, number + 1
-            running.add(pool.submit(one, turn, options.build, folder))
-            left = f"{max(0.0, end - time.monotonic()) / 60:.0f} minutes left" if end else "corpus"
-            progress.step(number, number, f"{turn.kind.name}, seed {turn.seed}, {left}")
-            while len(running) >= max(1, options.jobs):
-                done, running = concurrent.futures.wait(
-                    running, return_when=concurrent.futures.FIRST_COMPLETED)
-                for one_done in done:
-                    ended(one_done.result())
-        for one_done in running:
-            ended(one_done.result())
-    progress.end()
-    return last
