@@ -14,7 +14,6 @@ SPDX-License-Identifier: Apache-2.0
 import argparse
 import collections
 import csv
-import hashlib
 import json
 import pathlib
 import sys
@@ -50,19 +49,15 @@ def numbers(chosen, total):
     return [max(1, round(number * total / sum(table))) for number in table] if total else table
 
 
-def seed_of_sources():
-    """Other mutants with every change of the RTL, the same on every machine."""
-    text = b"".join(path.read_bytes() for path in sorted((ROOT / "rtl").glob("**/*.v")))
-    return int(hashlib.sha256(text).hexdigest()[:6], 16)
-
-
 def measure(options, subject, number):
-    """A subject: so many mutants, and their verdicts."""
+    """A subject: so many mutants, and their verdicts. Another design has others."""
     model = built.model(options.build, subject["library"])
-    folder = options.build / "mutants" / f"{subject['name']}-{options.seed}-{number}"
+    folder = options.build / "mutants" / f"{subject['name']}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
     print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
-    mutants = netlist.listed(ROOT, model, folder, number, options.seed, subject["modules"])
+    of_design = netlist.read(ROOT, model, folder)
+    seed = of_design if options.seed is None else options.seed
+    mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
     program = campaign.program(options.build, subject, model, mutants, folder)
     netlisted = folder / f"{model.top}.sv"
     tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
@@ -70,19 +65,19 @@ def measure(options, subject, number):
     judged = Known(folder / "verdicts.json", netlisted, pathlib.Path(equivalence.__file__))
     verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1], place, folder),
                          options.jobs, "proof")
-    return mutants, {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)}
+    return seed, mutants, {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)}
 
 
-def rows(subject, mutants, verdicts):
+def rows(subject, seed, mutants, verdicts):
     """A row for each module of the subject."""
     counts, names = collections.defaultdict(collections.Counter), collections.defaultdict(list)
     for number, verdict in verdicts.items():
-        module, _ = netlist.module(mutants[number - 1])
+        module = netlist.module(mutants[number - 1])
         counts[module][verdict] += 1
         if verdict in SURVIVORS:
             names[module].append({"number": number, "verdict": verdict,
                                   "change": netlist.single(mutants[number - 1])})
-    return [{"subject": subject["name"], "module": module, "total": sum(found.values()),
+    return [{"subject": subject["name"], "seed": seed, "module": module, "total": sum(found.values()),
              **{verdict: found[verdict] for verdict in VERDICTS},
              "survivors": names[module]} for module, found in sorted(counts.items())]
 
@@ -103,7 +98,7 @@ def work_on(options):
             faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
     total = {verdict: sum(row[verdict] for row in found)
              for verdict in ("total", *VERDICTS)}
-    report = {"seed": options.seed, **total, "killed_percent": round(score(found), 2), "rows": found}
+    report = {**total, "killed_percent": round(score(found), 2), "rows": found}
     path = options.report or options.build / "reports" / "mutants.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
@@ -116,7 +111,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="subjects; all unless given")
     parser.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
-    parser.add_argument("--seed", type=int, default=seed_of_sources(), help="of their choice")
+    parser.add_argument("--seed", type=int, help="of their choice; from each design")
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()

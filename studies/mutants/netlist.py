@@ -1,12 +1,15 @@
 """A design of which a number chooses one of many mutants: single changes by yosys' `mutate`.
 
-Each instance has a module of its own, so that a mutant is of one place. The memories stay memories.
+The design is flat, and without what does not reach an output, so that a mutant is of one place in which
+something happens. The memories stay memories.
 The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is as it was.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import fnmatch
+import hashlib
+import os
 import re
 import subprocess
 
@@ -25,11 +28,12 @@ def _read(root, model):
     inside = sorted(path.relative_to(root) for path in root.glob("rtl/**/*.v*"))
     folders = " ".join(f"-I {path}" for path in sorted({one.parent for one in inside}))
     sources = [str(path) for path in inside if path.suffix == ".v"]
-    sources += [source for source in model.sources if not source.startswith(str(root / "rtl"))]
+    sources += [os.path.relpath(source, root) for source in model.sources
+                if not source.startswith(str(root / "rtl"))]
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc", "opt_clean", "uniquify", "opt_clean"]
+            f"hierarchy -check -top {model.top}", "proc", "flatten", "opt", "wreduce", "opt"]
 
 
 def yosys(root, path, steps, limit=None):
@@ -51,15 +55,25 @@ def base(folder):
 def _chosen(lines, modules, number):
     """So many of those in modules of these names, but of clocks."""
     found = [line for line in lines if line.startswith("mutate") and not _CLOCK.search(line)
-             and any(fnmatch.fnmatchcase(module(line)[0], pattern) for pattern in modules.split())]
+             and any(fnmatch.fnmatchcase(module(line), pattern) for pattern in modules.split())]
     return found[:number]
 
 
-def listed(root, model, folder, number, seed, modules="*"):
-    """So many mutants at most of these modules, each the command that makes it."""
+def read(root, model, folder):
+    """Reads the design. A number that follows from it, the same on every machine."""
+    design = folder / "design.il"
+    if not yosys(root, folder / "read.ys", [*_read(root, model), f"write_rtlil {design}"]):
+        raise MutantError(f"yosys cannot read {model.top}: see {folder / 'read.log'}")
+    text = "".join(line for line in design.read_text().splitlines(True) if not line.startswith("#"))
+    return int(hashlib.sha256(text.encode()).hexdigest()[:6], 16)
+
+
+def listed(root, folder, number, seed, modules="*"):
+    """So many mutants at most of these modules of the design that was read, each the command that
+    makes it."""
     path = folder / "mutants.txt"
     if not yosys(root, folder / "list.ys", [
-            *_read(root, model), f"write_rtlil {folder / 'design.il'}",
+            base(folder),
             f"mutate -list {number * (1 if modules == '*' else FOR_ONE)} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
         raise MutantError(f"yosys lists no mutants: see {folder / 'list.log'}")
     found = _chosen(path.read_text().splitlines(), modules, number)
@@ -94,7 +108,7 @@ def single(mutant):
 
 
 def module(mutant):
-    """The module of rtl/ that it changes, as its source says, and the instance."""
-    place = re.search(r"-module (\S+)", mutant)[1].lstrip("\\")
-    source = re.search(r"-src (\S*?)(\w+)\.s?v:", mutant)
-    return (source[2] if source else place), place
+    """The module of rtl/ that it changes: that of its cell, else of the wire, as their source says."""
+    found = (re.search(r"-cell \S*\$rtl/(?:\w+/)+(\w+)\.v:", mutant)
+             or re.search(r"-src \S*?(\w+)\.s?v:", mutant) or re.search(r"-module \\?(\S+)", mutant))
+    return found[1]

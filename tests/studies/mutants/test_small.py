@@ -55,6 +55,11 @@ def _root(tmp_path):
 MODEL = built.Model("Vcounter", "counter", (("WIDTH", "3"),), (), (), ())
 
 
+def read_and_listed(root, number):
+    netlist.read(root, MODEL, root)
+    return netlist.listed(root, root, number, 1)
+
+
 def outputs(root, mutants):
     """What each mutant counts, number 0 first."""
     source = netlist.write(root, MODEL, mutants, root)
@@ -68,7 +73,7 @@ def outputs(root, mutants):
 
 
 def test_what_looks_the_same_is_proved_the_same_and_nothing_else(root):
-    mutants = netlist.listed(root, MODEL, root, 40, 1)
+    mutants = read_and_listed(root, 40)
     shown = outputs(root, mutants)
     same = [number for number in range(1, len(shown)) if shown[number] == shown[0]]
     proved = [number for number in range(1, len(shown))
@@ -78,14 +83,21 @@ def test_what_looks_the_same_is_proved_the_same_and_nothing_else(root):
 
 
 def test_modules_are_named_as_their_files(root):
-    mutants = netlist.listed(root, MODEL, root, 3, 1)
-    assert {netlist.module(mutant)[0] for mutant in mutants} == {"counter"}
+    mutants = read_and_listed(root, 3)
+    assert {netlist.module(mutant) for mutant in mutants} == {"counter"}
+
+
+def test_another_design_has_other_mutants(root):
+    first = netlist.read(root, MODEL, root)
+    assert netlist.read(root, MODEL, root) == first
+    (root / "rtl" / "small" / "counter.v").write_text(COUNTER.replace("count_o + 1", "count_o - 1"))
+    assert netlist.read(root, MODEL, root) != first
 
 
 def test_a_design_with_nothing_to_change_is_an_error(root):
     (root / "rtl" / "small" / "counter.v").write_text("module counter #(parameter WIDTH = 4) ();\nendmodule\n")
     with pytest.raises(built.MutantError, match="no mutants|0 mutants"):
-        netlist.listed(root, MODEL, root, 3, 1)
+        read_and_listed(root, 3)
 
 
 def test_a_build_that_is_not_there_is_an_error(tmp_path):
