@@ -94,6 +94,13 @@ module ffd_bench_evaluator #(
   assign point = numbers[3*POINT_W +: 3*POINT_W];
   assign entry[4*WEIGHT_W +: 2] = load_shift_i;
 
+  // The source is the support mixed with all bits of the cell, so that one that comes back wrong reads
+  // elsewhere.
+  function [7:0] mixed;
+    input [11:0] cell_i;
+    mixed = cell_i[7:0] ^ {cell_i[11:8], 4'd0};
+  endfunction
+
   // Supports by local index; read by bank of a cell, one lookup a point.
   reg [3*POINT_W-1:0] support_q [0:256*64-1];
   always @(posedge clk) begin
@@ -109,7 +116,7 @@ module ffd_bench_evaluator #(
   wire        forming;
   wire [PORTS-1:0]    read;
   wire [PORTS-1:0]    read_last;
-  wire [PORTS*8-1:0]  read_support;
+  wire [PORTS*8-1:0]  read_source;
   wire [PORTS*12-1:0] read_cell;
   wire [PORTS*6-1:0]  read_index;
   reg  [PORTS*N*3*POINT_W-1:0] read_q;
@@ -125,8 +132,9 @@ module ffd_bench_evaluator #(
       wire [1:0] l    = bank[5:4] - read_cell[12*PORT +: 2];
       wire [1:0] m    = bank[3:2] - read_cell[12*PORT+4 +: 2];
       wire [1:0] n    = bank[1:0] - read_cell[12*PORT+8 +: 2];
+      wire [7:0] support = read_source[8*PORT +: 8] ^ mixed(read_cell[12*PORT +: 12]);
       always @(posedge clk) begin
-        read_q[p*3*POINT_W +: 3*POINT_W] <= support_q[{read_support[8*PORT +: 8], l, m, n}];
+        read_q[p*3*POINT_W +: 3*POINT_W] <= support_q[{support, l, m, n}];
       end
     end
   endgenerate
@@ -150,7 +158,7 @@ module ffd_bench_evaluator #(
     .s_vertex_ready      (s_vertex_ready),
     .s_vertex_coordinates(coordinates),
     .s_vertex_cell       (s_vertex_cell),
-    .s_vertex_source     (s_vertex_support),
+    .s_vertex_source     (s_vertex_support ^ mixed(s_vertex_cell)),
     .s_vertex_bank       (s_vertex_bank),
     .s_vertex_exponent   (s_vertex_exponent),
     .s_vertex_changed    (s_vertex_changed),
@@ -158,7 +166,7 @@ module ffd_bench_evaluator #(
     .s_vertex_user       (s_vertex_tag),
     .read_o              (read),
     .read_last_o         (read_last),
-    .read_source_o       (read_support),
+    .read_source_o       (read_source),
     .read_cell_o         (read_cell),
     .read_index_o        (read_index),
     .read_points_i       (points_q),

@@ -88,7 +88,7 @@ module ffd_eval_sequencer #(
   endgenerate
 
   generate
-    if (CONTEXTS == 1 && START_GAP <= INTERVAL * STEPS) begin : gen_at_once
+    if (START_GAP == 1 || (CONTEXTS == 1 && START_GAP <= INTERVAL * STEPS)) begin : gen_at_once
       assign may_start = 1'b1;
     end else begin : gen_spread
       localparam              WAIT_W = $clog2(START_GAP + 1);

@@ -20,14 +20,27 @@ FOR_ONE = 4  # times as many are listed where only some of the modules are asked
 _PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", re.MULTILINE)
 # Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
 _CLOCK = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk ")
+_WHOLE = "localparam MOST = WIDTH;"  # of a simulator
 _IMPORT = 'import "DPI-C" function int hwffd_mutant();\n'
 
 
-def _read(root, model):
+def _by_bits(memory, folder):
+    """The memory with a column for each bit, so that a bit that nobody reads is dead, as a register's is."""
+    text = memory.read_text(encoding="utf-8")
+    if text.count(_WHOLE) != 1:
+        raise MutantError(f"{memory} has not '{_WHOLE}' once")
+    sliced = folder / memory.name
+    sliced.write_text(text.replace(_WHOLE, "localparam MOST = 1;"), encoding="utf-8")
+    return sliced
+
+
+def _read(root, model, folder):
     """The steps of yosys that read a model's design."""
     inside = sorted(path.relative_to(root) for path in root.glob("rtl/**/*.v*"))
+    memory = next((path for path in inside if path.name == "ffd_mem_sdp.v"), None)
     folders = " ".join(f"-I {path}" for path in sorted({one.parent for one in inside}))
-    sources = [str(path) for path in inside if path.suffix == ".v"]
+    sources = [str(path) for path in inside if path.suffix == ".v" and path != memory]
+    sources += [str(_by_bits(root / memory, folder))] if memory else []
     sources += [os.path.relpath(source, root) for source in model.sources
                 if not source.startswith(str(root / "rtl"))]
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
@@ -62,7 +75,7 @@ def _chosen(lines, modules, number):
 def read(root, model, folder):
     """Reads the design. A number that follows from it, the same on every machine."""
     design = folder / "design.il"
-    if not yosys(root, folder / "read.ys", [*_read(root, model), f"write_rtlil {design}"]):
+    if not yosys(root, folder / "read.ys", [*_read(root, model, folder), f"write_rtlil {design}"]):
         raise MutantError(f"yosys cannot read {model.top}: see {folder / 'read.log'}")
     text = "".join(line for line in design.read_text().splitlines(True) if not line.startswith("#"))
     return int(hashlib.sha256(text.encode()).hexdigest()[:6], 16)

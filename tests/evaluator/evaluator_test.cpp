@@ -113,7 +113,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Scans);          // nor shares that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
-  const auto stimulus = draw(200, tb::seed_from_environment(1));
+  const auto stimulus = draw(800, tb::seed_from_environment(1));
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
   bench_.run(stimulus, tb::make_throttle("long_stall", 3), tb::make_throttle("sparse", 4));
   expect_no_mismatch(2 * stimulus.vertices.size());
@@ -121,7 +121,7 @@ TEST_P(Evaluator, BitsUnderRandomStalls) {
 
 // Each vertex with the derivative functions of one axis, or of none: the position.
 TEST_P(Evaluator, DerivativesUnderRandomStalls) {
-  auto stimulus = draw(240, tb::seed_from_environment(2));
+  auto stimulus = draw(800, tb::seed_from_environment(2));
   tb::Random random(5);
   for (auto& vertex : stimulus.vertices) vertex.derivative = static_cast<int>(random.below(4)) - 1;
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
@@ -265,7 +265,7 @@ TEST_P(Scans, WhatEndsARun) {
 // Four results in one pass, among vertices that want one of them, all with the bits of a pass of
 // its own.
 TEST_P(GivesJacobian, BitsAmongOtherVertices) {
-  auto stimulus = draw(240, tb::seed_from_environment(2));
+  auto stimulus = draw(800, tb::seed_from_environment(2));
   tb::Random random(6);
   std::size_t whole = 0;
   for (auto& vertex : stimulus.vertices) {

@@ -27,7 +27,7 @@ std::uint8_t byte(const Port& port, int i) {
 
 /// What is known of one sequencer.
 struct Barrel {
-  int steps, vertices;
+  int steps = 0, vertices = 0;
   std::uint8_t next = 0;  ///< number of the vertex that is offered
   struct Inside {
     std::uint8_t number;
@@ -35,6 +35,28 @@ struct Barrel {
     std::int64_t clock;  ///< of that step
   };
   std::deque<Inside> inside;  ///< in the order in which they came
+  std::vector<int> left;      ///< steps that each context has before it
+  std::int64_t last_start = -1000;
+
+  /// Clocks between starts, so that they are spread over the time of a vertex.
+  int gap() const {
+    if (steps >= vertices + 2) return steps - vertices + 1;
+    return steps >= 4 ? 3 : steps > vertices ? 2 : 1;
+  }
+
+  /// Whether a vertex may come, and what becomes of the context whose turn it is.
+  bool turn(std::int64_t clock, bool offered) {
+    int& mine = left[clock % vertices];
+    const bool ready = mine == 0 && clock - last_start >= gap();
+    if (ready && offered) {
+      last_start = clock;
+      mine = steps - 1;
+    } else if (mine > 0) {
+      --mine;
+    }
+    return ready;
+  }
+
   std::int64_t started = 0, ended = 0, last_end = -100;
   int wrong = 0;
   std::int64_t closest = 1000;  ///< clocks between ends
@@ -44,7 +66,11 @@ class Barrels : public ::testing::Test {
  protected:
   Barrels() {
     for (int i = 0; i < kCount; ++i) {
-      barrels_.push_back({1 << (i / kBarrels), i % kBarrels + 1, 0, {}, 0, 0, -100, 0, 1000});
+      Barrel barrel;
+      barrel.steps = 1 << (i / kBarrels);
+      barrel.vertices = i % kBarrels + 1;
+      barrel.left.resize(barrel.vertices, 0);
+      barrels_.push_back(barrel);
     }
     sim_->rst = 1;
     sim_->valid_i = 0;
@@ -61,7 +87,12 @@ class Barrels : public ::testing::Test {
         sim_->vertex_i[word] |= std::uint32_t{barrels_[4 * word + i].next} << (8 * i);
       }
     }
-    const std::uint64_t taken = mask & sim_->ready_o;
+    const std::uint64_t ready = sim_->ready_o;
+    const std::uint64_t taken = mask & ready;
+    for (int i = 0; i < kCount; ++i) {
+      Barrel& barrel = barrels_[i];
+      if (barrel.turn(clock_, (mask >> i & 1) != 0) != ((ready >> i & 1) != 0)) ++barrel.wrong;
+    }
     sim_.tick();
     ++clock_;
     for (int i = 0; i < kCount; ++i) watch(i, (taken >> i & 1) != 0);
