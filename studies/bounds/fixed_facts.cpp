@@ -214,7 +214,7 @@ class FixedFacts {
   void add(const std::string& form) {
     auto engine = seeded(name_ + form);
     const Triple triple =
-        best_triple(candidates_, static_cast<int>(effort_.starts), engine,
+        best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
                     [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
     const Witness found =
         climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
@@ -226,7 +226,8 @@ class FixedFacts {
     constexpr int kFraction = F::kWeightFraction;
     // Roundings, not weights, are most of it, so more starts are worth while.
     const Triple triple = best_triple(
-        candidates_, static_cast<int>(8 * effort_.starts), engine,
+        candidates_, near_sixteenths(candidates_, C::kUnit), static_cast<int>(8 * effort_.starts),
+        engine,
         [](const Triple& t) { return rounded_distance<Wide>(t[0], t[1], t[2], kFraction); });
     const auto weight = [](const Triple& t, int l, int m, int n) {
       const std::int64_t pair = rounded_product<Wide>(t[0].units[l], t[1].units[m], kFraction);
