@@ -54,7 +54,7 @@ def coq_of(script, ending=""):
     status, text = gappa(script, "-Bcoq")
     if status != 0:
         raise BoundsError("Gappa does not prove it:\n" + gappa(script)[1])
-    text = re.sub(r"^Hypothesis (\w+) : (.*)\.$", r"Lemma \1 : \2.\nProof. ring. Qed.", text, flags=re.MULTILINE)
+    text = re.sub(r"^Hypothesis (\w+) : (.*)\.$", r"Lemma \1 : \2.\nProof. first [ring | unfold Float1; ring]. Qed.", text, flags=re.MULTILINE)
     goal = re.search(r"^Definition s1 := \((\w+) /\\ (\w+)\)\.$", text, re.MULTILINE)
     refuted = goal and re.search(rf"^Definition {goal[2]} := \(not (\w+)\)\.$", text, re.MULTILINE)
     if not refuted or "Hypothesis" in text:

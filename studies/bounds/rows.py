@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import dyadic
 import forms
 import gappa
+import powers
 import weights
 
 SMALLER = fractions.Fraction(98, 100)  # of an error that is reached: a bound that has to be refused
@@ -88,12 +89,14 @@ def weight_rows(found):
     """Each family in each format: nothing is taken for granted."""
     for fact in found["weights"]:
         family, form = fact["weights"], weights.FORMATS[fact["format"]]
-        if family not in weights.FAMILIES or family == "constant":
+        if family == "powers":
+            scripts = [lambda bound, n=n, one=one, form=form: powers.powers_script(n, form, one, bound)
+                       for n in range(4) for one in (False, True)]
+        elif family in weights.FAMILIES and fact["weight"] > 0:  # else nothing is rounded
+            scripts = [lambda bound, n=n, family=family, form=form: weights.weight_script(family, n, form, bound)
+                       for n in range(4) if weights.weight_script(family, n, form)]
+        else:
             continue
-        scripts = [lambda bound, n=n, family=family, form=form: weights.weight_script(family, n, form, bound)
-                   for n in range(4) if weights.weight_script(family, n, form)]
-        if fact["weight"] == 0:
-            continue  # nothing is rounded: exact
         yield Row(f"weights {family}", form.name, "", fact["weight"], scripts, "w - e")
 
 

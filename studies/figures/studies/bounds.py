@@ -9,7 +9,7 @@ from figures.table import Table
 FORMS = ("product", "factored", "affine", "powers", "nested", "sequence", "tree")
 # Of a form, what its ratio shall be at most.
 AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
-FAMILIES = ("bspline", "bernstein", "hermite", "catmull-rom", "linear")
+FAMILIES = ("bspline", "powers", "bernstein", "hermite", "catmull-rom", "linear")
 
 
 def _unit(name):
@@ -38,7 +38,9 @@ def weights(reports):
 
     def cell(family, name):
         row = rows.get((f"weights {family}", name))
-        return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})" if row else "exact"
+        if not row:
+            return "-" if family == "powers" else "exact"
+        return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})"
 
     return Table(["functions", *(f"`{name}`" for name in formats)],
                  [[f"`{family}`", *(cell(family, name) for name in formats)] for family in FAMILIES])
