@@ -50,7 +50,7 @@ class Grid {
 
  private:
   static constexpr int kPieces = 64;
-  static constexpr std::int64_t kSteps = 40;
+  static constexpr std::int64_t kSteps = 64;
   static constexpr std::int64_t kCells = kPieces * kSteps * kSteps * kSteps * kSteps;
 
   double side_;
