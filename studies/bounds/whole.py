@@ -53,15 +53,15 @@ def axis_lemma(files, axis):
     """The four certificates of weights, as one sum."""
     proofs = "\n".join(
         f"  assert (H{number} : Rabs (weight {number} x - function {number} x) <= {bound.coq()})\n"
-        f"    by exact (proj2 ({file}.certificate x ltac:(unfold BND, lower, upper, float2R, F2R; simpl; lra)))."
+        f"    by exact (proj2 ({file}.certificate x ltac:(unfold BND, lower, upper, float2R, Defs.F2R; simpl; lra)))."
         for number, (file, bound) in enumerate(files))
     return (f"Lemma axis x : 0 <= x <= 1 -> norm (fun i => weight i x - function i x) <= {axis.coq()}.\n"
             f"Proof.\n  intro X.\n{proofs}\n  unfold norm, S4.\n"
             f"  eapply Rle_trans; [repeat apply Rplus_le_compat; [exact H0|exact H1|exact H2|exact H3]|{forms.NUMBERS}].\n"
             "Qed.\n"
             "Lemma functions x : 0 <= x <= 1 -> norm (fun i => function i x) <= 1.\n"
-            "Proof.\n  intro X; apply (bspline_norm _ x X); unfold function, horner_exact, float2R, F2R, Float1;\n"
-            "    simpl; field.\nQed.\n")
+            "Proof.\n  intro X; apply (bspline_norm _ x X); unfold function, horner_exact, float2R, Defs.F2R, Float1;\n"
+            "    simpl; lra.\nQed.\n")
 
 
 def text(form, files, known, bound):
