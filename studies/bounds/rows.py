@@ -35,6 +35,9 @@ class Row:
     added: fractions.Fraction = fractions.Fraction(0)  # by the theorem, to the bound of the script
     before: tuple = ()  # certificates that the theorem rests on: file, script, bound
 
+    def certificate(self):
+        return certificate_name(self.form, self.format, self.hypothesis)
+
     def prove(self, theory):
         bounds = []
         for file, script, limit in self.before if theory else ():
@@ -43,19 +46,20 @@ class Row:
             bound = least(script, self.name)
             bounds.append(bound)
             if theory:
-                accepted(theory, file_name(self.form, self.format, self.hypothesis, number),
+                accepted(theory, f"{self.certificate()}_{number}",
                          gappa.coq_of(script(bound), self.theorem(bound)))
         bound = float(max(b.value() for b in bounds) + self.added)
         false = dyadic.above(max(fractions.Fraction(self.witness) * SMALLER - self.added, 0))
         refused = not all(gappa.proves(script(false)) for script in self.script)
         return {"form": self.form, "format": self.format, "bound": bound, "witness": self.witness,
                 "ratio": round(bound / self.witness, 3) if self.witness else None,
-                "checked_by": "gappa+coq" if theory else "gappa",
+                "checked_by": "gappa+coq" if theory else "gappa", "certificate": self.certificate(),
                 "hypothesis": self.hypothesis, "smaller_refused": refused}
 
 
-def file_name(form, name, hypothesis, number):
-    return re.sub(r"\W", "_", f"{form}_{name}_{hypothesis}_{number}")
+def certificate_name(*parts):
+    """Of the Coq files of a row, but for their number."""
+    return re.sub(r"\W", "_", "_".join(part for part in parts if part))
 
 
 def accepted(theory, file, text):
@@ -186,7 +190,8 @@ def whole_rows(found):
                    for n in range(4)]
         limits = [least(script, "w - e") for script in scripts]
         known = forms.of_axes(dyadic.above(sum(limit.value() for limit in limits), 24))
-        files = [(file_name(f"weights {whole.FAMILY}", form.name, "", n), limit) for n, limit in enumerate(limits)]
+        name_of = certificate_name(f"weights {whole.FAMILY}", form.name)
+        files = [(f"{name_of}_{n}", limit) for n, limit in enumerate(limits)]
         before = [(file, script, limit) for (file, limit), script in zip(files, scripts)]
         yield whole_row(form, name, known, (files, before), fact["error"])
 
