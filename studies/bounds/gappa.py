@@ -38,6 +38,12 @@ def proves(script):
     return status == 0
 
 
+def certifies(script):
+    """Whether Gappa proves it with the rules that it can write for Coq, which are fewer."""
+    status, _ = gappa(script, "-Bcoq")
+    return status == 0
+
+
 def found(script, name):
     """The upper end that Gappa finds for |name| where the script asks `in ?`, as a fraction."""
     status, text = gappa(script)

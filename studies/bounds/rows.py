@@ -69,11 +69,11 @@ def accepted(theory, file, text):
 
 
 def least(script, name):
-    """The bound that Gappa finds; a little more where it does not find its own way to it again."""
+    """The bound that Gappa finds; a little more where what it can write for Coq does not reach that."""
     found = gappa.found(script(None), name)
     for percent in (0, 1, 2, 5):
         bound = dyadic.above(found * (100 + percent) / 100)
-        if gappa.proves(script(bound)):
+        if gappa.certifies(script(bound)):
             return bound
     raise gappa.BoundsError(f"Gappa does not prove what it finds:\n{script(None)}")
 
