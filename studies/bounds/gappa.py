@@ -98,13 +98,23 @@ class Theory:
             raise BoundsError(f"Coq refuses {name}.v:\n{done.stdout}{done.stderr}")
         return done.stdout
 
-    def accepts(self, name, text):
-        """Whether Coq accepts a certificate that rests on nothing but real numbers: None, or why not.
-        One that has been accepted before, to the letter, is not looked at again."""
-        source, marker = self.folder / f"{name}.v", self.folder / f"{name}.accepted"
-        key = (self.key if "Certified" in text else "") + hashlib.sha256(text.encode()).hexdigest()
+    def certified(self, name, script, ending=""):
+        """Whether Coq accepts Gappa's proof of a script with this ending: None, or why not. One that has been
+        accepted before is not looked at again. Gappa's text does not say whether it is the same: its order
+        differs from run to run."""
+        marker = self.folder / f"{name}.accepted"
+        key = hashlib.sha256("\0".join((self.key if ending else "", script, ending)).encode()).hexdigest()
         if marker.exists() and marker.read_text() == key:
             return None
+        complaint = self.accepts(name, coq_of(script, ending))
+        if not complaint:
+            marker.write_text(key)
+        return complaint
+
+    def accepts(self, name, text):
+        """Whether Coq accepts a text that rests on nothing but real numbers: None, or why not."""
+        source, marker = self.folder / f"{name}.v", self.folder / f"{name}.accepted"
+        marker.unlink(missing_ok=True)
         source.write_text(text)
         try:
             printed = self.compile(name)
@@ -116,5 +126,4 @@ class Theory:
                                                            re.MULTILINE)}
         if used - AXIOMS:
             return f"{name}.v rests on {', '.join(sorted(used - AXIOMS))}"
-        marker.write_text(key)
         return None

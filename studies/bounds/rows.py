@@ -41,13 +41,12 @@ class Row:
     def prove(self, theory):
         bounds = []
         for file, script, limit in self.before if theory else ():
-            accepted(theory, file, gappa.coq_of(script(limit)))
+            accepted(theory, file, script(limit))
         for number, script in enumerate(self.script):
             bound = least(script, self.name)
             bounds.append(bound)
             if theory:
-                accepted(theory, f"{self.certificate()}_{number}",
-                         gappa.coq_of(script(bound), self.theorem(bound)))
+                accepted(theory, f"{self.certificate()}_{number}", script(bound), self.theorem(bound))
         bound = float(max(b.value() for b in bounds) + self.added)
         false = dyadic.above(max(fractions.Fraction(self.witness) * SMALLER - self.added, 0))
         refused = not all(gappa.proves(script(false)) for script in self.script)
@@ -62,8 +61,8 @@ def certificate_name(*parts):
     return re.sub(r"\W", "_", "_".join(part for part in parts if part))
 
 
-def accepted(theory, file, text):
-    complaint = theory.accepts(file, text)
+def accepted(theory, file, script, ending=""):
+    complaint = theory.certified(file, script, ending)
     if complaint:
         raise gappa.BoundsError(complaint)
 
