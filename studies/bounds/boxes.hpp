@@ -20,7 +20,7 @@ class Grid {
     const Four e = point.error();
     auto cell = static_cast<std::int64_t>(std::min(point.x * kPieces, kPieces - 1.0));
     for (const double of_one : e) {
-      const auto step = static_cast<std::int64_t>(std::floor(of_one / side_)) + kSteps / 2;
+      const auto step = static_cast<std::int64_t>(std::floor(of_one / side_)) + kMiddle;
       if (step < 0 || step >= kSteps) throw std::logic_error("a weight's error leaves the grid");
       cell = cell * kSteps + step;
     }
@@ -37,7 +37,7 @@ class Grid {
       ErrorBox box;
       std::int64_t rest = cell;
       for (int l = 3; l >= 0; --l) {
-        box.low[l] = static_cast<double>(rest % kSteps - kSteps / 2) * side_;
+        box.low[l] = static_cast<double>(rest % kSteps - kMiddle) * side_;
         box.high[l] = box.low[l] + side_;
         rest /= kSteps;
       }
@@ -50,7 +50,8 @@ class Grid {
 
  private:
   static constexpr int kPieces = 64;
-  static constexpr std::int64_t kSteps = 40;
+  static constexpr std::int64_t kSteps = 64;
+  static constexpr std::int64_t kMiddle = kSteps / 2;  // the step of an error of 0
   static constexpr std::int64_t kCells = kPieces * kSteps * kSteps * kSteps * kSteps;
 
   double side_;

@@ -56,16 +56,32 @@ double rounded_distance(const Candidate& s, const Candidate& t, const Candidate&
   return sum;
 }
 
+/// Those within two units of a sixteenth: many products of their weights lie half-way between
+/// numbers.
+inline std::vector<Candidate> near_sixteenths(const std::vector<Candidate>& candidates,
+                                              double unit) {
+  std::vector<Candidate> result;
+  for (const Candidate& one : candidates) {
+    const double parts = one.point.x * 16;
+    if (std::abs(parts - std::round(parts)) <= 40 * unit) result.push_back(one);
+  }
+  return result;
+}
+
 /// One axis after the other takes its best candidate, until none improves; from so many random
-/// starts.
+/// starts, in two of three of them from those preferred.
 template <class Objective>
-Triple best_triple(const std::vector<Candidate>& candidates, int starts, std::mt19937_64& engine,
+Triple best_triple(const std::vector<Candidate>& candidates,
+                   const std::vector<Candidate>& preferred, int starts, std::mt19937_64& engine,
                    const Objective& objective) {
   Triple best;
   double most = -1;
   for (int start = 0; start < starts; ++start) {
     Triple triple;
-    for (Candidate& axis : triple) axis = candidates[engine() % candidates.size()];
+    for (Candidate& axis : triple) {
+      const auto& from = preferred.empty() || engine() % 3 == 0 ? candidates : preferred;
+      axis = from[engine() % from.size()];
+    }
     double here = -1;
     for (int axis = 0, idle = 0; idle < 3; axis = (axis + 1) % 3) {
       const double before = here;

@@ -26,6 +26,17 @@ int width_of() {
   }
 }
 
+template <class F, class Weights>
+Candidate candidate_of(const Weights& weights, std::uint32_t word, int left) {
+  // Bank 3, which is left over, has function `left` in this cell.
+  const int cell = left == kNone ? 0 : 3 - left;
+  Candidate candidate{variant(axis_point<F>(weights, word), left), cell, {}};
+  for (int l = 0; l < 4; ++l) {
+    candidate.units[l] = std::llround(candidate.point.weight[l] / Coordinates<F>::kUnit);
+  }
+  return candidate;
+}
+
 /// Coordinates to try: all where they are few; else those of large errors, some around fractions
 /// whose weights have many zeros, and random ones.
 template <class F, class Weights>
@@ -34,13 +45,7 @@ std::vector<Candidate> candidates(const Weights& weights, const std::vector<Axis
   using C = Coordinates<F>;
   std::vector<Candidate> result;
   const auto add = [&](std::uint32_t word) {
-    // Bank 3, which is left over, has function `left` in this cell.
-    const int cell = left == kNone ? 0 : 3 - left;
-    Candidate candidate{variant(axis_point<F>(weights, word), left), cell, {}};
-    for (int l = 0; l < 4; ++l) {
-      candidate.units[l] = std::llround(candidate.point.weight[l] / C::kUnit);
-    }
-    result.push_back(candidate);
+    result.push_back(candidate_of<F>(weights, word, left));
   };
   const auto both_ends = [&](std::int64_t k) {
     for (int end = 0; end < C::kEnds; ++end) add(C::word(k, end));
@@ -214,7 +219,7 @@ class FixedFacts {
   void add(const std::string& form) {
     auto engine = seeded(name_ + form);
     const Triple triple =
-        best_triple(candidates_, static_cast<int>(effort_.starts), engine,
+        best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
                     [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
     const Witness found =
         climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
@@ -226,14 +231,37 @@ class FixedFacts {
     constexpr int kFraction = F::kWeightFraction;
     // Roundings, not weights, are most of it, so more starts are worth while.
     const Triple triple = best_triple(
-        candidates_, static_cast<int>(8 * effort_.starts), engine,
+        candidates_, near_sixteenths(candidates_, C::kUnit), static_cast<int>(8 * effort_.starts),
+        engine,
         [](const Triple& t) { return rounded_distance<Wide>(t[0], t[1], t[2], kFraction); });
+    const Triple refined = kFew ? triple : over_random(triple, engine);
     const auto weight = [](const Triple& t, int l, int m, int n) {
       const std::int64_t pair = rounded_product<Wide>(t[0].units[l], t[1].units[m], kFraction);
       return static_cast<double>(rounded_product<Wide>(pair, t[2].units[n], kFraction)) * C::kUnit;
     };
-    const Witness found = climb<F, model::OrgCg>(name_, triple, weight, effort_.steps / 4, engine);
+    const Witness found = climb<F, model::OrgCg>(name_, refined, weight, effort_.steps / 4, engine);
     facts_.forms.push_back({"product", name_, found});
+  }
+
+  /// Each axis again, over random coordinates: in wide formats few of them were candidates.
+  Triple over_random(Triple best, std::mt19937_64& engine) {
+    constexpr int kFraction = F::kWeightFraction;
+    const WordCodec codec(name_);
+    double most = rounded_distance<Wide>(best[0], best[1], best[2], kFraction);
+    for (std::int64_t i = 0; i < effort_.starts * 200'000; ++i) {
+      Triple probe = best;
+      Candidate& axis = probe[i % 3];
+      const double x = static_cast<double>(engine() >> 11) * 0x1p-53;
+      const double near = axis.point.x + (x - 0.5) * 1024 * C::kUnit;
+      axis = candidate_of<F>(horner_, codec.coordinate(i % 2 == 0 ? x : std::clamp(near, 0.0, 1.0)),
+                             kNone);
+      const double reached = rounded_distance<Wide>(probe[0], probe[1], probe[2], kFraction);
+      if (reached > most) {
+        most = reached;
+        best = probe;
+      }
+    }
+    return best;
   }
 
   /// Its roundings count most where powers of the centred coordinates are near 1.

@@ -22,7 +22,7 @@ DISTANCES = {"product": "a + 16*unit2*g + 64*unit2", "product by pairs": "64*uni
 ORDERS = {"sequence": (False, 65, 128), "tree": (True, 7, 127)}
 FUSED_ORDERS = {"sequence": (False, 64, 64), "tree": (True, 7, 95)}
 
-HALF_UP, EXACTLY = "half_up", "exactly"
+BLOCK_WEIGHT = -33  # what weights of bfp32 are rounded to multiples of, as a power of two
 
 
 @dataclass(frozen=True)
@@ -115,79 +115,84 @@ IMPORTS = "Require Import Sums Fixed Nested Float Programs Certified.\nOpen Scop
 NUMBERS = "numbers"
 
 
+@dataclass(frozen=True)
+class Theorem:
+    """What a certificate ends in: premises, a conclusion, and tactics that prove it."""
+
+    premises: tuple
+    conclusion: str
+    proof: str
+    quantified: str = QUANTIFIED
+
+    def text(self):
+        return (f"{IMPORTS}Theorem bound : {self.quantified},\n  "
+                + "".join(f"{premise} ->\n  " for premise in self.premises)
+                + f"{self.conclusion}.\nProof.\n{self.proof}Qed.\n")
+
+
 def certificate_of(values):
     """The use of Gappa's theorem at the ends of what it takes."""
     ends = " ".join(value.coq() for value in values)
     return f"apply (proj2 (certificate {ends} ltac:({NUMBERS})))"
 
 
+def within(result, bound):
+    return f"Rabs ({result} - eq1 bs bt bu P) <= {bound.coq()}"
+
+
 def fixed_theorem(form, rounds, known, bound):
     """The program of the form is within the bound of eq. (1)."""
     e, a = known.axis.coq(), known.triple.coq()
     point, narrow, last, weight = rounds.point, rounds.narrow, rounds.last, rounds.weight
-    proofs = {"given": point, "half": narrow, "last": last, "unit": weight}
+    premises, names = [f"vertex {e} {a} s t u bs bt bu P"], "V"
     if form.startswith("product"):
         by_pair = form == "product by pairs"
         program = f"product_program s t u P {weight.coq()} {point.coq()} {last.coq()}"
-        pair = (f"pair_distance bs bt (fun l m => {weight.coq()} (s l * t m)) <= {known.pair.coq()} -> "
-                if by_pair else "")
+        if by_pair:
+            premises.append(f"pair_distance bs bt (fun l m => {weight.coq()} (s l * t m)) <= {known.pair.coq()}")
+            names += " R"
         lemma = (f"(product_by_{'pair' if by_pair else 'triple'} {e} {a} {bound.coq()} s t u bs bt bu P "
                  f"{point.coq()} {weight.coq()} {last.coq()} {point.half_coq()} {weight.half_coq()} "
-                 f"{last.half_coq()} V {proofs['given'].proof()} {proofs['last'].proof()} "
-                 f"{proofs['unit'].proof()}" + (f" {known.pair.coq()} R)" if by_pair else ")"))
-        names = "V R" if by_pair else "V"
+                 f"{last.half_coq()} V {point.proof()} {last.proof()} {weight.proof()}"
+                 + (f" {known.pair.coq()} R)" if by_pair else ")"))
         values = [known.axis, known.pair if by_pair else known.triple]
     else:
         program = f"factored_program s t u P {point.coq()} {narrow.coq()} {last.coq()}"
-        pair = ""
         lemma = (f"(factored_certified {e} {a} {bound.coq()} s t u bs bt bu P {point.coq()} {narrow.coq()} "
                  f"{last.coq()} {point.half_coq()} {narrow.half_coq()} {last.half_coq()} V "
-                 f"{proofs['given'].proof()} {proofs['half'].proof()} {proofs['last'].proof()})")
-        names, values = "V", [known.axis, known.triple]
-    if by_block(rounds):
-        return block_theorem(program, pair, lemma, names, values, bound, (e, a))
-    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P -> {pair}\n"
-            f"  Rabs ({program} - eq1 bs bt bu P) <= {bound.coq()}.\n"
-            f"Proof.\n  intros s t u bs bt bu P {names}.\n  apply {lemma}.\n  {certificate_of(values)}.\nQed.\n")
-
-
-def by_block(rounds):
-    return rounds.weight.exponent == -33
-
-
-def block_theorem(program, pair, lemma, names, values, bound, known):
-    """A result of the block, which is rounded to binary32 at last; relative to the block's 2^e."""
-    total = dyadic.exact(bound.value() + fractions.Fraction(1, 2 ** 25))
-    e, a = known
-    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P -> {pair}\n"
-            f"  Rabs ({program}) <= 1 ->\n"
-            f"  Rabs (nearest ({program}) - eq1 bs bt bu P) <= {total.coq()}.\n"
-            f"Proof.\n  intros s t u bs bt bu P {names} Small.\n"
-            f"  apply (rounded_at_last _ _ {bound.coq()}); [|exact Small|{NUMBERS}].\n"
-            f"  apply {lemma}.\n  {certificate_of(values)}.\nQed.\n")
+                 f"{point.proof()} {narrow.proof()} {last.proof()})")
+        values = [known.axis, known.triple]
+    proof = f"  apply {lemma}.\n  {certificate_of(values)}.\n"
+    if weight.exponent == BLOCK_WEIGHT:
+        # A result of the block is rounded to binary32 at last; all is relative to the block's 2^e.
+        premises.append(f"Rabs ({program}) <= 1")
+        names += " Small"
+        program = f"nearest ({program})"
+        total = dyadic.exact(bound.value() + fractions.Fraction(1, 2 ** 25))
+        proof = f"  apply (rounded_at_last _ _ {bound.coq()}); [|exact Small|{NUMBERS}].\n" + proof
+        bound = total
+    return Theorem(tuple(premises), within(program, bound), f"  intros s t u bs bt bu P {names}.\n{proof}")
 
 
 def nested_theorem(rounds, known, bound):
     e, a = known.axis.coq(), known.triple.coq()
-    point, narrow = rounds.point, rounds.narrow
-    program = f"nested_program ms mt mu x y z P {point.coq()} {narrow.coq()} {rounds.last.coq()}"
+    point, narrow, last = rounds.point, rounds.narrow, rounds.last
     weights = " ".join(f"(fun i => at_power {x} (fun k => {m} k i))"
                        for x, m in (("x", "ms"), ("y", "mt"), ("z", "mu")))
-    return (f"{IMPORTS}Theorem bound : forall ms mt mu x y z bs bt bu P,\n"
-            f"  Rabs x <= 1 -> Rabs y <= 1 -> Rabs z <= 1 -> vertex {e} {a} {weights} bs bt bu P ->\n"
-            f"  Rabs ({program} - eq1 bs bt bu P) <= {bound.coq()}.\n"
-            "Proof.\n  intros ms mt mu x y z bs bt bu P X Y Z V.\n"
-            f"  apply (nested_certified {e} {a} {bound.coq()} {point.half_coq()} {narrow.half_coq()} "
-            f"{rounds.last.half_coq()} {point.coq()} {narrow.coq()} {rounds.last.coq()} ms mt mu x y z bs bt bu P\n"
-            f"    X Y Z V {point.proof()} {narrow.proof()} {rounds.last.proof()}).\n"
-            f"  {certificate_of([known.axis, known.triple])}.\nQed.\n")
+    proof = ("  intros ms mt mu x y z bs bt bu P X Y Z V.\n"
+             f"  apply (nested_certified {e} {a} {bound.coq()} {point.half_coq()} {narrow.half_coq()} "
+             f"{last.half_coq()} {point.coq()} {narrow.coq()} {last.coq()} ms mt mu x y z bs bt bu P\n"
+             f"    X Y Z V {point.proof()} {narrow.proof()} {last.proof()}).\n"
+             f"  {certificate_of([known.axis, known.triple])}.\n")
+    return Theorem(("Rabs x <= 1", "Rabs y <= 1", "Rabs z <= 1", f"vertex {e} {a} {weights} bs bt bu P"),
+                   within(f"nested_program ms mt mu x y z P {point.coq()} {narrow.coq()} {last.coq()}", bound),
+                   proof, "forall ms mt mu x y z bs bt bu P")
 
 
 def float_theorem(order, fused, known, bound):
     e, a = known.axis.coq(), known.triple.coq()
     what = f"{'true' if order[0] else 'false'} {'true' if fused else 'false'}"
-    return (f"{IMPORTS}Theorem bound : {QUANTIFIED}, vertex {e} {a} s t u bs bt bu P ->\n"
-            f"  Rabs (float_program {what} s t u P - eq1 bs bt bu P) <= {bound.coq()}.\n"
-            "Proof.\n  intros s t u bs bt bu P V.\n"
-            f"  apply (float_certified {what} {e} {a} {bound.coq()} s t u bs bt bu P V).\n"
-            f"  {certificate_of([known.axis, known.triple])}.\nQed.\n")
+    proof = ("  intros s t u bs bt bu P V.\n"
+             f"  apply (float_certified {what} {e} {a} {bound.coq()} s t u bs bt bu P V).\n"
+             f"  {certificate_of([known.axis, known.triple])}.\n")
+    return Theorem((f"vertex {e} {a} s t u bs bt bu P",), within(f"float_program {what} s t u P", bound), proof)

@@ -38,6 +38,12 @@ def proves(script):
     return status == 0
 
 
+def certifies(script):
+    """Whether Gappa proves it with the rules that it can write for Coq, which are fewer."""
+    status, _ = gappa(script, "-Bcoq")
+    return status == 0
+
+
 def found(script, name):
     """The upper end that Gappa finds for |name| where the script asks `in ?`, as a fraction."""
     status, text = gappa(script)
@@ -54,7 +60,8 @@ def coq_of(script, ending=""):
     status, text = gappa(script, "-Bcoq")
     if status != 0:
         raise BoundsError("Gappa does not prove it:\n" + gappa(script)[1])
-    text = re.sub(r"^Hypothesis (\w+) : (.*)\.$", r"Lemma \1 : \2.\nProof. ring. Qed.", text, flags=re.MULTILINE)
+    text = re.sub(r"^Hypothesis (\w+) : (.*)\.$",
+                  r"Lemma \1 : \2.\nProof. first [ring | unfold Float1; ring]. Qed.", text, flags=re.MULTILINE)
     goal = re.search(r"^Definition s1 := \((\w+) /\\ (\w+)\)\.$", text, re.MULTILINE)
     refuted = goal and re.search(rf"^Definition {goal[2]} := \(not (\w+)\)\.$", text, re.MULTILINE)
     if not refuted or "Hypothesis" in text:
@@ -64,9 +71,8 @@ def coq_of(script, ending=""):
     end = "End Generated_by_Gappa."
     if text.count(end) != 1:
         raise BoundsError("Gappa's proof has another end than expected")
-    return ("Require Import Reals Lra Classical_Prop.\n" +
-            text.replace(end, theorem + end + "\n" + ending) + "Print Assumptions " +
-            ("bound" if ending else "certificate") + ".\n")
+    text = "Require Import Reals Lra Classical_Prop.\n" + text.replace(end, theorem + end + "\n" + ending)
+    return text + f"Print Assumptions {re.findall('^Theorem ([a-z]+)', text, re.MULTILINE)[-1]}.\n"
 
 
 class Theory:
@@ -92,13 +98,23 @@ class Theory:
             raise BoundsError(f"Coq refuses {name}.v:\n{done.stdout}{done.stderr}")
         return done.stdout
 
-    def accepts(self, name, text):
-        """Whether Coq accepts a certificate that rests on nothing but real numbers: None, or why not.
-        One that has been accepted before, to the letter, is not looked at again."""
-        source, marker = self.folder / f"{name}.v", self.folder / f"{name}.accepted"
-        key = self.key + hashlib.sha256(text.encode()).hexdigest()
+    def certified(self, name, script, ending=""):
+        """Whether Coq accepts Gappa's proof of a script with this ending: None, or why not. One that has been
+        accepted before is not looked at again. Gappa's text does not say whether it is the same: its order
+        differs from run to run."""
+        marker = self.folder / f"{name}.accepted"
+        key = hashlib.sha256("\0".join((self.key if ending else "", script, ending)).encode()).hexdigest()
         if marker.exists() and marker.read_text() == key:
             return None
+        complaint = self.accepts(name, coq_of(script, ending))
+        if not complaint:
+            marker.write_text(key)
+        return complaint
+
+    def accepts(self, name, text):
+        """Whether Coq accepts a text that rests on nothing but real numbers: None, or why not."""
+        source, marker = self.folder / f"{name}.v", self.folder / f"{name}.accepted"
+        marker.unlink(missing_ok=True)
         source.write_text(text)
         try:
             printed = self.compile(name)
@@ -110,5 +126,4 @@ class Theory:
                                                            re.MULTILINE)}
         if used - AXIOMS:
             return f"{name}.v rests on {', '.join(sorted(used - AXIOMS))}"
-        marker.write_text(key)
         return None

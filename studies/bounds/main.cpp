@@ -12,7 +12,7 @@ using namespace hwffd;
 
 int carry_out(StudyProgram& program) {
   certified::Effort effort;
-  effort.starts = 60;
+  effort.starts = 100;
   effort.steps = 400'000;
   bool sampled = false;
   program.app().add_option("--form", effort.form, "this form only");

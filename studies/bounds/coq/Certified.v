@@ -166,3 +166,31 @@ Proof.
   replace (nearest y - q) with ((nearest y - y) + (y - q)) by ring.
   eapply Rle_trans; [apply Rabs_triang|]; lra.
 Qed.
+
+(** The weights of an axis by Horner's rule, `r` what rounds a step and `m` what rounds its product;
+    and the functions themselves. *)
+Definition horner_weight (r m : R -> R) c0 c1 c2 c3 x :=
+  r (c0 + m (x * r (c1 + m (x * r (c2 + m (x * c3)))))) * 1.
+Definition horner_exact c0 c1 c2 c3 x := (c0 + x * (c1 + x * (c2 + x * c3))) * 1.
+
+(** B-splines are not negative and sum to 1. *)
+Lemma bspline_norm (f : nat -> R) x : 0 <= x <= 1 ->
+  f 0%nat = (1 - x) * (1 - x) * (1 - x) / 6 -> f 1%nat = (4 - 6 * x * x + 3 * x * x * x) / 6 ->
+  f 2%nat = (1 + 3 * x + 3 * x * x - 3 * x * x * x) / 6 -> f 3%nat = x * x * x / 6 -> norm f <= 1.
+Proof.
+  intros [L U] F0 F1 F2 F3; unfold norm, S4; rewrite F0, F1, F2, F3.
+  assert (N : 0 <= x * x) by nra.
+  assert (X : 0 <= x * x * x) by (apply Rmult_le_pos; lra).
+  assert (Y : 0 <= (1 - x) * (1 - x) * (1 - x)) by (repeat apply Rmult_le_pos; lra).
+  assert (Z : 0 <= x * x * (1 - x)) by (apply Rmult_le_pos; lra).
+  rewrite !Rabs_pos_eq; nra.
+Qed.
+
+Lemma whole_vertex e s t u bs bt bu P : 0 <= e -> norm bs <= 1 -> norm bt <= 1 -> norm bu <= 1 ->
+  norm (fun i => s i - bs i) <= e -> norm (fun i => t i - bt i) <= e -> norm (fun i => u i - bu i) <= e ->
+  (forall l m n, Rabs (P l m n) <= 1) -> forall a, (1 + e) * (1 + e) * (1 + e) - 1 <= a ->
+  vertex e a s t u bs bt bu P.
+Proof.
+  intros E0 Bs Bt Bu Es Et Eu Points a A; constructor; try assumption.
+  apply Rle_trans with (2 := A); apply distance_of_axes; assumption.
+Qed.

@@ -9,7 +9,8 @@ from figures.table import Table
 FORMS = ("product", "factored", "affine", "powers", "nested", "sequence", "tree")
 # Of a form, what its ratio shall be at most.
 AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
-FAMILIES = ("bspline", "bernstein", "hermite", "catmull-rom", "linear")
+FORMATS = ("fx16", "fx17", "fx18", "fx32", "bfp32", "fp32", "fp32-fused")
+FAMILIES = ("bspline", "powers", "bernstein", "hermite", "catmull-rom", "linear")
 
 
 def _unit(name):
@@ -21,14 +22,34 @@ def _ratio(row):
     return row["bound"] / row["witness"]
 
 
+def _sorted(rows):
+    return sorted(rows, key=lambda row: (FORMS.index(row["form"]), FORMATS.index(row["format"]), row["bound"]))
+
+
+def _sharpest(reports):
+    """Of each form and format the smallest bound."""
+    best = {}
+    for row in _sorted(row for row in reports.rows("bounds") if row["form"] in FORMS):
+        best.setdefault((row["form"], row["format"]), row)
+    return best
+
+
 def forms(reports):
-    """Composed bounds, a form and format a line."""
-    rows = sorted((row for row in reports.rows("bounds") if row["form"] in FORMS),
-                  key=lambda row: FORMS.index(row["form"]))
+    """Composed bounds, a form and format a line, or two where one takes nothing for granted."""
     return Table(["form", "format", "bound", "reached", "ratio", "checked by", "taken for granted"],
                  [[f"`{row['form']}`", f"`{row['format']}`", shown(row["bound"], ".3e"),
                    shown(row["witness"], ".3e"), shown(_ratio(row), ".2f"), row["checked_by"],
-                   row["hypothesis"] or "nothing"] for row in rows])
+                   row["hypothesis"] or "nothing"]
+                  for row in _sorted(row for row in reports.rows("bounds") if row["form"] in FORMS)])
+
+
+def certified(reports):
+    """The sharpest bound of each form and format by its name, and the one that takes nothing for granted."""
+    plain = {(row["form"], row["format"]): row["bound"] for row in reports.rows("bounds") if not row["hypothesis"]}
+    return Table(["form", "format", "certificate", "bound", "reached", "nothing taken for granted"],
+                 [[f"`{form}`", f"`{name}`", f"`{row['certificate']}`", shown(row["bound"], ".3e"),
+                   shown(row["witness"], ".3e"), shown(plain[form, name], ".3e") if (form, name) in plain else "-"]
+                  for (form, name), row in _sharpest(reports).items()])
 
 
 def weights(reports):
@@ -38,7 +59,9 @@ def weights(reports):
 
     def cell(family, name):
         row = rows.get((f"weights {family}", name))
-        return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})" if row else "exact"
+        if not row:
+            return "-" if family == "powers" else "exact"
+        return f"{shown(row['bound'] / _unit(name), '.2f')} ({shown(_ratio(row), '.2f')})"
 
     return Table(["functions", *(f"`{name}`" for name in formats)],
                  [[f"`{family}`", *(cell(family, name) for name in formats)] for family in FAMILIES])
@@ -64,13 +87,13 @@ def missing(reports):
 
 
 def _largest(form):
-    return lambda reports: max(_ratio(row) for row in reports.rows("bounds") if row["form"] == form)
+    return lambda reports: max(_ratio(row) for (of, _), row in _sharpest(reports).items() if of == form)
 
 
 def _missed(reports):
-    """Rows that miss their aim, in words."""
-    names = [f"`{row['form']}` in `{row['format']}`" for row in reports.rows("bounds")
-             if row["format"] != "bfp32" and _ratio(row) > AIMS.get(row["form"], 1e9)]
+    """Forms and formats that miss their aim, in words."""
+    names = [f"`{form}` in `{name}` ({shown(_ratio(row), '.2f')})" for (form, name), row in _sharpest(reports).items()
+             if _ratio(row) > AIMS.get(form, float("inf"))]
     return ", ".join(names) or "none"
 
 
@@ -78,6 +101,6 @@ def _kind(checked_by):
     return lambda reports: sum(row["checked_by"] == checked_by for row in reports.rows("bounds"))
 
 
-TABLES = {"forms": forms, "weights": weights, "axes": axes}
+TABLES = {"forms": forms, "weights": weights, "axes": axes, "certified": certified}
 FIGURES = {**{f"ratio_{form}": _largest(form) for form in FORMS}, "missed": _missed,
            "certified": _kind("gappa+coq"), "of": lambda reports: len(reports.rows("bounds"))}

@@ -37,7 +37,7 @@ def _theory(tmp_path_factory):
 COMPOSED = [row for row in rows.all_rows(FACTS) if not row.form.startswith("weights")]
 
 
-@pytest.mark.parametrize("row", COMPOSED, ids=lambda row: f"{row.form}-{row.format}")
+@pytest.mark.parametrize("row", COMPOSED, ids=rows.Row.certificate)
 def test_a_form_is_certified(theory, row):
     result = row.prove(theory)
     assert result["checked_by"] == "gappa+coq" and result["smaller_refused"]
@@ -50,6 +50,16 @@ def test_a_theorem_with_a_smaller_bound_is_refused(theory):
     smaller = dyadic.above(bound.value() * fractions.Fraction(98, 100))
     text = gappa.coq_of(script(bound), row.theorem(smaller))
     assert "Coq refuses" in theory.accepts("planted", text)
+
+
+def test_a_theorem_from_the_words_on_with_another_rounding_is_refused(theory):
+    row = next(row for row in COMPOSED if not row.hypothesis)
+    assert row.prove(theory)["smaller_refused"]
+    bound = rows.least(row.script[0], row.name)
+    text = gappa.coq_of(row.script[0](bound), row.theorem(bound))
+    planted = text.replace("horner_weight (half_up (-14))", "horner_weight (half_up (-13))")
+    assert planted != text
+    assert "Coq refuses" in theory.accepts("planted", planted)
 
 
 def test_the_program_fails_where_nothing_was_measured(tmp_path):
