@@ -12,6 +12,7 @@ board/ffd_board_uart_rx.v
 board/ffd_board_uart_tx.v
 board/ffd_board_ulx3s.v
 bus/ffd_axil_slave.v
+bus/ffd_axil_voted.v
 bus/ffd_bus_core.v
 bus/ffd_bus_counter.v
 bus/ffd_bus_errors.v
@@ -23,6 +24,8 @@ bus/ffd_bus_stored.v
 bus/ffd_bus_waits.v
 bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
+bus/ffd_dma_gate.v
+bus/ffd_dma_guard.v
 bus/ffd_dma_marks.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v
@@ -36,6 +39,8 @@ cache/ffd_cache_lane.v
 cache/ffd_cache_points.v
 cache/ffd_cache_stores.v
 cache/ffd_cache_writer.v
+common/ffd_hard_copy.v
+common/ffd_hard_triple.v
 common/ffd_mem_sdp.v
 common/ffd_num_delay.v
 common/ffd_stream_deep_fifo.v

@@ -23,6 +23,7 @@ module ffd_bus_core #(
   input  wire         aresetn,
   `include "ffd_word_ports.vh"
   input  wire         awake_i,  // a word comes, or is answered
+  input  wire         upset_i,  // a copy of the slave differed
   output wire         sleep_o,
   output wire         irq_o,
   output wire [ID_WIDTH-1:0] m_axi_arid,
@@ -82,9 +83,26 @@ module ffd_bus_core #(
 
   // The reset inside is a clock longer than outside: it is high in the clock after, too. The DMA
   // makes its own longer.
-  reg  reset_q;
-  wire rst = !aresetn || reset_q;
-  always @(posedge clk) reset_q <= !aresetn;
+  wire reset_was;
+  wire reset_differs;
+  wire rst = !aresetn || reset_was;
+  generate
+    if (HARDENED == 0) begin : gen_reset
+      reg reset_q;
+      always @(posedge clk) reset_q <= !aresetn;
+      assign reset_was     = reset_q;
+      assign reset_differs = 1'b0;
+    end else begin : gen_resets
+      ffd_hard_triple #(
+        .WIDTH(1)
+      ) u_reset (
+        .clk      (clk),
+        .d_i      (!aresetn),
+        .q_o      (reset_was),
+        .differs_o(reset_differs)
+      );
+    end
+  endgenerate
 
   // ---- registers
 
@@ -121,8 +139,14 @@ module ffd_bus_core #(
   wire         result_marked;
   wire         ring_marked;
 
+  // What UPSET_STATUS tells of: with HARDENED only.
+  wire         stored_differs;
+  wire         run_upset;
+  wire [3:0]   dma_upset;
+
   ffd_bus_registers #(
     .WAITS        (COUNT_WIDTH != 0),
+    .HARDENED     (HARDENED),
     .MARKS        (`FFD_FEATURE_MARKS(FEATURES)),
     .ADDRESS_WIDTH(ADDRESS_WIDTH)
   ) u_registers (
@@ -148,6 +172,13 @@ module ffd_bus_core #(
     .limits2_pages_i         (PAGES_WORD[15:0]),
     .limits2_spans_i         (SPANS_WORD[7:0]),
     .limits2_count_width_i   (COUNT_WORD[5:0]),
+    .limits2_hardened_i      (HARDENED != 0),
+    .upset_status_memory_set_i(1'b0),
+    .upset_status_state_set_i(run_upset || dma_upset[0]),
+    .upset_status_window_set_i(dma_upset[1]),
+    .upset_status_burst_set_i(dma_upset[2]),
+    .upset_status_copy_set_i (dma_upset[3] || upset_i || reset_differs || stored_differs),
+    .differs_o               (stored_differs),
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
     .ring_head_o             (ring_head),
@@ -214,7 +245,9 @@ module ffd_bus_core #(
   wire [31:0] core_packet;
   wire [31:0] core_beat;
 
-  ffd_bus_run u_run (
+  ffd_bus_run #(
+    .HARDENED(HARDENED)
+  ) u_run (
     .clk                (clk),
     .rst                (rst),
     .start_i            (start),
@@ -226,6 +259,7 @@ module ffd_bus_core #(
     .idle_o             (idle),
     .stopped_o          (stopped),
     .done_o             (done),
+    .upset_o            (run_upset),
     .ring_start_o       (dma_ring_start),
     .ring_base_o        (dma_ring_base),
     .ring_entries_log2_o(dma_ring_entries_log2),
@@ -284,7 +318,8 @@ module ffd_bus_core #(
     .FLUSH_CLOCKS     (FLUSH_CLOCKS),
     .TIMEOUT          (BUS_TIMEOUT),
     .DATA_WIDTH       (DATA_WIDTH),
-    .MARKS            (`FFD_FEATURE_MARKS(FEATURES))
+    .MARKS            (`FFD_FEATURE_MARKS(FEATURES)),
+    .HARDENED         (HARDENED)
   ) u_dma (
     .clk                  (clk),
     .rst                  (!aresetn),
@@ -293,6 +328,8 @@ module ffd_bus_core #(
     .halted_o             (halted),
     .fault_o              (fault),
     .timeout_o            (timeout),
+    .windows_locked_i     (locked),
+    .upset_o              (dma_upset),
     .idle_o               (dma_idle),
     .read_first_i         (read_first),
     .read_last_i          (read_last),
@@ -389,7 +426,7 @@ module ffd_bus_core #(
     .counts_o      (waits)
   );
 
-  wire unused_ok = &{1'b0, locked, irq_enable, result_running, result_busy, read_address,
+  wire unused_ok = &{1'b0, irq_enable, result_running, result_busy, read_address,
                      write_address};
 endmodule
 

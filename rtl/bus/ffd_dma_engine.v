@@ -20,10 +20,13 @@
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
+// With HARDENED a guard stands between the halves and the bus (ffd_dma_guard): its fault is one more,
+// after which only a soft reset helps, and a soft reset waits for the bus, not for the halves.
+//
 // Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
 // Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be
 //             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at
-//             least 2; TIMEOUT as in ffd_dma_watch.
+//             least 2; TIMEOUT as in ffd_dma_watch; HARDENED as in ffd_dma_guard.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -38,7 +41,8 @@ module ffd_dma_engine #(
   parameter FLUSH_CLOCKS      = 16,
   parameter TIMEOUT           = 0,
   parameter DATA_WIDTH        = 128,
-  parameter MARKS             = 0
+  parameter MARKS             = 0,
+  parameter HARDENED          = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -48,6 +52,8 @@ module ffd_dma_engine #(
   output reg          halted_o,
   output wire         fault_o,
   output wire [4:0]   timeout_o,
+  input  wire         windows_locked_i,
+  output wire [3:0]   upset_o,       // {copy, burst, window, state}, pulses
 
   input  wire [63:0]  read_first_i,
   input  wire [63:0]  read_last_i,
@@ -137,8 +143,12 @@ module ffd_dma_engine #(
   wire [4:0] late;
   wire read_late  = |late[1:0];
   wire write_late = |late[4:2];
-  wire read_ends  = read_quiet || read_late;
-  wire write_ends = !write_busy || write_late;
+  // With HARDENED it is the guard that knows when the bus is quiet.
+  wire guard_quiet_read, guard_quiet_write;
+  wire guard_fault;
+  reg  guard_fault_q;
+  wire read_ends  = (HARDENED != 0 ? guard_quiet_read : read_quiet) || read_late;
+  wire write_ends = (HARDENED != 0 ? guard_quiet_write : !write_busy) || write_late;
   reg  cleared_q;    // a soft reset has ended, or rst, which lasts a clock longer inside
   wire half_rst = rst || cleared_q;
   always @(posedge clk) begin
@@ -152,14 +162,17 @@ module ffd_dma_engine #(
       soft_q       <= soft_q || soft_reset_i;
       hold_read_q  <= write_fault || (hold_read_q && !write_started);
       hold_write_q <= read_fault || (hold_write_q && !ring_started);
-      late_q       <= late_q || late != 5'd0;
+      late_q       <= late_q || late != 5'd0 || guard_fault;
     end
   end
   assign clearing_o    = soft_q;
   assign result_busy_o = write_busy;
-  assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
+  assign fault_o       = read_fault || write_fault || timeout_o != 5'd0
+                       || (guard_fault && !guard_fault_q);
   always @(posedge clk) begin
-    halted_o <= (!read_open || read_late) && write_ends && !half_rst
+    guard_fault_q <= guard_fault;
+    halted_o <= ((guard_fault ? guard_quiet_read : !read_open) || read_late)
+             && ((guard_fault ? guard_quiet_write : !write_busy) || write_late) && !half_rst
              && (late_q || (hold_write_q && !ring_running_o) || (hold_read_q && !result_running_o));
     idle_o   <= !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
   end
@@ -230,6 +243,12 @@ module ffd_dma_engine #(
   wire [127:0] beat_data;
   wire [1:0]   beat_response;
   wire         beat_last;
+  wire         ar_valid, ar_ready, aw_valid, aw_ready, b_valid, b_ready;
+  wire [63:0]  ar_address, aw_address;
+  wire [7:0]   ar_len, aw_len;
+  wire         r_valid, r_ready, w_valid, w_ready, w_last;
+  wire [DATA_WIDTH/8-1:0] w_strobe;
+  wire         read_upset, write_upset;
   wire         out_valid;
   wire         out_ready;
   wire [127:0] out_data;
@@ -259,10 +278,10 @@ module ffd_dma_engine #(
     .s_request_mark   (request_mark),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
-    .m_axi_arvalid    (m_axi_arvalid),
-    .m_axi_arready    (m_axi_arready),
-    .m_axi_araddr     (m_axi_araddr),
-    .m_axi_arlen      (m_axi_arlen),
+    .m_axi_arvalid    (ar_valid),
+    .m_axi_arready    (ar_ready),
+    .m_axi_araddr     (ar_address),
+    .m_axi_arlen      (ar_len),
     .asked_o          (asked),
     .asked_first_o    (asked_first),
     .asked_last_o     (asked_last),
@@ -280,6 +299,7 @@ module ffd_dma_engine #(
     .finished_o       (finished),
     .finished_mark_o  (ring_marked_o),
     .fault_o          (read_fault),
+    .upset_o          (read_upset),
     .error_o          (bus_error),
     .error_code_o     (bus_error_code),
     .error_address_o  (bus_error_address),
@@ -297,8 +317,8 @@ module ffd_dma_engine #(
     .asked_i        (asked),
     .asked_first_i  (asked_first),
     .asked_last_i   (asked_last),
-    .m_axi_rvalid   (m_axi_rvalid),
-    .m_axi_rready   (m_axi_rready),
+    .m_axi_rvalid   (r_valid),
+    .m_axi_rready   (r_ready),
     .m_axi_rdata    (m_axi_rdata),
     .m_axi_rresp    (m_axi_rresp),
     .m_axi_rlast    (m_axi_rlast),
@@ -331,17 +351,17 @@ module ffd_dma_engine #(
     .s_result_data  (s_result_data),
     .s_result_last  (s_result_last),
     .s_result_mark  (s_result_mark),
-    .m_axi_awvalid  (m_axi_awvalid),
-    .m_axi_awready  (m_axi_awready),
-    .m_axi_awaddr   (m_axi_awaddr),
-    .m_axi_awlen    (m_axi_awlen),
+    .m_axi_awvalid  (aw_valid),
+    .m_axi_awready  (aw_ready),
+    .m_axi_awaddr   (aw_address),
+    .m_axi_awlen    (aw_len),
     .m_axi_wvalid   (out_valid),
     .m_axi_wready   (out_ready),
     .m_axi_wdata    (out_data),
     .m_axi_wlast    (out_last),
     .upper_o        (out_upper),
-    .m_axi_bvalid   (m_axi_bvalid),
-    .m_axi_bready   (m_axi_bready),
+    .m_axi_bvalid   (b_valid),
+    .m_axi_bready   (b_ready),
     .m_axi_bresp    (m_axi_bresp),
     .started_o      (write_started),
     .running_o      (result_running_o),
@@ -351,6 +371,7 @@ module ffd_dma_engine #(
     .overflow_o     (result_overflow_o),
     .marked_o       (result_marked_o),
     .fault_o        (write_fault),
+    .upset_o        (write_upset),
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),
     .error_address_o(write_error_address_o)
@@ -366,12 +387,69 @@ module ffd_dma_engine #(
     .s_beat_data (out_data),
     .s_beat_last (out_last),
     .s_beat_upper(out_upper),
-    .m_axi_wvalid(m_axi_wvalid),
-    .m_axi_wready(m_axi_wready),
+    .m_axi_wvalid(w_valid),
+    .m_axi_wready(w_ready),
     .m_axi_wdata (m_axi_wdata),
-    .m_axi_wstrb (m_axi_wstrb),
-    .m_axi_wlast (m_axi_wlast)
+    .m_axi_wstrb (w_strobe),
+    .m_axi_wlast (w_last)
   );
+
+  ffd_dma_guard #(
+    .HARDENED  (HARDENED),
+    .DATA_WIDTH(DATA_WIDTH),
+    .READS     (READ_OUTSTANDING),
+    .WRITES    (WRITE_OUTSTANDING)
+  ) u_guard (
+    .clk          (clk),
+    .rst          (rst || (cleared_q && soft_q)),
+    .halves_rst_i (half_rst),
+    .flush_i      (soft_q),
+    .locked_i     (windows_locked_i),
+    .read_first_i (read_first_i),
+    .read_last_i  (read_last_i),
+    .write_first_i(write_first_i),
+    .write_last_i (write_last_i),
+    .quiet_read_o (guard_quiet_read),
+    .quiet_write_o(guard_quiet_write),
+    .fault_o      (guard_fault),
+    .window_o     (upset_o[1]),
+    .burst_o      (upset_o[2]),
+    .copy_o       (upset_o[3]),
+    .s_ar_valid   (ar_valid),
+    .s_ar_ready   (ar_ready),
+    .s_ar_address (ar_address),
+    .s_ar_len     (ar_len),
+    .s_r_valid    (r_valid),
+    .s_r_ready    (r_ready),
+    .s_aw_valid   (aw_valid),
+    .s_aw_ready   (aw_ready),
+    .s_aw_address (aw_address),
+    .s_aw_len     (aw_len),
+    .s_w_valid    (w_valid),
+    .s_w_ready    (w_ready),
+    .s_w_strobe   (w_strobe),
+    .s_w_last     (w_last),
+    .s_b_valid    (b_valid),
+    .s_b_ready    (b_ready),
+    .m_axi_arvalid(m_axi_arvalid),
+    .m_axi_arready(m_axi_arready),
+    .m_axi_araddr (m_axi_araddr),
+    .m_axi_arlen  (m_axi_arlen),
+    .m_axi_rvalid (m_axi_rvalid),
+    .m_axi_rready (m_axi_rready),
+    .m_axi_rlast  (m_axi_rlast),
+    .m_axi_awvalid(m_axi_awvalid),
+    .m_axi_awready(m_axi_awready),
+    .m_axi_awaddr (m_axi_awaddr),
+    .m_axi_awlen  (m_axi_awlen),
+    .m_axi_wvalid (m_axi_wvalid),
+    .m_axi_wready (m_axi_wready),
+    .m_axi_wstrb  (m_axi_wstrb),
+    .m_axi_wlast  (m_axi_wlast),
+    .m_axi_bvalid (m_axi_bvalid),
+    .m_axi_bready (m_axi_bready)
+  );
+  assign upset_o[0] = read_upset || write_upset;
 
   ffd_dma_watch #(
     .TIMEOUT(TIMEOUT),
