@@ -18,6 +18,7 @@ bus/ffd_bus_counter.v
 bus/ffd_bus_errors.v
 bus/ffd_bus_events.v
 bus/ffd_bus_registers.v
+bus/ffd_bus_reset.v
 bus/ffd_bus_run.v
 bus/ffd_bus_sleep.v
 bus/ffd_bus_stored.v
@@ -26,6 +27,7 @@ bus/ffd_dma_address.v
 bus/ffd_dma_engine.v
 bus/ffd_dma_gate.v
 bus/ffd_dma_guard.v
+bus/ffd_dma_halt.v
 bus/ffd_dma_marks.v
 bus/ffd_dma_read.v
 bus/ffd_dma_ring.v

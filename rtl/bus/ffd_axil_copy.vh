@@ -1,5 +1,5 @@
-// Ports of a copy of ffd_axil_slave in ffd_axil_voted: all that it drives is the vector `out`. To be
-// included in an instance.
+// Ports of a copy of ffd_axil_slave in ffd_axil_voted: all that it drives is the vector `out`. To
+// be included in an instance.
 // SPDX-License-Identifier: Apache-2.0
 .clk           (clk),
 .rst           (rst || again[k]),

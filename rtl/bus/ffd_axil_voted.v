@@ -2,13 +2,13 @@
 //
 // With HARDENED 0 it is ffd_axil_slave. With 1 there are three of them, and what two of them say is
 // what goes to the bus and to the words: a bit that flips in one loses no request and gives no
-// response too many. One whose handshakes differ is reset when nothing is under way, and then does as
-// the others do. differs_o: a pulse for each such reset.
+// response too many. One whose handshakes differ is reset when nothing is under way, and does as
+// the others do from then on. differs_o: a pulse for each such reset.
 //
 // Responses, Pipeline, Freezes, Not checked: as ffd_axil_slave.
 // Cuts:       as ffd_axil_slave; with HARDENED a majority's gates are behind its registers.
 // Parameters: as ffd_axil_slave; HARDENED 0 or 1.
-// Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil, tests/bus/hard.
+// Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil, tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

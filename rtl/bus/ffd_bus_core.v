@@ -50,18 +50,7 @@ module ffd_bus_core #(
     end
   endgenerate
 
-  localparam [31:0] ORG_WORD       = ORG;
-  localparam [31:0] N_WORD         = N;
-  localparam [31:0] FORMAT_WORD    = FORMAT;
-  localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
-  localparam [31:0] EVALUATOR_WORD = EVALUATOR;
-  localparam [31:0] IN_FLIGHT_WORD = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
-  // No lattice is kept: no points an axis, no pages.
-  localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
-  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
-  localparam [31:0] SPANS_WORD     = SPANS;
-  localparam [31:0] FEATURES_WORD  = FEATURES;
-  localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
+  `include "ffd_config_words.vh"
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
   localparam [31:0] ID_WORD        = ID;
@@ -83,26 +72,16 @@ module ffd_bus_core #(
 
   // The reset inside is a clock longer than outside: it is high in the clock after, too. The DMA
   // makes its own longer.
-  wire reset_was;
+  wire rst;
   wire reset_differs;
-  wire rst = !aresetn || reset_was;
-  generate
-    if (HARDENED == 0) begin : gen_reset
-      reg reset_q;
-      always @(posedge clk) reset_q <= !aresetn;
-      assign reset_was     = reset_q;
-      assign reset_differs = 1'b0;
-    end else begin : gen_resets
-      ffd_hard_triple #(
-        .WIDTH(1)
-      ) u_reset (
-        .clk      (clk),
-        .d_i      (!aresetn),
-        .q_o      (reset_was),
-        .differs_o(reset_differs)
-      );
-    end
-  endgenerate
+  ffd_bus_reset #(
+    .HARDENED(HARDENED)
+  ) u_reset (
+    .clk      (clk),
+    .aresetn  (aresetn),
+    .rst_o    (rst),
+    .differs_o(reset_differs)
+  );
 
   // ---- registers
 
@@ -143,7 +122,6 @@ module ffd_bus_core #(
   wire         stored_differs;
   wire         run_upset;
   wire [3:0]   dma_upset;
-
   ffd_bus_registers #(
     .WAITS        (COUNT_WIDTH != 0),
     .HARDENED     (HARDENED),
@@ -153,13 +131,7 @@ module ffd_bus_core #(
     .clk                     (clk),
     .rst                     (rst),
     `include "ffd_word_connections.vh"
-    .config_org_i            (ORG_WORD[7:0]),
-    .config_n_i              (N_WORD[7:0]),
-    .config_format_i         (FORMAT_WORD[7:0]),
-    .config_schedule_i       (SCHEDULE_WORD[0]),
-    .config_evaluator_i      (EVALUATOR_WORD[1:0]),
-    .limits_in_flight_i      (IN_FLIGHT_WORD[15:0]),
-    .limits_points_axis_i    (AXIS_WORD[7:0]),
+    `include "ffd_config_connections.vh"
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),
@@ -168,11 +140,6 @@ module ffd_bus_core #(
     .status_stopped_i        (stopped),
     .status_ring_running_i   (ring_running),
     .status_done_set_i       (done),
-    `include "ffd_features_connections.vh"
-    .limits2_pages_i         (PAGES_WORD[15:0]),
-    .limits2_spans_i         (SPANS_WORD[7:0]),
-    .limits2_count_width_i   (COUNT_WORD[5:0]),
-    .limits2_hardened_i      (HARDENED != 0),
     .upset_status_memory_set_i(1'b0),
     .upset_status_state_set_i(run_upset || dma_upset[0]),
     .upset_status_window_set_i(dma_upset[1]),

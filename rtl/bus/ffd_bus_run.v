@@ -16,8 +16,8 @@
 //             refuse it).
 // Needs:      the DMA refuses an area at most 7 clocks after result_start_o; an idle DMA or core
 //             that has something handed to it shows it at most 7 clocks later.
-// Parameters: HARDENED 0, or 1: the state that is none of the three ends the run at once, as a fault does,
-//             with upset_o, a pulse.
+// Parameters: HARDENED 0, or 1: a state that is none of the three ends the run at once, as a fault
+//             does, with upset_o, a pulse.
 // Model:      none (control only).  Test: tests/bus/axil/run_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

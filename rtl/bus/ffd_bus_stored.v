@@ -6,7 +6,7 @@
 //
 // Pipeline:   a write is seen from the next clock on; clearing_o for WORDS clocks after rst.
 // Freezes:    never.
-// Parameters: WORDS a power of two, 2 to 64. HARDENED 0, or 1: what counts the words that are cleared
+// Parameters: WORDS a power of two, 2 to 64. HARDENED 0, or 1: the count of words that are cleared
 //             is held three times; differs_o: one of the three differs.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0

@@ -1,17 +1,19 @@
 // ffd_dma_gate: the last check of an address before it goes out to the bus
 //
-// A burst {address, beats - 1} is taken, held three times, and raised on the bus only if what is held
-// lies inside the window, first as the registers have it, second as it was when they were locked, and
-// if both are the same. So an address that changed behind the check of ffd_dma_address stays inside,
-// and one that changes here, or a window that changes, is outvoted or refused. What is refused is
-// dropped: refused_o, a pulse. A burst waits for go_i before it is raised (raise_o, with its length);
-// it then stays until it is taken. stop_i (level): nothing is taken or raised.
+// A burst {address, beats - 1} is taken, held three times, and raised on the bus only if it lies
+// inside the window. The window is held three times, too: as the registers have it, and in two
+// copies that no longer follow once it is locked; window_*_o is what two of them say. So an
+// address that changed behind the check of ffd_dma_address goes no further than here: it is
+// dropped, with refused_o, a pulse. A burst waits for go_i before it is raised (raise_o); then it
+// stays until it is taken. stop_i (level): nothing is taken or raised. differs_o: a copy was
+// outvoted.
 //
-// Pipeline:   taken, summed, checked, judged, raised: a burst in 5 clocks at least.
+// Pipeline:   taken, summed, checked, judged, raised: a burst in 5 clocks at least. A window that
+//             is not locked is followed a clock later.
 // Cuts:       everything; valid, address and length leave the gates of a majority.
-// Parameters: DATA_WIDTH 64, 128 or 256. Of a beat of 256 bits the upper half may be left out, so the
-//             half that counts is the lower one.
-// Model:      none (control only).  Test: tests/bus/hard.
+// Parameters: DATA_WIDTH 64, 128 or 256. Of a beat of 256 bits the upper half may be left out: it
+//             is the lower one that must be inside.
+// Model:      none (control only).  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -25,6 +27,8 @@ module ffd_dma_gate #(
   input  wire        locked_i,
   input  wire [63:0] window_first_i,
   input  wire [63:0] window_last_i,
+  output wire [63:0] window_first_o,
+  output wire [63:0] window_last_o,
   input  wire        s_burst_valid,
   output wire        s_burst_ready,
   input  wire [63:0] s_burst_address,
@@ -50,13 +54,31 @@ module ffd_dma_gate #(
   localparam [2:0] JUDGE = 3'd3;
   localparam [2:0] SEND  = 3'd4;
 
-  // Both bounds, as they were while they could still be written.
-  reg  [127:0] held_q;
-  reg          same_q;
-  wire [127:0] window = {window_last_i, window_first_i};
+  wire [127:0] given = {window_last_i, window_first_i};
+  wire [255:0] copies;
+  wire [127:0] one    = copies[127:0];
+  wire [127:0] other  = copies[255:128];
+  wire [127:0] window = (one & other) | (one & given) | (other & given);
+  genvar k;
+  generate
+    for (k = 0; k < 2; k = k + 1) begin : gen_window
+      ffd_hard_copy #(
+        .WIDTH(128)
+      ) u_copy (
+        .clk(clk),
+        .d_i(locked_i ? window : given),
+        .q_o(copies[128*k +: 128])
+      );
+    end
+  endgenerate
+  assign {window_last_o, window_first_o} = window;
+
+  // Before it is locked the copies are a clock behind.
+  reg  unlike_q;
+  reg  locked_q;
   always @(posedge clk) begin
-    if (!locked_i) held_q <= window;
-    same_q <= !locked_i || held_q == window;
+    unlike_q <= (one != given || other != given) && locked_i && locked_q;
+    locked_q <= locked_i;
   end
 
   wire [2:0]  state;
@@ -69,7 +91,7 @@ module ffd_dma_gate #(
   assign s_burst_ready = state == EMPTY && !stop_i;
   assign m_burst_valid = state == SEND;
   assign {m_burst_address, m_burst_len} = burst;
-  assign differs_o = state_differs || burst_differs || !same_q;
+  assign differs_o = state_differs || burst_differs || unlike_q;
 
   ffd_hard_triple #(
     .WIDTH(3)
@@ -97,11 +119,10 @@ module ffd_dma_gate #(
   wire [63:0] last_byte  = {last_q[63:4], DATA_WIDTH == 64 ? last_q[3:0] | 4'd7 : 4'd15};
   always @(posedge clk) begin
     last_q   <= {1'b0, first_beat} + {1'b0, bytes};
-    inside_q <= m_burst_address >= held_q[63:0] && last_byte <= held_q[127:64] && !last_q[64];
+    inside_q <= m_burst_address >= window_first_o && last_byte <= window_last_o && !last_q[64];
   end
 
-  wire good = inside_q && same_q;
-  assign raise_o = state == JUDGE && good && go_i && !stop_i;
+  assign raise_o = state == JUDGE && inside_q && go_i && !stop_i;
 
   always @* begin
     state_d = state;
@@ -109,14 +130,13 @@ module ffd_dma_gate #(
       EMPTY: if (take) state_d = SUM;
       SUM: state_d = CHECK;
       CHECK: state_d = JUDGE;
-      JUDGE: if (stop_i || !good) state_d = EMPTY;
-             else if (go_i) state_d = SEND;
+      JUDGE: if (stop_i || !inside_q) state_d = EMPTY; else if (go_i) state_d = SEND;
       SEND: if (m_burst_ready) state_d = EMPTY;
       default: state_d = EMPTY;
     endcase
   end
 
-  always @(posedge clk) refused_o <= state == JUDGE && !good && !rst;
+  always @(posedge clk) refused_o <= state == JUDGE && !inside_q && !rst;
 endmodule
 
 `default_nettype wire

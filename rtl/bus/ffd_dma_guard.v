@@ -1,24 +1,25 @@
 // ffd_dma_guard: keeps the bus of the DMA right when a bit inside has flipped
 //
-// With HARDENED 0 nothing but wires. With 1 it stands between the DMA's halves and the bus, and knows
-// by itself, in registers that are held three times, what is open there: bursts that were raised
-// and not answered, and beats that the burst under way still owes. So
+// With HARDENED 0 nothing but wires. With 1 it stands between the DMA's halves and the bus, and
+// knows by itself, in registers that are held three times, what is open there: bursts that were
+// raised and not answered, and beats that the burst under way still owes. So
 //   no address leaves the windows, whatever becomes of the registers before it (ffd_dma_gate);
 //   a burst has as many beats as its address said. Where the DMA ends it early or late, or is reset
 //     in its midst, it is completed with beats of which no byte is written (wstrb 0);
 //   answers that nobody waits for are taken and not handed on.
-// Either of the first two is a fault: fault_o, until the soft reset, and no further address. While
-// flush_i is 1 (a soft reset) the same holds, and quiet_read_o and quiet_write_o say when nothing is
-// open: then the DMA may be reset, whatever it believes.
-// window_o, burst_o, copy_o: pulses for an address that was refused or a window that differs, a burst
-// that was completed, a copy that was outvoted.
+// Where the first two come about there is a fault: fault_o, until the soft reset, and no further
+// address. While flush_i is 1 (a soft reset) the same holds, and quiet_read_o and quiet_write_o say
+// when nothing is open: then the DMA may be reset, whatever it believes. The windows that the
+// halves check against are those of the gates.
+// window_o, burst_o, copy_o: pulses for an address that was refused, a burst that was completed, a
+// copy that was outvoted.
 //
 // Pipeline:   addresses as in ffd_dma_gate; data and answers pass in the same clock. A burst of
 //             writes is raised when the one before it has all its data.
-// Parameters: HARDENED 0 or 1; DATA_WIDTH 64, 128 or 256; READS and WRITES, the most bursts that are
-//             open each way.
+// Parameters: HARDENED 0 or 1; DATA_WIDTH 64, 128 or 256; READS and WRITES, the most bursts that
+//             are open each way.
 // Not checked: data; beats of a read, of which rlast is trusted.
-// Model:      none (control only).  Test: tests/bus/hard.
+// Model:      none (control only).  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -37,6 +38,10 @@ module ffd_dma_guard #(
   input  wire [63:0] read_last_i,
   input  wire [63:0] write_first_i,
   input  wire [63:0] write_last_i,
+  output wire [63:0] read_first_o,
+  output wire [63:0] read_last_o,
+  output wire [63:0] write_first_o,
+  output wire [63:0] write_last_o,
   output wire        quiet_read_o,
   output wire        quiet_write_o,
   output wire        fault_o,
@@ -100,14 +105,17 @@ module ffd_dma_guard #(
       assign m_axi_wlast   = s_w_last;
       assign s_b_valid     = m_axi_bvalid;
       assign m_axi_bready  = s_b_ready;
+      assign read_first_o  = read_first_i;
+      assign read_last_o   = read_last_i;
+      assign write_first_o = write_first_i;
+      assign write_last_o  = write_last_i;
       assign quiet_read_o  = 1'b1;
       assign quiet_write_o = 1'b1;
       assign fault_o       = 1'b0;
       assign window_o      = 1'b0;
       assign burst_o       = 1'b0;
       assign copy_o        = 1'b0;
-      wire unused_ok = &{1'b0, clk, rst, halves_rst_i, flush_i, locked_i, read_first_i, read_last_i,
-                         write_first_i, write_last_i, m_axi_rlast};
+      wire unused_ok = &{1'b0, clk, rst, halves_rst_i, flush_i, locked_i, m_axi_rlast};
     end else begin : gen_guard
       localparam READ_W  = $clog2(READS + 1);
       localparam WRITE_W = $clog2(WRITES + 1);
@@ -151,6 +159,8 @@ module ffd_dma_guard #(
         .locked_i       (locked_i),
         .window_first_i (read_first_i),
         .window_last_i  (read_last_i),
+        .window_first_o (read_first_o),
+        .window_last_o  (read_last_o),
         .s_burst_valid  (s_ar_valid),
         .s_burst_ready  (s_ar_ready),
         .s_burst_address(s_ar_address),
@@ -173,6 +183,8 @@ module ffd_dma_guard #(
         .locked_i       (locked_i),
         .window_first_i (write_first_i),
         .window_last_i  (write_last_i),
+        .window_first_o (write_first_o),
+        .window_last_o  (write_last_o),
         .s_burst_valid  (s_aw_valid),
         .s_burst_ready  (s_aw_ready),
         .s_burst_address(s_aw_address),

@@ -20,9 +20,8 @@
 //
 // Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
-// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             FLUSH_CLOCKS 1 to 65535, MARKS 0 or 1; MAX_BURST, DATA_WIDTH and HARDENED as in
-//             ffd_dma_address.
+// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING one >= 2, FLUSH_CLOCKS 1 to
+//             65535, MARKS 0 or 1; MAX_BURST, DATA_WIDTH and HARDENED as in ffd_dma_address.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -271,12 +270,7 @@ module ffd_dma_write #(
     else if (aw_free) m_axi_awvalid <= step;
   end
 
-  always @(posedge clk) begin
-    if (step) begin
-      m_axi_awaddr <= burst_address;
-      m_axi_awlen  <= bus_len;
-    end
-  end
+  always @(posedge clk) if (step) {m_axi_awlen, m_axi_awaddr} <= {bus_len, burst_address};
 
   ffd_stream_fifo #(
     .WIDTH(8),

@@ -6,7 +6,7 @@
 //
 // Pipeline:   1 register, never frozen; a level of gates behind it.  Reset: none, as ffd_hard_copy.
 // Parameters: WIDTH >= 1.
-// Model:      none (storage only).  Test: tests/bus/hard.
+// Model:      none (storage only).  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
