@@ -15,5 +15,4 @@
 .DATA_WIDTH       (DATA_WIDTH),
 .ID_WIDTH         (ID_WIDTH),
 .ID               (ID),
-.HARDENED         (HARDENED),
 `include "ffd_stream_arguments.vh"

@@ -119,8 +119,7 @@ module ffd_bus_core #(
   wire         ring_marked;
 
   // What UPSET_STATUS tells of: with HARDENED only.
-  wire         stored_differs;
-  wire         run_upset;
+  wire         stored_differs, run_upset, core_upset;
   wire [3:0]   dma_upset;
   ffd_bus_registers #(
     .WAITS        (COUNT_WIDTH != 0),
@@ -140,7 +139,7 @@ module ffd_bus_core #(
     .status_stopped_i        (stopped),
     .status_ring_running_i   (ring_running),
     .status_done_set_i       (done),
-    .upset_status_memory_set_i(1'b0),
+    .upset_status_memory_set_i(core_upset),
     .upset_status_state_set_i(run_upset || dma_upset[0]),
     .upset_status_window_set_i(dma_upset[1]),
     .upset_status_burst_set_i(dma_upset[2]),
@@ -358,7 +357,8 @@ module ffd_bus_core #(
     .event_beat_o  (core_beat),
     .vertex_o      (vertex),
     .wait_o        (core_wait),
-    .idle_o        (core_idle)
+    .idle_o        (core_idle),
+    .upset_o       (core_upset)
   );
 
   assign stall = result_valid && !result_ready;

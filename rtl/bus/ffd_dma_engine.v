@@ -20,8 +20,8 @@
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
-// With HARDENED a guard stands between the halves and the bus (ffd_dma_guard): its fault is one
-// more, after which only a soft reset helps, and a soft reset waits for the bus, not for the halves.
+// With HARDENED a guard stands between the halves and the bus (ffd_dma_guard). Its fault is one
+// more after which only a soft reset helps, and a soft reset waits for the bus, not for the halves.
 //
 // Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
 // Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be

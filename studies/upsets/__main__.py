@@ -24,7 +24,8 @@ import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 
 ROW = "basic-fx18-overlapped"
 # The programs, the top of each and whether it is hardened.
-CORES = {"stream": ("hwffd_stream", False), "axi": ("hwffd_axi", False), "axi-hardened": ("hwffd_axi", True)}
+CORES = {"stream": ("hwffd_stream", False), "stream-hardened": ("hwffd_stream", True),
+         "axi": ("hwffd_axi", False), "axi-hardened": ("hwffd_axi", True)}
 KINDS = ("registers", "memories")
 FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
 
