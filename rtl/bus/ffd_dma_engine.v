@@ -216,7 +216,8 @@ module ffd_dma_engine #(
     .FIFO_DEPTH (READ_DEPTH),
     .OUTSTANDING(READ_OUTSTANDING),
     .DATA_WIDTH (DATA_WIDTH),
-    .MARKS      (MARKS)
+    .MARKS      (MARKS),
+    .HARDENED   (HARDENED)
   ) u_read (
     .clk              (clk),
     .rst              (half_rst),
@@ -291,7 +292,8 @@ module ffd_dma_engine #(
     .OUTSTANDING (WRITE_OUTSTANDING),
     .FLUSH_CLOCKS(FLUSH_CLOCKS),
     .DATA_WIDTH  (DATA_WIDTH),
-    .MARKS       (MARKS)
+    .MARKS       (MARKS),
+    .HARDENED    (HARDENED)
   ) u_write (
     .clk            (clk),
     .rst            (half_rst),
