@@ -184,8 +184,8 @@ module ffd_bus_registers #(
       s_write_word == 10'h011 || s_write_word == 10'h012 || s_write_word == 10'h013 ||
       s_write_word == 10'h018 || s_write_word == 10'h019 || s_write_word == 10'h01a ||
       s_write_word == 10'h028 || s_write_word == 10'h040 || s_write_word == 10'h042 ||
-      s_write_word == 10'h047 || s_write_word == 10'h050 || s_write_word == 10'h051 ||
-      s_write_word == 10'h052;
+      (HARDENED != 0 && s_write_word == 10'h047) || s_write_word == 10'h050 ||
+      s_write_word == 10'h051 || s_write_word == 10'h052;
     to_locked_q <= s_write_word == 10'h020 || s_write_word == 10'h021 || s_write_word == 10'h022 ||
       s_write_word == 10'h023 || s_write_word == 10'h024 || s_write_word == 10'h025 ||
       s_write_word == 10'h026 || s_write_word == 10'h027;

@@ -29,6 +29,7 @@ module ffd_cache_stores #(
   parameter HARDENED = 0
 ) (
   input  wire                                       clk,
+  input  wire                                       rst,
   input  wire [4*`FFD_POINT_W(FORMAT)-1:0]          numbers_i,
   input  wire                                       lattice_write_i,
   input  wire [PAGE_W-1:0]                          lattice_buffer_i,
@@ -52,24 +53,28 @@ module ffd_cache_stores #(
 
   wire [PORTS-1:0] odd;
   generate
+    if (HARDENED != 0 && HARDENED != 1) begin : gen_bad_hardened
+      ERROR_ffd_cache_stores_hardened_must_be_0_or_1 u_error ();
+    end
     if (HARDENED != 0) begin : gen_odd
       // When the points come that were asked for.
       wire [PORTS-1:0] come;
       reg              odd_q;
       ffd_num_delay #(
         .WIDTH  (PORTS),
-        .LATENCY(LATENCY)
+        .LATENCY(LATENCY),
+        .RESET  (1)
       ) u_come (
         .clk(clk),
-        .rst(1'b0),
+        .rst(rst),
         .d_i(read_i),
         .q_o(come)
       );
-      always @(posedge clk) odd_q <= |(odd & come);
+      always @(posedge clk) odd_q <= |(odd & come) && !rst;
       assign odd_o = odd_q;
     end else begin : gen_no_odd
       assign odd_o = 1'b0;
-      wire unused_ok = &{1'b0, odd, read_i};
+      wire unused_ok = &{1'b0, rst, odd, read_i};
     end
   endgenerate
 

@@ -294,6 +294,7 @@ module hwffd_stream #(
     .HARDENED(HARDENED)
   ) u_stores (
     .clk             (clk),
+    .rst             (rst),
     .numbers_i       (numbers),
     .lattice_write_i (lattice_write),
     .lattice_buffer_i(lattice_buffer),
