@@ -156,6 +156,8 @@ class Proofs:
         words = []  # a harness may name words of small memories, which then must be registers
         if any("memory_q[" in path.read_text() for path in harness):
             words = ["memory_collect", "memory_map r:SIZE<=8"]
+        if any("keep_hierarchy" in path.read_text() for path in needed.values()):
+            words += ["setattr -mod -unset keep_hierarchy *"]
         wanted, assumed = assertion(one.name), []
         for lemma in lemmas:
             assumed += [f"select -assert-count 1 {assertion(lemma)}",

@@ -360,7 +360,7 @@ def rtl_text(registers):
 module ffd_bus_registers #(
   parameter WAITS         = 1,
   parameter MARKS         = 1,
-  parameter HARDENED      = 1,
+  parameter HARDENED      = 0,
   parameter ADDRESS_WIDTH = 64
 ) (
 {register_frame.BUS}{ports}

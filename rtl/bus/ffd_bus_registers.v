@@ -29,7 +29,7 @@
 module ffd_bus_registers #(
   parameter WAITS         = 1,
   parameter MARKS         = 1,
-  parameter HARDENED      = 1,
+  parameter HARDENED      = 0,
   parameter ADDRESS_WIDTH = 64
 ) (
   input  wire        clk,
