@@ -22,6 +22,7 @@
 //
 // With HARDENED a guard stands between the halves and the bus (ffd_dma_guard). Its fault is one
 // more after which only a soft reset helps, and a soft reset waits for the bus, not for the halves.
+// After a bus error two addresses a half, which it has taken by then, may still go out.
 //
 // Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
 // Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be

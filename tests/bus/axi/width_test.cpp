@@ -63,7 +63,8 @@ class AxiWidth : public testing::TestWithParam<Port> {
     EXPECT_TRUE(run.ends_well());
   }
 };
-INSTANTIATE_TEST_SUITE_P(, AxiWidth, testing::Values(Port{"64", make_core<Vaxi_narrow>},
+INSTANTIATE_TEST_SUITE_P(, AxiWidth,
+                         testing::Values(Port{"64", make_core<Vaxi_narrow>},
                                          Port{"256", make_core<Vaxi_wide>},
                                          Port{"hardened64", make_core<Vaxi_hardened64>},
                                          Port{"hardened128", make_core<Vaxi_hardened128>},
