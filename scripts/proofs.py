@@ -144,6 +144,7 @@ class Proofs:
         """The steps of yosys up to the circuit of the proof, or of its control: with the file in which
         a bug is planted, and without lemmas. Raises ProofError."""
         needed, harness = self.sources_of(one)
+        kept = any("keep_hierarchy" in path.read_text() for path in needed.values())
         lemmas = [] if planted else one.lemmas.split()
         if planted:
             needed[one.file] = planted
@@ -156,6 +157,8 @@ class Proofs:
         words = []  # a harness may name words of small memories, which then must be registers
         if any("memory_q[" in path.read_text() for path in harness):
             words = ["memory_collect", "memory_map r:SIZE<=8"]
+        if kept:
+            words += ["setattr -mod -unset keep_hierarchy *"]
         wanted, assumed = assertion(one.name), []
         for lemma in lemmas:
             assumed += [f"select -assert-count 1 {assertion(lemma)}",

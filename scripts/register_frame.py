@@ -8,6 +8,7 @@ BUS = """\
   input  wire        clk,
   input  wire        rst,
   `include "ffd_word_ports.vh"
+  output wire        differs_o,
 """
 HEADER = """\
 // ffd_bus_registers: the registers of rtl/bus/registers.csv, from words to the hardware
@@ -30,9 +31,10 @@ HEADER = """\
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
 // Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. MARKS 1: interrupts
-//             of packets and descriptors are there; 0: their bits stay 0. ADDRESS_WIDTH 32 to 64,
-//             the bits of an address on the memory's bus: those above are 0 in settings, whatever
-//             is written to them.
+//             of packets and descriptors are there; 0: their bits stay 0. HARDENED 1: UPSET_STATUS
+//             is there, and ffd_bus_stored has its copies, of which differs_o tells. ADDRESS_WIDTH
+//             32 to 64, the bits of an address on the memory's bus: those above are 0 in settings,
+//             whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 """
@@ -69,11 +71,13 @@ STORED = """\
   end
 
   ffd_bus_stored #(
-    .WORDS({words})
+    .WORDS   ({words}),
+    .HARDENED(HARDENED)
   ) u_stored (
     .clk           (clk),
     .rst           (rst),
     .clearing_o    (clearing),
+    .differs_o     (differs_o),
     .write_i       (write_stored),
     .write_slot_i  (write_slot_q),
     .write_data_i  (write_high ? high_data : s_write_data),

@@ -300,6 +300,18 @@ class _Rtl:
         return [(f"to_{'locked' if lock else 'open'}_q" if at < 2 else f"to_locked{at}_q", group,
                  lock) for at, (lock, group) in enumerate(groups.items())]
 
+    @staticmethod
+    def all_need(register):
+        """Parameters without which there is no field of it."""
+        return set.intersection(*({f"{target} != 0 && " for target in field.linked("if")}
+                                  for field in register.fields))
+
+    def hit(self, word, register, said):
+        """That it is asked for; parameters that are said already are not said again."""
+        own = "".join(sorted(self.all_need(register) - said))
+        compared = f"{own}{word} == {_word(register)}"
+        return (f"({compared})" if own else compared).replace(" ", "~")
+
     def decoded(self):
         """Registers that say which word is asked for, from the clock before."""
         reads = [(name, words) for name, words, _ in self.read_parts()]
@@ -310,13 +322,10 @@ class _Rtl:
         lines += ["", "  always @(posedge clk) begin"]
         for parts, word in ((writes, "s_write_word"), (reads, "s_read_word")):
             for name, words in parts:
-                needs = sorted(set.intersection(*({f"{target} != 0 && "
-                                                   for target in field.linked("if")}
-                                                  for register in words
-                                                  for field in register.fields)))
+                needs = set.intersection(*map(self.all_need, words))
                 # A comparison stays on a line.
-                hits = " || ".join(f"{word}~==~{_word(register)}" for register in words)
-                lines.append(textwrap.fill(f"    {name} <= {''.join(needs)}{hits};", 100,
+                hits = " || ".join(self.hit(word, register, needs) for register in words)
+                lines.append(textwrap.fill(f"    {name} <= {''.join(sorted(needs))}{hits};", 100,
                                            subsequent_indent=" " * 6).replace("~", " "))
         return "\n".join([*lines, "  end"])
 
@@ -351,6 +360,7 @@ def rtl_text(registers):
 module ffd_bus_registers #(
   parameter WAITS         = 1,
   parameter MARKS         = 1,
+  parameter HARDENED      = 0,
   parameter ADDRESS_WIDTH = 64
 ) (
 {register_frame.BUS}{ports}

@@ -142,7 +142,7 @@ def _check_register(register):
 
 
 # Parameters of the RTL, 0 or 1, without which a register is not there, or a field of it is 0: link "if".
-PARAMETERS = ("WAITS", "MARKS")
+PARAMETERS = ("WAITS", "MARKS", "HARDENED")
 # link -> accesses of what it names
 TARGETS = {"locked": ("w1s",), "unless": ("ro",), "needs": ("w1s",), "refused": ("w1c",),
            "sets": ("w1c",), "with": ("w1c", "event")}

@@ -49,6 +49,7 @@ module ffd_board_icebreaker #(
   wire         vertex;
   wire [2:0]   waits;
   wire         idle;
+  wire         upset;
   wire         user;
 
   ffd_board_reset u_reset (
@@ -97,10 +98,11 @@ module ffd_board_icebreaker #(
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
     .wait_o        (waits),
-    .idle_o        (idle)
+    .idle_o        (idle),
+    .upset_o       (upset)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user, upset};
 endmodule
 
 `default_nettype wire

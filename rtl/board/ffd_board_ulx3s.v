@@ -34,6 +34,7 @@ module ffd_board_ulx3s #(
   wire         vertex;
   wire [2:0]   waits;
   wire         idle;
+  wire         upset;
   wire         user;
 
   ffd_board_reset u_reset (
@@ -80,10 +81,11 @@ module ffd_board_ulx3s #(
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
     .wait_o        (waits),
-    .idle_o        (idle)
+    .idle_o        (idle),
+    .upset_o       (upset)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user, upset};
 endmodule
 
 `default_nettype wire

@@ -4,6 +4,7 @@
 .aclk          (aclk),
 .aresetn       (aresetn),
 .awake_i       (awake),
+.upset_i       (upset),
 .sleep_o       (sleep_o),
 .irq_o         (irq_o),
 .s_clearing    (clearing),

@@ -23,6 +23,7 @@ module ffd_bus_core #(
   input  wire         aresetn,
   `include "ffd_word_ports.vh"
   input  wire         awake_i,  // a word comes, or is answered
+  input  wire         upset_i,  // a copy of the slave differed
   output wire         sleep_o,
   output wire         irq_o,
   output wire [ID_WIDTH-1:0] m_axi_arid,
@@ -49,18 +50,7 @@ module ffd_bus_core #(
     end
   endgenerate
 
-  localparam [31:0] ORG_WORD       = ORG;
-  localparam [31:0] N_WORD         = N;
-  localparam [31:0] FORMAT_WORD    = FORMAT;
-  localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
-  localparam [31:0] EVALUATOR_WORD = EVALUATOR;
-  localparam [31:0] IN_FLIGHT_WORD = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
-  // No lattice is kept: no points an axis, no pages.
-  localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
-  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
-  localparam [31:0] SPANS_WORD     = SPANS;
-  localparam [31:0] FEATURES_WORD  = FEATURES;
-  localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
+  `include "ffd_config_words.vh"
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
   localparam [31:0] ID_WORD        = ID;
@@ -82,9 +72,16 @@ module ffd_bus_core #(
 
   // The reset inside is a clock longer than outside: it is high in the clock after, too. The DMA
   // makes its own longer.
-  reg  reset_q;
-  wire rst = !aresetn || reset_q;
-  always @(posedge clk) reset_q <= !aresetn;
+  wire rst;
+  wire reset_differs;
+  ffd_bus_reset #(
+    .HARDENED(HARDENED)
+  ) u_reset (
+    .clk      (clk),
+    .aresetn  (aresetn),
+    .rst_o    (rst),
+    .differs_o(reset_differs)
+  );
 
   // ---- registers
 
@@ -121,21 +118,19 @@ module ffd_bus_core #(
   wire         result_marked;
   wire         ring_marked;
 
+  // What UPSET_STATUS tells of: with HARDENED only.
+  wire         stored_differs, run_upset, core_upset;
+  wire [3:0]   dma_upset;
   ffd_bus_registers #(
     .WAITS        (COUNT_WIDTH != 0),
+    .HARDENED     (HARDENED),
     .MARKS        (`FFD_FEATURE_MARKS(FEATURES)),
     .ADDRESS_WIDTH(ADDRESS_WIDTH)
   ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
     `include "ffd_word_connections.vh"
-    .config_org_i            (ORG_WORD[7:0]),
-    .config_n_i              (N_WORD[7:0]),
-    .config_format_i         (FORMAT_WORD[7:0]),
-    .config_schedule_i       (SCHEDULE_WORD[0]),
-    .config_evaluator_i      (EVALUATOR_WORD[1:0]),
-    .limits_in_flight_i      (IN_FLIGHT_WORD[15:0]),
-    .limits_points_axis_i    (AXIS_WORD[7:0]),
+    `include "ffd_config_connections.vh"
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),
@@ -144,10 +139,12 @@ module ffd_bus_core #(
     .status_stopped_i        (stopped),
     .status_ring_running_i   (ring_running),
     .status_done_set_i       (done),
-    `include "ffd_features_connections.vh"
-    .limits2_pages_i         (PAGES_WORD[15:0]),
-    .limits2_spans_i         (SPANS_WORD[7:0]),
-    .limits2_count_width_i   (COUNT_WORD[5:0]),
+    .upset_status_memory_set_i(core_upset),
+    .upset_status_state_set_i(run_upset || dma_upset[0]),
+    .upset_status_window_set_i(dma_upset[1]),
+    .upset_status_burst_set_i(dma_upset[2]),
+    .upset_status_copy_set_i (dma_upset[3] || upset_i || reset_differs || stored_differs),
+    .differs_o               (stored_differs),
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
     .ring_head_o             (ring_head),
@@ -214,7 +211,9 @@ module ffd_bus_core #(
   wire [31:0] core_packet;
   wire [31:0] core_beat;
 
-  ffd_bus_run u_run (
+  ffd_bus_run #(
+    .HARDENED(HARDENED)
+  ) u_run (
     .clk                (clk),
     .rst                (rst),
     .start_i            (start),
@@ -226,6 +225,7 @@ module ffd_bus_core #(
     .idle_o             (idle),
     .stopped_o          (stopped),
     .done_o             (done),
+    .upset_o            (run_upset),
     .ring_start_o       (dma_ring_start),
     .ring_base_o        (dma_ring_base),
     .ring_entries_log2_o(dma_ring_entries_log2),
@@ -284,7 +284,8 @@ module ffd_bus_core #(
     .FLUSH_CLOCKS     (FLUSH_CLOCKS),
     .TIMEOUT          (BUS_TIMEOUT),
     .DATA_WIDTH       (DATA_WIDTH),
-    .MARKS            (`FFD_FEATURE_MARKS(FEATURES))
+    .MARKS            (`FFD_FEATURE_MARKS(FEATURES)),
+    .HARDENED         (HARDENED)
   ) u_dma (
     .clk                  (clk),
     .rst                  (!aresetn),
@@ -293,6 +294,8 @@ module ffd_bus_core #(
     .halted_o             (halted),
     .fault_o              (fault),
     .timeout_o            (timeout),
+    .windows_locked_i     (locked),
+    .upset_o              (dma_upset),
     .idle_o               (dma_idle),
     .read_first_i         (read_first),
     .read_last_i          (read_last),
@@ -354,7 +357,8 @@ module ffd_bus_core #(
     .event_beat_o  (core_beat),
     .vertex_o      (vertex),
     .wait_o        (core_wait),
-    .idle_o        (core_idle)
+    .idle_o        (core_idle),
+    .upset_o       (core_upset)
   );
 
   assign stall = result_valid && !result_ready;
@@ -389,7 +393,7 @@ module ffd_bus_core #(
     .counts_o      (waits)
   );
 
-  wire unused_ok = &{1'b0, locked, irq_enable, result_running, result_busy, read_address,
+  wire unused_ok = &{1'b0, irq_enable, result_running, result_busy, read_address,
                      write_address};
 endmodule
 

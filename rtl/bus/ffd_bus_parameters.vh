@@ -21,4 +21,5 @@ parameter AXI_CACHE         = 2,
 parameter ADDRESS_WIDTH     = 64,
 parameter DATA_WIDTH        = 128,
 parameter ID_WIDTH          = 1,
-parameter ID                = 0
+parameter ID                = 0,
+parameter HARDENED          = 0

@@ -18,9 +18,10 @@
 //             that pulse is refused here); a word, of a write or a read, in the clock before its
 //             valid too; no valid while s_clearing is high, in rst and 16 clocks after.
 // Parameters: WAITS 1: the counts WAIT_* are there; 0: their words are unknown. MARKS 1: interrupts
-//             of packets and descriptors are there; 0: their bits stay 0. ADDRESS_WIDTH 32 to 64,
-//             the bits of an address on the memory's bus: those above are 0 in settings, whatever
-//             is written to them.
+//             of packets and descriptors are there; 0: their bits stay 0. HARDENED 1: UPSET_STATUS
+//             is there, and ffd_bus_stored has its copies, of which differs_o tells. ADDRESS_WIDTH
+//             32 to 64, the bits of an address on the memory's bus: those above are 0 in settings,
+//             whatever is written to them.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,11 +29,13 @@
 module ffd_bus_registers #(
   parameter WAITS         = 1,
   parameter MARKS         = 1,
+  parameter HARDENED      = 0,
   parameter ADDRESS_WIDTH = 64
 ) (
   input  wire        clk,
   input  wire        rst,
   `include "ffd_word_ports.vh"
+  output wire        differs_o,
   input  wire [7:0]  config_org_i,
   input  wire [7:0]  config_n_i,
   input  wire [7:0]  config_format_i,
@@ -62,6 +65,7 @@ module ffd_bus_registers #(
   input  wire [15:0] limits2_pages_i,
   input  wire [7:0]  limits2_spans_i,
   input  wire [5:0]  limits2_count_width_i,
+  input  wire        limits2_hardened_i,
   output reg  [63:0] ring_base_o,
   output reg  [3:0]  ring_log2_size_o,
   output reg  [15:0] ring_head_o,
@@ -89,6 +93,11 @@ module ffd_bus_registers #(
   input  wire [31:0] error_beat_i,
   input  wire        error_address_valid_i,
   input  wire [63:0] error_address_i,
+  input  wire        upset_status_memory_set_i,
+  input  wire        upset_status_state_set_i,
+  input  wire        upset_status_window_set_i,
+  input  wire        upset_status_burst_set_i,
+  input  wire        upset_status_copy_set_i,
   output reg         irq_enable_done_o,
   output reg         irq_enable_error_o,
   output reg         irq_enable_refused_o,
@@ -128,6 +137,7 @@ module ffd_bus_registers #(
   reg to_window_lock_q;
   reg to_error_status_q;
   reg to_error_first_q;
+  reg to_upset_status_q;
   reg to_irq_enable_q;
   reg to_irq_state_q;
   reg to_irq_test_q;
@@ -164,6 +174,7 @@ module ffd_bus_registers #(
   reg at_error_beat_q;
   reg at_error_address_lo_q;
   reg at_error_address_hi_q;
+  reg at_upset_status_q;
   reg at_irq_enable_q;
   reg at_irq_state_q;
   reg at_irq_test_q;
@@ -173,7 +184,8 @@ module ffd_bus_registers #(
       s_write_word == 10'h011 || s_write_word == 10'h012 || s_write_word == 10'h013 ||
       s_write_word == 10'h018 || s_write_word == 10'h019 || s_write_word == 10'h01a ||
       s_write_word == 10'h028 || s_write_word == 10'h040 || s_write_word == 10'h042 ||
-      s_write_word == 10'h050 || s_write_word == 10'h051 || s_write_word == 10'h052;
+      (HARDENED != 0 && s_write_word == 10'h047) || s_write_word == 10'h050 ||
+      s_write_word == 10'h051 || s_write_word == 10'h052;
     to_locked_q <= s_write_word == 10'h020 || s_write_word == 10'h021 || s_write_word == 10'h022 ||
       s_write_word == 10'h023 || s_write_word == 10'h024 || s_write_word == 10'h025 ||
       s_write_word == 10'h026 || s_write_word == 10'h027;
@@ -197,6 +209,7 @@ module ffd_bus_registers #(
     to_window_lock_q <= s_write_word == 10'h028;
     to_error_status_q <= s_write_word == 10'h040;
     to_error_first_q <= s_write_word == 10'h042;
+    to_upset_status_q <= HARDENED != 0 && s_write_word == 10'h047;
     to_irq_enable_q <= s_write_word == 10'h050;
     to_irq_state_q <= s_write_word == 10'h051;
     to_irq_test_q <= s_write_word == 10'h052;
@@ -237,6 +250,7 @@ module ffd_bus_registers #(
     at_error_beat_q <= s_read_word == 10'h044;
     at_error_address_lo_q <= s_read_word == 10'h045;
     at_error_address_hi_q <= s_read_word == 10'h046;
+    at_upset_status_q <= HARDENED != 0 && s_read_word == 10'h047;
     at_irq_enable_q <= s_read_word == 10'h050;
     at_irq_state_q <= s_read_word == 10'h051;
     at_irq_test_q <= s_read_word == 10'h052;
@@ -270,6 +284,7 @@ module ffd_bus_registers #(
   wire write_window_lock = s_write_valid && to_window_lock_q;
   wire write_error_status = s_write_valid && to_error_status_q;
   wire write_error_first = s_write_valid && to_error_first_q;
+  wire write_upset_status = s_write_valid && to_upset_status_q;
   wire write_irq_enable = s_write_valid && to_irq_enable_q;
   wire write_irq_state = s_write_valid && to_irq_state_q;
   wire write_irq_test = s_write_valid && to_irq_test_q;
@@ -280,6 +295,11 @@ module ffd_bus_registers #(
   wire [63:0] counter_busy;
   reg [28:0] error_status_q;
   reg error_first_valid_q;
+  reg upset_status_memory_q;
+  reg upset_status_state_q;
+  reg upset_status_window_q;
+  reg upset_status_burst_q;
+  reg upset_status_copy_q;
   reg irq_state_done_q;
   reg irq_state_error_q;
   reg irq_state_refused_q;
@@ -294,6 +314,16 @@ module ffd_bus_registers #(
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
   wire [28:0] error_status_held = error_status_q & ~(ones[28:0] & {29 {write_error_status}});
+  wire upset_status_memory_set = upset_status_memory_set_i;
+  wire upset_status_memory_held = upset_status_memory_q && !(write_upset_status && ones[0]);
+  wire upset_status_state_set = upset_status_state_set_i;
+  wire upset_status_state_held = upset_status_state_q && !(write_upset_status && ones[1]);
+  wire upset_status_window_set = upset_status_window_set_i;
+  wire upset_status_window_held = upset_status_window_q && !(write_upset_status && ones[2]);
+  wire upset_status_burst_set = upset_status_burst_set_i;
+  wire upset_status_burst_held = upset_status_burst_q && !(write_upset_status && ones[3]);
+  wire upset_status_copy_set = upset_status_copy_set_i;
+  wire upset_status_copy_held = upset_status_copy_q && !(write_upset_status && ones[4]);
   wire irq_state_packet_set = irq_state_packet_set_i || (write_irq_test && ones[3]);
   wire irq_state_packet_held = irq_state_packet_q && !(write_irq_state && ones[3]);
   wire irq_state_descriptor_set = irq_state_descriptor_set_i || (write_irq_test && ones[4]);
@@ -351,11 +381,13 @@ module ffd_bus_registers #(
   end
 
   ffd_bus_stored #(
-    .WORDS(16)
+    .WORDS   (16),
+    .HARDENED(HARDENED)
   ) u_stored (
     .clk           (clk),
     .rst           (rst),
     .clearing_o    (clearing),
+    .differs_o     (differs_o),
     .write_i       (write_stored),
     .write_slot_i  (write_slot_q),
     .write_data_i  (write_high ? high_data : s_write_data),
@@ -670,6 +702,25 @@ module ffd_bus_registers #(
     end
   end
 
+  // 0x11C UPSET_STATUS
+  always @(posedge clk) begin
+    if (rst) begin
+      upset_status_memory_q <= 1'b0;
+      upset_status_state_q <= 1'b0;
+      upset_status_window_q <= 1'b0;
+      upset_status_burst_q <= 1'b0;
+      upset_status_copy_q <= 1'b0;
+    end else begin
+      upset_status_memory_q <= HARDENED != 0 && (upset_status_memory_set ||
+        upset_status_memory_held);
+      upset_status_state_q <= HARDENED != 0 && (upset_status_state_set || upset_status_state_held);
+      upset_status_window_q <= HARDENED != 0 && (upset_status_window_set ||
+        upset_status_window_held);
+      upset_status_burst_q <= HARDENED != 0 && (upset_status_burst_set || upset_status_burst_held);
+      upset_status_copy_q <= HARDENED != 0 && (upset_status_copy_set || upset_status_copy_held);
+    end
+  end
+
   // 0x140 IRQ_ENABLE
   always @(posedge clk) begin
     if (rst) begin
@@ -737,7 +788,8 @@ module ffd_bus_registers #(
     ({32 {at_features_q}} & {20'h0, features_determinant_i, features_derivatives_i,
       features_interleaved_i, features_resident_i, 1'h0, features_marks_i, features_packed_i,
       features_grids_i, features_spans_i, features_fourth_i, features_large_i, features_pages_i}) |
-    ({32 {at_limits2_q}} & {2'h0, limits2_count_width_i, limits2_spans_i, limits2_pages_i}) |
+    ({32 {at_limits2_q}} & {1'h0, limits2_hardened_i, limits2_count_width_i, limits2_spans_i,
+      limits2_pages_i}) |
     ({32 {at_ring_log2_size_q}} & {28'h0, ring_log2_size_o}) |
     ({32 {at_ring_head_q}} & {16'h0, ring_head_o}) |
     ({32 {at_ring_tail_q}} & {16'h0, ring_tail_i}) |
@@ -762,6 +814,8 @@ module ffd_bus_registers #(
     ({32 {at_error_beat_q}} & log_beat) |
     ({32 {at_error_address_lo_q}} & log_address[31:0]) |
     ({32 {at_error_address_hi_q}} & log_address[63:32]) |
+    ({32 {at_upset_status_q}} & {27'h0, upset_status_copy_q, upset_status_burst_q,
+      upset_status_window_q, upset_status_state_q, upset_status_memory_q}) |
     ({32 {at_irq_enable_q}} & {27'h0, irq_enable_descriptor_o, irq_enable_packet_o,
       irq_enable_refused_o, irq_enable_error_o, irq_enable_done_o}) |
     ({32 {at_irq_state_q}} & {27'h0, irq_state_descriptor_q, irq_state_packet_q,
@@ -775,7 +829,7 @@ module ffd_bus_registers #(
     at_wait_memory_q || at_wait_evaluator_q || at_wait_forming_q || at_wait_read_q ||
     at_wait_write_q || at_error_status_q || at_error_count_q || at_error_first_q ||
     at_error_packet_q || at_error_beat_q || at_error_address_lo_q || at_error_address_hi_q ||
-    at_irq_enable_q || at_irq_state_q || at_irq_test_q);
+    at_upset_status_q || at_irq_enable_q || at_irq_state_q || at_irq_test_q);
 endmodule
 
 `default_nettype wire

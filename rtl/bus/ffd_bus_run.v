@@ -16,11 +16,15 @@
 //             refuse it).
 // Needs:      the DMA refuses an area at most 7 clocks after result_start_o; an idle DMA or core
 //             that has something handed to it shows it at most 7 clocks later.
+// Parameters: HARDENED 0, or 1: a state that is none of the three ends the run at once, as a fault
+//             does, with upset_o, a pulse.
 // Model:      none (control only).  Test: tests/bus/axil/run_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_bus_run (
+module ffd_bus_run #(
+  parameter HARDENED = 0
+) (
   input  wire        clk,
   input  wire        rst,
   // registers
@@ -33,6 +37,7 @@ module ffd_bus_run (
   output wire        idle_o,
   output wire        stopped_o,
   output reg         done_o,
+  output wire        upset_o,
   // DMA engine
   output reg         ring_start_o,
   output reg  [63:0] ring_base_o,
@@ -63,10 +68,12 @@ module ffd_bus_run (
   wire       checked = state_q == CHECK && settled && !write_error_i && !clear;
   wire       refused = state_q == CHECK && write_error_i && !clear;
   wire       ended   = state_q == RUN && settled && quiet && !clear;
+  wire       illegal = HARDENED != 0 && state_q == 2'd3 && !clear;
 
   assign busy_o    = state_q != IDLE || clear;
   assign idle_o    = dma_idle_i && core_idle_i && !clear;
   assign stopped_o = stopped_q;
+  assign upset_o   = illegal;
   assign result_start_o = accept;
 
   always @(posedge clk) core_rst_o <= rst || clear;
@@ -75,7 +82,7 @@ module ffd_bus_run (
     if (rst || clear) state_q <= IDLE;
     else if (accept) state_q <= CHECK;
     else if (checked) state_q <= RUN;
-    else if (refused || ended) state_q <= IDLE;
+    else if (refused || ended || illegal) state_q <= IDLE;
   end
 
   always @(posedge clk) begin
@@ -84,7 +91,7 @@ module ffd_bus_run (
   end
 
   always @(posedge clk) begin
-    stopped_q <= !rst && !clear && (stopped_q || dma_fault_i);
+    stopped_q <= !rst && !clear && (stopped_q || dma_fault_i || illegal);
   end
 
   always @(posedge clk) begin
@@ -92,7 +99,7 @@ module ffd_bus_run (
       done_o       <= 1'b0;
       ring_start_o <= 1'b0;
     end else begin
-      done_o       <= refused || ended;
+      done_o       <= refused || ended || illegal;
       ring_start_o <= checked;
     end
   end

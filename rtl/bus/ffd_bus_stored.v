@@ -6,18 +6,21 @@
 //
 // Pipeline:   a write is seen from the next clock on; clearing_o for WORDS clocks after rst.
 // Freezes:    never.
-// Parameters: WORDS a power of two, 2 to 64.
+// Parameters: WORDS a power of two, 2 to 64. HARDENED 0, or 1: the count of words that are cleared
+//             is held three times; differs_o: one of the three differs.
 // Model:      tests/bus/axil/register_model.hpp.  Test: tests/bus/axil.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
 module ffd_bus_stored #(
-  parameter WORDS  = 16,
-  parameter SLOT_W = $clog2(WORDS)
+  parameter WORDS    = 16,
+  parameter HARDENED = 0,
+  parameter SLOT_W   = $clog2(WORDS)
 ) (
   input  wire              clk,
   input  wire              rst,
   output wire              clearing_o,
+  output wire              differs_o,
   input  wire              write_i,
   input  wire [SLOT_W-1:0] write_slot_i,
   input  wire [31:0]       write_data_i,
@@ -32,17 +35,34 @@ module ffd_bus_stored #(
   endgenerate
 
   // Counts the words that are cleared; the bit above says that all are.
-  reg  [SLOT_W:0]   cleared_q;
+  wire [SLOT_W:0]   cleared_q;
   wire              clearing = !cleared_q[SLOT_W];
   wire [SLOT_W-1:0] slot     = clearing ? cleared_q[SLOT_W-1:0] : write_slot_i;
   wire [31:0]       data     = clearing ? 32'd0 : write_data_i;
 
   assign clearing_o = clearing;
 
-  always @(posedge clk) begin
-    if (rst) cleared_q <= {(SLOT_W + 1) {1'b0}};
-    else if (clearing) cleared_q <= cleared_q + 1'b1;
-  end
+  generate
+    if (HARDENED == 0) begin : gen_one
+      reg [SLOT_W:0] count_q;
+      always @(posedge clk) begin
+        if (rst) count_q <= {(SLOT_W + 1) {1'b0}};
+        else if (clearing) count_q <= count_q + 1'b1;
+      end
+      assign cleared_q = count_q;
+      assign differs_o = 1'b0;
+    end else begin : gen_three
+      wire [SLOT_W:0] next = cleared_q + {{SLOT_W {1'b0}}, clearing};
+      ffd_hard_triple #(
+        .WIDTH(SLOT_W + 1)
+      ) u_cleared (
+        .clk      (clk),
+        .d_i      (rst ? {(SLOT_W + 1) {1'b0}} : next),
+        .q_o      (cleared_q),
+        .differs_o(differs_o)
+      );
+    end
+  endgenerate
 
   genvar b;
   generate

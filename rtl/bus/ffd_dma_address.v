@@ -19,7 +19,8 @@
 //             one comparison. A refusal is a pulse of refused_o four clocks after acceptance. rst
 //             forgets the request.
 // Parameters: ADDRESS_W 14 to 64, LENGTH_W 5 to ADDRESS_W - 1, MAX_BURST a power of two, 2 to 256.
-//             DATA_WIDTH 64, 128 or 256; with 64, MAX_BURST 128 at most.
+//             DATA_WIDTH 64, 128 or 256; with 64, MAX_BURST 128 at most. HARDENED 0, or 1: a state
+//             that there is not becomes IDLE, with upset_o, a pulse.
 // Model:      none (control only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,6 +30,7 @@ module ffd_dma_address #(
   parameter LENGTH_W   = 32,
   parameter MAX_BURST  = 256,
   parameter DATA_WIDTH = 128,
+  parameter HARDENED   = 0,
   parameter BURST_W    = $clog2(MAX_BURST)
 ) (
   input  wire                 clk,
@@ -42,6 +44,7 @@ module ffd_dma_address #(
   input  wire                 s_request_check,
   output reg                  refused_o,
   output reg  [2:0]           refused_code_o,
+  output wire                 upset_o,
   output wire                 m_burst_valid,
   input  wire                 m_burst_ready,
   output wire [ADDRESS_W-1:0] m_burst_address,
@@ -100,6 +103,9 @@ module ffd_dma_address #(
   assign s_request_ready = state_q == IDLE && !refused_o;
   assign m_burst_valid   = state_q == BURST;
 
+  wire illegal = HARDENED != 0 && state_q > NEXT;
+  assign upset_o = illegal;
+
   // Where the burst ends: the block or the request, or what limit_i allows.
   wire [BURST_W-1:0] next_low = next_q[BURST_W-1:0];
   wire [BURST_W-1:0] len      = limited_i ? limit_i[BURST_W-1:0] : offer_q;
@@ -148,7 +154,7 @@ module ffd_dma_address #(
           refused_o <= code != 3'd0;
         end
         BURST: if (step) state_q <= m_burst_last ? IDLE : NEXT;
-        default: state_q <= CHECK;
+        default: state_q <= illegal ? IDLE : CHECK;
       endcase
     end
   end

@@ -20,10 +20,14 @@
 // both streams is to be reset with it. ring_start_i and result_start_i are ignored then.
 // idle_o: nothing outstanding or queued, nothing left in the ring.
 //
+// With HARDENED a guard stands between the halves and the bus (ffd_dma_guard). Its fault is one
+// more after which only a soft reset helps, and a soft reset waits for the bus, not for the halves.
+// After a bus error two addresses a half, which it has taken by then, may still go out.
+//
 // Pipeline:   see the halves; read and write at 16 bytes a clock each, or a beat of 8.
 // Parameters: as in the halves, MAX_BURST in 16 bytes, and taken for 128 where 256 of them would be
 //             too many beats of DATA_WIDTH 64; READ_OUTSTANDING and WRITE_OUTSTANDING bursts, at
-//             least 2; TIMEOUT as in ffd_dma_watch.
+//             least 2; TIMEOUT as in ffd_dma_watch, HARDENED in ffd_dma_guard.
 // Model:      tests/bus/dma.  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -38,16 +42,19 @@ module ffd_dma_engine #(
   parameter FLUSH_CLOCKS      = 16,
   parameter TIMEOUT           = 0,
   parameter DATA_WIDTH        = 128,
-  parameter MARKS             = 0
+  parameter MARKS             = 0,
+  parameter HARDENED          = 0
 ) (
   input  wire         clk,
   input  wire         rst,
   input  wire         soft_reset_i,
   output wire         clearing_o,
-  output reg          idle_o,
-  output reg          halted_o,
+  output wire         idle_o,
+  output wire         halted_o,
   output wire         fault_o,
   output wire [4:0]   timeout_o,
+  input  wire         windows_locked_i,
+  output wire [3:0]   upset_o,       // {copy, burst, window, state}, pulses
 
   input  wire [63:0]  read_first_i,
   input  wire [63:0]  read_last_i,
@@ -119,50 +126,16 @@ module ffd_dma_engine #(
   assign {m_axi_arsize, m_axi_awsize}   = {2 {SIZE}};
   assign {m_axi_arburst, m_axi_awburst} = {2 {2'b01}};    // INCR
 
-  // ---- soft reset, and holding one half while the other is in error, or both after a time-out
-  reg  soft_q;
-  reg  hold_read_q;
-  reg  hold_write_q;
-  reg  late_q;
-  wire read_quiet;
-  wire read_open;
-  wire read_empty;
-  wire read_fault;
-  wire write_busy;
-  wire write_empty;
-  wire write_fault;
-  wire write_started;
-  wire ring_empty;
-  wire ring_started;
-  wire [4:0] late;
-  wire read_late  = |late[1:0];
-  wire write_late = |late[4:2];
-  wire read_ends  = read_quiet || read_late;
-  wire write_ends = !write_busy || write_late;
-  reg  cleared_q;    // a soft reset has ended, or rst, which lasts a clock longer inside
-  wire half_rst = rst || cleared_q;
-  always @(posedge clk) begin
-    cleared_q <= rst || (soft_q && read_ends && write_ends && !cleared_q);
-    if (half_rst) begin
-      soft_q       <= soft_reset_i && !rst;
-      hold_read_q  <= 1'b0;
-      hold_write_q <= 1'b0;
-      late_q       <= 1'b0;
-    end else begin
-      soft_q       <= soft_q || soft_reset_i;
-      hold_read_q  <= write_fault || (hold_read_q && !write_started);
-      hold_write_q <= read_fault || (hold_write_q && !ring_started);
-      late_q       <= late_q || late != 5'd0;
-    end
-  end
-  assign clearing_o    = soft_q;
+  // ---- soft reset, and holding one half while the other is in error, or both
+  `include "ffd_halt_wires.vh"
+  assign clearing_o    = clearing;
   assign result_busy_o = write_busy;
-  assign fault_o       = read_fault || write_fault || timeout_o != 5'd0;
-  always @(posedge clk) begin
-    halted_o <= (!read_open || read_late) && write_ends && !half_rst
-             && (late_q || (hold_write_q && !ring_running_o) || (hold_read_q && !result_running_o));
-    idle_o   <= !soft_q && ring_empty && read_quiet && read_empty && !write_busy && write_empty;
-  end
+
+  ffd_dma_halt #(
+    .HARDENED(HARDENED)
+  ) u_halt (
+    `include "ffd_halt_connections.vh"
+  );
 
   // ---- the ring, whose errors never come with one of the bus; addresses are 0 but with an error
   wire         request_valid;
@@ -193,7 +166,7 @@ module ffd_dma_engine #(
     .MARKS      (MARKS)
   ) u_ring (
     .clk              (clk),
-    .rst              (half_rst || soft_q),
+    .rst              (half_rst || clearing),
     .start_i          (ring_start_i),
     .base_i           (ring_base_i),
     .entries_log2_i   (ring_entries_log2_i),
@@ -230,6 +203,9 @@ module ffd_dma_engine #(
   wire [127:0] beat_data;
   wire [1:0]   beat_response;
   wire         beat_last;
+  wire         read_upset;
+  wire         write_upset;
+  `include "ffd_guard_wires.vh"
   wire         out_valid;
   wire         out_ready;
   wire [127:0] out_data;
@@ -241,15 +217,16 @@ module ffd_dma_engine #(
     .FIFO_DEPTH (READ_DEPTH),
     .OUTSTANDING(READ_OUTSTANDING),
     .DATA_WIDTH (DATA_WIDTH),
-    .MARKS      (MARKS)
+    .MARKS      (MARKS),
+    .HARDENED   (HARDENED)
   ) u_read (
     .clk              (clk),
     .rst              (half_rst),
     .start_i          (ring_started),
-    .soft_i           (soft_q),
-    .hold_i           (hold_read_q || late_q),
-    .window_first_i   (read_first_i),
-    .window_last_i    (read_last_i),
+    .soft_i           (clearing),
+    .hold_i           (hold_read),
+    .window_first_i   (read_first),
+    .window_last_i    (read_last),
     .s_request_valid  (request_valid),
     .s_request_ready  (request_ready),
     .s_request_address(request_address),
@@ -259,10 +236,10 @@ module ffd_dma_engine #(
     .s_request_mark   (request_mark),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
-    .m_axi_arvalid    (m_axi_arvalid),
-    .m_axi_arready    (m_axi_arready),
-    .m_axi_araddr     (m_axi_araddr),
-    .m_axi_arlen      (m_axi_arlen),
+    .m_axi_arvalid    (ar_valid),
+    .m_axi_arready    (ar_ready),
+    .m_axi_araddr     (ar_address),
+    .m_axi_arlen      (ar_len),
     .asked_o          (asked),
     .asked_first_o    (asked_first),
     .asked_last_o     (asked_last),
@@ -280,6 +257,7 @@ module ffd_dma_engine #(
     .finished_o       (finished),
     .finished_mark_o  (ring_marked_o),
     .fault_o          (read_fault),
+    .upset_o          (read_upset),
     .error_o          (bus_error),
     .error_code_o     (bus_error_code),
     .error_address_o  (bus_error_address),
@@ -297,8 +275,8 @@ module ffd_dma_engine #(
     .asked_i        (asked),
     .asked_first_i  (asked_first),
     .asked_last_i   (asked_last),
-    .m_axi_rvalid   (m_axi_rvalid),
-    .m_axi_rready   (m_axi_rready),
+    .m_axi_rvalid   (r_valid),
+    .m_axi_rready   (r_ready),
     .m_axi_rdata    (m_axi_rdata),
     .m_axi_rresp    (m_axi_rresp),
     .m_axi_rlast    (m_axi_rlast),
@@ -315,15 +293,16 @@ module ffd_dma_engine #(
     .OUTSTANDING (WRITE_OUTSTANDING),
     .FLUSH_CLOCKS(FLUSH_CLOCKS),
     .DATA_WIDTH  (DATA_WIDTH),
-    .MARKS       (MARKS)
+    .MARKS       (MARKS),
+    .HARDENED    (HARDENED)
   ) u_write (
     .clk            (clk),
     .rst            (half_rst),
     .start_i        (result_start_i),
-    .soft_i         (soft_q),
-    .hold_i         (hold_write_q || late_q),
-    .window_first_i (write_first_i),
-    .window_last_i  (write_last_i),
+    .soft_i         (clearing),
+    .hold_i         (hold_write),
+    .window_first_i (write_first),
+    .window_last_i  (write_last),
     .base_i         (result_base_i),
     .size_i         (result_size_i),
     .s_result_valid (s_result_valid),
@@ -331,17 +310,17 @@ module ffd_dma_engine #(
     .s_result_data  (s_result_data),
     .s_result_last  (s_result_last),
     .s_result_mark  (s_result_mark),
-    .m_axi_awvalid  (m_axi_awvalid),
-    .m_axi_awready  (m_axi_awready),
-    .m_axi_awaddr   (m_axi_awaddr),
-    .m_axi_awlen    (m_axi_awlen),
+    .m_axi_awvalid  (aw_valid),
+    .m_axi_awready  (aw_ready),
+    .m_axi_awaddr   (aw_address),
+    .m_axi_awlen    (aw_len),
     .m_axi_wvalid   (out_valid),
     .m_axi_wready   (out_ready),
     .m_axi_wdata    (out_data),
     .m_axi_wlast    (out_last),
     .upper_o        (out_upper),
-    .m_axi_bvalid   (m_axi_bvalid),
-    .m_axi_bready   (m_axi_bready),
+    .m_axi_bvalid   (b_valid),
+    .m_axi_bready   (b_ready),
     .m_axi_bresp    (m_axi_bresp),
     .started_o      (write_started),
     .running_o      (result_running_o),
@@ -351,6 +330,7 @@ module ffd_dma_engine #(
     .overflow_o     (result_overflow_o),
     .marked_o       (result_marked_o),
     .fault_o        (write_fault),
+    .upset_o        (write_upset),
     .error_o        (write_error_o),
     .error_code_o   (write_error_code_o),
     .error_address_o(write_error_address_o)
@@ -366,12 +346,41 @@ module ffd_dma_engine #(
     .s_beat_data (out_data),
     .s_beat_last (out_last),
     .s_beat_upper(out_upper),
-    .m_axi_wvalid(m_axi_wvalid),
-    .m_axi_wready(m_axi_wready),
+    .m_axi_wvalid(w_valid),
+    .m_axi_wready(w_ready),
     .m_axi_wdata (m_axi_wdata),
-    .m_axi_wstrb (m_axi_wstrb),
-    .m_axi_wlast (m_axi_wlast)
+    .m_axi_wstrb (w_strobe),
+    .m_axi_wlast (w_last)
   );
+
+  ffd_dma_guard #(
+    .HARDENED  (HARDENED),
+    .DATA_WIDTH(DATA_WIDTH),
+    .READS     (READ_OUTSTANDING),
+    .WRITES    (WRITE_OUTSTANDING)
+  ) u_guard (
+    .clk          (clk),
+    .rst          (guard_rst),
+    .halves_rst_i (half_rst),
+    .flush_i      (clearing),
+    .locked_i     (windows_locked_i),
+    .read_first_i (read_first_i),
+    .read_last_i  (read_last_i),
+    .write_first_i(write_first_i),
+    .write_last_i (write_last_i),
+    .read_first_o (read_first),
+    .read_last_o  (read_last),
+    .write_first_o(write_first),
+    .write_last_o (write_last),
+    .quiet_read_o (guard_quiet_read),
+    .quiet_write_o(guard_quiet_write),
+    .fault_o      (guard_fault),
+    .window_o     (upset_o[1]),
+    .burst_o      (upset_o[2]),
+    .copy_o       (upset_o[3]),
+    `include "ffd_guard_connections.vh"
+  );
+  assign upset_o[0] = read_upset || write_upset;
 
   ffd_dma_watch #(
     .TIMEOUT(TIMEOUT),
@@ -380,18 +389,7 @@ module ffd_dma_engine #(
   ) u_watch (
     .clk      (clk),
     .rst      (half_rst),
-    .arvalid_i(m_axi_arvalid),
-    .arready_i(m_axi_arready),
-    .rvalid_i (m_axi_rvalid),
-    .rready_i (m_axi_rready),
-    .rlast_i  (m_axi_rlast),
-    .awvalid_i(m_axi_awvalid),
-    .awready_i(m_axi_awready),
-    .wvalid_i (m_axi_wvalid),
-    .wready_i (m_axi_wready),
-    .wlast_i  (m_axi_wlast),
-    .bvalid_i (m_axi_bvalid),
-    .bready_i (m_axi_bready),
+    `include "ffd_watch_connections.vh"
     .late_o   (late),
     .timeout_o(timeout_o)
   );

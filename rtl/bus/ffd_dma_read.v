@@ -23,7 +23,7 @@
 // Pipeline:   4 clocks request to burst; data 5 clocks from bus to stream, II 1. No path from an
 //             input to an output of the bus: AR, rready and the stream come from registers.
 // Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             MARKS 0 or 1; MAX_BURST and DATA_WIDTH as in ffd_dma_address.
+//             MARKS 0 or 1; MAX_BURST, DATA_WIDTH and HARDENED as in ffd_dma_address.
 // Not checked: rlast is trusted; data without a burst is ignored.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
@@ -34,7 +34,8 @@ module ffd_dma_read #(
   parameter FIFO_DEPTH  = 512,
   parameter OUTSTANDING = 8,
   parameter DATA_WIDTH  = 128,
-  parameter MARKS       = 0
+  parameter MARKS       = 0,
+  parameter HARDENED    = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -73,6 +74,7 @@ module ffd_dma_read #(
   output reg          finished_o,
   output wire         finished_mark_o,
   output wire         fault_o,
+  output wire         upset_o,
   output reg          error_o,
   output reg  [2:0]   error_code_o,
   output reg  [63:0]  error_address_o,
@@ -113,7 +115,8 @@ module ffd_dma_read #(
     .ADDRESS_W (64),
     .LENGTH_W  (32),
     .MAX_BURST (MAX_BURST),
-    .DATA_WIDTH(DATA_WIDTH)
+    .DATA_WIDTH(DATA_WIDTH),
+    .HARDENED  (HARDENED)
   ) u_address (
     .clk              (clk),
     .rst              (rst || discard),
@@ -126,6 +129,7 @@ module ffd_dma_read #(
     .s_request_check  (s_request_check),
     .refused_o        (refused_o),
     .refused_code_o   (refused_code_o),
+    .upset_o          (upset_o),
     .m_burst_valid    (burst_valid),
     .m_burst_ready    (burst_ready),
     .m_burst_address  (burst_address),

@@ -20,8 +20,8 @@
 //
 // Pipeline:   a beat takes 6 clocks at least from stream to bus; II 1. No path from an input to an
 //             output of the bus: AW, W, bready come from registers.
-// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING a power of two >= 2,
-//             FLUSH_CLOCKS 1 to 65535, MARKS 0 or 1; MAX_BURST, DATA_WIDTH as in ffd_dma_address.
+// Parameters: FIFO_DEPTH a power of two >= 2 * MAX_BURST, OUTSTANDING one >= 2, FLUSH_CLOCKS 1 to
+//             65535, MARKS 0 or 1; MAX_BURST, DATA_WIDTH and HARDENED as in ffd_dma_address.
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -32,7 +32,8 @@ module ffd_dma_write #(
   parameter OUTSTANDING  = 8,
   parameter FLUSH_CLOCKS = 16,
   parameter DATA_WIDTH   = 128,
-  parameter MARKS        = 0
+  parameter MARKS        = 0,
+  parameter HARDENED     = 0
 ) (
   input  wire         clk,
   input  wire         rst,
@@ -68,6 +69,7 @@ module ffd_dma_write #(
   output reg          overflow_o,
   output wire         marked_o,
   output wire         fault_o,
+  output wire         upset_o,
   output reg          error_o,
   output reg  [2:0]   error_code_o,
   output reg  [63:0]  error_address_o
@@ -120,7 +122,8 @@ module ffd_dma_write #(
     .ADDRESS_W (64),
     .LENGTH_W  (32),
     .MAX_BURST (MAX_BURST),
-    .DATA_WIDTH(DATA_WIDTH)
+    .DATA_WIDTH(DATA_WIDTH),
+    .HARDENED  (HARDENED)
   ) u_address (
     .clk              (clk),
     .rst              (rst || accept || soft_i || stop_q),
@@ -133,6 +136,7 @@ module ffd_dma_write #(
     .s_request_check  (1'b0),
     .refused_o        (refused),
     .refused_code_o   (refused_code),
+    .upset_o          (upset_o),
     .m_burst_valid    (burst_valid),
     .m_burst_ready    (burst_ready),
     .m_burst_address  (burst_address),
@@ -266,12 +270,7 @@ module ffd_dma_write #(
     else if (aw_free) m_axi_awvalid <= step;
   end
 
-  always @(posedge clk) begin
-    if (step) begin
-      m_axi_awaddr <= burst_address;
-      m_axi_awlen  <= bus_len;
-    end
-  end
+  always @(posedge clk) if (step) {m_axi_awlen, m_axi_awaddr} <= {bus_len, burst_address};
 
   ffd_stream_fifo #(
     .WIDTH(8),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 wire        clearing;
 wire        awake;
+wire        upset;
 wire        write_valid;
 wire [9:0]  write_word;
 wire [31:0] write_data;

@@ -7,16 +7,18 @@
 //
 // Formats:    numbers of four words; point {z, y, x} of the slot at local index {l, m, n}.
 // Pipeline:   2 clocks: memory | register; turned round behind it. II 1, never frozen.
-// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2.
+// Parameters: FORMAT as in ffd_num.vh, SLOTS >= 2; HARDENED 0, or 1: each word is stored with its
+//             parity. odd_o, with the point: that of one of its three words is wrong.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 
 module ffd_cache_beats #(
-  parameter FORMAT = 18,
-  parameter SLOTS  = 3,
-  parameter SLOT_W = $clog2(SLOTS)
+  parameter FORMAT   = 18,
+  parameter SLOTS    = 3,
+  parameter HARDENED = 0,
+  parameter SLOT_W   = $clog2(SLOTS)
 ) (
   input  wire                                 clk,
   input  wire                                 write_i,
@@ -26,9 +28,11 @@ module ffd_cache_beats #(
   input  wire [4*`FFD_POINT_W(FORMAT)-1:0]    write_numbers_i,
   input  wire [SLOT_W-1:0]                    read_slot_i,
   input  wire [5:0]                           read_local_i,
-  output wire [3*`FFD_POINT_W(FORMAT)-1:0]    point_o
+  output wire [3*`FFD_POINT_W(FORMAT)-1:0]    point_o,
+  output wire                                 odd_o
 );
-  localparam POINT_W = `FFD_POINT_W(FORMAT);
+  localparam POINT_W  = `FFD_POINT_W(FORMAT);
+  localparam STORED_W = POINT_W + HARDENED;
 
   wire [3:0]           group = read_local_i[5:2];
   wire [1:0]           n     = read_local_i[1:0];
@@ -42,6 +46,11 @@ module ffd_cache_beats #(
     n_qq    <= n_q;
   end
 
+  // All but the word that is not of the point: 3 n + 3 modulo 4.
+  wire [3:0] odd;
+  wire [1:0] other = 2'd3 - n_qq;
+  assign odd_o = |(odd & ~(4'd1 << other));
+
   // The beat of a group that has word w of point n, where there is such a word.
   wire [7:0] phase = {n == 2'd0 ? 2'd0 : n - 2'd1,   // w = 3: points 1, 2, 3
                       n > 2'd1 ? n - 2'd1 : 2'd0,    // w = 2: points 0, 2, 3
@@ -51,8 +60,22 @@ module ffd_cache_beats #(
   genvar w;
   generate
     for (w = 0; w < 4; w = w + 1) begin : gen_word
+      wire [POINT_W-1:0]  number = write_numbers_i[w*POINT_W +: POINT_W];
+      wire [STORED_W-1:0] written;
+      wire [STORED_W-1:0] stored;
+      assign written[POINT_W-1:0]        = number;
+      assign words[w*POINT_W +: POINT_W] = stored[POINT_W-1:0];
+      if (HARDENED != 0) begin : gen_parity
+        reg odd_q;
+        always @(posedge clk) odd_q <= ^stored;
+        assign written[STORED_W-1] = ^number;
+        assign odd[w]              = odd_q;
+      end else begin : gen_no_parity
+        assign odd[w] = 1'b0;
+      end
+
       ffd_mem_sdp #(
-        .WIDTH       (POINT_W),
+        .WIDTH       (STORED_W),
         .DEPTH       (64 * SLOTS),
         .READ_LATENCY(1),
         .ADDRESS_W   (SLOT_W + 6)
@@ -60,10 +83,10 @@ module ffd_cache_beats #(
         .clk            (clk),
         .write_i        (write_i),
         .write_address_i({write_slot_i, write_group_i, write_phase_i}),
-        .write_data_i   (write_numbers_i[w*POINT_W +: POINT_W]),
+        .write_data_i   (written),
         .read_i         (1'b1),
         .read_address_i ({read_slot_i, group, phase[2*w +: 2]}),
-        .read_data_o    (words[w*POINT_W +: POINT_W])
+        .read_data_o    (stored)
       );
     end
   endgenerate

@@ -19,7 +19,8 @@
 //             behind the choice between lattice and slot. II 1, never frozen. What is written is
 //             there for reads from the second clock after it: no vertex reads its points sooner.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, N a power of two from 1 to 64,
-//             SLOTS >= 2, PAGES >= 1, AXIS 4 to 64, LATENCY >= 2.
+//             SLOTS >= 2, PAGES >= 1, AXIS 4 to 64, LATENCY >= 2; HARDENED 0, or 1: points have a
+//             parity, and odd_o comes with points of which one has another.
 // Not checked: a cell outside the lattice reads some point, never an address outside the memory;
 //             whether a slot has been filled: the stream decoder hands out full slots only.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -39,7 +40,8 @@ module ffd_cache_points #(
   parameter AXIS     = 16,
   parameter AT_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES),
-  parameter LATENCY  = 2
+  parameter LATENCY  = 2,
+  parameter HARDENED = 0
 ) (
   input  wire                                 clk,
   input  wire [4*`FFD_POINT_W(FORMAT)-1:0]    numbers_i,
@@ -55,7 +57,8 @@ module ffd_cache_points #(
   input  wire [SOURCE_W-1:0]                  read_source_i,
   input  wire [11:0]                          read_cell_i,
   input  wire [5:0]                           read_index_i,
-  output wire [N*3*`FFD_POINT_W(FORMAT)-1:0]  points_o
+  output wire [N*3*`FFD_POINT_W(FORMAT)-1:0]  points_o,
+  output wire                                 odd_o
 );
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam LATTICES = `FFD_FEATURE_RESIDENT(FEATURES);
@@ -129,6 +132,7 @@ module ffd_cache_points #(
   wire [11:0]          write_bank;
   wire [6*POINT_W-1:0] write_point;
   wire [3*POINT_W-1:0] beat_point;
+  wire                 beat_odd;
 
   generate
     if (N == 1) begin : gen_beats
@@ -163,8 +167,9 @@ module ffd_cache_points #(
           .q_o({early_slot, early_index})
         );
         ffd_cache_beats #(
-          .FORMAT(FORMAT),
-          .SLOTS (SLOTS)
+          .FORMAT  (FORMAT),
+          .SLOTS   (SLOTS),
+          .HARDENED(HARDENED)
         ) u_beats (
           .clk            (clk),
           .write_i        (slot_write_i),
@@ -174,15 +179,18 @@ module ffd_cache_points #(
           .write_numbers_i(numbers_i),
           .read_slot_i    (early_slot),
           .read_local_i   (early_index),
-          .point_o        (beat_point)
+          .point_o        (beat_point),
+          .odd_o          (beat_odd)
         );
       end else begin : gen_no_slots
         assign beat_point = {(3 * POINT_W) {1'b0}};
+        assign beat_odd   = 1'b0;
         wire unused_ok = &{1'b0, slot_write_i, slot_i, slot_group_i, slot_phase_i};
       end
       wire unused_ok = &{1'b0, slot_cell_i, at_slot};
     end else begin : gen_writer
       assign beat_point = {(3 * POINT_W) {1'b0}};
+      assign beat_odd   = 1'b0;
       ffd_cache_writer #(
         .FORMAT(FORMAT),
         .AXIS_W(AXIS_W),
@@ -225,6 +233,8 @@ module ffd_cache_points #(
 
   wire [N*3*POINT_W-1:0] points;
   wire [N*3*POINT_W-1:0] chosen;
+  wire [N-1:0]           odd;
+  wire                   chosen_odd;
   wire [1:0]             write_fourth;  // on either bus
   wire [2*POINT_W-1:0]   fourth_number;
   generate
@@ -255,6 +265,7 @@ module ffd_cache_points #(
       wire [ROW_W-1:0]   write_row;
       wire [ROW_W-1:0]   read_row;
       wire [3*POINT_W-1:0] read_point;
+      wire                 read_odd;
 
       assign place[PLACE_W-1 -: PAGE_W] = page;
       for (a = 0; a < 3 && PLACE_W > 1; a = a + 1) begin : gen_place
@@ -290,6 +301,7 @@ module ffd_cache_points #(
       wire unused_page = &{1'b0, early_place};
       ffd_cache_lane #(
         .WIDTH   (3 * POINT_W),
+        .HARDENED(HARDENED),
         .ROWS    (ROWS),
         .PLACES  (PLACES),
         .LATTICES(LATTICES),
@@ -304,18 +316,21 @@ module ffd_cache_points #(
         .read_slot_i  (early_of_slot),
         .read_place_i (early_place[USED_W-1:0]),
         .read_row_i   (early_row),
-        .point_o      (read_point)
+        .point_o      (read_point),
+        .odd_o        (read_odd)
       );
 
       if (FOURTH != 0) begin : gen_fourth
         wire [POINT_W-1:0] number;
+        wire               number_odd;
         reg                fourth_q;
         reg                fourth_qq;
         ffd_cache_lane #(
-          .WIDTH (POINT_W),
-          .ROWS  (ROWS),
-          .PLACES(PLACES),
-          .SLOTS (0)
+          .WIDTH   (POINT_W),
+          .HARDENED(HARDENED),
+          .ROWS    (ROWS),
+          .PLACES  (PLACES),
+          .SLOTS   (0)
         ) u_lane (
           .clk          (clk),
           .write_i      (write_fourth[BUS] && here),
@@ -326,15 +341,18 @@ module ffd_cache_points #(
           .read_slot_i  (1'b0),
           .read_place_i (early_place[USED_W-1:0]),
           .read_row_i   (early_row),
-          .point_o      (number)
+          .point_o      (number),
+          .odd_o        (number_odd)
         );
         always @(posedge clk) begin
           fourth_q  <= early_fourth;
           fourth_qq <= fourth_q;
         end
         assign points[p*3*POINT_W +: 3*POINT_W] = fourth_qq ? {3{number}} : read_point;
+        assign odd[p] = fourth_qq ? number_odd : read_odd;
       end else begin : gen_no_fourth
         assign points[p*3*POINT_W +: 3*POINT_W] = read_point;
+        assign odd[p] = read_odd;
       end
     end
 
@@ -345,25 +363,38 @@ module ffd_cache_points #(
         slot_q  <= early_of_slot;
         slot_qq <= slot_q;
       end
-      assign chosen = LATTICES == 0 || slot_qq ? beat_point : points;
+      assign chosen     = LATTICES == 0 || slot_qq ? beat_point : points;
+      assign chosen_odd = LATTICES == 0 || slot_qq ? beat_odd : |odd;
     end else begin : gen_no_choice
-      assign chosen = points;
+      assign chosen     = points;
+      assign chosen_odd = |odd;
     end
   endgenerate
 
+  wire [N*3*POINT_W+HARDENED-1:0] leaving, left;
+  assign leaving[N*3*POINT_W-1:0] = chosen;
+  assign points_o                 = left[N*3*POINT_W-1:0];
+  generate
+    if (HARDENED != 0) begin : gen_odd
+      assign leaving[N*3*POINT_W] = chosen_odd;
+      assign odd_o                = left[N*3*POINT_W];
+    end else begin : gen_no_odd
+      assign odd_o = 1'b0;
+    end
+  endgenerate
   ffd_num_delay #(
-    .WIDTH  (N * 3 * POINT_W),
+    .WIDTH  (N * 3 * POINT_W + HARDENED),
     .LATENCY(LATENCY - 2 - EARLY)
   ) u_points (
     .clk(clk),
     .rst(1'b0),
-    .d_i(chosen),
-    .q_o(points_o)
+    .d_i(leaving),
+    .q_o(left)
   );
 
   wire unused_ok = &{1'b0, write, write_bank, write_point, beat_point, numbers_i, lattice_at_i,
                      highs, read_source_i, write_fourth, fourth_number, lattice_fourth_i,
-                     early_fourth, write_place};
+                     early_fourth, write_place, beat_odd, chosen_odd};
 endmodule
 
 `default_nettype wire

@@ -7,4 +7,5 @@
 .IN_FLIGHT        (IN_FLIGHT),
 .WAITING          (WAITING),
 .FEATURES         (FEATURES),
-.SPANS            (SPANS)
+.SPANS            (SPANS),
+.HARDENED         (HARDENED)

@@ -14,7 +14,8 @@
 //             AXI_PROT and AXI_CACHE, what the master drives on *prot (010: not secure) and *cache
 //             (0010: normal, not cacheable, not bufferable); ADDRESS_WIDTH 32 to 64, an address
 //             beyond being outside of every window; DATA_WIDTH 64, 128 or 256; ID_WIDTH 1 to 16
-//             and ID, what the master drives on *id. SECURE_ONLY as in ffd_axil_slave.
+//             and ID, what the master drives on *id. SECURE_ONLY as in ffd_axil_slave. HARDENED 0,
+//             or 1: bits that flip do no more than docs/studies/upsets.md says.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -38,12 +39,14 @@ module hwffd_axi #(
   // Registers are read and written in words; not in reset and not while they are cleared.
   `include "ffd_word_wires.vh"
 
-  ffd_axil_slave #(
+  ffd_axil_voted #(
     .ADDRESS_W  (12),
-    .SECURE_ONLY(SECURE_ONLY)
+    .SECURE_ONLY(SECURE_ONLY),
+    .HARDENED   (HARDENED)
   ) u_slave (
     .clk           (aclk),
     .rst           (clearing),
+    .differs_o     (upset),
     `include "ffd_axil_connections.vh"
     `include "ffd_word_master.vh"
   );

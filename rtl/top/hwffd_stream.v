@@ -13,7 +13,8 @@
 //             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
 //             a power of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one
 //             >= 2, the most vertices before them; FEATURES, what is built, as in ffd_stream.vh;
-//             SPANS 1 to 128, runs of cells of an axis with functions of their own.
+//             SPANS 1 to 128, runs of cells of an axis with functions of their own; HARDENED 0, or
+//             1: points have a parity, and upset_o is a pulse for one that is wrong.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,7 +29,8 @@ module hwffd_stream #(
   parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
-  parameter SPANS           = 1
+  parameter SPANS           = 1,
+  parameter HARDENED        = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -46,7 +48,8 @@ module hwffd_stream #(
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
   output wire [2:0]   wait_o,
-  output wire         idle_o
+  output wire         idle_o,
+  output wire         upset_o
 );
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
@@ -67,8 +70,7 @@ module hwffd_stream #(
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
 
-  wire clk = aclk;
-  wire rst = !aresetn;
+  wire clk = aclk, rst = !aresetn;
   wire                     front_idle;
   wire                     slot_free;
   wire                     rooms;
@@ -129,8 +131,7 @@ module hwffd_stream #(
   wire [11:0]                       slot_cell;
   wire [3:0]                        slot_group;
   wire [1:0]                        slot_phase;
-  wire                              vertex_valid;
-  wire                              vertex_ready;
+  wire                              vertex_valid, vertex_ready;
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
@@ -139,8 +140,7 @@ module hwffd_stream #(
   wire                              vertex_changed;
   wire [1:0]                        vertex_results;
   wire [USER_W-1:0]                 vertex_user;
-  wire                              part_valid;
-  wire                              part_ready;
+  wire                              part_valid, part_ready;
   wire [SOURCE_W:0]                 part_source;
   wire [3*`FFD_PLACE_W(SPANS)-1:0]  part_bank;
   wire [1:0]                        part_column;
@@ -165,15 +165,12 @@ module hwffd_stream #(
   wire [`FFD_EVENTS-1:0]            decoder_event;
   wire                              result_final = result_words_user[PART_W-1] && result_last;
   wire [USER_W-1:0]                 result_user  = result_words_user[USER_W-1:0];
-  wire                              evaluating;
-  wire                              forming;
-  wire                              decoder_idle, encoder_idle;
+  wire                              evaluating, forming, decoder_idle, encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
   // Of the bank and buffer that a vertex has read, a clock after it has left.
-  reg                               retire_q;
+  reg                               retire_q, saturated_q;
   reg  [2:0]                        retire_user_q;
-  reg                               saturated_q;
   always @(posedge clk) begin
     retire_q      <= leave && result_final && !rst;
     saturated_q   <= leave && result_flags[0] && !result_user[`FFD_USER_BLANK] && !rst;
@@ -293,9 +290,11 @@ module hwffd_stream #(
     .SLOTS   (SLOTS),
     .PAGES   (PAGES),
     .AXIS    (AXIS),
-    .LATENCY (READ_LATENCY)
+    .LATENCY (READ_LATENCY),
+    .HARDENED(HARDENED)
   ) u_stores (
     .clk             (clk),
+    .rst             (rst),
     .numbers_i       (numbers),
     .lattice_write_i (lattice_write),
     .lattice_buffer_i(lattice_buffer),
@@ -306,12 +305,14 @@ module hwffd_stream #(
     .slot_cell_i     (slot_cell),
     .slot_group_i    (slot_group),
     .slot_phase_i    (slot_phase),
+    .read_i          (read),
     .read_last_i     (read_last),
     .read_source_i   (read_source),
     .read_cell_i     (read_cell),
     .read_index_i    (read_index),
     .slot_free_o     (read_slot_last),
-    .points_o        (points)
+    .points_o        (points),
+    .odd_o           (upset_o)
   );
 
   ffd_eval_stream #(
@@ -392,7 +393,7 @@ module hwffd_stream #(
   wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
   assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
   assign idle_o    = front_idle && decoder_idle && encoder_idle;
-  wire unused_ok = &{1'b0, read, part_fourth};
+  wire unused_ok = &{1'b0, part_fourth};
 endmodule
 
 `default_nettype wire

@@ -27,6 +27,7 @@ module hwffd_stream_bus #(
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1,
+  parameter HARDENED        = 0,
   parameter DATA_WIDTH      = 64
 ) (
   input  wire                    aclk,
@@ -46,7 +47,8 @@ module hwffd_stream_bus #(
   output wire [31:0]             event_beat_o,
   output wire                    vertex_o,
   output wire [2:0]              wait_o,
-  output wire                    idle_o
+  output wire                    idle_o,
+  output wire                    upset_o
 );
   generate
     if (DATA_WIDTH != 64 && DATA_WIDTH != 128 && DATA_WIDTH != 256) begin : gen_bad_data_width
@@ -86,7 +88,8 @@ module hwffd_stream_bus #(
     .event_beat_o  (event_beat_o),
     .vertex_o      (vertex_o),
     .wait_o        (wait_o),
-    .idle_o        (core_idle)
+    .idle_o        (core_idle),
+    .upset_o       (upset_o)
   );
 
   assign idle_o = in_idle && out_idle && core_idle;

@@ -33,6 +33,8 @@ module hwffd_wishbone #(
     `include "ffd_bus_connections.vh"
   );
 
+  assign upset = 1'b0;    // there is one slave only
+
   ffd_wb_slave #(
     .ADDRESS_W(12)
   ) u_slave (

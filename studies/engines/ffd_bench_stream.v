@@ -44,6 +44,7 @@ module ffd_bench_stream #(
   wire         vertex;
   wire [2:0]   waits;
   wire         idle;
+  wire         upset;
 
   hwffd_stream
 `ifndef FFD_NETLIST
@@ -76,7 +77,8 @@ module ffd_bench_stream #(
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
     .wait_o        (waits),
-    .idle_o        (idle)
+    .idle_o        (idle),
+    .upset_o       (upset)
   );
 
   // What must be known: outputs from the first edge in reset on, registers SETTLING edges later.
@@ -91,6 +93,7 @@ module ffd_bench_stream #(
   ffd_bench_known #(1, "vertex_o")               k_vertex(aclk, watched, vertex);
   ffd_bench_known #(3, "wait_o")                 k_wait  (aclk, watched, waits);
   ffd_bench_known #(1, "idle_o")                 k_idle  (aclk, watched, idle);
+  ffd_bench_known #(1, "upset_o")                k_upset (aclk, watched, upset);
   ffd_bench_known #(130, "tdata, tlast, tuser")  k_result(aclk, m_told, {m_user, m_last, m_data});
   ffd_bench_known #(64, "place of an event")     k_place (aclk, e_told, {event_packet, event_beat});
 

@@ -72,7 +72,8 @@ REPORTS = {
         "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
     "upsets": Report("make upsets", (
         "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
-        "studies/upsets/*.py", "tb/**/axi_*.?pp", "driver/**/driver.?pp")),
+        "studies/upsets/*.py", "synth/ecp5.ys", "synth/prepare.ys", "tb/**/axi_*.?pp",
+        "driver/**/driver.?pp")),
     "bounds": Report("make bounds", (*_MODEL, "golden/**/stream/blending.?pp", "studies/bounds/*.?pp",
                                      "studies/bounds/*.py", "studies/bounds/coq/*.v")),
     "soak": Report("make soak", (*_RTL, "studies/soak/*.csv"), volatile=("hours",)),

@@ -5,7 +5,8 @@
 
 Each core of CORES runs N times with a flip in a register and N times with one in a memory, at a bit and
 a clock that are as likely as any other. Writes FOLDER/reports/upsets.json. The exit status is 1 where
-nothing was flipped, a run failed, or a hardened core hangs for good or writes where it may not.
+nothing was flipped, a run failed, or a hardened core hangs for good or writes where it may not. What
+HARDENED costs in LUTs stands in the report, too.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -18,13 +19,15 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
 
+import cost  # noqa: E402  pylint: disable=wrong-import-position
 import counted  # noqa: E402  pylint: disable=wrong-import-position
 import front  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 
 ROW = "basic-fx18-overlapped"
 # The programs, the top of each and whether it is hardened.
-CORES = {"stream": ("hwffd_stream", False), "axi": ("hwffd_axi", False)}
+CORES = {"stream": ("hwffd_stream", False), "stream-hardened": ("hwffd_stream", True),
+         "axi": ("hwffd_axi", False), "axi-hardened": ("hwffd_axi", True)}
 KINDS = ("registers", "memories")
 FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
 
@@ -56,9 +59,11 @@ def faults(rows):
 
 def work_on(options):
     rows, modules = measure(options)
+    print("upsets: what HARDENED costs", file=sys.stderr, flush=True)
+    prices = cost.rows(ROW, list(dict.fromkeys(CORES[name][0] for name in options.core)), options.jobs)
     path = options.output / "reports" / "upsets.json"
-    synthesis.write(path, json.dumps({"row": ROW, "seed": options.seed, "rows": rows, "modules": modules},
-                                     indent=2) + "\n")
+    synthesis.write(path, json.dumps({"row": ROW, "seed": options.seed, "rows": rows, "modules": modules,
+                                      "cost": prices}, indent=2) + "\n")
     print(f"wrote {path}")
     return faults(rows)
 

@@ -77,6 +77,7 @@ class AxiBench {
       hung_ = !driver_.soft_reset(plan_.limit / kPoll);
       driver_.take_errors();
       driver_.take_interrupts();
+      told();
     });
     open();
   }
@@ -124,8 +125,17 @@ class AxiBench {
     wrong_ = wrong_ || driver_.result_count() != count || changed() != changed_ ||
              !system_.interrupt() || driver_.take_interrupts() != HWFFD_IRQ_STATE_DONE_MASK;
     const CoreErrors errors = driver_.take_errors();
-    flagged_ = errors.status != 0 || errors.count != 0 || driver_.stopped();
+    flagged_ = errors.status != 0 || errors.count != 0 || driver_.stopped() || told();
     compared_ += count;
+  }
+
+  /// Whether a hardened core tells of a flip. One that three copies have mended is none.
+  bool told() {
+    const std::uint32_t limits = system_.read32(HWFFD_LIMITS2_OFFSET);
+    if ((limits & HWFFD_LIMITS2_HARDENED_MASK) == 0) return false;
+    const std::uint32_t found = system_.read32(HWFFD_UPSET_STATUS_OFFSET);
+    system_.write32(HWFFD_UPSET_STATUS_OFFSET, found);
+    return (found & ~HWFFD_UPSET_STATUS_COPY_MASK) != 0 || (wrong_ && found != 0);
   }
 
   /// Bytes that were written where no result of this or an earlier area belongs. What a run with a

@@ -96,7 +96,10 @@ class UpsetStreamCore final : public cores::StreamCore {
     beat.last = dut_.dut().m_axis_tlast != 0;
     return beat;
   }
-  std::uint32_t events() const override { return dut_.dut().event_o; }
+  /// Beyond those of event_o a bit for upset_o.
+  std::uint32_t events() const override {
+    return dut_.dut().event_o | std::uint32_t{dut_.dut().upset_o} << kStreamEvents;
+  }
   bool idle() const override { return dut_.dut().idle_o != 0; }
 
  private:

@@ -139,8 +139,11 @@ void AxiChecker::check_errors(const cores::AxiPins& pins, std::uint64_t cycle) {
   if (lite_) return;
   const std::uint64_t late = limits_.width == 256 ? 1 : 0;
   if (error_seen_ && cycle - error_cycle_ > kAxiAddressesAfterError + late) {
-    if (raised(before_.ar, pins.ar)) report(AxiRule::kAfterError, cycle, "AR");
-    if (raised(before_.aw, pins.aw)) report(AxiRule::kAfterError, cycle, "AW");
+    const unsigned allowed = hardened_ ? kAxiAddressesInGuard : 0;
+    if (raised(before_.ar, pins.ar) && ++late_reads_ > allowed)
+      report(AxiRule::kAfterError, cycle, "AR");
+    if (raised(before_.aw, pins.aw) && ++late_writes_ > allowed)
+      report(AxiRule::kAfterError, cycle, "AW");
   }
   const bool error = errs(pins);
   if (error && !error_seen_) error_cycle_ = cycle;
@@ -193,7 +196,8 @@ void AxiChecker::check_write_data(const cores::AxiPins& pins, std::uint64_t cycl
   const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << limits_.width / 8) - 1);
   const bool upper = limits_.width == 256 && data_beats_ == 0 && pins.w.strobe == 0xffff0000;
   const bool lower = limits_.width == 256 && pins.w.last && pins.w.strobe == 0xffff;
-  if (pins.w.strobe != all && !upper && !lower) report(AxiRule::kShape, cycle, "strobes");
+  const bool none = hardened_ && ready_may_fall_ && pins.w.strobe == 0;
+  if (pins.w.strobe != all && !upper && !lower && !none) report(AxiRule::kShape, cycle, "strobes");
 }
 
 void AxiChecker::observe_writes(const cores::AxiPins& pins, std::uint64_t cycle) {
@@ -231,7 +235,8 @@ void AxiChecker::observe(const cores::AxiPins& pins, std::uint64_t cycle, bool i
     data_.clear();
     data_beats_ = unanswered_ = pause_ = 0;
     half_error_ = false;
-    before_known_ = error_seen_ = false;
+    before_known_ = false;
+    restarted();
     return;
   }
   if (before_known_) {

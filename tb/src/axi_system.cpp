@@ -90,6 +90,8 @@ std::uint32_t AxiSystem::read32(std::uint32_t offset) {
   const AxiLiteResponse response = answer(registers_.read_responses(), number);
   if (response.code != cores::kOkay)
     throw RegisterError(fmt::format("read of {:03x} refused", offset));
+  if (offset == HWFFD_LIMITS2_OFFSET)
+    bus_checker.set_hardened((response.data & HWFFD_LIMITS2_HARDENED_MASK) != 0);
   if (clearing_ && offset == HWFFD_STATUS_OFFSET &&
       (response.data & (HWFFD_STATUS_IDLE_MASK | HWFFD_STATUS_BUSY_MASK)) ==
           HWFFD_STATUS_IDLE_MASK) {

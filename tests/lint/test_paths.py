@@ -108,10 +108,11 @@ def test_faults_are_one_line(sample, words):
     assert (status, len(lines)) == (2, 1)
 
 
-@pytest.mark.parametrize("module", ("hwffd_stream", "hwffd_axi", "hwffd_wishbone",
-                                    "hwffd_stream_bus", "ffd_dma_engine"))
-def test_tops_have_none(look, module):
-    status, (line,) = look(module)
+@pytest.mark.parametrize("words", (
+    ("hwffd_stream",), ("hwffd_axi",), ("hwffd_wishbone",), ("hwffd_stream_bus",), ("ffd_dma_engine",),
+    ("hwffd_stream", "HARDENED=1"), ("hwffd_axi", "HARDENED=1")), ids="-".join)
+def test_tops_have_none(look, words):
+    status, (line,) = look(*words)
     assert status == 0
     assert re.search(r"\b[1-6]\d\d output bits, 0 reached", line)
 

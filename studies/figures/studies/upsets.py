@@ -51,15 +51,26 @@ def places(reports, outcome):
     return Table(["core", "register", "flips"], lines or [["-", "-", "0"]])
 
 
+def cost(reports):
+    """What HARDENED costs on ECP5, a top a line."""
+    lines = reports.get("upsets")["cost"]
+
+    def cells(line):
+        return [shown(line[field], ",") for field in ("lut", "ff", "bram")]
+
+    return Table(["core", "LUT4", "flip-flops", "block memories"], [[_name(line), *cells(line)] for line in lines])
+
+
 def printed(reports):
     return outcomes(reports).text()
 
 
 def missing(reports):
-    found = {(row["top"], row["bits"]) for row in reports.rows("upsets") if row["flips"] >= FLIPS}
-    wanted = {(top, kind) for top in TOPS for kind in KINDS}
-    return ", ".join(" ".join(pair) for pair in sorted(wanted - found))
+    found = {(_name(row), row["bits"]) for row in reports.rows("upsets") if row["flips"] >= FLIPS}
+    wanted = {(_name({"top": top, "hardened": hardened}), kind)
+              for top in TOPS for hardened in (False, True) for kind in KINDS}
+    return "; ".join(" ".join(pair) for pair in sorted(wanted - found))
 
 
-TABLES = {"outcomes": outcomes, "shares": shares, "modules": modules, "places": places}
+TABLES = {"outcomes": outcomes, "shares": shares, "modules": modules, "places": places, "cost": cost}
 FIGURES = {}

@@ -1,7 +1,10 @@
-// hwffd_axi with memory ports of 64 and 256 bits: results are the model's, and faults of the bus
-// end as they do at 128.
+// hwffd_axi with memory ports of 64 and 256 bits, and hardened at all three widths: results are the
+// model's, and faults of the bus end as they do at 128.
 #include <gtest/gtest.h>
 
+#include "Vaxi_hardened128.h"
+#include "Vaxi_hardened256.h"
+#include "Vaxi_hardened64.h"
 #include "Vaxi_narrow.h"
 #include "Vaxi_wide.h"
 #include "axi_run.hpp"
@@ -13,15 +16,22 @@ namespace {
 constexpr std::uint64_t kTimeout = 400;
 constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
 
-std::unique_ptr<cores::AxiCore> make_core(unsigned width, std::uint64_t seed) {
-  if (width == 64) return std::make_unique<cores::VerilatedAxiCore<Vaxi_narrow>>(seed);
-  return std::make_unique<cores::VerilatedAxiCore<Vaxi_wide>>(seed);
+using MadeCore = std::unique_ptr<cores::AxiCore>;
+
+template <class VDut>
+MadeCore make_core(std::uint64_t seed) {
+  return std::make_unique<cores::VerilatedAxiCore<VDut>>(seed);
 }
+
+struct Port {
+  const char* name;
+  MadeCore (*make)(std::uint64_t seed);
+};
 
 /// Counts the clocks in which a read is open and no data comes.
 class ReadCounter final : public cores::AxiCore {
  public:
-  ReadCounter(unsigned width, std::uint64_t& waits) : core_(make_core(width, 3)), waits_(waits) {}
+  ReadCounter(MadeCore core, std::uint64_t& waits) : core_(std::move(core)), waits_(waits) {}
   void exchange(bool in_reset, cores::AxiLitePins& registers, cores::AxiPins& bus) override {
     core_->exchange(in_reset, registers, bus);
     if (in_reset) return;
@@ -34,15 +44,15 @@ class ReadCounter final : public cores::AxiCore {
   unsigned data_width() const override { return core_->data_width(); }
 
  private:
-  std::unique_ptr<cores::AxiCore> core_;
+  MadeCore core_;
   std::uint64_t& waits_;
   int reads_ = 0;
 };
 
-class AxiWidth : public testing::TestWithParam<unsigned> {
+class AxiWidth : public testing::TestWithParam<Port> {
  protected:
   static AxiRun make(std::uint64_t seed, const std::string& throttles = "always") {
-    return {row(), make_core(GetParam(), seed), seed, throttles};
+    return {row(), GetParam().make(seed), seed, throttles};
   }
   static const Configuration& row() { return find_configuration("basic-fx18-overlapped"); }
   /// The memory is as new; so is the core.
@@ -53,8 +63,13 @@ class AxiWidth : public testing::TestWithParam<unsigned> {
     EXPECT_TRUE(run.ends_well());
   }
 };
-INSTANTIATE_TEST_SUITE_P(, AxiWidth, testing::Values(64U, 256U),
-                         [](const auto& width) { return std::to_string(width.param); });
+INSTANTIATE_TEST_SUITE_P(, AxiWidth,
+                         testing::Values(Port{"64", make_core<Vaxi_narrow>},
+                                         Port{"256", make_core<Vaxi_wide>},
+                                         Port{"hardened64", make_core<Vaxi_hardened64>},
+                                         Port{"hardened128", make_core<Vaxi_hardened128>},
+                                         Port{"hardened256", make_core<Vaxi_hardened256>}),
+                         by_name);
 
 TEST_P(AxiWidth, AnyPacketsGiveTheModelsBits) {
   for (const std::string throttles : {"always", "gaps", "bernoulli", "bursts", "sparse"}) {
@@ -125,7 +140,7 @@ TEST_P(AxiWidth, ABrokenSlaveIsOverWithASoftReset) {
 /// Clocks without read data are counted as the bus has them, also where rready pauses.
 TEST_P(AxiWidth, WaitsForReadsAreCounted) {
   std::uint64_t waits = 0;
-  AxiRun run(row(), std::make_unique<ReadCounter>(GetParam(), waits), 3, "bernoulli");
+  AxiRun run(row(), std::make_unique<ReadCounter>(GetParam().make(3), waits), 3, "bernoulli");
   run.send_scene(40, 6);
   ASSERT_TRUE(run.go());
   const std::uint32_t counted = run.driver().waits().read;

@@ -185,6 +185,7 @@ PortValues RegisterModel::outputs() const {
     ports[field.port + "_o"] |= std::uint64_t{fields_.at(field.path)} << field.port_low;
   }
   ports["irq_o"] = irq_ ? 1 : 0;
+  ports["differs_o"] = 0;  // nothing flips
   return ports;
 }
 

@@ -34,7 +34,8 @@ void disturb(PortValues& inputs, const HardwarePorts& ports, tb::Random& random,
                        name.find("_event_i") != std::string::npos ||
                        name == "error_address_valid_i";
     if (pulse) {
-      value = random.chance(pulses) ? random.bits() & random.bits() & mask : 0;
+      const std::uint64_t some = mask == 1 ? 1 : random.bits() & random.bits() & mask;
+      value = random.chance(pulses) ? some : 0;
     } else if (random.chance(0.1)) {
       value = random.bits() & mask;
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -33,8 +34,11 @@ std::vector<cores::AxiPins> good_traffic() {
   return cycles;
 }
 
-AxiChecker check(const std::vector<cores::AxiPins>& cycles, const AxiChecker::Limits& limits = {}) {
+AxiChecker check(const std::vector<cores::AxiPins>& cycles, const AxiChecker::Limits& limits = {},
+                 bool hardened = false, bool soft_reset = false) {
   AxiChecker checker;
+  checker.set_hardened(hardened);
+  checker.allow_ready_to_fall(soft_reset);
   checker.set_limits(limits);
   for (std::size_t i = 0; i < cycles.size(); ++i) checker.observe(cycles[i], i, false);
   checker.finish(cycles.size());
@@ -142,6 +146,28 @@ TEST(AxiChecker, AnAddressOnItsWayAtAnErrorBreaksNoRule) {
   cycles[4].r.response = cores::kAxiSlverr;
   for (std::size_t i : {7, 8, 9}) cycles[i].ar = {true, i == 9, 0x100, 0};
   EXPECT_EQ(check(cycles).violations(AxiRule::kAfterError), 0u);
+}
+
+/// Of a core with a guard, two more a channel, and beats of which no byte is written in a soft
+/// reset.
+TEST(AxiChecker, AGuardMayDoMore) {
+  std::vector<cores::AxiPins> cycles = good_traffic();
+  cycles[4].r.response = cores::kAxiSlverr;
+  for (unsigned late = 1; late <= kAxiAddressesInGuard + 1; ++late) {
+    cycles.push_back(cycles[0]);
+    cycles.back().ar = cycles.back().aw = {true, true, 0x100, 0};
+    const unsigned more = late - std::min(late, kAxiAddressesInGuard);
+    EXPECT_EQ(check(cycles, {}, true).violations(AxiRule::kAfterError), 2 * more);
+    EXPECT_EQ(check(cycles, {}, false).violations(AxiRule::kAfterError), 2 * late);
+  }
+  cycles = good_traffic();
+  cycles[4].w.strobe = 0;
+  for (const bool hardened : {false, true}) {
+    for (const bool soft_reset : {false, true}) {
+      EXPECT_EQ(check(cycles, {}, hardened, soft_reset).violations(AxiRule::kShape),
+                hardened && soft_reset ? 0u : 1u);
+    }
+  }
 }
 
 TEST(AxiChecker, GoodTrafficBreaksNoRule) {

@@ -14,6 +14,8 @@ namespace hwffd::tb {
 
 /// In so many clocks after that of an error response an address may still be raised.
 constexpr std::uint64_t kAxiAddressesAfterError = 3;
+/// Of a hardened core so many of each channel may come later: its guard has taken them already.
+constexpr unsigned kAxiAddressesInGuard = 2;
 
 /// What a bus without IDs must keep (AXI4 specification, IHI 0022), and what this project promises
 /// beyond it (marked "promise"): on AXI4 the master, on AXI4-Lite the slave.
@@ -65,13 +67,21 @@ class AxiChecker {
   /// Begins anew, limits apart: after a rule was broken on purpose.
   void forget() {
     const Limits limits = limits_;
+    const bool hardened = hardened_;
     *this = AxiChecker(lite_);
     limits_ = limits;
+    hardened_ = hardened;
   }
   /// Addresses may be raised again after an error response.
-  void restarted() { error_seen_ = false; }
+  void restarted() {
+    error_seen_ = false;
+    late_reads_ = late_writes_ = 0;
+  }
   /// From now on both readies may fall (soft reset).
   void allow_ready_to_fall(bool allowed) { ready_may_fall_ = allowed; }
+  /// The core has a guard: addresses may come later after an error, and beats of which no byte is
+  /// written in a soft reset.
+  void set_hardened(bool hardened) { hardened_ = hardened; }
 
   std::uint64_t violations() const;
   std::uint64_t violations(AxiRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
@@ -99,15 +109,17 @@ class AxiChecker {
   bool before_known_ = false;
   cores::AxiPins before_;
   bool ready_may_fall_ = false;
+  bool hardened_ = false;
   bool error_seen_ = false;
   std::uint64_t error_cycle_ = 0;
-  bool half_error_ = false;           // of the first half of 16 bytes, at 64 bits
-  std::uint64_t pause_ = 0;           // clocks without write data inside a burst
-  std::deque<std::uint64_t> reads_;   // beats still to come, a burst each
-  std::deque<std::uint64_t> writes_;  // lengths of addresses without their data
-  std::deque<std::uint64_t> data_;    // lengths of data without their address
-  std::uint64_t data_beats_ = 0;      // of the burst under way
-  std::uint64_t unanswered_ = 0;      // writes with address and data
+  unsigned late_reads_ = 0, late_writes_ = 0;  // addresses that came later
+  bool half_error_ = false;                    // of the first half of 16 bytes, at 64 bits
+  std::uint64_t pause_ = 0;                    // clocks without write data inside a burst
+  std::deque<std::uint64_t> reads_;            // beats still to come, a burst each
+  std::deque<std::uint64_t> writes_;           // lengths of addresses without their data
+  std::deque<std::uint64_t> data_;             // lengths of data without their address
+  std::uint64_t data_beats_ = 0;               // of the burst under way
+  std::uint64_t unanswered_ = 0;               // writes with address and data
   std::uint64_t most_reads_ = 0, most_writes_ = 0;
   std::array<std::uint64_t, static_cast<std::size_t>(AxiRule::kCount)> counts_{};
   std::vector<std::string> reports_;

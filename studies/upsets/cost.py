@@ -1,0 +1,47 @@
+"""What HARDENED costs: cells of a core on ECP5, mapped as `make synth` maps it.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import concurrent.futures
+import json
+import tempfile
+
+import configurations
+import counted
+import mapped
+import rtl
+import synthesis
+import variants
+
+TARGET = "ecp5"
+
+
+def subject(row, top, hardened):
+    return synthesis.Subject(variants.Variant(row, "hardened" if hardened else "plain",
+                                              (("HARDENED", int(hardened)),), ""), top, TARGET)
+
+
+def counts(work, one):
+    """{field: number} of a core. Raises UpsetError."""
+    with tempfile.NamedTemporaryFile(suffix=".json") as out:
+        status, said = rtl.run(["yosys", "-Q", "-T", "-q", "-p",
+                                "; ".join([*work.script(one), f"write_json {out.name}"])], work.root)
+        if status:
+            raise counted.UpsetError(f"yosys, {one}: {(said.strip().splitlines() or ['failed'])[-1]}")
+        return mapped.count(TARGET, json.load(out), one.top)
+
+
+def rows(row_name, tops, jobs, root=rtl.ROOT):
+    """A line for each top, plain and hardened, with the row's own parameters."""
+    work = synthesis.Synthesis(root)
+    row = configurations.find(configurations.read(), row_name)
+    wanted = [(top, hardened) for top in tops for hardened in (False, True)]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        found = list(pool.map(lambda one: counts(work, subject(row, *one)), wanted))
+    lines = [{"top": top, "hardened": hardened, **number}
+             for (top, hardened), number in zip(wanted, found)]
+    for plain, hardened in zip(lines[::2], lines[1::2]):
+        if hardened["ff"] <= plain["ff"]:
+            raise counted.UpsetError(f"{plain['top']}: HARDENED costs no flip-flop: its copies are gone")
+    return lines

@@ -1,0 +1,119 @@
+// hwffd_axi with HARDENED: a bit that flips between the check of an address and the bus goes no
+// further, a burst that ends too early is completed, copies are outvoted, and UPSET_STATUS tells.
+#include <gtest/gtest.h>
+#include <verilated_syms.h>
+
+#include "Vaxi_hardened128.h"
+#include "axi_run.hpp"
+#include "hwffd/cores/verilated_axi_core.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::uint64_t kMoments = 400;  // clocks after the start
+constexpr std::uint32_t kAll = HWFFD_UPSET_STATUS_MEMORY_MASK | HWFFD_UPSET_STATUS_STATE_MASK |
+                               HWFFD_UPSET_STATUS_WINDOW_MASK | HWFFD_UPSET_STATUS_BURST_MASK |
+                               HWFFD_UPSET_STATUS_COPY_MASK;
+
+const Configuration& hardened_row() { return find_configuration("basic-fx18-overlapped"); }
+
+/// A core whose registers may be written (hardened.vlt), and what works it.
+class Hardened {
+ public:
+  explicit Hardened(std::uint64_t seed) : Hardened(seed, std::make_unique<Core>(seed)) {}
+  AxiRun* operator->() { return &run_; }
+
+  /// Inverts a bit of a register of the DMA.
+  void flip(const std::string& module, const char* name, unsigned bit) {
+    const VerilatedScope* scope =
+        core_.dut().contextp()->scopeFind(("TOP.hwffd_axi.u_core.u_dma." + module).c_str());
+    ASSERT_NE(scope, nullptr) << module;
+    auto* bytes = static_cast<std::uint8_t*>(scope->varFind(name)->datap());
+    bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+  }
+  std::uint32_t upsets() { return run_.system().read32(HWFFD_UPSET_STATUS_OFFSET); }
+  /// Each bit is cleared by a one, and by nothing else.
+  void clear(std::uint32_t found) {
+    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, kAll & ~found);
+    EXPECT_EQ(upsets(), found);
+    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, found);
+    EXPECT_EQ(upsets(), 0U);
+  }
+  /// As a driver does after an error; then the core works as new.
+  void expect_next() {
+    ASSERT_TRUE(run_.soft_reset());
+    run_.driver().take_errors();
+    EXPECT_TRUE(run_.ends_well());
+    EXPECT_EQ(upsets(), 0U);
+  }
+  std::uint64_t writes_outside() {
+    std::uint64_t found = 0;
+    for (const tb::AxiMemory::Burst& burst : run_.system().memory.writes()) {
+      found += burst.address < kWriteWindow.base || burst.address > kWriteWindow.limit ? 1 : 0;
+    }
+    return found;
+  }
+
+ private:
+  using Core = cores::VerilatedAxiCore<Vaxi_hardened128>;
+  Hardened(std::uint64_t seed, std::unique_ptr<Core> core)
+      : core_(*core), run_(hardened_row(), std::move(core), seed) {}
+
+  Core& core_;
+  AxiRun run_;
+};
+
+/// In how many of these runs UPSET_STATUS has the bit after the flip, which it has alone.
+std::uint64_t told(const std::string& module, const char* name, unsigned bit, std::uint32_t mask) {
+  std::uint64_t found = 0;
+  for (std::uint64_t clock = 0; clock < kMoments; clock += 7) {
+    SCOPED_TRACE(testing::Message() << name << " " << clock << " clocks after the start");
+    Hardened run(1);
+    run->send_scene(20);
+    run->start();
+    run->system().run(clock + 300);
+    run.flip(module, name, bit);
+    run->driver().wait_done(3000);
+    const std::uint32_t upsets = run.upsets();
+    EXPECT_EQ(upsets & ~mask, 0U);
+    EXPECT_EQ(run.writes_outside(), 0U);
+    EXPECT_FALSE(run->system().memory.writes().empty());
+    if (upsets != 0) run.clear(upsets);
+    found += upsets != 0 ? 1 : 0;
+    run.expect_next();
+    if (testing::Test::HasFailure()) break;
+  }
+  return found;
+}
+
+TEST(AxiHardened, AnAddressThatFlipsBehindItsCheckIsRefused) {
+  EXPECT_GT(told("u_write.u_address", "next_q", 39, HWFFD_UPSET_STATUS_WINDOW_MASK), 0U);
+}
+
+TEST(AxiHardened, ABurstOfTooFewOrTooManyBeatsIsCompleted) {
+  EXPECT_GT(told("u_write", "left_q", 7, HWFFD_UPSET_STATUS_BURST_MASK), 0U);
+}
+
+TEST(AxiHardened, AWindowThatFlipsIsOutvoted) {
+  for (const char* copy : {"gen_window[0]", "gen_window[1]"}) {
+    Hardened run(2);
+    ASSERT_TRUE(run->good_run());
+    EXPECT_EQ(run.upsets(), 0U);
+    run.flip(std::string("u_guard.gen_guard.u_write.") + copy + ".u_copy", "q_o", 44);
+    run->system().run(2);
+    EXPECT_EQ(run.upsets(), HWFFD_UPSET_STATUS_COPY_MASK);
+    run.clear(HWFFD_UPSET_STATUS_COPY_MASK);
+    EXPECT_TRUE(run->ends_well());
+  }
+}
+
+/// Without HARDENED there is no such word.
+TEST(AxiHardened, APlainCoreTellsOfNone) {
+  AxiRun run(hardened_row(), 3);
+  EXPECT_EQ(run.system().read32(HWFFD_LIMITS2_OFFSET) & HWFFD_LIMITS2_HARDENED_MASK, 0U);
+  EXPECT_THROW(run.system().read32(HWFFD_UPSET_STATUS_OFFSET), RegisterError);
+  EXPECT_EQ(run.system().try_write(HWFFD_UPSET_STATUS_OFFSET, kAll), cores::kSlvErr);
+}
+
+}  // namespace
+}  // namespace hwffd::test
