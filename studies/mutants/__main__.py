@@ -61,11 +61,12 @@ def measure(options, subject, number):
     of_design = netlist.read(ROOT, model, folder)
     seed = of_design if options.seed is None else options.seed
     mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
-    program = campaign.program(options.build, subject, model, mutants, folder)
+    program, mutants = campaign.program(options.build, subject, model, mutants, folder)
     netlisted = folder / f"{model.top}.sv"
     tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
     unseen = campaign.unseen(program, subject, mutants, tested, options.jobs)
-    judged = Known(folder / "verdicts.json", netlisted, pathlib.Path(equivalence.__file__))
+    how = pathlib.Path(equivalence.__file__)
+    judged = Known(folder / "verdicts.json", netlisted, how, *how.parent.glob(f"{model.top}.v"))
     limit = SAMPLE_LIMIT if options.sample else LIMIT
     verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1],
                                                                    folder / str(place), limit),
@@ -81,7 +82,7 @@ def rows(subject, seed, mutants, verdicts):
         counts[module][verdict] += 1
         if verdict in SURVIVORS:
             names[module].append({"number": number, "verdict": verdict,
-                                  "change": netlist.single(mutants[number - 1])})
+                                  "change": mutants[number - 1]})
     return [{"subject": subject["name"], "seed": seed, "module": module, "total": sum(found.values()),
              **{verdict: found[verdict] for verdict in VERDICTS},
              "survivors": names[module]} for module, found in sorted(counts.items())]

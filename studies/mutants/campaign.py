@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import os
 import pathlib
 import subprocess
+import sys
 import time
 
 from built import MutantError, link
@@ -29,7 +30,27 @@ def _shell(command, folder):
 
 
 def program(build, subject, model, mutants, folder):
-    """The test program with the mutants in place of the model."""
+    """The test program with the mutants in place of the model, and these mutants. Those are left out with
+    which the tests fail though none is chosen: yosys writes loops through the bits of a vector, which
+    Verilator does not always order."""
+    def fails(some):
+        return not passes(_built(build, subject, model, some, folder), subject["tests"], 0)
+
+    for _ in range(len(mutants)):
+        if not fails(mutants):
+            return folder / "tests", mutants
+        part = mutants
+        while len(part) > 1:
+            half = len(part) // 2
+            part = next((some for some in (part[:half], part[half:]) if fails(some)), part[:0])
+        if not part:
+            break
+        print(f"mutants: {subject['name']}: left out: {part[0]}", file=sys.stderr, flush=True)
+        mutants = [mutant for mutant in mutants if mutant != part[0]]
+    raise MutantError(f"{folder / 'tests'}: the tests fail without a mutant")
+
+
+def _built(build, subject, model, mutants, folder):
     source = write(ROOT, model, mutants, folder)
     (folder / "choice.cpp").write_text(CHOICE)
     runtime = _shell(["verilator", "--getenv", "VERILATOR_ROOT"], folder) + "/include"
@@ -67,8 +88,7 @@ def unseen(path, subject, mutants, tested, jobs):
     if not _names(path, subject["tests"]):
         raise MutantError(f"{path}: no test is called {subject['tests']}")
     start = time.monotonic()
-    if not passes(path, subject["tests"], 0):
-        raise MutantError(f"{path}: the tests fail without a mutant")
+    passes(path, subject["tests"], 0)
     limit = max(LEAST, TIMES * (time.monotonic() - start))
     passed = tested.of(range(1, len(mutants) + 1),
                        lambda number: passes(path, subject["tests"], number, limit), jobs, "mutant")

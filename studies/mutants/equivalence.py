@@ -4,10 +4,11 @@ after the change; else whether it can: a difference found by SAT.
 SPDX-License-Identifier: Apache-2.0
 """
 
+import pathlib
 import re
 import subprocess
 
-from netlist import base, single, yosys
+from netlist import base, yosys
 
 CLOCKS = 8    # from a state of zeros, in which a difference is looked for
 # What a memory holds stays the same as long as nothing differs that goes into it, so a proof may cut it.
@@ -16,6 +17,10 @@ CUT, WHOLE = ("expose -evert t:$mem_v2", "opt_clean"), ("memory_map", "opt_clean
 
 
 def _side(steps, top, memories, name, out):
+    """The design by one name; with the inputs that it is made for, where a file of its name says which."""
+    domain = pathlib.Path(__file__).with_name(f"{top}.v")
+    if domain.exists():
+        steps, top = [*steps, f"read_verilog {domain}", "hierarchy -top domain", "flatten", "opt_clean"], "domain"
     return ["design -reset", *steps, f"hierarchy -top {top}", "memory_collect", *memories,
             f"rename {top} {name}", f"write_rtlil {out}"]
 
@@ -26,7 +31,7 @@ def _miter(mutant, top, memories, path):
     design = base(path.parent)
     gold, gate = (path.with_suffix(f".{name}.il") for name in ("gold", "gate"))
     return [*_side([design], top, memories, "gold", gold),
-            *_side([design, single(mutant)], top, memories, "gate", gate),
+            *_side([design, mutant], top, memories, "gate", gate),
             "design -reset", f"read_rtlil {gold}", f"read_rtlil {gate}",
             "miter -equiv -flatten gold gate miter", "hierarchy -top miter"]
 

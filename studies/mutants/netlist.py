@@ -19,7 +19,8 @@ CHOICE = "mutant"
 FOR_ONE = 4  # times as many are listed where only some of the modules are asked for
 _PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", re.MULTILINE)
 # Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
-_CLOCK = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk ")
+# And yosys takes no read of a memory that has an enable but no clock.
+_LEFT_OUT = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk |\$memrd\S* -port EN ")
 _WHOLE = "localparam MOST = WIDTH;"  # of a simulator
 _IMPORT = 'import "DPI-C" function int hwffd_mutant();\n'
 
@@ -46,7 +47,7 @@ def _read(root, model, folder):
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc", "flatten", "opt", "wreduce", "opt"]
+            f"hierarchy -check -top {model.top}", "proc", "flatten", "opt"]
 
 
 def yosys(root, path, steps, limit=None):
@@ -66,8 +67,8 @@ def base(folder):
 
 
 def _chosen(lines, modules, number):
-    """So many of those in modules of these names, but of clocks."""
-    found = [line for line in lines if line.startswith("mutate") and not _CLOCK.search(line)
+    """So many of those in modules of these names, but of what is left out."""
+    found = [line for line in lines if line.startswith("mutate") and not _LEFT_OUT.search(line)
              and any(fnmatch.fnmatchcase(module(line), pattern) for pattern in modules.split())]
     return found[:number]
 
@@ -92,14 +93,14 @@ def listed(root, folder, number, seed, modules="*"):
     found = _chosen(path.read_text().splitlines(), modules, number)
     if not found:
         raise MutantError("0 mutants were applied: the design has nothing to change")
-    return [re.sub(rf"-ctrl {CHOICE} 16 \d+", f"-ctrl {CHOICE} 16 {place}", line)
-            for place, line in enumerate(found, 1)]
+    return [re.sub(rf" -ctrl {CHOICE} \d+ \d+", "", line) for line in found]
 
 
 def write(root, model, mutants, folder):
-    """The design with all of them, in SystemVerilog."""
+    """The design with all of them, in SystemVerilog: number n chooses the n-th of them, from 1."""
+    chosen = [f"{mutant} -ctrl {CHOICE} 16 {number}" for number, mutant in enumerate(mutants, 1)]
     plain = folder / "plain.v"
-    if not yosys(root, folder / "apply.ys", [base(folder), *mutants, "opt_clean",
+    if not yosys(root, folder / "apply.ys", [base(folder), *chosen, "opt_clean",
                                              f"write_verilog -noattr {plain}"]):
         raise MutantError(f"yosys cannot apply the mutants: see {folder / 'apply.log'}")
     text = plain.read_text(encoding="utf-8")
@@ -113,11 +114,6 @@ def write(root, model, mutants, folder):
     out = folder / f"{model.top}.sv"
     out.write_text(_IMPORT + text[:start] + top + text[end:], encoding="utf-8")
     return out
-
-
-def single(mutant):
-    """The command without its choice: the change alone."""
-    return re.sub(rf" -ctrl {CHOICE} \d+ \d+", "", mutant)
 
 
 def module(mutant):

@@ -47,6 +47,7 @@ void StreamBench::reset(std::uint64_t cycles) {
   for (std::uint64_t i = 0; i < cycles; ++i) step(SinkMode::kThrottled);
   loop_.reset(false);
   events_ = {};
+  event_places_ = {};
   was_reset_ = true;
   first_cycle_ = true;
   hung_ = false;
@@ -98,7 +99,9 @@ bool StreamBench::step(SinkMode mode) {
 void StreamBench::count_events() {
   const std::uint32_t pulses = core_.events();
   for (int event = 0; event < kStreamEvents && pulses != 0; ++event) {
-    events_[event] += pulses >> event & 1;
+    if ((pulses >> event & 1) == 0) continue;
+    ++events_[event];
+    event_places_[event] = core_.event_place();
   }
 }
 

@@ -34,6 +34,7 @@ class BadInput : public PerConfiguration {
     for (unsigned e = 0; e < kStreamEvents; ++e) {
       EXPECT_EQ(run.bench().events()[e], e == stream_event(code) ? count : 0) << "event " << e;
     }
+    place_ = run.bench().event_place(stream_event(code));
     results_ = run.bench().results();
     for (std::size_t v = 1; v <= 3; ++v) expect_status(results_.size() - v, 0);  // those after
   }
@@ -49,12 +50,15 @@ class BadInput : public PerConfiguration {
   tb::Random random_{1};
   LatticeWords lattice_ = random_lattice(codec_, random_, 6);
   std::vector<Beat> results_;
+  cores::EventPlace place_;  ///< of the last event
 };
 
 TEST_P(BadInput, Packets) {
   for (const BadPacket& bad : bad_packets(codec_, random_, lattice_)) {
     SCOPED_TRACE(bad.name);
     expect_event(bad.code, 1, bad.packet);
+    EXPECT_EQ(place_.packet, 3U);
+    EXPECT_EQ(place_.beat, bad.beat);
     if (bad.status != 0) expect_status(3, bad.status);
     if (bad.code == kCoordinateNan) {
       EXPECT_EQ(results_.at(3).words[0], 0x7FC00000U);

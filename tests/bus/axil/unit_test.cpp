@@ -82,7 +82,7 @@ TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
 TEST(Counter, EqualsTheModelFromAnyState) {
   tb::Random random(1);
   std::uint64_t ones = 0, zeros = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
     tb::Sim<Vbus_counter> sim(seed);
     auto& dut = sim.dut();
     dut.rst = 0;
@@ -230,10 +230,10 @@ TEST(Waits, AreCountedAndWrap) {
   for (int part = 0; part < 40; ++part) {
     for (int i = 0; i < 400; ++i) {
       dut.core_i = random.word() & 0xF;
-      dut.read_begins_i = reads < 3 && random.chance(0.3);
+      dut.read_begins_i = reads < 6 && random.chance(0.3);
       dut.read_beat_i = reads > 0 && random.chance(0.5);
       dut.read_ends_i = dut.read_beat_i && random.chance(0.4);
-      dut.write_begins_i = writes < 3 && random.chance(0.3);
+      dut.write_begins_i = writes < 6 && random.chance(0.45);
       dut.write_ends_i = writes > 0 && random.chance(0.4);
       const bool now[] = {(dut.core_i & 1) != 0,         (dut.core_i & 2) != 0,
                           (dut.core_i & 4) != 0,         (dut.core_i & 8) != 0,

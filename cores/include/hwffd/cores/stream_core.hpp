@@ -7,6 +7,11 @@
 
 namespace hwffd::cores {
 
+/// A packet since reset and its beat, both from 0.
+struct EventPlace {
+  std::uint32_t packet = 0, beat = 0;
+};
+
 /// The pins of a Verilated `hwffd_stream`, whatever its configuration.
 ///
 /// A cycle is: drive the inputs, `settle`, read ready and valid, `clock`.
@@ -31,6 +36,8 @@ class StreamCore {
   virtual Beat output() const = 0;        ///< m_axis_tdata and _tlast
   /// event_o: bit n is a pulse of event n. A core without events has none.
   virtual std::uint32_t events() const { return 0; }
+  /// Where the events of this clock come from: event_packet_o and event_beat_o.
+  virtual EventPlace event_place() const { return {}; }
   /// idle_o.
   virtual bool idle() const { return true; }
 };

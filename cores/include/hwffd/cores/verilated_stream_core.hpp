@@ -70,6 +70,7 @@ class VerilatedStreamCore final : public StreamCore {
     return beat;
   }
   std::uint32_t events() const override { return dut_->event_o; }
+  EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
   bool idle() const override { return dut_->idle_o != 0; }
 
  private:

@@ -83,6 +83,8 @@ class StreamBench : private cores::StreamParty {
   const std::vector<Beat>& results() const { return monitor_.beats(); }
   /// Pulses of each event since the last reset.
   const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
+  /// Where the last of an event came from.
+  cores::EventPlace event_place(int event) const { return event_places_.at(event); }
   /// Clocks between results `first` and `last`, divided by their distance. Throws
   /// std::out_of_range when they are not two recorded results in order.
   double clocks_per_result(std::size_t first, std::size_t last) const;
@@ -129,6 +131,7 @@ class StreamBench : private cores::StreamParty {
   FaultInjector fault_;
   std::function<void(double)> progress_;
   std::array<std::uint64_t, kStreamEvents> events_{};
+  std::array<cores::EventPlace, kStreamEvents> event_places_{};
   bool was_reset_ = false;
   bool first_cycle_ = false;
   bool hung_ = false;
