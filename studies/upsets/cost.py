@@ -26,7 +26,7 @@ def counts(work, one):
     """{field: number} of a core. Raises UpsetError."""
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
         status, said = rtl.run(["yosys", "-Q", "-T", "-q", "-p",
-                                "; ".join([*work.script(one), f"write_json {out.name}"])], work.root)
+                                "; ".join([*work.script(one), f"json -o {out.name} *"])], work.root)
         if status:
             raise counted.UpsetError(f"yosys, {one}: {(said.strip().splitlines() or ['failed'])[-1]}")
         return mapped.count(TARGET, json.load(out), one.top)
