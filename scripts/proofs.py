@@ -25,7 +25,7 @@ COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file"
            "mutant", "statement")
 PDR, INDUCTION = "pdr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
-SEARCH = 40           # clocks from reset in which a planted bug must be found
+SEARCH = 120          # clocks from reset in which a planted bug must be found
 PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 VERDICT = ("result", "negative_control", "clocks_to_counterexample")
@@ -118,9 +118,11 @@ class Proofs:
         if not harness.is_file():
             raise ProofError(f"no harness tests/formal/{one.harness}.v")
         there = {path.stem: path for path in sorted(self.harnesses.glob("*.v"))}
-        words, files = set(), [harness]
+        words, files, own = set(), [harness], set()
         for path in files:  # grows by what the files before it name
-            said = set(re.findall(r"\w+", rtl.strip_comments(path.read_text())))
+            text = rtl.strip_comments(path.read_text())
+            said = set(re.findall(r"\w+", text))
+            own |= set(re.findall(r"^module (\w+)", text, re.MULTILINE))  # also in a module's place
             files += [there[stem] for stem in there if stem in said and there[stem] not in files]
             words |= said
         needed = {}
@@ -128,6 +130,7 @@ class Proofs:
             if module in words or module == one.module:
                 for path in self.sources.needed(module):
                     needed[pathlib.Path(path).stem] = pathlib.Path(path)
+        needed = {stem: path for stem, path in needed.items() if stem not in own}
         if one.file not in needed:
             raise ProofError(f"the planted bug is in {one.file}, which is not under proof")
         return needed, [*sorted(files[1:]), harness]

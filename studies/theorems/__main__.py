@@ -22,12 +22,15 @@ import fixed  # noqa: E402  pylint: disable=wrong-import-position
 import floating  # noqa: E402  pylint: disable=wrong-import-position
 import front  # noqa: E402  pylint: disable=wrong-import-position
 import lemmas  # noqa: E402  pylint: disable=wrong-import-position
+import powers  # noqa: E402  pylint: disable=wrong-import-position
 import prove  # noqa: E402  pylint: disable=wrong-import-position
+import seams  # noqa: E402  pylint: disable=wrong-import-position
 import solve  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 import words  # noqa: E402  pylint: disable=wrong-import-position
 
-EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *words.THEOREMS, *floating.THEOREMS)
+EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS, *seams.THEOREMS,
+              *floating.THEOREMS)
 
 
 def chosen(options):

@@ -17,9 +17,24 @@ def _script(names, assumed, claimed):
 _HALVES = ("ah", "al", "bh", "bl", "n")
 _PARTS = "(= (* (+ (* ah n) al) (+ (* bh n) bl)) (+ (* ah bh n n) (* (+ (* ah bl) {0}) n) (* al bl)))"
 _LOW = ("(>= n 1)", "(>= al 0)", "(< al n)", "(>= bl 0)", "(< bl n)")
+_UNIT = ("(>= a 0)", "(<= a n)", "(>= b 0)", "(<= b n)")
 
 # For significands a and b below 2^p that are whole numbers, with 2^(p-1) called h.
 _BOUND = ("(>= h 1)", "(>= a 0)", "(>= b 0)", "(< a (* 2 h))", "(< b (* 2 h))")
+
+
+def _sixth(tenths):
+    """Chains of 1 to 5 steps v_k+1 = v_k + floor(v_k / 2^(2^(k+1))) of a value of at most 2^(2^(n+1)), n the steps:
+    no v_k is above 4/3 of it, and the last is less below that than so many tenths of a unit for each step and 3."""
+    names = [f"v{k}" for k in range(6)] + [f"r{k}" for k in range(5)]
+    assumed, claimed = ["(>= v0 0)"], []
+    for k in range(5):
+        places = 2 ** (2 ** (k + 1))
+        assumed += [f"(>= r{k} 0)", f"(< r{k} {places})", f"(= (* {places} v{k + 1}) (- (* {places + 1} v{k}) r{k}))"]
+        claimed += [f"(<= (* 3 v{k + 1}) (* 4 v0))", f"(=> (<= v0 {2 ** 2 ** (k + 2)}) "
+                    f"(< (* 10 (- (* 4 v0) (* 3 v{k + 1}))) {3 * (tenths * (k + 1) + 30)}))"]
+    return _script(names, assumed, f"(and {' '.join(claimed)})")
+
 
 LEMMAS = (
     Lemma("product.parts", "A product is the sum of the four products of its factors' halves.",
@@ -38,6 +53,12 @@ LEMMAS = (
     Lemma("product.largest", "The product of two significands is at most that of the two largest.",
           _script("abh", _BOUND, "(<= (* a b) (* (- (* 2 h) 1) (- (* 2 h) 1)))"),
           _script("abh", _BOUND, "(< (* a b) (* (- (* 2 h) 1) (- (* 2 h) 1)))")),
+    Lemma("product.unit", "The product of two numbers from 0 to n is from 0 to n^2.",
+          _script("abn", _UNIT, "(and (>= (* a b) 0) (<= (* a b) (* n n)))"),
+          _script("abn", _UNIT, "(and (>= (* a b) 0) (< (* a b) (* n n)))")),
+    Lemma("sixth.error", "Times 1 + 2^-k for k = 2, 4 ... 2^n, each product cut, a value of at most 2^(2^(n+1)) is at no "
+          "step above 4/3 of it, and at the last less below that than n units and 3.", _sixth(10), _sixth(-20),
+          widths="n 1 to 5"),
 )
 
 

@@ -16,6 +16,8 @@ import rtl
 import terms
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# What holds words, by unit: its outputs are inputs of the unit, any words.
+BOXES = {"ffd_eval_poly_pipelined": "ffd_eval_coefficient_file"}
 FOLDERS = ("rtl/number", "rtl/common", "rtl/evaluator")
 
 
@@ -69,8 +71,10 @@ def _elaborated(wanted, bug, folder):
     for (name, parameters), out in zip(wanted, outs):
         out.unlink(missing_ok=True)
         values = "".join(f" -chparam {key} {number}" for key, number in parameters.items())
-        steps += ["design -load sources", f"hierarchy -check -top {name}{values}", "proc", "flatten",
-                  "check -assert", "opt_clean", f"rename -top {name}", f"write_json {out}"]
+        box = BOXES.get(name)
+        steps += ["design -load sources", f"hierarchy -check -top {name}{values}",
+                  *([f"blackbox *{box}*"] if box else []), "proc", "flatten",
+                  *([f"expose -evert t:*{box}*"] if box else []), "check -assert", "opt_clean", f"rename -top {name}", f"write_json {out}"]
     (folder / "script.ys").write_text("\n".join(steps) + "\n", encoding="utf-8")
     done = subprocess.run(["yosys", "-q", "-s", folder / "script.ys"], check=False,
                           capture_output=True, text=True)
@@ -93,8 +97,11 @@ class _Reader:
             if said["direction"] == "input":
                 word = terms.var(port, len(said["bits"]))
                 self.inputs[port] = word
+                clocks = late.get(port, 0)
+                clocks = clocks if isinstance(clocks, tuple) else (clocks,)
                 for place, bit in enumerate(said["bits"]):
-                    self.words[bit], self.depth[bit] = (word, place), late.get(port, 0)
+                    self.words[bit] = word, place
+                    self.depth[bit] = clocks[place * len(clocks) // word.width]
         for key, cell in module["cells"].items():
             out = "Q" if cell["type"] == "$dff" else "Y"
             if out not in cell["connections"]:
@@ -222,7 +229,7 @@ def _computed(cell, word, cut):
 
 def read(wanted, folder, bug=None, cut=terms.Term.__mul__):
     """Units as terms, of (unit, parameters, late): `late` says how many clocks after the others an
-    input comes, `cut` what a product is."""
+    input comes, or each of so many equal parts of it, `cut` what a product is."""
     netlists = _elaborated([(name, parameters) for name, parameters, _ in wanted], bug, pathlib.Path(folder))
     return [_unit(name, module, late, cut) for (name, _, late), module in zip(wanted, netlists)]
 
@@ -231,7 +238,7 @@ def _unit(name, module, late, cut):
     reader = _Reader(module, name, late, cut)
     unit = Unit(name, reader.inputs, {}, {})
     for port, said in module["ports"].items():
-        if said["direction"] != "output":
+        if said["direction"] != "output" or "." in port:  # of a box
             continue
         reader.resolve(said["bits"])
         depths = reader.depths(said["bits"])

@@ -292,6 +292,27 @@ def script(hypotheses, goal):
     return "\n".join(lines)
 
 
+_REBUILT = {"ite": lambda term, args: ite(*args), "concat": lambda term, args: concat(*args),
+            "extract": lambda term, args: bits(args[0], *term.info)}
+
+
+def substituted(root, given):
+    """A term with other terms in place of variables, {name: term}; what is left unknown of products is
+    put back."""
+    found = {}
+    for term in ordered([root]):
+        args = tuple(found[arg] for arg in term.args)
+        if term.op == "var":
+            found[term] = _same(given.get(term.info, term), term.width)
+        elif term.op == "apply" and term.info.startswith("product"):
+            found[term] = args[0] * args[1]
+        elif term.op in _REBUILT:
+            found[term] = _REBUILT[term.op](term, args)
+        else:
+            found[term] = _make(term.op, term.width, args, term.info)
+    return found[root]
+
+
 def value(root, given):
     """The word that a term is for given words of its variables, {name: number}."""
     found = {}
