@@ -113,7 +113,7 @@ def test_for_a_terminal(reports):
 def test_every_port_and_parameter_needs_a_meaning():
     data = check.Reports(ROOT)
     ports = ("a*: clock, reset", "s_axis_*: in", "m_axis_*: out", "event_*: event",
-             "vertex_o: vertex", "wait_o: waits", "idle_o: idle")
+             "vertex_o: vertex", "wait_o: waits", "idle_o: idle", "upset_o: upset")
     assert fault_of(data, "rtl.ports hwffd_stream", *ports) == ""
     assert "hwffd_stream.aresetn has no meaning" in fault_of(
         data, "rtl.ports hwffd_stream", "aclk: clock")
