@@ -47,7 +47,8 @@ def _read(root, model, folder):
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc", "flatten", "opt"]
+            f"hierarchy -check -top {model.top}", "proc",
+            "setattr -mod -unset keep_hierarchy *", "flatten", "opt"]
 
 
 def yosys(root, path, steps, limit=None):
@@ -108,7 +109,7 @@ def write(root, model, mutants, folder):
     end = text.index("endmodule", start)
     top, ports = _PORT.subn(
         r"  int number;\n  wire [\1:0] mutant = number[\1:0];\n  initial number = hwffd_mutant();\n",
-        text[start:end].replace(f", {CHOICE});", ");", 1))
+        re.sub(rf",\s*{CHOICE}(?=,|\s*\))", "", text[start:end], count=1))
     if ports != 1:
         raise MutantError(f"{plain}: the top has no number of the mutant")
     out = folder / f"{model.top}.sv"
