@@ -151,8 +151,7 @@ def _families():
 THEOREMS = (
     Theorem("seam.loaded", "Coefficients, any whose sums by Horner's rule at 1 fit: the weight at 1 is that at 0 of "
             "functions that begin with their sum.", "W 8 to 35",
-            Bug("ffd_eval_poly_pipelined", ".coefficient_i(coefficients[(2-k)*WEIGHT_W +: WEIGHT_W])",
-                ".coefficient_i(coefficients[k*WEIGHT_W +: WEIGHT_W])"),
+            Bug("ffd_num_step", ".addend_i   (coefficient[W-1:0])", ".addend_i   ({coefficient[W-1:1], 1'b0})"),
             tuple(_poly("ffd_eval_poly_pipelined", form, 2, 1, loaded) for form in FORMATS),
             note="evaluator pipelined"),
     Theorem("seam.families", "bspline, bernstein, hermite, catmull-rom and linear, loaded: what function l gives at 1 "

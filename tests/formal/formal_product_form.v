@@ -159,29 +159,25 @@ module formal_product_form #(
     assume (cell_index[2] == colour);
   end
 
-  // One claim, by the names of its rows in the table of properties.
-`define FORMAL_CLAIM(NAME, CONDITION) \
-  generate \
-    if (CONDITION) begin \
-      always @* if (!first_q && !rst && result) begin \
-        NAME: assert (whole); \
-      end \
-    end \
-  endgenerate
-  `FORMAL_CLAIM(basic, CG == 0 && SERIAL == 1 && SCHEDULE == 0)
-  `FORMAL_CLAIM(basic_paper, CG == 0 && SERIAL == 1 && SCHEDULE == 1)
-  `FORMAL_CLAIM(tree1, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 1)
-  `FORMAL_CLAIM(tree2, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 2)
-  `FORMAL_CLAIM(tree4, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 4)
-  `FORMAL_CLAIM(tree4_paper, CG == 0 && SERIAL == 0 && SCHEDULE == 1 && N == 4)
-  `FORMAL_CLAIM(tree8, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 8)
-  `FORMAL_CLAIM(tree16, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 16)
-  `FORMAL_CLAIM(tree32, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 32)
-  `FORMAL_CLAIM(parallel, CG == 0 && SERIAL == 0 && SCHEDULE == 0 && N == 64)
-  `FORMAL_CLAIM(cg1, CG == 1 && SCHEDULE == 0)
-  `FORMAL_CLAIM(cg1_paper, CG == 1 && SCHEDULE == 1)
-  `FORMAL_CLAIM(cg2, CG == 2 && SCHEDULE == 0)
-  `FORMAL_CLAIM(cg3, CG == 3 && SCHEDULE == 0)
+  // One claim, by the names that the table of properties has for its rows.
+  localparam TREE  = CG == 0;
+  localparam PAPER = SCHEDULE == `FFD_SCHEDULE_PAPER;
+  always @* if (!first_q && !rst && result) begin
+    if (TREE && N == 1 && SERIAL == 1 && !PAPER) basic: assert (whole);
+    if (TREE && N == 1 && SERIAL == 1 && PAPER) basic_paper: assert (whole);
+    if (TREE && N == 1 && SERIAL == 0 && !PAPER) tree1: assert (whole);
+    if (TREE && N == 2 && !PAPER) tree2: assert (whole);
+    if (TREE && N == 4 && !PAPER) tree4: assert (whole);
+    if (TREE && N == 8 && !PAPER) tree8: assert (whole);
+    if (TREE && N == 16 && !PAPER) tree16: assert (whole);
+    if (TREE && N == 32 && !PAPER) tree32: assert (whole);
+    if (TREE && N == 64 && !PAPER) parallel: assert (whole);
+    if (TREE && N == 4 && PAPER) tree4_paper: assert (whole);
+    if (CG == 1 && !PAPER) cg1: assert (whole);
+    if (CG == 2 && !PAPER) cg2: assert (whole);
+    if (CG == 3 && !PAPER) cg3: assert (whole);
+    if (CG == 1 && PAPER) cg1_paper: assert (whole);
+  end
 endmodule
 
 `default_nettype wire

@@ -119,6 +119,19 @@ def test_proved_by_either_method_and_kept(checkout, table, formal, report):
         ".said", ".seconds", ".log"}
 
 
+def test_a_module_of_the_harness_takes_the_place_of_its_namesake(checkout, table, formal, report):
+    """As tokens take that of arithmetic: with another counter behind the one under proof it is refuted."""
+    inner = "module ffd_stream_most (output wire [3:0] most_o);\n  assign most_o = 4'd{};\nendmodule\n"
+    outer = COUNTER.replace("  always", "  wire [3:0] most;\n  ffd_stream_most u_most (.most_o(most));\n  always")
+    checkout.put({"rtl/hwffd.f": "stream/ffd_stream_count.v\nstream/ffd_stream_most.v\n",
+                  SOURCE: outer.replace("!= 4'd13", "!= most"), "rtl/stream/ffd_stream_most.v": inner.format(13)})
+    table(row(original="!= most", mutant="!= 4'd14"))
+    for stands_in, status in ((13, 0), (12, 0), (14, 1)):
+        checkout.put({HARNESSED: inner.format(stands_in) + HARNESS})
+        assert formal()[0] == status
+    assert report()[0]["result"] == "refuted"
+
+
 def test_what_the_committed_report_proves_is_not_proved_again(checkout, table, formal, report):
     table(GOOD, row(name="narrow", mutant="!= 4'd12"))
     formal()

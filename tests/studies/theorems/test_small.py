@@ -20,7 +20,9 @@ import floating  # noqa: E402  pylint: disable=wrong-import-position
 import ieee  # noqa: E402  pylint: disable=wrong-import-position
 import lemmas  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
+import powers  # noqa: E402  pylint: disable=wrong-import-position
 import prove  # noqa: E402  pylint: disable=wrong-import-position
+import seams  # noqa: E402  pylint: disable=wrong-import-position
 import terms  # noqa: E402  pylint: disable=wrong-import-position
 
 WORDS = 300
@@ -29,10 +31,10 @@ UNITS = (("ffd_fp_add", {"LATENCY": 3}), ("ffd_fp_mul", {"LATENCY": 2}), ("ffd_f
 
 
 def named(name):
-    return next(one for one in (*lemmas.LEMMAS, *fixed.THEOREMS, *floating.THEOREMS) if one.name == name)
+    return next(one for one in (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *seams.THEOREMS, *floating.THEOREMS) if one.name == name)
 
 
-@pytest.mark.parametrize("name", ("fx.round", "num.add"))
+@pytest.mark.parametrize("name", ("fx.round", "num.add", "fx.sixth", "seam.powers"))
 def test_a_theorem_is_proved_and_its_planted_bug_refuted(name, tmp_path):
     one = named(name)
     row = prove.Prover(tmp_path).row(dataclasses.replace(one, cases=one.cases[:3], also=()))
