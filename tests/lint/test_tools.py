@@ -25,7 +25,7 @@ endmodule
 
 `default_nettype wire
 """
-NAMES = [*configurations.read()[0].parameters, "AXIS"]
+NAMES = [*configurations.read()[0].parameters, "AXIS", "HARDENED"]
 TOP_PARAMETERS = ",\n  parameter ".join(f"{name} = 1" for name in NAMES)
 USED_PARAMETERS = "\n    + ".join(name for name in NAMES if name != "MUL_LATENCY")
 TOP_BODY = f"""\

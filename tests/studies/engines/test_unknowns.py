@@ -8,7 +8,7 @@ import pytest
 import planted
 import streams
 
-FEW = 600  # beats
+FEW = 600
 BITS = {streams.simulate_in_memory: 2000, streams.simulate_with_x: 400}
 
 
