@@ -1,5 +1,5 @@
-// ffd_axil_slave between a master that offers and takes at random times, or takes a response only when
-// it is there, and words whose answer changes in every clock.
+// ffd_axil_slave between a master that offers and takes at random times, or takes a response only
+// when it is there, and words whose answer changes in every clock.
 #include <gtest/gtest.h>
 
 #include <deque>
