@@ -10,7 +10,7 @@
 // `broken RULE clock N`.
 //
 // Parameters: a row of configurations.csv; STEPS, WORDS of memory, RESULTS and FIRST; RESET; SEED of
-//             the pauses; PATIENCE, clocks after which it ends anyhow.
+//             the pauses; PATIENCE, clocks in which nothing is taken on its buses.
 // Test:       tests/studies/engines.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,7 +25,7 @@ module ffd_bench_axi #(
   parameter FIRST    = 0,
   parameter RESET    = 1,
   parameter SEED     = 1,
-  parameter PATIENCE = 1000000
+  parameter PATIENCE = 20000
 );
   localparam ADDRESS_WIDTH = 64;
   localparam DATA_WIDTH    = 128;
@@ -203,16 +203,22 @@ module ffd_bench_axi #(
     {m_axi_wdata, m_axi_wstrb, m_axi_wlast});
 
   integer since;  // reset, in clocks
+  integer still;
+  wire    taken = |{m_valid & {m_axi_arready, m_axi_awready, m_axi_wready},
+                    m_ready & {m_axi_rvalid, m_axi_bvalid},
+                    s_ready & {s_axil_awvalid, s_axil_wvalid, s_axil_arvalid},
+                    s_valid & {s_axil_bready, s_axil_rready}};
 
   always #5 aclk = !aclk;
 
   always @(posedge aclk) begin
-    if (clocks == PATIENCE) begin
+    if (still == PATIENCE) begin
       $display("broken patience clock %0d", clocks);
       leave;
     end
     clocks  <= clocks + 1;
     since   <= aresetn ? since + 1 : 0;
+    still   <= taken === 1'b1 ? 0 : still + 1;
     watched <= watched || !aresetn;
     if (watched && since == 0 && (s_valid != 0 || m_valid != 0)) begin
       $display("broken valid_in_reset clock %0d", clocks);
@@ -297,7 +303,7 @@ module ffd_bench_axi #(
     {s_axil_wvalid, s_axil_wdata, s_axil_wstrb} = {1'b0, 36'bx};
     {s_axil_arvalid, s_axil_araddr}             = {1'b0, 12'bx};
     {s_axil_bready, s_axil_rready}              = 2'b00;
-    {clocks, since, at}                         = {3{32'd0}};
+    {clocks, since, still, at}                  = {4{32'd0}};
     seed                                        = SEED;
     repeat (RESET) @(posedge aclk);
     aresetn <= 1'b1;

@@ -6,10 +6,8 @@ gates, which hand an X on unless their other input decides; of its `if` are left
 SPDX-License-Identifier: Apache-2.0
 """
 
-import functools
 import pathlib
 import re
-import tempfile
 import time
 from dataclasses import dataclass
 
@@ -64,17 +62,10 @@ class Subject:
         return Unknown(clocks, outputs + watched, tuple(names), time.monotonic() - begun)
 
 
-@functools.cache
-def _cleared(top, parameters):
-    """registers.find(), which takes a minute, once for each core; parameters as pairs."""
-    with tempfile.TemporaryDirectory() as folder:
-        return registers.find(rtl.Sources(), top, dict(parameters), pathlib.Path(folder))
-
-
 def in_sources(subject):
     """The Unknown of the sources. The registers are those of sources without a fault."""
     sources = rtl.Sources()
-    found = _cleared(subject.top, tuple(subject.row.parameters.items()))
+    found = registers.find(sources, subject.top, subject.row.parameters, subject.folder)
     watch = subject.folder / f"{WATCH}.v"
     bench = subject.bench
     watch.write_text(registers.watch(found, f"{bench}.u_core", f"{bench}.aclk", f"{bench}.settled"),

@@ -8,7 +8,7 @@ import pytest
 import planted
 import streams
 
-FEW = 600
+FEW = 600  # beats
 BITS = {streams.simulate_in_memory: 2000, streams.simulate_with_x: 400}
 
 
