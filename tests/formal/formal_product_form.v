@@ -82,6 +82,20 @@ module formal_product_form #(
     .q_o(points_later)
   );
 
+`define FORMAL_PARAMETERS \
+    .FORMAT         (FORMAT), \
+    .N              (N), \
+    .PORTS          (PORTS), \
+    .SCHEDULE       (SCHEDULE), \
+    .EVALUATOR      (EVALUATOR), \
+    .MUL_LATENCY    (MUL_LATENCY), \
+    .ADD_LATENCY    (ADD_LATENCY), \
+    .FMA_LATENCY    (FMA_LATENCY), \
+    .CONVERT_LATENCY(CONVERT_LATENCY), \
+    .READ_LATENCY   (READ_LATENCY), \
+    .SOURCE_W       (SOURCE_W), \
+    .SPANS          (SPANS)
+
 `define FORMAL_PORTS \
     .clk                 (clk), \
     .rst                 (rst), \
@@ -111,36 +125,14 @@ module formal_product_form #(
     if (CG != 0) begin : gen_cg
       ffd_org_cg #(
         .SIZE           (CG),
-        .FORMAT         (FORMAT),
-        .N              (N),
-        .PORTS          (PORTS),
-        .SCHEDULE       (SCHEDULE),
-        .EVALUATOR      (EVALUATOR),
-        .MUL_LATENCY    (MUL_LATENCY),
-        .ADD_LATENCY    (ADD_LATENCY),
-        .FMA_LATENCY    (FMA_LATENCY),
-        .CONVERT_LATENCY(CONVERT_LATENCY),
-        .READ_LATENCY   (READ_LATENCY),
-        .SOURCE_W       (SOURCE_W),
-        .SPANS          (SPANS)
+        `FORMAL_PARAMETERS
       ) u_org (
         `FORMAL_PORTS
       );
     end else begin : gen_tree
       ffd_org_tree #(
         .SERIAL         (SERIAL),
-        .FORMAT         (FORMAT),
-        .N              (N),
-        .PORTS          (PORTS),
-        .SCHEDULE       (SCHEDULE),
-        .EVALUATOR      (EVALUATOR),
-        .MUL_LATENCY    (MUL_LATENCY),
-        .ADD_LATENCY    (ADD_LATENCY),
-        .FMA_LATENCY    (FMA_LATENCY),
-        .CONVERT_LATENCY(CONVERT_LATENCY),
-        .READ_LATENCY   (READ_LATENCY),
-        .SOURCE_W       (SOURCE_W),
-        .SPANS          (SPANS)
+        `FORMAL_PARAMETERS
       ) u_org (
         `FORMAL_PORTS
       );
