@@ -43,8 +43,7 @@ def netlist(sources, module, parameters):
         out = pathlib.Path(folder) / "netlist.json"
         status, output = rtl.run(["yosys", "-Q", "-T", "-q", "-p", "; ".join([
             f"read_verilog {folders}{files}", f"hierarchy -check -top {module}{values}", "proc",
-            "setattr -mod -unset keep_hierarchy *", "setattr -unset keep_hierarchy */t:*", "flatten",
-            "opt_clean", "memory_dff", "memory_collect", "splitnets", "simplemap",
+            *rtl.FLATTEN, "opt_clean", "memory_dff", "memory_collect", "splitnets", "simplemap",
             "opt_clean", f'write_json "{out}"'])])
         if status != 0:
             lines = output.strip().splitlines()

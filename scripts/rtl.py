@@ -31,6 +31,10 @@ def strip_comments(text):
     return _COMMENT.sub(blank, text)
 
 
+# Steps of yosys by which all becomes one module, also what synthesis keeps apart.
+FLATTEN = ("setattr -mod -unset keep_hierarchy *", "setattr -unset keep_hierarchy */t:*", "flatten")
+
+
 def changed(text, original, mutant, where):
     """The text with a bug planted. Raises ValueError unless what it replaces is there exactly once."""
     count = text.count(original)

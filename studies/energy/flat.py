@@ -43,7 +43,7 @@ def steps(work, mapped, out):
     """The steps of yosys, to be run in the root."""
     script = [f"{step} -chparam SOURCE_W {SOURCE_W}" if step.startswith("hierarchy ") else step
               for step in work.script(mapped)]
-    return [*script, "setattr -mod -unset keep_hierarchy *", "flatten", "splitnets",
+    return [*script, *rtl.FLATTEN, "splitnets",
             "opt_clean -purge", "rename -hide w:* c:*", "rename -enumerate -pattern n% w:*",
             "rename -enumerate -pattern c% c:*", f"rename -top {MODULE}", "check -assert",
             f'write_verilog -noattr "{out}"']

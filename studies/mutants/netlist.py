@@ -13,6 +13,7 @@ import os
 import re
 import subprocess
 
+import rtl
 from built import MutantError
 
 CHOICE = "mutant"
@@ -47,8 +48,7 @@ def _read(root, model, folder):
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc",
-            "setattr -mod -unset keep_hierarchy *", "flatten", "opt"]
+            f"hierarchy -check -top {model.top}", "proc", *rtl.FLATTEN, "opt"]
 
 
 def yosys(root, path, steps, limit=None):

@@ -53,8 +53,7 @@ def flat(top, parameters, out):
     tree = out.with_suffix(".tree")
     _yosys([f"read_verilog {folders} -D {rtl.SIMULATION} {' '.join(map(str, files))}",
             f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", f"write_json {tree}",
-            "setattr -mod -unset keep_hierarchy *", "setattr -unset keep_hierarchy */t:*", "flatten",
-            "opt_clean", "memory_collect", "opt_clean", f"write_json {out}"])
+            *rtl.FLATTEN, "opt_clean", "memory_collect", "opt_clean", f"write_json {out}"])
     found = [json.loads(path.read_text(encoding="utf-8")) for path in (tree, out)]
     tree.unlink()
     return found[0]["modules"], found[1]
