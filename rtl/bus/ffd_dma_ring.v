@@ -83,7 +83,7 @@ module ffd_dma_ring #(
   reg  [14:0] fetch_q;    // next to be fetched
   reg  [14:0] next_q;     // next to be requested
   reg  [14:0] tail_q;     // next to be finished
-  reg  [14:0] entry_q;    // that of the request that is offered
+  reg  [14:0] entry_q;    // that of the request that is offered: no fetch is refused
   reg  [14:0] asked_q;    // that of the request that was taken last
   reg  [AHEAD_W:0] ahead_q;    // from next to fetch: DESCRIPTORS at most
 
@@ -216,7 +216,7 @@ module ffd_dma_ring #(
       m_request_length  <= plan_data_q ? head_length : plan_check_q ? {12'd0, bytes} : 32'd16;
       m_request_address <= plan_data_q ? head_address
                                        : {base_i[63:19], base_i[18:0] | {fetch_q, 4'd0}};
-      entry_q           <= plan_data_q ? next_q : fetch_q;
+      entry_q           <= plan_check_q ? 15'd0 : next_q;
     end
     if (m_request_valid && m_request_ready) asked_q <= entry_q;
   end

@@ -1,5 +1,5 @@
 """Whether a mutant changes anything: proved by ABC, which finds what is equal in the design before and
-after the change; else whether it can: a difference found by SAT.
+after the change; else whether it can: inputs are found after which an output differs.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -10,7 +10,6 @@ import subprocess
 
 from netlist import base, yosys
 
-CLOCKS = 8    # from a state of zeros, in which a difference is looked for
 # What a memory holds stays the same as long as nothing differs that goes into it, so a proof may cut it.
 SMALL = 20_000  # bits of memories that may become registers
 CUT, WHOLE = ("expose -evert t:$mem_v2", "opt_clean"), ("memory_map", "opt_clean")
@@ -36,30 +35,73 @@ def _miter(mutant, top, memories, path):
             "miter -equiv -flatten gold gate miter", "hierarchy -top miter"]
 
 
-def _proved(root, mutant, top, memories, path, limit):
-    """True if no output differs, whatever comes in, once all registers have been zero: registers that are
-    always equal become one, then gates, and what is left is decided by reachability."""
+def _cell(design, name):
+    """(text to the end, type, parameters and connections, what Y is, its width) of a cell in RTLIL; None
+    for a register."""
+    cell = re.search(rf"\A.*?^  cell (\S+) {re.escape(name)}\n(.*?)^  end\n", design, re.MULTILINE | re.DOTALL)
+    output = cell and re.search(r"^    connect \\Y (.*)\n", cell[2], re.MULTILINE)
+    width = cell and re.search(r"parameter \\(?:Y_)?WIDTH (\d+)", cell[2])
+    return (cell[0], cell[1], cell[2], output[1], width[1]) if output and width else None
+
+
+def _twin(mutant, top, path):
+    """The steps that make a design with the changed cell beside itself: `trigger` tells that what they
+    make of their inputs differs. None for a register, and for a design that is made for some inputs."""
+    design = pathlib.Path(base(path.parent).split()[1]).read_text(encoding="utf-8")
+    name = re.search(r"-cell (\S+)", mutant)[1]
+    cell = _cell(design, name)
+    if cell is None or pathlib.Path(__file__).with_name(f"{top}.v").exists():
+        return None
+    before, kind, inside, output, width = cell
+    inside = inside.replace(f"    connect \\Y {output}\n", "    connect \\Y \\twin_y\n")
+    both = path.with_suffix(".il")
+    both.write_text(before + rf"""  wire width {width} \twin_y
+  wire output 9999 \trigger
+  cell {kind} \twin
+{inside}  end
+  cell $ne \differs
+    parameter \A_SIGNED 0
+    parameter \A_WIDTH {width}
+    parameter \B_SIGNED 0
+    parameter \B_WIDTH {width}
+    parameter \Y_WIDTH 1
+    connect \A {output}
+    connect \B \twin_y
+    connect \Y \trigger
+  end
+""" + design[len(before):], encoding="utf-8")
+    return [f"read_rtlil {both}", mutant.replace(f"-cell {name} ", "-cell twin "), f"hierarchy -top {top}",
+            "memory_collect", *CUT, f"delete -port {top}/o:* {top}/trigger %d", "opt_clean"]
+
+
+def _gates(root, steps, path, limit):
+    """What the steps make in gates and registers, a file with one output; or None."""
     design = path.with_suffix(".aig")
     made = yosys(root, path, [
-        *_miter(mutant, top, memories, path), "async2sync", "opt", "techmap", "opt_clean",
+        *steps, "async2sync", "opt", "techmap", "opt_clean",
         "dfflegalize -cell $_DFF_P_ 01", "abc -fast -g AND", "opt_clean", "setundef -zero -init",
         f"write_aiger -zinit {design}"], limit)
-    if not made:
-        return False
+    return design if made else None
+
+
+def _abc(design, steps, limit):
+    """What ABC says to these steps."""
     try:
-        answer = subprocess.run(
-            ["yosys-abc", "-c", f"read_aiger {design}; strash; lcorr; &get -n; &scorr; &put; pdr -T {limit // 2}"], check=False,
-            capture_output=True, text=True, timeout=2 * limit)
+        return subprocess.run(["yosys-abc", "-c", f"read_aiger {design}; strash; {steps}"], check=False,
+                              capture_output=True, text=True, timeout=limit).stdout
     except subprocess.TimeoutExpired:
-        return False
-    return "Property proved" in answer.stdout
+        return ""
 
 
-def _differs(root, mutant, top, path, limit):
-    """True if SAT finds inputs after which an output differs."""
-    return yosys(root, path, [
-        *_miter(mutant, top, WHOLE, path),
-        f"sat -set-init-zero -prove trigger 0 -tempinduct-baseonly -maxsteps {CLOCKS} -falsify"], limit)
+def _proved(design, seconds):
+    """True if no output differs, whatever comes in, once all registers have been zero: registers that are
+    always equal become one, then gates, and what is left is decided by reachability in so many seconds."""
+    return "Property proved" in _abc(design, f"lcorr; &get -n; &scorr; &put; pdr -T {seconds}", 4 * seconds)
+
+
+def _differs(design, seconds):
+    """True if inputs are found after which an output differs."""
+    return "was asserted" in _abc(design, f"bmc3 -T {seconds}", 2 * seconds)
 
 
 def _memory_bits(design):
@@ -73,10 +115,22 @@ def verdict(root, model, mutant, path, limit):
     neither is found in time.
 
     @param path   what its files begin with
-    @param limit  seconds of a proof, and of a search
+    @param limit  seconds; of a step no more than that, or twice
     """
-    small = _memory_bits(path.with_name("design.il")) <= SMALL
-    if any(_proved(root, mutant, model.top, memories, path.with_suffix(f".equal{turn}.ys"), limit)
-           for turn, memories in enumerate((CUT, WHOLE) if small else (CUT,))):
+    twin = path.with_suffix(".twin.ys")
+    steps = _twin(mutant, model.top, twin)
+    design = steps and _gates(root, steps, twin, limit)
+    if design and _proved(design, limit // 6):
         return "equivalent"
-    return "survived" if small and _differs(root, mutant, model.top, path.with_suffix(".differs.ys"), limit) else "undecided"
+    cut = path.with_suffix(".cut.ys")
+    design = _gates(root, _miter(mutant, model.top, CUT, cut), cut, limit)
+    if _memory_bits(path.with_name("design.il")) > SMALL:
+        return "equivalent" if design and _proved(design, limit // 2) else "undecided"
+    # What is easily proved first, then what is easily found.
+    if design and _proved(design, limit // 6):
+        return "equivalent"
+    whole = path.with_suffix(".whole.ys")
+    design = _gates(root, _miter(mutant, model.top, WHOLE, whole), whole, limit)
+    if design and _differs(design, limit // 3):
+        return "survived"
+    return "equivalent" if design and _proved(design, limit // 2) else "undecided"

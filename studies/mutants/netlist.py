@@ -1,7 +1,8 @@
 """A design of which a number chooses one of many mutants: single changes by yosys' `mutate`.
 
 The design is flat, and without what does not reach an output, so that a mutant is of one place in which
-something happens. The memories stay memories.
+something happens. The memories stay memories, without what a simulator makes of a read that comes with
+a write.
 The chosen number comes from the environment, HWFFD_MUTANT; with 0 the design is as it was.
 
 SPDX-License-Identifier: Apache-2.0
@@ -22,17 +23,17 @@ _PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", r
 # Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
 # And yosys takes no read of a memory that has an enable but no clock.
 _LEFT_OUT = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk |\$memrd\S* -port EN ")
-_WHOLE = "localparam MOST = WIDTH;"  # of a simulator
+_MOST = re.compile(r"(?<=localparam MOST = )[^;]+(?=;)")
 _IMPORT = 'import "DPI-C" function int hwffd_mutant();\n'
 
 
 def _by_bits(memory, folder):
     """The memory with a column for each bit, so that a bit that nobody reads is dead, as a register's is."""
-    text = memory.read_text(encoding="utf-8")
-    if text.count(_WHOLE) != 1:
-        raise MutantError(f"{memory} has not '{_WHOLE}' once")
+    text, slices = _MOST.subn("1", memory.read_text(encoding="utf-8"))
+    if not slices:
+        raise MutantError(f"{memory} has no localparam MOST")
     sliced = folder / memory.name
-    sliced.write_text(text.replace(_WHOLE, "localparam MOST = 1;"), encoding="utf-8")
+    sliced.write_text(text, encoding="utf-8")
     return sliced
 
 
@@ -46,7 +47,7 @@ def _read(root, model, folder):
     sources += [os.path.relpath(source, root) for source in model.sources
                 if not source.startswith(str(root / "rtl"))]
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
-    return [f"read_verilog -defer {folders} -D FFD_SIMULATION {' '.join(sources)}",
+    return [f"read_verilog -defer {folders} {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
             f"hierarchy -check -top {model.top}", "proc", *rtl.FLATTEN, "opt"]
 

@@ -110,19 +110,26 @@ TEST_P(AddressBits, EachIsReportedOfARead) {
   }
 }
 
+void expect_write_error(const DmaSize& size, std::uint64_t area, std::uint32_t bytes,
+                        unsigned code) {
+  SCOPED_TRACE(testing::Message() << "at " << std::hex << area);
+  DmaBench bench(size, area);
+  bench.memory.fail_write(0, cores::kAxiSlverr);
+  bench.start_results(area, bytes);
+  bench.offer_results(16, 16);
+  ASSERT_TRUE(bench.run_until_error(500));
+  bench.run(100);
+  EXPECT_TRUE(only(bench.write_errors(), code, area));
+  EXPECT_EQ(bench.faults(), "");
+}
+
 TEST_P(AddressBits, EachIsReportedOfAWrite) {
   for (const std::uint64_t place : opposite_places()) {
-    for (const bool refused : {false, true}) {
-      SCOPED_TRACE(testing::Message() << "at " << std::hex << place);
-      DmaBench bench(GetParam(), place);
-      bench.memory.fail_write(0, cores::kAxiSlverr);
-      bench.start_results(place + kAreaPlace, refused ? 0 : 256);
-      bench.offer_results(16, 16);
-      ASSERT_TRUE(bench.run_until_error(500));
-      bench.run(100);
-      EXPECT_TRUE(
-          only(bench.write_errors(), refused ? kZeroLength : kSlaveError, place + kAreaPlace));
-      EXPECT_EQ(bench.faults(), "");
+    const std::uint64_t area = place + kAreaPlace;
+    expect_write_error(GetParam(), area, 256, kSlaveError);
+    expect_write_error(GetParam(), area, 0, kZeroLength);
+    for (const unsigned low : {1, 5, 10, 15}) {
+      expect_write_error(GetParam(), area + low, 256, kMisaligned);
     }
   }
 }

@@ -75,7 +75,7 @@ TEST(Bandwidth, ShortPacketsTakeLittleMoreThanTwelveClocks) {
   }
 }
 
-TEST(Bandwidth, TwoBurstsOfFourCannot) { EXPECT_LT(measure(dma_sizes()[2], 1000).read, 0.30); }
+TEST(Bandwidth, TwoBurstsOfFourCannot) { EXPECT_LT(measure(small_dma_size(), 1000).read, 0.30); }
 
 /// Clocks from `start` to the one in which that holds.
 template <class Condition>

@@ -106,8 +106,17 @@ void DmaBench::observe() {
     result_pins_.valid = false;
   }
   if (controls.rst) return;
-  if (status.read_error.valid) read_errors_.push_back(status.read_error);
-  if (status.write_error.valid) write_errors_.push_back(status.write_error);
+  fault_pulses_ += status.fault;
+  halted_early_ += status.halted && both_ran_;
+  both_ran_ = status.ring_running && status.result_running;
+  note(status.read_error, read_errors_);
+  note(status.write_error, write_errors_);
+}
+
+void DmaBench::note(const DmaError& error, std::vector<DmaError>& errors) {
+  if (!error.valid) return;
+  errors.push_back(error);
+  bus_errors_ += error.code == kSlaveError || error.code == kDecodeError;
 }
 
 void DmaBench::run(std::uint64_t cycles) {
@@ -230,6 +239,10 @@ std::string DmaBench::faults() {
   checker.finish(cycle_);
   std::string text;
   if (stream_faults_ != 0) text += fmt::format("{} stream faults\n", stream_faults_);
+  if (size_.timeout == 0 && fault_pulses_ != bus_errors_) {
+    text += fmt::format("{} faults for {} errors of the bus\n", fault_pulses_, bus_errors_);
+  }
+  if (size_.timeout == 0 && halted_early_ != 0) text += "halted while both halves run\n";
   for (const std::string& report : checker.reports()) text += report + "\n";
   if (text.empty() && checker.violations() != 0) text = "violations";
   return text;

@@ -174,6 +174,7 @@ class DmaBench {
 
  private:
   void observe();
+  void note(const DmaError& error, std::vector<DmaError>& errors);
 
   DmaSize size_;
   tb::Random random_;
@@ -185,6 +186,8 @@ class DmaBench {
   bool packet_waits_ = false;
   Beat packet_held_;
   std::uint64_t stream_faults_ = 0;
+  std::uint64_t fault_pulses_ = 0, bus_errors_ = 0, halted_early_ = 0;
+  bool both_ran_ = false;  ///< in the clock before
   std::uint16_t software_head_ = 0;
   std::vector<Beat> packets_, expected_, accepted_;
   std::deque<Beat> results_;

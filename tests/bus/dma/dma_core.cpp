@@ -74,6 +74,7 @@ class VerilatedDmaCore : public DmaCore {
     status.clearing = dut.clearing_o;
     status.idle = dut.idle_o;
     status.halted = dut.halted_o;
+    status.fault = dut.fault_o;
     status.timeout = dut.timeout_o;
     status.ring_tail = dut.ring_tail_o;
     status.ring_running = dut.ring_running_o;
@@ -101,6 +102,8 @@ const std::vector<DmaSize>& dma_sizes() {
                                              {"wide", 16, 64, 4, 0, 256}};
   return sizes;
 }
+
+const DmaSize& small_dma_size() { return dma_sizes()[2]; }
 
 const std::vector<DmaSize>& watched_dma_sizes() {
   static const std::vector<DmaSize> sizes = {{"watched", 16, 64, 4, 100},

@@ -34,7 +34,7 @@ struct DmaError {
 
 /// Outputs of `ffd_dma_engine` that go to registers.
 struct DmaStatus {
-  bool clearing = false, idle = false, halted = false;
+  bool clearing = false, idle = false, halted = false, fault = false;
   unsigned timeout = 0;  ///< a bit a channel: AR, R, AW, W, B
   std::uint16_t ring_tail = 0;
   bool ring_running = false, result_running = false, result_busy = false, result_overflow = false;
@@ -71,6 +71,8 @@ struct DmaSize {
 };
 inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
 const std::vector<DmaSize>& dma_sizes();
+/// The one with the least bursts, depths and queues.
+const DmaSize& small_dma_size();
 /// Those with a time-out, of each width.
 const std::vector<DmaSize>& watched_dma_sizes();
 /// The one with flags of descriptors and marks of results.

@@ -128,6 +128,33 @@ TEST_P(BusError, WriteErrorOnEveryBurst) {
   }
 }
 
+// Whatever the clocks between a bad answer and the burst that would come next: one that begins in
+// the clock of the answer is the last.
+TEST_P(BusError, NoBurstBeginsBehindABadAnswer) {
+  for (std::uint64_t gap = 0; gap <= 30; ++gap) {
+    SCOPED_TRACE(testing::Message() << gap << " clocks");
+    DmaBench bench(GetParam(), gap);
+    bench.memory.set_latency({16, 16});
+    bench.memory.fail_write(0, cores::kAxiSlverr);
+    bench.start_results(kArea, 1 << 20);
+    bench.run(10);
+    bench.offer_results(1, 1);
+    bool answered = false;
+    std::size_t writes = 0;
+    for (std::uint64_t clock = 0; clock < 100; ++clock) {
+      if (clock == gap) bench.offer_results(1, 1);
+      bench.step();
+      // What was raised in the clock behind the answer has been taken.
+      if (answered && writes == 0) writes = bench.memory.writes().size();
+      answered = answered || (bench.bus().b.valid && bench.bus().b.ready);
+    }
+    ASSERT_TRUE(answered);
+    EXPECT_EQ(bench.memory.writes().size(), writes);
+    EXPECT_EQ(bench.write_errors().size(), 1u);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
 TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
   DmaBench bench(GetParam(), 3);
   bench.put_packet(kPackets, 30);

@@ -128,7 +128,7 @@ TEST_P(Sized, TheRingGoesAround) {
 }
 
 TEST(Ring, TheLargestRing) {
-  DmaBench bench(dma_sizes()[0], 3);
+  DmaBench bench(small_dma_size(), 3);
   bench.place_ring(0x80000, 15);
   bench.put_packet(kPackets, 3);
   for (unsigned i = 1; i < 32767; ++i) {
@@ -143,6 +143,32 @@ TEST(Ring, TheLargestRing) {
   bench.ring_doorbell();
   ASSERT_TRUE(bench.run_until_idle());
   EXPECT_TRUE(bench.exact(1));
+  bench.put_descriptor({kPackets, kBeat, 1});  // in the second
+  bench.ring_doorbell();
+  ASSERT_TRUE(bench.run_until_stopped());
+  EXPECT_TRUE(only(bench.read_errors(), kFlags, bench.descriptor_address(1)));
+  EXPECT_TRUE(bench.exact(1));
+}
+
+// The number of a bad descriptor is counted from the start on.
+TEST(Ring, ABadDescriptorBehindTheStart) {
+  std::vector<unsigned> indices = {0x2AAA, 0x5555};
+  for (unsigned index = 1; index < 140; ++index) indices.push_back(index);
+  for (unsigned k = 8; k < 15; ++k) indices.insert(indices.end(), {(1u << k) - 1, (1u << k) + 3});
+  for (const unsigned index : indices) {
+    SCOPED_TRACE(testing::Message() << index);
+    DmaBench bench(small_dma_size(), index);
+    bench.place_ring(0x80000, 15);
+    for (unsigned i = 0; i < index; ++i) {
+      bench.put_descriptor({kPackets, kBeat, 0});
+      bench.expect_packet(kPackets, 1);
+    }
+    bench.put_descriptor({kPackets, 0, 0});
+    bench.start_ring();
+    ASSERT_TRUE(bench.run_until_stopped(1000000));
+    EXPECT_TRUE(only(bench.read_errors(), kZeroLength, bench.descriptor_address(index)));
+    EXPECT_TRUE(bench.exact(index));
+  }
 }
 
 TEST_P(Sized, AStartWhileRunningChangesNothing) {

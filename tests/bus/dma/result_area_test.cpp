@@ -77,6 +77,47 @@ TEST_P(ResultArea, AFlushEndsWithItsLastBeat) {
   }
 }
 
+// A `last` that comes while a burst is on its way, which could take its flush along.
+TEST_P(ResultArea, ALastNeverWaitsForMore) {
+  constexpr std::uint64_t kPrompt = 12;  // less than FLUSH_CLOCKS and the way to the bus
+  for (std::uint64_t first = 1; first <= 5; ++first) {
+    for (std::uint64_t gap = 0; gap <= 16; ++gap) {
+      SCOPED_TRACE(testing::Message() << first << " beats, then " << gap << " clocks");
+      DmaBench bench(GetParam(), first);
+      bench.start_results(kFirst, 1 << 16);
+      bench.run(10);
+      bench.offer_results(first, first);
+      bench.run(gap);
+      bench.offer_results(1, 1);
+      ASSERT_TRUE(bench.run_until([&] { return bench.results_waiting() == 0; }, 100));
+      const std::uint64_t taken = bench.cycle();
+      const auto& writes = bench.memory.writes();
+      const auto all_out = [&] {
+        return !writes.empty() &&
+               writes.back().address + writes.back().beats * kBeat >= kFirst + (first + 1) * kBeat;
+      };
+      ASSERT_TRUE(bench.run_until(all_out, 100));
+      EXPECT_LE(bench.cycle() - taken, kPrompt);
+      EXPECT_TRUE(bench.writes(kFirst, 0, first + 1));
+    }
+  }
+}
+
+// A start in the clock behind another one is none.
+TEST_P(ResultArea, AnotherStartAtOnceChangesNothing) {
+  DmaBench bench(GetParam(), 8);
+  bench.start_results(kFirst, 64 * kBeat);
+  bench.start_results(kNext, 32 * kBeat);
+  bench.offer_results(3, 3);
+  EXPECT_TRUE(bench.writes(kFirst, 0, 3));
+
+  DmaBench bad(GetParam(), 8);
+  bad.start_results(kFirst + 4, 64 * kBeat);
+  bad.start_results(kNext, 32 * kBeat);
+  bad.run(20);
+  EXPECT_TRUE(only(bad.write_errors(), kMisaligned, kFirst + 4));
+}
+
 // While a soft reset waits for the reader's bursts, the writer has nothing open and could begin.
 TEST_P(ResultArea, NoneStartsDuringASoftReset) {
   DmaBench bench(GetParam(), 9);

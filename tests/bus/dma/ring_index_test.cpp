@@ -43,7 +43,7 @@ void expect_read(DmaBench& bench, unsigned index) {
 
 /// From a tail of `index` on, through rings of half the size each, which lose a bit of it each.
 void halve_rings(unsigned index, const Descriptor& bad, unsigned code) {
-  DmaBench bench(dma_sizes().back(), index + code);
+  DmaBench bench(small_dma_size(), index + code);
   advance(bench, index);
   for (unsigned log2 = kLargest; log2 > 0; --log2) {
     SCOPED_TRACE(testing::Message() << "index " << index << ", 2^" << log2 << " entries");
@@ -65,7 +65,7 @@ TEST(RingIndex, OfADescriptorThatIsRefused) {
 
 TEST(RingIndex, OfAStartInTheSameRing) {
   for (const unsigned index : {0x2AAAu, 0x5555u}) {
-    DmaBench bench(dma_sizes().back(), index);
+    DmaBench bench(small_dma_size(), index);
     advance(bench, index);
     expect_refused(bench, index, {kPackets, kBeat, 1}, kFlags);
     expect_read(bench, index);

@@ -60,6 +60,66 @@ TEST_P(SoftReset, AtEveryClock) {
   }
 }
 
+// In the first clock in which clearing_o is low, no earlier and no later.
+TEST_P(SoftReset, AStartCountsFromItsEndOn) {
+  const auto after = [](std::uint64_t clocks, bool& clearing) {
+    DmaBench bench(GetParam(), 12);
+    bench.controls.soft_reset = true;
+    bench.step();
+    bench.run(clocks);
+    bench.place_area(kArea, 1 << 12);
+    bench.start_ring();
+    clearing = bench.status.clearing;
+    bench.run(5);
+    EXPECT_EQ(bench.status.ring_running, bench.status.result_running);
+    return bench.status.result_running;
+  };
+  bool clearing = true;
+  std::uint64_t clocks = 0;
+  for (; clearing; ++clocks) {
+    ASSERT_LT(clocks, 50u);
+    const bool runs = after(clocks, clearing);
+    EXPECT_EQ(runs, !clearing) << clocks;
+  }
+  EXPECT_GT(clocks, 1u);
+}
+
+// One more begins another, in its last clock too.
+TEST_P(SoftReset, IsNotLostAtItsEnd) {
+  for (std::uint64_t clocks = 0; clocks < 20; ++clocks) {
+    DmaBench bench(GetParam(), 13);
+    bench.controls.soft_reset = true;
+    bench.step();
+    bench.run(clocks);
+    bench.controls.soft_reset = true;
+    bench.step();
+    bench.step();
+    EXPECT_TRUE(bench.status.clearing) << clocks;
+    EXPECT_TRUE(bench.end_soft_reset(50));
+  }
+}
+
+TEST_P(SoftReset, NothingStartsInReset) {
+  DmaBench bench(GetParam(), 14);
+  bench.put_packet(kPackets, 2);
+  bench.ring_doorbell();
+  bench.controls.rst = true;
+  for (int clocks = 0; clocks < 5; ++clocks) {
+    bench.controls.soft_reset = bench.controls.ring_start = true;
+    bench.place_area(kArea, 256);
+    bench.step();
+  }
+  bench.controls.rst = false;
+  for (int clocks = 0; clocks < 60; ++clocks) {
+    bench.step();
+    EXPECT_FALSE(bench.status.clearing || bench.status.ring_running ||
+                 bench.status.result_running || bench.status.result_busy);
+  }
+  EXPECT_TRUE(bench.memory.reads().empty() && bench.memory.writes().empty());
+  EXPECT_TRUE(bench.read_errors().empty() && bench.write_errors().empty());
+  EXPECT_TRUE(bench.reads(1));
+}
+
 TEST_P(SoftReset, AfterAnErrorAndWhileHeld) {
   for (std::uint64_t wait = 0; wait < 40; ++wait) {
     DmaBench bench(GetParam(), wait);
