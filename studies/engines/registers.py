@@ -32,9 +32,10 @@ def steps(sources, top, parameters, free, held):
 
 
 def _bits(module):
-    """(name as simulators have it, place or None) -> bit, of all nets with a name."""
+    """(name as simulators have it, place or None) -> bit, of all nets with a name; those inside a function
+    have one that only yosys knows."""
     return {(name, place + wire.get("offset", 0) if len(wire["bits"]) > 1 else None): bit
-            for name, wire in module["netnames"].items() if not wire.get("hide_name")
+            for name, wire in module["netnames"].items() if not wire.get("hide_name") and "$" not in name
             for place, bit in enumerate(wire["bits"])}
 
 
