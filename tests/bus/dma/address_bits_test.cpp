@@ -126,7 +126,9 @@ void expect_write_error(const DmaSize& size, std::uint64_t area, std::uint32_t b
 TEST_P(AddressBits, EachIsReportedOfAWrite) {
   for (const std::uint64_t place : opposite_places()) {
     const std::uint64_t area = place + kAreaPlace;
-    expect_write_error(GetParam(), area, 256, kSlaveError);
+    for (const std::uint64_t at : {area, area + 0x550, area + 0xAA0}) {
+      expect_write_error(GetParam(), at, 256, kSlaveError);
+    }
     expect_write_error(GetParam(), area, 0, kZeroLength);
     for (const unsigned low : {1, 5, 10, 15}) {
       expect_write_error(GetParam(), area + low, 256, kMisaligned);

@@ -107,7 +107,7 @@ void DmaBench::observe() {
   }
   if (controls.rst) return;
   fault_pulses_ += status.fault;
-  halted_early_ += status.halted && both_ran_;
+  halted_early_ += status.halted && (both_ran_ || !memory.quiet());
   both_ran_ = status.ring_running && status.result_running;
   note(status.read_error, read_errors_);
   note(status.write_error, write_errors_);
@@ -242,7 +242,8 @@ std::string DmaBench::faults() {
   if (size_.timeout == 0 && fault_pulses_ != bus_errors_) {
     text += fmt::format("{} faults for {} errors of the bus\n", fault_pulses_, bus_errors_);
   }
-  if (size_.timeout == 0 && halted_early_ != 0) text += "halted while both halves run\n";
+  if (size_.timeout == 0 && halted_early_ != 0)
+    text += "halted while both halves run or a burst is open\n";
   for (const std::string& report : checker.reports()) text += report + "\n";
   if (text.empty() && checker.violations() != 0) text = "violations";
   return text;

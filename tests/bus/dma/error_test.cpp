@@ -175,6 +175,26 @@ TEST_P(BusError, AReadErrorHoldsTheWriterUntilTheRingIsStarted) {
   EXPECT_TRUE(bench.exact());
 }
 
+// Bursts of results are on their way when a packet fails: halted comes behind them.
+TEST_P(BusError, AReadErrorHaltsWhenNoBurstIsOpen) {
+  for (std::uint64_t clocks = 0; clocks < 30; ++clocks) {
+    SCOPED_TRACE(testing::Message() << clocks << " clocks");
+    DmaBench bench(GetParam(), clocks);
+    bench.memory.set_latency({16, 16});
+    bench.put_packet(kPackets, 1);
+    bench.memory.fail_read_at(kPackets, 0, cores::kAxiSlverr);
+    bench.start_results(kArea, 1 << 16);
+    bench.run(20);
+    bench.start_ring();
+    bench.run(25 + clocks);
+    bench.offer_results(2, 1);
+    ASSERT_TRUE(bench.run_until([&] { return bench.status.halted; }, 200));
+    EXPECT_TRUE(bench.memory.quiet());
+    EXPECT_EQ(bench.read_errors().size(), 1u);
+    EXPECT_EQ(bench.faults(), "");
+  }
+}
+
 TEST_P(BusError, AWriteErrorHoldsTheReaderUntilResultsAreStarted) {
   DmaBench bench(GetParam(), 4);
   bench.memory.set_latency({3, 3});
