@@ -295,5 +295,44 @@ TEST(RegisterBlock, AStartInTheClockOfThePulseIsRefused) {
   EXPECT_EQ(status(), HWFFD_STATUS_START_REFUSED_MASK);
 }
 
+/// Bits of counts that no traffic of a test reaches, 22 and of errors 27 of them with both values:
+/// an event of each kind in every clock.
+TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
+  constexpr std::uint32_t kErrors = (1u << 29) - 1;
+  tb::Sim<Vbus_registers> sim(2);
+  auto& dut = sim.dut();
+  const auto events = [&](bool now) {
+    dut.counter_vertices_event_i = dut.counter_stalls_event_i = dut.counter_busy_event_i = now;
+    dut.error_event_i = now ? kErrors : 0;
+  };
+  const auto get = [&](unsigned offset) {
+    dut.s_read_word = offset / 4;
+    sim.tick();
+    dut.eval();
+    return static_cast<std::uint32_t>(dut.s_read_data);
+  };
+  dut.rst = 1;
+  dut.s_write_valid = dut.s_read_valid = 0;
+  events(false);
+  sim.tick();
+  dut.rst = 0;
+  while (dut.s_clearing) sim.tick();
+  std::uint32_t clocks = 0;
+  for (const std::uint32_t wanted : {0x92492u, 0x155555u, 0x2AAAAAu}) {
+    events(true);
+    for (; clocks < wanted; ++clocks) sim.tick();
+    events(false);
+    sim.tick();
+    sim.tick();
+    for (const unsigned offset : {HWFFD_COUNTER_VERTICES_LO_OFFSET, HWFFD_COUNTER_STALLS_LO_OFFSET,
+                                  HWFFD_COUNTER_BUSY_LO_OFFSET}) {
+      EXPECT_EQ(get(offset), clocks);
+      EXPECT_EQ(get(offset + 4), 0u);
+    }
+    EXPECT_EQ(get(HWFFD_ERROR_COUNT_OFFSET), 29 * clocks);
+    EXPECT_EQ(get(HWFFD_ERROR_STATUS_OFFSET), kErrors);
+  }
+}
+
 }  // namespace
 }  // namespace hwffd::test
