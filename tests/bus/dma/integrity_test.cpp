@@ -222,6 +222,21 @@ TEST_P(Sized, FullBurstsOfALongPacket) {
   EXPECT_EQ(reads[9].beats, bench.blocks());
 }
 
+// What has waited for the sink leaves in consecutive clocks.
+TEST_P(Sized, NoGapBehindAStall) {
+  DmaBench bench(GetParam(), 15);
+  const std::uint64_t beats = std::min<std::uint64_t>(bench.size().depth - 2, 12);
+  bench.packet_throttle = tb::Throttle::shut_after(1, 1000);  // willing in the first clock only
+  bench.put_packet(kPackets, beats);
+  bench.start_ring();
+  bench.run(200);
+  ASSERT_TRUE(bench.packets().empty());
+  bench.packet_throttle = tb::Throttle::always();
+  bench.run(beats);
+  EXPECT_EQ(bench.packets().size(), beats);
+  EXPECT_TRUE(bench.exact());
+}
+
 TEST_P(Sized, FullBurstsWhileResultsKeepComing) {
   DmaBench bench(GetParam(), 5);
   const std::uint64_t burst = bench.size().max_burst;
