@@ -227,8 +227,11 @@ TEST_P(Sized, NoGapBehindAStall) {
   DmaBench bench(GetParam(), 15);
   const std::uint64_t beats = std::min<std::uint64_t>(bench.size().depth - 2, 12);
   bench.packet_throttle = tb::Throttle::shut_after(1, 1000);  // willing in the first clock only
-  bench.put_packet(kPackets, beats);
+  bench.put_packet(kPackets, 1);
   bench.start_ring();
+  bench.run(100);
+  bench.put_packet(kPackets + 0x1000, beats - 1);
+  bench.ring_doorbell();
   bench.run(200);
   ASSERT_TRUE(bench.packets().empty());
   bench.packet_throttle = tb::Throttle::always();
