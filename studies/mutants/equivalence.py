@@ -10,9 +10,10 @@ import subprocess
 
 from netlist import base, yosys
 
-# What a memory holds stays the same as long as nothing differs that goes into it, so a proof may cut it.
+# What a memory holds and a multiplier gives stays the same as long as nothing differs that goes in, so a
+# proof may cut them.
 SMALL = 20_000  # bits of memories that may become registers
-CUT, WHOLE = ("expose -evert t:$mem_v2", "opt_clean"), ("memory_map", "opt_clean")
+CUT, WHOLE = ("expose -evert t:$mem_v2 t:$mul", "opt_clean"), ("memory_map", "opt_clean")
 
 
 def _side(steps, top, memories, name, out):
@@ -24,10 +25,19 @@ def _side(steps, top, memories, name, out):
             f"rename {top} {name}", f"write_rtlil {out}"]
 
 
+def _public(design, mutant):
+    """A design in RTLIL and its change, multipliers by names that may become those of ports."""
+    return (design.replace("  cell $mul $", "  cell $mul \\$"),
+            re.sub(r"(?<=-cell )(?=\$\S*\$mul\$)", r"\\", mutant))
+
+
 def _miter(mutant, top, memories, path):
     """The steps that make one module of the design before and after the change: `trigger` tells that an
     output differs."""
-    design = base(path.parent)
+    text, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
+    own = path.with_suffix(".base.il")
+    own.write_text(text, encoding="utf-8")
+    design = f"read_rtlil {own}"
     gold, gate = (path.with_suffix(f".{name}.il") for name in ("gold", "gate"))
     return [*_side([design], top, memories, "gold", gold),
             *_side([design, mutant], top, memories, "gate", gate),
@@ -47,7 +57,7 @@ def _cell(design, name):
 def _twin(mutant, top, path):
     """The steps that make a design with the changed cell beside itself: `trigger` tells that what they
     make of their inputs differs. None for a register, and for a design that is made for some inputs."""
-    design = pathlib.Path(base(path.parent).split()[1]).read_text(encoding="utf-8")
+    design, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
     name = re.search(r"-cell (\S+)", mutant)[1]
     cell = _cell(design, name)
     if cell is None or pathlib.Path(__file__).with_name(f"{top}.v").exists():

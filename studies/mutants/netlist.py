@@ -64,8 +64,8 @@ def yosys(root, path, steps, limit=None):
 
 
 def base(folder):
-    """The step that reads the design once more, its cells under the names that mutants know."""
-    return f"read_rtlil {folder / 'design.il'}"
+    """The design as it was read, its cells under the names that mutants know."""
+    return folder / "design.il"
 
 
 def _chosen(lines, modules, number):
@@ -89,7 +89,7 @@ def listed(root, folder, number, seed, modules="*"):
     makes it."""
     path = folder / "mutants.txt"
     if not yosys(root, folder / "list.ys", [
-            base(folder),
+            f"read_rtlil {base(folder)}",
             f"mutate -list {number * (1 if modules == '*' else FOR_ONE)} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
         raise MutantError(f"yosys lists no mutants: see {folder / 'list.log'}")
     found = _chosen(path.read_text().splitlines(), modules, number)
@@ -102,7 +102,7 @@ def write(root, model, mutants, folder):
     """The design with all of them, in SystemVerilog: number n chooses the n-th of them, from 1."""
     chosen = [f"{mutant} -ctrl {CHOICE} 16 {number}" for number, mutant in enumerate(mutants, 1)]
     plain = folder / "plain.v"
-    if not yosys(root, folder / "apply.ys", [base(folder), *chosen, "opt_clean",
+    if not yosys(root, folder / "apply.ys", [f"read_rtlil {base(folder)}", *chosen, "opt_clean",
                                              f"write_verilog -noattr {plain}"]):
         raise MutantError(f"yosys cannot apply the mutants: see {folder / 'apply.log'}")
     text = plain.read_text(encoding="utf-8")

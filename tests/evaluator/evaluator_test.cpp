@@ -56,6 +56,21 @@ tb::EvaluatorBench::Bank families(const WordCodec& codec, int bank) {
   return axes;
 }
 
+/// Functions of no family, so that each bit of a coefficient goes with each other one; large ones
+/// saturate fixed point in one component or another.
+tb::EvaluatorBench::Bank any_functions(const WordCodec& codec, tb::Random& random) {
+  tb::EvaluatorBench::Bank axes;
+  for (AxisWords& axis : axes) {
+    const double most = random.pick({0.25, 0.5, 1.0});
+    Blending::Matrix matrix;
+    for (auto& function : matrix) {
+      for (double& coefficient : function) coefficient = most * (2 * random.unit() - 1);
+    }
+    axis = encode(user_blending(matrix), codec);
+  }
+  return axes;
+}
+
 class Evaluator : public ::testing::TestWithParam<Configuration> {
  protected:
   Evaluator()
@@ -126,6 +141,41 @@ TEST_P(Evaluator, DerivativesUnderRandomStalls) {
   for (auto& vertex : stimulus.vertices) vertex.derivative = static_cast<int>(random.below(4)) - 1;
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
   expect_no_mismatch(stimulus.vertices.size());
+}
+
+TEST_P(Evaluator, BitsOfAnyFunctions) {
+  tb::Random random(tb::seed_from_environment(6));
+  std::size_t vertices = 0;
+  for (int part = 0; part < 4; ++part) {
+    for (const int bank : {0, 1}) bench_.load(bank, any_functions(codec_, random));
+    auto stimulus = draw(200, random.bits());
+    for (auto& vertex : stimulus.vertices)
+      vertex.derivative = static_cast<int>(random.below(4)) - 1;
+    bench_.run(stimulus);
+    vertices += stimulus.vertices.size();
+  }
+  expect_no_mismatch(vertices);
+}
+
+// Vertices that are offered while reset lasts, also where others are inside, are none.
+TEST_P(Evaluator, NothingEntersInReset) {
+  for (unsigned clocks = 1; clocks < 4; ++clocks) {
+    for (const bool reset : {false, true}) {
+      core_->drive_reset(reset);
+      core_->drive_vertex(true, {});
+      core_->drive_result_ready(true);
+      for (unsigned i = 0; i < clocks; ++i) core_->clock();
+    }
+    core_->drive_reset(false);
+    core_->drive_vertex(false, {});
+    for (unsigned i = 0; i < 300; ++i) {
+      core_->settle();
+      ASSERT_FALSE(core_->result_valid()) << i;
+      core_->clock();
+    }
+    bench_.run(draw(20, clocks));
+    expect_no_mismatch(20 * clocks);
+  }
 }
 
 // Every bit of a result, once; a result that is lost, one that comes twice.
