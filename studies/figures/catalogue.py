@@ -68,8 +68,9 @@ REPORTS = {
         "rtl/**/*.v", "rtl/configurations.csv", "studies/rtl_coverage/*.py", "studies/rtl_coverage/*.csv",
         "tb/coverage/*.cpp")),
     "mutants": Report("make mutants", (
-        "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/dma/*.?pp", "tests/unit/fixed/*.?pp",
-        "tests/system/*.?pp", "studies/mutants/*.py", "studies/mutants/*.csv")),
+        "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/axil/*.?pp", "tests/bus/dma/*.?pp",
+        "tests/evaluator/*.?pp", "tests/system/*.?pp", "tests/unit/**/*.?pp", "studies/mutants/*.py",
+        "studies/mutants/*.csv")),
     "upsets": Report("make upsets", (
         "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
         "studies/upsets/*.py", "synth/ecp5.ys", "synth/prepare.ys", "tb/**/axi_*.?pp",

@@ -107,7 +107,7 @@ def work_on(options):
         faults.append(f"{score(found):.1f} % of the sample killed, need {SAMPLE_AIM}")
     total = {verdict: sum(row[verdict] for row in found)
              for verdict in ("total", *VERDICTS)}
-    report = {**total, "killed_percent": round(score(found), 2), "rows": found}
+    report = {**total, "killed_percent": round(score(found), 2), "short": faults, "rows": found}
     path = options.report or options.build / "reports" / "mutants.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "

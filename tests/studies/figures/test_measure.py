@@ -63,6 +63,12 @@ def test_a_run_that_fails_is_not(checkout, figures, study):
     assert "is not of a run that ended well: make plates" in text
 
 
+def test_a_run_that_falls_short_of_its_aims_and_says_so_is_stamped(checkout, figures, study):
+    assert study({**PLATES, "short": ["plate0: a mismatch"]}, 1)[0] == 1
+    assert "measured" in json.loads(checkout.text(FRESH))
+    assert figures("adopt", "plates")[0] == 0
+
+
 def test_a_run_that_writes_nothing_leaves_the_old_report(checkout, study):
     study(PLATES)
     before = checkout.text(FRESH)
