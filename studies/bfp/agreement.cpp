@@ -5,10 +5,10 @@
 
 #include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/model/schedule.hpp"
+#include "hwffd/on_threads.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/evaluator_bench.hpp"
 #include "hwffd/tb/random.hpp"
-#include "on_threads.hpp"
 
 namespace hwffd::bfp {
 namespace {

@@ -12,8 +12,8 @@
 #include "hwffd/model/org_factored.hpp"
 #include "hwffd/numerics/block.hpp"
 #include "hwffd/numerics/largest_error.hpp"
+#include "hwffd/on_threads.hpp"
 #include "hwffd/oracle/oracle.hpp"
-#include "on_threads.hpp"
 
 namespace hwffd::bfp {
 namespace {

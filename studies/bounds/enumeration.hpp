@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "axis.hpp"
-#include "on_threads.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd::certified {
 

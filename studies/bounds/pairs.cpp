@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "on_threads.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd::certified {
 namespace {

@@ -8,7 +8,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/model/organizations.hpp"
 #include "hwffd/model/schedule.hpp"
-#include "on_threads.hpp"
+#include "hwffd/on_threads.hpp"
 #include "reference.hpp"
 #include "simulation_speed.hpp"
 

@@ -7,8 +7,8 @@
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/model/stream_model.hpp"
+#include "hwffd/on_threads.hpp"
 #include "hwffd/tb/stream_bench.hpp"
-#include "on_threads.hpp"
 #include "order.hpp"
 
 namespace hwffd::streams {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hwffd/numerics/largest_error.hpp"
-#include "on_threads.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd::words {
 namespace {

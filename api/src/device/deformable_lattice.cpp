@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "hwffd/lattice/attachment.hpp"
+#include "hwffd/error.hpp"
 #include "hwffd/lattice/deformation.hpp"
 
 namespace hwffd {
 
-DeformableLattice::DeformableLattice(Lattice rest)
-    : embedder_(std::move(rest)),
+DeformableLattice::DeformableLattice(Lattice rest, const Family& family)
+    : embedder_(std::move(rest), family),
       deformed_(embedder_.lattice()),
       outside_(Outside::parse("keep")),
-      device_(make_device({})) {}
+      device_(make_device(choice_)) {}
 
 void DeformableLattice::move(const Points& points) { deformed_ = Lattice(rest().dims(), points); }
 
@@ -19,19 +19,55 @@ void DeformableLattice::deform(const std::string& deformation) {
   deformed_ = Deformation::parse(deformation).apply(deformed_);
 }
 
+void DeformableLattice::set_family(const Family& family) { embedder_ = Embedder(rest(), family); }
+
+void DeformableLattice::set_device(const DeviceChoice& choice) {
+  device_ = make_device(choice);
+  choice_ = choice;
+}
+
+Points DeformableLattice::evaluated(const std::vector<Embedded>& places) {
+  if (family().kind() == Family::Kind::kBspline) return device_->evaluate(deformed_, places);
+  const Index3 cells = family().cells(deformed_.dims());
+  const Family::Evaluable evaluable = family().evaluable(deformed_);
+  std::vector<Embedded> there;
+  there.reserve(places.size());
+  for (const Embedded& place : places) {
+    check_cell(place.cell, cells, there.size());
+    there.push_back(evaluable.at(place));
+  }
+  return device_->evaluate(evaluable.lattice, there, evaluable.blending);
+}
+
 Points DeformableLattice::evaluate(std::vector<Embedded> vertices) {
   for (Embedded& vertex : vertices) {
     // What is no number stays one, for the device to refuse.
     if (!vertex.local.hasNaN()) vertex.local = vertex.local.cwiseMax(0.0).cwiseMin(1.0);
   }
-  return device_->evaluate(deformed_, vertices);
+  return evaluated(vertices);
 }
 
-Points DeformableLattice::carry(const Points& points) {
-  const Attachment attachment(rest(), points, outside_);
-  Points carried = attachment.follow(device_->evaluate(deformed_, attachment.places()));
+void DeformableLattice::check_own(const Attachment& attachment) const {
+  const Lattice& other = attachment.rest();
+  if (attachment.family().kind() == family().kind() && other.dims() == rest().dims() &&
+      other.points() == rest().points()) {
+    return;
+  }
+  throw Error("these points are attached to another lattice at rest; attach them to this one");
+}
+
+Points DeformableLattice::carry(const Attachment& attachment) {
+  check_own(attachment);
+  Points carried = attachment.follow(evaluated(attachment.places()));
   summary_ = attachment.summary();
   return carried;
+}
+
+Points DeformableLattice::carry(const Points& points) { return carry(attach(points)); }
+
+std::vector<Eigen::Matrix3d> DeformableLattice::gradients(const Attachment& attachment) const {
+  check_own(attachment);
+  return attachment.gradients(deformed_);
 }
 
 }  // namespace hwffd

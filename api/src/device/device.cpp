@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "device/reference_device.hpp"
+#include "device/spread_device.hpp"
 #include "device/stream_device.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
@@ -29,17 +30,10 @@ void check(const Device::Blending& blending) {
 void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   const Index3 cells = lattice.cells();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const Index3& cell = vertices[v].cell;
     if (!vertices[v].local.allFinite()) {
       throw Error(fmt::format("vertex {}: a local coordinate is not finite; embed it first", v));
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (cell[axis] >= 0 && cell[axis] < cells[axis]) continue;
-      throw Error(
-          fmt::format("vertex {}: cell ({}, {}, {}) of a lattice of {} x {} x {} cells; "
-                      "embed it in this lattice",
-                      v, cell[0], cell[1], cell[2], cells[0], cells[1], cells[2]));
-    }
+    check_cell(vertices[v].cell, cells, v);
   }
 }
 
@@ -161,6 +155,16 @@ Device::Blending all_bspline() {
 
 }  // namespace
 
+void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (cell[axis] >= 0 && cell[axis] < cells[axis]) continue;
+    throw Error(
+        fmt::format("vertex {}: cell ({}, {}, {}) of a lattice of {} x {} x {} cells; "
+                    "embed it in this lattice",
+                    vertex, cell[0], cell[1], cell[2], cells[0], cells[1], cells[2]));
+  }
+}
+
 Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
                         const Blending& blending) {
   check(blending);
@@ -231,10 +235,19 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
                                  fmt::join(kinds, ", ")));
   }
   if (choice.device == "reference") return reference_device();
+  if (choice.device == "rtl" && device_rows("rtl").empty()) {
+    throw UsageError(
+        "device rtl: this library has no simulated hardware (hwffd_rtl) beside it; take device "
+        "model, which has the same bits");
+  }
   const Configuration& row = row_of(choice);
   const PointStore store = store_of(choice);
-  return std::make_unique<StreamDevice>(
-      choice.device, row, choice.device == "rtl" ? rtl_stream(row) : model_stream(row, store));
+  if (choice.device == "rtl") {
+    return std::make_unique<StreamDevice>(choice.device, row, rtl_stream(row));
+  }
+  return std::make_unique<SpreadDevice>([&row, store] {
+    return std::make_unique<StreamDevice>("model", row, model_stream(row, store));
+  });
 }
 
 }  // namespace hwffd

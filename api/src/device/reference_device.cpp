@@ -1,9 +1,12 @@
 #include "device/reference_device.hpp"
 
 #include "hwffd/lattice/lattice_evaluator.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd {
 namespace {
+
+constexpr std::size_t kJetsAtOnce = 256;
 
 class ReferenceDevice final : public Device {
  public:
@@ -23,10 +26,13 @@ class ReferenceDevice final : public Device {
                         const Blending& blending) override {
     const Oracle oracle(blending[0], blending[1], blending[2]);
     Tangents tangents{run(lattice, vertices, blending), {}};
-    tangents.jacobians.reserve(vertices.size());
-    for (const Embedded& at : vertices) {
-      tangents.jacobians.push_back(oracle.jet(lattice.support(at.cell), at.local).jacobian);
-    }
+    tangents.jacobians.resize(vertices.size());
+    on_ranges(vertices.size(), kJetsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
+        const Embedded& at = vertices[i];
+        tangents.jacobians[i] = oracle.jet(lattice.support(at.cell), at.local).jacobian;
+      }
+    });
     return tangents;
   }
 };

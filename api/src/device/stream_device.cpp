@@ -32,6 +32,8 @@ Normalization::Origin origin_for(const Device::Blending& blending) {
   return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
 }
 
+constexpr std::size_t kMostBeats = 4096;  // between two looks at who waits
+
 class ModelStream final : public CommandStream {
  public:
   ModelStream(const Configuration& row, const PointStore& store)
@@ -42,7 +44,7 @@ class ModelStream final : public CommandStream {
                         const Progress& progress) override {
     std::vector<Beat> out;
     out.reserve(results);
-    const std::size_t step = commands.size() / 100 + 1;
+    const std::size_t step = std::min(commands.size() / 100 + 1, kMostBeats);
     for (std::size_t b = 0; b < commands.size(); ++b) {
       model_.accept(commands[b]);
       if ((b + 1) % step != 0 && b + 1 != commands.size()) continue;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hwffd/device/device.hpp"
@@ -48,8 +49,9 @@ class StreamDevice final : public Device {
                std::unique_ptr<CommandStream> stream);
 
   std::string name() const override { return name_; }
+  /// Results beyond what fixed point holds, since this was asked last.
+  std::uint64_t take_saturated() { return std::exchange(counts_.saturated, 0); }
 
- protected:
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override;
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;

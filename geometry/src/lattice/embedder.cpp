@@ -8,6 +8,7 @@
 #include "cell_search.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/coordinates.hpp"
+#include "hwffd/on_threads.hpp"
 #include "newton.hpp"
 
 namespace hwffd {
@@ -17,6 +18,7 @@ constexpr double kDone = 1e-14;       // residual at which Newton stops, of the 
 constexpr double kTolerance = 1e-12;  // residual that counts as inside, of the size
 constexpr double kFlat = 1e-9;        // least extent of a lattice, of its largest
 constexpr std::size_t kNearCells = 4;
+constexpr std::size_t kPointsAtOnce = 64;  // points that a thread embeds at once
 
 /// Throws Error if points lie in one plane: nothing could be embedded among them.
 void check_volume(const Points& points) {
@@ -28,14 +30,17 @@ void check_volume(const Points& points) {
 
 }  // namespace
 
-Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of(lattice_)) {
+Embedder::Embedder(Lattice lattice, const Family& family)
+    : lattice_(std::move(lattice)), family_(family) {
+  family_.check_dims(lattice_.dims());
+  if (family_.regular()) box_ = Box::of(lattice_);
   const Points& points = lattice_.points();
   check_volume(points);
   centre_ = middle_of(points);
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
-  for (const Index3& cell : places(lattice_.cells())) {
-    Support support = lattice_.support(cell);
+  for (const Index3& cell : places(family_.cells(lattice_.dims()))) {
+    Support support = family_.support(lattice_, cell);
     support.rowwise() -= centre_.transpose();
     BezierVolume hull = BezierVolume::of_cell(support);
     const Point least = hull.coefficients().colwise().minCoeff();
@@ -52,7 +57,7 @@ Embedder::Embedder(Lattice lattice) : lattice_(std::move(lattice)), box_(Box::of
 }
 
 Point Embedder::point(const Embedded& at) const {
-  Support support = lattice_.support(at.cell);
+  Support support = family_.support(lattice_, at.cell);
   support.rowwise() -= centre_.transpose();
   return centre_ + oracle_.evaluate(support, at.local[0], at.local[1], at.local[2]);
 }
@@ -132,9 +137,12 @@ Embedding Embedder::embed(const Point& point) const {
 }
 
 std::vector<Embedding> Embedder::embed(const Points& points) const {
-  std::vector<Embedding> result;
-  result.reserve(static_cast<std::size_t>(points.rows()));
-  for (Eigen::Index i = 0; i < points.rows(); ++i) result.push_back(embed(Point(points.row(i))));
+  std::vector<Embedding> result(static_cast<std::size_t>(points.rows()));
+  on_ranges(result.size(), kPointsAtOnce, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      result[i] = embed(Point(points.row(static_cast<Eigen::Index>(i))));
+    }
+  });
   return result;
 }
 

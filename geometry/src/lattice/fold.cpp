@@ -48,15 +48,15 @@ double largest(const BezierVolume& volume) {
 
 class Check {
  public:
-  explicit Check(const Lattice& lattice) {
+  Check(const Lattice& lattice, const Family& family) {
     const Points& points = lattice.points();
     const Point low = points.colwise().minCoeff();
     const Point high = points.colwise().maxCoeff();
     const Point centre = (low + high) / 2;
     size_ = (high - low).maxCoeff();
-    const Index3 count = lattice.cells();
+    const Index3 count = family.cells(lattice.dims());
     for (const Index3& cell : places(count)) {
-      Support support = lattice.support(cell);
+      Support support = family.support(lattice, cell);
       support.rowwise() -= centre.transpose();
       add_cell(count, cell, BezierVolume::of_cell(support));
     }
@@ -157,8 +157,9 @@ std::string FoldCheck::text() const {
   return collapsed ? "proved but on collapsed faces" : "proved";
 }
 
-FoldCheck check_folds(const Lattice& lattice, int max_depth) {
-  return Check(lattice).run(max_depth);
+FoldCheck check_folds(const Lattice& lattice, int max_depth, const Family& family) {
+  family.check_dims(lattice.dims());
+  return Check(lattice, family).run(max_depth);
 }
 
 }  // namespace hwffd

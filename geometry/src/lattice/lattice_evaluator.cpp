@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "hwffd/on_threads.hpp"
 #include "lattice/contraction.hpp"
 
 namespace hwffd {
 namespace {
 
 constexpr std::size_t kBlock = 1024;  // vertices whose arrays stay in the nearest cache
+constexpr std::size_t kVerticesAtOnce = 16 * kBlock;  // vertices that a thread takes at once
 
 /// Points, n x 3, as x, y, z, 0 each, behind those that are there.
 template <class Real, class Rows>
@@ -26,24 +28,26 @@ void resize(VertexArrays<Real>& vertices, std::size_t count) {
   }
 }
 
-/// Positions of `count` vertices, block by block. put(v, i, arrays) puts vertex v into place i of
-/// the arrays; evaluate(first, arrays) evaluates a block.
+/// Positions of `count` vertices, block by block, on all threads. put(v, i, arrays) puts vertex v
+/// into place i of the arrays; evaluate(first, arrays) evaluates a block.
 template <class Put, class Evaluate>
 Points by_blocks(std::size_t count, const Put& put, const Evaluate& evaluate) {
   Points positions(static_cast<Eigen::Index>(count), 3);
-  VertexArrays<double> block;
-  for (std::size_t first = 0; first < count; first += kBlock) {
-    const std::size_t size = std::min(kBlock, count - first);
-    resize(block, size);
-    for (std::size_t i = 0; i < size; ++i) put(first + i, i, block);
-    evaluate(first, block);
-    for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        positions(static_cast<Eigen::Index>(first + i), static_cast<Eigen::Index>(c)) =
-            block.position[c][i];
+  on_ranges(count, kVerticesAtOnce, [&](std::size_t begin, std::size_t end) {
+    VertexArrays<double> block;
+    for (std::size_t first = begin; first < end; first += kBlock) {
+      const std::size_t size = std::min(kBlock, end - first);
+      resize(block, size);
+      for (std::size_t i = 0; i < size; ++i) put(first + i, i, block);
+      evaluate(first, block);
+      for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          positions(static_cast<Eigen::Index>(first + i), static_cast<Eigen::Index>(c)) =
+              block.position[c][i];
+        }
       }
     }
-  }
+  });
   return positions;
 }
 

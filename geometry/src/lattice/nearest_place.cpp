@@ -46,23 +46,25 @@ struct Part {
 
 }  // namespace
 
-NearestPlace::NearestPlace(const Lattice& lattice)
-    : box_(Box::of(lattice)),
+NearestPlace::NearestPlace(const Lattice& lattice, const Family& family)
+    : family_(family),
+      box_(family.regular() ? Box::of(lattice) : std::nullopt),
       centre_(middle_of(lattice.points())),
       lattice_(relative_to(centre_, lattice)) {
   if (box_ && !has_right_angles(*box_)) box_.reset();
   if (box_) return;
   const Closure closure(lattice);
-  const Index3 count = lattice.cells();
+  const Index3 count = family.cells(lattice.dims());
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (const Index3& cell : places(count)) {
-    const BezierVolume hull = BezierVolume::of_cell(lattice_.support(cell));
+    const BezierVolume hull = BezierVolume::of_cell(support(cell));
     for (int f = 0; f < 6; ++f) {
       const int axis = f / 2;
       const int end = f % 2;
       const auto a = static_cast<std::size_t>(axis);
-      if (cell[a] != end * (count[a] - 1) || joined(closure, axis, end)) continue;
+      if (cell[a] != end * (count[a] - 1)) continue;
+      if (family.regular() && joined(closure, axis, end)) continue;
       BezierVolume face = hull.face(axis, end);
       const Point least = face.coefficients().colwise().minCoeff();
       const Point most = face.coefficients().colwise().maxCoeff();
@@ -141,7 +143,7 @@ class NearestPlace::Search {
       Part part{least, face->cell, face->hull, Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
       part.low[face->axis] = face->end;
       part.extent[face->axis] = 0.0;
-      descend(face->cell, of_.lattice_.support(face->cell), part.middle());
+      descend(face->cell, of_.support(face->cell), part.middle());
       open_.push_back(std::move(part));
     }
   }
@@ -164,7 +166,7 @@ class NearestPlace::Search {
       }
       parts = std::move(halves);
     }
-    const Support support = of_.lattice_.support(part.cell);
+    const Support support = of_.support(part.cell);
     for (Part& quarter : parts) {
       ++best_.parts;
       quarter.bound = bound(quarter.hull);

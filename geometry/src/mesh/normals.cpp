@@ -3,33 +3,14 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
+#include "cofactor.hpp"
 #include "mesh/scene.hpp"
 
 namespace hwffd {
 namespace {
 
 constexpr double kSameNormal = 0.9999;  // cosine; readers repeat a normal with rounding errors
-constexpr double kSingular = 1e-9;      // of the volume that the columns could span
-
-/// The gradient, scaled so that its largest entry is 1: its direction counts, and products of its
-/// entries must not overflow. Zero if it is not known.
-Eigen::Matrix3d known(const Eigen::Matrix3d& gradient) {
-  const double largest = gradient.allFinite() ? gradient.cwiseAbs().maxCoeff() : 0.0;
-  if (largest == 0.0) return Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d scaled = gradient / largest;
-  const double volume = scaled.colwise().norm().prod();
-  if (!(std::abs(scaled.determinant()) > kSingular * volume)) return Eigen::Matrix3d::Zero();
-  return scaled;
-}
-
-/// Inverse transpose times determinant: the image of an area vector.
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& g) {
-  Eigen::Matrix3d result;
-  for (int c = 0; c < 3; ++c) result.col(c) = g.col((c + 1) % 3).cross(g.col((c + 2) % 3));
-  return result;
-}
 
 /// Takes the direction as a normal, if it is one.
 void set_normal(aiVector3D& normal, const Eigen::Vector3d& direction) {

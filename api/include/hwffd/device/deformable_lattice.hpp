@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "hwffd/device/device.hpp"
+#include "hwffd/lattice/attachment.hpp"
 #include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/outside.hpp"
 
 namespace hwffd {
@@ -15,37 +17,60 @@ namespace hwffd {
 class DeformableLattice {
  public:
   /// Not deformed yet, on the model, points outside stay.
-  /// @throws Error if the lattice spans no volume (Embedder)
-  explicit DeformableLattice(Lattice rest);
+  /// @throws Error if the lattice spans no volume (Embedder), or has points an axis that the family
+  ///   cannot have
+  explicit DeformableLattice(Lattice rest, const Family& family = {});
 
   const Lattice& rest() const { return embedder_.lattice(); }
   const Lattice& deformed() const { return deformed_; }
+  const Family& family() const { return embedder_.family(); }
 
   /// Moves the control points to new places, n x 3.
   /// @throws Error for another number of points or one that is not finite
   void move(const Points& points);
   /// Moves them further, as Deformation::parse() reads it.
   void deform(const std::string& deformation);
+  /// The same control points with other blending functions.
+  /// @throws as the constructor
+  void set_family(const Family& family);
 
-  void set_device(const DeviceChoice& choice) { device_ = make_device(choice); }
+  /// @throws as make_device()
+  void set_device(const DeviceChoice& choice);
   const Device& device() const { return *device_; }
+  /// What device() was made of.
+  const DeviceChoice& choice() const { return choice_; }
   void set_outside(const std::string& text) { outside_ = Outside::parse(text); }
   const Outside& outside() const { return outside_; }
 
   /// Where points lie in the lattice at rest (paper, eq. (2)).
   std::vector<Embedding> embed(const Points& points) const { return embedder_.embed(points); }
+  /// Points of the space at rest, n x 3, embedded to be carried again and again.
+  /// @throws as Attachment
+  Attachment attach(const Points& points) const { return {embedder_, points, outside_}; }
+
   /// Eq. (1) in the deformed lattice, n x 3; coordinates beyond [0, 1] are clamped.
   Points evaluate(std::vector<Embedded> vertices);
-  /// Where the deformation takes points of the space at rest, n x 3 (Attachment).
+  /// Where the deformation takes attached points, n x 3.
+  /// @throws Error if they were attached to another lattice; as Device::evaluate()
+  Points carry(const Attachment& attachment);
+  /// Where the deformation takes points of the space at rest, n x 3: attach() and carry().
   Points carry(const Points& points);
+  /// The gradient of the deformation at attached points, in double (Attachment::gradients).
+  /// @throws Error if they were attached to another lattice
+  std::vector<Eigen::Matrix3d> gradients(const Attachment& attachment) const;
+
   /// Of the points that carry() took last; before, of none.
   const EmbeddingSummary& summary() const { return summary_; }
 
  private:
+  void check_own(const Attachment& attachment) const;
+  Points evaluated(const std::vector<Embedded>& places);
+
   Embedder embedder_;
   Lattice deformed_;
   Outside outside_;
   EmbeddingSummary summary_;
+  DeviceChoice choice_;
   std::unique_ptr<Device> device_;
 };
 

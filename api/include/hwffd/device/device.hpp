@@ -9,6 +9,7 @@
 
 #include "hwffd/lattice/interleave.hpp"
 #include "hwffd/lattice/lattice.hpp"
+#include "hwffd/on_threads.hpp"
 #include "hwffd/oracle/oracle.hpp"
 
 namespace hwffd {
@@ -62,7 +63,8 @@ class Device {
   /// @throws Error for a number that is not finite, and as evaluate() of a lattice
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
 
-  /// What it throws ends the evaluation.
+  /// It is called by one thread at a time, not always by that which evaluates. What it throws ends
+  /// the evaluation.
   void on_progress(Progress progress) { progress_ = std::move(progress); }
   const Counts& counts() const { return counts_; }
 
@@ -74,6 +76,7 @@ class Device {
                                 const Blending& blending) = 0;
 
   void show(double done) const {
+    Watch::look();
     if (progress_) progress_(done);
   }
   Counts counts_;
@@ -84,6 +87,9 @@ class Device {
 
   Progress progress_;
 };
+
+/// @throws Error, which names the vertex, for a cell that a lattice of that many does not have
+void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex);
 
 /// Which device is wanted, in words.
 struct DeviceChoice {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/lattice/embedder.hpp"
+#include "hwffd/lattice/nearest_place.hpp"
 #include "hwffd/lattice/outside.hpp"
 
 namespace hwffd {
@@ -21,10 +22,33 @@ class Attachment {
   /// @throws Error that names the row of a point that is not finite or beyond kLargestCoordinate,
   /// or
   ///   that can neither be embedded nor proved to be outside; and what Embedder throws
-  Attachment(const Lattice& rest, const Points& points, const Outside& outside);
+  Attachment(const Lattice& rest, const Points& points, const Outside& outside,
+             const Family& family = {});
+
+  /// The same, without the search for cells that an embedder has done already.
+  Attachment(const Embedder& embedder, const Points& points, const Outside& outside);
+
+  /// How many points there are.
+  Eigen::Index size() const { return points_.rows(); }
+  const Lattice& rest() const { return rest_; }
+  const Family& family() const { return family_; }
+
+  /// The point that goes with a place.
+  struct Follower {
+    Eigen::Index row = 0;
+    double weight = 1.0;           ///< of the place's displacement; 1 of points inside
+    Point anchor = Point::Zero();  ///< the place at rest; only of points outside
+  };
 
   /// The places to evaluate, in the order of their points; local coordinates in [0, 1].
   const std::vector<Embedded>& places() const { return places_; }
+  /// The point of each of places().
+  const std::vector<Follower>& followers() const { return followers_; }
+  bool is_inside(Eigen::Index row) const {
+    return embeddings_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
+  }
+  /// The points as they were attached, n x 3.
+  const Points& points() const { return points_; }
 
   /// All points, n x 3, when the lattice is deformed: a point inside is its row of `evaluated`, one
   /// that stays is what it was, both bit for bit.
@@ -53,20 +77,18 @@ class Attachment {
   std::size_t torn_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) const;
 
  private:
-  /// The point that goes with a place.
-  struct Follower {
-    Eigen::Index row = 0;
-    double weight = 1.0;
-    Point anchor = Point::Zero();  ///< the place at rest; only of points outside
-  };
+  void check_converged() const;
+  /// Of the points outside, in their order; none if they stay.
+  std::vector<NearestPlace::Result> nearest_places() const;
 
   Lattice rest_;
+  Family family_;
   Points points_;
   Outside outside_;
   std::vector<Embedding> embeddings_;
   EmbeddingSummary summary_;
   std::vector<Embedded> places_;
-  std::vector<Follower> followers_;  ///< of each place
+  std::vector<Follower> followers_;
 };
 
 }  // namespace hwffd

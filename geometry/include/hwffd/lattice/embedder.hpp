@@ -5,6 +5,7 @@
 
 #include "hwffd/lattice/bezier_volume.hpp"
 #include "hwffd/lattice/box.hpp"
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/oracle/oracle.hpp"
 
@@ -24,9 +25,11 @@ struct Embedding {
   int iterations = 0;     ///< Newton steps, in all cells tried; 0 for boxes
 };
 
-/// Embeds points in a lattice of any shape with uniform cubic B-splines (paper, section 2).
+/// Embeds points in a lattice of any shape (paper, section 2), with uniform cubic B-splines or
+/// another family of blending functions.
 ///
-/// Boxes are recognized and embedded by their affine map (Box::embed). In any other lattice eq. (2)
+/// Boxes are recognized (in families that are regular()) and embedded by their affine map
+/// (Box::embed). In any other lattice eq. (2)
 /// is solved by Newton-Raphson in double, from s = t = u = 0.5, in the cells whose control points
 /// in Bernstein form surround the point. Where that finds nothing, these cells are bisected: parts
 /// whose hull excludes the point go, Newton starts again in the middle of the others, until the
@@ -41,9 +44,10 @@ struct Embedding {
 class Embedder {
  public:
   /// @throws Error if the points lie in one plane, to within 1e-9 of their extent
-  explicit Embedder(Lattice lattice);
+  explicit Embedder(Lattice lattice, const Family& family = {});
 
   const Lattice& lattice() const { return lattice_; }
+  const Family& family() const { return family_; }
   /// Whether the lattice is a box.
   bool affine() const { return box_.has_value(); }
   /// The largest extent along x, y or z of the cells, as their Bernstein coefficients bound them.
@@ -51,7 +55,7 @@ class Embedder {
 
   /// A point that is not finite or beyond kLargestCoordinate is outside, its residual infinite.
   Embedding embed(const Point& point) const;
-  /// embed() for every row of points, n x 3.
+  /// embed() for every row of points, n x 3, on all threads (on_threads.hpp).
   std::vector<Embedding> embed(const Points& points) const;
 
   /// Eq. (1) at an embedding: the point back.
@@ -71,6 +75,7 @@ class Embedder {
   Embedding outside(const Point& point) const;
 
   Lattice lattice_;
+  Family family_;
   std::optional<Box> box_;
   Oracle oracle_;
   Point centre_;

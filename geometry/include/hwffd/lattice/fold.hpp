@@ -2,12 +2,13 @@
 
 #include <string>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
 
-/// Whether the map of a lattice, eq. (1) with uniform cubic B-splines over all its cells, folds
-/// space (paper, section 2: the morph "must be invertible").
+/// Whether the map of a lattice, eq. (1) with functions of a family over all its cells, folds space
+/// (paper, section 2: the morph "must be invertible").
 struct FoldCheck {
   enum class Verdict {
     kProved,    ///< det J has one sign in all cells
@@ -36,6 +37,6 @@ struct FoldCheck {
 ///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
-FoldCheck check_folds(const Lattice& lattice, int max_depth = 6);
+FoldCheck check_folds(const Lattice& lattice, int max_depth = 6, const Family& family = {});
 
 }  // namespace hwffd

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "device/stream_device.hpp"
+
+namespace hwffd {
+
+/// Models of one row, one for each thread that evaluates: the vertices of a call are spread over
+/// them (on_threads.hpp). Bits are those of one model, which do not depend on other vertices.
+class SpreadDevice final : public Device {
+ public:
+  using Make = std::function<std::unique_ptr<StreamDevice>()>;
+
+  /// @param make  one more model; called when a thread needs one
+  explicit SpreadDevice(Make make);
+
+  std::string name() const override { return name_; }
+
+ protected:
+  Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
+                        const Blending& blending) override;
+  Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;
+  Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
+             const Blending& blending) override;
+
+ private:
+  using Part = std::function<void(StreamDevice& model, const std::vector<Embedded>& vertices,
+                                  std::size_t first)>;
+
+  /// Calls part with ranges of the vertices and a model that nobody else uses.
+  void spread(const std::vector<Embedded>& vertices, const Part& part);
+  std::unique_ptr<StreamDevice> take();
+  /// Counts what the model did, and keeps it for the next.
+  void give_back(std::unique_ptr<StreamDevice> model);
+
+  Make make_;
+  std::string name_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<StreamDevice>> idle_;
+};
+
+}  // namespace hwffd

@@ -1,0 +1,104 @@
+// Work on threads: done once each, the same results however many there are, and an end when asked.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "cube.hpp"
+#include "embed/samples.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/lattice_evaluator.hpp"
+#include "hwffd/lattice/weights.hpp"
+#include "hwffd/on_threads.hpp"
+#include "same_bits.hpp"
+
+namespace hwffd {
+namespace {
+
+class Threads : public ::testing::Test {
+ protected:
+  ~Threads() override { set_thread_count(0); }
+};
+
+TEST_F(Threads, EveryRangeIsDoneOnce) {
+  for (const std::size_t threads : {1, 2, 7}) {
+    set_thread_count(threads);
+    EXPECT_EQ(thread_count(), threads);
+    for (const std::size_t count : {0, 1, 9, 10, 11, 1000}) {
+      std::vector<std::atomic<int>> done(count);
+      on_ranges(count, 10, [&](std::size_t first, std::size_t end) {
+        EXPECT_TRUE(first % 10 == 0 && end <= count && end - first <= 10) << first << " " << end;
+        for (std::size_t i = first; i < end; ++i) ++done[i];
+      });
+      for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
+    }
+  }
+}
+
+TEST_F(Threads, ThrowWhatTheWorkThrew) {
+  for (const std::size_t threads : {1, 3}) {
+    set_thread_count(threads);
+    std::atomic<int> begun{0};
+    EXPECT_THROW(on_threads(100000,
+                            [&](std::size_t i) {
+                              ++begun;
+                              if (i == 10) throw std::out_of_range("ten");
+                            }),
+                 std::out_of_range);
+    EXPECT_LT(begun, 100000);
+  }
+}
+
+// Ends 100 s of work after some 50 ms; within 200 on a machine that is idle.
+TEST_F(Threads, AWatchEndsThem) {
+  struct Enough {};
+  for (const std::size_t threads : {1, 3}) {
+    set_thread_count(threads);
+    const auto start = std::chrono::steady_clock::now();
+    const auto wait = [](std::size_t) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    {
+      const Watch watch([] { throw Enough(); });
+      EXPECT_THROW(on_threads(100000, wait), Enough);
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    on_threads(100, wait);  // nobody watches any more
+  }
+}
+
+TEST_F(Threads, BitsDoNotDependOnTheirNumber) {
+  constexpr int kPoints = 40000;
+  const Lattice rest = lattice_around("sphere", cube(), {5, 6, 9});
+  const Lattice deformed = Deformation::parse("twist:50").apply(rest);
+  const Points points = 1.2 * Points::Random(kPoints, 3);
+  const auto all = [&](std::size_t threads) {
+    set_thread_count(threads);
+    const Attachment attachment(rest, points.topRows(500), Outside::parse("clamp"));
+    const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+    std::vector<Embedded> places = embed::known_places(rest, kPoints, 1);
+    std::vector<Points> results{
+        evaluate_in(deformed, places, {bspline, bspline, bspline}),
+        attachment.follow(evaluate_in(deformed, attachment.places(), {bspline, bspline, bspline})),
+        pull_back(attachment, points.topRows(500))};
+    for (const Eigen::Matrix3d& gradient : attachment.gradients(deformed)) {
+      results.emplace_back(gradient);
+    }
+    return results;
+  };
+  const std::vector<Points> one = all(1);
+  for (const std::size_t threads : {2, 5}) {
+    const std::vector<Points> many = all(threads);
+    ASSERT_EQ(many.size(), one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_TRUE(same_bits(one[i], many[i])) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hwffd
