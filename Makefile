@@ -152,7 +152,7 @@ bounds: install
 hwffd: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd hwffd_gl_shared hwffd-command hwffd_python
+	@$(CMAKE_BUILD) --target hwffd hwffd_rtl hwffd_gl_shared hwffd-command hwffd_python
 	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$HWFFD_GIVEN_PREFIX", \
 	  echo 'built build/apps/hwffd; to install it: make hwffd PREFIX=/usr/local')
 
@@ -169,7 +169,7 @@ mass-spring: install
 glapi: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd_gl_shared hwffd_python
+	@$(CMAKE_BUILD) --target hwffd_rtl hwffd_gl_shared hwffd_python
 	@$(STUDY) glapi -- $(BUILD)/venv/bin/python tests/gl/glapi.py --output $(BUILD)
 
 synth: install

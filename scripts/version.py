@@ -18,6 +18,10 @@ class Version(NamedTuple):
     minor: int
     patch: int
 
+    @property
+    def number(self):
+        return (self.major * 100 + self.minor) * 100 + self.patch
+
     def __str__(self):
         return ".".join(map(str, self))
 
@@ -39,4 +43,10 @@ def header_text(version):
              "#define HWFFD_VERSION_H", ""]
     lines += [f"#define HWFFD_VERSION_{part.upper()} {number}"
               for part, number in version._asdict().items()]
-    return "\n".join([*lines, f'#define HWFFD_VERSION "{version}"', "", "#endif"]) + "\n"
+    lines += [f'#define HWFFD_VERSION "{version}"', "",
+              "/* One number that grows with the version: 10203 is 1.2.3. */",
+              f"#define HWFFD_VERSION_NUMBER {version.number}",
+              "/* Whether the headers are of that version or a later one, in #if too. */",
+              "#define HWFFD_VERSION_AT_LEAST(major, minor, patch) \\",
+              "  (HWFFD_VERSION_NUMBER >= (major)*10000 + (minor)*100 + (patch))"]
+    return "\n".join([*lines, "", "#endif"]) + "\n"

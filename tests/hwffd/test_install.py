@@ -26,7 +26,7 @@ EXAMPLES = ROOT / "examples"
 PROJECT = """cmake_minimum_required(VERSION 3.18)
 project(stranger LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
-find_package(hwffd 0.2 REQUIRED)
+find_package(hwffd 0.2 REQUIRED COMPONENTS core gl)
 add_executable(deform_c deform.c)
 target_link_libraries(deform_c PRIVATE hwffd::hwffd)
 add_executable(deform_cpp deform.cpp)

@@ -1,0 +1,64 @@
+// The factory of cores for the shared library: the Verilated ones are in a library of their own,
+// which is loaded when a core is first asked for.
+
+#include <dlfcn.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "hwffd/cores/stream_core_factory.hpp"
+#include "stream_core_exports.hpp"
+
+namespace hwffd::cores {
+namespace {
+
+/// Beside this library, or where the system looks.
+void* open_library() {
+  Dl_info own{};
+  if (dladdr(reinterpret_cast<void*>(&has_stream_core), &own) != 0 && own.dli_fname != nullptr) {
+    const auto beside = std::filesystem::path(own.dli_fname).parent_path() / HWFFD_RTL_LIBRARY;
+    void* library = dlopen(beside.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library != nullptr) return library;
+  }
+  return dlopen(HWFFD_RTL_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+}
+
+/// Its functions; null pointers where it is not there, or of another version.
+struct Library {
+  Library() {
+    void* library = open_library();
+    if (library == nullptr) return;
+    const auto version = reinterpret_cast<const char* (*)()>(dlsym(library, "hwffd_rtl_version"));
+    if (version == nullptr || std::string(version()) != HWFFD_PROJECT_VERSION) return;
+    has = reinterpret_cast<decltype(has)>(dlsym(library, "hwffd_rtl_has"));
+    make = reinterpret_cast<decltype(make)>(dlsym(library, "hwffd_rtl_make"));
+  }
+  decltype(&hwffd_rtl_has) has = nullptr;
+  decltype(&hwffd_rtl_make) make = nullptr;
+};
+
+const Library& library() {
+  static const Library loaded;
+  return loaded;
+}
+
+}  // namespace
+
+bool has_stream_core(const Configuration& configuration) {
+  return library().has != nullptr && library().has(configuration.name) != 0;
+}
+
+bool stream_cores_can_trace() { return false; }
+
+std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration, std::uint64_t seed,
+                                             const std::string& trace) {
+  if (!trace.empty() || !has_stream_core(configuration)) {
+    throw std::invalid_argument(std::string("no core of row ") + configuration.name);
+  }
+  return std::unique_ptr<StreamCore>(library().make(configuration.name, seed));
+}
+
+}  // namespace hwffd::cores
