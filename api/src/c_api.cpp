@@ -1,54 +1,42 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <exception>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "hwffd/device/deformable_lattice.hpp"
-#include "hwffd/error.hpp"
-#include "hwffd/hwffd.h"
+#include "c_guard.hpp"
+#include "c_views.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
+#include "hwffd/on_threads.hpp"
 
 using namespace hwffd;
+using namespace hwffd::c;
 
-struct hwffd_lattice : DeformableLattice {
-  using DeformableLattice::DeformableLattice;
-};
-
+namespace hwffd::c {
 namespace {
 
 thread_local std::string last_error;
 
-/// Runs a body; an exception becomes a status and hwffd_error().
-template <typename Body>
-int guarded(Body body) {
+}  // namespace
+
+void keep_error(const char* text) noexcept {
   try {
-    body();
-    return HWFFD_OK;
-  } catch (const Error& error) {
-    last_error = error.what();
-    return error.exit_status();
-  } catch (const std::exception& error) {
-    last_error = error.what();
-    return HWFFD_ERROR;
+    last_error = text;
+  } catch (const std::bad_alloc&) {
+    last_error.clear();
   }
 }
 
-template <typename Make>
-hwffd_lattice* made(Make make) {
-  std::unique_ptr<hwffd_lattice> lattice;
-  guarded([&] { lattice = std::make_unique<hwffd_lattice>(make()); });
-  return lattice.release();
-}
+}  // namespace hwffd::c
 
-template <typename T>
-void need(const T* pointer, const char* name, std::size_t count = 1) {
-  if (pointer == nullptr && count > 0) throw UsageError(std::string(name) + " is NULL; give it");
-}
+namespace {
 
 Points copied(const double* points, std::size_t n) {
+  if (n > kMostPoints) {
+    throw UsageError(fmt::format("n: {} points; give at most {}", n, kMostPoints));
+  }
   return Eigen::Map<const Points>(points, static_cast<Eigen::Index>(n), 3);
 }
 
@@ -82,14 +70,16 @@ extern "C" {
 
 const char* hwffd_version(void) { return HWFFD_VERSION; }
 
+void hwffd_set_threads(size_t count) { set_thread_count(count); }
+
 const char* hwffd_error(void) { return last_error.c_str(); }
 
 hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points) {
-  return made([&] { return checked_lattice(dims, points); });
+  return made<hwffd_lattice>([&] { return checked_lattice(dims, points); });
 }
 
 hwffd_lattice* hwffd_lattice_read(const char* path) {
-  return made([&] {
+  return made<hwffd_lattice>([&] {
     need(path, "path");
     return read_lattice(path);
   });
@@ -97,7 +87,7 @@ hwffd_lattice* hwffd_lattice_read(const char* path) {
 
 hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const double* points,
                                     size_t n) {
-  return made([&] {
+  return made<hwffd_lattice>([&] {
     need(shape, "shape");
     need(points, "points", n);
     const Index3 counts = dims == nullptr ? usual_dims(shape) : Index3{dims[0], dims[1], dims[2]};
@@ -107,13 +97,29 @@ hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const 
 
 void hwffd_lattice_free(hwffd_lattice* lattice) { delete lattice; }
 
-void hwffd_lattice_dims(const hwffd_lattice* lattice, int dims[3]) {
-  const Index3& counts = lattice->rest().dims();
-  std::copy(counts.begin(), counts.end(), dims);
+int hwffd_lattice_dims(const hwffd_lattice* lattice, int dims[3]) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(dims, "dims");
+    const Index3& counts = lattice->rest().dims();
+    std::copy(counts.begin(), counts.end(), dims);
+  });
 }
 
-void hwffd_lattice_points(const hwffd_lattice* lattice, double* points) {
-  copy_out(lattice->deformed().points(), points);
+int hwffd_lattice_family(hwffd_lattice* lattice, const char* family) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(family, "family");
+    lattice->set_family(Family::parse(family));
+  });
+}
+
+int hwffd_lattice_points(const hwffd_lattice* lattice, double* points) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(points, "points");
+    copy_out(lattice->deformed().points(), points);
+  });
 }
 
 int hwffd_lattice_move(hwffd_lattice* lattice, const double* points) {
@@ -192,6 +198,15 @@ int hwffd_deform(hwffd_lattice* lattice, const double* points, size_t n, double*
     need(points, "points", n);
     need(out, "out", n);
     copy_out(lattice->carry(copied(points, n)), out);
+  });
+}
+
+int hwffd_deform_view(hwffd_lattice* lattice, const hwffd_view* points, const hwffd_view* out) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    const Points at_rest = read_view(points, "points");
+    check_room(out, "out", static_cast<std::size_t>(at_rest.rows()));
+    write_view(lattice->carry(at_rest), out, "out");
   });
 }
 

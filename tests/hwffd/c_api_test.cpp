@@ -200,6 +200,8 @@ TEST(CApi, VersionOfLibraryHeadersRegistersAndProjectIsOne) {
   EXPECT_EQ(registers, HWFFD_VERSION);
   EXPECT_STREQ(hwffd_version(), HWFFD_VERSION);
   EXPECT_STREQ(hwffd_version(), PROJECT_VERSION);
+  static_assert(HWFFD_VERSION_AT_LEAST(HWFFD_VERSION_MAJOR, HWFFD_VERSION_MINOR, 0), "as #if says");
+  static_assert(!HWFFD_VERSION_AT_LEAST(HWFFD_VERSION_MAJOR, HWFFD_VERSION_MINOR + 1, 0), "newer");
 }
 
 }  // namespace

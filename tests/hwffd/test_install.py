@@ -38,6 +38,12 @@ target_link_libraries(drive PRIVATE hwffd::hwffd)
 add_executable(glffd glffd.c)
 target_link_libraries(glffd PRIVATE hwffd::gl m)
 """
+CORE = """cmake_minimum_required(VERSION 3.18)
+project(core LANGUAGES C)
+find_package(hwffd 0.2 REQUIRED COMPONENTS {})
+add_executable(deform_c deform.c)
+target_link_libraries(deform_c PRIVATE hwffd::core)
+"""
 PROGRAM = """#include <hwffd/device/deformable_lattice.hpp>
 #include <hwffd/lattice/around.hpp>
 #include <cstdio>
@@ -145,6 +151,37 @@ class Programs(Installed):
         for line in commands:
             run("sh", "-c", line, cwd=self.folder, env=dict(os.environ, PATH=path))
             self.assertTrue((self.folder / line.split()[-1]).is_file(), line)
+
+    def core(self, components):
+        """A project in C for which neither OpenGL nor Eigen is there; the words that build it."""
+        source = self.folder / components.replace(" ", "-")
+        source.mkdir()
+        (source / "CMakeLists.txt").write_text(CORE.format(components))
+        (source / "deform.c").write_text((EXAMPLES / "deform.c").read_text())
+        return source, (CMAKE, "-S", source, "-B", source / "build",
+                        f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                        "-DCMAKE_DISABLE_FIND_PACKAGE_OpenGL=ON",
+                        "-DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON")
+
+    def test_core_needs_neither_opengl_nor_eigen(self):
+        source, words = self.core("core")
+        run(*words)
+        run(CMAKE, "--build", source / "build")
+        self.assertEqual(len(run(source / "build" / "deform_c").splitlines()), 3)
+
+    def test_components_that_are_not_there_are_refused(self):
+        for components, part in ("core plot", "plot"), ("core gl", "OpenGL"):
+            _, words = self.core(components)
+            with self.assertRaisesRegex(AssertionError, part):
+                run(*words)
+
+    def test_pkg_config(self):
+        (folder,) = self.prefix.glob("lib*/**/pkgconfig")
+        env = dict(os.environ, PKG_CONFIG_PATH=str(folder))
+        flags = run("pkg-config", "--cflags", "--libs", "hwffd", env=env).split()
+        program = self.folder / "deform_by_pkg_config"
+        run("cc", EXAMPLES / "deform.c", "-o", program, *flags, f"-Wl,-rpath,{folder.parent}")
+        self.assertEqual(len(run(program).splitlines()), 3)
 
     def test_find_package(self):
         build = self.stranger()

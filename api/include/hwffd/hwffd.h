@@ -3,8 +3,8 @@
  * Free-form deformation over plain arrays, for programs in C and everything that calls C.
  *
  * A lattice holds its control points at rest and deformed, and the device that evaluates it.
- * Points are doubles x, y, z, one point after the other; control point (i, j, k), i along s, j
- * along t, k along u, is number (i*n_t + j)*n_u + k.
+ * Points are doubles x, y, z, one point after the other, or lie as a hwffd_view says; control point
+ * (i, j, k), i along s, j along t, k along u, is number (i*n_t + j)*n_u + k.
  *
  * Functions that can fail return HWFFD_OK, HWFFD_ERROR or HWFFD_USAGE, those that make a lattice
  * NULL; hwffd_error() then says why, in one line, and what they were to fill is unchanged. A
@@ -14,6 +14,7 @@
 #define HWFFD_HWFFD_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "hwffd/version.h"
 
@@ -31,6 +32,12 @@ typedef struct hwffd_lattice hwffd_lattice;
 
 /** HWFFD_VERSION of the library that runs, "1.2.3"; the macros are those of the headers. */
 const char* hwffd_version(void);
+
+/**
+ * How many threads embed and evaluate, in all of the program; 0: as many as there are cores, as at
+ * first. No result depends on it.
+ */
+void hwffd_set_threads(size_t count);
 
 /** Why the last call of this thread failed; "" if none did. Valid until the next failure. */
 const char* hwffd_error(void);
@@ -56,10 +63,17 @@ hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const 
 /** NULL is allowed. */
 void hwffd_lattice_free(hwffd_lattice* lattice);
 
-void hwffd_lattice_dims(const hwffd_lattice* lattice, int dims[3]);
+/** Control points along s, t, u. */
+int hwffd_lattice_dims(const hwffd_lattice* lattice, int dims[3]);
+
+/**
+ * Makes the control points, at rest and deformed, those of another family of blending functions:
+ * "bspline" (at first), "clamped", "bernstein", "catmull-rom" or "linear" (docs/lattice.md).
+ */
+int hwffd_lattice_family(hwffd_lattice* lattice, const char* family);
 
 /** Copies the control points, dims[0]*dims[1]*dims[2] of them, as they are deformed now. */
-void hwffd_lattice_points(const hwffd_lattice* lattice, double* points);
+int hwffd_lattice_points(const hwffd_lattice* lattice, double* points);
 
 /** Moves the control points to new places; the lattice at rest stays. */
 int hwffd_lattice_move(hwffd_lattice* lattice, const double* points);
@@ -112,6 +126,101 @@ int hwffd_deform(hwffd_lattice* lattice, const double* points, size_t n, double*
  * stayed where they were. 0 before, and for NULL.
  */
 size_t hwffd_outside(const hwffd_lattice* lattice);
+
+enum {
+  HWFFD_FLOAT32 = 1, /**< float */
+  HWFFD_FLOAT64 = 2  /**< double */
+};
+
+/**
+ * Where points lie in memory that is the caller's: coordinate c of point i, a number of `type`, is
+ * i*point_bytes + c*coordinate_bytes bytes behind `data`. Numbers need no alignment. What is read
+ * is not written to.
+ */
+typedef struct hwffd_view {
+  void* data;                 /**< x of the first point; NULL if there are none */
+  size_t count;               /**< of points */
+  int type;                   /**< HWFFD_FLOAT32 or HWFFD_FLOAT64 */
+  ptrdiff_t point_bytes;      /**< from a point to the next; negative too */
+  ptrdiff_t coordinate_bytes; /**< from x to y and y to z */
+} hwffd_view;
+
+/** A view of x, y, z, one point after the other; of an unknown type a view that is refused. */
+hwffd_view hwffd_packed(int type, const void* data, size_t count);
+/** The same of room for results. */
+hwffd_view hwffd_packed_out(int type, void* data, size_t count);
+
+/** As hwffd_deform(), of points that lie anywhere; `out` may be `points`. */
+int hwffd_deform_view(hwffd_lattice* lattice, const hwffd_view* points, const hwffd_view* out);
+
+/**
+ * Points attached to a lattice: where they lie in it at rest, kept to be deformed again and again.
+ * It refers to no lattice that lives, and may be used by several threads.
+ */
+typedef struct hwffd_attached hwffd_attached;
+
+/** Embeds points in the lattice at rest, with its family and hwffd_lattice_outside() of now. */
+hwffd_attached* hwffd_attach(const hwffd_lattice* lattice, const hwffd_view* points);
+
+/** NULL is allowed. */
+void hwffd_attached_free(hwffd_attached* attached);
+
+/** What became of points that were attached. */
+typedef struct hwffd_counts {
+  size_t points;
+  size_t inside;
+  size_t outside;
+  double worst_residual; /**< of those inside: distance of eq. (1) at rest from the point */
+} hwffd_counts;
+
+int hwffd_attached_counts(const hwffd_attached* attached, hwffd_counts* counts);
+
+/**
+ * Where the deformed lattice takes the points: the bits of hwffd_deform().
+ * @param lattice  that which they were attached to, or one with the same points at rest and family
+ */
+int hwffd_attached_deform(const hwffd_attached* attached, hwffd_lattice* lattice,
+                          const hwffd_view* out);
+
+/**
+ * The gradient of the deformation at each point, 3 x 3, in double: out[9*i + 3*r + c] is the
+ * derivative of coordinate r of the moved point i along coordinate c of the point at rest. NaN
+ * where it is not known: at poles and axes, and for points outside that follow.
+ */
+int hwffd_attached_gradients(const hwffd_attached* attached, const hwffd_lattice* lattice,
+                             double* out);
+
+/** The determinants of these gradients, one for each point. */
+int hwffd_attached_determinants(const hwffd_attached* attached, const hwffd_lattice* lattice,
+                                double* out);
+
+/** Normals, of any length, as the deformation turns them, of length 1; NaN where not known. */
+int hwffd_attached_normals(const hwffd_attached* attached, const hwffd_lattice* lattice,
+                           const hwffd_view* normals, const hwffd_view* out);
+
+/** How many weights hwffd_attached_weights() gives; 0 for NULL. */
+size_t hwffd_attached_weight_count(const hwffd_attached* attached);
+
+/**
+ * The weights of the control points in the points, a sparse matrix W by rows: row i has values[w]
+ * in column columns[w], the number of a control point, for w from starts[i] to starts[i + 1] - 1.
+ * Where P are control points, W P + hwffd_attached_unmoved() are the points, but for rounding.
+ * @param starts  points + 1 numbers
+ * @param columns, values  hwffd_attached_weight_count() numbers each
+ */
+int hwffd_attached_weights(const hwffd_attached* attached, int64_t* starts, int32_t* columns,
+                           double* values);
+
+/** What does not move with the control points: 0 for a point inside, the point if it stays. */
+int hwffd_attached_unmoved(const hwffd_attached* attached, const hwffd_view* out);
+
+/**
+ * The transpose product: of the gradient of a number with respect to the points that with respect
+ * to the control points.
+ * @param out  x, y, z for each control point of the lattice
+ */
+int hwffd_attached_pull_back(const hwffd_attached* attached, const hwffd_view* gradient,
+                             double* out);
 
 #ifdef __cplusplus
 }

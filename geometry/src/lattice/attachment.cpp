@@ -17,7 +17,12 @@ namespace hwffd {
 namespace {
 
 constexpr double kSingularPivot = 1e-9;        // of the largest pivot
+constexpr Eigen::Index kRowsAtOnce = 4096;     // between two looks at who waits
 constexpr std::size_t kGradientsAtOnce = 256;  // places that a thread takes at once
+
+bool is_outside(const Embedding& embedding) {
+  return embedding.status == EmbeddingStatus::kOutside;
+}
 
 Eigen::Matrix3d jacobian_at(const Embedded& place, const Lattice& lattice, const Family& family) {
   return Oracle().jet(family.support(lattice, place.cell), place.local).jacobian;
@@ -39,22 +44,24 @@ Attachment::Attachment(const Lattice& rest, const Points& points, const Outside&
                        const Family& family)
     : Attachment(Embedder(rest, family), points, outside) {}
 
-Attachment::Attachment(const Embedder& embedder, const Points& points, const Outside& outside)
+Attachment::Attachment(const Embedder& embedder, const Points& points, const Outside& outside,
+                       Unsure unsure)
     : rest_(embedder.lattice()), family_(embedder.family()), points_(points), outside_(outside) {
   check_coordinates("point", points);
   embeddings_ = embedder.embed(points);
   summary_ = summarize(embeddings_);
-  check_converged();
+  if (unsure == Unsure::kRefuse) check_converged();
   const std::vector<NearestPlace::Result> nearest = nearest_places();
   auto next = nearest.begin();
   for (Eigen::Index row = 0; row < points.rows(); ++row) {
+    if (row % kRowsAtOnce == 0) Watch::look();
     const Embedding& embedding = embeddings_[static_cast<std::size_t>(row)];
     if (embedding.status == EmbeddingStatus::kInside) {
       places_.push_back(embedding.at);
       followers_.push_back({row, 1.0, Point::Zero()});
       continue;
     }
-    if (outside.kind() == Outside::Kind::kKeep) continue;
+    if (outside.kind() == Outside::Kind::kKeep || !is_outside(embedding)) continue;
     const NearestPlace::Result& place = *next++;
     const double weight = outside.weight(place.distance);
     if (weight == 0.0) continue;
@@ -79,7 +86,7 @@ std::vector<NearestPlace::Result> Attachment::nearest_places() const {
   if (outside_.kind() == Outside::Kind::kKeep) return {};
   std::vector<Eigen::Index> rows;
   for (Eigen::Index row = 0; row < points_.rows(); ++row) {
-    if (!is_inside(row)) rows.push_back(row);
+    if (is_outside(embeddings_[static_cast<std::size_t>(row)])) rows.push_back(row);
   }
   if (rows.empty()) return {};
   const NearestPlace nearest(rest_, family_);

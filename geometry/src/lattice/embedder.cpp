@@ -40,6 +40,7 @@ Embedder::Embedder(Lattice lattice, const Family& family)
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (const Index3& cell : places(family_.cells(lattice_.dims()))) {
+    Watch::look();
     Support support = family_.support(lattice_, cell);
     support.rowwise() -= centre_.transpose();
     BezierVolume hull = BezierVolume::of_cell(support);

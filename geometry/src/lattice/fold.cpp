@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hwffd/lattice/bezier_volume.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd {
 namespace {
@@ -56,6 +57,7 @@ class Check {
     size_ = (high - low).maxCoeff();
     const Index3 count = family.cells(lattice.dims());
     for (const Index3& cell : places(count)) {
+      Watch::look();
       Support support = family.support(lattice, cell);
       support.rowwise() -= centre.transpose();
       add_cell(count, cell, BezierVolume::of_cell(support));
@@ -66,6 +68,7 @@ class Check {
   FoldCheck run(int max_depth) {
     for (;; ++result_.depth) {
       std::vector<Part> unclear;
+      Watch::look();
       for (Part& part : parts_) {
         if (is_folded(part)) return result_;
         if (!is_proved(part)) unclear.push_back(std::move(part));

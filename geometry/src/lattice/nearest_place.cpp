@@ -5,6 +5,7 @@
 
 #include "bounds.hpp"
 #include "hwffd/lattice/closure.hpp"
+#include "hwffd/on_threads.hpp"
 #include "newton.hpp"
 
 namespace hwffd {
@@ -58,6 +59,7 @@ NearestPlace::NearestPlace(const Lattice& lattice, const Family& family)
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (const Index3& cell : places(count)) {
+    Watch::look();
     const BezierVolume hull = BezierVolume::of_cell(support(cell));
     for (int f = 0; f < 6; ++f) {
       const int axis = f / 2;

@@ -51,6 +51,10 @@ PlaceWeights weights_at(const Attachment& attachment, std::size_t place) {
 
 }  // namespace
 
+std::size_t weight_count(const Attachment& attachment) {
+  return kWeights * attachment.places().size();
+}
+
 SparseRows weights_of(const Attachment& attachment) {
   const auto& followers = attachment.followers();
   SparseRows rows;

@@ -46,7 +46,10 @@ class DeformableLattice {
   std::vector<Embedding> embed(const Points& points) const { return embedder_.embed(points); }
   /// Points of the space at rest, n x 3, embedded to be carried again and again.
   /// @throws as Attachment
-  Attachment attach(const Points& points) const { return {embedder_, points, outside_}; }
+  Attachment attach(const Points& points,
+                    Attachment::Unsure unsure = Attachment::Unsure::kRefuse) const {
+    return {embedder_, points, outside_, unsure};
+  }
 
   /// Eq. (1) in the deformed lattice, n x 3; coordinates beyond [0, 1] are clamped.
   Points evaluate(std::vector<Embedded> vertices);

@@ -25,8 +25,12 @@ class Attachment {
   Attachment(const Lattice& rest, const Points& points, const Outside& outside,
              const Family& family = {});
 
+  /// What becomes of points that can neither be embedded nor proved to be outside.
+  enum class Unsure { kRefuse, kStay };
+
   /// The same, without the search for cells that an embedder has done already.
-  Attachment(const Embedder& embedder, const Points& points, const Outside& outside);
+  Attachment(const Embedder& embedder, const Points& points, const Outside& outside,
+             Unsure unsure = Unsure::kRefuse);
 
   /// How many points there are.
   Eigen::Index size() const { return points_.rows(); }

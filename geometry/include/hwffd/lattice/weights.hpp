@@ -20,6 +20,8 @@ struct SparseRows {
 /// weights, B_l(s) B_m(t) B_n(u); one outside that follows (Outside) has those of its place times
 /// its part of the displacement; one that stays has none.
 SparseRows weights_of(const Attachment& attachment);
+/// How many there are.
+std::size_t weight_count(const Attachment& attachment);
 
 /// What does not move with the control points, n x 3: zero for points inside, the point itself for
 /// one that stays.
