@@ -208,6 +208,7 @@ formal: install
 test: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
+	@scripts/python_env python
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
 	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
@@ -216,6 +217,7 @@ test-all: install
 	@scripts/python_env all
 	@scripts/python_env figures
 	@scripts/python_env theorems
+	@scripts/python_env python
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

@@ -205,7 +205,7 @@ class Python(Installed):
         script.write_text(README_PYTHON.format(copied_from_readme("python")))
         self.python(script)
 
-    def test_errors(self):
+    def test_simulated_hardware(self):
         self.python(pathlib.Path(__file__).with_name("python_module.py"))
 
 
