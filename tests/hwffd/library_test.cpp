@@ -109,6 +109,9 @@ TEST_F(Library, PointsOfAnotherLatticeAreRefused) {
       "these points are attached to another lattice at rest; attach them to this one";
   EXPECT_ERROR(lattice.carry(other.attach(points_)), text);
   EXPECT_ERROR(lattice.gradients(other.attach(points_)), text);
+  DeformableLattice larger(lattice_around("box", 2 * cube(), {5, 5, 4}));
+  DeformableLattice smaller(lattice_around("box", cube(), {5, 5, 4}));
+  EXPECT_ERROR(smaller.carry(larger.attach(points_)), text);
   const Attachment attachment = lattice.attach(points_);
   lattice.set_family(Family::parse("linear"));
   EXPECT_ERROR(lattice.carry(attachment), text);

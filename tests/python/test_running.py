@@ -54,16 +54,20 @@ def test_other_threads_run_meanwhile(many):
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-@pytest.mark.parametrize("work", ["embed", "reference", "model"])
+@pytest.mark.parametrize("work", ["embed", "jacobians", "model"])
 def test_ctrl_c_ends_a_call_within_0_2_s(work, threads, many):
     hwffd.set_threads(threads)
-    lattice = ball("reference" if work == "embed" else work)
+    points = np.concatenate([many] * 4)  # some seconds of work
+    lattice = ball()
     box = hwffd.Lattice.around("box", CORNERS, (9, 9, 9))
-    box.set_device(lattice.device.split()[0])
-    embedding = box.embed(many)
-    calls = {"embed": lambda: lattice.embed(many),
+    embedding = box.embed(points)
+    calls = {"embed": lambda: lattice.embed(points),
              "model": lambda: embedding.deform(box),
-             "reference": lambda: [embedding.jacobians(box) for _ in range(1000)]}
+             "jacobians": lambda: embedding.jacobians(box)}
+    start = time.monotonic()
+    if work == "jacobians":  # the shortest of them
+        calls[work]()
+        assert time.monotonic() - start > 2
     sent = []
 
     def interrupt():
@@ -77,7 +81,7 @@ def test_ctrl_c_ends_a_call_within_0_2_s(work, threads, many):
     late = time.monotonic() - sent[0]
     timer.join()
     # Freeing what was made, and a machine that is busy with other tests, take their time too.
-    assert late < 0.2 * (1 if os.getloadavg()[0] < os.cpu_count() else 10)
+    assert late < (0.2 if os.getloadavg()[0] < os.cpu_count() else 1)
     hwffd.deform(box, many[:100])
 
 
