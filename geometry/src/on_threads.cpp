@@ -45,6 +45,7 @@ class Job {
       wait();
     }
     if (thrown_) std::rethrow_exception(thrown_);
+    Watch::look();  // many short jobs are one long one
   }
 
  private:

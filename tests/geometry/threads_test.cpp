@@ -68,6 +68,11 @@ TEST_F(Threads, AWatchEndsThem) {
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
     on_threads(100, wait);  // nobody watches any more
+    const Watch again([] { throw Enough(); });
+    const auto many_short_ones = [&] {
+      for (int job = 0; job < 1000; ++job) on_threads(4, wait);
+    };
+    EXPECT_THROW(many_short_ones(), Enough);
   }
 }
 

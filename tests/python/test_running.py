@@ -54,7 +54,7 @@ def test_other_threads_run_meanwhile(many):
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-@pytest.mark.parametrize("work", ["embed", "jacobians", "model"])
+@pytest.mark.parametrize("work", ["embed", "boxes", "jacobians", "model"])
 def test_ctrl_c_ends_a_call_within_0_2_s(work, threads, many):
     hwffd.set_threads(threads)
     points = np.concatenate([many] * 4)  # some seconds of work
@@ -62,6 +62,7 @@ def test_ctrl_c_ends_a_call_within_0_2_s(work, threads, many):
     box = hwffd.Lattice.around("box", CORNERS, (9, 9, 9))
     embedding = box.embed(points)
     calls = {"embed": lambda: lattice.embed(points),
+             "boxes": lambda: box.embed(points),
              "model": lambda: embedding.deform(box),
              "jacobians": lambda: embedding.jacobians(box)}
     start = time.monotonic()

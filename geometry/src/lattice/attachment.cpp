@@ -47,12 +47,15 @@ Attachment::Attachment(const Lattice& rest, const Points& points, const Outside&
 Attachment::Attachment(const Embedder& embedder, const Points& points, const Outside& outside,
                        Unsure unsure)
     : rest_(embedder.lattice()), family_(embedder.family()), points_(points), outside_(outside) {
+  Watch::look();
   check_coordinates("point", points);
   embeddings_ = embedder.embed(points);
   summary_ = summarize(embeddings_);
   if (unsure == Unsure::kRefuse) check_converged();
   const std::vector<NearestPlace::Result> nearest = nearest_places();
   auto next = nearest.begin();
+  places_.reserve(summary_.inside + nearest.size());
+  followers_.reserve(summary_.inside + nearest.size());
   for (Eigen::Index row = 0; row < points.rows(); ++row) {
     if (row % kRowsAtOnce == 0) Watch::look();
     const Embedding& embedding = embeddings_[static_cast<std::size_t>(row)];

@@ -18,6 +18,7 @@ constexpr double kDone = 1e-14;       // residual at which Newton stops, of the 
 constexpr double kTolerance = 1e-12;  // residual that counts as inside, of the size
 constexpr double kFlat = 1e-9;        // least extent of a lattice, of its largest
 constexpr std::size_t kNearCells = 4;
+constexpr std::size_t kPointsOfABlock = 1 << 17;
 constexpr std::size_t kPointsAtOnce = 64;  // points that a thread embeds at once
 
 /// Throws Error if points lie in one plane: nothing could be embedded among them.
@@ -138,12 +139,18 @@ Embedding Embedder::embed(const Point& point) const {
 }
 
 std::vector<Embedding> Embedder::embed(const Points& points) const {
-  std::vector<Embedding> result(static_cast<std::size_t>(points.rows()));
-  on_ranges(result.size(), kPointsAtOnce, [&](std::size_t first, std::size_t end) {
-    for (std::size_t i = first; i < end; ++i) {
-      result[i] = embed(Point(points.row(static_cast<Eigen::Index>(i))));
-    }
-  });
+  const auto count = static_cast<std::size_t>(points.rows());
+  std::vector<Embedding> result;
+  result.reserve(count);
+  // Block by block, since to make room for millions takes time in which nobody looks at a Watch.
+  for (std::size_t begin = 0; begin < count; begin = result.size()) {
+    result.resize(std::min(count, begin + kPointsOfABlock));
+    on_ranges(result.size() - begin, kPointsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = begin + first; i < begin + end; ++i) {
+        result[i] = embed(Point(points.row(static_cast<Eigen::Index>(i))));
+      }
+    });
+  }
   return result;
 }
 
