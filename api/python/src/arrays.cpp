@@ -24,7 +24,7 @@ bool is_float32(const py::dtype& type) { return type.kind() == 'f' && type.items
 
 /// What NumPy makes of an object, if that is numbers.
 py::array numbers(const py::handle& object, const char* name) {
-  const auto array = py::array::ensure(object);
+  auto array = py::array::ensure(object);
   if (!array) {
     PyErr_Clear();
     throw UsageError(std::string(name) + ": no array; give one of NumPy, of float32 or float64");
