@@ -65,7 +65,8 @@ class Job {
       try {
         work_(i);
         const std::lock_guard<std::mutex> lock(mutex_);
-        progress_(++done_);
+        ++done_;
+        changed_.notify_one();
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!thrown_) thrown_ = std::current_exception();
@@ -74,13 +75,17 @@ class Job {
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     --running_;
-    ended_.notify_one();
+    changed_.notify_one();
   }
 
   void wait() {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!ended_.wait_for(lock, kPatience, [this] { return running_ == 0; })) {
+    for (std::size_t shown = 0; running_ > 0 || (shown < done_ && !thrown_);) {
+      changed_.wait_for(lock, kPatience, [&] { return running_ == 0 || shown < done_; });
+      const bool more = shown < done_ && !thrown_;
+      shown = done_;
       lock.unlock();
+      if (more) progress_(shown);
       Watch::look();
       lock.lock();
     }
@@ -91,7 +96,7 @@ class Job {
   const std::function<void(std::size_t)>& progress_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
-  std::condition_variable ended_;
+  std::condition_variable changed_;
   std::exception_ptr thrown_;
   std::size_t done_ = 0;
   std::size_t running_ = 0;

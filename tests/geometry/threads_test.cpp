@@ -39,6 +39,23 @@ TEST_F(Threads, EveryRangeIsDoneOnce) {
   }
 }
 
+TEST_F(Threads, ProgressIsOfTheCallingThreadAndRisesToTheEnd) {
+  for (const std::size_t threads : {1, 2, 7}) {
+    set_thread_count(threads);
+    for (const std::size_t count : {1, 9, 1000}) {
+      std::vector<std::size_t> shown{0};
+      on_threads(
+          count, [](std::size_t) {},
+          [&, caller = std::this_thread::get_id()](std::size_t done) {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            EXPECT_GT(done, shown.back());
+            shown.push_back(done);
+          });
+      EXPECT_EQ(shown.back(), count) << threads;
+    }
+  }
+}
+
 TEST_F(Threads, ThrowWhatTheWorkThrew) {
   for (const std::size_t threads : {1, 3}) {
     set_thread_count(threads);

@@ -11,9 +11,10 @@ std::size_t thread_count();
 /// @param count  0: as many as there are cores. Holds for all of the program.
 void set_thread_count(std::size_t count);
 
-/// Calls `work` with 0 to count - 1 on thread_count() threads, and `progress` with the number done
-/// after each, one thread at a time. Throws what the first call that threw threw, and what a Watch
-/// of the calling thread throws, which looks at the end too; no further work is begun then.
+/// Calls `work` with 0 to count - 1 on thread_count() threads, and on the calling thread `progress`
+/// with the number done whenever that has grown, at last with count. Throws what the first call
+/// that threw threw, and what a Watch of the calling thread throws, which looks at the end too; no
+/// further work is begun then.
 void on_threads(
     std::size_t count, const std::function<void(std::size_t)>& work,
     const std::function<void(std::size_t done)>& progress = [](std::size_t) {});
