@@ -228,7 +228,7 @@ coverage: install
 	@scripts/python_env
 	@scripts/python_env coverage
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_COVERAGE=ON
-	@$(CMAKE_BUILD)
+	@$(CMAKE_BUILD) --target hwffd_tests
 	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
 # The test programs in a column of a table.

@@ -59,6 +59,7 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # runs a tenth slower.
 #
 # Where HWFFD_COVERAGE is on, a model counts its lines, branches and toggles (tb/coverage/). Netlists do not.
+# A counter a bit makes thirty megabytes of C++ of a core, which no optimizer gets through in a minute.
 #
 # NETLIST says that the sources are gates or cells: not linted, since yosys writes what it likes; and
 # compiled for a short build, because an optimizer gains little on a hundred thousand lines without a
@@ -92,7 +93,7 @@ function(hwffd_verilate target)
     list(APPEND flags -Wall ${verilate_folders} ${control})
     if(HWFFD_COVERAGE)
       list(APPEND flags --coverage-line --coverage-toggle)
-      set(options -O1)
+      set(options -O0)
     endif()
   endif()
   if(ARG_LIBRARY)
