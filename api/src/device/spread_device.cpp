@@ -8,8 +8,8 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kVerticesOfAThread = 1024;   // at once: a model loads the lattice for each
-constexpr std::size_t kVerticesOfOneModel = 4096;  // no more are worth no second one
+// At once: a model loads the lattice for each, and goes on to the end of them when it is to stop.
+constexpr std::size_t kVerticesOfAThread = 8192;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void SpreadDevice::give_back(std::unique_ptr<StreamDevice> model) {
 }
 
 void SpreadDevice::spread(const std::vector<Embedded>& vertices, const Part& part) {
-  if (vertices.size() <= kVerticesOfOneModel) {
+  if (vertices.size() <= kVerticesOfAThread) {
     std::unique_ptr<StreamDevice> model = take();
     model->on_progress([this](double done) { show(done); });
     part(*model, vertices, 0);

@@ -63,8 +63,7 @@ class Device {
   /// @throws Error for a number that is not finite, and as evaluate() of a lattice
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
 
-  /// It is called by one thread at a time, not always by that which evaluates. What it throws ends
-  /// the evaluation.
+  /// It is called by the thread that evaluates. What it throws ends the evaluation.
   void on_progress(Progress progress) { progress_ = std::move(progress); }
   const Counts& counts() const { return counts_; }
 
