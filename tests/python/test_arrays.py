@@ -124,3 +124,19 @@ def test_local_coordinates_and_cells(lattice, points):
             cells + 0.5, local)
     with pytest.raises(hwffd.Error, match="^cells: 8589934592 in row 0; give 0 to 60$"):
         lattice.evaluate(np.full((1, 3), 2**33), local[:1])
+
+
+def test_cells_are_whole_numbers():
+    lattice = hwffd.Lattice.around("box", [[-1.0, -1, -1], [1, 1, 1]])
+    local = np.full((1, 3), 0.5)
+    for cells in ([[0.7, 0, 0]], [[True, False, False]]):
+        with pytest.raises(hwffd.UsageError, match="integers"):
+            lattice.evaluate(np.array(cells), local)
+    for cell in (2**33, -2**33, 1, -1):
+        with pytest.raises(hwffd.Error):
+            lattice.evaluate(np.array([[cell, 0, 0]]), local)
+    with pytest.raises(hwffd.Error):
+        lattice.evaluate(np.array([[2**63, 0, 0]], dtype=np.uint64), local)
+    for kind in (np.int8, np.uint16, np.int64, np.uint64):
+        assert lattice.evaluate(np.zeros((1, 3), dtype=kind), local).shape == (1, 3)
+    assert lattice.evaluate([[0, 0, 0]], local).shape == (1, 3)

@@ -52,6 +52,9 @@ def test_places_have_the_shape_of_the_points():
 def test_points_that_stay_are_told():
     lattice = hwffd.Lattice.around("box", CORNERS)
     lattice.deform("scale:2")
+    inside_in_float = hwffd.deform(lattice, CORNERS.astype(np.float32))
+    assert lattice.outside == 0
+    assert not (inside_in_float == CORNERS).any()
     points = np.array([[0.5, 0.5, 0.5], [7, 7, 7], [-4, 0, 0]])
     with pytest.warns(UserWarning, match="2 of 3 points are outside the lattice and stayed"):
         moved = hwffd.deform(lattice, points)
