@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "c_guard.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 
 namespace hwffd::c {
 namespace {
@@ -49,17 +48,6 @@ void check(const hwffd_view* view, const char* name) {
   need(static_cast<const char*>(view->data), fmt::format("{}: data", name).c_str(), view->count);
 }
 
-void check_floats(const Points& points, const char* name) {
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      if (std::abs(points(i, c)) > std::numeric_limits<float>::max()) {
-        throw Error(
-            fmt::format("{}: point {} is beyond what float holds; give HWFFD_FLOAT64", name, i));
-      }
-    }
-  }
-}
-
 }  // namespace
 
 Points read_view(const hwffd_view* view, const char* name) {
@@ -87,7 +75,10 @@ void write_view(const Points& points, const hwffd_view* view, const char* name) 
   if (view->type == HWFFD_FLOAT64) {
     write_as<double>(points, *view);
   } else {
-    check_floats(points, name);
+    if (const auto row = beyond_float(points)) {
+      throw Error(
+          fmt::format("{}: point {} is beyond what float holds; give HWFFD_FLOAT64", name, *row));
+    }
     write_as<float>(points, *view);
   }
 }

@@ -1,11 +1,11 @@
 #include "arrays.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <string>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 
 namespace hwffd::python {
 namespace {
@@ -47,6 +47,18 @@ Points copy_of(const py::array& array) {
 }  // namespace
 
 Shape grid_shape(const Index3& dims) { return {dims[0], dims[1], dims[2], 3}; }
+
+Index3 dims_of_grid(const Shape& shape) {
+  if (shape.size() != 4) {
+    throw UsageError("control points: " + std::to_string(shape.size()) +
+                     " dimensions; give four, (ns, nt, nu, 3)");
+  }
+  Index3 dims{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    dims[axis] = static_cast<int>(std::min<py::ssize_t>(shape[axis], 1 << 20));
+  }
+  return dims;
+}
 
 Read read_points(const py::handle& array, const char* name) {
   const py::array read = numbers(array, name);
@@ -93,15 +105,14 @@ py::array target(const py::object& out, const Shape& shape, bool is_float) {
 }
 
 void write_points(const Points& points, const py::array& to) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  if (is_float32(to.dtype())) {
-    for (Eigen::Index row = 0; row < points.rows(); ++row) {
-      if (!(points.row(row).array().abs() > kMost).any()) continue;
-      throw Error("point " + std::to_string(row) +
-                  " is beyond what float32 holds; give points or out of float64");
-    }
+  const auto row = is_float32(to.dtype()) ? beyond_float(points) : std::nullopt;
+  if (row) {
+    throw Error("point " + std::to_string(*row) +
+                " is beyond what float32 holds; give points or out of float64");
   }
-  to.attr("__setitem__")(py::ellipsis(), new_array(shape_of(to), points.data()));
+  // With a base, if only None, NumPy takes the numbers where they are.
+  const py::array_t<double> from(shape_of(to), points.data(), py::none());
+  to.attr("__setitem__")(py::ellipsis(), from);
 }
 
 py::array new_array(const Shape& shape, const double* data) {

@@ -48,5 +48,8 @@ py::array read_only(py::array array);
 
 /// (ns, nt, nu, 3)
 Shape grid_shape(const Index3& dims);
+/// The way back. Numbers that no lattice has may come out smaller, but none that one has.
+/// @throws UsageError for another number of dimensions
+Index3 dims_of_grid(const Shape& shape);
 
 }  // namespace hwffd::python

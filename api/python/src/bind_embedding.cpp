@@ -20,9 +20,9 @@ Shape with(const PyEmbedding& embedding, const Shape& last) {
   return shape;
 }
 
-/// An array of what get(embedding of a point) gives, `each` numbers a point.
-template <typename Number, typename Get>
-py::array array_of(const PyEmbedding& embedding, const Shape& last, const Get& put) {
+/// An array of what put(embedding of a point, to) writes there; it gives the place behind.
+template <typename Number, typename Put>
+py::array array_of(const PyEmbedding& embedding, const Shape& last, const Put& put) {
   py::array_t<Number> result(with(embedding, last));
   Number* to = result.mutable_data();
   for (const Embedding& at : embedding.attachment->embeddings()) to = put(at, to);
@@ -168,8 +168,7 @@ PyEmbedding embedding_from(const py::tuple& state) {
   const Read points = read_points(state[3], "points");
   const auto family = Family::parse(state[1].cast<std::string>());
   const auto outside = state[2].cast<std::string>();
-  const Index3 dims{static_cast<int>(rest.shape.at(0)), static_cast<int>(rest.shape.at(1)),
-                    static_cast<int>(rest.shape.at(2))};
+  const Index3 dims = dims_of_grid(rest.shape);
   const bool is_float = state[4].cast<bool>();
   const Unlocked unlocked;
   return {std::make_shared<Attachment>(Embedder(Lattice(dims, rest.points), family), points.points,

@@ -2,7 +2,6 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,14 +34,7 @@ Holder from_points(const Index3& dims, const py::object& points, const std::stri
 
 Holder of_grid(const py::object& control_points, const std::string& family) {
   const Read read = read_points(control_points, "control points");
-  if (read.shape.size() != 4) {
-    throw UsageError("control points: " + std::to_string(read.shape.size()) +
-                     " dimensions; give four, (ns, nt, nu, 3)");
-  }
-  Index3 dims{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    dims[axis] = static_cast<int>(std::min<py::ssize_t>(read.shape[axis], 1 << 20));
-  }
+  const Index3 dims = dims_of_grid(read.shape);
   const Unlocked unlocked;
   return made(Lattice(dims, read.points), Family::parse(family));
 }

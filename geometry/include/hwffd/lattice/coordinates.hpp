@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "hwffd/points.hpp"
 
 namespace hwffd {
@@ -16,5 +18,8 @@ inline bool has_coordinates(const Point& point) {
 /// Throws Error unless all points have coordinates. The message names the row: "point 3".
 /// @param what  "point", "lattice point"
 void check_coordinates(const char* what, const Points& points);
+
+/// The first point with a coordinate that is a number, but too large for float.
+std::optional<Eigen::Index> beyond_float(const Points& points);
 
 }  // namespace hwffd
