@@ -59,7 +59,7 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # runs a tenth slower.
 #
 # Where HWFFD_COVERAGE is on, a model counts its lines, branches and toggles (tb/coverage/). Netlists do not.
-# A counter a bit makes thirty megabytes of C++ of a core, which no optimizer gets through in a minute.
+# A counter a bit makes so much C++ of a core that no optimizer gets through in a minute.
 #
 # NETLIST says that the sources are gates or cells: not linted, since yosys writes what it likes; and
 # compiled for a short build, because an optimizer gains little on a hundred thousand lines without a
@@ -93,7 +93,7 @@ function(hwffd_verilate target)
     list(APPEND flags -Wall ${verilate_folders} ${control})
     if(HWFFD_COVERAGE)
       list(APPEND flags --coverage-line --coverage-toggle)
-      set(options -O0)
+      set(options -O1)
     endif()
   endif()
   if(ARG_LIBRARY)
@@ -113,11 +113,12 @@ function(hwffd_verilate target)
   endif()
   file(MAKE_DIRECTORY ${dir})
   set(script ${CMAKE_SOURCE_DIR}/cmake/verilate.sh)
+  set(counters ${CMAKE_SOURCE_DIR}/cmake/compact_counters.py)
   add_custom_command(
     OUTPUT ${dir}/${class}.cpp ${dir}/${class}.h
     COMMAND ${script} ${class} ${VERILATOR} ${flags} ${ARG_SOURCES}
     WORKING_DIRECTORY ${dir}
-    DEPENDS ${ARG_SOURCES} ${control} ${script}
+    DEPENDS ${ARG_SOURCES} ${control} ${script} $<$<BOOL:${HWFFD_COVERAGE}>:${counters}>
     DEPFILE ${dir}/${class}.d
     COMMENT "Verilating ${target}"
     VERBATIM)
@@ -137,5 +138,6 @@ function(hwffd_compile_model target dir)
   if(HWFFD_TRACE)
     target_compile_definitions(${target} INTERFACE HWFFD_TRACE)
   endif()
+  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tb/coverage)
   target_link_libraries(${target} PUBLIC verilated_runtime)
 endfunction()

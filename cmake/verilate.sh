@@ -15,12 +15,7 @@ if ! "$@" --Mdir new 2>verilator.log; then
   exit 1
 fi
 
-# Counters of coverage are those of the class, not of an instance: plain numbers that nothing sets back.
-if grep -q 'uint32_t> __Vcoverage' "new/${class}__Syms.h"; then
-  sed -i 's/std::atomic<uint32_t> __Vcoverage/static inline uint32_t __Vcoverage/' "new/${class}__Syms.h"
-  sed -i -E 's/(__Vcoverage\[[0-9]+\])\.fetch_add\(1, std::memory_order_relaxed\)/\1++/
-             s/std::atomic<uint32_t>/uint32_t/g; s/^ *\*count32p = 0;$//' new/*.cpp new/*.h
-fi
+python3 -B "$(dirname "$0")/compact_counters.py" "$class" new
 
 keep() {
   if cmp -s "$1" "$2"; then rm "$1"; else mv "$1" "$2"; fi

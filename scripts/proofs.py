@@ -23,7 +23,7 @@ import rtl
 TABLE = "tests/formal/properties.csv"
 COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file", "original",
            "mutant", "statement")
-PDR, INDUCTION = "pdr", "induction"
+PDR, SCORR, INDUCTION = METHODS = "pdr", "scorr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
 SEARCH = 120          # clocks from reset in which a planted bug must be found
 PROOF, CONTROL = "proof", "control"
@@ -78,8 +78,8 @@ def read(path):
                 raise ProofError(f"{where}: {column} '{getattr(one, column)}' is not a name")
         if not all(re.fullmatch(r"[A-Z]\w*=\d+", word) for word in one.parameters.split()):
             raise ProofError(f"{where}: parameters '{one.parameters}' are not NAME=NUMBER")
-        if one.method not in (PDR, INDUCTION):
-            raise ProofError(f"{where}: method '{one.method}' is neither {PDR} nor {INDUCTION}")
+        if one.method not in METHODS:
+            raise ProofError(f"{where}: method '{one.method}' is none of {', '.join(METHODS)}")
         if not one.original or one.original == one.mutant:
             raise ProofError(f"{where}: the planted bug changes nothing")
         if not one.statement:
@@ -194,6 +194,8 @@ class Proofs:
             steps = f"bmc3 -F {SEARCH} -T {self.limit}"
         elif one.method == PDR:
             steps = f"pdr -T {self.limit}"
+        elif one.method == SCORR:
+            steps = f"scorr; dc2; pdr -T {self.limit}"
         else:
             steps = f"bmc3 -F {BASE} -T {self.limit}; ind -F {STEPS} -T {self.limit}"
         return f"fold; strash; {steps}"
@@ -248,7 +250,7 @@ def decided(one, said):
     broken = re.search(r"was asserted in frame (\d+)", said)
     if broken:
         return REFUTED, int(broken.group(1))
-    proved = ("Property proved." in said if one.method == PDR else
+    proved = ("Property proved." in said if one.method != INDUCTION else
               f"No output asserted in {BASE} frames" in said
               and "Networks are equivalent" in said)
     return (PROVED if proved else UNDECIDED), None

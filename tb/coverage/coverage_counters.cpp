@@ -3,21 +3,22 @@
 //
 // Stands in for Verilator's own verilated_cov.cpp, which keeps the counters of each instance and of
 // each simulation under their full names: a test makes hundreds of cores, and what is asked is only
-// whether a line of a module was ever run. Counters are one set a class (cmake/verilate.sh makes
-// them so); at the end of the process those of one place in a source are added and written to
-// $HWFFD_COVERAGE, as lines with tabs: page, line, column, comment, further lines, count.
+// whether a line of a module was ever run. At the end of the process the counters of one place in a
+// source are joined and written to $HWFFD_COVERAGE, as lines with tabs: page, line, column, comment,
+// further lines, count. The count of a bit is 1 if it has risen and 2 if it has fallen, or 3 if both.
 // SPDX-License-Identifier: Apache-2.0
-#include <verilated.h>
-#include <verilated_cov.h>
+#include "counted.hpp"
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <tuple>
-#include <unordered_map>
+#include <vector>
 
 namespace {
 
@@ -26,24 +27,21 @@ using Place = std::tuple<std::string, int, int, std::string, std::string>;
 /// All counters of the process.
 class Counters {
  public:
-  /// Adds a counter, unless an earlier instance has; `place` makes what is kept of it.
-  template <class MakePlace>
-  void add(const std::uint32_t* counter, MakePlace place) {
+  /// Adds those of a table, unless an earlier instance has.
+  void add(const std::uint32_t* counters, const hwffd::Counter* named, std::size_t count) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (places_.find(counter) == places_.end()) places_.emplace(counter, place());
+    if (known_.insert(named).second) tables_.push_back({counters, named, count});
   }
 
   void write() const {
     const char* path = std::getenv("HWFFD_COVERAGE");
     if (path == nullptr) return;
-    std::map<Place, std::uint64_t> sums;
-    for (const auto& [counter, place] : places_) sums[place] += *counter;
     std::FILE* file = std::fopen(path, "w");
     if (file == nullptr) {
       std::fprintf(stderr, "coverage: cannot write %s\n", path);
       std::_Exit(1);
     }
-    for (const auto& [place, count] : sums) {
+    for (const auto& [place, count] : joined()) {
       const auto& [page, line, column, comment, lines] = place;
       std::fprintf(file, "%s\t%d\t%d\t%s\t%s\t%llu\n", page.c_str(), line, column, comment.c_str(),
                    lines.c_str(), static_cast<unsigned long long>(count));
@@ -52,44 +50,41 @@ class Counters {
   }
 
  private:
+  struct Table {
+    const std::uint32_t* counters;
+    const hwffd::Counter* named;
+    std::size_t count;
+  };
+
+  std::map<Place, std::uint64_t> joined() const {
+    std::map<Place, std::uint64_t> counts;
+    for (const Table& table : tables_) {
+      for (std::size_t i = 0; i < table.count; ++i) {
+        const hwffd::Counter& one = table.named[i];
+        std::uint64_t& count = counts[{one.page, one.line, one.column, one.comment, one.lines}];
+        const std::uint32_t more = table.counters[one.index];
+        count = std::strncmp(one.page, "v_toggle/", 9) == 0 ? count | more : count + more;
+      }
+    }
+    return counts;
+  }
+
   std::mutex mutex_;
-  std::unordered_map<const std::uint32_t*, Place> places_;
+  std::set<const hwffd::Counter*> known_;
+  std::vector<Table> tables_;
 };
 
 /// Never destroyed, since models may count until the very end.
-Counters& counters() {
-  static Counters* all = [] {
-    std::atexit([] { counters().write(); });
+Counters& all() {
+  static Counters* counters = [] {
+    std::atexit([] { all().write(); });
     return new Counters;
   }();
-  return *all;
+  return *counters;
 }
 
 }  // namespace
 
-/// The counter that a model inserts next.
-class VerilatedCovImp final : public VerilatedCovContext {
- public:
-  VerilatedCovImp() = default;
-  ~VerilatedCovImp() override = default;
-  const std::uint32_t* next = nullptr;
-};
-
-void VerilatedCovContext::_inserti(uint32_t* itemp) VL_MT_SAFE { impp()->next = itemp; }
-
-void VerilatedCovContext::_insertf(const char* /*filename*/, int /*lineno*/) VL_MT_SAFE {}
-
-#define PAIR(n) const char *key##n, const char *value##n
-void VerilatedCovContext::_insertp(PAIR(0), PAIR(1), const char* /*key2*/, int line,
-                                   const char* /*key3*/, int column, const char* /*key4*/,
-                                   const std::string& /*hierarchy*/, PAIR(5), PAIR(6),
-                                   PAIR(7)) VL_MT_SAFE {
-  static_cast<void>(std::tie(key0, value0, key1, value1, key5, key6, key7));
-  counters().add(impp()->next, [=] { return Place{value5, line, column, value6, value7}; });
-}
-#undef PAIR
-
-VerilatedCovContext* VerilatedContext::coveragep() VL_MT_SAFE {
-  if (!m_coveragep) m_coveragep.reset(new VerilatedCovImp);
-  return static_cast<VerilatedCovContext*>(m_coveragep.get());
+void hwffd::name_counters(const std::uint32_t* counters, const Counter* named, std::size_t count) {
+  all().add(counters, named, count);
 }

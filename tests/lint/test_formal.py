@@ -197,7 +197,7 @@ def test_harnesses_that_are_refused(checkout, table, refused):
 
 @pytest.mark.parametrize("rows, word", (
     ((GOOD[:-1],), "row 2: 9 columns, not 10"), ((GOOD, GOOD), "bound is there twice"),
-    ((row(method="luck"),), "neither pdr nor induction"),
+    ((row(method="luck"),), "none of pdr, scorr, induction"),
     ((row(mutant="!= 4'd13"),), "the planted bug changes nothing"),
     ((row(parameters="MOST=a"),), "are not NAME=NUMBER"),
     ((row(lemmas="bound"),), "lemma 'bound' is no property"),

@@ -20,8 +20,8 @@ SOURCE = ["module ffd_a;", "wire w;", "always @*", "if (x)", "y = 1;", "endmodul
 WIDE = """v_line/ffd_a\t3\t1\tblock\t3\t7
 v_branch/ffd_a\t4\t2\tif\t4-5\t0
 v_branch/ffd_a\t4\t3\telse\t\t7
-v_toggle/ffd_a\t2\t1\tw[0]\t\t2
-v_toggle/ffd_a\t2\t1\tw[1]\t\t0
+v_toggle/ffd_a\t2\t1\tw[0]\t\t3
+v_toggle/ffd_a\t2\t1\tw[1]\t\t1
 """
 NARROW = "v_branch/ffd_a__W8\t4\t2\tif\t4-5\t3\n"
 
@@ -42,6 +42,12 @@ def test_a_place_is_run_if_any_parameters_run_it(tmp_path):
     row = rows(read(tmp_path, WIDE, NARROW))[0]
     assert (row["line"], row["branch"], row["toggle"]) == (100, 100, 50)
     assert row["missed_places"] == ["toggle 2 w[1]"]
+
+
+def test_a_bit_must_rise_and_fall(tmp_path):
+    fallen = "v_toggle/ffd_a__W8\t2\t1\tw[1]\t\t2\n"
+    assert rows(read(tmp_path, WIDE, fallen))[0]["toggle"] == 100
+    assert rows(read(tmp_path, WIDE, fallen.replace("\t2\n", "\t1\n")))[0]["toggle"] == 50
 
 
 def test_lines_of_a_branch_are_lines(tmp_path):
