@@ -32,7 +32,7 @@ Normalization::Origin origin_for(const Device::Blending& blending) {
   return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
 }
 
-constexpr std::size_t kMostBeats = 4096;  // between two looks at who waits
+constexpr std::size_t kBeatsAtOnce = 4096;  // between two looks at who waits; a model likes many
 
 class ModelStream final : public CommandStream {
  public:
@@ -44,12 +44,11 @@ class ModelStream final : public CommandStream {
                         const Progress& progress) override {
     std::vector<Beat> out;
     out.reserve(results);
-    const std::size_t step = std::min(commands.size() / 100 + 1, kMostBeats);
-    for (std::size_t b = 0; b < commands.size(); ++b) {
-      model_.accept(commands[b]);
-      if ((b + 1) % step != 0 && b + 1 != commands.size()) continue;
-      append(out, model_.take_results());
-      progress(static_cast<double>(b + 1) / static_cast<double>(commands.size()));
+    for (std::size_t first = 0; first < commands.size(); first += kBeatsAtOnce) {
+      const std::size_t end = std::min(commands.size(), first + kBeatsAtOnce);
+      append(out, model_.run({commands.begin() + static_cast<std::ptrdiff_t>(first),
+                              commands.begin() + static_cast<std::ptrdiff_t>(end)}));
+      progress(static_cast<double>(end) / static_cast<double>(commands.size()));
     }
     return out;
   }

@@ -33,13 +33,19 @@ void StreamModel::reset() {
 }
 
 std::vector<Beat> StreamModel::run(const std::vector<Beat>& beats) {
-  for (const Beat& beat : beats) accept(beat);
+  for (const Beat& beat : beats) take(beat);
+  evaluate_waiting();
   return take_results();
 }
 
 std::vector<Beat> StreamModel::take_results() { return std::exchange(results_, {}); }
 
 void StreamModel::accept(const Beat& beat) {
+  take(beat);
+  evaluate_waiting();
+}
+
+void StreamModel::take(const Beat& beat) {
   const bool payload = state_ != State::kHeader && state_ != State::kDone && state_ != State::kDrop;
   switch (state_) {
     case State::kHeader:
@@ -96,6 +102,7 @@ void StreamModel::header(const Beat& beat) {
   const int number = opcode == Opcode::kLattice ? other_page()
                      : newest                   ? newest_
                                                 : static_cast<int>(beat.words[0] >> 8 & 0xFF);
+  if (opcode != Opcode::kVertices && opcode != Opcode::kGrid) evaluate_waiting();
   if (!start(opcode, number)) return;
   if (state_ == State::kDrop || beat.last) ++events_[event::kPacketShort];
 }
@@ -269,13 +276,12 @@ void StreamModel::lattice_point(const Beat& beat) {
 
 /// A point of a part; without its flag the fourth component stays.
 void StreamModel::part_point(const Beat& beat) {
-  LatticePoint& point = page_->points[place_++];
+  ResidentPoints::Point& point = page_->points[place_++];
   std::copy_n(beat.words.begin(), flagged(kFourthFlag) ? 4 : 3, point.begin());
   if (--left_ == 0) state_ = State::kDone;
 }
 
 void StreamModel::vertex(const VertexBeat& read, bool last) {
-  vertex_ = {};
   vertex_.local = read.local;
   vertex_.cell = read.cell;
   vertex_.exponent = page_ != nullptr ? page_->exponent : header_exponent();
@@ -283,11 +289,11 @@ void StreamModel::vertex(const VertexBeat& read, bool last) {
   beat_ = 0;
   check_vertex();
   if (!resident_) {
+    vertex_.points = {};
     state_ = State::kPoints;
     if (last) finish_vertex(true, true);
     return;
   }
-  if (page_ != nullptr) gather_support();
   const bool counted = state_ != State::kGrid && !flagged(kEveryFlag);
   const bool complete = counted ? left_ == 1 : last;
   finish_vertex(false, complete || last);
@@ -309,19 +315,6 @@ void StreamModel::check_vertex() {
   }
 }
 
-void StreamModel::gather_support() {
-  for (int p = 0; p < 64; ++p) {
-    const std::array<int, 3> offset = {p / 16, p / 4 % 4, p % 4};
-    int at = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      at = at * page_->dims[axis] + vertex_.cell[axis] + offset[axis];
-    }
-    const LatticePoint& point = page_->points[at];
-    std::copy_n(point.begin(), 3, &vertex_.points[3 * p]);
-    fourth_[p] = point[3];
-  }
-}
-
 void StreamModel::points(const Beat& beat) {
   for (int lane = 0; lane < 4; ++lane) vertex_.points[4 * beat_ + lane] = beat.words[lane];
   ++beat_;
@@ -332,39 +325,6 @@ void StreamModel::points(const Beat& beat) {
   if (complete) state_ = last_vertex ? State::kDone : State::kVertex;
 }
 
-void StreamModel::finish_vertex(bool truncated, bool last) {
-  --left_;
-  ++vertices_;
-  const bool no_lattice = resident_ && page_ == nullptr;
-  const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
-  const bool unloaded = no_functions || no_lattice || refused_;
-  const bool out = outside_ || cell_outside_;
-  const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
-  const bool clamp = mode == OutsideMode::kClamp;
-  const bool refused = out && !clamp && mode != OutsideMode::kPass;
-  events_[event::kNoCoefficients] += no_functions ? 1 : 0;
-  events_[event::kNoLattice] += no_lattice ? 1 : 0;
-  events_[event::kCoordinateNan] += nan_ ? 1 : 0;
-  events_[event::kCoordinateOutside] += outside_ ? 1 : 0;
-  events_[event::kCellOutside] += cell_outside_ ? 1 : 0;
-
-  Beat result;
-  result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (nan_ ? kStatusNan : 0) |
-                    (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
-                    (unloaded ? kStatusUnloaded : 0);
-  const bool blank = truncated || unloaded || nan_ || refused;
-  if (!blank) use_spans();
-  for (int part = 0; part < results_of(wanted_); ++part) {
-    for (const bool fourth : {false, true}) {
-      if (fourth && !flagged(kFourthFlag)) continue;
-      results_.push_back(blank ? blank_result(result) : evaluated(result, part, fourth));
-      ++packet_results_;
-    }
-  }
-  if (last && flagged(kCountFlag)) results_.push_back({{packet_results_, 0, 0, ~0U}, false});
-  results_.back().last = last;
-}
-
 std::uint32_t StreamModel::error_status() const {
   std::uint32_t status = 0;
   for (unsigned code = 0; code < 32; ++code) {
@@ -373,27 +333,6 @@ std::uint32_t StreamModel::error_status() const {
     if (of_stream && bit < kStreamEvents && events_[bit] != 0) status |= 1U << code;
   }
   return status;
-}
-
-Beat StreamModel::blank_result(Beat result) const {
-  for (int c = 0; c < 3; ++c) result.words[c] = evaluator_->blank_word();
-  return result;
-}
-
-Beat StreamModel::evaluated(Beat result, int part, bool fourth) {
-  const bool determinant = part > 0 && wanted_ == Results::kDeterminant;
-  vertex_.derivative = part == 0 ? VertexWords::kPosition : part - 1;
-  VertexWords vertex = vertex_;
-  for (int word = 0; word < 192 && fourth; ++word) vertex.points[word] = fourth_[word / 3];
-  const ResultWords words =
-      determinant ? evaluator_->determinant(bank_, vertex) : evaluator_->evaluate(bank_, vertex);
-  const std::uint32_t x = words.words[0];
-  const bool folded = determinant && (x == 0 || (x >> 31) != 0);
-  for (int c = 0; c < (fourth ? 1 : 3); ++c) result.words[c] = words.words[c];
-  result.words[3] |= (words.saturated ? kStatusSaturated : 0) | (words.nan ? kStatusNan : 0) |
-                     (folded ? kStatusFolded : 0);
-  events_[event::kSaturated] += words.saturated ? 1 : 0;
-  return result;
 }
 
 }  // namespace hwffd::model

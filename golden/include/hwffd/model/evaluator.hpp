@@ -3,10 +3,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
+#include <vector>
 
 #include "hwffd/model/configuration.hpp"
 #include "hwffd/model/determinant.hpp"
+#include "hwffd/model/lane_evaluator.hpp"
 #include "hwffd/model/organization.hpp"
+#include "hwffd/model/resident_vertex.hpp"
 #include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd::model {
@@ -23,13 +27,6 @@ struct VertexWords {
   int exponent = 0;            ///< of the points, where the format has one for all (bfp32)
 };
 
-/// x, y, z as the stream returns them, and whether any of them saturated or is NaN.
-struct ResultWords {
-  std::array<std::uint32_t, 3> words{};
-  bool saturated = false;
-  bool nan = false;
-};
-
 /// The bit-true model of an evaluator, whatever its format and organization: words in, words out.
 /// Mirrors ffd_eval_stream with its converters.
 class EvaluatorModel {
@@ -44,6 +41,11 @@ class EvaluatorModel {
                                const std::array<std::uint32_t, 4>& words) = 0;
   /// Evaluates one vertex with the coefficients of a bank (0 or 1).
   virtual ResultWords evaluate(int bank, const VertexWords& vertex) const = 0;
+  /// Evaluates vertices of a lattice that is there: what `evaluate` gives of each, in their order.
+  /// @param derivative  as of `VertexWords`
+  virtual void evaluate(int bank, const ResidentPoints& points,
+                        const std::vector<ResidentVertex>& vertices, int derivative,
+                        std::vector<ResultWords>& results) const = 0;
   /// det J of a vertex, whatever its `derivative` says: the word x, with y and z 0.
   virtual ResultWords determinant(int bank, const VertexWords& vertex) const = 0;
   /// The word of a coordinate that could not be computed.
@@ -54,20 +56,34 @@ class EvaluatorModel {
   virtual CoordinateRange range(std::uint32_t word) const = 0;
 };
 
+/// The words of a vertex of a lattice that is there, with its support.
+/// @param fourth  whether that is the points' fourth component, three times
+VertexWords with_support(const ResidentPoints& points, const ResidentVertex& vertex,
+                         bool fourth = false);
+
 /// Number format `F` and organization `Organization<F>` behind the interface of words.
 template <class F, template <class> class Organization>
 class EvaluatorModelOf final : public EvaluatorModel {
+  static constexpr bool kLaned = InLanes<F>::kThere;
+  struct NoLanes {
+    explicit NoLanes(const Configuration& /*configuration*/) {}
+  };
+  using Eight = std::conditional_t<kLaned, LaneEvaluator<F, Organization>, NoLanes>;
+
  public:
-  explicit EvaluatorModelOf(const Configuration& configuration) : organization_(configuration) {}
+  explicit EvaluatorModelOf(const Configuration& configuration)
+      : organization_(configuration), lanes_{Eight(configuration), Eight(configuration)} {}
 
   void load(int bank, int axis, int function, int degree, int shift,
             const std::array<std::uint32_t, 4>& words) override {
     banks_[bank].load(axis, function, degree, shift, words);
+    if constexpr (kLaned) lanes_[bank].bank().load(axis, function, degree, shift, words);
   }
 
   void load_derivative(int bank, int axis, int function, int degree, int shift,
                        const std::array<std::uint32_t, 4>& words) override {
     banks_[bank].load_derivative(axis, function, degree, shift, words);
+    if constexpr (kLaned) lanes_[bank].bank().load_derivative(axis, function, degree, shift, words);
   }
 
   ResultWords evaluate(int bank, const VertexWords& vertex) const override {
@@ -75,6 +91,20 @@ class EvaluatorModelOf final : public EvaluatorModel {
     ResultWords result;
     for (int c = 0; c < 3; ++c) put(result, c, F::out(sum[c], vertex.exponent));
     return result;
+  }
+
+  void evaluate(int bank, const ResidentPoints& points, const std::vector<ResidentVertex>& vertices,
+                int derivative, std::vector<ResultWords>& results) const override {
+    if constexpr (kLaned) {
+      lanes_[bank].evaluate(points, vertices, derivative, results);
+    } else {
+      results.clear();
+      for (const ResidentVertex& vertex : vertices) {
+        VertexWords words = with_support(points, vertex);
+        words.derivative = derivative;
+        results.push_back(evaluate(bank, words));
+      }
+    }
   }
 
   ResultWords determinant(int bank, const VertexWords& vertex) const override {
@@ -115,6 +145,7 @@ class EvaluatorModelOf final : public EvaluatorModel {
 
   Organization<F> organization_;
   std::array<CoefficientBank<F>, 2> banks_{};
+  std::array<Eight, 2> lanes_;  // by bank
 };
 
 /// The model of a row of the table of configurations.

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/stream/blending.hpp"
@@ -31,6 +32,11 @@ class HardWiredBspline final : public EvaluatorModel {
 
   ResultWords evaluate(int bank, const VertexWords& vertex) const override {
     return general_->evaluate(bank, vertex);
+  }
+
+  void evaluate(int bank, const ResidentPoints& points, const std::vector<ResidentVertex>& vertices,
+                int derivative, std::vector<ResultWords>& results) const override {
+    general_->evaluate(bank, points, vertices, derivative, results);
   }
 
   ResultWords determinant(int bank, const VertexWords& vertex) const override {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hwffd/model/org_factored.hpp"
+#include "hwffd/numerics/lanes.hpp"
 
 namespace hwffd::model {
 
@@ -22,10 +23,11 @@ class OrgAffine {
  private:
   /// Bank 3 gets what the others leave of 1, or of 0. It may have more bits than a weight.
   static void complete(std::array<typename F::Weight, 4>& weight, bool to_one) {
-    weight[3] = {to_one ? std::int64_t{1} << F::kWeightFraction : 0, false};
+    const std::int64_t whole = to_one ? std::int64_t{1} << F::kWeightFraction : 0;
+    weight[3] = {everywhere<typename F::Word>(whole), typename F::Flag{}};
     for (int b = 0; b < 3; ++b) {
       weight[3].value -= weight[b].value;
-      weight[3].saturated |= weight[b].saturated;
+      weight[3].saturated = either(weight[3].saturated, weight[b].saturated);
     }
   }
 };

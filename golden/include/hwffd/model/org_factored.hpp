@@ -15,7 +15,7 @@ VectorSum<F> contract(const std::array<typename F::Weight, 4>& weight,
                       const std::array<typename F::Point, 3>* point) {
   std::array<Factors<F>, 4> factors;
   for (int b = 0; b < 4; ++b) factors[b] = {weight[b], point[b]};
-  return tree_sum<F>(factors.data(), 4);
+  return tree_sum<F, 4>(factors.data());
 }
 
 /// Points by bank, contracted one axis at a time, u, t, s, 64 -> 16 -> 4 -> 1, each sum but the

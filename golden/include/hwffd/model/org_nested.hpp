@@ -90,7 +90,7 @@ class OrgNested {
   static Vector contract(const Weights& weight, const std::array<Vector, 4>& point, int shift) {
     std::array<Factors<F>, 4> factors;
     for (int b = 0; b < 4; ++b) factors[b] = {weight[b], point[b]};
-    const VectorSum<F> sum = tree_sum<F>(factors.data(), 4);
+    const VectorSum<F> sum = tree_sum<F, 4>(factors.data());
     return {F::rescale(sum[0], shift), F::rescale(sum[1], shift), F::rescale(sum[2], shift)};
   }
 

@@ -11,18 +11,20 @@ namespace hwffd::model {
 template <class F>
 class PowersBspline {
  public:
+  using Word = typename F::Word;
+  using Wide = typename F::Wide;
   using Weights = std::array<typename F::Weight, 4>;  ///< B_0 to B_3
 
   /// The weights at a coordinate of [0, 1].
   static Weights weights(typename F::Weight coordinate) {
-    const std::int64_t s = coordinate.value;
-    const std::int64_t square = cut(s, s);
-    const std::int64_t cube = cut(s, rounded(Int128{s} * s, kFraction));
+    const Word s = coordinate.value;
+    const Word square = cut(s, s);
+    const Word cube = cut(s, rounded(static_cast<Wide>(s) * s, kFraction));
     // Sixths have three digits more.
-    const std::int64_t sixth_of_cube = eight_sixths(cube);
-    const std::int64_t bend = square - (s << kGuard);
-    const std::int64_t rise = square + (s << kGuard) - cube;
-    const std::int64_t at_end = s == kOne ? kOver : 0;
+    const Word sixth_of_cube = eight_sixths(cube);
+    const Word bend = square - (s << kGuard);
+    const Word rise = square + (s << kGuard) - cube;
+    const Word at_end = s == kOne ? everywhere<Word>(kOver) : everywhere<Word>(0);
     return completed(kOne, rounded(kSixth + 4 * bend - sixth_of_cube, kGuard + 3),
                      rounded(kSixth + 4 * rise, kGuard + 3) - at_end,
                      rounded(sixth_of_cube, kGuard + 3), coordinate.saturated);
@@ -30,9 +32,9 @@ class PowersBspline {
 
   /// Half the derivatives' weights.
   static Weights slopes(typename F::Weight coordinate) {
-    const std::int64_t square = cut(coordinate.value, coordinate.value);
+    const Word square = cut(coordinate.value, coordinate.value);
     const std::int64_t one = kOne << kGuard;
-    const std::int64_t twice = coordinate.value << (kGuard + 1);
+    const Word twice = coordinate.value << (kGuard + 1);
     return completed(0, rounded(twice - one - square, kGuard + 2),
                      rounded(one + twice - 3 * square, kGuard + 2), rounded(square, kGuard + 2),
                      coordinate.saturated);
@@ -46,23 +48,18 @@ class PowersBspline {
   /// By how many units 2/3 is rounded above what two sixths, rounded, leave of 1: 1 or -1.
   static constexpr std::int64_t kOver = (2 * kOne + 1) / 3 - (kOne - 2 * ((kOne + 3) / 6));
 
-  static std::int64_t floor_of(Int128 value, int drop) {
-    return static_cast<std::int64_t>(value >> drop);
-  }
-  static std::int64_t rounded(Int128 value, int drop) {
-    return floor_of(value + (Int128{1} << (drop - 1)), drop);
+  static Word floor_of(Wide value, int drop) { return static_cast<Word>(value >> drop); }
+  static Word rounded(Wide value, int drop) {
+    return floor_of(value + (std::int64_t{1} << (drop - 1)), drop);
   }
   /// A product of two weights, cut.
-  static std::int64_t cut(std::int64_t a, std::int64_t b) {
-    return floor_of(Int128{a} * b, kFraction - kGuard);
-  }
+  static Word cut(Word a, Word b) { return floor_of(static_cast<Wide>(a) * b, kFraction - kGuard); }
   /// 8/6 of a power: 1 + 1/4 times 1 + 1/16 times 1 + 1/256 and so on, each product cut.
-  static std::int64_t eight_sixths(std::int64_t power) {
+  static Word eight_sixths(Word power) {
     for (int shift = 2; shift < kFraction + kGuard; shift *= 2) power += power >> shift;
     return power;
   }
-  static Weights completed(std::int64_t whole, std::int64_t w0, std::int64_t w2, std::int64_t w3,
-                           bool flag) {
+  static Weights completed(std::int64_t whole, Word w0, Word w2, Word w3, typename F::Flag flag) {
     return {{{w0, flag}, {whole - w0 - w2 - w3, flag}, {w2, flag}, {w3, flag}}};
   }
 };

@@ -58,8 +58,8 @@ Support<F> by_bank(const Support<F>& support, const std::array<int, 3>& cell) {
 /// A weight and the control point that it multiplies.
 template <class F>
 struct Factors {
-  typename F::Weight weight{};
-  std::array<typename F::Point, 3> point{};
+  typename F::Weight weight;
+  std::array<typename F::Point, 3> point;
 };
 
 /// The weight (B_l B_m) B_n and the control point of each bank index. Mirrors
@@ -102,21 +102,28 @@ VectorSum<F> add(const VectorSum<F>& a, const VectorSum<F>& b) {
 
 /// The sum of n = 1, 2, 4 .. 64 terms by adjacent pairs. Mirrors ffd_eval_tree: the odd term of
 /// each pair is added as it is multiplied, which matters where that is fused.
-template <class F>
-VectorSum<F> tree_sum(const Factors<F>* factors, int n) {
-  if (n == 1) return term<F>(factors[0]);
-  if (n == 2) return mac<F>(term<F>(factors[0]), factors[1]);
-  return add<F>(tree_sum<F>(factors, n / 2), tree_sum<F>(factors + n / 2, n / 2));
+template <class F, int n>
+VectorSum<F> tree_sum(const Factors<F>* factors) {
+  if constexpr (n == 1) {
+    return term<F>(factors[0]);
+  } else if constexpr (n == 2) {
+    return mac<F>(term<F>(factors[0]), factors[1]);
+  } else {
+    return add<F>(tree_sum<F, n / 2>(factors), tree_sum<F, n / 2>(factors + n / 2));
+  }
 }
 
-/// The 64 terms n at a time, each n by a tree, accumulated from +0 in the order of the banks.
-/// Mirrors ffd_eval_summation.
-template <class F>
-VectorSum<F> summation(const std::array<Factors<F>, 64>& factors, int n) {
-  if (n == 64) return tree_sum<F>(factors.data(), 64);
+/// The 64 terms `wanted` at a time, each so many by a tree, accumulated from +0 in the order of the
+/// banks. Mirrors ffd_eval_summation.
+template <class F, int n = 64>
+VectorSum<F> summation(const std::array<Factors<F>, 64>& factors, int wanted) {
+  if constexpr (n > 1) {
+    if (wanted != n) return summation<F, n / 2>(factors, wanted);
+  }
+  if constexpr (n == 64) return tree_sum<F, 64>(factors.data());
   VectorSum<F> sum = zero_sum<F>();
   for (int index = 0; index < 64; index += n) {
-    sum = n == 1 ? mac<F>(sum, factors[index]) : add<F>(sum, tree_sum<F>(&factors[index], n));
+    sum = n == 1 ? mac<F>(sum, factors[index]) : add<F>(sum, tree_sum<F, n>(&factors[index]));
   }
   return sum;
 }

@@ -73,16 +73,20 @@ class StreamModel {
     kDone,
     kDrop
   };
-  using LatticePoint = std::array<std::uint32_t, 4>;
 
   /// A page of the point store.
-  struct Page {
+  struct Page : ResidentPoints {
     bool loaded = false;
     bool fourth = false;
-    int exponent = 0;
-    std::array<int, 3> dims{};
     std::array<int, 3> origin{};  // the cell of the whole lattice at which it begins
-    std::vector<LatticePoint> points;
+  };
+
+  /// Vertices of one page whose results are there but for what the evaluator says.
+  struct Waiting {
+    const Page* page = nullptr;
+    int each = 1;  // results of a vertex
+    std::vector<ResidentVertex> vertices;
+    std::vector<std::size_t> results;  // of each the place of its first
   };
 
   bool has(Feature feature) const { return (features_ & feature) != 0; }
@@ -111,8 +115,12 @@ class StreamModel {
   void grid();
   VertexBeat read_vertex(const Beat& beat) const;
   void points(const Beat& beat);
+  void take(const Beat& beat);
   void check_vertex();
-  void gather_support();
+  bool can_wait() const;
+  void wait();
+  void evaluate_waiting();
+  void put(Beat& result, const ResultWords& words, int components);
   void finish_vertex(bool truncated, bool last);
   Beat blank_result(Beat result) const;
   Beat evaluated(Beat result, int part, bool fourth);
@@ -152,7 +160,7 @@ class StreamModel {
   std::size_t number_ = 0;  // of a packed vertex in its packet
   bool refused_ = false;    // it is no vertex
   VertexWords vertex_;
-  std::array<std::uint32_t, 64> fourth_{};  // components of the vertex's points
+  Waiting waiting_;
   std::uint16_t tag_ = 0;
   bool nan_ = false;
   bool outside_ = false;  // a coordinate

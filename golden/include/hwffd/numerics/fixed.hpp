@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "hwffd/numerics/binomial.hpp"
+#include "hwffd/numerics/lanes.hpp"
 #include "hwffd/numerics/out_word.hpp"
 
 namespace hwffd {
@@ -14,20 +15,32 @@ __extension__ using Int128 = __int128;
 /// The number format `fxW`: weights Q2.(W-2), points Q1.(W-1), sums Q9.(2W-3), exact; one rounding,
 /// half up; saturation flagged, and the flag stays with the number (docs/numerics.md section 3).
 ///
+/// `WordType` is a number, or `Lanes` of as many vertices (W to 24), whose bits are the same.
+///
 /// Mirrors rtl/number with FORMAT = W.
-template <int W>
+template <int W, class WordType = std::int64_t>
 struct Fixed {
   static_assert(W >= 8 && W <= 40, "fixed point words have 8 to 40 bits");
 
+  using Word = WordType;
+  using Flag = FlagOf<Word>;
+  static constexpr bool kInLanes = std::is_same_v<Word, Lanes>;
+  /// Whether 64 bits hold whatever is computed on the way.
+  static constexpr bool kShort = 2 * W + 14 <= 62;
+  static_assert(kShort || !kInLanes, "lanes have 64 bits");
+  using Wide = std::conditional_t<kShort, Word, Int128>;
+  using SumWord = std::conditional_t<kInLanes || 2 * W + 6 <= 62, Word, Int128>;
+
   /// A weight (also coordinate, coefficient) or a point: `value` counts units in the last place.
+  /// As a plain number it has no value until it is given one; `Number{}` is 0.
   struct Number {
-    std::int64_t value = 0;
-    bool saturated = false;
+    Word value;
+    Flag saturated;
   };
   /// A sum of up to 64 products.
   struct Sum {
-    std::conditional_t<2 * W + 6 <= 62, std::int64_t, Int128> value = 0;
-    bool saturated = false;
+    SumWord value;
+    Flag saturated;
   };
   using Weight = Number;
   using Point = Number;
@@ -48,48 +61,48 @@ struct Fixed {
 
   static Weight coordinate(std::uint32_t word) {
     const CoordinateRange place = range(word);
-    const Number number = round_to<Number>(Int128{place.clamped}, 33 - W, W);
-    return {number.value, number.saturated || place.outside};
+    const Number number = round_to(everywhere<Wide>(place.clamped), 33 - W, W);
+    const Wide outside = everywhere<Wide>(place.outside ? 1 : 0);
+    return {number.value, either(number.saturated, outside != 0)};
   }
   static Weight coefficient(std::uint32_t word) { return signed_word(word); }
   static Point point(std::uint32_t word, int /*exponent*/ = 0) { return signed_word(word); }
+  /// Of a word that is there as a whole number, in units of 2^-31.
+  static Point point_of_units(Wide units) {
+    constexpr int kPad = std::max(W - 32, 0);
+    return round_to(units * (std::int64_t{1} << kPad), 32 - W + kPad, W);
+  }
 
   static Weight mul(Weight a, Weight b) {
-    return with_flag(round_to<Number>(Int128{a.value} * b.value, kWeightFraction, W),
-                     a.saturated || b.saturated);
+    return with_flag(round_to(static_cast<Wide>(a.value) * b.value, kWeightFraction, W),
+                     either(a.saturated, b.saturated));
   }
   static Sum term(Weight weight, Point point) {
-    Sum sum;
-    sum.value = static_cast<decltype(sum.value)>(weight.value) * point.value;
-    sum.saturated = weight.saturated || point.saturated;
-    return sum;
+    return {static_cast<SumWord>(weight.value) * point.value,
+            either(weight.saturated, point.saturated)};
   }
-  static Sum add(Sum a, Sum b) {
-    Sum sum;
-    sum.value = a.value + b.value;
-    sum.saturated = a.saturated || b.saturated;
-    return sum;
-  }
+  static Sum add(Sum a, Sum b) { return {a.value + b.value, either(a.saturated, b.saturated)}; }
   static Sum mac(Sum sum, Weight weight, Point point) { return add(sum, term(weight, point)); }
   static Weight step(Weight coefficient, Weight coordinate, Weight weight) {
-    const Int128 exact = Int128{coefficient.value} * (Int128{1} << kWeightFraction) +
-                         Int128{coordinate.value} * weight.value;
-    return with_flag(round_to<Number>(exact, kWeightFraction, W),
-                     coefficient.saturated || coordinate.saturated || weight.saturated);
+    const Wide exact = static_cast<Wide>(coefficient.value) * (std::int64_t{1} << kWeightFraction) +
+                       static_cast<Wide>(coordinate.value) * weight.value;
+    return with_flag(round_to(exact, kWeightFraction, W),
+                     either(either(coefficient.saturated, coordinate.saturated), weight.saturated));
   }
   static Weight scale(Weight weight, int shift) {
-    return with_flag(round_to<Number>(Int128{weight.value} * (1 << shift), 0, W), weight.saturated);
+    return with_flag(round_to(static_cast<Wide>(weight.value) * (std::int64_t{1} << shift), 0, W),
+                     weight.saturated);
   }
   /// The sum times 2^-shift.
   static Point narrow(Sum sum, int shift = 0) {
-    return with_flag(round_to<Number>(Int128{sum.value}, kSumFraction - kPointFraction + shift, W),
-                     sum.saturated);
+    return with_flag(
+        round_to(static_cast<Wide>(sum.value), kSumFraction - kPointFraction + shift, W),
+        sum.saturated);
   }
   /// A sum times 2^shift, shift -1 to 3, as a point.
   static Point rescale(Sum sum, int shift) {
-    const Int128 doubled = Int128{sum.value} * (Int128{1} << (shift + 1));
-    return with_flag(round_to<Number>(doubled, kSumFraction - kPointFraction + 1, W),
-                     sum.saturated);
+    const Wide doubled = static_cast<Wide>(sum.value) * (std::int64_t{1} << (shift + 1));
+    return with_flag(round_to(doubled, kSumFraction - kPointFraction + 1, W), sum.saturated);
   }
   /// 2 x - 1 of a coordinate in [0, 1], exact.
   static Weight centre(Weight coordinate) {
@@ -97,53 +110,49 @@ struct Fixed {
   }
   /// binom(power, k) / 2^power, exact; power and k 0 to 3.
   static Weight binomial(int power, int k) {
-    return {(std::int64_t{kBinomial[power][k]} << kWeightFraction) >> power, false};
+    return {everywhere<Word>((std::int64_t{kBinomial[power][k]} << kWeightFraction) >> power),
+            Flag{}};
   }
   /// A point times 2^shift, shift 0 to 2, as a sum, exact.
   static Sum widen(Point point, int shift) {
     constexpr int kPlaces = kSumFraction - kPointFraction;
-    Sum sum;
-    sum.value =
-        static_cast<decltype(sum.value)>(point.value) * (std::int64_t{1} << (kPlaces + shift));
-    sum.saturated = point.saturated;
-    return sum;
+    return {static_cast<SumWord>(point.value) * (std::int64_t{1} << (kPlaces + shift)),
+            point.saturated};
   }
   /// Twice the product, exact: one point's digits as a weight.
   static Sum product(Point a, Point b) { return term(a, b); }
-  static Sum negate(Sum sum) {
-    sum.value = -sum.value;
-    return sum;
-  }
-  /// The sum times 2^-shift.
-  static OutWord out(Sum sum, int /*exponent*/ = 0, int shift = 0) {
+  static Sum negate(Sum sum) { return {-sum.value, sum.saturated}; }
+  /// The sum times 2^-shift, in units of the word that the stream returns.
+  static Number out_units(Sum sum, int shift = 0) {
     const int fraction = kSumFraction + shift;
     const int pad = std::max(31 - fraction, 0);
     const int drop = std::max(fraction - 31, 0);
-    const Number number = round_to<Number>(Int128{sum.value} * (1 << pad), drop, 32);
-    return {static_cast<std::uint32_t>(number.value), number.saturated || sum.saturated, false};
+    return with_flag(round_to(static_cast<Wide>(sum.value) * (std::int64_t{1} << pad), drop, 32),
+                     sum.saturated);
+  }
+  /// The same as that word.
+  static OutWord out(Sum sum, int /*exponent*/ = 0, int shift = 0) {
+    const Number number = out_units(sum, shift);
+    return {static_cast<std::uint32_t>(number.value), number.saturated, false};
   }
 
-  static Weight zero_weight() { return {}; }
-  static Sum zero_sum() { return {}; }
-
-  /// saturate(floor(value / 2^drop + 1/2)) to a signed word of `width` bits.
-  template <class Result>
-  static Result round_to(Int128 value, int drop, int width) {
-    const Int128 half = drop > 0 ? Int128{1} << (drop - 1) : Int128{0};
-    const Int128 rounded = (value + half) >> drop;
-    const Int128 top = (Int128{1} << (width - 1)) - 1;
-    const Int128 clamped = std::clamp(rounded, -top - 1, top);
-    return {static_cast<std::int64_t>(clamped), clamped != rounded};
-  }
+  static Weight zero_weight() { return {everywhere<Word>(0), everywhere<Flag>(0)}; }
+  static Sum zero_sum() { return {everywhere<SumWord>(0), everywhere<Flag>(0)}; }
 
  private:
-  static Number signed_word(std::uint32_t word) {
-    constexpr int kPad = std::max(W - 32, 0);
-    return round_to<Number>(Int128{static_cast<std::int32_t>(word)} * (1 << kPad), 32 - W + kPad,
-                            W);
+  /// saturate(floor(value / 2^drop + 1/2)) to a signed word of `width` bits.
+  static Number round_to(Wide value, int drop, int width) {
+    const Wide rounded = (value + (drop > 0 ? std::int64_t{1} << (drop - 1) : 0)) >> drop;
+    const Wide top = everywhere<Wide>((std::int64_t{1} << (width - 1)) - 1);
+    const Wide bottom = -top - 1;
+    const Wide clamped = rounded < bottom ? bottom : (rounded > top ? top : rounded);
+    return {static_cast<Word>(clamped), clamped != rounded};
   }
-  static Number with_flag(Number number, bool flag) {
-    return {number.value, number.saturated || flag};
+  static Number signed_word(std::uint32_t word) {
+    return point_of_units(everywhere<Wide>(static_cast<std::int32_t>(word)));
+  }
+  static Number with_flag(Number number, Flag flag) {
+    return {number.value, either(number.saturated, flag)};
   }
 };
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+namespace hwffd {
+
+/// Eight whole numbers side by side, one of each of eight vertices: arithmetic as of one number,
+/// and comparisons give -1 where they hold and 0 elsewhere.
+using Lanes = std::int64_t __attribute__((vector_size(64)));
+constexpr int kLanes = 8;
+
+/// What a comparison of words gives.
+template <class Word>
+using FlagOf = std::conditional_t<std::is_same_v<Word, Lanes>, Lanes, bool>;
+
+inline bool either(bool a, bool b) { return a || b; }
+inline Lanes either(Lanes a, Lanes b) { return a | b; }
+
+/// The number itself, or in every lane.
+template <class Word>
+Word everywhere(std::int64_t value) {
+  return Word{} + value;
+}
+
+}  // namespace hwffd
