@@ -59,8 +59,9 @@ Embedder::Embedder(Lattice lattice, const Family& family)
 }
 
 Point Embedder::point(const Embedded& at) const {
-  Support support = family_.support(lattice_, at.cell);
-  support.rowwise() -= centre_.transpose();
+  const Index3 count = family_.cells(lattice_.dims());
+  const int number = (at.cell[0] * count[1] + at.cell[1]) * count[2] + at.cell[2];
+  const Support& support = cells_.at(static_cast<std::size_t>(number)).support;
   return centre_ + oracle_.evaluate(support, at.local[0], at.local[1], at.local[2]);
 }
 
