@@ -2,11 +2,13 @@
 // or in double precision.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "hwffd/version.h"
+#include "other_program.hpp"
 #include "program.hpp"
 
 namespace {
@@ -17,7 +19,9 @@ int run(int argc, char** argv) {
   CLI::App app{"Free-form deformation of meshes, on hardware, its bit-true model or in double."};
   app.set_version_flag("--version", HWFFD_VERSION);
   app.require_subcommand(1);
-  app.footer("hwffd COMMAND --help shows the options of a command, with examples.");
+  app.footer(
+      "hwffd COMMAND --help shows the options of a command, with examples. hwffd warp resamples a "
+      "volume, where the Python package is installed; any other NAME runs the program hwffd-NAME.");
   std::vector<std::pair<CLI::App*, command::Action>> commands;
   const auto add = [&](const char* name, const char* help, command::Action (*options)(CLI::App&)) {
     CLI::App* command = app.add_subcommand(name, help);
@@ -29,6 +33,10 @@ int run(int argc, char** argv) {
   add("lattice", "write a lattice file", command::add_lattice);
   add("check", "whether a lattice folds, and its volume", command::add_check);
   add("info", "what a file holds; without a file, what this build has", command::add_info);
+  const bool own = argc > 1 && std::any_of(commands.begin(), commands.end(), [&](const auto& one) {
+                     return one.first->check_name(argv[1]);
+                   });
+  if (!own) command::become_other_program(argv);
   parse_command_line(app, argc, argv);
   for (const auto& [command, action] : commands) {
     if (command->parsed()) return action();

@@ -56,7 +56,8 @@ LONGEST_MESSAGE = 200
 # Command line -> exit status and words of the one line on standard error. Nothing is written.
 REFUSED = {
     "": (USAGE, "subcommand"),
-    "melt solid.obj": (USAGE, "--help"),
+    "melt solid.obj": (USAGE, "hwffd-melt", "PATH", "--help"),
+    "../melt solid.obj": (USAGE, "--help"),
     "deform": (USAGE, "input"),
     "deform solid.obj": (USAGE, "--output", "-o out.ply"),
     "deform none.obj -o out.ply": (FAILURE, "none.obj"),
@@ -160,6 +161,34 @@ class Command(ProgramTest):
                 done = self.call(*line.split())
                 self.assert_refused(done, status, words)
                 self.assertLess(len(done.stderr), LONGEST_MESSAGE)
+
+    def other_program(self, folder, name, text, mode=0o755):
+        """A program on PATH, in a folder of the test's."""
+        (self.folder / folder).mkdir(exist_ok=True)
+        program = self.folder / folder / name
+        program.write_text(text)
+        program.chmod(mode)
+        return {"PATH": f"{self.folder / folder}{os.pathsep}{os.environ['PATH']}"}
+
+    def test_other_commands_are_programs_on_path(self):
+        path = self.other_program("bin", "hwffd-greet",
+                                  '#!/bin/sh\necho "$#:$1:$2"; cat; exit 7\n')
+        done = self.call("greet", "two words", "--help", given="given", **path)
+        self.assertEqual((done.returncode, done.stdout, done.stderr),
+                         (7, "2:two words:--help\ngiven", ""))
+        self.other_program("bin", "hwffd-info", "#!/bin/sh\nexit 7\n")
+        self.assertEqual(self.call("info", **path).returncode, 0)  # its own come first
+        # Nothing runs by a path.
+        for name in "melt", "greet/", "bin/greet", "../greet":
+            done = self.call(name, **path)
+            self.assertEqual((done.returncode, done.stdout), (USAGE, ""))
+            self.assertRegex(done.stderr, r"\Ahwffd: [^\n]+\n\Z")
+
+    def test_programs_that_cannot_be_run(self):
+        path = self.other_program("bin", "hwffd-words", "#!/bin/sh\n", mode=0o644)
+        done = self.call("words", **path)
+        self.assertEqual((done.returncode, done.stdout), (FAILURE, ""))
+        self.assertRegex(done.stderr, r"\Ahwffd: words: hwffd-words cannot be run: [^\n]+\n\Z")
 
     def test_help_has_examples(self):
         self.assertIn("deform", self.good("--help"))

@@ -205,6 +205,10 @@ class Python(Installed):
         script.write_text(README_PYTHON.format(copied_from_readme("python")))
         self.python(script)
 
+    def test_the_command_runs_the_program_of_the_package(self):
+        version = run(self.prefix / "bin" / "hwffd", "--version")
+        self.assertEqual(run(self.prefix / "bin" / "hwffd", "warp", "--version"), version)
+
     def test_simulated_hardware(self):
         self.python(pathlib.Path(__file__).with_name("python_module.py"))
 

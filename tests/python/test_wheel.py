@@ -59,7 +59,7 @@ def test_it_has_the_package_and_its_libraries(wheel):
     version = (ROOT / "VERSION").read_text().strip()
     assert wheel.name.startswith(f"hwffd-{version}-cp3") and "manylinux" in wheel.name
     names = zipfile.ZipFile(wheel).namelist()
-    for name in "__init__.py", "__init__.pyi", "py.typed":
+    for name in "__init__.py", "__init__.pyi", "py.typed", "volumes/__init__.py":
         assert f"hwffd/{name}" in names
     libraries = " ".join(names)
     for library in "libhwffd", "libassimp", "libfmt", "libhwy":
@@ -75,4 +75,9 @@ def test_it_is_used_in_a_new_environment(wheel, tmp_path):
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     said = run(python, "-c", USED, cwd=tmp_path, env=clean)
     assert str(tmp_path / "env") in said
+    version = run(python.with_name("hwffd-warp"), "--version", cwd=tmp_path, env=clean)
+    assert version == said.split()[0] + "\n"
+    lacks = subprocess.run([python.with_name("hwffd-warp"), "in.nrrd", "box", "out.nrrd"], env=clean,
+                           cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert lacks.returncode == 1 and "in.nrrd: is not there" in lacks.stderr
     run(python, ROOT / "examples" / "deform.py", cwd=tmp_path, env=clean)

@@ -1,0 +1,75 @@
+"""A grid of voxels and where it lies in space.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hwffd import UsageError
+
+_FARTHEST = 1e100  # coordinates of a lattice, beyond which the library has none
+
+
+@dataclasses.dataclass
+class Volume:
+    """Voxels with ITK's geometry: that of index (i, j, k) lies at
+
+        origin + direction @ (spacing * (i, j, k)),
+
+    in millimetres along left, posterior and superior where a file says no more.
+
+    values: (nz, ny, nx), or (nz, ny, nx, c) of c components; voxel (i, j, k) is values[k, j, i].
+    origin, spacing: x, y, z. direction: (3, 3), whose columns are the directions of i, j and k.
+    """
+
+    values: NDArray[np.generic]
+    origin: ArrayLike = (0.0, 0.0, 0.0)
+    spacing: ArrayLike = (1.0, 1.0, 1.0)
+    direction: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+    def __post_init__(self) -> None:
+        self.values = np.asarray(self.values)
+        if self.values.dtype.kind not in "iuf" or self.values.ndim not in (3, 4):
+            raise UsageError(f"volume: {self.values.ndim} dimensions of {self.values.dtype}; give "
+                             "numbers, (nz, ny, nx) or (nz, ny, nx, components)")
+        if self.values.size == 0:
+            raise UsageError(f"volume: shape {self.values.shape}; give one with voxels")
+        self.origin = self._numbers("origin", (3,))
+        self.spacing = self._numbers("spacing", (3,))
+        self.direction = self._numbers("direction", (3, 3))
+        if not (self.spacing > 0).all():
+            raise UsageError(f"volume: spacing {self.spacing.tolist()}; give numbers above 0")
+        if abs(np.linalg.det(self.direction)) < 1e-6:
+            raise UsageError("volume: direction spans no space; give three directions apart")
+
+    def _numbers(self, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
+        try:
+            array = np.array(getattr(self, name), np.float64)
+        except (TypeError, ValueError):
+            array = np.empty(0)
+        if array.shape != shape or not (np.abs(array) < _FARTHEST).all():
+            given = str(getattr(self, name)).replace("\n", "")
+            raise UsageError(f"volume: {name} {given:.80}; give finite numbers of shape {shape}")
+        return array
+
+    @property
+    def counts(self) -> tuple[int, int, int]:
+        """Voxels along i, j and k."""
+        nz, ny, nx = self.values.shape[:3]
+        return nx, ny, nz
+
+    @property
+    def steps(self) -> NDArray[np.float64]:
+        """(3, 3): column a leads from a voxel to the next along axis a."""
+        return self.direction * self.spacing
+
+    def points(self, indices: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Where indices (..., 3), which may be fractions, lie in space."""
+        return self.origin + indices @ self.steps.T
+
+    def indices(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The indices (..., 3), with their fractions, of points in space."""
+        return (points - self.origin) @ np.linalg.inv(self.steps).T
