@@ -119,13 +119,14 @@ streams words tangents embed: install
 	@$(CMAKE_BUILD) --target hwffd-$@
 	@$(STUDY) $@ -- $(BUILD)/studies/hwffd-$@
 
-# Programs of others are its peers: one core each, in one run.
+# Programs of others are its peers: as many cores each, in one run.
 compare: install
 	@scripts/python_env figures
 	@scripts/python_env compare
+	@scripts/python_env python
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-compare
-	@$(STUDY) compare -- $(BUILD)/venv/bin/python -B studies/compare
+	@$(CMAKE_BUILD) --target hwffd-compare hwffd_python
+	@$(STUDY) compare,bench -- $(BUILD)/venv/bin/python -B studies/compare
 
 # Netlists are kept in build/energy/, since to map them takes as long as the rest.
 energy: install

@@ -2,8 +2,9 @@
 
     python studies/compare [--program PROGRAM] [--output FOLDER]
 
-hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
-cores that have been routed; then come the programs of others. All of it runs on one processor core.
+First studies/compare/arrays times whole calls of libraries of Python, on one core and on all, and writes
+FOLDER/reports/bench.json. hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
+cores that have been routed; then come the programs of others. All of this runs on one processor core.
 Writes FOLDER/reports/compare.json. The exit status is 1 where something was not measured or is wrong.
 
 SPDX-License-Identifier: Apache-2.0
@@ -54,7 +55,16 @@ def own(options, reports):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def arrays(options):
+    """Whole calls of libraries, in processes of their own."""
+    command = [sys.executable, "-B", str(pathlib.Path(__file__).with_name("arrays")),
+               "--points", str(options.points), "--output", str(options.output)]
+    if subprocess.run(command, check=False).returncode:
+        raise joined.CompareError("no figures of whole calls; see the line above")
+
+
 def work(options):
+    arrays(options)
     pin()
     reports = Reports(ROOT)
     measured = own(options, reports)
@@ -71,6 +81,7 @@ def main():
                         default=ROOT / "build" / "studies" / "hwffd-compare")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
                         help="folder for reports")
+    parser.add_argument("--points", type=int, default=10_000_000, help="of whole calls of libraries")
     parser.add_argument("more", nargs="*", help="for hwffd-compare, behind --")
     options = parser.parse_args()
     try:

@@ -59,6 +59,9 @@ REPORTS = {
         (*_RTL, "geometry/**/lattice/lattice_evaluator.?pp", "geometry/**/lattice/contraction.?pp",
          "studies/compare/*.?pp", "studies/compare/*.py", "scripts/requirements-compare.txt",
          "docs/reports/pnr.json", "docs/reports/synth.json", "docs/reports/dma.json")),
+    "bench": Report("make compare", (
+        *_MODEL, "golden/**/model/*.?pp", "geometry/**/lattice/*.?pp", "api/src/device/*.?pp", "api/python/src/*.?pp",
+        "studies/compare/arrays/*.py", "scripts/requirements-compare.txt")),
     "energy": Report(
         "make energy",
         (*_RTL, *_MODEL, "synth/prepare.ys", "synth/verify.ys", "synth/osu018.*",
