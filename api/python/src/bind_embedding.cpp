@@ -79,9 +79,13 @@ py::array deform_embedded(const PyEmbedding& embedding, PyLattice& lattice, cons
   return to;
 }
 
-py::array deform(PyLattice& lattice, const py::object& points, const py::object& out) {
+/// Points of Dask go where that is known to be there.
+py::object deform(PyLattice& lattice, const py::object& points, const py::object& out) {
   if (py::isinstance<PyEmbedding>(points)) {
     return deform_embedded(points.cast<const PyEmbedding&>(), lattice, out);
+  }
+  if (py::hasattr(points, "__dask_graph__")) {
+    return py::module_::import("hwffd._chunks").attr("deform")(&lattice, points, out);
   }
   return deform_embedded(embed(lattice, points), lattice, out);
 }
@@ -252,7 +256,8 @@ void bind_embedding(py::module_& module) {
   module.def("deform", &deform, py::arg("lattice"), py::arg("points"), py::kw_only(),
              py::arg("out") = py::none(),
              "Points (..., 3), or an Embedding, where the deformed lattice takes them: an array of "
-             "their shape, float32 if they were, or out. Warns of points that stay.");
+             "their shape, float32 if they were, or out. Warns of points that stay. Points of Dask "
+             "are deformed when Dask computes the result.");
 }
 
 }  // namespace hwffd::python
