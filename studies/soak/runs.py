@@ -87,12 +87,15 @@ class Sums:
     rows: dict = field(default_factory=dict)
 
     def add(self, done):
-        row = self.rows.setdefault(done.round.kind.name, {
-            "traffic": done.round.kind.name, "seeds": 0, "tests": 0, "failed": 0, "results": 0, "clocks": 0})
-        row["seeds"] += 1
-        for name, number in (("tests", done.tests), ("failed", len(done.failed)),
-                             ("results", done.results), ("clocks", done.clocks)):
-            row[name] += number
+        self.add_row({"traffic": done.round.kind.name, "seeds": 1, "tests": done.tests,
+                      "failed": len(done.failed), "results": done.results, "clocks": done.clocks})
+
+    def add_row(self, found):
+        """Of a kind of traffic: what was counted elsewhere."""
+        row = self.rows.setdefault(found["traffic"], dict.fromkeys(found, 0) | {"traffic": found["traffic"]})
+        for name, number in found.items():
+            if name != "traffic":
+                row[name] += number
 
     @property
     def faults(self):

@@ -38,12 +38,25 @@ def program(build, fails=-1, breaks=-1):
     path.chmod(0o755)
 
 
-def soak(build, hours):
+def call(build, *words):
     done = subprocess.run([sys.executable, "-B", ROOT / "studies" / "soak", "--build", build, "--only", "dma",
-                           "--hours", str(hours), "--corpus", build / "corpus.csv"],
+                           "--corpus", build / "corpus.csv", *map(str, words)],
                           capture_output=True, text=True, check=False)
     report = build / "reports" / "soak.json"
     return done, json.loads(report.read_text()) if report.exists() else None
+
+
+def soak(build, hours):
+    return call(build, "--hours", hours)
+
+
+def parts_of(build, *seeds):
+    """A part of each seed."""
+    paths = [build / f"{seed}.json" for seed in seeds]
+    for seed, path in zip(seeds, paths):
+        done, report = call(build, "--seed", seed, "--part", path)
+        assert done.returncode == 0 and report is None, done.stderr
+    return paths
 
 
 def test_seeds_go_on_where_the_last_run_ended(build):
@@ -79,3 +92,46 @@ def test_nothing_run_is_an_error(build):
 def test_a_program_that_is_not_there_is_an_error(build):
     done, _ = soak(build, 0.001)
     assert done.returncode == 1 and "make soak builds it" in done.stderr
+
+
+def test_parts_are_joined_to_what_one_run_reports(build):
+    program(build)
+    done, report = call(build, "--join", *parts_of(build, 1000, 1016, 1032))
+    assert done.returncode == 0, done.stderr
+    row, = report["rows"]
+    assert row == {"traffic": "dma", "seeds": 3, "tests": 3, "failed": 0, "results": 15, "clocks": 210}
+    assert json.loads((build / "soak" / "next.json").read_text()) == 1048
+    _, one = soak(build, 0.00001)
+    assert set(one) == set(report) and set(one["rows"][0]) == set(row)
+    assert one["rows"][0]["seeds"] == 1 and json.loads((build / "soak" / "next.json").read_text()) == 1064
+    assert call(build, "--join", build / "1000.json")[0].returncode == 0
+    assert json.loads((build / "soak" / "next.json").read_text()) == 1064
+
+
+@pytest.mark.parametrize("fault", ["fails", "breaks"])
+def test_a_fault_in_a_part_is_kept_by_who_joins(build, fault):
+    program(build, **{fault: 1016})
+    paths = parts_of(build, 1000, 1016)
+    assert len((build / "corpus.csv").read_text().splitlines()) == 1
+    done, report = call(build, "--join", *paths)
+    assert done.returncode == 1 and report["faults"] == report["corpus"] == 1
+    assert (build / "corpus.csv").read_text().splitlines()[1].startswith("dma,1016,")
+
+
+def test_parts_that_make_no_report_are_refused(build):
+    program(build)
+    first, second = parts_of(build, 1000, 1016)
+    (build / "other.json").write_text(second.read_text().replace('"dma"', '"bus"'))
+    (build / "less.json").write_text('{"seed": 1}')
+    (build / "none.json").write_text("{")
+    for names, said in (((first, first), "a seed is in two parts: 1000 1000"),
+                        ((first, build / "other.json"), "not every part has dma"),
+                        ((first, build / "less.json"), "less.json: a part without hours, rows, found: measure"),
+                        ((first, build / "none.json"), "none.json: no part: "),
+                        ((first, build / "gone.json"), "gone.json: no part: ")):
+        done, report = call(build, "--join", *names)
+        assert done.returncode == 1 and report is None
+        assert said in done.stderr and len(done.stderr.splitlines()) == 1
+    for words in ("--seed", 7), ("--part", build / "x"), ("--seed", 7, "--join", first):
+        done, _ = call(build, *words)
+        assert done.returncode == 2 and "--seed and --part go together" in done.stderr
