@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -26,7 +26,7 @@ option_of   = $(firstword $(subst :, ,$1))
 variable_of = $(lastword $(subst :, ,$1))
 given       = $(and $(findstring command line,$(origin $1)),$(value $1))
 ORGANIZATIONS_OPTIONS := org:ORG n:N format:FORMAT
-OPTIONS     := prefix:PREFIX board:BOARD $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
+OPTIONS     := prefix:PREFIX board:BOARD profile:PROFILE work:WORK seeds:SEEDS $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
 
 $(foreach o,$(OPTIONS),$(eval export HWFFD_GIVEN_$(call variable_of,$o) := \
   $$(value $(call variable_of,$o))))
@@ -45,6 +45,7 @@ help:
 	@echo '  make hwffd          the command hwffd, the library, the Python module; PREFIX= installs them'
 	@echo '  make plates         the ten plates of the paper, drawn from the simulated hardware'
 	@echo '  make mass-spring    an example: a mesh in a lattice of masses and springs'
+	@echo '  make workflow       synth, pnr, mutants, upsets and soak as jobs, also on clusters: PROFILE='
 	@echo '  make clean          remove build/, build-trace/ and build-coverage/'
 	@echo 'See it (tables, pictures and reports)'
 	@echo '  make organizations  what organizations of the arithmetic cost in clock cycles and operators'
@@ -202,6 +203,20 @@ boards: install
 	@scripts/python_env route
 	@$(STUDY) --quiet boards -- scripts/boards -j $(JOBS) $(call arguments,board:BOARD)
 
+# PROFILE= of these or a site's own; WORK= which reports, SEEDS= of the soak.
+PROFILES = studies/workflow/profiles
+profile  = $(if $(call given,PROFILE),$(if $(wildcard $(PROFILES)/$(call given,PROFILE)),$(PROFILES)/)"$$HWFFD_GIVEN_PROFILE",$(PROFILES)/local)
+
+workflow: install
+	@scripts/python_env figures
+	@scripts/python_env route
+	@scripts/python_env workflow
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(BUILD)/venv/bin/snakemake --snakefile studies/workflow/Snakefile --directory $(BUILD) \
+	  --workflow-profile synth/profiles/default --profile $(profile) \
+	  $(if $(call given,JOBS),--cores $(JOBS) --jobs $(JOBS)) --config root=$(CURDIR) \
+	  $(if $(call given,WORK),"work=$$HWFFD_GIVEN_WORK") $(if $(call given,SEEDS),"soak_seeds=$$HWFFD_GIVEN_SEEDS")
+
 formal: install
 	@scripts/python_env
 	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS) $(AGAIN_ARGUMENT)
@@ -210,6 +225,7 @@ test: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
 	@scripts/python_env python
+	@scripts/python_env workflow
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
 	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
@@ -219,6 +235,7 @@ test-all: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
 	@scripts/python_env python
+	@scripts/python_env workflow
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

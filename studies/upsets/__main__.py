@@ -23,12 +23,9 @@ import cost  # noqa: E402  pylint: disable=wrong-import-position
 import counted  # noqa: E402  pylint: disable=wrong-import-position
 import front  # noqa: E402  pylint: disable=wrong-import-position
 import parts  # noqa: E402  pylint: disable=wrong-import-position
+from cores import CORES, KINDS  # noqa: E402  pylint: disable=wrong-import-position
 
 ROW = "basic-fx18-overlapped"
-# The programs, the top of each and whether it is hardened.
-CORES = {"stream": ("hwffd_stream", False), "stream-hardened": ("hwffd_stream", True),
-         "axi": ("hwffd_axi", False), "axi-hardened": ("hwffd_axi", True)}
-KINDS = ("registers", "memories")
 FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
 
 

@@ -136,6 +136,18 @@ def test_synth(make, programs):
     assert synth("ORG=$HOME;'") == ["<-j><3><--org><$HOME;'>"]
 
 
+def test_workflow(make, programs, checkout):
+    programs(build__venv__bin__snakemake=SHOW)
+    (checkout.root / "studies" / "workflow" / "profiles" / "slurm").mkdir(parents=True)
+    start = ("<--snakefile><studies/workflow/Snakefile><--directory><build><--workflow-profile>"
+             "<synth/profiles/default><--profile>")
+    config = f"<--config><root={checkout.root}>"
+    assert make("workflow", PROFILE="slurm")[1][-1] == f"{start}<studies/workflow/profiles/local>{config}"
+    assert make("workflow", "PROFILE=slurm", "WORK=soak pnr", "SEEDS=3", "JOBS=9")[1][-1] == (
+        f"{start}<studies/workflow/profiles/slurm><--cores><9><--jobs><9>{config}<work=soak pnr><soak_seeds=3>")
+    assert make("workflow", "PROFILE=ours $HOME;'", "WORK=")[1][-1] == f"{start}<ours $HOME;'>{config}"
+
+
 def test_figures_structure_and_help(make, programs):
     programs(scripts__structure=f"printf structure; {SHOW}; echo")
     assert make("structure", "JOBS=3")[1] == ["structure<-j><3>"]

@@ -10,43 +10,18 @@ import pathlib
 import sys
 
 import pytest
+import stand_ins
+from stand_ins import BAD, GOOD
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-# So many flips of an outcome that depends on the core, the kind of bits and the seed.
-PROGRAM = """#!{python}
-import sys, zlib
-words = dict(zip(sys.argv[1::2], sys.argv[2::2]))
-with open(words["--out"], "w") as out:
-    print("# clocks 100 registers 8 memory_bits 64", file=out)
-    print("clock,module,name,word,bit,outcome,recovered,restarted,outside_read", file=out)
-    for flip in range(int(words["--flips"])):
-        draw = zlib.crc32(f"{{sys.argv[0][-9:]}} {{words['--kind']}} {{words['--seed']}} {{flip}}".encode()) % 3
-        print(f"{{flip}},ffd_{{draw}},u_x.q[{{flip}}],0,0,{{{outcomes}[draw]}},1,1,0", file=out)
-"""
-YOSYS = """#!{python}
-import json, re, sys
-if sys.argv[1] == "-V":
-    sys.exit(print("Yosys 1"))
-flip_flop = {{"type": "TRELLIS_FF", "parameters": {{}}, "port_directions": {{}}, "connections": {{}}}}
-hardened = "HARDENED 1" in sys.argv[-1]
-top = re.search(r"-top (\\w+)", sys.argv[-1])[1]
-json.dump({{"modules": {{top: {{"cells": {{str(n): flip_flop for n in range(2 + hardened)}}}}}}}},
-          open(re.search(r"json -o (\\S+)", sys.argv[-1])[1], "w"))
-"""
-GOOD, BAD = ("no_effect", "flagged", "silent"), ("no_effect", "flagged", "hang_stuck")
 TOPS = (("stream", "stream-hardened"), ("axi", "axi-hardened"))
 
 
 @pytest.fixture(name="study")
 def _study(checkout):
     """Runs the study: (exit status, complaints, report)"""
-    def programs(outcomes):
-        for name in (name for top in TOPS for name in top):
-            checkout.put({f"programs/hwffd-upsets-{name}": PROGRAM.format(python=sys.executable, outcomes=outcomes)},
-                         0o755)
-
     def run(*words, outcomes=GOOD):
-        programs(outcomes)
+        checkout.put(stand_ins.programs("programs", outcomes), 0o755)
         report = checkout.root / "reports" / "upsets.json"
         report.unlink(missing_ok=True)
         status, _, errors = checkout.run(
@@ -55,7 +30,7 @@ def _study(checkout):
         said = [line for line in errors.splitlines() if "flips in" not in line and "costs" not in line]
         return status, said, json.loads(report.read_text()) if report.exists() else None
 
-    checkout.put({"bin/yosys": YOSYS.format(python=sys.executable)}, 0o755)
+    checkout.put({"bin/yosys": stand_ins.yosys()}, 0o755)
     return run
 
 
