@@ -240,8 +240,10 @@ test-all: install
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'
 
-# A build of its own, whose models and libraries count; SHARE=8 runs an eighth of each program's tests.
+# A build of its own, whose models and libraries count, of the rows of tier cover; SHARE=8 runs an eighth of each
+# program's tests.
 coverage: BUILD = build-coverage
+coverage: TIER = cover
 coverage: install
 	@scripts/python_env
 	@scripts/python_env coverage

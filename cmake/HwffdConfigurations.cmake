@@ -9,8 +9,8 @@
 #   HWFFD_CONFIGURATION_OPTIONS_<id>      what hwffd_verilate has to know of it besides
 # and, in HWFFD_GENERATED_DIR, the C++ that follows from it: the table, the models, the cores.
 
-set(HWFFD_TIER test CACHE STRING "configurations to verilate: sim, test or all")
-set_property(CACHE HWFFD_TIER PROPERTY STRINGS sim test all)
+set(HWFFD_TIER test CACHE STRING "configurations to verilate: sim, cover, test or all")
+set_property(CACHE HWFFD_TIER PROPERTY STRINGS sim cover test all)
 set(HWFFD_ORG "" CACHE STRING "organization that hwffd-organizations compares; empty: all")
 set(HWFFD_N "" CACHE STRING "units of the organizations that it compares; empty: any")
 set(HWFFD_FORMAT "" CACHE STRING "format of the organizations that it compares; empty: all")

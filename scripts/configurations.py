@@ -2,7 +2,7 @@
 """The table of configurations, rtl/configurations.csv, for every program that needs it.
 
 One row is one build of the core: an organization, a number format, a schedule, the latencies of the
-units, the largest top and the smallest tier (sim, test, all) in which it is verilated. This module is the one
+units, the largest top and the smallest tier (sim, cover, test, all) in which it is verilated. This module is the one
 place that knows which parameter of the RTL each column sets and how its words are numbered.
 
 SPDX-License-Identifier: Apache-2.0
@@ -29,7 +29,7 @@ SCHEDULES = ("overlapped", "paper")
 EVALUATORS = ("pipelined", "iterative", "bspline", "powers")
 
 # A tier includes those before it.
-TIERS = ("sim", "test", "all")
+TIERS = ("sim", "cover", "test", "all")
 # So does a top: the read port of the evaluator, the core with its streams, the core on its buses.
 TOPS = ("evaluator", "stream", "axi")
 

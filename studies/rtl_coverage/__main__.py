@@ -44,7 +44,7 @@ def work_on(options):
     folder = build / "coverage"
     counts = counting.read(programs.run(run, build, folder, options.jobs, options.share))
     sources = {path.stem: path.read_text(encoding="utf-8").splitlines()
-               for path in sorted((ROOT / "rtl").glob("*/*.v"))}
+               for path in sorted((ROOT / "rtl").rglob("*.v"))}
     left_out = exclusions.excluded(exclusions.read(pathlib.Path(__file__).with_name("exclusions.csv")),
                                    counts, sources)
     annotate(folder / "annotated", sources, counts, left_out)

@@ -2,9 +2,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <tuple>
 
 #include "arrays.hpp"
@@ -74,6 +76,16 @@ void set_control_points(PyLattice& lattice, const py::object& points) {
   lattice.alone([&](DeformableLattice& of) { of.move(read); });
 }
 
+/// @throws UsageError for numbers that no grid has
+Grid grid_of_places(const std::array<double, 3>& first, const std::array<double, 3>& last,
+                    const std::array<int, 3>& counts) {
+  try {
+    return grid_between(first, last, counts);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("grid: ") + error.what() + "; give places in cells, from 0 on");
+  }
+}
+
 /// Numbers of cells, n x 3, of any kind of integer: NumPy's own conversion cuts off fractions and
 /// high bits without a word.
 Cells whole_numbers(const py::object& numbers) {
@@ -111,6 +123,15 @@ py::array evaluate(PyLattice& lattice, const py::object& numbers, const py::obje
   py::array to = target(out, {cells.rows(), 3}, false);
   write_points(
       lattice.alone([&](DeformableLattice& of) { return of.evaluate(std::move(vertices)); }), to);
+  return to;
+}
+
+py::array evaluate_grid(PyLattice& lattice, const std::array<double, 3>& first,
+                        const std::array<double, 3>& last, const std::array<int, 3>& counts,
+                        const py::object& out) {
+  const Grid grid = grid_of_places(first, last, counts);
+  py::array to = target(out, {counts[2], counts[1], counts[0], 3}, false);
+  write_points(lattice.alone([&](DeformableLattice& of) { return of.evaluate_grid(grid); }), to);
   return to;
 }
 
@@ -255,7 +276,12 @@ void bind_lattice(py::module_& module) {
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("local"), py::kw_only(),
            py::arg("out") = py::none(),
            "Points (n, 3) of the deformed lattice at cells (n, 3), integers, and local coordinates "
-           "(n, 3), which are clamped to [0, 1].");
+           "(n, 3), which are clamped to [0, 1].")
+      .def("evaluate_grid", &evaluate_grid, py::arg("first"), py::arg("last"), py::arg("counts"),
+           py::kw_only(), py::arg("out") = py::none(),
+           "Points (cu, ct, cs, 3) of the deformed lattice on the regular grid of counts (cs, ct, "
+           "cu) vertices from place first to place last, (s, t, u) in cells from the first face "
+           "on. Coordinates in a cell have 24 bits, as the grids of a core do.");
 }
 
 }  // namespace hwffd::python

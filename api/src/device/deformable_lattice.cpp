@@ -47,6 +47,11 @@ Points DeformableLattice::evaluate(std::vector<Embedded> vertices) {
   return evaluated(vertices);
 }
 
+Points DeformableLattice::evaluate_grid(const Grid& grid) {
+  if (family().kind() == Family::Kind::kBspline) return device_->evaluate_grid(deformed_, grid);
+  return evaluated(places_of(grid, family().cells(deformed_.dims())));
+}
+
 void DeformableLattice::check_own(const Attachment& attachment) const {
   const Lattice& other = attachment.rest();
   if (attachment.family().kind() == family().kind() && other.dims() == rest().dims() &&

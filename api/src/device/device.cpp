@@ -26,6 +26,15 @@ void check(const Device::Blending& blending) {
   }
 }
 
+/// @throws Error for a grid that the lattice has no places for
+void check_grid(const Grid& grid, const Index3& dims) {
+  if (grid_fits(grid, dims)) return;
+  throw Error(fmt::format(
+      "a grid of {} x {} x {} vertices is not within the {} x {} x {} cells of the "
+      "lattice; give places from 0 to these numbers",
+      grid.count[0], grid.count[1], grid.count[2], dims[0] - 3, dims[1] - 3, dims[2] - 3));
+}
+
 /// @throws Error for a vertex that the lattice has no place for
 void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   const Index3 cells = lattice.cells();
@@ -155,6 +164,22 @@ Device::Blending all_bspline() {
 
 }  // namespace
 
+std::vector<Embedded> places_of(const Grid& grid, const Index3& cells) {
+  const Index3 dims = {cells[0] + 3, cells[1] + 3, cells[2] + 3};
+  check_grid(grid, dims);
+  std::vector<Embedded> places;
+  places.reserve(std::size_t{grid.count[0]} * grid.count[1] * grid.count[2]);
+  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
+    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
+      for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
+        const GridPlace at = grid_place(grid, dims, {a, b, c});
+        places.push_back({at.cell, {at.local[0], at.local[1], at.local[2]}});
+      }
+    }
+  }
+  return places;
+}
+
 void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (cell[axis] >= 0 && cell[axis] < cells[axis]) continue;
@@ -194,6 +219,21 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
 
 Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices) {
   return tangents(lattice, vertices, all_bspline());
+}
+
+Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
+  check(blending);
+  check_grid(grid, lattice.dims());
+  counts_.vertices += std::uint64_t{grid.count[0]} * grid.count[1] * grid.count[2];
+  return finite(run_grid(lattice, grid, blending));
+}
+
+Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid) {
+  return evaluate_grid(lattice, grid, all_bspline());
+}
+
+Points Device::run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
+  return run(lattice, places_of(grid, lattice.cells()), blending);
 }
 
 Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending) {

@@ -53,8 +53,8 @@ class Conversation final : public cores::StreamParty {
 class RtlStream final : public CommandStream {
  public:
   RtlStream(std::unique_ptr<cores::StreamCore> core, const std::string& name,
-            const PointStore& store)
-      : name_(name), core_(std::move(core)), loop_(*core_), store_(store) {
+            const PointStore& store, bool grids)
+      : name_(name), core_(std::move(core)), loop_(*core_), store_(store), grids_(grids) {
     reset();
   }
 
@@ -81,12 +81,14 @@ class RtlStream final : public CommandStream {
 
   std::uint64_t clocks() const override { return loop_.clocks(); }
   PointStore store() const override { return store_; }
+  bool has_grids() const override { return grids_; }
 
  private:
   std::string name_;
   std::unique_ptr<cores::StreamCore> core_;
   cores::StreamLoop loop_;
   PointStore store_;
+  bool grids_;
 };
 
 }  // namespace
@@ -96,8 +98,9 @@ std::unique_ptr<CommandStream> rtl_stream(const Configuration& row) {
 }
 
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
-                                          const std::string& name, const PointStore& store) {
-  return std::make_unique<RtlStream>(std::move(core), name, store);
+                                          const std::string& name, const PointStore& store,
+                                          bool grids) {
+  return std::make_unique<RtlStream>(std::move(core), name, store, grids);
 }
 
 }  // namespace hwffd

@@ -32,20 +32,25 @@ Normalization::Origin origin_for(const Device::Blending& blending) {
   return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
 }
 
-constexpr std::size_t kBeatsAtOnce = 4096;  // between two looks at who waits; a model likes many
+// Between two looks at who waits; a model likes many at once.
+constexpr std::size_t kMostBeats = 4096;
+constexpr std::size_t kLooks = 16;
 
 class ModelStream final : public CommandStream {
  public:
-  ModelStream(const Configuration& row, const PointStore& store)
-      : model_(row, features_of(store), store.axis_points, store.pages > 0 ? store.pages : kPages),
-        store_(store) {}
+  ModelStream(const Configuration& row, const PointStore& store, bool grids)
+      : model_(row, features_of(store, grids), store.axis_points,
+               store.pages > 0 ? store.pages : kPages),
+        store_(store),
+        grids_(grids) {}
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
                         const Progress& progress) override {
     std::vector<Beat> out;
     out.reserve(results);
-    for (std::size_t first = 0; first < commands.size(); first += kBeatsAtOnce) {
-      const std::size_t end = std::min(commands.size(), first + kBeatsAtOnce);
+    const std::size_t step = std::min(commands.size() / kLooks + 1, kMostBeats);
+    for (std::size_t first = 0; first < commands.size(); first += step) {
+      const std::size_t end = std::min(commands.size(), first + step);
       append(out, model_.run({commands.begin() + static_cast<std::ptrdiff_t>(first),
                               commands.begin() + static_cast<std::ptrdiff_t>(end)}));
       progress(static_cast<double>(end) / static_cast<double>(commands.size()));
@@ -55,21 +60,25 @@ class ModelStream final : public CommandStream {
 
   void reset() override { model_.reset(); }
   PointStore store() const override { return store_; }
+  bool has_grids() const override { return grids_; }
 
  private:
-  static std::uint32_t features_of(const PointStore& store) {
-    return model::kAllFeatures | (store.pages > 0 ? model::kPagesFeature : 0U) |
+  static std::uint32_t features_of(const PointStore& store, bool grids) {
+    return model::kAllFeatures | (grids ? model::kGridsFeature : 0U) |
+           (store.pages > 0 ? model::kPagesFeature : 0U) |
            (store.axis_points > kSmallAxisPoints ? model::kLargeFeature : 0U);
   }
 
   model::StreamModel model_;
   PointStore store_;
+  bool grids_;
 };
 
 }  // namespace
 
-std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store) {
-  return std::make_unique<ModelStream>(row, store);
+std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store,
+                                            bool grids) {
+  return std::make_unique<ModelStream>(row, store, grids);
 }
 
 StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
@@ -95,12 +104,18 @@ std::array<AxisWords, 3> StreamDevice::axes_of(const Blending& blending,
           encode(blending_words(blending[2], codec), codec)};
 }
 
-StreamDevice::Questions StreamDevice::asked_in_order(std::size_t vertices) {
+bool StreamDevice::takes_whole(const Index3& dims) const {
+  return !pages_ && *std::max_element(dims.begin(), dims.end()) <=
+                        std::min(store_.axis_points, kSmallAxisPoints);
+}
+
+StreamDevice::Questions StreamDevice::asked_in_order(std::size_t vertices, std::uint32_t tag,
+                                                     std::size_t packet) {
   Questions asked;
   asked.reserve(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
-    const bool ends = (v + 1) % kPacketVertices == 0 || v + 1 == vertices;
-    asked.push_back({static_cast<std::uint32_t>(v) & kTagMask, ends});
+    const bool ends = (v + 1) % packet == 0 || v + 1 == vertices;
+    asked.push_back({(tag + static_cast<std::uint32_t>(v)) & kTagMask, ends});
   }
   return asked;
 }
@@ -161,14 +176,13 @@ std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
   const bool derivatives = results != Results::kPosition;
   std::vector<Beat> commands =
       coefficients_packet(axes, derivatives ? Functions::kDerivativesToo : Functions::kBlending);
-  const int axis_points =
-      pages_ ? store_.axis_points : std::min(store_.axis_points, kSmallAxisPoints);
-  const int longest = *std::max_element(lattice.dims.begin(), lattice.dims.end());
-  if (!pages_ && longest <= axis_points) {
+  if (takes_whole(lattice.dims)) {
     append(commands, lattice_packet(lattice));
     append(commands, vertices_packets(vertices, results));
     return answer(commands, asked_in_order(vertices.size()), results_of(results));
   }
+  const int axis_points =
+      pages_ ? store_.axis_points : std::min(store_.axis_points, kSmallAxisPoints);
   const std::vector<LatticePage> pages = pages_of(lattice, axis_points);
   PagedVertices paged = by_page(vertices, lattice.dims, axis_points);
   append(commands, pages_ ? pages_->packets(pages, paged, OutsideMode::kClamp, results)
@@ -184,6 +198,20 @@ Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& ve
   return positions_of(answer(axes_of(blending, codec), lattice_words(lattice, codec, normalization),
                              vertex_beats(vertices, codec), Results::kPosition),
                       codec, normalization);
+}
+
+Points StreamDevice::run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
+  if (!stream_->has_grids() || !takes_whole(lattice.dims())) {
+    return Device::run_grid(lattice, grid, blending);
+  }
+  const WordCodec codec(format_);
+  const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
+  std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
+  append(commands, lattice_packet(lattice_words(lattice, codec, normalization)));
+  append(commands, grid_packet(grid));
+  const std::size_t count = std::size_t{grid.count[0]} * grid.count[1] * grid.count[2];
+  return positions_of(answer(commands, asked_in_order(count, grid.tag, count), 1), codec,
+                      normalization);
 }
 
 Device::Tangents StreamDevice::run_tangents(const Lattice& lattice,

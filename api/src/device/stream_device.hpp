@@ -31,15 +31,19 @@ class CommandStream {
   virtual std::uint64_t clocks() const { return 0; }
   /// What the core behind it keeps of lattices.
   virtual PointStore store() const { return {}; }
+  /// Whether that core makes the vertices of grids, opcode 8.
+  virtual bool has_grids() const { return false; }
 };
 
-/// The bit-true model of a row of the table, with that store.
-std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store = {});
+/// The bit-true model of a row of the table, with that store, and with grids or without.
+std::unique_ptr<CommandStream> model_stream(const Configuration& row, const PointStore& store = {},
+                                            bool grids = false);
 /// Its Verilated RTL, just out of reset.
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row);
-/// A Verilated core that is there already, and has that store.
+/// A Verilated core that is there already, and has that store and grids or not.
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
-                                          const std::string& name, const PointStore& store);
+                                          const std::string& name, const PointStore& store,
+                                          bool grids = false);
 
 /// A device behind a command stream: coefficients, then the lattice, then the vertices. A lattice
 /// that is larger than the core keeps goes there by pages, with the vertices of each.
@@ -55,6 +59,8 @@ class StreamDevice final : public Device {
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override;
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;
+  /// By one packet where the core has grids and keeps the lattice as one.
+  Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) override;
   Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                         const Blending& blending) override;
 
@@ -66,10 +72,13 @@ class StreamDevice final : public Device {
   };
   using Questions = std::vector<Asked>;
 
+  /// Whether the core takes a lattice whole, by opcode 2.
+  bool takes_whole(const Index3& dims) const;
   /// The words of functions. Throws Error where the row cannot evaluate them.
   std::array<AxisWords, 3> axes_of(const Blending& blending, const WordCodec& codec) const;
 
-  static Questions asked_in_order(std::size_t vertices);
+  static Questions asked_in_order(std::size_t vertices, std::uint32_t tag = 0,
+                                  std::size_t packet = kPacketVertices);
   static Questions asked_by_page(const PagedVertices& paged, const std::vector<LatticePage>& pages);
 
   /// Sends the commands, which end with the packets of these vertices, and reads the results.

@@ -53,6 +53,9 @@ class DeformableLattice {
 
   /// Eq. (1) in the deformed lattice, n x 3; coordinates beyond [0, 1] are clamped.
   Points evaluate(std::vector<Embedded> vertices);
+  /// The same at the places of a regular grid, s fastest, then t, then u.
+  /// @throws as Device::evaluate()
+  Points evaluate_grid(const Grid& grid);
   /// Where the deformation takes attached points, n x 3.
   /// @throws Error if they were attached to another lattice; as Device::evaluate()
   Points carry(const Attachment& attachment);

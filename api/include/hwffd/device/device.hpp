@@ -11,6 +11,7 @@
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/on_threads.hpp"
 #include "hwffd/oracle/oracle.hpp"
+#include "hwffd/stream/grid.hpp"
 
 namespace hwffd {
 
@@ -53,6 +54,14 @@ class Device {
   /// The same with the uniform B-spline along all axes.
   Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices);
 
+  /// Positions of the vertices of a regular grid, s fastest, then t, then u: those of its places,
+  /// bit for bit. A core with grids makes the vertices itself, of a packet of four beats
+  /// (interface.md).
+  /// @throws Error for a grid that has no vertex or leaves the lattice, and as above
+  Points evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending);
+  /// With the uniform B-spline along all axes.
+  Points evaluate_grid(const Lattice& lattice, const Grid& grid);
+
   /// The same with derivatives; positions are those of evaluate(), bit for bit.
   Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                     const Blending& blending);
@@ -71,6 +80,8 @@ class Device {
   virtual Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
                      const Blending& blending) = 0;
   virtual Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) = 0;
+  /// Unless a device knows better, of the places one by one.
+  virtual Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending);
   virtual Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                                 const Blending& blending) = 0;
 
@@ -86,6 +97,10 @@ class Device {
 
   Progress progress_;
 };
+
+/// The places of a grid in the order of its results.
+/// @throws Error for a grid that has no vertex or leaves a lattice of so many cells
+std::vector<Embedded> places_of(const Grid& grid, const Index3& cells);
 
 /// @throws Error, which names the vertex, for a cell that a lattice of that many does not have
 void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex);

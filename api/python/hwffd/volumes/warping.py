@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from hwffd import Lattice, UsageError, deform, threads
 from hwffd.volumes.itk import from_itk, to_itk
+from hwffd.volumes.regular import RegularVoxels
 from hwffd.volumes.splines import Sampler
 from hwffd.volumes.volume import Volume
 
@@ -65,17 +66,38 @@ def _voxels(volume: Volume, block: tuple[slice, slice]) -> NDArray[np.float64]:
     return volume.points(grid[..., ::-1].astype(np.float64))
 
 
+def _deformed(lattice: Lattice, points: NDArray[np.float64]) -> tuple[NDArray[np.float64], int]:
+    """Where the lattice takes points, and how many it does not hold, of which nobody is warned."""
+    if points.size == 0:
+        return points, 0
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".*points are outside the lattice.*", UserWarning)
+        return deform(lattice, points), lattice.outside
+
+
+def _walked(lattice: Lattice, voxels: RegularVoxels, block: tuple[slice, slice],
+            points: NDArray[np.float64]) -> tuple[NDArray[np.float64], int]:
+    """The same of a block of voxels as a grid, and one by one of those that are outside."""
+    part, found = voxels.moved((*block, slice(0, points.shape[2])))
+    moved = np.empty_like(points)
+    moved[part] = found
+    rest = np.ones(points.shape[:3], bool)
+    rest[part] = False
+    moved[rest], outside = _deformed(lattice, points[rest])
+    return moved, outside
+
+
 def _carried(lattice: Lattice, grid: Volume,
              progress: Progress | None) -> Iterator[tuple[tuple[slice, slice], NDArray, NDArray, int]]:
     """Of each block of a grid: its slices, its voxels, where the lattice takes them, and how many of
     them it does not hold."""
+    voxels = None if lattice.device == "reference" else RegularVoxels.of(lattice, grid)
     done = 0
     for block in _blocks(grid.counts):
         points = _voxels(grid, block)
-        with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", ".*points are outside the lattice.*", UserWarning)
-            moved = deform(lattice, points)
-        yield block, points, moved, lattice.outside
+        moved, outside = (_walked(lattice, voxels, block, points) if voxels
+                          else _deformed(lattice, points))
+        yield block, points, moved, outside
         done += points.size // 3
         if progress:
             progress(done / np.prod(grid.counts))

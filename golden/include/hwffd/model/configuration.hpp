@@ -17,7 +17,7 @@ struct Configuration {
   int add_latency;        ///< clocks of an adder
   int fma_latency;        ///< clocks of a fused multiply-add; 0: multiply and add are separate
   int convert_latency;    ///< clocks of a conversion between kinds of number
-  const char* tier;       ///< smallest tier that verilates it: "sim", "test" or "all"
+  const char* tier;       ///< smallest tier that verilates it: "sim", "cover", "test" or "all"
 };
 
 /// Whether vertices follow each other before the one in front has ended; else the paper's schedule.

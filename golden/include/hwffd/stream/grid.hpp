@@ -34,6 +34,16 @@ Grid grid_between(const std::array<double, 3>& first, const std::array<double, 3
 /// @param most_cells  a cell from this one on cannot be named
 bool grid_fits(const Grid& grid, const std::array<int, 3>& dims, int most_cells = kLargeAxisPoints);
 
+/// Where a vertex of a grid is: its cell, and local coordinates of `kGridCoordinate` bits.
+struct GridPlace {
+  std::array<int, 3> cell{};
+  std::array<double, 3> local{};  ///< 1 on the last face only
+};
+
+/// The place of vertex (a, b, c) of a grid that fits.
+GridPlace grid_place(const Grid& grid, const std::array<int, 3>& dims,
+                     const std::array<std::uint32_t, 3>& at);
+
 /// Vertex (a, b, c) of a grid that fits: what a driver would send in its place.
 VertexBeat grid_vertex(const Grid& grid, const std::array<int, 3>& dims, const WordCodec& codec,
                        const std::array<std::uint32_t, 3>& at);
