@@ -57,8 +57,8 @@ class SpoiltStream final : public CommandStream {
       : model_(model_stream(row)), spoil_(spoil), resets_(resets) {}
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
-                        const Progress& progress) override {
-    std::vector<Beat> beats = model_->run(commands, results, progress);
+                        const Progress& progress, std::size_t steps) override {
+    std::vector<Beat> beats = model_->run(commands, results, progress, steps);
     spoil_(beats);
     return beats;
   }

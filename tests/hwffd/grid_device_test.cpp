@@ -33,9 +33,9 @@ class Heard final : public CommandStream {
   Heard(std::unique_ptr<CommandStream> stream, std::size_t& beats)
       : stream_(std::move(stream)), beats_(beats) {}
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
-                        const Progress& progress) override {
+                        const Progress& progress, std::size_t steps) override {
     beats_ += commands.size();
-    return stream_->run(commands, results, progress);
+    return stream_->run(commands, results, progress, steps);
   }
   void reset() override { stream_->reset(); }
   PointStore store() const override { return stream_->store(); }

@@ -68,7 +68,7 @@ class RtlStream final : public CommandStream {
   }
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
-                        const Progress& progress) override {
+                        const Progress& progress, std::size_t /*steps*/) override {
     Conversation conversation(loop_, *core_, commands, results);
     if (loop_.run(conversation, {kPatience}, progress) == cores::StreamEnd::kStalled) {
       throw Error(

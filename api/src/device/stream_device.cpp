@@ -32,9 +32,8 @@ Normalization::Origin origin_for(const Device::Blending& blending) {
   return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
 }
 
-// Between two looks at who waits; a model likes many at once.
-constexpr std::size_t kMostBeats = 4096;
-constexpr std::size_t kLooks = 16;
+constexpr std::size_t kMostBeats = 4096;  // between two looks at who waits; a model likes many
+constexpr std::size_t kStepsSeen = 100;   // of progress, where somebody wants to know it
 
 class ModelStream final : public CommandStream {
  public:
@@ -45,10 +44,10 @@ class ModelStream final : public CommandStream {
         grids_(grids) {}
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
-                        const Progress& progress) override {
+                        const Progress& progress, std::size_t steps) override {
     std::vector<Beat> out;
     out.reserve(results);
-    const std::size_t step = std::min(commands.size() / kLooks + 1, kMostBeats);
+    const std::size_t step = std::min(commands.size() / steps + 1, kMostBeats);
     for (std::size_t first = 0; first < commands.size(); first += step) {
       const std::size_t end = std::min(commands.size(), first + step);
       append(out, model_.run({commands.begin() + static_cast<std::ptrdiff_t>(first),
@@ -139,7 +138,8 @@ std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, const 
                                        std::size_t each) {
   std::vector<Beat> beats;
   try {
-    beats = stream_->run(commands, asked.size() * each, [&](double done) { show(done); });
+    beats = stream_->run(
+        commands, asked.size() * each, [&](double done) { show(done); }, shows() ? kStepsSeen : 1);
     check(beats, asked, each);
   } catch (...) {
     stream_->reset();

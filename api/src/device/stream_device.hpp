@@ -21,9 +21,10 @@ class CommandStream {
   virtual ~CommandStream() = default;
   /// All that comes back.
   /// @param results  how many beats that should be
+  /// @param steps  of progress, at least, unless there are as many anyway
   /// @throws Error if nothing comes any more before there are as many, and what progress throws
   virtual std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
-                                const Progress& progress) = 0;
+                                const Progress& progress, std::size_t steps) = 0;
   /// Forgets the packet under way and what is loaded: ready for the first beat of a packet,
   /// whatever became of the last run.
   virtual void reset() = 0;

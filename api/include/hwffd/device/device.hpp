@@ -85,6 +85,8 @@ class Device {
   virtual Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                                 const Blending& blending) = 0;
 
+  /// Whether somebody wants to know how far a call is.
+  bool shows() const { return progress_ != nullptr; }
   void show(double done) const {
     Watch::look();
     if (progress_) progress_(done);

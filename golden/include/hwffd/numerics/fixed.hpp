@@ -32,16 +32,11 @@ struct Fixed {
   using SumWord = std::conditional_t<kInLanes || 2 * W + 6 <= 62, Word, Int128>;
 
   /// A weight (also coordinate, coefficient) or a point: `value` counts units in the last place.
-  /// As a plain number it has no value until it is given one; `Number{}` is 0.
-  struct Number {
-    Word value;
-    Flag saturated;
-  };
+  struct OfNumber;
+  using Number = Flagged<Word, OfNumber>;
   /// A sum of up to 64 products.
-  struct Sum {
-    SumWord value;
-    Flag saturated;
-  };
+  struct OfSum;
+  using Sum = Flagged<SumWord, OfSum>;
   using Weight = Number;
   using Point = Number;
 

@@ -17,6 +17,20 @@ using FlagOf = std::conditional_t<std::is_same_v<Word, Lanes>, Lanes, bool>;
 inline bool either(bool a, bool b) { return a || b; }
 inline Lanes either(Lanes a, Lanes b) { return a | b; }
 
+/// A whole number and whether it, or what it was made of, saturated. What it is the value of makes
+/// types of it that do not mix.
+template <class Word, class What>
+struct Flagged {
+  Word value{};
+  bool saturated = false;
+};
+/// Eight of them; without values until they are given some, since arrays of them are large.
+template <class What>
+struct Flagged<Lanes, What> {
+  Lanes value;
+  Lanes saturated;
+};
+
 /// The number itself, or in every lane.
 template <class Word>
 Word everywhere(std::int64_t value) {
