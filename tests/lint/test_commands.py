@@ -111,7 +111,7 @@ def test_a_study_builds_one_program_and_runs_it(make, programs, name):
 def test_compare_builds_its_program_and_runs_it_beside_others(make, programs):
     programs(build__venv__bin__python='echo "python<$*>"')
     lines = make("compare")[1]
-    assert lines[-2].endswith(" --target hwffd-compare")
+    assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
     assert lines[-1] == "python<-B studies/compare>"
 
 
