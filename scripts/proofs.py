@@ -223,7 +223,8 @@ class Proofs:
     def result(self, one):
         """The verdict on these sources, if there is one; else None. Raises ProofError."""
         files = self.files(one)
-        if not all(path.is_file() for path in files):
+        # Seconds come last: without them a run was broken off.
+        if not all(path.is_file() and path.with_suffix(".seconds").is_file() for path in files):
             return self._kept_result(one)
         (result, clock), (control, frame) = (decided(one, path.read_text(errors="replace"))
                                              for path in files)
