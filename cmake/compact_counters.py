@@ -142,13 +142,11 @@ def _plain(text):
     """Counters of the class, that are no atomic numbers."""
     text = text.replace("std::atomic<uint32_t> __Vcoverage", "static inline uint32_t __Vcoverage")
     text = re.sub(r"(__Vcoverage\[\d+\])\.fetch_add\(1, std::memory_order_relaxed\)", r"\1++", text)
-    return re.sub(r"^ *\*count32p = 0;$", "", text.replace("std::atomic<uint32_t>", "uint32_t"), flags=re.M)
+    return text.replace("std::atomic<uint32_t>", "uint32_t")
 
 
 def main(name, folder):
     symbols = folder / f"{name}__Syms.h"
-    if "__Vcoverage[" not in symbols.read_text(encoding="utf-8"):
-        return
     live, texts = set(), {}
     for path in sorted([*folder.glob("*.cpp"), *folder.glob("*.h")]):
         texts[path], found = _rewritten(_plain(path.read_text(encoding="utf-8")))

@@ -15,7 +15,9 @@ if ! "$@" --Mdir new 2>verilator.log; then
   exit 1
 fi
 
-python3 -B "$(dirname "$0")/compact_counters.py" "$class" new
+if grep -q __Vcoverage "new/${class}__Syms.h"; then
+  python3 -B "$(dirname "$0")/compact_counters.py" "$class" new
+fi
 
 keep() {
   if cmp -s "$1" "$2"; then rm "$1"; else mv "$1" "$2"; fi

@@ -3,9 +3,9 @@
     python studies/compare [--program PROGRAM] [--output FOLDER]
 
 First studies/compare/arrays times whole calls of libraries of Python, on one core and on all, and writes
-FOLDER/reports/bench.json. hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
-cores that have been routed; then come the programs of others. All of this runs on one processor core.
-Writes FOLDER/reports/compare.json. The exit status is 1 where something was not measured or is wrong.
+FOLDER/reports/bench.json. Then hwffd-compare makes the scene, times the project's own programs and counts
+clocks in the RTL of those cores that have been routed, and the programs of others follow, all on one
+processor core. Writes FOLDER/reports/compare.json. The exit status is 1 where something was not measured or is wrong.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -168,15 +168,11 @@ std::vector<Embedded> places_of(const Grid& grid, const Index3& cells) {
   const Index3 dims = {cells[0] + 3, cells[1] + 3, cells[2] + 3};
   check_grid(grid, dims);
   std::vector<Embedded> places;
-  places.reserve(std::size_t{grid.count[0]} * grid.count[1] * grid.count[2]);
-  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
-    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
-      for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
-        const GridPlace at = grid_place(grid, dims, {a, b, c});
-        places.push_back({at.cell, {at.local[0], at.local[1], at.local[2]}});
-      }
-    }
-  }
+  places.reserve(vertex_count(grid));
+  for_each_vertex(grid, [&](const std::array<std::uint32_t, 3>& number) {
+    const GridPlace at = grid_place(grid, dims, number);
+    places.push_back({at.cell, {at.local[0], at.local[1], at.local[2]}});
+  });
   return places;
 }
 
@@ -224,7 +220,7 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
 Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
   check(blending);
   check_grid(grid, lattice.dims());
-  counts_.vertices += std::uint64_t{grid.count[0]} * grid.count[1] * grid.count[2];
+  counts_.vertices += vertex_count(grid);
   return finite(run_grid(lattice, grid, blending));
 }
 

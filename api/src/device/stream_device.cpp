@@ -103,9 +103,12 @@ std::array<AxisWords, 3> StreamDevice::axes_of(const Blending& blending,
           encode(blending_words(blending[2], codec), codec)};
 }
 
+int StreamDevice::axis_points() const {
+  return pages_ ? store_.axis_points : std::min(store_.axis_points, kSmallAxisPoints);
+}
+
 bool StreamDevice::takes_whole(const Index3& dims) const {
-  return !pages_ && *std::max_element(dims.begin(), dims.end()) <=
-                        std::min(store_.axis_points, kSmallAxisPoints);
+  return !pages_ && *std::max_element(dims.begin(), dims.end()) <= axis_points();
 }
 
 StreamDevice::Questions StreamDevice::asked_in_order(std::size_t vertices, std::uint32_t tag,
@@ -181,10 +184,8 @@ std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
     append(commands, vertices_packets(vertices, results));
     return answer(commands, asked_in_order(vertices.size()), results_of(results));
   }
-  const int axis_points =
-      pages_ ? store_.axis_points : std::min(store_.axis_points, kSmallAxisPoints);
-  const std::vector<LatticePage> pages = pages_of(lattice, axis_points);
-  PagedVertices paged = by_page(vertices, lattice.dims, axis_points);
+  const std::vector<LatticePage> pages = pages_of(lattice, axis_points());
+  PagedVertices paged = by_page(vertices, lattice.dims, axis_points());
   append(commands, pages_ ? pages_->packets(pages, paged, OutsideMode::kClamp, results)
                           : page_packets(pages, paged, OutsideMode::kClamp, results));
   return in_order(answer(commands, asked_by_page(paged, pages), results_of(results)), paged,
@@ -209,7 +210,7 @@ Points StreamDevice::run_grid(const Lattice& lattice, const Grid& grid, const Bl
   std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
   append(commands, lattice_packet(lattice_words(lattice, codec, normalization)));
   append(commands, grid_packet(grid));
-  const std::size_t count = std::size_t{grid.count[0]} * grid.count[1] * grid.count[2];
+  const std::size_t count = vertex_count(grid);
   return positions_of(answer(commands, asked_in_order(count, grid.tag, count), 1), codec,
                       normalization);
 }

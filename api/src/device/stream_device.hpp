@@ -73,6 +73,8 @@ class StreamDevice final : public Device {
   };
   using Questions = std::vector<Asked>;
 
+  /// Of a lattice, or a page of one, that is sent at once: at most.
+  int axis_points() const;
   /// Whether the core takes a lattice whole, by opcode 2.
   bool takes_whole(const Index3& dims) const;
   /// The words of functions. Throws Error where the row cannot evaluate them.

@@ -28,6 +28,7 @@ void StreamModel::reset() {
   newest_ = 0;
   spans_.reset();
   results_.clear();
+  waiting_ = {};
   events_ = {};
   vertices_ = 0;
 }
@@ -102,6 +103,7 @@ void StreamModel::header(const Beat& beat) {
   const int number = opcode == Opcode::kLattice ? other_page()
                      : newest                   ? newest_
                                                 : static_cast<int>(beat.words[0] >> 8 & 0xFF);
+  // Others may change what vertices that wait are evaluated with.
   if (opcode != Opcode::kVertices && opcode != Opcode::kGrid) evaluate_waiting();
   if (!start(opcode, number)) return;
   if (state_ == State::kDrop || beat.last) ++events_[event::kPacketShort];

@@ -29,7 +29,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   const bool blank = truncated || unloaded || nan_ || refused;
   const bool later = !blank && can_wait();
   if (later) wait();
-  if (!blank && !later) use_spans();
+  if (!blank) use_spans();
   for (int part = 0; part < results_of(wanted_); ++part) {
     for (const bool fourth : {false, true}) {
       if (fourth && !flagged(kFourthFlag)) continue;

@@ -53,15 +53,10 @@ void StreamModel::grid() {
     return;
   }
   const std::array<int, 3> dims = page_->dims;
-  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
-    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
-      for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
-        const bool last =
-            a + 1U == grid.count[0] && b + 1U == grid.count[1] && c + 1U == grid.count[2];
-        vertex(grid_vertex(grid, dims, codec_, {a, b, c}), last);
-      }
-    }
-  }
+  std::size_t left = vertex_count(grid);
+  for_each_vertex(grid, [&](const std::array<std::uint32_t, 3>& at) {
+    vertex(grid_vertex(grid, dims, codec_, at), --left == 0);
+  });
 }
 
 }  // namespace hwffd::model

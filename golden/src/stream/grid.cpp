@@ -92,13 +92,9 @@ std::vector<VertexBeat> grid_vertices(const Grid& grid, const std::array<int, 3>
                                       const WordCodec& codec) {
   if (!grid_fits(grid, dims)) throw std::invalid_argument("a grid that leaves its lattice");
   std::vector<VertexBeat> vertices;
-  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
-    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
-      for (std::uint32_t a = 0; a < grid.count[0]; ++a) {
-        vertices.push_back(grid_vertex(grid, dims, codec, {a, b, c}));
-      }
-    }
-  }
+  for_each_vertex(grid, [&](const std::array<std::uint32_t, 3>& at) {
+    vertices.push_back(grid_vertex(grid, dims, codec, at));
+  });
   return vertices;
 }
 

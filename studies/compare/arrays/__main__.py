@@ -22,6 +22,11 @@ THREADS_OF_LIBRARIES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_TH
                         "VTK_SMP_MAX_THREADS")
 RUNS = 3  # behind one that is not counted
 
+sys.path[1:1] = [str(ROOT / "scripts"), str(ROOT / "build" / "api" / "python")]
+
+import front  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+
 
 class BenchError(Exception):
     """Why there is no figure, in one line."""
@@ -62,7 +67,8 @@ def row(number, points, threads):
     return json.loads(done.stdout)
 
 
-def work(options):
+def measure(options):
+    """Every library with each number of threads."""
     import libraries
     rows = []
     for threads in options.threads:
@@ -71,32 +77,30 @@ def work(options):
                   flush=True)
             rows.append(row(number, options.points, threads))
     path = options.output / "reports" / "bench.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"rows": rows}, indent=2) + "\n", encoding="utf-8")
+    synthesis.write(path, json.dumps({"rows": rows}, indent=2) + "\n")
     print(f"wrote {path}")
+
+
+def work_on(options, processors):
+    if options.points < 1 or not all(1 <= n <= processors for n in options.threads):
+        raise BenchError(f"--points from 1 up and --threads of 1 to {processors} are wanted")
+    if options.library is None:
+        measure(options)
+    else:
+        print(json.dumps(measured(options.library, options.points, options.threads[0])))
+    return 0
 
 
 def main():
     processors = len(os.sched_getaffinity(0))
-    parser = argparse.ArgumentParser(prog="arrays", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser = argparse.ArgumentParser(prog="compare", description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--points", type=int, default=10_000_000)
     parser.add_argument("--threads", type=int, nargs="+", default=sorted({1, processors}))
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
                         help="folder for reports")
     parser.add_argument("--library", type=int, help="measure this one here and print its row")
     options = parser.parse_args()
-    sys.path.insert(0, str(ROOT / "build" / "api" / "python"))
-    try:
-        if options.points < 1 or not all(1 <= n <= processors for n in options.threads):
-            raise BenchError(f"--points from 1 up and --threads of 1 to {processors} are wanted")
-        if options.library is None:
-            work(options)
-        else:
-            print(json.dumps(measured(options.library, options.points, options.threads[0])))
-    except (BenchError, ImportError) as error:
-        print(f"compare: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return front.ended(parser.prog, lambda: work_on(options, processors), (BenchError, ImportError))
 
 
 if __name__ == "__main__":

@@ -109,27 +109,24 @@ def vtk(scene, threads):
 class Library:
     """A library, the way it is called, and how exact it has to be."""
 
-    name: str
-    package: str
+    name: str  # of its package, too
     call: str
     prepare: object  # (scene, threads) -> what is timed, which returns the moved points
     bound: float
 
     @property
     def version(self):
-        return importlib.metadata.version(self.package) if self.name != "hwffd" else _own_version()
-
-
-def _own_version():
-    import hwffd
-    return hwffd.__version__
+        if self.name == "hwffd":  # of the build, where it is no package that was installed
+            import hwffd
+            return hwffd.__version__
+        return importlib.metadata.version(self.name)
 
 
 LIBRARIES = (
-    Library("hwffd", "hwffd", "device reference", hwffd_reference, 1e-12),
-    Library("hwffd", "hwffd", "device reference, embedding kept", hwffd_kept, 1e-12),
-    Library("hwffd", "hwffd", "device model, factored, fx18", hwffd_model, 5e-4),
-    Library("scipy", "scipy", "map_coordinates", scipy, 1e-12),
-    Library("interpolation", "interpolation", "eval_cubic", interpolation, 1e-12),
-    Library("vtk", "vtk", "vtkBSplineTransform", vtk, 1e-12),
+    Library("hwffd", "device reference", hwffd_reference, 1e-12),
+    Library("hwffd", "device reference, embedding kept", hwffd_kept, 1e-12),
+    Library("hwffd", "device model, factored, fx18", hwffd_model, 5e-4),
+    Library("scipy", "map_coordinates", scipy, 1e-12),
+    Library("interpolation", "eval_cubic", interpolation, 1e-12),
+    Library("vtk", "vtkBSplineTransform", vtk, 1e-12),
 )

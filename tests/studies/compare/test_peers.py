@@ -4,23 +4,19 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import dataclasses
-import itertools
 import pathlib
 import sys
 
 import numpy
 import pytest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "studies" / "compare"))
+COMPARE = pathlib.Path(__file__).resolve().parents[3] / "studies" / "compare"
+sys.path[:0] = [str(COMPARE), str(COMPARE / "arrays")]
 
 import peers  # noqa: E402  pylint: disable=wrong-import-position
+from scene import evaluated  # noqa: E402  pylint: disable=wrong-import-position
 
 COUNT = 300
-
-
-def weights(x):
-    y = 1 - x
-    return numpy.stack([y**3, 4 - 6 * x**2 + 3 * x**3, 4 - 6 * y**2 + 3 * y**3, x**3]) / 6
 
 
 def written(folder, count=COUNT):
@@ -29,11 +25,7 @@ def written(folder, count=COUNT):
     points = random.uniform(-1, 1, (16, 16, 16, 3))
     cells = random.integers(0, 13, (count, 3)).astype(numpy.int32)
     local = random.random((count, 3))
-    w = [weights(local[:, axis]) for axis in range(3)]
-    exact = numpy.zeros((count, 3))
-    for l, m, n in itertools.product(range(4), repeat=3):
-        at = points[cells[:, 0] + l, cells[:, 1] + m, cells[:, 2] + n]
-        exact += (w[0][l] * w[1][m] * w[2][n])[:, None] * at
+    exact = evaluated(points, cells + 1 + local)
     for name, values in (("points.f64", points), ("cells.i32", cells), ("local.f64", local),
                          ("exact.f64", exact)):
         values.tofile(folder / name)

@@ -24,12 +24,11 @@ struct Fixed {
 
   using Word = WordType;
   using Flag = FlagOf<Word>;
-  static constexpr bool kInLanes = std::is_same_v<Word, Lanes>;
   /// Whether 64 bits hold whatever is computed on the way.
   static constexpr bool kShort = 2 * W + 14 <= 62;
-  static_assert(kShort || !kInLanes, "lanes have 64 bits");
+  static_assert(kShort || std::is_same_v<Word, std::int64_t>, "lanes have 64 bits");
   using Wide = std::conditional_t<kShort, Word, Int128>;
-  using SumWord = std::conditional_t<kInLanes || 2 * W + 6 <= 62, Word, Int128>;
+  using SumWord = std::conditional_t<2 * W + 6 <= 62, Word, Int128>;
 
   /// A weight (also coordinate, coefficient) or a point: `value` counts units in the last place.
   struct OfNumber;
@@ -56,9 +55,7 @@ struct Fixed {
 
   static Weight coordinate(std::uint32_t word) {
     const CoordinateRange place = range(word);
-    const Number number = round_to(everywhere<Wide>(place.clamped), 33 - W, W);
-    const Wide outside = everywhere<Wide>(place.outside ? 1 : 0);
-    return {number.value, either(number.saturated, outside != 0)};
+    return with_flag(round_to(Wide{place.clamped}, 33 - W, W), place.outside);
   }
   static Weight coefficient(std::uint32_t word) { return signed_word(word); }
   static Point point(std::uint32_t word, int /*exponent*/ = 0) { return signed_word(word); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,22 @@ Grid grid_between(const std::array<double, 3>& first, const std::array<double, 3
 /// Whether a grid has vertices and all of them are in a lattice of so many points an axis.
 /// @param most_cells  a cell from this one on cannot be named
 bool grid_fits(const Grid& grid, const std::array<int, 3>& dims, int most_cells = kLargeAxisPoints);
+
+/// How many vertices a grid has.
+inline std::size_t vertex_count(const Grid& grid) {
+  return std::size_t{grid.count[0]} * grid.count[1] * grid.count[2];
+}
+
+/// Calls visit({a, b, c}) for each vertex in the order of its results: s fastest, then t, then u.
+template <class Visit>
+void for_each_vertex(const Grid& grid, const Visit& visit) {
+  for (std::uint32_t c = 0; c < grid.count[2]; ++c) {
+    for (std::uint32_t b = 0; b < grid.count[1]; ++b) {
+      for (std::uint32_t a = 0; a < grid.count[0]; ++a)
+        visit(std::array<std::uint32_t, 3>{a, b, c});
+    }
+  }
+}
 
 /// Where a vertex of a grid is: its cell, and local coordinates of `kGridCoordinate` bits.
 struct GridPlace {
