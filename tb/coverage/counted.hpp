@@ -37,9 +37,11 @@ void settled(std::uint64_t now, Word& before, unsigned first, unsigned bits) {
   before = static_cast<Word>((before & ~mask) | (now & mask));
 }
 
-/// The same, and their counters, the first of which is given, learn which have risen and which fallen.
+/// The same, and their counters, the first of which is given, learn which have risen and which
+/// fallen.
 template <class Word>
-void toggled(std::uint64_t now, Word& before, unsigned first, unsigned bits, std::uint32_t* counter) {
+void toggled(std::uint64_t now, Word& before, unsigned first, unsigned bits,
+             std::uint32_t* counter) {
   const std::uint64_t mask = ~std::uint64_t{0} >> (64 - bits) << first;
   std::uint64_t changed = (now ^ before) & mask;
   if (changed == 0) return;

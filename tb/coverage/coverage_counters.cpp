@@ -4,11 +4,9 @@
 // Stands in for Verilator's own verilated_cov.cpp, which keeps the counters of each instance and of
 // each simulation under their full names: a test makes hundreds of cores, and what is asked is only
 // whether a line of a module was ever run. At the end of the process the counters of one place in a
-// source are joined and written to $HWFFD_COVERAGE, as lines with tabs: page, line, column, comment,
-// further lines, count. The count of a bit is 1 if it has risen and 2 if it has fallen, or 3 if both.
-// SPDX-License-Identifier: Apache-2.0
-#include "counted.hpp"
-
+// source are joined and written to $HWFFD_COVERAGE, as lines with tabs: page, line, column,
+// comment, further lines, count. The count of a bit is 1 if it has risen and 2 if it has fallen, or
+// 3 if both. SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +17,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+#include "counted.hpp"
 
 namespace {
 
