@@ -24,6 +24,16 @@ thread_local Clock::time_point looked;
 /// The work of one call of on_threads().
 class Job {
  public:
+  /// What a worker throws when the others are to end, too; nobody sees it.
+  struct Stopped {};
+
+  /// The job that this thread works on for another; null for a thread that does its own.
+  static thread_local const Job* at_work;
+
+  void go_on() const {
+    if (stopped_) throw Stopped{};
+  }
+
   Job(std::size_t count, const std::function<void(std::size_t)>& work,
       const std::function<void(std::size_t)>& progress)
       : count_(count), work_(work), progress_(progress) {}
@@ -53,14 +63,20 @@ class Job {
   struct Team {
     explicit Team(Job& of) : job(of) {}
     ~Team() {
-      job.next_ = job.count_;
+      job.stop();
       for (std::thread& thread : threads) thread.join();
     }
     Job& job;
     std::vector<std::thread> threads;
   };
 
+  void stop() {
+    next_ = count_;
+    stopped_ = true;
+  }
+
   void loop() {
+    at_work = this;
     for (std::size_t i = next_++; i < count_; i = next_++) {
       try {
         work_(i);
@@ -70,7 +86,7 @@ class Job {
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!thrown_) thrown_ = std::current_exception();
-        next_ = count_;
+        stop();
       }
     }
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -95,12 +111,15 @@ class Job {
   const std::function<void(std::size_t)>& work_;
   const std::function<void(std::size_t)>& progress_;
   std::atomic<std::size_t> next_{0};
+  std::atomic<bool> stopped_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
   std::exception_ptr thrown_;
   std::size_t done_ = 0;
   std::size_t running_ = 0;
 };
+
+thread_local const Job* Job::at_work = nullptr;
 
 }  // namespace
 
@@ -113,7 +132,7 @@ void set_thread_count(std::size_t count) { wanted = count; }
 
 void on_threads(std::size_t count, const std::function<void(std::size_t)>& work,
                 const std::function<void(std::size_t done)>& progress) {
-  const std::size_t threads = std::min(thread_count(), count);
+  const std::size_t threads = Job::at_work == nullptr ? std::min(thread_count(), count) : 1;
   Job job(count, work, progress);
   if (threads <= 1) {
     job.run_here();
@@ -135,6 +154,7 @@ Watch::Watch(std::function<void()> check) : check_(std::move(check)), outer_(inn
 Watch::~Watch() { innermost = outer_; }
 
 void Watch::look() {
+  if (Job::at_work != nullptr) Job::at_work->go_on();
   if (innermost == nullptr) return;
   const Clock::time_point now = Clock::now();
   if (now - looked < kPatience) return;

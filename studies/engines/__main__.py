@@ -34,6 +34,7 @@ import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 ROWS = ("basic-fx18-overlapped", "basic-fx32-overlapped", "affine64-fx17-overlapped",
         "basic-fp32-overlapped", "basic-bfp32-overlapped")
 PLANTED_BEATS = 600  # of the recording
+GATE_BEATS = 1500  # all that a recording has before its packets in any order, and some of those
 FAULTS = (answers.AnswerError, axi.AxiError, configurations.TableError, icarus.SimulationError,
           planted.PlantError, registers.RegisterError)
 
@@ -46,6 +47,8 @@ def reports(options):
         row = configurations.find(table, name)
         folder = options.output / "engines" / name
         found.measure(options.programs, streams.prepare(options.programs, row, folder, options.beats))
+        found.measure_gates(streams.prepare(options.programs, row, folder.with_name(f"{name}-gates"),
+                                            min(GATE_BEATS, options.beats or GATE_BEATS)))
         if name == ROWS[0]:
             found.plant(options.programs, streams.prepare(
                 options.programs, row, folder.with_name(f"{name}{streams.PLANTED}"), PLANTED_BEATS))

@@ -70,6 +70,37 @@ TEST_F(Threads, ThrowWhatTheWorkThrew) {
   }
 }
 
+TEST_F(Threads, WorkWithinWorkStaysOnItsThread) {
+  set_thread_count(3);
+  std::atomic<int> done{0};
+  on_threads(6, [&](std::size_t) {
+    on_threads(50, [&, outer = std::this_thread::get_id()](std::size_t) {
+      EXPECT_EQ(std::this_thread::get_id(), outer);
+      ++done;
+    });
+  });
+  EXPECT_EQ(done, 300);
+}
+
+// The other works for 100 s, and would go on.
+TEST_F(Threads, WorkUnderWayEndsWithTheOneThatThrew) {
+  set_thread_count(2);
+  const auto start = std::chrono::steady_clock::now();
+  std::atomic<bool> begun{false};
+  const auto work = [&](std::size_t i) {
+    if (i == 0) {
+      while (!begun) std::this_thread::yield();
+      throw std::out_of_range("zero");
+    }
+    on_threads(100000, [&](std::size_t) {
+      begun = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  };
+  EXPECT_THROW(on_threads(2, work), std::out_of_range);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
 // Ends 100 s of work after some 50 ms; within 200 on a machine that is idle.
 TEST_F(Threads, AWatchEndsThem) {
   struct Enough {};

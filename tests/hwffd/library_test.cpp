@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -81,6 +82,30 @@ TEST_F(Library, AttachedPointsAreCarriedAsOthersAre) {
     EXPECT_EQ(lattice.summary().inside, 5000u) << family;
     DeformableLattice model = bent(family, "model");
     EXPECT_LT((model.carry(points_) - first).cwiseAbs().maxCoeff(), 5e-6) << family;
+  }
+}
+
+TEST_F(Library, PartsOfManyPointsAreCarriedAsTheWholeIs) {
+  Points many = 1.1 * Points::Random(20000, 3);
+  for (const std::string device : {"model", "reference"}) {
+    DeformableLattice lattice = bent("bspline", device);
+    lattice.set_device({device, "factored", "fx18"});
+    const Attachment attachment = lattice.attach(many);
+    const Points whole = lattice.carry(attachment);
+    const EmbeddingSummary summary = lattice.summary();
+    EXPECT_GT(summary.outside, 1000u);
+    for (const std::size_t threads : {1, 3}) {
+      set_thread_count(threads);
+      EXPECT_TRUE(same_bits(lattice.carry(many), whole)) << device;
+      EXPECT_EQ(lattice.summary().points, summary.points);
+      EXPECT_EQ(lattice.summary().inside, summary.inside);
+      EXPECT_EQ(lattice.summary().outside, summary.outside);
+      EXPECT_EQ(lattice.summary().worst_residual, summary.worst_residual);
+    }
+    Points broken = many;
+    broken(19000, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_ERROR_PART(lattice.carry(broken), "point 19000");
+    EXPECT_TRUE(same_bits(lattice.carry(many), whole)) << device;
   }
 }
 

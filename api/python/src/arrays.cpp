@@ -1,8 +1,10 @@
 #include "arrays.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/coordinates.hpp"
@@ -37,11 +39,19 @@ py::array numbers(const py::handle& object, const char* name) {
   return array;
 }
 
-/// Copies an array of any strides, of 3*n numbers.
-Points copy_of(const py::array& array) {
-  const auto packed = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!packed) throw py::error_already_set();
-  return Eigen::Map<const Points>(packed.data(), packed.size() / 3, 3);
+/// The array, if its numbers are doubles one behind the other; a copy where they are not.
+py::array_t<double> packed(const py::array& array) {
+  const auto found = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  if (!found) throw py::error_already_set();
+  return found;
+}
+
+/// An array with the points for its numbers.
+py::array owning(Points points, const Shape& shape) {
+  auto owned = std::make_unique<Points>(std::move(points));
+  const double* data = owned->data();
+  const py::capsule owner(owned.release(), [](void* of) { delete static_cast<Points*>(of); });
+  return py::array_t<double>(shape, data, owner);
 }
 
 }  // namespace
@@ -66,11 +76,11 @@ Read read_points(const py::handle& array, const char* name) {
     throw UsageError(std::string(name) + ": shape " + text_of(shape_of(read)) +
                      "; give (..., 3), x, y and z last");
   }
-  return {copy_of(read), shape_of(read), is_float32(read.dtype())};
+  return {packed(read), shape_of(read), is_float32(read.dtype())};
 }
 
 Points read_rows(const py::handle& array, const char* name, Eigen::Index rows) {
-  Points read = read_points(array, name).points;
+  Points read = read_points(array, name).points();
   if (read.rows() == rows) return read;
   throw UsageError(std::string(name) + ": " + std::to_string(read.rows()) + " rows; give " +
                    std::to_string(rows) + ", one for each point");
@@ -80,39 +90,41 @@ Points read_control_points(const py::handle& array, const Index3& dims) {
   const Read read = read_points(array, "control points");
   const Shape grid = grid_shape(dims);
   const Shape flat = {grid[0] * grid[1] * grid[2], 3};
-  if (read.shape == grid || read.shape == flat) return read.points;
+  if (read.shape == grid || read.shape == flat) return read.points();
   throw UsageError("control points: shape " + text_of(read.shape) + "; give " + text_of(grid) +
                    " or " + text_of(flat));
 }
 
-py::array target(const py::object& out, const Shape& shape, bool is_float) {
+Target::Target(const py::object& out, Shape shape, bool is_float) : shape_(std::move(shape)) {
   if (out.is_none()) {
-    return {is_float ? py::dtype::of<float>() : py::dtype::of<double>(), shape};
+    if (is_float) array_ = py::array(py::dtype::of<float>(), shape_);
+    return;
   }
   if (!py::isinstance<py::array>(out)) {
     throw UsageError("out: no array of NumPy; give one of float32 or float64");
   }
-  auto array = py::reinterpret_borrow<py::array>(out);
-  const py::dtype type = array.dtype();
+  array_ = py::reinterpret_borrow<py::array>(out);
+  const py::dtype type = array_->dtype();
   if (!type.equal(py::dtype::of<float>()) && !type.equal(py::dtype::of<double>())) {
     throw UsageError("out: numbers of " + std::string(py::str(type)) + "; give float32 or float64");
   }
-  if (shape_of(array) != shape) {
-    throw UsageError("out: shape " + text_of(shape_of(array)) + "; give " + text_of(shape));
+  if (shape_of(*array_) != shape_) {
+    throw UsageError("out: shape " + text_of(shape_of(*array_)) + "; give " + text_of(shape_));
   }
-  if (!array.writeable()) throw UsageError("out: a read-only array; give one to write to");
-  return array;
+  if (!array_->writeable()) throw UsageError("out: a read-only array; give one to write to");
 }
 
-void write_points(const Points& points, const py::array& to) {
-  const auto row = is_float32(to.dtype()) ? beyond_float(points) : std::nullopt;
+py::array Target::take(Points points) const {
+  if (!array_) return owning(std::move(points), shape_);
+  const auto row = is_float32(array_->dtype()) ? beyond_float(points) : std::nullopt;
   if (row) {
     throw Error("point " + std::to_string(*row) +
                 " is beyond what float32 holds; give points or out of float64");
   }
   // With a base, if only None, NumPy takes the numbers where they are.
-  const py::array_t<double> from(shape_of(to), points.data(), py::none());
-  to.attr("__setitem__")(py::ellipsis(), from);
+  const py::array_t<double> from(shape_, points.data(), py::none());
+  array_->attr("__setitem__")(py::ellipsis(), from);
+  return *array_;
 }
 
 py::array new_array(const Shape& shape, const double* data) {

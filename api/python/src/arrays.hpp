@@ -2,6 +2,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <optional>
 #include <vector>
 
 #include "hwffd/lattice/lattice.hpp"
@@ -15,9 +16,12 @@ using Shape = std::vector<py::ssize_t>;
 
 /// Points out of Python and how they came.
 struct Read {
-  Points points;  ///< n x 3
-  Shape shape;    ///< of the array, (..., 3)
-  bool is_float;  ///< float32, so that results are
+  py::array_t<double> packed;  ///< the caller's own array where that is
+  Shape shape;                 ///< (..., 3)
+  bool is_float;               ///< float32, so that results are
+
+  /// n x 3, of `packed`.
+  Eigen::Map<const Points> points() const { return {packed.data(), packed.size() / 3, 3}; }
 };
 
 /// An array (..., 3), or what NumPy makes one of, of floats or integers, with any strides.
@@ -33,14 +37,22 @@ Points read_rows(const py::handle& array, const char* name, Eigen::Index rows);
 /// @throws UsageError for another shape
 Points read_control_points(const py::handle& array, const Index3& dims);
 
-/// An array to write results to: `out` of the caller, or a new one.
-/// @param out  None, or a writable array of float32 or float64 with that shape
-/// @throws UsageError for anything else
-py::array target(const py::object& out, const Shape& shape, bool is_float);
+/// Where results go: an array of the caller's, or a new one.
+class Target {
+ public:
+  /// @param out  None, or a writable array of float32 or float64 with that shape
+  /// @param is_float  of a new array: float32
+  /// @throws UsageError for anything else
+  Target(const py::object& out, Shape shape, bool is_float);
 
-/// Writes points to an array of the same size.
-/// @throws Error, before anything is written, if a float32 cannot hold a number
-void write_points(const Points& points, const py::array& to);
+  /// The array with the points in it, as many as it has room for.
+  /// @throws Error, before anything is written, if a float32 cannot hold a number
+  py::array take(Points points) const;
+
+ private:
+  Shape shape_;
+  std::optional<py::array> array_;  ///< none: a new one is made of the points
+};
 
 /// A new array of doubles, that NumPy refuses to write to if it is a copy of what a lattice has.
 py::array new_array(const Shape& shape, const double* data);

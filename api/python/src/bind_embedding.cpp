@@ -56,10 +56,9 @@ py::array inside(const PyEmbedding& embedding) {
 }
 
 /// Warns of points that the deformation leaves where they are.
-void warn_of_stayers(const PyEmbedding& embedding) {
-  const EmbeddingSummary& summary = embedding.attachment->summary();
+void warn_of_stayers(const EmbeddingSummary& summary, const std::string& outside) {
   std::string text;
-  if (summary.outside > 0 && embedding.outside == "keep") {
+  if (summary.outside > 0 && outside == "keep") {
     text = std::to_string(summary.outside) + " of " + std::to_string(summary.points) +
            " points are outside the lattice and stayed; see set_outside";
   } else if (summary.not_converged > 0) {
@@ -72,10 +71,26 @@ void warn_of_stayers(const PyEmbedding& embedding) {
 }
 
 py::array deform_embedded(const PyEmbedding& embedding, PyLattice& lattice, const py::object& out) {
-  py::array to = target(out, embedding.shape, embedding.is_float);
-  write_points(
-      lattice.alone([&](DeformableLattice& of) { return of.carry(*embedding.attachment); }), to);
-  warn_of_stayers(embedding);
+  const Target target(out, embedding.shape, embedding.is_float);
+  py::array to = target.take(
+      lattice.alone([&](DeformableLattice& of) { return of.carry(*embedding.attachment); }));
+  warn_of_stayers(embedding.attachment->summary(), embedding.outside);
+  return to;
+}
+
+py::array deform_points(PyLattice& lattice, const py::object& points, const py::object& out) {
+  const Read read = read_points(points, "points");
+  const Target target(out, read.shape, read.is_float);
+  EmbeddingSummary summary;
+  std::string outside;
+  Points carried = lattice.alone([&](DeformableLattice& of) {
+    Points there = of.carry(read.points(), Attachment::Unsure::kStay);
+    summary = of.summary();
+    outside = lattice.outside;
+    return there;
+  });
+  py::array to = target.take(std::move(carried));
+  warn_of_stayers(summary, outside);
   return to;
 }
 
@@ -87,7 +102,7 @@ py::object deform(PyLattice& lattice, const py::object& points, const py::object
   if (py::hasattr(points, "__dask_graph__")) {
     return py::module_::import("hwffd._chunks").attr("deform")(&lattice, points, out);
   }
-  return deform_embedded(embed(lattice, points), lattice, out);
+  return deform_points(lattice, points, out);
 }
 
 std::vector<Eigen::Matrix3d> gradients(const PyEmbedding& embedding, const PyLattice& lattice) {
@@ -118,9 +133,8 @@ py::array normals(const PyEmbedding& embedding, const PyLattice& lattice, const 
                   const py::object& out) {
   const Points read = read_rows(at_rest, "normals", embedding.attachment->size());
   check_coordinates("normals", read);
-  py::array to = target(out, embedding.shape, embedding.is_float);
-  write_points(carried_normals(gradients(embedding, lattice), read), to);
-  return to;
+  const Target target(out, embedding.shape, embedding.is_float);
+  return target.take(carried_normals(gradients(embedding, lattice), read));
 }
 
 /// (values, columns, starts), as SciPy takes them.
@@ -175,9 +189,10 @@ PyEmbedding embedding_from(const py::tuple& state) {
   const Index3 dims = dims_of_grid(rest.shape);
   const bool is_float = state[4].cast<bool>();
   const Unlocked unlocked;
-  return {std::make_shared<Attachment>(Embedder(Lattice(dims, rest.points), family), points.points,
-                                       Outside::parse(outside), Attachment::Unsure::kStay),
-          points.shape, is_float, outside};
+  return {
+      std::make_shared<Attachment>(Embedder(Lattice(dims, rest.points()), family), points.points(),
+                                   Outside::parse(outside), Attachment::Unsure::kStay),
+      points.shape, is_float, outside};
 }
 
 template <std::size_t EmbeddingSummary::*Count>
@@ -223,7 +238,7 @@ PyEmbedding embed(const PyLattice& lattice, const py::object& points) {
   std::string outside;
   auto attachment = lattice.alone([&](const DeformableLattice& of) {
     outside = lattice.outside;
-    return std::make_shared<const Attachment>(of.attach(read.points, Attachment::Unsure::kStay));
+    return std::make_shared<const Attachment>(of.attach(read.points(), Attachment::Unsure::kStay));
   });
   return {std::move(attachment), std::move(read.shape), read.is_float, std::move(outside)};
 }

@@ -38,12 +38,12 @@ Holder of_grid(const py::object& control_points, const std::string& family) {
   const Read read = read_points(control_points, "control points");
   const Index3 dims = dims_of_grid(read.shape);
   const Unlocked unlocked;
-  return made(Lattice(dims, read.points), Family::parse(family));
+  return made(Lattice(dims, read.points()), Family::parse(family));
 }
 
 Holder around(const std::string& shape, const py::object& points, const std::optional<Index3>& dims,
               const std::string& family_name) {
-  const Points read = read_points(points, "points").points;
+  const Points read = read_points(points, "points").points();
   const Unlocked unlocked;
   const Family family = Family::parse(family_name);
   if (!dims)
@@ -120,19 +120,17 @@ py::array evaluate(PyLattice& lattice, const py::object& numbers, const py::obje
     vertex.cell = {cells(i, 0), cells(i, 1), cells(i, 2)};
     vertex.local = places.row(i);
   }
-  py::array to = target(out, {cells.rows(), 3}, false);
-  write_points(
-      lattice.alone([&](DeformableLattice& of) { return of.evaluate(std::move(vertices)); }), to);
-  return to;
+  const Target target(out, {cells.rows(), 3}, false);
+  return target.take(
+      lattice.alone([&](DeformableLattice& of) { return of.evaluate(std::move(vertices)); }));
 }
 
 py::array evaluate_grid(PyLattice& lattice, const std::array<double, 3>& first,
                         const std::array<double, 3>& last, const std::array<int, 3>& counts,
                         const py::object& out) {
   const Grid grid = grid_of_places(first, last, counts);
-  py::array to = target(out, {counts[2], counts[1], counts[0], 3}, false);
-  write_points(lattice.alone([&](DeformableLattice& of) { return of.evaluate_grid(grid); }), to);
-  return to;
+  const Target target(out, {counts[2], counts[1], counts[0], 3}, false);
+  return target.take(lattice.alone([&](DeformableLattice& of) { return of.evaluate_grid(grid); }));
 }
 
 void set_device(PyLattice& lattice, const std::string& device, const std::string& org,

@@ -1,11 +1,18 @@
 #include "hwffd/device/deformable_lattice.hpp"
 
+#include <mutex>
 #include <utility>
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/on_threads.hpp"
 
 namespace hwffd {
+namespace {
+
+constexpr std::size_t kPointsOfAPart = 8192;  // whose attachment stays in the caches
+
+}  // namespace
 
 DeformableLattice::DeformableLattice(Lattice rest, const Family& family)
     : embedder_(std::move(rest), family),
@@ -68,7 +75,35 @@ Points DeformableLattice::carry(const Attachment& attachment) {
   return carried;
 }
 
-Points DeformableLattice::carry(const Points& points) { return carry(attach(points)); }
+Points DeformableLattice::carry_by_parts(const Eigen::Ref<const Points>& points,
+                                         Attachment::Unsure unsure) {
+  Points carried(points.rows(), 3);
+  EmbeddingSummary summary;
+  std::mutex joining;
+  on_ranges(static_cast<std::size_t>(points.rows()), kPointsOfAPart,
+            [&](std::size_t first, std::size_t end) {
+              const auto from = static_cast<Eigen::Index>(first);
+              const auto count = static_cast<Eigen::Index>(end - first);
+              const Attachment part = attach(points.middleRows(from, count), unsure);
+              carried.middleRows(from, count) = part.follow(evaluated(part.places()));
+              const std::lock_guard<std::mutex> lock(joining);
+              summary = joined(summary, part.summary());
+            });
+  summary_ = summary;
+  return carried;
+}
+
+Points DeformableLattice::carry(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure) {
+  // Points outside that follow need a search that takes longer to prepare than a part does.
+  if (device_->concurrent() && outside_.kind() == Outside::Kind::kKeep) {
+    try {
+      return carry_by_parts(points, unsure);
+    } catch (const Error&) {
+      // As a whole it fails again, with a text that has its row.
+    }
+  }
+  return carry(attach(points, unsure));
+}
 
 std::vector<Eigen::Matrix3d> DeformableLattice::gradients(const Attachment& attachment) const {
   check_own(attachment);

@@ -190,7 +190,7 @@ Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& ver
                         const Blending& blending) {
   check(blending);
   check(lattice, vertices);
-  counts_.vertices += vertices.size();
+  count(vertices.size());
   if (vertices.empty()) return Points(0, 3);
   return finite(run(lattice, vertices, blending));
 }
@@ -203,7 +203,7 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
                                   const Blending& blending) {
   check(blending);
   check(lattice, vertices);
-  counts_.vertices += vertices.size();
+  count(vertices.size());
   if (vertices.empty()) return {Points(0, 3), {}};
   Tangents tangents = run_tangents(lattice, vertices, blending);
   tangents.positions = finite(std::move(tangents.positions));
@@ -220,7 +220,7 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
 Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
   check(blending);
   check_grid(grid, lattice.dims());
-  counts_.vertices += vertex_count(grid);
+  count(vertex_count(grid));
   return finite(run_grid(lattice, grid, blending));
 }
 
@@ -239,7 +239,7 @@ Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blen
     throw Error(
         fmt::format("vertex {}: a coordinate or control point is not finite; leave it out", v));
   }
-  counts_.vertices += vertices.size();
+  count(vertices.size());
   if (vertices.empty()) return Points(0, 3);
   return finite(run(vertices, blending));
 }
@@ -249,6 +249,11 @@ Points Device::finite(Points positions) const {
     if (!positions.row(row).allFinite()) throw_not_finite(static_cast<std::size_t>(row), name());
   }
   return positions;
+}
+
+void Device::count(std::size_t vertices) {
+  const std::lock_guard<std::mutex> lock(counting_);
+  counts_.vertices += vertices;
 }
 
 const std::vector<std::string>& device_kinds() {

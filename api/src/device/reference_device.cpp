@@ -11,6 +11,7 @@ constexpr std::size_t kJetsAtOnce = 256;
 class ReferenceDevice final : public Device {
  public:
   std::string name() const override { return "reference"; }
+  bool concurrent() const override { return true; }
 
  protected:
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,

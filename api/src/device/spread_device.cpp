@@ -35,7 +35,7 @@ void SpreadDevice::give_back(std::unique_ptr<StreamDevice> model) {
 void SpreadDevice::spread(const std::vector<Embedded>& vertices, const Part& part) {
   if (vertices.size() <= kVerticesOfAThread) {
     std::unique_ptr<StreamDevice> model = take();
-    model->on_progress([this](double done) { show(done); });
+    if (shows()) model->on_progress([this](double done) { show(done); });
     part(*model, vertices, 0);
     model->on_progress({});
     give_back(std::move(model));

@@ -19,6 +19,7 @@ class SpreadDevice final : public Device {
   explicit SpreadDevice(Make make);
 
   std::string name() const override { return name_; }
+  bool concurrent() const override { return !shows(); }
 
  protected:
   Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,

@@ -14,7 +14,8 @@ void set_thread_count(std::size_t count);
 /// Calls `work` with 0 to count - 1 on thread_count() threads, and on the calling thread `progress`
 /// with the number done whenever that has grown, at last with count. Throws what the first call
 /// that threw threw, and what a Watch of the calling thread throws, which looks at the end too; no
-/// further work is begun then.
+/// further work is begun then, and work under way ends where it looks. What `work` spreads itself
+/// runs on its own thread.
 void on_threads(
     std::size_t count, const std::function<void(std::size_t)>& work,
     const std::function<void(std::size_t done)>& progress = [](std::size_t) {});

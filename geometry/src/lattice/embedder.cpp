@@ -172,4 +172,19 @@ EmbeddingSummary summarize(const std::vector<Embedding>& embeddings) {
   return summary;
 }
 
+EmbeddingSummary joined(const EmbeddingSummary& a, const EmbeddingSummary& b) {
+  EmbeddingSummary both;
+  both.points = a.points + b.points;
+  both.inside = a.inside + b.inside;
+  both.outside = a.outside + b.outside;
+  both.not_converged = a.not_converged + b.not_converged;
+  both.worst_residual = std::max(a.worst_residual, b.worst_residual);
+  if (both.inside > 0) {
+    both.mean_iterations = (a.mean_iterations * static_cast<double>(a.inside) +
+                            b.mean_iterations * static_cast<double>(b.inside)) /
+                           static_cast<double>(both.inside);
+  }
+  return both;
+}
+
 }  // namespace hwffd

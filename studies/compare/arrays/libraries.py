@@ -20,17 +20,11 @@ def _hwffd(scene, threads, kept, *device):
     hwffd.set_threads(threads)
     lattice = hwffd.Lattice.of(scene.rest)
     lattice.set_device(*device)
+    lattice.control_points = scene.moved
     if kept:
         embedding = lattice.embed(scene.points)
-        lattice.control_points = scene.moved
         return lambda: embedding.deform(lattice)
-
-    def deform():
-        lattice.control_points = scene.rest
-        found = lattice.embed(scene.points)
-        lattice.control_points = scene.moved
-        return found.deform(lattice)
-    return deform
+    return lambda: hwffd.deform(lattice, scene.points)
 
 
 def hwffd_reference(scene, threads):

@@ -59,8 +59,10 @@ class DeformableLattice {
   /// Where the deformation takes attached points, n x 3.
   /// @throws Error if they were attached to another lattice; as Device::evaluate()
   Points carry(const Attachment& attachment);
-  /// Where the deformation takes points of the space at rest, n x 3: attach() and carry().
-  Points carry(const Points& points);
+  /// Where the deformation takes points of the space at rest, n x 3: attach() and carry(), bit for
+  /// bit, but part by part where the device can, without the room that an attachment takes.
+  Points carry(const Eigen::Ref<const Points>& points,
+               Attachment::Unsure unsure = Attachment::Unsure::kRefuse);
   /// The gradient of the deformation at attached points, in double (Attachment::gradients).
   /// @throws Error if they were attached to another lattice
   std::vector<Eigen::Matrix3d> gradients(const Attachment& attachment) const;
@@ -70,6 +72,7 @@ class DeformableLattice {
 
  private:
   void check_own(const Attachment& attachment) const;
+  Points carry_by_parts(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure);
   Points evaluated(const std::vector<Embedded>& places);
 
   Embedder embedder_;

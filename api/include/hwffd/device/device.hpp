@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,9 @@ class Device {
   /// @throws Error for a number that is not finite, and as evaluate() of a lattice
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
 
+  /// Whether several threads may evaluate at once.
+  virtual bool concurrent() const { return false; }
+
   /// It is called by the thread that evaluates. What it throws ends the evaluation.
   void on_progress(Progress progress) { progress_ = std::move(progress); }
   const Counts& counts() const { return counts_; }
@@ -96,8 +100,10 @@ class Device {
  private:
   /// @throws Error for a result that is not finite
   Points finite(Points positions) const;
+  void count(std::size_t vertices);
 
   Progress progress_;
+  std::mutex counting_;
 };
 
 /// The places of a grid in the order of its results.

@@ -95,5 +95,7 @@ struct EmbeddingSummary {
 };
 
 EmbeddingSummary summarize(const std::vector<Embedding>& embeddings);
+/// Of the points of both.
+EmbeddingSummary joined(const EmbeddingSummary& a, const EmbeddingSummary& b);
 
 }  // namespace hwffd
