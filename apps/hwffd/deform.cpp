@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/LU>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -102,6 +104,19 @@ std::vector<std::string> outputs_of(const Options& options) {
   return names;
 }
 
+/// Whether a deformation may be a mirror, which turns faces round: no more than where each of some
+/// points, spread over all, is turned inside out or does not tell.
+bool may_mirror(const Points& points, const std::vector<Lattice>& rest,
+                const std::vector<Lattice>& deformed, const Outside& outside) {
+  constexpr Eigen::Index kAsked = 64;
+  const Eigen::Index step = std::max<Eigen::Index>(1, points.rows() / kAsked);
+  const Points some = points(Eigen::seq(0, Eigen::last, step), Eigen::all);
+  const Deformer::Result found =
+      Deformer(some, {}, rest, outside).deform(deformed, *make_device({"reference", "", ""}));
+  return std::none_of(found.gradients.begin(), found.gradients.end(),
+                      [](const Eigen::Matrix3d& gradient) { return gradient.determinant() > 0.0; });
+}
+
 int run(const Options& options, const StageOptions& stage_options) {
   const std::vector<std::string> outputs = outputs_of(options);
   const Outside outside = Outside::parse(options.outside);
@@ -114,10 +129,8 @@ int run(const Options& options, const StageOptions& stage_options) {
     rest.push_back(stage.rest);
     deformed_folds.push_back(check_folds(stage.deformed));
   }
-  const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
-
-  const auto gradients =
-      geometry.is_mesh() ? Deformer::Gradients::kAll : Deformer::Gradients::kNone;
+  const Points at_rest = geometry.positions();
+  const Deformer deformer(at_rest, geometry.triangles(), rest, outside);
 
   const int frames = options.keyframes;
   std::vector<std::string> losses;
@@ -130,7 +143,10 @@ int run(const Options& options, const StageOptions& stage_options) {
     for (const Stage& stage : stages) {
       deformed.push_back(between(stage.rest, stage.deformed, fraction));
     }
-    result = deformer.deform(deformed, *device, gradients);
+    const bool turns = geometry.is_mesh() && (geometry.mesh().has_normals() ||
+                                              may_mirror(at_rest, rest, deformed, outside));
+    result = deformer.deform(deformed, *device,
+                             turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
     geometry.move(result.positions, result.gradients);
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }

@@ -36,7 +36,11 @@ std::vector<Mesh::Triangle> Geometry::triangles() const {
 
 void Geometry::move(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
   if (is_mesh()) {
-    mesh_->set_positions(positions, gradients);
+    if (gradients.empty()) {
+      mesh_->set_positions(positions);
+    } else {
+      mesh_->set_positions(positions, gradients);
+    }
   } else {
     points_ = positions;
   }

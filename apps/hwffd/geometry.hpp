@@ -24,6 +24,7 @@ class Geometry {
   std::vector<Mesh::Triangle> triangles() const;
 
   /// Moves a mesh's vertices and turns its normals, or the points (Mesh::set_positions).
+  /// @param gradients  of a mesh; if empty normals come from its faces
   void move(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients);
 
   /// Writes the mesh in the format of the extension, or the points (points_text); "-" is standard

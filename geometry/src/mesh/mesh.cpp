@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
-#include <unordered_map>
 
 #include "hwffd/error.hpp"
 #include "mesh/normals.hpp"
@@ -18,16 +16,14 @@ namespace {
 
 using PositionKey = std::array<std::uint32_t, 3>;
 
-struct PositionHash {
-  std::size_t operator()(const PositionKey& key) const {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t word : key) {
-      hash = (hash ^ word) * 0x9e3779b97f4a7c15ull;
-      hash ^= hash >> 29;
-    }
-    return static_cast<std::size_t>(hash);
+std::size_t hash_of(const PositionKey& key) {
+  std::uint64_t hash = 0;
+  for (const std::uint32_t word : key) {
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15ull;
+    hash ^= hash >> 29;
   }
-};
+  return static_cast<std::size_t>(hash);
+}
 
 /// The bits of a position; -0 and +0 are equal.
 PositionKey key_of(const aiVector3D& p) {
@@ -36,6 +32,36 @@ PositionKey key_of(const aiVector3D& p) {
   std::memcpy(key.data(), values.data(), sizeof(key));
   return key;
 }
+
+/// Numbers positions in the order in which they are first seen. Of one table of whole numbers,
+/// since a node for each of millions of positions costs more time and room than all else of a mesh.
+class PositionNumbers {
+ public:
+  /// @param most  how many positions there may be
+  explicit PositionNumbers(std::size_t most) {
+    std::size_t size = 2;
+    while (size < 2 * most) size *= 2;
+    table_.assign(size, kFree);
+  }
+
+  std::uint32_t number_of(const PositionKey& key) {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = hash_of(key) & mask;
+    while (table_[at] != kFree && keys_[table_[at]] != key) at = (at + 1) & mask;
+    if (table_[at] == kFree) {
+      table_[at] = static_cast<std::uint32_t>(keys_.size());
+      keys_.push_back(key);
+    }
+    return table_[at];
+  }
+
+  std::size_t count() const { return keys_.size(); }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xffffffff;
+  std::vector<std::uint32_t> table_;
+  std::vector<PositionKey> keys_;
+};
 
 }  // namespace
 
@@ -66,20 +92,22 @@ Mesh::Mesh(ReadScene read, const std::filesystem::path& path)
 }
 
 void Mesh::weld() {
-  std::unordered_map<PositionKey, std::uint32_t, PositionHash> seen;
-  std::vector<Eigen::Vector3d> unique;
+  std::size_t vertices = 0;
+  each_part(*scene_, [&](const aiMesh& part, std::size_t) { vertices += part.mNumVertices; });
+  weld_.reserve(vertices);
+  PositionNumbers numbers(vertices);
   each_part(*scene_, [&](const aiMesh& part, std::size_t) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const auto [entry, is_new] =
-          seen.emplace(key_of(part.mVertices[v]), static_cast<std::uint32_t>(unique.size()));
-      if (is_new) unique.push_back(to_eigen(part.mVertices[v]));
-      weld_.push_back(entry->second);
+      weld_.push_back(numbers.number_of(key_of(part.mVertices[v])));
     }
   });
-  positions_.resize(static_cast<Eigen::Index>(unique.size()), 3);
-  for (std::size_t i = 0; i < unique.size(); ++i) {
-    positions_.row(static_cast<Eigen::Index>(i)) = unique[i];
-  }
+  positions_.resize(static_cast<Eigen::Index>(numbers.count()), 3);
+  std::uint32_t next = 0;  // not seen yet
+  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      if (weld_[first + v] == next) positions_.row(next++) = to_eigen(part.mVertices[v]);
+    }
+  });
 }
 
 void Mesh::find_triangles() {
@@ -95,20 +123,16 @@ void Mesh::find_triangles() {
   });
 }
 
-void Mesh::set_positions(const Points& positions) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Eigen::Matrix3d> unknown(vertex_count(), Eigen::Matrix3d::Constant(kUnknown));
-  set_positions(positions, unknown);
+bool Mesh::has_normals() const {
+  bool some = false;
+  each_part(*scene_, [&](const aiMesh& part, std::size_t) { some = some || part.HasNormals(); });
+  return some;
 }
 
-void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
+void Mesh::move(const Points& positions) {
   if (positions.rows() != positions_.rows()) {
     throw Error(fmt::format("{}: {} new positions for {} vertices; give one for each vertex", name_,
                             positions.rows(), positions_.rows()));
-  }
-  if (gradients.size() != vertex_count()) {
-    throw Error(fmt::format("{}: {} gradients for {} vertices; give one for each vertex", name_,
-                            gradients.size(), vertex_count()));
   }
   const Points rounded = positions.cast<float>().cast<double>();
   for (Eigen::Index i = 0; i < rounded.rows(); ++i) {
@@ -125,6 +149,20 @@ void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matri
       part.mVertices[v] = aiVector3D(p.x(), p.y(), p.z());
     }
   });
+}
+
+void Mesh::set_positions(const Points& positions) {
+  move(positions);
+  orient_faces(false);
+  normals_->follow_faces(*scene_);
+}
+
+void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
+  if (gradients.size() != vertex_count()) {
+    throw Error(fmt::format("{}: {} gradients for {} vertices; give one for each vertex", name_,
+                            gradients.size(), vertex_count()));
+  }
+  move(positions);
   orient_faces(is_mirror(gradients));
   normals_->follow(*scene_, gradients, turned_ ? -1.0 : 1.0);
 }

@@ -82,6 +82,9 @@ class Mesh {
   /// Welded positions, vertex_count() x 3. Every value is a binary32 number.
   const Points& positions() const { return positions_; }
 
+  /// Whether any part has normals that set_positions() turns.
+  bool has_normals() const;
+
   /// Moves the vertices, with all their duplicates. Values are rounded to binary32. The normals
   /// that the mesh has become area-weighted means over the faces that shared a normal, so hard
   /// edges stay hard; faces are as they were read. Tangents were dropped on reading.
@@ -148,6 +151,7 @@ class Mesh {
   Mesh(ScenePtr scene, std::string name);
   Mesh(ReadScene read, const std::filesystem::path& path);
   void weld();
+  void move(const Points& positions);
   void find_triangles();
   void orient_faces(bool turned);
 
