@@ -104,13 +104,17 @@ std::vector<std::string> outputs_of(const Options& options) {
   return names;
 }
 
+/// Points spread over all.
+Points some_of(const Points& points) {
+  constexpr Eigen::Index kSome = 64;
+  return points(Eigen::seq(0, Eigen::last, std::max<Eigen::Index>(1, points.rows() / kSome)),
+                Eigen::all);
+}
+
 /// Whether a deformation may be a mirror, which turns faces round: no more than where each of some
-/// points, spread over all, is turned inside out or does not tell.
-bool may_mirror(const Points& points, const std::vector<Lattice>& rest,
+/// points is turned inside out or does not tell.
+bool may_mirror(const Points& some, const std::vector<Lattice>& rest,
                 const std::vector<Lattice>& deformed, const Outside& outside) {
-  constexpr Eigen::Index kAsked = 64;
-  const Eigen::Index step = std::max<Eigen::Index>(1, points.rows() / kAsked);
-  const Points some = points(Eigen::seq(0, Eigen::last, step), Eigen::all);
   const Deformer::Result found =
       Deformer(some, {}, rest, outside).deform(deformed, *make_device({"reference", "", ""}));
   return std::none_of(found.gradients.begin(), found.gradients.end(),
@@ -129,8 +133,8 @@ int run(const Options& options, const StageOptions& stage_options) {
     rest.push_back(stage.rest);
     deformed_folds.push_back(check_folds(stage.deformed));
   }
-  const Points at_rest = geometry.positions();
-  const Deformer deformer(at_rest, geometry.triangles(), rest, outside);
+  const Points some = some_of(geometry.positions());
+  const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
 
   const int frames = options.keyframes;
   std::vector<std::string> losses;
@@ -143,8 +147,8 @@ int run(const Options& options, const StageOptions& stage_options) {
     for (const Stage& stage : stages) {
       deformed.push_back(between(stage.rest, stage.deformed, fraction));
     }
-    const bool turns = geometry.is_mesh() && (geometry.mesh().has_normals() ||
-                                              may_mirror(at_rest, rest, deformed, outside));
+    const bool turns = geometry.is_mesh() &&
+                       (geometry.mesh().has_normals() || may_mirror(some, rest, deformed, outside));
     result = deformer.deform(deformed, *device,
                              turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
     geometry.move(result.positions, result.gradients);

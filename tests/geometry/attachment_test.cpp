@@ -93,7 +93,7 @@ TEST(Attachment, InsideIsEvaluatedAndKeptIsKept) {
   ASSERT_EQ(keep.places().size(), 2u);
   EXPECT_EQ(keep.summary().inside, 2u);
   EXPECT_EQ(keep.summary().outside, 2u);
-  EXPECT_EQ(keep.embeddings().size(), 4u);
+  EXPECT_EQ(keep.size(), 4);
   Points evaluated(2, 3);
   evaluated << 0.1, 0.2, 0.3, 7, 8, 9;
   const Points result = keep.follow(evaluated);
@@ -221,7 +221,7 @@ TEST_P(AttachmentKind, GradientsAgainstCentralDifferences) {
   int unknown = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Matrix3d& gradient = gradients[static_cast<std::size_t>(i)];
-    const Embedding& embedding = attachment.embeddings()[static_cast<std::size_t>(i)];
+    const Embedding embedding = attachment.embedding(i);
     if (!gradient.allFinite()) {
       EXPECT_TRUE(gradient.array().isNaN().all());
       ++unknown;

@@ -334,6 +334,12 @@ class Command(ProgramTest):
         self.assert_near(frames[2], halfway, places=5)
         self.assertNotEqual(frames[0], frames[4])
 
+    def test_a_mirror_turns_faces(self):
+        for scale, corners in (("1", "132"), ("-1,1,1", "123"), ("-1,-1,1", "132")):
+            self.good("deform", "solid.obj", "--deform", f"scale:{scale}", "-o", "out.obj")
+            faces = [line for line in self.text("out.obj").splitlines() if line.startswith("f ")]
+            self.assertEqual("".join(re.findall(r" (\d)", faces[0])), corners, scale)
+
     def rounded(self, name):
         return [tuple(round(x, 5) for x in v) for v in vertices(self.text(name))]
 

@@ -25,7 +25,9 @@ template <typename Number, typename Put>
 py::array array_of(const PyEmbedding& embedding, const Shape& last, const Put& put) {
   py::array_t<Number> result(with(embedding, last));
   Number* to = result.mutable_data();
-  for (const Embedding& at : embedding.attachment->embeddings()) to = put(at, to);
+  for (Eigen::Index row = 0; row < embedding.attachment->size(); ++row) {
+    to = put(embedding.attachment->embedding(row), to);
+  }
   return read_only(std::move(result));
 }
 

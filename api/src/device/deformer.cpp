@@ -26,13 +26,12 @@ void check_dims(const Lattice& rest, const Lattice& deformed) {
 
 }  // namespace
 
-Deformer::Deformer(Points points, std::vector<std::array<std::uint32_t, 3>> triangles,
+Deformer::Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
                    std::vector<Lattice> rest, Outside outside)
-    : points_(std::move(points)),
-      triangles_(std::move(triangles)),
+    : triangles_(std::move(triangles)),
       rest_(std::move(rest)),
       outside_(outside),
-      first_(first_of(rest_), points_, outside_) {}
+      first_(first_of(rest_), points, outside_) {}
 
 Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& device,
                                   Gradients gradients) const {
@@ -41,9 +40,8 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
                             rest_.size()));
   }
   Result result;
-  result.positions = points_;
   if (gradients == Gradients::kAll) {
-    result.gradients.assign(static_cast<std::size_t>(points_.rows()), Eigen::Matrix3d::Identity());
+    result.gradients.assign(static_cast<std::size_t>(first_.size()), Eigen::Matrix3d::Identity());
   }
   for (std::size_t stage = 0; stage < rest_.size(); ++stage) {
     check_dims(rest_[stage], deformed[stage]);

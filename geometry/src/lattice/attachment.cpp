@@ -16,13 +16,10 @@
 namespace hwffd {
 namespace {
 
-constexpr double kSingularPivot = 1e-9;        // of the largest pivot
-constexpr Eigen::Index kRowsAtOnce = 4096;     // between two looks at who waits
-constexpr std::size_t kGradientsAtOnce = 256;  // places that a thread takes at once
-
-bool is_outside(const Embedding& embedding) {
-  return embedding.status == EmbeddingStatus::kOutside;
-}
+constexpr double kSingularPivot = 1e-9;           // of the largest pivot
+constexpr Eigen::Index kRowsAtOnce = 4096;        // between two looks at who waits
+constexpr std::size_t kPointsOfABlock = 1 << 16;  // that are embedded at once
+constexpr std::size_t kGradientsAtOnce = 256;     // places that a thread takes at once
 
 Eigen::Matrix3d jacobian_at(const Embedded& place, const Lattice& lattice, const Family& family) {
   return Oracle().jet(family.support(lattice, place.cell), place.local).jacobian;
@@ -49,24 +46,48 @@ Attachment::Attachment(const Embedder& embedder, const Points& points, const Out
     : rest_(embedder.lattice()), family_(embedder.family()), points_(points), outside_(outside) {
   Watch::look();
   check_coordinates("point", points);
-  embeddings_ = embedder.embed(points);
-  summary_ = summarize(embeddings_);
+  embed(embedder);
   if (unsure == Unsure::kRefuse) check_converged();
+  if (!all_inside()) find_places();
+}
+
+void Attachment::embed(const Embedder& embedder) {
+  const auto count = static_cast<std::size_t>(points_.rows());
+  at_.reserve(count);
+  found_.reserve(count);
+  std::vector<Embedding> block;
+  for (std::size_t first = 0; first < count; first += block.size()) {
+    const auto size = static_cast<Eigen::Index>(std::min(kPointsOfABlock, count - first));
+    block = embedder.embed(Points(points_.middleRows(static_cast<Eigen::Index>(first), size)));
+    summary_ = joined(summary_, summarize(block));
+    for (const Embedding& embedding : block) {
+      at_.push_back(embedding.at);
+      found_.push_back({embedding.status, embedding.iterations, embedding.residual});
+    }
+  }
+}
+
+Embedding Attachment::embedding(Eigen::Index row) const {
+  const auto i = static_cast<std::size_t>(row);
+  return {at_[i], found_[i].status, found_[i].residual, found_[i].iterations};
+}
+
+void Attachment::find_places() {
   const std::vector<NearestPlace::Result> nearest = nearest_places();
   auto next = nearest.begin();
   places_.reserve(summary_.inside + nearest.size());
   followers_.reserve(summary_.inside + nearest.size());
-  for (Eigen::Index row = 0; row < points.rows(); ++row) {
+  for (Eigen::Index row = 0; row < points_.rows(); ++row) {
     if (row % kRowsAtOnce == 0) Watch::look();
-    const Embedding& embedding = embeddings_[static_cast<std::size_t>(row)];
-    if (embedding.status == EmbeddingStatus::kInside) {
-      places_.push_back(embedding.at);
-      followers_.push_back({row, 1.0, Point::Zero()});
+    const auto i = static_cast<std::size_t>(row);
+    if (is_inside(row)) {
+      places_.push_back(at_[i]);
+      followers_.push_back({row});
       continue;
     }
-    if (outside.kind() == Outside::Kind::kKeep || !is_outside(embedding)) continue;
+    if (outside_.kind() == Outside::Kind::kKeep || !is_outside(i)) continue;
     const NearestPlace::Result& place = *next++;
-    const double weight = outside.weight(place.distance);
+    const double weight = outside_.weight(place.distance);
     if (weight == 0.0) continue;
     places_.push_back(place.at);
     followers_.push_back({row, weight, place.point});
@@ -75,21 +96,20 @@ Attachment::Attachment(const Embedder& embedder, const Points& points, const Out
 
 void Attachment::check_converged() const {
   if (summary_.not_converged == 0) return;
-  const auto first =
-      std::find_if(embeddings_.begin(), embeddings_.end(), [](const Embedding& embedding) {
-        return embedding.status == EmbeddingStatus::kNotConverged;
-      });
+  const auto first = std::find_if(found_.begin(), found_.end(), [](const Found& found) {
+    return found.status == EmbeddingStatus::kNotConverged;
+  });
   throw Error(
       fmt::format("point {} can neither be embedded nor proved to be outside; give a lattice that "
                   "does not fold there",
-                  first - embeddings_.begin()));
+                  first - found_.begin()));
 }
 
 std::vector<NearestPlace::Result> Attachment::nearest_places() const {
   if (outside_.kind() == Outside::Kind::kKeep) return {};
   std::vector<Eigen::Index> rows;
-  for (Eigen::Index row = 0; row < points_.rows(); ++row) {
-    if (is_outside(embeddings_[static_cast<std::size_t>(row)])) rows.push_back(row);
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    if (is_outside(i)) rows.push_back(static_cast<Eigen::Index>(i));
   }
   if (rows.empty()) return {};
   const NearestPlace nearest(rest_, family_);
@@ -98,11 +118,12 @@ std::vector<NearestPlace::Result> Attachment::nearest_places() const {
   return places;
 }
 
-Points Attachment::follow(const Points& evaluated) const {
-  if (evaluated.rows() != static_cast<Eigen::Index>(places_.size())) {
+Points Attachment::follow(Points evaluated) const {
+  if (evaluated.rows() != static_cast<Eigen::Index>(places().size())) {
     throw Error(fmt::format("{} evaluated places given; give {}, one for each of places()",
-                            evaluated.rows(), places_.size()));
+                            evaluated.rows(), places().size()));
   }
+  if (all_inside()) return evaluated;
   Points result = points_;
   for (std::size_t i = 0; i < followers_.size(); ++i) {
     const Follower& follower = followers_[i];
@@ -119,10 +140,10 @@ Points Attachment::follow(const Points& evaluated) const {
 
 std::vector<Eigen::Matrix3d> Attachment::gradients(const Lattice& deformed) const {
   check_same_dims("deformed lattice", deformed.dims(), rest_.dims());
-  std::vector<Eigen::Matrix3d> jacobians(places_.size());
-  on_ranges(places_.size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
+  std::vector<Eigen::Matrix3d> jacobians(places().size());
+  on_ranges(jacobians.size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      jacobians[i] = jacobian_at(places_[i], deformed, family_);
+      jacobians[i] = jacobian_at(places()[i], deformed, family_);
     }
   });
   return gradients(jacobians);
@@ -130,17 +151,17 @@ std::vector<Eigen::Matrix3d> Attachment::gradients(const Lattice& deformed) cons
 
 std::vector<Eigen::Matrix3d> Attachment::gradients(
     const std::vector<Eigen::Matrix3d>& jacobians) const {
-  if (jacobians.size() != places_.size()) {
+  if (jacobians.size() != places().size()) {
     throw Error(fmt::format("{} derivatives for {} places; give one for each place",
-                            jacobians.size(), places_.size()));
+                            jacobians.size(), places().size()));
   }
-  std::vector<Eigen::Matrix3d> result(embeddings_.size(), Eigen::Matrix3d::Identity());
-  on_ranges(followers_.size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
+  std::vector<Eigen::Matrix3d> result(at_.size(), Eigen::Matrix3d::Identity());
+  on_ranges(places().size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      const Eigen::Index at = followers_[i].row;
+      const Eigen::Index at = follower(i).row;
       Eigen::Matrix3d& gradient = result[static_cast<std::size_t>(at)];
       if (is_inside(at)) {
-        gradient = gradient_at(jacobian_at(places_[i], rest_, family_), jacobians[i]);
+        gradient = gradient_at(jacobian_at(places()[i], rest_, family_), jacobians[i]);
       } else {
         gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
       }

@@ -33,7 +33,7 @@ PlaceWeights weights_at(const Attachment& attachment, std::size_t place) {
         family.functions(lattice.dims()[a], at.cell[a]) * Eigen::Vector4d(1, x, x * x, x * x * x);
     corner[a] = family.first(at.cell[a]);
   }
-  const double whole = attachment.followers()[place].weight;
+  const double whole = attachment.follower(place).weight;
   PlaceWeights result{};
   std::size_t next = 0;
   for (int l = 0; l < 4; ++l) {
@@ -56,18 +56,18 @@ std::size_t weight_count(const Attachment& attachment) {
 }
 
 SparseRows weights_of(const Attachment& attachment) {
-  const auto& followers = attachment.followers();
+  const std::size_t places = attachment.places().size();
   SparseRows rows;
   rows.starts.reserve(static_cast<std::size_t>(attachment.size()) + 1);
   rows.starts.push_back(0);
   std::size_t place = 0;
   for (Eigen::Index row = 0; row < attachment.size(); ++row) {
-    if (place < followers.size() && followers[place].row == row) ++place;
+    if (place < places && attachment.follower(place).row == row) ++place;
     rows.starts.push_back(static_cast<std::int64_t>(kWeights * place));
   }
-  rows.columns.resize(kWeights * followers.size());
-  rows.values.resize(kWeights * followers.size());
-  on_ranges(followers.size(), kPlacesAtOnce, [&](std::size_t first, std::size_t end) {
+  rows.columns.resize(kWeights * places);
+  rows.values.resize(kWeights * places);
+  on_ranges(places, kPlacesAtOnce, [&](std::size_t first, std::size_t end) {
     for (std::size_t p = first; p < end; ++p) {
       const PlaceWeights weights = weights_at(attachment, p);
       const auto to = static_cast<std::ptrdiff_t>(kWeights * p);
@@ -80,7 +80,8 @@ SparseRows weights_of(const Attachment& attachment) {
 
 Points unmoved_part(const Attachment& attachment) {
   Points result = attachment.points();
-  for (const Attachment::Follower& follower : attachment.followers()) {
+  for (std::size_t place = 0; place < attachment.places().size(); ++place) {
+    const Attachment::Follower follower = attachment.follower(place);
     if (attachment.is_inside(follower.row)) {
       result.row(follower.row).setZero();
     } else {
@@ -95,16 +96,16 @@ Points pull_back(const Attachment& attachment, const Points& gradient) {
     throw Error(fmt::format("gradient of {} points for {} that are attached; give a row for each",
                             gradient.rows(), attachment.size()));
   }
-  const auto& followers = attachment.followers();
-  const std::size_t size = (followers.size() + kPartialSums - 1) / kPartialSums;
+  const std::size_t places = attachment.places().size();
+  const std::size_t size = (places + kPartialSums - 1) / kPartialSums;
   Points result = Points::Zero(attachment.rest().points().rows(), 3);
   if (size == 0) return result;
-  std::vector<Points> parts((followers.size() + size - 1) / size, result);
-  on_ranges(followers.size(), size, [&](std::size_t first, std::size_t end) {
+  std::vector<Points> parts((places + size - 1) / size, result);
+  on_ranges(places, size, [&](std::size_t first, std::size_t end) {
     Points& part = parts[first / size];
     for (std::size_t p = first; p < end; ++p) {
       const PlaceWeights weights = weights_at(attachment, p);
-      const Eigen::RowVector3d of_point = gradient.row(followers[p].row);
+      const Eigen::RowVector3d of_point = gradient.row(attachment.follower(p).row);
       for (std::size_t w = 0; w < kWeights; ++w) {
         part.row(weights.columns[w]) += weights.values[w] * of_point;
       }

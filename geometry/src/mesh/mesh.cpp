@@ -123,18 +123,14 @@ void Mesh::find_triangles() {
   });
 }
 
-bool Mesh::has_normals() const {
-  bool some = false;
-  each_part(*scene_, [&](const aiMesh& part, std::size_t) { some = some || part.HasNormals(); });
-  return some;
-}
+bool Mesh::has_normals() const { return hwffd::has_normals(*scene_); }
 
-void Mesh::move(const Points& positions) {
+Points Mesh::rounded(const Points& positions) const {
   if (positions.rows() != positions_.rows()) {
     throw Error(fmt::format("{}: {} new positions for {} vertices; give one for each vertex", name_,
                             positions.rows(), positions_.rows()));
   }
-  const Points rounded = positions.cast<float>().cast<double>();
+  Points rounded = positions.cast<float>().cast<double>();
   for (Eigen::Index i = 0; i < rounded.rows(); ++i) {
     if (rounded.row(i).allFinite()) continue;
     throw Error(
@@ -142,7 +138,11 @@ void Mesh::move(const Points& positions) {
                     "check the control points",
                     name_, i));
   }
-  positions_ = rounded;
+  return rounded;
+}
+
+void Mesh::move(Points positions) {
+  positions_ = std::move(positions);
   each_part(*scene_, [&](aiMesh& part, std::size_t first) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const Eigen::RowVector3f p = positions_.row(weld_[first + v]).cast<float>();
@@ -152,17 +152,18 @@ void Mesh::move(const Points& positions) {
 }
 
 void Mesh::set_positions(const Points& positions) {
-  move(positions);
+  move(rounded(positions));
   orient_faces(false);
   normals_->follow_faces(*scene_);
 }
 
 void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
+  Points to = rounded(positions);
   if (gradients.size() != vertex_count()) {
     throw Error(fmt::format("{}: {} gradients for {} vertices; give one for each vertex", name_,
                             gradients.size(), vertex_count()));
   }
-  move(positions);
+  move(std::move(to));
   orient_faces(is_mirror(gradients));
   normals_->follow(*scene_, gradients, turned_ ? -1.0 : 1.0);
 }

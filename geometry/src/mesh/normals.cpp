@@ -57,8 +57,17 @@ bool is_mirror(const std::vector<Eigen::Matrix3d>& gradients) {
   return some;
 }
 
+bool has_normals(const aiScene& scene) {
+  bool some = false;
+  each_part(scene, [&](const aiMesh& part, std::size_t) { some = some || part.HasNormals(); });
+  return some;
+}
+
 SceneNormals::SceneNormals(const aiScene& scene, const std::vector<std::uint32_t>& weld)
-    : weld_(weld), read_(weld.size(), Eigen::Vector3f::Zero()), class_(weld.size(), 0) {
+    : weld_(weld) {
+  if (!has_normals(scene)) return;
+  read_.resize(weld.size(), Eigen::Vector3f::Zero());
+  class_.resize(weld.size(), 0);
   each_part(scene, [&](const aiMesh& part, std::size_t first) {
     if (!part.HasNormals()) return;
     for (unsigned v = 0; v < part.mNumVertices; ++v) {

@@ -18,6 +18,9 @@ Points smooth_normals(const Points& points, const std::vector<Mesh::Triangle>& t
 /// of each known one is negative. A matrix that is not finite or singular is not known.
 bool is_mirror(const std::vector<Eigen::Matrix3d>& gradients);
 
+/// Whether any part has normals.
+bool has_normals(const aiScene& scene);
+
 /// The normals of a scene as they were read, and how they follow its vertices. Parts without
 /// normals stay without.
 class SceneNormals {
@@ -39,7 +42,7 @@ class SceneNormals {
   void find_classes(const aiScene& scene);
 
   std::vector<std::uint32_t> weld_;
-  std::vector<Eigen::Vector3f> read_;  ///< scene vertex -> normal; zero in parts without
+  std::vector<Eigen::Vector3f> read_;  ///< scene vertex -> normal, if there are any; or zero
   std::vector<std::uint32_t> class_;   ///< scene vertex -> corners welded and with the same normal
   std::uint32_t classes_ = 0;
 };

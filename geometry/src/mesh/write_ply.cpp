@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "hwffd/excerpt.hpp"
 #include "mesh/assimp_export.hpp"
@@ -29,6 +31,7 @@ struct Layout {
   bool colours = false;
   unsigned most_corners = 0;  ///< of a face; 0: there are none
   std::size_t faces = 0;
+  std::size_t corners = 0;  ///< of all faces
 
   std::size_t row_size() const {
     return 12u + (normals ? 12u : 0u) + (textures ? 8u : 0u) + (colours ? 4u : 0u);
@@ -43,7 +46,10 @@ Layout layout_of(const aiScene& scene) {
     layout.colours = layout.colours || part.HasVertexColors(0);
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const unsigned corners = part.mFaces[f].mNumIndices;
-      if (corners > 1) ++layout.faces;  // a point is a vertex, which is there
+      if (corners > 1) {  // a point is a vertex, which is there
+        ++layout.faces;
+        layout.corners += corners;
+      }
       layout.most_corners = std::max(layout.most_corners, corners);
     }
   });
@@ -76,10 +82,12 @@ std::string header_of(const Output& output, const Layout& layout, std::size_t ve
   return text + "end_header\n";
 }
 
-std::string row_of(const aiMesh& part, unsigned v, const Layout& layout) {
-  std::string row;
-  const auto vector = [&](const aiVector3D& value, int components) {
-    for (int c = 0; c < components; ++c) append(row, value[static_cast<unsigned>(c)]);
+/// Puts what the layout has of a vertex where `row` begins.
+void put_row(const aiMesh& part, unsigned v, const Layout& layout, char* row) {
+  const auto vector = [&](const aiVector3D& value, std::size_t components) {
+    const std::array<float, 3> numbers{value.x, value.y, value.z};
+    row =
+        std::copy_n(reinterpret_cast<const char*>(numbers.data()), components * sizeof(float), row);
   };
   vector(part.mVertices[v], 3);
   if (layout.normals) vector(part.HasNormals() ? part.mNormals[v] : aiVector3D(), 3);
@@ -88,9 +96,8 @@ std::string row_of(const aiMesh& part, unsigned v, const Layout& layout) {
   }
   if (layout.colours) {
     const aiColor4D c = part.HasVertexColors(0) ? part.mColors[0][v] : aiColor4D(1, 1, 1, 1);
-    for (const float value : {c.r, c.g, c.b, c.a}) append(row, byte_of(value));
+    for (const float value : {c.r, c.g, c.b, c.a}) *row++ = static_cast<char>(byte_of(value));
   }
-  return row;
 }
 
 }  // namespace
@@ -99,25 +106,29 @@ Files write_ply(const Output& output) {
   const Layout layout = layout_of(output.scene);
   const std::vector<std::uint32_t> rows = rows_of(output);
   const std::size_t size = layout.row_size();
-  std::string vertices(output.numbers.size() * size, '\0');
-  std::string faces;
+  std::string bytes = header_of(output, layout, output.numbers.size());
+  const std::size_t start = bytes.size();
+  const std::size_t faces = start + output.numbers.size() * size;
+  bytes.reserve(faces + (layout.faces + layout.corners) * sizeof(std::uint32_t));
+  bytes.resize(faces);
   each_part(output.scene, [&](const aiMesh& part, std::size_t first) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      row_of(part, v, layout).copy(&vertices[rows[first + v] * size], size);
+      put_row(part, v, layout, &bytes[start + rows[first + v] * size]);
     }
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
       if (face.mNumIndices < 2) continue;
       if (layout.most_corners > kMostCorners) {
-        append(faces, std::uint32_t{face.mNumIndices});
+        append(bytes, std::uint32_t{face.mNumIndices});
       } else {
-        append(faces, static_cast<std::uint8_t>(face.mNumIndices));
+        append(bytes, static_cast<std::uint8_t>(face.mNumIndices));
       }
-      for (unsigned c = 0; c < face.mNumIndices; ++c) append(faces, rows[first + face.mIndices[c]]);
+      for (unsigned c = 0; c < face.mNumIndices; ++c) append(bytes, rows[first + face.mIndices[c]]);
     }
   });
-  const std::string header = header_of(output, layout, output.numbers.size());
-  return {{output.path.filename().string(), header + vertices + faces}};
+  Files files;
+  files.emplace(output.path.filename().string(), std::move(bytes));
+  return files;
 }
 
 }  // namespace hwffd

@@ -31,7 +31,7 @@ class Deformer {
   /// @param triangles  indices of points, for torn_edges; may be empty
   /// @param rest       the lattices of the stages, at rest
   /// @throws Error if there is no stage, or what Attachment throws
-  Deformer(Points points, std::vector<std::array<std::uint32_t, 3>> triangles,
+  Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
            std::vector<Lattice> rest, Outside outside);
 
   /// @param deformed  the lattices of the stages, deformed, of the same dimensions
@@ -41,7 +41,6 @@ class Deformer {
                 Gradients gradients = Gradients::kAll) const;
 
  private:
-  Points points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Lattice> rest_;
   Outside outside_;

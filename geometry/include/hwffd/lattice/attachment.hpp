@@ -45,11 +45,13 @@ class Attachment {
   };
 
   /// The places to evaluate, in the order of their points; local coordinates in [0, 1].
-  const std::vector<Embedded>& places() const { return places_; }
-  /// The point of each of places().
-  const std::vector<Follower>& followers() const { return followers_; }
+  const std::vector<Embedded>& places() const { return all_inside() ? at_ : places_; }
+  /// The point of one of places().
+  Follower follower(std::size_t place) const {
+    return all_inside() ? Follower{static_cast<Eigen::Index>(place)} : followers_[place];
+  }
   bool is_inside(Eigen::Index row) const {
-    return embeddings_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
+    return found_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
   }
   /// The points as they were attached, n x 3.
   const Points& points() const { return points_; }
@@ -58,7 +60,7 @@ class Attachment {
   /// that stays is what it was, both bit for bit.
   /// @param evaluated positions of places() in the deformed lattice, places().size() x 3
   /// @throws Error for another number of rows
-  Points follow(const Points& evaluated) const;
+  Points follow(Points evaluated) const;
 
   /// For every point the derivative of the map from the space at rest to the deformed one:
   /// J_deformed J_rest^-1 for a point inside, the identity for one that stays. All NaN, unknown,
@@ -71,8 +73,8 @@ class Attachment {
   std::vector<Eigen::Matrix3d> gradients(const std::vector<Eigen::Matrix3d>& jacobians) const;
 
   const EmbeddingSummary& summary() const { return summary_; }
-  /// Of every point, as Embedder gives them.
-  const std::vector<Embedding>& embeddings() const { return embeddings_; }
+  /// Of a point, as Embedder gives it.
+  Embedding embedding(Eigen::Index row) const;
 
   /// Edges, each counted once, between a point that stays because it is outside and one inside:
   /// the mesh may tear there. Only Outside::Kind::kKeep tears; with the others displacements are
@@ -81,6 +83,17 @@ class Attachment {
   std::size_t torn_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) const;
 
  private:
+  /// What an Embedding says beside its place.
+  struct Found {
+    EmbeddingStatus status;
+    int iterations;
+    double residual;
+  };
+
+  bool all_inside() const { return summary_.inside == at_.size(); }
+  bool is_outside(std::size_t row) const { return found_[row].status == EmbeddingStatus::kOutside; }
+  void embed(const Embedder& embedder);
+  void find_places();
   void check_converged() const;
   /// Of the points outside, in their order; none if they stay.
   std::vector<NearestPlace::Result> nearest_places() const;
@@ -89,10 +102,11 @@ class Attachment {
   Family family_;
   Points points_;
   Outside outside_;
-  std::vector<Embedding> embeddings_;
+  std::vector<Embedded> at_;  ///< of every point
+  std::vector<Found> found_;
   EmbeddingSummary summary_;
-  std::vector<Embedded> places_;
-  std::vector<Follower> followers_;
+  std::vector<Embedded> places_;     ///< none if all points are inside: then they are at_
+  std::vector<Follower> followers_;  ///< of places_
 };
 
 }  // namespace hwffd

@@ -151,7 +151,9 @@ class Mesh {
   Mesh(ScenePtr scene, std::string name);
   Mesh(ReadScene read, const std::filesystem::path& path);
   void weld();
-  void move(const Points& positions);
+  /// @throws Error for what set_positions() refuses
+  Points rounded(const Points& positions) const;
+  void move(Points positions);
   void find_triangles();
   void orient_faces(bool turned);
 
