@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <string_view>
+#include <utility>
 
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
@@ -37,6 +38,23 @@ void hold_standard_streams() {
 /// One line on standard error, which may be closed.
 void complain(const std::string& name, const char* what) {
   std::fputs(fmt::format("{}: {}\n", name, what).c_str(), stderr);
+}
+
+void show_done(const std::string& name, double done, const std::string& rate) {
+  if (isatty(fileno(stderr)) == 0) return;
+  fmt::print(stderr, "\r\033[K{:<32} {:3.0f} %{}", name, 100 * done, rate);
+  if (done >= 1) fmt::print(stderr, "\r\033[K");
+}
+
+/// "1.3 M": three digits at most, so that it can be read while it changes.
+std::string in_short(double number) {
+  const char* unit = "";
+  for (const char* larger : {" k", " M", " G"}) {
+    if (number < 1000) break;
+    number /= 1000;
+    unit = larger;
+  }
+  return fmt::format("{:.{}f}{}", number, number < 10 ? 1 : 0, unit);
 }
 
 }  // namespace
@@ -91,10 +109,18 @@ void show_rows_done(std::size_t done, std::size_t all) {
   if (done == all) fmt::print(stderr, "\r\033[K");
 }
 
-void show_progress(const std::string& name, double done) {
-  if (isatty(fileno(stderr)) == 0) return;
-  fmt::print(stderr, "\r\033[K{:<32} {:3.0f} %", name, 100 * done);
-  if (done >= 1) fmt::print(stderr, "\r\033[K");
+void show_progress(const std::string& name, double done) { show_done(name, done, ""); }
+
+RatedProgress::RatedProgress(std::string name, double count, std::string things)
+    : name_(std::move(name)),
+      count_(count),
+      things_(std::move(things)),
+      begun_(std::chrono::steady_clock::now()) {}
+
+void RatedProgress::operator()(double done) const {
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun_;
+  const double rate = count_ * done / seconds.count();
+  show_done(name_, done, fmt::format(", {} {}/s", in_short(rate), things_));
 }
 
 }  // namespace hwffd

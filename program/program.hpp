@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -34,5 +35,19 @@ void show_rows_done(std::size_t done, std::size_t all);
 
 /// "name  42 %" on one line of standard error, where that is a terminal; gone when all is done.
 void show_progress(const std::string& name, double done);
+
+/// The same with how many things are done in a second: "name  42 %, 1.3 M vertices/s".
+class RatedProgress {
+ public:
+  /// @param count  of things in all
+  RatedProgress(std::string name, double count, std::string things);
+  void operator()(double done) const;
+
+ private:
+  std::string name_;
+  double count_;
+  std::string things_;
+  std::chrono::steady_clock::time_point begun_;
+};
 
 }  // namespace hwffd

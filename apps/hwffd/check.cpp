@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -22,19 +23,22 @@ A lattice folds where det J changes its sign. "proved" holds of every point of i
 
 struct Options {
   std::vector<std::string> files;
-  int depth = 6;
+  std::string family = Family().name();
+  int depth = kFoldDepth;
   std::string report;
 };
 
 int run(const Options& options) {
   check_outputs({{"--json", options.report}});
+  const Family family = Family::parse(options.family);
   Json lattices = Json::array();
   std::string text;
   bool proved = true;
   double first_volume = 0;
   for (const std::string& file : options.files) {
     const Lattice lattice = read_lattice(file);
-    const FoldCheck check = check_folds(lattice, options.depth);
+    family.check_dims(lattice.dims());
+    const FoldCheck check = check_folds(lattice, options.depth, family);
     proved = proved && check.verdict == FoldCheck::Verdict::kProved;
     text += fmt::format("{} {}: {}, volume {:.6g}", file, dims_text(lattice.dims()), check.text(),
                         check.volume);
@@ -59,6 +63,9 @@ Action add_check(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   app.add_option("lattices", options->files, "lattice files; volumes are compared with the first")
       ->required();
+  app.add_option("--family", options->family,
+                 fmt::format("blending functions of all: {} (default: {})",
+                             fmt::join(Family::names(), ", "), options->family));
   app.add_option("--depth", options->depth, "times a cell is halved at most (6)")
       ->check(CLI::Range(0, 12));
   app.add_option("--json", options->report, "report to write; - for standard output");

@@ -18,5 +18,7 @@ Action add_embed(CLI::App& app);
 Action add_lattice(CLI::App& app);
 Action add_check(CLI::App& app);
 Action add_info(CLI::App& app);
+Action add_completion(CLI::App& app);
+Action add_manual(CLI::App& app);
 
 }  // namespace hwffd::command

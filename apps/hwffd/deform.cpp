@@ -14,6 +14,7 @@
 #include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/keyframe.hpp"
+#include "mask.hpp"
 #include "outputs.hpp"
 #include "points_file.hpp"
 #include "program.hpp"
@@ -30,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   hwffd deform cat.3ds --deform twist:90 --device rtl --org factored/3 --format fx18 -o cat.glb
   hwffd deform chair.obj --lattice box --region 0,0,0,1,2,1 --deform twist:40 --outside fade:0.2
         --lattice box --deform bend:30 -o chair.obj        (local first, then global)
+  hwffd deform chair.obj --deform bend:30 --group seat --group back -o chair.obj
   hwffd deform cat.3ds --deform twist:90 --keyframes 24 -o frame.ply   (frame-0000.ply ...)
   echo "0.5 0.5 0.5" | hwffd deform - --lattice lattice.json --deform to:moved.json)";
 
@@ -40,6 +42,8 @@ struct Options {
   std::string report;
   DeviceChoice device;
   int keyframes = 0;
+  std::vector<std::string> groups;
+  std::string mask;
 };
 
 /// frame.ply -> frame-0007.ply
@@ -113,7 +117,7 @@ Points some_of(const Points& points) {
 
 /// Whether a deformation may be a mirror, which turns faces round: no more than where each of some
 /// points is turned inside out or does not tell.
-bool may_mirror(const Points& some, const std::vector<Lattice>& rest,
+bool may_mirror(const Points& some, const std::vector<Embedder>& rest,
                 const std::vector<Lattice>& deformed, const Outside& outside) {
   const Deformer::Result found =
       Deformer(some, {}, rest, outside).deform(deformed, *make_device({"reference", "", ""}));
@@ -127,12 +131,13 @@ int run(const Options& options, const StageOptions& stage_options) {
   const std::unique_ptr<Device> device = make_device(options.device);
   Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
-  std::vector<Lattice> rest;
+  std::vector<Embedder> rest;
   std::vector<FoldCheck> deformed_folds;
   for (const Stage& stage : stages) {
-    rest.push_back(stage.rest);
-    deformed_folds.push_back(check_folds(stage.deformed));
+    rest.emplace_back(stage.rest, stage.family);
+    deformed_folds.push_back(check_folds(stage.deformed, kFoldDepth, stage.family));
   }
+  const Mask mask(geometry, options.groups, options.mask);
   const Points some = some_of(geometry.positions());
   const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
 
@@ -141,7 +146,8 @@ int run(const Options& options, const StageOptions& stage_options) {
   Deformer::Result result;
   for (int frame = 0; frame <= frames; ++frame) {
     const std::string title = frames > 0 ? fmt::format("frame {}/{}", frame, frames) : "deform";
-    device->on_progress([&](double done) { show_progress(title, done); });
+    device->on_progress(
+        RatedProgress(title, static_cast<double>(geometry.positions().rows()), "vertices"));
     const double fraction = frames > 0 ? static_cast<double>(frame) / frames : 1.0;
     std::vector<Lattice> deformed;
     for (const Stage& stage : stages) {
@@ -151,6 +157,7 @@ int run(const Options& options, const StageOptions& stage_options) {
                        (geometry.mesh().has_normals() || may_mirror(some, rest, deformed, outside));
     result = deformer.deform(deformed, *device,
                              turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
+    mask.apply(result);
     geometry.move(result.positions, result.gradients);
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
@@ -179,6 +186,15 @@ Action add_deform(CLI::App& app) {
   app.add_option("--outside", options->outside,
                  "vertices outside a lattice: keep (default), clamp, fade:WIDTH");
   add_device_options(app, options->device);
+  app.add_option("--group", options->groups,
+                 "only vertices of parts of this name move; again for more")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--mask", options->mask,
+                 "text with a number for each vertex of the input: how much of the displacement it "
+                 "takes, 0 to 1")
+      ->type_name("FILE");
   app.add_option("--keyframes", options->keyframes,
                  "write frames 0 (at rest) to N (deformed), numbered")
       ->type_name("N")

@@ -5,7 +5,7 @@
 namespace hwffd::command {
 
 void add_device_options(CLI::App& app, DeviceChoice& choice) {
-  app.add_option("--device", choice.device, "model (default), rtl, reference");
+  app.add_option("--device", choice.device, "what evaluates: model (default), rtl, reference");
   app.add_option(
       "--org", choice.org,
       "organization: basic (default), cg3, factored/3, ..., or a row of hwffd info, such as "

@@ -57,7 +57,7 @@ int run(const Options& options, const StageOptions& stage_options) {
   check_outputs({{"--output", options.output}, {"--json", options.report}});
   const Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(texts, geometry.positions());
-  const Embedder embedder(stages.front().rest);
+  const Embedder embedder(stages.front().rest, stages.front().family);
   const std::vector<Embedding> embeddings = embedder.embed(geometry.positions());
   const EmbeddingSummary summary = summarize(embeddings);
   if (!options.output.empty()) write_output(options.output, lines(embeddings));
@@ -65,6 +65,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     Json report{{"input", geometry.name()},
                 {"lattice", stages.front().name},
                 {"dims", stages.front().rest.dims()},
+                {"family", stages.front().family.name()},
                 {"size", embedder.size()}};
     report.update(json_of(summary));
     write_report(options.report, report);

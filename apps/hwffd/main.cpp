@@ -33,6 +33,9 @@ int run(int argc, char** argv) {
   add("lattice", "write a lattice file", command::add_lattice);
   add("check", "whether a lattice folds, and its volume", command::add_check);
   add("info", "what a file holds; without a file, what this build has", command::add_info);
+  add("completion", "write what makes a shell complete the words of hwffd",
+      command::add_completion);
+  add("manual", "write the manual page", command::add_manual);
   const bool own = argc > 1 && std::any_of(commands.begin(), commands.end(), [&](const auto& one) {
                      return one.first->check_name(argv[1]);
                    });

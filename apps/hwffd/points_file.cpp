@@ -35,13 +35,9 @@ bool read_numbers(std::string_view line, std::vector<double>& numbers) {
   }
 }
 
-bool is_ply(const std::filesystem::path& path) { return extension_of(path) == ".ply"; }
-
-}  // namespace
-
-bool names_points(const std::string& name) { return name == "-" || extension_of(name) == ".xyz"; }
-
-Points read_points(std::istream& in, const std::string& name) {
+/// The numbers of all lines, as many in each, which should be `what`.
+std::vector<double> read_lines(std::istream& in, const std::string& name, std::size_t each,
+                               const char* what) {
   std::vector<double> values;
   std::vector<double> numbers;
   std::string line;
@@ -49,15 +45,31 @@ Points read_points(std::istream& in, const std::string& name) {
     if (number == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, kByteOrderMark.size());
     const bool good = read_numbers(line, numbers);
     if (good && numbers.empty()) continue;
-    if (!good || numbers.size() != 3) {
-      throw Error(
-          fmt::format("{}: line {} is not x y z, three finite numbers; mend it", name, number));
+    if (!good || numbers.size() != each) {
+      throw Error(fmt::format("{}: line {} is not {}; mend it", name, number, what));
     }
     values.insert(values.end(), numbers.begin(), numbers.end());
   }
   if (in.bad()) throw Error(fmt::format("{}: cannot be read to its end", name));
+  return values;
+}
+
+bool is_ply(const std::filesystem::path& path) { return extension_of(path) == ".ply"; }
+
+}  // namespace
+
+bool names_points(const std::string& name) { return name == "-" || extension_of(name) == ".xyz"; }
+
+Points read_points(std::istream& in, const std::string& name) {
+  const std::vector<double> values = read_lines(in, name, 3, "x y z, three finite numbers");
   if (values.empty()) throw Error(fmt::format("{}: no points; give lines of x y z", name));
   return Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+std::vector<double> read_column(std::istream& in, const std::string& name) {
+  std::vector<double> values = read_lines(in, name, 1, "one finite number");
+  if (values.empty()) throw Error(fmt::format("{}: no numbers; give one a line", name));
+  return values;
 }
 
 std::string points_text(const Points& points, const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <istream>
 #include <string>
+#include <vector>
 
 #include "hwffd/points.hpp"
 
@@ -17,6 +18,10 @@ bool names_points(const std::string& name);
 /// @param name  of the text, for messages
 /// @throws Error for a line that is not three finite numbers, and for no points
 Points read_points(std::istream& in, const std::string& name);
+
+/// A number a line, in the same way.
+/// @throws Error for a line that is not one finite number, and for none
+std::vector<double> read_column(std::istream& in, const std::string& name);
 
 /// Points as a file of that name holds them: ply where it ends so, else text.
 std::string points_text(const Points& points, const std::filesystem::path& path);

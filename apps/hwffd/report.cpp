@@ -44,6 +44,7 @@ Json json_of(const DeformReport& report) {
     const Stage& stage = report.stages[i];
     stages.push_back({{"lattice", stage.name},
                       {"dims", stage.rest.dims()},
+                      {"family", stage.family.name()},
                       {"embedding", json_of(report.result.summaries[i])},
                       {"rest", json_of(stage.rest_folds)},
                       {"deformed", json_of(report.deformed_folds[i])}});

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "dims.hpp"
 #include "hwffd/error.hpp"
@@ -35,12 +36,13 @@ std::string usual_points() {
   return text;
 }
 
-void set_once(std::string& entry, const char* option, const std::string& value,
-              const StageText& stage) {
-  if (!is_shape(stage.lattice)) {
-    throw UsageError(fmt::format("{} {}: lattice file '{}' says this itself; leave it out", option,
-                                 excerpt(value), excerpt(stage.lattice)));
-  }
+void check_shape(const char* option, const std::string& value, const StageText& stage) {
+  if (is_shape(stage.lattice)) return;
+  throw UsageError(fmt::format("{} {}: lattice file '{}' says this itself; leave it out", option,
+                               excerpt(value), excerpt(stage.lattice)));
+}
+
+void set_once(std::string& entry, const char* option, const std::string& value) {
   if (!entry.empty()) {
     throw UsageError(fmt::format("{} {}: given twice; begin the next stage by --lattice", option,
                                  excerpt(value)));
@@ -74,8 +76,8 @@ Points parse_region(const std::string& text) {
 }
 
 /// Checks what embedding needs of a lattice at rest.
-FoldCheck check_rest(const std::string& name, const Lattice& rest) {
-  FoldCheck check = check_folds(rest);
+FoldCheck check_rest(const std::string& name, const Lattice& rest, const Family& family) {
+  FoldCheck check = check_folds(rest, kFoldDepth, family);
   const Point extent = rest.points().colwise().maxCoeff() - rest.points().colwise().minCoeff();
   if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
     throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));
@@ -100,12 +102,16 @@ StageOptions::StageOptions(CLI::App& app) : app_(app) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
   lattice_ = add("--lattice", "SHAPE|FILE",
-                 fmt::format("{} (default: {}), or a lattice file; begins a stage", shape_list(),
-                             StageText{}.lattice));
+                 fmt::format("what a stage begins with: {} (default: {}), or a lattice file",
+                             shape_list(), StageText{}.lattice));
   dims_ = add("--dims", "IxJxK", fmt::format("control points an axis ({})", usual_points()));
+  family_ = add("--family", "NAME",
+                fmt::format("blending functions: {} (default: {})",
+                            fmt::join(Family::names(), ", "), Family().name()));
   region_ = add("--region", "X0,Y0,Z0,X1,Y1,Z1", "what a shape holds (default: all vertices)");
   deform_ = add("--deform", "KIND:ARGUMENT",
-                "none, twist:90 (turns the corners of the lattice), helix:90 (turns what it "
+                "how its points move: none, twist:90 (turns the corners of the lattice), helix:90 "
+                "(turns what it "
                 "holds by that angle), shear:0.5, bend:90, taper:0.5, scale:2 or scale:X,Y,Z, "
                 "move:I,J,K:DX,DY,DZ, random:SEED, to:FILE; twist, helix, bend and taper take an "
                 "axis, as twist:90:x; again for more, in order");
@@ -115,7 +121,10 @@ std::vector<StageText> StageOptions::texts() const {
   std::vector<StageText> stages;
   std::map<const CLI::Option*, std::size_t> taken;
   for (const CLI::Option* option : app_.parse_order()) {
-    if (option != lattice_ && option != dims_ && option != region_ && option != deform_) continue;
+    if (option != lattice_ && option != dims_ && option != family_ && option != region_ &&
+        option != deform_) {
+      continue;
+    }
     const std::string& value = option->results().at(taken[option]++);
     if (option == lattice_) {
       stages.emplace_back();
@@ -126,22 +135,35 @@ std::vector<StageText> StageOptions::texts() const {
     StageText& stage = stages.back();
     if (option == deform_) {
       stage.deformations.push_back(value);
+    } else if (option == family_) {
+      set_once(stage.family, "--family", value);
     } else if (option == dims_) {
-      set_once(stage.dims, "--dims", value, stage);
+      check_shape("--dims", value, stage);
+      set_once(stage.dims, "--dims", value);
     } else {
-      set_once(stage.region, "--region", value, stage);
+      check_shape("--region", value, stage);
+      set_once(stage.region, "--region", value);
     }
   }
   if (stages.empty()) stages.emplace_back();
   return stages;
 }
 
+Family family_of(const StageText& text) {
+  return text.family.empty() ? Family() : Family::parse(text.family);
+}
+
 Lattice rest_lattice(const StageText& text, const Points& points) {
-  if (!is_shape(text.lattice)) return read_lattice(text.lattice);
-  const Index3 dims = text.dims.empty() ? usual_dims(text.lattice)
-                                        : parse_dims(text.dims, "--dims " + excerpt(text.dims));
-  if (text.region.empty()) return lattice_around(text.lattice, points, dims);
-  return lattice_around(text.lattice, parse_region(text.region), dims, 0.0);
+  const Family family = family_of(text);
+  if (!is_shape(text.lattice)) {
+    Lattice read = read_lattice(text.lattice);
+    family.check_dims(read.dims());
+    return read;
+  }
+  std::optional<Index3> dims;
+  if (!text.dims.empty()) dims = parse_dims(text.dims, "--dims " + excerpt(text.dims));
+  if (text.region.empty()) return lattice_around(text.lattice, points, dims, family);
+  return lattice_around(text.lattice, parse_region(text.region), dims, family, 0.0);
 }
 
 Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
@@ -155,10 +177,11 @@ Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points) {
   std::vector<Stage> stages;
   for (const StageText& text : texts) {
+    const Family family = family_of(text);
     Lattice rest = rest_lattice(text, points);
-    const FoldCheck folds = check_rest(text.lattice, rest);
+    const FoldCheck folds = check_rest(text.lattice, rest, family);
     Lattice deformed = deformed_lattice(text, rest);
-    stages.push_back({text.lattice, std::move(rest), std::move(deformed), folds});
+    stages.push_back({text.lattice, family, std::move(rest), std::move(deformed), folds});
   }
   return stages;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
@@ -18,6 +19,7 @@ namespace hwffd::command {
 struct StageText {
   std::string lattice = "box";  ///< a shape, or a lattice file
   std::string dims;             ///< "4x4x4"; empty: what suits the shape
+  std::string family;           ///< of blending functions; empty: bspline
   std::string region;           ///< "X0,Y0,Z0,X1,Y1,Z1" that a shape holds; empty: all points
   std::vector<std::string> deformations;  ///< texts that Deformation::parse takes, in order
 };
@@ -25,28 +27,35 @@ struct StageText {
 /// A lattice of the hierarchy, before and after.
 struct Stage {
   std::string name;  ///< of its shape or file
+  Family family;
   Lattice rest;
   Lattice deformed;
   FoldCheck rest_folds;
 };
 
-/// The options --lattice, --dims, --region and --deform of a command. Every --lattice begins a
-/// stage; the others belong to the stage before them.
+/// The options --lattice, --dims, --family, --region and --deform of a command. Every --lattice
+/// begins a stage; the others belong to the stage before them.
 class StageOptions {
  public:
   explicit StageOptions(CLI::App& app);
 
   /// The stages in the order of the command line; without --lattice one box.
-  /// @throws UsageError for --dims or --region twice in a stage, or beside a lattice file
+  /// @throws UsageError for --dims, --family or --region twice in a stage, and for --dims or
+  ///   --region beside a lattice file
   std::vector<StageText> texts() const;
 
  private:
   CLI::App& app_;
   CLI::Option* lattice_;
   CLI::Option* dims_;
+  CLI::Option* family_;
   CLI::Option* region_;
   CLI::Option* deform_;
 };
+
+/// The family of the text.
+/// @throws UsageError for one that is unknown
+Family family_of(const StageText& text);
 
 /// The lattice at rest.
 /// @param points  what a shape holds if the text gives no region

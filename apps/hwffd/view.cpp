@@ -45,7 +45,7 @@ int run(const Options& options, const StageOptions& stage_options) {
       fmt::print(stderr, "hwffd: {}\n", error.what());
     }
   };
-  view::show({std::move(mesh), std::move(stage.rest), std::move(stage.deformed),
+  view::show({std::move(mesh), stage.family, std::move(stage.rest), std::move(stage.deformed),
               Outside::parse(options.outside)},
              *device, save);
   return 0;

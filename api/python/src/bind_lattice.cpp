@@ -46,10 +46,7 @@ Holder around(const std::string& shape, const py::object& points, const std::opt
   const Points read = read_points(points, "points").points();
   const Unlocked unlocked;
   const Family family = Family::parse(family_name);
-  if (!dims)
-    return made(family.from_bspline(lattice_around(shape, read, usual_dims(shape))), family);
-  Lattice::check_dims(*dims);
-  return made(family.from_bspline(lattice_around(shape, read, family.bspline_dims(*dims))), family);
+  return made(lattice_around(shape, read, dims, family), family);
 }
 
 Holder read(const std::filesystem::path& path, const std::string& family) {
@@ -259,7 +256,7 @@ void bind_lattice(py::module_& module) {
           },
           py::arg("deformation"), "Moves the control points further, as \"twist:90\" says.")
       .def("folds", getter([](const DeformableLattice& of) {
-             return check_folds(of.deformed(), 6, of.family()).text();
+             return check_folds(of.deformed(), kFoldDepth, of.family()).text();
            }),
            "Whether the deformed lattice folds space: \"proved\" not to, or where.")
       .def("set_device", &set_device, py::arg("device"), py::arg("org") = "basic",

@@ -33,30 +33,16 @@ void DeformableLattice::set_device(const DeviceChoice& choice) {
   choice_ = choice;
 }
 
-Points DeformableLattice::evaluated(const std::vector<Embedded>& places) {
-  if (family().kind() == Family::Kind::kBspline) return device_->evaluate(deformed_, places);
-  const Index3 cells = family().cells(deformed_.dims());
-  const Family::Evaluable evaluable = family().evaluable(deformed_);
-  std::vector<Embedded> there;
-  there.reserve(places.size());
-  for (const Embedded& place : places) {
-    check_cell(place.cell, cells, there.size());
-    there.push_back(evaluable.at(place));
-  }
-  return device_->evaluate(evaluable.lattice, there, evaluable.blending);
-}
-
 Points DeformableLattice::evaluate(std::vector<Embedded> vertices) {
   for (Embedded& vertex : vertices) {
     // What is no number stays one, for the device to refuse.
     if (!vertex.local.hasNaN()) vertex.local = vertex.local.cwiseMax(0.0).cwiseMin(1.0);
   }
-  return evaluated(vertices);
+  return device_->evaluate(deformed_, vertices, family());
 }
 
 Points DeformableLattice::evaluate_grid(const Grid& grid) {
-  if (family().kind() == Family::Kind::kBspline) return device_->evaluate_grid(deformed_, grid);
-  return evaluated(places_of(grid, family().cells(deformed_.dims())));
+  return device_->evaluate_grid(deformed_, grid, family());
 }
 
 void DeformableLattice::check_own(const Attachment& attachment) const {
@@ -70,7 +56,7 @@ void DeformableLattice::check_own(const Attachment& attachment) const {
 
 Points DeformableLattice::carry(const Attachment& attachment) {
   check_own(attachment);
-  Points carried = attachment.follow(evaluated(attachment.places()));
+  Points carried = attachment.follow(device_->evaluate(deformed_, attachment.places(), family()));
   summary_ = attachment.summary();
   return carried;
 }
@@ -85,7 +71,8 @@ Points DeformableLattice::carry_by_parts(const Eigen::Ref<const Points>& points,
               const auto from = static_cast<Eigen::Index>(first);
               const auto count = static_cast<Eigen::Index>(end - first);
               const Attachment part = attach(points.middleRows(from, count), unsure);
-              carried.middleRows(from, count) = part.follow(evaluated(part.places()));
+              carried.middleRows(from, count) =
+                  part.follow(device_->evaluate(deformed_, part.places(), family()));
               const std::lock_guard<std::mutex> lock(joining);
               summary = joined(summary, part.summary());
             });

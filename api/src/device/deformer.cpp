@@ -9,7 +9,7 @@
 namespace hwffd {
 namespace {
 
-const Lattice& first_of(const std::vector<Lattice>& lattices) {
+const Embedder& first_of(const std::vector<Embedder>& lattices) {
   if (lattices.empty()) throw Error("no lattice to deform with; give at least one");
   return lattices.front();
 }
@@ -27,7 +27,7 @@ void check_dims(const Lattice& rest, const Lattice& deformed) {
 }  // namespace
 
 Deformer::Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
-                   std::vector<Lattice> rest, Outside outside)
+                   std::vector<Embedder> rest, Outside outside)
     : triangles_(std::move(triangles)),
       rest_(std::move(rest)),
       outside_(outside),
@@ -44,14 +44,17 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
     result.gradients.assign(static_cast<std::size_t>(first_.size()), Eigen::Matrix3d::Identity());
   }
   for (std::size_t stage = 0; stage < rest_.size(); ++stage) {
-    check_dims(rest_[stage], deformed[stage]);
+    check_dims(rest_[stage].lattice(), deformed[stage]);
+    const Family& family = rest_[stage].family();
     std::optional<Attachment> later;
     if (stage > 0) later.emplace(rest_[stage], result.positions, outside_);
     const Attachment& attachment = later ? *later : first_;
     if (gradients == Gradients::kNone) {
-      result.positions = attachment.follow(device.evaluate(deformed[stage], attachment.places()));
+      result.positions =
+          attachment.follow(device.evaluate(deformed[stage], attachment.places(), family));
     } else {
-      const Device::Tangents tangents = device.tangents(deformed[stage], attachment.places());
+      const Device::Tangents tangents =
+          device.tangents(deformed[stage], attachment.places(), family);
       result.positions = attachment.follow(tangents.positions);
       const std::vector<Eigen::Matrix3d> own = attachment.gradients(tangents.jacobians);
       for (std::size_t i = 0; i < own.size(); ++i) {

@@ -157,6 +157,19 @@ PointStore store_of(const DeviceChoice& choice) {
   return {choice.axis_points, choice.pages, false};
 }
 
+/// Places of a lattice of a family in the one that devices evaluate for it.
+std::vector<Embedded> there(const std::vector<Embedded>& places, const Lattice& lattice,
+                            const Family& family, const Family::Evaluable& evaluable) {
+  const Index3 cells = family.cells(lattice.dims());
+  std::vector<Embedded> result;
+  result.reserve(places.size());
+  for (const Embedded& place : places) {
+    check_cell(place.cell, cells, result.size());
+    result.push_back(evaluable.at(place));
+  }
+  return result;
+}
+
 Device::Blending all_bspline() {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   return {bspline, bspline, bspline};
@@ -195,8 +208,11 @@ Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& ver
   return finite(run(lattice, vertices, blending));
 }
 
-Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices) {
-  return evaluate(lattice, vertices, all_bspline());
+Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& places,
+                        const Family& family) {
+  if (family.kind() == Family::Kind::kBspline) return evaluate(lattice, places, all_bspline());
+  const Family::Evaluable evaluable = family.evaluable(lattice);
+  return evaluate(evaluable.lattice, there(places, lattice, family, evaluable), evaluable.blending);
 }
 
 Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
@@ -213,8 +229,11 @@ Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embe
   return tangents;
 }
 
-Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices) {
-  return tangents(lattice, vertices, all_bspline());
+Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& places,
+                                  const Family& family) {
+  if (family.kind() == Family::Kind::kBspline) return tangents(lattice, places, all_bspline());
+  const Family::Evaluable evaluable = family.evaluable(lattice);
+  return tangents(evaluable.lattice, there(places, lattice, family, evaluable), evaluable.blending);
 }
 
 Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
@@ -224,8 +243,9 @@ Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Ble
   return finite(run_grid(lattice, grid, blending));
 }
 
-Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid) {
-  return evaluate_grid(lattice, grid, all_bspline());
+Points Device::evaluate_grid(const Lattice& lattice, const Grid& grid, const Family& family) {
+  if (family.kind() == Family::Kind::kBspline) return evaluate_grid(lattice, grid, all_bspline());
+  return evaluate(lattice, places_of(grid, family.cells(lattice.dims())), family);
 }
 
 Points Device::run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {

@@ -11,6 +11,7 @@ namespace hwffd::view {
 /// A mesh in a lattice.
 struct Scene {
   Mesh mesh;
+  Family family;     ///< of blending functions
   Lattice rest;      ///< in which the mesh is embedded, once
   Lattice deformed;  ///< as it is at the beginning, and after a reset
   Outside outside;

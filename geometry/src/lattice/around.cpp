@@ -24,4 +24,11 @@ Lattice lattice_around(const std::string& shape, const Points& points, const Ind
   return find(shape).around(points, extent, dims);
 }
 
+Lattice lattice_around(const std::string& shape, const Points& points,
+                       const std::optional<Index3>& dims, const Family& family, double room) {
+  if (dims) Lattice::check_dims(*dims);
+  const Index3 cells = dims ? family.bspline_dims(*dims) : usual_dims(shape);
+  return family.from_bspline(lattice_around(shape, points, cells, room));
+}
+
 }  // namespace hwffd

@@ -73,7 +73,6 @@ class DeformableLattice {
  private:
   void check_own(const Attachment& attachment) const;
   Points carry_by_parts(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure);
-  Points evaluated(const std::vector<Embedded>& places);
 
   Embedder embedder_;
   Lattice deformed_;

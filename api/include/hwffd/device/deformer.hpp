@@ -29,10 +29,10 @@ class Deformer {
 
   /// @param points     n x 3
   /// @param triangles  indices of points, for torn_edges; may be empty
-  /// @param rest       the lattices of the stages, at rest
+  /// @param rest       the lattices of the stages, at rest, each with its family
   /// @throws Error if there is no stage, or what Attachment throws
   Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
-           std::vector<Lattice> rest, Outside outside);
+           std::vector<Embedder> rest, Outside outside);
 
   /// @param deformed  the lattices of the stages, deformed, of the same dimensions
   /// @throws Error for another number of lattices or other dimensions, and what Attachment and
@@ -42,7 +42,7 @@ class Deformer {
 
  private:
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<Lattice> rest_;
+  std::vector<Embedder> rest_;
   Outside outside_;
   Attachment first_;  ///< of the first stage, whose points never change
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/interleave.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/on_threads.hpp"
@@ -52,22 +53,24 @@ class Device {
   ///   does not answer what it was asked. After any exception the device is as ready as before.
   Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
                   const Blending& blending);
-  /// The same with the uniform B-spline along all axes.
-  Points evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices);
+  /// The same at places in the cells of a family, by default of the uniform B-spline.
+  Points evaluate(const Lattice& lattice, const std::vector<Embedded>& places,
+                  const Family& family = {});
 
   /// Positions of the vertices of a regular grid, s fastest, then t, then u: those of its places,
   /// bit for bit. A core with grids makes the vertices itself, of a packet of four beats
   /// (interface.md).
   /// @throws Error for a grid that has no vertex or leaves the lattice, and as above
   Points evaluate_grid(const Lattice& lattice, const Grid& grid, const Blending& blending);
-  /// With the uniform B-spline along all axes.
-  Points evaluate_grid(const Lattice& lattice, const Grid& grid);
+  /// In the cells of a family, those of another than the uniform B-spline place by place.
+  Points evaluate_grid(const Lattice& lattice, const Grid& grid, const Family& family = {});
 
   /// The same with derivatives; positions are those of evaluate(), bit for bit.
   Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                     const Blending& blending);
-  /// With the uniform B-spline along all axes.
-  Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& vertices);
+  /// At places in the cells of a family.
+  Tangents tangents(const Lattice& lattice, const std::vector<Embedded>& places,
+                    const Family& family = {});
 
   /// Positions of vertices that bring their control points, n x 3, in their order (paper, fig. 3).
   /// @throws Error for a number that is not finite, and as evaluate() of a lattice

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
 
 namespace hwffd {
@@ -19,6 +21,13 @@ constexpr double kBinary32Room = 0x1p-23;
 ///                so that they are inside as floats as well
 /// @throws UsageError for an unknown shape, Error for dims or points that the shape refuses
 Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims,
+                       double room = kBinary32Room);
+
+/// The same of a family, with the map at rest of the B-spline lattice that has as many cells.
+/// @param dims  points an axis; without them cells as usual_dims() has them
+/// @throws Error also for dims that the family cannot have
+Lattice lattice_around(const std::string& shape, const Points& points,
+                       const std::optional<Index3>& dims, const Family& family,
                        double room = kBinary32Room);
 
 }  // namespace hwffd

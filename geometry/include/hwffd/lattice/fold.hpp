@@ -27,6 +27,9 @@ struct FoldCheck {
   std::string text() const;
 };
 
+/// Times that check_folds() halves a cell, unless told otherwise.
+constexpr int kFoldDepth = 6;
+
 /// Finds the sign of det J over every cell from its Bernstein coefficients, of degree 8 an axis,
 /// which enclose it; parts where they have both signs are halved, up to max_depth times. The bound
 /// allows for rounding, so "proved" holds of the exact map of the points as given.
@@ -37,6 +40,7 @@ struct FoldCheck {
 ///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
-FoldCheck check_folds(const Lattice& lattice, int max_depth = 6, const Family& family = {});
+FoldCheck check_folds(const Lattice& lattice, int max_depth = kFoldDepth,
+                      const Family& family = {});
 
 }  // namespace hwffd

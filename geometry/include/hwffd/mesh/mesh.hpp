@@ -142,6 +142,10 @@ class Mesh {
   /// The welded vertex of every vertex of scene(), parts in order.
   const std::vector<std::uint32_t>& welded() const { return weld_; }
 
+  /// The vertex in the file of every vertex of scene(), where the format numbers vertices
+  /// (vertex_count_read()); else as welded().
+  const std::vector<std::uint32_t>& numbers() const { return numbers_; }
+
  private:
   struct SceneDeleter {
     void operator()(aiScene* scene) const;

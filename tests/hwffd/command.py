@@ -1,0 +1,74 @@
+"""What tests of the command hwffd begin with: files, and how it is called.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from program import ProgramTest  # noqa: E402
+
+# A tetrahedron and two loose triangles, with texture coordinates, groups and a material.
+MESH = """mtllib solid.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+v 3 0 0
+v 0 3 0
+vt 0 0
+vt 1 0
+vt 0 1
+g lower
+usemtl red
+f 1/1 3/2 2/3
+f 1/1 2/2 4/3
+f 1/1 4/2 3/3
+f 2/1 3/2 4/3
+g upper
+f 2/1 5/2 4/3
+f 3/1 4/2 6/3
+"""
+
+
+def lattice(point):
+    points = [point(i, j, k) for i in range(4) for j in range(4) for k in range(4)]
+    return json.dumps({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": points})
+
+
+FLAT = lattice(lambda i, j, k: [i, j, 0])
+LATTICES = {"folded.json": lattice(lambda i, j, k: [-2 if i == 3 else i, j, k]),
+            "flat.json": FLAT, "junk.json": FLAT + "\0junk",
+            "twice.json": FLAT.replace("{", '{"dims": [5, 5, 5], ', 1),
+            "huge.json": lattice(lambda *at: [x * 1e154 for x in at])}
+
+
+class CommandTest(ProgramTest):
+    name = "hwffd"  # also of the one with sanitizers
+    given = {"solid.obj": MESH, "solid.mtl": "newmtl red\nKd 1 0 0\n", "empty.obj": "",
+             "words.obj": "only words in a row\n" * 9,
+             "nan.obj": MESH.replace("v 1 0 0", "v nan 0 0"),
+             "points.xyz": "0 0 0\n0.25 0.5 0.75\n1 1 1\n", "bad.xyz": "0 0 0\n1 2\n",
+             "broken.json": '{"hwffd_lattice": 1, "dims": [4, 4', "read-only.obj": MESH,
+             "folder": None, **LATTICES}
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "read-only.obj").chmod(0o444)
+
+    def report(self, name="r.json"):
+        return json.loads(self.text(name))
+
+    def assert_near(self, got, wanted, places):
+        self.assertEqual(len(got), len(wanted))
+        for a, b in zip(got, wanted):
+            for x, y in zip(a, b):
+                self.assertAlmostEqual(x, y, places=places)
+
+    def good(self, *words, given="", warning=""):
+        done = self.call(*words, given=given)
+        stderr = f"hwffd: warning: {warning}\n" if warning else ""
+        self.assertEqual((done.returncode, done.stderr), (0, stderr), words)
+        return done.stdout
