@@ -27,6 +27,15 @@ assert 0 < abs(hwffd.deform(lattice, points) - model).max() < 1e-5
 assert hwffd.devices("rtl") == []
 print(hwffd.__version__, hwffd.__file__)
 """
+WITH_HARDWARE = """
+import hwffd, numpy as np
+points = np.random.default_rng(1).random((20, 3))
+lattice = hwffd.Lattice.around("sphere", points)
+lattice.deform("twist:90")
+model = hwffd.deform(lattice, points)
+lattice.set_device("rtl")
+assert (hwffd.deform(lattice, points) == model).all()
+"""
 
 
 def run(*words, **more):
@@ -66,6 +75,19 @@ def test_it_has_the_package_and_its_libraries(wheel):
         assert library in libraries
     assert not [name for name in names if name.endswith((".hpp", ".cmake", ".cpp", ".pc", ".in"))]
     assert len(names) < 40
+
+
+def test_the_simulated_hardware_is_a_package(wheel, tmp_path):
+    """As pip install ./api/python/rtl makes it, of the library of this build."""
+    package = tmp_path / "packages" / "hwffd_rtl"
+    run("mkdir", "-p", package)
+    run("cp", ROOT / "api" / "python" / "rtl" / "hwffd_rtl" / "__init__.py", package)
+    (library,) = (TOOLS.parents[1] / "api").glob("libhwffd_rtl.so.[0-9]")
+    run("cp", library, package)
+    run(sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", package.parent, wheel)
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    run(sys.executable, "-c", WITH_HARDWARE, cwd=tmp_path,
+        env={**clean, "PYTHONPATH": str(package.parent)})
 
 
 def test_it_is_used_in_a_new_environment(wheel, tmp_path):

@@ -8,6 +8,13 @@ double precision (docs/python.md).
 SPDX-License-Identifier: Apache-2.0
 """
 
+import contextlib
+
+# The library of the device rtl, if the package hwffd-rtl is installed.
+with contextlib.suppress(ImportError):
+    __import__("hwffd_rtl")
+
+# pylint: disable-next=wrong-import-position
 from hwffd._core import (Embedding, Error, Lattice, UsageError, __version__, deform, devices,
                          families, set_threads, shapes, threads)
 

@@ -20,6 +20,7 @@ constexpr double kFlat = 1e-9;        // least extent of a lattice, of its large
 constexpr std::size_t kNearCells = 4;
 constexpr std::size_t kPointsOfABlock = 1 << 17;
 constexpr std::size_t kPointsAtOnce = 64;  // points that a thread embeds at once
+constexpr std::size_t kPointsOfABoxAtOnce = 1024;
 
 /// Throws Error if points lie in one plane: nothing could be embedded among them.
 void check_volume(const Points& points) {
@@ -38,6 +39,11 @@ Embedder::Embedder(Lattice lattice, const Family& family)
   const Points& points = lattice_.points();
   check_volume(points);
   centre_ = middle_of(points);
+  if (box_) {
+    const Family::Evaluable evaluable =
+        family_.evaluable(Lattice(lattice_.dims(), points.rowwise() - centre_.transpose()));
+    evaluator_.emplace(evaluable.lattice, evaluable.blending);
+  }
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (const Index3& cell : places(family_.cells(lattice_.dims()))) {
@@ -130,13 +136,33 @@ Embedding Embedder::embed(const Point& point) const {
   result.residual = std::numeric_limits<double>::infinity();
   if (!has_coordinates(point)) return result;
   if (!box_) return embed_by_newton(point - centre_);
-  result.at = box_->embed(lattice_.dims(), point);
-  const bool inside = result.at.inside;
-  result.status = inside ? EmbeddingStatus::kInside : EmbeddingStatus::kOutside;
-  // Beyond the cells by the map itself: the powers of coordinates far away overflow in eq. (1).
-  const Point back = inside ? this->point(result.at) : box_->point(lattice_.dims(), result.at);
-  result.residual = (back - point).norm();
+  embed_in_box(point.transpose(), 0, 1, &result);
   return result;
+}
+
+void Embedder::embed_in_box(const Points& points, std::size_t first, std::size_t count,
+                            Embedding* to) const {
+  VertexArrays<double> there;
+  there.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point point = points.row(static_cast<Eigen::Index>(first + i));
+    to[i] = Embedding{};
+    if (has_coordinates(point)) to[i].at = box_->embed(lattice_.dims(), point);
+    if (to[i].at.inside) to[i].status = EmbeddingStatus::kInside;
+    there.origins[i] = evaluator_->origin(to[i].at.cell);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      there.local[axis][i] = to[i].at.local[static_cast<Eigen::Index>(axis)];
+    }
+  }
+  evaluator_->evaluate(there);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point point = points.row(static_cast<Eigen::Index>(first + i));
+    Point back = centre_ + Point(there.position[0][i], there.position[1][i], there.position[2][i]);
+    // Beyond the cells by the map itself: the powers of coordinates far away overflow in eq. (1).
+    if (!to[i].at.inside) back = box_->point(lattice_.dims(), to[i].at);
+    to[i].residual =
+        has_coordinates(point) ? (back - point).norm() : std::numeric_limits<double>::infinity();
+  }
 }
 
 std::vector<Embedding> Embedder::embed(const Points& points) const {
@@ -146,7 +172,9 @@ std::vector<Embedding> Embedder::embed(const Points& points) const {
   // Block by block, since to make room for millions takes time in which nobody looks at a Watch.
   for (std::size_t begin = 0; begin < count; begin = result.size()) {
     result.resize(std::min(count, begin + kPointsOfABlock));
-    on_ranges(result.size() - begin, kPointsAtOnce, [&](std::size_t first, std::size_t end) {
+    const std::size_t at_once = box_ ? kPointsOfABoxAtOnce : kPointsAtOnce;
+    on_ranges(result.size() - begin, at_once, [&](std::size_t first, std::size_t end) {
+      if (box_) return embed_in_box(points, begin + first, end - first, &result[begin + first]);
       for (std::size_t i = begin + first; i < begin + end; ++i) {
         result[i] = embed(Point(points.row(static_cast<Eigen::Index>(i))));
       }

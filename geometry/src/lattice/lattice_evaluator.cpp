@@ -20,14 +20,6 @@ void append(std::vector<Real>& to, const Rows& points) {
   }
 }
 
-template <class Real>
-void resize(VertexArrays<Real>& vertices, std::size_t count) {
-  vertices.origins.resize(count);
-  for (auto* arrays : {&vertices.local, &vertices.position}) {
-    for (std::vector<Real>& one : *arrays) one.resize(count);
-  }
-}
-
 /// Positions of `count` vertices, block by block, on all threads. put(v, i, arrays) puts vertex v
 /// into place i of the arrays; evaluate(first, arrays) evaluates a block.
 template <class Put, class Evaluate>
@@ -37,7 +29,7 @@ Points by_blocks(std::size_t count, const Put& put, const Evaluate& evaluate) {
     VertexArrays<double> block;
     for (std::size_t first = begin; first < end; first += kBlock) {
       const std::size_t size = std::min(kBlock, end - first);
-      resize(block, size);
+      block.resize(size);
       for (std::size_t i = 0; i < size; ++i) put(first + i, i, block);
       evaluate(first, block);
       for (std::size_t i = 0; i < size; ++i) {
@@ -58,6 +50,14 @@ void put_local(const Eigen::Vector3d& local, std::size_t i, VertexArrays<double>
 }
 
 }  // namespace
+
+template <class Real>
+void VertexArrays<Real>::resize(std::size_t count) {
+  origins.resize(count);
+  for (auto* arrays : {&local, &position}) {
+    for (std::vector<Real>& one : *arrays) one.resize(count);
+  }
+}
 
 template <class Real>
 LatticeEvaluator<Real>::LatticeEvaluator(const Blending& blending) {
@@ -99,6 +99,8 @@ void LatticeEvaluator<Real>::evaluate(VertexArrays<Real>& vertices) const {
                              origins.size()});
 }
 
+template struct VertexArrays<float>;
+template struct VertexArrays<double>;
 template class LatticeEvaluator<float>;
 template class LatticeEvaluator<double>;
 

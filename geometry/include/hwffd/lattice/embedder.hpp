@@ -7,6 +7,7 @@
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/lattice.hpp"
+#include "hwffd/lattice/lattice_evaluator.hpp"
 #include "hwffd/oracle/oracle.hpp"
 
 namespace hwffd {
@@ -70,6 +71,9 @@ class Embedder {
     Point low, high, middle;
   };
 
+  /// Embeds `count` rows of points from `first` on, of a box.
+  void embed_in_box(const Points& points, std::size_t first, std::size_t count,
+                    Embedding* to) const;
   std::vector<const Cell*> candidates(const Point& point) const;
   Embedding embed_by_newton(const Point& point) const;
   Embedding outside(const Point& point) const;
@@ -77,6 +81,7 @@ class Embedder {
   Lattice lattice_;
   Family family_;
   std::optional<Box> box_;
+  std::optional<LatticeEvaluator<double>> evaluator_;  ///< of a box, relative to centre_
   Oracle oracle_;
   Point centre_;
   double size_ = 0.0;

@@ -17,6 +17,8 @@ struct VertexArrays {
   std::vector<std::uint32_t> origins;         ///< LatticeEvaluator::origin of their cells
   std::array<std::vector<Real>, 3> local;     ///< s, t, u
   std::array<std::vector<Real>, 3> position;  ///< x, y, z: room for the results
+
+  void resize(std::size_t count);
 };
 
 /// Eq. (1) by the vector units of the processor, by the widest that it has. Real is float or
