@@ -45,11 +45,12 @@ def work_on(options):
     counts = counting.read(programs.run(run, build, folder, options.jobs, options.share))
     sources = {path.stem: path.read_text(encoding="utf-8").splitlines()
                for path in sorted((ROOT / "rtl").rglob("*.v"))}
-    left_out = exclusions.excluded(exclusions.read(pathlib.Path(__file__).with_name("exclusions.csv")),
-                                   counts, sources)
+    reasons = exclusions.read(pathlib.Path(__file__).with_name("exclusions.csv"))
+    left_out = exclusions.excluded(reasons, counts, sources)
+    wanted = [module for module in sources if module not in exclusions.unneeded(reasons, counts)]
     annotate(folder / "annotated", sources, counts, left_out)
     report = {"programs": len(run), "share": options.share,
-              "rows": reporting.rows(sources, counts, left_out), "cpp": cpp.rows(ROOT, build)}
+              "rows": reporting.rows(wanted, counts, left_out), "cpp": cpp.rows(ROOT, build)}
     path = ROOT / "build" / "reports" / "coverage.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"wrote {path.relative_to(ROOT)}")

@@ -17,6 +17,9 @@ def rows(root, build):
     command = [sys.executable, "-m", "gcovr", "--root", str(root), "--object-directory", str(build),
                "--exclude-throw-branches", "--exclude-unreachable-branches", "--json-summary", "-",
                "--merge-mode-functions=merge-use-line-0", "--gcov-ignore-errors=no_working_dir_found",
+               # Of threads that count at once, and of loops that run often.
+               *(f"--gcov-ignore-parse-errors={kind}_hits.warn_once_per_file"
+                 for kind in ("negative", "suspicious")),
                *(f"--filter={root / folder}/" for folder in FOLDERS), str(build)]
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
     if answer.returncode:

@@ -1,36 +1,55 @@
 """Places that need not be run, each with its reason: exclusions.csv.
 
-`what` is a branch's or line's source text without blanks at its ends, or a pattern of a signal's bits.
-A line that fits no place, or only places that were run, is an error: reasons must not outlive what they
-were written for.
+`what` is a branch's or line's source text without blanks at its ends, or a signal's bit or bits, w[3] or
+w[0-3]. Of the kind `module`, whose `what` is `all`, the module need not be in any program. A line that fits
+no place, or only places that were run, is an error: reasons must not outlive what they were written for.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import csv
-import fnmatch
+import re
 
 from counts import KINDS, CoverageError
 
 FIELDS = ["module", "kind", "what", "reason"]
+MODULE = "module"
+_BIT = re.compile(r"(.*)\[(\d+)\]")
+_BITS = re.compile(r"(.*)\[(\d+)-(\d+)\]")
 
 
 def read(path):
     with path.open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     for number, row in enumerate(rows, 2):
-        if list(row) != FIELDS or row["kind"] not in KINDS or not all(row.values()):
+        if list(row) != FIELDS or row["kind"] not in (*KINDS, MODULE) or not all(row.values()):
             raise CoverageError(f"{path.name}:{number}: need {','.join(FIELDS)}, "
-                                f"the kind one of {', '.join(KINDS)}")
+                                f"the kind one of {', '.join((*KINDS, MODULE))}")
     return rows
+
+
+def _is_bit_of(what, bits):
+    """Whether a toggle's signal and bit are among those of a row."""
+    several, one = _BITS.fullmatch(bits), _BIT.fullmatch(what)
+    if not several or not one:
+        return what == bits
+    return one[1] == several[1] and int(several[2]) <= int(one[2]) <= int(several[3])
 
 
 def _fits(row, place, source):
     if (row["module"], row["kind"]) != (place.module, place.kind):
         return False
     if place.kind == "toggle":
-        return fnmatch.fnmatchcase(place.what.replace("[", "("), row["what"].replace("[", "("))
+        return _is_bit_of(place.what, row["what"])
     return source[place.line - 1].strip() == row["what"]
+
+
+def unneeded(rows, counts):
+    """Modules that need not be in any program. Raises CoverageError for one that is."""
+    names = {row["module"] for row in rows if row["kind"] == MODULE}
+    for name in names & {place.module for place in counts}:
+        raise CoverageError(f"exclusions.csv: {name}, module: a program has it: take the row out")
+    return names
 
 
 def excluded(rows, counts, sources):
@@ -38,6 +57,8 @@ def excluded(rows, counts, sources):
     missed = [place for place, count in counts.items() if count == 0]
     left_out = set()
     for row in rows:
+        if row["kind"] == MODULE:
+            continue
         fitting = {place for place in missed if _fits(row, place, sources.get(place.module, ()))}
         if not fitting:
             raise CoverageError(f"exclusions.csv: {row['module']}, {row['kind']} {row['what']}: "

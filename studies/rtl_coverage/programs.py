@@ -28,15 +28,25 @@ def _key(program, build):
     return "-".join(program.relative_to(build).parts[1:])
 
 
+def _is_counted(program, path):
+    return path.exists() and path.stat().st_mtime > program.stat().st_mtime
+
+
+def _path(program, build, folder, share):
+    """Of its counts: those of all its tests, where they are there, serve for a part."""
+    whole = folder / f"{_key(program, build)}-1.tsv"
+    return whole if _is_counted(program, whole) else whole.with_name(f"{_key(program, build)}-{share}.tsv")
+
+
 def run(programs, build, folder, jobs, share):
     """Runs each, or the first of `share` parts of its tests; the files of counts. What was counted of a
     program that is as it was is not counted again."""
     folder.mkdir(parents=True, exist_ok=True)
-    paths, failed = {program: folder / f"{_key(program, build)}-{share}.tsv" for program in programs}, []
+    paths, failed = {program: _path(program, build, folder, share) for program in programs}, []
 
     def work(program):
         path = paths[program]
-        if path.exists() and path.stat().st_mtime > program.stat().st_mtime:
+        if _is_counted(program, path):
             return 0
         new = path.with_suffix(".new")
         settings = {"HWFFD_COVERAGE": str(new), "GTEST_TOTAL_SHARDS": str(share), "GTEST_SHARD_INDEX": "0"}

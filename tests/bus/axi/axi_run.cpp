@@ -31,7 +31,6 @@ AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, s
       core_(std::move(core)),
       system_(std::make_unique<tb::AxiSystem>(*core_, seed)),
       driver_(*system_),
-      ring_(system_->memory, driver_, kRing, kBuffers),
       model_(row, has.features, has.axis, has.pages, has.spans) {
   system_->memory.set_latency({1, 1 + random_.below(40)});
   system_->set_throttles(throttles);
@@ -40,12 +39,16 @@ AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, s
 
 void AxiRun::set_up() {
   driver_.probe();
-  driver_.set_windows(kReadWindow, kWriteWindow);
+  driver_.set_windows(places_.read, places_.write);
   driver_.lock_windows();
   driver_.enable_interrupts(HWFFD_IRQ_ENABLE_DONE_MASK | HWFFD_IRQ_ENABLE_ERROR_MASK |
                             HWFFD_IRQ_ENABLE_REFUSED_MASK);
-  system_->allow(kReadWindow, kWriteWindow);
-  ring_.open();
+  system_->allow(places_.read, places_.write);
+  ring_.emplace(system_->memory, driver_, places_.ring, places_.buffers);
+  ring_->open();
+  written_.push_back(ring_->ring_range());
+  written_.push_back({places_.buffers.base, places_.buffers.limit});
+  next_area_ = places_.write.base;
 }
 
 void AxiRun::hard_reset(unsigned clocks) {
@@ -56,9 +59,14 @@ void AxiRun::hard_reset(unsigned clocks) {
   set_up();
 }
 
+void AxiRun::move_to(const Places& places) {
+  places_ = places;
+  hard_reset(4);
+}
+
 void AxiRun::send(const std::vector<Beat>& packets) {
-  if (driver_.pending() == 0) ring_.set_next_buffer(kBuffers.base);
-  ring_.put(packets);
+  if (driver_.pending() == 0) ring_->set_next_buffer(places_.buffers.base);
+  ring_->put(packets);
   const std::vector<Beat> results = model_.run(packets);
   expected_.insert(expected_.end(), results.begin(), results.end());
 }
@@ -68,7 +76,7 @@ void AxiRun::send_bspline() { send(coefficients_packet(watertight_bspline(codec_
 void AxiRun::choose_area(std::optional<std::uint64_t> results) {
   area_results_ = std::max<std::uint64_t>(1, results.value_or(expected_.size()));
   const std::uint64_t bytes = area_results_ * kBeat;
-  if (next_area_ + bytes > kWriteWindow.limit) next_area_ = kWriteWindow.base;
+  if (next_area_ + bytes > places_.write.limit) next_area_ = places_.write.base;
   area_ = next_area_;
   next_area_ += bytes + kGuardBytes;
   areas_.push_back({area_, area_ + bytes - 1});
@@ -134,7 +142,7 @@ AssertionResult AxiRun::soft_reset() {
   if (!driver_.soft_reset(kPolls)) return AssertionFailure() << "the soft reset has no end";
   model_.reset();
   expected_.clear();
-  ring_.open();
+  ring_->open();
   return AssertionSuccess();
 }
 
@@ -159,8 +167,7 @@ AssertionResult AxiRun::clean() {
   system_->run(300);  // nothing comes after
   std::string faults = system_->faults();
   std::vector<tb::AxiMemory::Range> ranges = areas_;
-  ranges.push_back(ring_.ring_range());
-  ranges.push_back({kBuffers.base, kBuffers.limit});
+  ranges.insert(ranges.end(), written_.begin(), written_.end());
   const std::uint64_t changed = system_->memory.changed_outside(ranges);
   if (changed != 0) faults += fmt::format("{} guard bytes changed\n", changed);
   if (checked_ == 0) faults += "nothing was checked\n";

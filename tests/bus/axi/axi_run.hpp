@@ -30,6 +30,27 @@ inline constexpr AddressWindow kReadWindow{kRing.base, kBuffers.limit};
 inline constexpr AddressWindow kWriteWindow{0x100001230, 0x1001FFFFF};
 inline constexpr std::uint64_t kPolls = 200'000;
 
+/// The same, or farther up.
+struct Places {
+  DescriptorRing ring = kRing;
+  AddressWindow buffers = kBuffers, read = kReadWindow, write = kWriteWindow;
+
+  /// Results in the upper half of 64 bits, the others in the lower one.
+  static Places anywhere(tb::Random& random) {
+    constexpr std::uint64_t kRingBytes = 512, kHalf = std::uint64_t{1} << 63;
+    const auto by = [](std::uint64_t bytes, const AddressWindow& window) {
+      return AddressWindow{window.base + bytes, window.limit + bytes};
+    };
+    const std::uint64_t read = random.bits() / 4 / kRingBytes * kRingBytes;
+    const std::uint64_t write =
+        kHalf + random.bits() / 4 / cores::kAxiBeatBytes * cores::kAxiBeatBytes;
+    return {{kRing.base + read, kRing.log2_size},
+            by(read, kBuffers),
+            by(read, kReadWindow),
+            by(write, kWriteWindow)};
+  }
+};
+
 /// A whole system of one configuration, the driver that works it and the model of what it does.
 class AxiRun {
  public:
@@ -77,6 +98,8 @@ class AxiRun {
   ::testing::AssertionResult soft_reset();
   /// aresetn of everything for that many clocks; then as constructed.
   void hard_reset(unsigned clocks);
+  /// The same, with other places from then on.
+  void move_to(const Places& places);
   /// Coefficients, a lattice and a few vertices: exact, no error but what the model has.
   ::testing::AssertionResult good_run();
   /// Beats that were sent and are not expected to be seen any more, and their results.
@@ -92,7 +115,7 @@ class AxiRun {
   const LatticeWords& lattice() const { return lattice_; }
   tb::AxiSystem& system() { return *system_; }
   Driver& driver() { return driver_; }
-  tb::PacketRing& ring() { return ring_; }
+  tb::PacketRing& ring() { return *ring_; }
   tb::Random& random() { return random_; }
   model::StreamModel& model() { return model_; }
   const std::vector<Beat>& expected() const { return expected_; }
@@ -114,13 +137,15 @@ class AxiRun {
   std::unique_ptr<cores::AxiCore> core_;
   std::unique_ptr<tb::AxiSystem> system_;
   Driver driver_;
-  tb::PacketRing ring_;
+  Places places_;
+  std::optional<tb::PacketRing> ring_;
   model::StreamModel model_;
   LatticeWords lattice_;
   std::vector<Beat> expected_;
-  std::uint64_t next_area_ = kWriteWindow.base;
+  std::uint64_t next_area_ = 0;
   std::uint64_t area_ = 0;
   std::uint64_t area_results_ = 0;
+  std::vector<tb::AxiMemory::Range> written_;  ///< rings and buffers
   std::vector<tb::AxiMemory::Range> areas_;
   std::uint64_t checked_ = 0;
 };

@@ -70,6 +70,16 @@ TEST_P(Axi, PacketsAreAddedWhileItRuns) {
   EXPECT_TRUE(run.clean());
 }
 
+/// Ring, buffers and results lie anywhere in 64 bits of addresses.
+TEST_P(Axi, AnywhereInMemory) {
+  AxiRun run(GetParam(), 6);
+  for (int place = 0; place < 8; ++place) {
+    run.move_to(Places::anywhere(run.random()));
+    ASSERT_TRUE(run.good_run()) << place;
+  }
+  EXPECT_TRUE(run.clean());
+}
+
 /// More packets than the ring has entries: it goes around.
 TEST_P(Axi, TheRingGoesAround) {
   AxiRun run(GetParam(), 4, "gaps");

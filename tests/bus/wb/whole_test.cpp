@@ -146,6 +146,15 @@ TEST(WishboneWhole, GivesTheModelsBits) {
   }
 }
 
+TEST(WishboneWhole, AnywhereInMemory) {
+  AxiRun run = wishbone_run(8, "always");
+  for (int place = 0; place < 8; ++place) {
+    run.move_to(Places::anywhere(run.random()));
+    ASSERT_TRUE(run.good_run()) << place;
+  }
+  EXPECT_TRUE(run.clean());
+}
+
 TEST(WishboneWhole, InterruptsAndErrorsReachTheDriver) {
   AxiRun run = wishbone_run(7, "bernoulli");
   EXPECT_FALSE(run.system().interrupt());

@@ -77,6 +77,19 @@ def test_exclusions_leave_out_what_they_name_and_must_be_needed(tmp_path):
         exclusions.excluded(idle, counts, {"ffd_a": SOURCE})
 
 
+def test_exclusions_of_several_bits_and_of_a_module(tmp_path):
+    counts = read(tmp_path, WIDE.replace("w[0]\t\t3", "w[0]\t\t2"))
+    bits = {"module": "ffd_a", "kind": "toggle", "what": "w[0-1]", "reason": "always 0"}
+    assert {place.what for place in exclusions.excluded([bits], counts, {})} == {"w[0]", "w[1]"}
+    with pytest.raises(counting.CoverageError, match="take the row out"):
+        exclusions.excluded([{**bits, "what": "w[2-9]"}], counts, {})
+    module = {"module": "ffd_b", "kind": "module", "what": "all", "reason": "for boards of others"}
+    assert exclusions.unneeded([module], counts) == {"ffd_b"}
+    assert exclusions.excluded([module], counts, {}) == set()
+    with pytest.raises(counting.CoverageError, match="a program has it"):
+        exclusions.unneeded([{**module, "module": "ffd_a"}], counts)
+
+
 def test_exclusions_need_a_reason(tmp_path):
     path = tmp_path / "exclusions.csv"
     path.write_text("module,kind,what,reason\nffd_a,toggle,w,\n")
