@@ -22,6 +22,7 @@ import annotated  # noqa: E402  pylint: disable=wrong-import-position
 import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
 import cpp  # noqa: E402  pylint: disable=wrong-import-position
 import exclusions  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
 import programs  # noqa: E402  pylint: disable=wrong-import-position
 import report as reporting  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
@@ -51,13 +52,11 @@ def work_on(options):
     annotate(folder / "annotated", sources, counts, left_out)
     report = {"programs": len(run), "share": options.share,
               "rows": reporting.rows(wanted, counts, left_out), "cpp": cpp.rows(ROOT, build)}
+    report["short"] = reporting.faults(report)
     path = ROOT / "build" / "reports" / "coverage.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"wrote {path.relative_to(ROOT)}")
-    faults = reporting.faults(report)
-    for fault in faults:
-        print(f"coverage: {fault}", file=sys.stderr)
-    return 1 if faults else 0
+    return report["short"]
 
 
 def main():
@@ -67,11 +66,8 @@ def main():
     parser.add_argument("--share", type=int, default=1, metavar="N",
                         help="run one of N parts of each program's tests")
     parser.add_argument("--only", default="*", metavar="PATTERN", help="programs of these names")
-    try:
-        return work_on(parser.parse_args())
-    except (counting.CoverageError, OSError) as error:
-        print(f"coverage: {error}", file=sys.stderr)
-        return 1
+    options = parser.parse_args()
+    return front.measured(parser.prog, lambda: work_on(options), (counting.CoverageError,))
 
 
 if __name__ == "__main__":
