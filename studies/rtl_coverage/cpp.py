@@ -16,7 +16,7 @@ def rows(root, build):
     """A row for each folder."""
     command = [sys.executable, "-m", "gcovr", "--root", str(root), "--object-directory", str(build),
                "--exclude-throw-branches", "--exclude-unreachable-branches", "--json-summary", "-",
-               "--merge-mode-functions=merge-use-line-0", "--gcov-ignore-errors=no_working_dir_found",
+               "--merge-mode-functions=merge-use-line-0", "--merge-lines", "--gcov-ignore-errors=no_working_dir_found",
                # Of threads that count at once, and of loops that run often.
                *(f"--gcov-ignore-parse-errors={kind}_hits.warn_once_per_file"
                  for kind in ("negative", "suspicious")),
