@@ -8,13 +8,7 @@ double precision (docs/python.md).
 SPDX-License-Identifier: Apache-2.0
 """
 
-import contextlib
-
-# The library of the device rtl, if the package hwffd-rtl is installed.
-with contextlib.suppress(ImportError):
-    __import__("hwffd_rtl")
-
-# pylint: disable-next=wrong-import-position
+from hwffd import _rtl  # noqa: F401  pylint: disable=unused-import
 from hwffd._core import (Embedding, Error, Lattice, UsageError, __version__, deform, devices,
                          families, set_threads, shapes, threads)
 
