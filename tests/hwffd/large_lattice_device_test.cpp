@@ -69,7 +69,8 @@ TEST(LargeLatticeDevice, OtherLatticesAndOtherPointsAreSeen) {
 // The RTL without pages, and with four; fixed point has the same bits in every product form.
 TEST(LargeLatticeDevice, RtlGivesTheBitsOfItsModel) {
   const Scene scene;
-  const Points expected = device_of("fx18", 1, 64, "basic")->evaluate(scene.lattice, scene.vertices);
+  const Points expected =
+      device_of("fx18", 1, 64, "basic")->evaluate(scene.lattice, scene.vertices);
   const auto plain = make_device({"rtl", "basic", "fx18"});
   EXPECT_EQ(plain->evaluate(scene.lattice, scene.vertices), expected);
   const Configuration& row = find_configuration("basic-fx18-overlapped");
