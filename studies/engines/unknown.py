@@ -8,7 +8,6 @@ SPDX-License-Identifier: Apache-2.0
 
 import pathlib
 import re
-import time
 from dataclasses import dataclass
 
 import icarus
@@ -54,12 +53,11 @@ class Subject:
     def simulate(self, tops, files, includes, watched=0, macros=()):
         """The Unknown of files with the core, and that many bits watched by others than the bench."""
         benches = [HERE / f"{name}.v" for name in (self.bench, "ffd_bench_known", "ffd_bench_memory")]
-        begun = time.monotonic()
-        clocks, names = icarus.run(icarus.Bench(
+        clocks, names, seconds = icarus.run(icarus.Bench(
             (self.bench, *tops), {**self.row.parameters, **self.parameters}, (*files, *benches),
             tuple(includes), macros), self.folder)
         outputs = sum(map(int, _WATCHED.findall(benches[0].read_text(encoding="utf-8"))))
-        return Unknown(clocks, outputs + watched, tuple(names), time.monotonic() - begun)
+        return Unknown(clocks, outputs + watched, tuple(names), seconds)
 
 
 def in_sources(subject):

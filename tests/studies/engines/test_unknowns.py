@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
+import icarus
 import planted
 import streams
 
@@ -16,6 +17,17 @@ def test_in_a_system_every_bit_is_known(recording):
     mismatches, found = streams.simulate_in_memory(recording(FEW))
     assert (mismatches, found.names) == (0, ())
     assert found.clocks > 1000 and found.checked > BITS[streams.simulate_in_memory]
+
+
+def test_what_has_ended_is_not_run_again(recording, monkeypatch):
+    first = streams.simulate_with_x(recording(FEW))
+    run = []
+    real = icarus.command
+    monkeypatch.setattr(icarus, "command", lambda line, *more: run.append(line[0]) or real(line, *more))
+    assert streams.simulate_with_x(recording(FEW)) == first
+    assert "vvp" not in run
+    changed = streams.simulate_with_x(recording(FEW), (planted.COEFFICIENT,))
+    assert "vvp" in run and changed[0] > 0
 
 
 @pytest.mark.parametrize("simulate", BITS)
