@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "hwffd/device/device.hpp"
 #include "hwffd/lattice/family.hpp"
 #include "hwffd/lattice/shape.hpp"
+#include "hwffd/model/configuration.hpp"
 #include "program.hpp"
 
 namespace hwffd::command {
@@ -25,11 +27,22 @@ make install and packages put these files where the shells look.)";
 
 using Words = std::vector<std::string>;
 
+/// Those of the table of configurations, in its order.
+Words formats() {
+  Words names;
+  for (const Configuration& row : configurations()) {
+    if (std::find(names.begin(), names.end(), row.format) == names.end()) {
+      names.emplace_back(row.format);
+    }
+  }
+  return names;
+}
+
 /// Words that an option takes, where they are known; a file may stand in place of a shape.
 Words values_of(const std::string& option) {
   if (option == "--device") return device_kinds();
   if (option == "--family") return Family::names();
-  if (option == "--format") return {"fp32", "bfp32", "fx18", "fx32"};
+  if (option == "--format") return formats();
   if (option == "--outside") return {"keep", "clamp", "fade:"};
   if (option != "--lattice") return {};
   Words names;

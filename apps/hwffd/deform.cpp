@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "device_options.hpp"
@@ -117,10 +118,8 @@ Points some_of(const Points& points) {
 
 /// Whether a deformation may be a mirror, which turns faces round: no more than where each of some
 /// points is turned inside out or does not tell.
-bool may_mirror(const Points& some, const std::vector<Embedder>& rest,
-                const std::vector<Lattice>& deformed, const Outside& outside) {
-  const Deformer::Result found =
-      Deformer(some, {}, rest, outside).deform(deformed, *make_device({"reference", "", ""}));
+bool may_mirror(const Deformer& some, const std::vector<Lattice>& deformed) {
+  const Deformer::Result found = some.deform(deformed, *make_device({"reference", "", ""}));
   return std::none_of(found.gradients.begin(), found.gradients.end(),
                       [](const Eigen::Matrix3d& gradient) { return gradient.determinant() > 0.0; });
 }
@@ -131,15 +130,19 @@ int run(const Options& options, const StageOptions& stage_options) {
   const std::unique_ptr<Device> device = make_device(options.device);
   Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
-  std::vector<Embedder> rest;
+  std::vector<Deformer::Rest> rest;
   std::vector<FoldCheck> deformed_folds;
   for (const Stage& stage : stages) {
-    rest.emplace_back(stage.rest, stage.family);
+    rest.push_back({stage.rest, stage.family});
     deformed_folds.push_back(check_folds(stage.deformed, kFoldDepth, stage.family));
   }
   const Mask mask(geometry, options.groups, options.mask);
-  const Points some = some_of(geometry.positions());
   const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
+
+  std::optional<Deformer> some;  // of a mesh without normals, whose faces alone may turn
+  if (geometry.is_mesh() && !geometry.mesh().has_normals()) {
+    some.emplace(some_of(geometry.positions()), std::vector<Mesh::Triangle>{}, rest, outside);
+  }
 
   const int frames = options.keyframes;
   std::vector<std::string> losses;
@@ -153,8 +156,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     for (const Stage& stage : stages) {
       deformed.push_back(between(stage.rest, stage.deformed, fraction));
     }
-    const bool turns = geometry.is_mesh() &&
-                       (geometry.mesh().has_normals() || may_mirror(some, rest, deformed, outside));
+    const bool turns = geometry.is_mesh() && (!some || may_mirror(*some, deformed));
     result = deformer.deform(deformed, *device,
                              turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
     mask.apply(result);
