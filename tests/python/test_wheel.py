@@ -16,23 +16,20 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = pathlib.Path(sys.executable).parent
 PARTS = ("api", "cmake", "cores", "docs", "driver", "geometry", "golden", "rtl", "scripts", "synth",
          "CMakeLists.txt", "LICENSE", "VERSION", "hwffd.core", "pyproject.toml")
-USED = """
+SCENE = """
 import hwffd, numpy as np
 points = np.random.default_rng(1).random((100, 3))
 lattice = hwffd.Lattice.around("sphere", points)
 lattice.deform("twist:90")
 model = hwffd.deform(lattice, points)
+"""
+USED = SCENE + """
 lattice.set_device("reference")
 assert 0 < abs(hwffd.deform(lattice, points) - model).max() < 1e-5
 assert hwffd.devices("rtl") == []
 print(hwffd.__version__, hwffd.__file__)
 """
-WITH_HARDWARE = """
-import hwffd, numpy as np
-points = np.random.default_rng(1).random((20, 3))
-lattice = hwffd.Lattice.around("sphere", points)
-lattice.deform("twist:90")
-model = hwffd.deform(lattice, points)
+WITH_HARDWARE = SCENE + """
 lattice.set_device("rtl")
 assert (hwffd.deform(lattice, points) == model).all()
 """

@@ -1,5 +1,6 @@
 #include "hwffd/device/deformable_lattice.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -10,7 +11,7 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kPointsOfAPart = 8192;  // whose attachment stays in the caches
+constexpr Eigen::Index kPointsOfAPart = 8192;  // whose attachment stays in the caches
 
 }  // namespace
 
@@ -66,7 +67,9 @@ Points DeformableLattice::carry_by_parts(const Eigen::Ref<const Points>& points,
   Points carried(points.rows(), 3);
   EmbeddingSummary summary;
   std::mutex joining;
-  on_ranges(static_cast<std::size_t>(points.rows()), kPointsOfAPart,
+  // No fewer than make up for the lattices that each part copies.
+  const Eigen::Index size = std::max(kPointsOfAPart, 2 * rest().points().rows());
+  on_ranges(static_cast<std::size_t>(points.rows()), static_cast<std::size_t>(size),
             [&](std::size_t first, std::size_t end) {
               const auto from = static_cast<Eigen::Index>(first);
               const auto count = static_cast<Eigen::Index>(end - first);

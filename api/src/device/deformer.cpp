@@ -9,7 +9,7 @@
 namespace hwffd {
 namespace {
 
-const Embedder& first_of(const std::vector<Embedder>& lattices) {
+const Deformer::Rest& first_of(const std::vector<Deformer::Rest>& lattices) {
   if (lattices.empty()) throw Error("no lattice to deform with; give at least one");
   return lattices.front();
 }
@@ -27,11 +27,11 @@ void check_dims(const Lattice& rest, const Lattice& deformed) {
 }  // namespace
 
 Deformer::Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
-                   std::vector<Embedder> rest, Outside outside)
+                   std::vector<Rest> rest, Outside outside)
     : triangles_(std::move(triangles)),
       rest_(std::move(rest)),
       outside_(outside),
-      first_(first_of(rest_), points, outside_) {}
+      first_(first_of(rest_).lattice, points, outside_, rest_.front().family) {}
 
 Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& device,
                                   Gradients gradients) const {
@@ -44,10 +44,10 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
     result.gradients.assign(static_cast<std::size_t>(first_.size()), Eigen::Matrix3d::Identity());
   }
   for (std::size_t stage = 0; stage < rest_.size(); ++stage) {
-    check_dims(rest_[stage].lattice(), deformed[stage]);
-    const Family& family = rest_[stage].family();
+    const auto& [lattice, family] = rest_[stage];
+    check_dims(lattice, deformed[stage]);
     std::optional<Attachment> later;
-    if (stage > 0) later.emplace(rest_[stage], result.positions, outside_);
+    if (stage > 0) later.emplace(lattice, result.positions, outside_, family);
     const Attachment& attachment = later ? *later : first_;
     if (gradients == Gradients::kNone) {
       result.positions =

@@ -27,12 +27,18 @@ class Deformer {
   /// then.
   enum class Gradients { kNone, kAll };
 
+  /// The lattice of a stage at rest.
+  struct Rest {
+    Lattice lattice;
+    Family family = {};
+  };
+
   /// @param points     n x 3
   /// @param triangles  indices of points, for torn_edges; may be empty
-  /// @param rest       the lattices of the stages, at rest, each with its family
+  /// @param rest       one a stage
   /// @throws Error if there is no stage, or what Attachment throws
   Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
-           std::vector<Embedder> rest, Outside outside);
+           std::vector<Rest> rest, Outside outside);
 
   /// @param deformed  the lattices of the stages, deformed, of the same dimensions
   /// @throws Error for another number of lattices or other dimensions, and what Attachment and
@@ -42,7 +48,7 @@ class Deformer {
 
  private:
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<Embedder> rest_;
+  std::vector<Rest> rest_;
   Outside outside_;
   Attachment first_;  ///< of the first stage, whose points never change
 };
