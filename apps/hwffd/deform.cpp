@@ -159,7 +159,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     const bool turns = geometry.is_mesh() && (!some || may_mirror(*some, deformed));
     result = deformer.deform(deformed, *device,
                              turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
-    mask.apply(result);
+    mask.apply(result.positions, result.gradients);
     geometry.move(result.positions, result.gradients);
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }

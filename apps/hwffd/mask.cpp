@@ -82,14 +82,14 @@ Mask::Mask(const Geometry& at_rest, const std::vector<std::string>& groups,
   if (!file.empty()) weights_.array() *= of_file(at_rest, file).array();
 }
 
-void Mask::apply(Deformer::Result& result) const {
+void Mask::apply(Points& positions, std::vector<Eigen::Matrix3d>& gradients) const {
   for (Eigen::Index v = 0; v < weights_.size(); ++v) {
     const double weight = weights_[v];
     if (weight == 1) continue;
-    auto position = result.positions.row(v);
+    auto position = positions.row(v);
     position = at_rest_.row(v) + weight * (position - at_rest_.row(v));
-    if (result.gradients.empty()) continue;
-    Eigen::Matrix3d& gradient = result.gradients[static_cast<std::size_t>(v)];
+    if (gradients.empty()) continue;
+    Eigen::Matrix3d& gradient = gradients[static_cast<std::size_t>(v)];
     gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
     if (weight == 0) gradient.setIdentity();
   }

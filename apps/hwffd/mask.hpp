@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "geometry.hpp"
-#include "hwffd/device/deformer.hpp"
 
 namespace hwffd::command {
 
@@ -23,9 +22,10 @@ class Mask {
   /// Whether every vertex takes all.
   bool empty() const { return weights_.size() == 0; }
 
-  /// Leaves of a result what the weights say. Derivatives of vertices between 0 and 1 are unknown:
-  /// the mask has slopes of its own.
-  void apply(Deformer::Result& result) const;
+  /// Leaves of a deformation what the weights say. Derivatives of vertices between 0 and 1 are
+  /// unknown: the mask has slopes of its own.
+  /// @param gradients  those of the positions, or none
+  void apply(Points& positions, std::vector<Eigen::Matrix3d>& gradients) const;
 
  private:
   Points at_rest_;
