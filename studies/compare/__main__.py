@@ -2,15 +2,16 @@
 
     python studies/compare [--program PROGRAM] [--output FOLDER]
 
-First studies/compare/arrays times whole calls of libraries of Python, on one core and on all, and writes
-FOLDER/reports/bench.json. Then hwffd-compare makes the scene, times the project's own programs and counts
-clocks in the RTL of those cores that have been routed, and the programs of others follow, all on one
-processor core. Writes FOLDER/reports/compare.json. The exit status is 1 where something was not measured or is wrong.
+First hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
+cores that have been routed, and the programs of others follow, all on one processor core, into
+FOLDER/reports/compare.json. Then studies/compare/arrays times whole calls of libraries of Python, on one
+core and on all, into FOLDER/reports/bench.json. The exit status is 1 where something was not measured or is wrong.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -32,9 +33,15 @@ import routed  # noqa: E402  pylint: disable=wrong-import-position
 from figures.reports import Missing, Reports, RequestError  # noqa: E402  pylint: disable=wrong-import-position
 
 
-def pin():
-    """This process, and those that it starts, to one processor: the last that it may use."""
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+@contextlib.contextmanager
+def pinned():
+    """This process, and those that it starts, on one processor: the last that it may use."""
+    allowed = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(allowed)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, allowed)
 
 
 def show(what):
@@ -64,15 +71,15 @@ def arrays(options):
 
 
 def work(options):
-    arrays(options)
-    pin()
     reports = Reports(ROOT)
-    measured = own(options, reports)
-    scenes = peers.Scene.read(options.output / "compare")
-    report = joined.report(measured, peers.rows(scenes, show), routed.rows(reports, measured["cores"]))
+    with pinned():
+        measured = own(options, reports)
+        rows = peers.rows(peers.Scene.read(options.output / "compare"), show)
+    report = joined.report(measured, rows, routed.rows(reports, measured["cores"]))
     path = options.output / "reports" / "compare.json"
     path.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
     print(f"wrote {path}")
+    arrays(options)
 
 
 def main():
