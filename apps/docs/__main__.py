@@ -1,6 +1,6 @@
 """make docs: the site of the project's texts, with search and the reference of its libraries.
 
-    python apps/docs [--build FOLDER]
+    python apps/docs [--build FOLDER] [--source FOLDER]
 
 Writes FOLDER/docs/index.html. A link to a page, file or heading that is not there fails the build.
 
@@ -44,25 +44,39 @@ def write_reference(build, target):
     return len(written)
 
 
-def make(build):
-    target = build / "docs-source"
+def write_pages(build, target):
     pages = len(staging.stage(ROOT, target)) + write_reference(build, target) + 1
     write_live_page(build, target)
     for name in ("site.css", "iframe-worker.js"):
         shutil.copyfile(HERE / name, target / name)
-    done = subprocess.run([sys.executable, "-B", "-m", "mkdocs", "build", "--quiet", "--strict",
-                           "--config-file", HERE / "mkdocs.yml", "--site-dir", build / "docs"],
-                          env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False)
+    print(f"wrote {pages} pages")
+
+
+def make_site(source, target):
+    """MkDocs; its exit status. Quiet it would not count warnings, which strict makes errors."""
+    settings = {**os.environ, "NO_MKDOCS_2_WARNING": "1", "HWFFD_DOCS_SOURCE": str(source)}
+    done = subprocess.run([sys.executable, "-B", "-m", "mkdocs", "build", "--strict",
+                           "--config-file", HERE / "mkdocs.yml", "--site-dir", target], env=settings, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode == 0:
-        print(f"made {pages} pages: open {(build / 'docs' / 'index.html')}")
+        print(f"made the site: open {target / 'index.html'}")
+    else:
+        said = [line for line in done.stdout.splitlines() if line.strip() and not line.startswith("INFO ")]
+        print("\n".join(f"docs: {line}" for line in said), file=sys.stderr)
     return done.returncode
 
 
 def main():
     parser = argparse.ArgumentParser(description="Makes the site of the project's texts.")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="build folder")
+    parser.add_argument("--source", type=pathlib.Path, help="pages as written before, in place of those of today")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    source = (options.source or build / "docs-source").resolve()
     try:
-        return make(parser.parse_args().build.resolve())
+        if not options.source:
+            write_pages(build, source)
+        return make_site(source, build / "docs")
     except (staging.PageError, doxygen.DoxygenError, reference.HeaderError, OSError) as error:
         print(f"docs: {error}", file=sys.stderr)
     return 1
