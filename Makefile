@@ -234,6 +234,8 @@ test: install
 	@scripts/python_env theorems
 	@scripts/python_env python
 	@scripts/python_env workflow
+	@scripts/install docs
+	@scripts/python_env docs
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
 	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
@@ -244,6 +246,8 @@ test-all: install
 	@scripts/python_env theorems
 	@scripts/python_env python
 	@scripts/python_env workflow
+	@scripts/install docs
+	@scripts/python_env docs
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

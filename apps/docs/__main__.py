@@ -20,8 +20,8 @@ sys.path.insert(1, str(ROOT / "apps"))
 from docs import doxygen, python_reference, reference, staging  # noqa: E402  pylint: disable=wrong-import-position
 
 HERE = ROOT / "apps" / "docs"
-LIVE = "# The live page\n\nThe simulated hardware in the browser: drag a control point, and the mesh follows.\n\n"
-LIVE_HERE = ('[The page by itself](live-page.html){target=_blank}\n\n<iframe class="live" src="../live-page.html" '
+LIVE = "---\nhide: [navigation, toc]\n---\n# The live page\n\nThe simulated hardware in the browser: drag a control point, and the mesh follows.\n\n"
+LIVE_HERE = ('[The page by itself](live-page.html){target=_blank}\n\n<iframe class="live" src="live-page.html" '
              'title="The live page"></iframe>\n')
 LIVE_ABSENT = "It is not part of this build: `make web` makes it, and `make docs` then takes it in.\n"
 

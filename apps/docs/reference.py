@@ -108,8 +108,11 @@ def _paragraphs(words):
 
 
 def _rows(declarations):
+    """A table, or the declarations alone where none has a comment."""
     if not declarations:
         return ""
+    if not any(one.comments or one.members for one in declarations):
+        return "```cpp\n" + "\n".join(one.text for one in declarations) + "\n```\n\n"
     lines = ["| declaration | meaning |", "|---|---|"]
     for one in declarations:
         words = comment(one)

@@ -13,7 +13,7 @@ TEXTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/**/*.md", "synth/
 
 _FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 _OWN_LINES = re.compile(r"^<!--.*?-->\n", re.MULTILINE | re.DOTALL)
-_IN_A_LINE = re.compile(r"<!--.*?-->", re.DOTALL)
+_IN_A_LINE = re.compile(r"<!--(?:=.*?|/)-->", re.DOTALL)
 _LINK = re.compile(r"\]\(([^()\s#:]+)(?:#[\w-]*)?\)")
 
 

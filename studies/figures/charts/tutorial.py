@@ -98,5 +98,23 @@ def packet(path):
     return save(figure, path)
 
 
+def board(path):
+    """What stands between a program and the core on a board."""
+    boxes = ("host.py", "USB chip", "serial line\nffd_board_uart", "frames\nffd_board_bridge", "hwffd_stream\ncg1")
+    figure, axes = pyplot.subplots(figsize=(7, 1.6), layout="constrained")
+    axes.add_patch(pyplot.Rectangle((3.7, -0.2), 5.9, 1.25, facecolor="#f4f4f4", edgecolor=GREY))
+    axes.text(3.95, 0.95, "FPGA", va="top", color=GREY)
+    for number, name in enumerate(boxes):
+        colour = "#e8eef8" if number > 1 else "#ffe0b0"
+        axes.add_patch(pyplot.Rectangle((2 * number - 0.05, 0), 1.5, 0.75, facecolor=colour, edgecolor=BLUE))
+        axes.text(2 * number + 0.7, 0.375, name, ha="center", va="center", fontsize=8)
+        if number:
+            axes.annotate("", (2 * number - 0.05, 0.375), (2 * number - 0.55, 0.375), arrowprops={"arrowstyle": "<->"})
+    axes.set(xlim=(-0.2, 9.65), ylim=(-0.3, 1.15), title="A packet goes to the right, its results come back")
+    axes.axis("off")
+    return save(figure, path)
+
+
 def draw(_, folder):
-    return [make(folder / "tutorial" / f"{make.__name__}.svg") for make in (equation, weights, cell, rounding, packet)]
+    made = (equation, weights, cell, rounding, packet, board)
+    return [make(folder / "tutorial" / f"{make.__name__}.svg") for make in made]

@@ -35,6 +35,7 @@ WORDS = {
     "cell.svg": ("vertex",),
     "rounding.svg": ("exact", "rounded to 4 bits behind the point"),
     "packet.svg": ("opcode 3", "vertex 1, tlast"),
+    "board.svg": ("host.py", "FPGA"),
 }
 
 
