@@ -8,6 +8,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -73,6 +74,9 @@ def main():
     options = parser.parse_args()
     build = options.build.resolve()
     source = (options.source or build / "docs-source").resolve()
+    if not importlib.util.find_spec("mkdocs"):
+        print("docs: mkdocs not found: run scripts/python_env docs", file=sys.stderr)
+        return 1
     try:
         if not options.source:
             write_pages(build, source)

@@ -16,7 +16,7 @@ _STYLE = ('node [shape=box, style="rounded,filled", fillcolor="#e8eef8", color="
 
 
 class FlowchartError(Exception):
-    """A line that is not understood."""
+    """A line that is not understood, or nothing to draw with."""
 
 
 def dot(text):
@@ -41,7 +41,11 @@ def drawn(text, page):
 
     def picture(block):
         name = f"{page.stem}-flowchart-{next(numbers)}.svg"
-        done = subprocess.run(["dot", "-Tsvg"], input=dot(block.group(1)), stdout=subprocess.PIPE, text=True, check=True)
+        try:
+            done = subprocess.run(["dot", "-Tsvg"], input=dot(block.group(1)), stdout=subprocess.PIPE, text=True,
+                                  check=True)
+        except FileNotFoundError as error:
+            raise FlowchartError("dot not found: run scripts/install docs") from error
         (page.parent / name).write_text(done.stdout, encoding="utf-8")
         return f"![flowchart of the arrows in the text]({name})"
     return _BLOCK.sub(picture, text)
