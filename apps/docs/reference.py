@@ -113,14 +113,14 @@ def _rows(declarations):
         return ""
     if not any(one.comments or one.members for one in declarations):
         return "```cpp\n" + "\n".join(one.text for one in declarations) + "\n```\n\n"
-    lines = ["| declaration | meaning |", "|---|---|"]
+    lines = ['<div class="declarations" markdown>', "", "| declaration | meaning |", "|---|---|"]
     for one in declarations:
         words = comment(one)
         if one.members:
             words += "".join(f"<br>{code(value.name)}{': ' if value.comments else ''}{comment(value)}"
                              for value in one.members)
         lines.append(f"| {code(one.text)} | {words.removeprefix('<br>')} |")
-    return "\n".join(lines) + "\n\n"
+    return "\n".join(lines) + "\n\n</div>\n\n"
 
 
 def _header(header):
