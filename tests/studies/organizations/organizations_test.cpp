@@ -141,10 +141,9 @@ TEST(Comparison, TimelinesAreOfOneFormatOfEachOrganization) {
     counts[name] = {{8, 6, 0}, {8, 6, 0}, 3};
   }
   const Comparison comparison = compare(rows, counts, kLittle, [](std::size_t, std::size_t) {});
+  const auto json = nlohmann::json::parse(timelines(comparison)).at("rows");
   std::vector<std::string> shown;
-  for (const auto& row : nlohmann::json::parse(timelines(comparison)).at("rows")) {
-    shown.push_back(row.at("name"));
-  }
+  for (const auto& row : json) shown.push_back(row.at("name"));
   EXPECT_EQ(shown, (std::vector<std::string>{rows[1]->name, rows[2]->name}));
 }
 
