@@ -144,13 +144,15 @@ def test_nothing_is_fetched_from_other_hosts(site):
         assert not found, page
 
 
-def test_a_dead_link_fails(site, tmp_path):
+def test_dead_links_and_pages_that_no_menu_has_fail(site, tmp_path):
     dead = ("docs/nowhere.md", "docs/limits.md#nowhere", "/rtl")
     source = shutil.copytree(site / "docs-source", tmp_path / "source")
     page = source / "CHANGELOG.md"
     page.write_text(page.read_text() + "".join(f"\n[x]({link})\n" for link in dead))
+    (source / "docs" / "unlisted.md").write_text("# Unlisted\n")
     done = subprocess.run([sys.executable, "-B", ROOT / "apps" / "docs", "--build", tmp_path, "--source", source],
                           text=True, check=False, capture_output=True)
     assert done.returncode == 1
     for link in dead:
         assert re.search(f"CHANGELOG.md.*'{link}'", done.stderr), done.stderr
+    assert "docs/unlisted.md" in done.stderr
