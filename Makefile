@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow test test-all soak lint clean install
+.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -61,7 +61,6 @@ help:
 	@echo '  make lint           Verilator, Icarus, yosys, clang and text rules: no warning is allowed'
 	@echo '  make formal         unbounded proofs of control and transport, each with a planted bug'
 	@echo '  make glapi          the OpenGL calls and their errors, beside those of Mesa'
-	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
 	@echo '  make soak           random traffic with new seeds, for HOURS='
 	@echo 'Trust it (docs/assurance.md)'
 	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
@@ -79,6 +78,9 @@ help:
 	@echo '  make pnr            clocks after place and route with nextpnr (an hour)'
 	@echo '  make energy         what a vertex costs in standard cells, from the toggles of their nets'
 	@echo '  make boards         bitstreams for ULX3S and iCEBreaker'
+	@echo 'Read it'
+	@echo '  make docs           the texts as a site with search and the reference of the libraries'
+	@echo '  make figures        draw all pictures, fill all figures of the texts from the reports'
 	@echo
 	@echo 'JOBS=$(JOBS) processes side by side. docs/commands.md has all variables, docs/studies the results.'
 
@@ -190,6 +192,12 @@ structure: install
 	@scripts/python_env figures
 	@$(STUDY) structure -- scripts/structure -j $(JOBS)
 
+# The texts as a site, with what `make web` has made.
+docs: install
+	@scripts/install docs
+	@scripts/python_env docs
+	@$(BUILD)/venv/bin/python -B apps/docs
+
 # Everything that is drawn or filled in from reports.
 figures: install
 	@scripts/python_env figures
@@ -226,6 +234,8 @@ test: install
 	@scripts/python_env theorems
 	@scripts/python_env python
 	@scripts/python_env workflow
+	@scripts/install docs
+	@scripts/python_env docs
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
 	@$(CMAKE_BUILD)
 	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
@@ -236,6 +246,8 @@ test-all: install
 	@scripts/python_env theorems
 	@scripts/python_env python
 	@scripts/python_env workflow
+	@scripts/install docs
+	@scripts/python_env docs
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
 	@$(CMAKE_BUILD)
 	@$(CTEST) -L '^(test|all)$$'

@@ -109,6 +109,7 @@ CHARTS = {
     "streams": ("streams",),
     "structure": ("structure",),
     "compare": ("compare",),
+    "tutorial": (),
 }
 
 # Modules of studies/ without a report of their own: what joins several, what is read off the sources.

@@ -3,7 +3,6 @@
 // interval, operators, error, seams.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "comparison.hpp"
 #include "hwffd/cores/evaluator_core_factory.hpp"
@@ -27,14 +26,6 @@ std::vector<const Configuration*> built_rows() {
   return rows;
 }
 
-/// The format of the timelines, as all have the same clocks: fx18, or the first that there is.
-std::string timed_format(const std::vector<const Configuration*>& rows) {
-  const bool has = std::any_of(rows.begin(), rows.end(), [](const Configuration* row) {
-    return std::string(row->format) == "fx18";
-  });
-  return has ? "fx18" : rows.front()->format;
-}
-
 int carry_out(StudyProgram& program) {
   std::int64_t vertices = 4001;
   std::int64_t seam_values = 60'000;
@@ -55,9 +46,9 @@ int carry_out(StudyProgram& program) {
     const Effort effort{static_cast<std::size_t>(vertices), static_cast<std::size_t>(seam_values),
                         seed};
     const Comparison comparison = compare(rows, read_operators(operators), effort, show_rows_done);
-    return Findings{{{"organizations", json_report(comparison)},
-                     {"timelines", timelines(comparison, timed_format(rows))}},
-                    faults(comparison)};
+    return Findings{
+        {{"organizations", json_report(comparison)}, {"timelines", timelines(comparison)}},
+        faults(comparison)};
   });
 }
 

@@ -198,6 +198,18 @@ Window window_of(const Row& row, const std::vector<Lane>& lanes) {
   return {begin, end + std::max<std::uint64_t>(4, (end - begin) / 8)};
 }
 
+/// The format in which an organization is shown.
+std::string timed_format(const Comparison& comparison, const std::string& org) {
+  std::vector<std::string> formats;
+  for (const Row& row : comparison.rows()) {
+    if (row.configuration->org == org) formats.emplace_back(row.configuration->format);
+  }
+  for (const char* format : {"fx18", "fx17"}) {
+    if (std::count(formats.begin(), formats.end(), format) > 0) return format;
+  }
+  return formats.front();
+}
+
 /// What of a lane lies in a window, in clocks from its beginning.
 Json json_of(const Lane& lane, const Window& window) {
   Json spans = Json::array();
@@ -238,11 +250,11 @@ std::vector<Lane> lanes_of(const Row& row) {
   return lanes;
 }
 
-std::string timelines(const Comparison& comparison, const std::string& format) {
+std::string timelines(const Comparison& comparison) {
   Json list = Json::array();
   for (const Row& row : comparison.rows()) {
     const Configuration& c = *row.configuration;
-    if (c.format != format) continue;
+    if (c.format != timed_format(comparison, c.org)) continue;
     const std::vector<Lane> lanes = lanes_of(row);
     const Window window = window_of(row, lanes);
     Json drawn = Json::array();

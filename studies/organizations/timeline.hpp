@@ -24,7 +24,8 @@ struct Lane {
 std::vector<Lane> lanes_of(const Row& row);
 
 /// timelines.json: which unit is busy in which clock of the first vertex and a little of what
-/// follows, of each row of a format.
-std::string timelines(const Comparison& comparison, const std::string& format);
+/// follows. Rows of all formats have the same clocks: each organization has those in fx18, in fx17
+/// if there are none, else those in the format that comes first.
+std::string timelines(const Comparison& comparison);
 
 }  // namespace hwffd::organizations

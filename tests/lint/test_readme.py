@@ -14,7 +14,7 @@ from rtl import ROOT
 
 README = (ROOT / "README.md").read_text()
 (VERILOG,) = re.findall(r"^```verilog\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
-LINES, HELP_LINES, HELP_GROUPS = 150, 7, 5
+LINES, HELP_LINES, HELP_GROUPS = 150, 7, 6
 
 AROUND = """module readme (
   input wire clk, input wire rst,

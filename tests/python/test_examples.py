@@ -1,11 +1,10 @@
-"""The examples of Python run, and so does the code of docs/python.md and docs/cluster.md.
+"""The examples of Python run; the code of the pages does so in tests/docs.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import os
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -23,14 +22,3 @@ def test_example(name, tmp_path):
                           capture_output=True, env=SETTINGS)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.strip()
-
-
-@pytest.mark.parametrize("page, least, shape", (("python", 2, (1000, 3)), ("cluster", 1, (60, 50, 40, 3))))
-def test_a_page(page, least, shape):
-    text = (ROOT / "docs" / f"{page}.md").read_text()
-    blocks = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
-    assert len(blocks) >= least
-    names = {}
-    for block in blocks:
-        exec(compile(block, f"docs/{page}.md", "exec"), names)  # pylint: disable=exec-used
-    assert names["moved"].shape == shape

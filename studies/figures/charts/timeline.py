@@ -1,4 +1,5 @@
-"""Which unit is busy in which clock of a vertex, at both schedules: timeline-ORGANIZATION.svg.
+"""Which unit is busy in which clock of a vertex, at both schedules:
+organizations/ORGANIZATION.svg.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -12,6 +13,7 @@ from figures.charts import save
 
 COLOURS = ("#0060a8", "#e08000", "#2a8000", "#a03060")  # of vertices that follow each other
 SCHEDULES = ("paper", "overlapped")
+UNITS = 8  # of an organization that may have any number
 
 
 def runs(lane, clocks):
@@ -26,12 +28,19 @@ def runs(lane, clocks):
             if part.iloc[0] >= 0]
 
 
+def in_order(lanes):
+    """{vertex: which of them it is}: those that follow each other have different colours."""
+    return {vertex: number for number, vertex in enumerate(dict.fromkeys(
+        span[2] for lane in lanes for span in sorted(lane["spans"])))}
+
+
 def panel(axes, row):
     lanes = row["lanes"]
+    numbers = in_order(lanes)
     for line, lane in enumerate(lanes):
         for first, length, vertex in runs(lane, row["clocks"]):
             axes.broken_barh([(first, length)], (line - 0.4, 0.8), linewidth=0,
-                             facecolors=COLOURS[vertex % len(COLOURS)])
+                             facecolors=COLOURS[numbers[vertex] % len(COLOURS)])
     axes.axvline(row["first_done"], color="black", linewidth=1)
     axes.annotate("first vertex done", (row["first_done"], -0.6), (-3, 2), ha="right",
                   textcoords="offset points", fontsize=8)
@@ -41,9 +50,15 @@ def panel(axes, row):
     axes.grid(axis="y", visible=False)
 
 
+def shown(rows):
+    """Of an organization of any number of units one, if it is there."""
+    free = {row["org"] for row in rows if row["n"] == UNITS}
+    return [row for row in rows if row["org"] not in free or row["n"] == UNITS]
+
+
 def draw(reports, folder):
     kinds = {}
-    for row in reports.rows("timelines"):
+    for row in shown(reports.rows("timelines")):
         name = organizations.label(row, "").replace("/", "-")
         kinds.setdefault(name, {}).setdefault(row["schedule"], row)  # of several the first
     written = []
@@ -56,5 +71,5 @@ def draw(reports, folder):
             panel(axes, row)
         grid.flat[-1].set_xlabel("clock cycles from the start of the first vertex; a colour is a "
                                  "vertex, white is idle")
-        written.append(save(figure, folder / f"timeline-{name}.svg"))
+        written.append(save(figure, folder / "organizations" / f"{name}.svg"))
     return written

@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import configurations
 import organizations
 from figures.expressions import shown
+from figures.reports import RequestError
 from figures.studies import throughput
 from figures.table import Table
 
@@ -55,6 +56,24 @@ def clocks(reports):
     return Table(["organization", "formula", "counted", "fused", "multipliers + adders", "as drawn",
                   "overlapped", "multipliers + adders, overlapped",
                   *(f"max error `{word}`" for word in FORMATS)], lines)
+
+
+def units(reports, *names):
+    """What is explained of some organizations: clocks and operators at both schedules, in fx18 or else fx17."""
+    everything, lines = [row for row in rows(reports) if is_plain(row)], []
+    for name in names:
+        found = [row for row in everything if organizations.label(row, "") == name]
+        fixed = next((part for word in ("fx18", "fx17") if (part := [row for row in found if row["format"] == word])), [])
+        paper, overlapped = (first(fixed, schedule=schedule) for schedule in ("paper", "overlapped"))
+        if not overlapped:
+            raise RequestError(f"no organization '{name}' in fx18 or fx17")
+        lines.append([f"`{organizations.label(overlapped)}`", shown(paper.get("clocks_paper")), _operators(paper, "operators"),
+                      shown(overlapped["interval_overlapped"], ".3g"), _operators(overlapped, "operators")])
+    heads = ["organization", "cycles, paper's schedule", "multipliers + adders", "cycles, overlapped",
+             "multipliers + adders, overlapped"]
+    if all(line[1] == "-" for line in lines):
+        return Table([heads[0], "cycles per vertex", heads[2]], [[line[0], *line[3:]] for line in lines])
+    return Table(heads, lines)
 
 
 def _sum(row):
@@ -127,7 +146,7 @@ def missing(reports):
     return f"{len(absent)} rows, the first {absent[0]}" if absent else ""
 
 
-TABLES = {"clocks": clocks}
+TABLES = {"clocks": clocks, "units": units}
 FIGURES = {
     "rows_measured": lambda reports: len(rows(reports)),
     "results_checked": _total("checked"),

@@ -24,12 +24,18 @@ WORDS = {
     "organizations.svg": ("basic", "tree 8", "nested", "overlapped", "paper's schedule, as built"),
     "pareto.svg": ("hwffd_stream on ecp5, routed", "hwffd_stream on ecp5, mapped", "basic fx18",
                    "parallel fx18", "LUTs"),
-    "timeline-tree8.svg": ("tree8-fx18-paper", "3 accumulators", "first vertex done"),
+    "tree8.svg": ("tree8-fx18-paper", "3 accumulators", "first vertex done"),
     "words.svg": ("half a pixel of 4,096", "product form, largest", "binary32 tree, largest"),
     "streams.svg": ("cat.3ds, 10 vertices", "changed points, by cell", "resident"),
     "structure-hwffd_top-basic-fx18.svg": ("hwffd_top", "ffd_mid_a", "\u00d7 2", "52.1%", "192"),
     "compare.svg": ("device reference", "interpolation 2.2 eval_cubic",
                     "hwffd_stream basic-fx18-overlapped, a chip", "sorted by cell"),
+    "equation.svg": ("control points", "what lies in the lattice, deformed"),
+    "weights.svg": ("B_0", "their sum"),
+    "cell.svg": ("vertex",),
+    "rounding.svg": ("exact", "rounded to 4 bits behind the point"),
+    "packet.svg": ("opcode 3", "vertex 1, tlast"),
+    "board.svg": ("host.py", "FPGA"),
 }
 
 
@@ -67,7 +73,7 @@ def test_without_a_whole_core_there_is_an_empty_picture(reports, tmp_path):
 
 
 @pytest.mark.parametrize("pattern, least", (
-    ("structure-*.svg", 4), ("words.svg", 1), ("streams.svg", 1)))
+    ("structure-*.svg", 4), ("words.svg", 1), ("streams.svg", 1), ("organizations/*.svg", 15)))
 def test_pictures_that_documents_show_are_there(pattern, least):
     found = list((ROOT / "docs").glob(pattern))
     assert len(found) >= least
@@ -77,6 +83,17 @@ def test_pictures_that_documents_show_are_there(pattern, least):
 def test_the_last_operation_to_enter_counts():
     lane = {"spans": [[0, 4, 0], [2, 6, 1], [6, 7, 1], [9, 12, 0]]}
     assert timeline.runs(lane, 10) == [(0, 2, 0), (2, 5, 1), (9, 1, 0)]
+
+
+def test_vertices_have_colours_in_their_order():
+    assert timeline.in_order([{"spans": [[4, 5, 5], [0, 4, 213]]}, {"spans": [[6, 7, 39], [5, 6, 213]]}]) == {
+        213: 0, 5: 1, 39: 2}
+
+
+def test_a_tree_is_shown_with_eight_units_where_there_is_one():
+    rows = [{"org": "tree", "n": n} for n in (2, 8, 32)] + [{"org": "nested", "n": 4}]
+    assert timeline.shown(rows) == [rows[1], rows[3]]
+    assert timeline.shown(rows[:1]) == rows[:1]
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import pytest
 import samples
 from figures import check, markers, sources, table
 from figures.catalogue import CHARTS, REPORTS, missing, module, printed
-from figures.reports import FRESH
+from figures.reports import FRESH, RequestError
 from figures.studies import energy, organizations, streams, synth, throughput, words
 from rtl import ROOT
 
@@ -80,6 +80,16 @@ def test_a_line_for_each_organization(data):
     assert made.rows[0][1:] == ["96", "96", "-", "4 + 3", "64 + 48", "64", "8 + 6", "2.31e-07",
                                 "8.65e-05", "-"]
     assert made.rows[3][1:3] == ["-", "-"]
+
+
+def test_units_of_organizations_that_are_named(data):
+    assert organizations.units(data, "tree8", "nested").rows == [
+        ["`tree 8`", "96", "4 + 3", "8", "8 + 6"], ["`nested`", "-", "-", "1", "8 + 6"]]
+    alone = organizations.units(data, "nested")
+    assert (alone.heads, alone.rows) == (["organization", "cycles per vertex", "multipliers + adders"],
+                                         [["`nested`", "1", "8 + 6"]])
+    with pytest.raises(RequestError, match="no organization 'tree9' in fx18 or fx17"):
+        organizations.units(data, "tree9")
 
 
 @pytest.mark.parametrize("name, value", (

@@ -115,8 +115,7 @@ TEST(Comparison, WithoutPartnerFieldsAreNull) {
 // Of one format; the first vertex and a little more lies in the window, and nothing outside it.
 TEST(Comparison, TimelinesOfAFormat) {
   const Comparison comparison = small_comparison();
-  EXPECT_TRUE(nlohmann::json::parse(timelines(comparison, "fp32")).at("rows").empty());
-  const auto json = nlohmann::json::parse(timelines(comparison, "fx18")).at("rows");
+  const auto json = nlohmann::json::parse(timelines(comparison)).at("rows");
   ASSERT_EQ(json.size(), 2U);
   for (const auto& row : json) {
     EXPECT_EQ(row.at("org"), "tree");
@@ -130,6 +129,22 @@ TEST(Comparison, TimelinesOfAFormat) {
       }
     }
   }
+}
+
+// fx18, and fx17 of organizations that have no rows of it.
+TEST(Comparison, TimelinesAreOfOneFormatOfEachOrganization) {
+  std::vector<const Configuration*> rows;
+  std::map<std::string, OperatorCount> counts;
+  for (const char* name :
+       {"basic-fp32-overlapped", "basic-fx18-overlapped", "affine3-fx17-overlapped"}) {
+    rows.push_back(&find_configuration(name));
+    counts[name] = {{8, 6, 0}, {8, 6, 0}, 3};
+  }
+  const Comparison comparison = compare(rows, counts, kLittle, [](std::size_t, std::size_t) {});
+  const auto json = nlohmann::json::parse(timelines(comparison)).at("rows");
+  std::vector<std::string> shown;
+  for (const auto& row : json) shown.push_back(row.at("name"));
+  EXPECT_EQ(shown, (std::vector<std::string>{rows[1]->name, rows[2]->name}));
 }
 
 // An organization that the paper lacks has no formula, and that is no fault.
