@@ -1,0 +1,140 @@
+"""Makes the live page one file, build/web/index.html, that opens from any server and without one.
+
+    bundle.py [--engine DIR | --worker FILE] [--plates FILE] [--output FILE]
+
+Scripts are joined by esbuild, with three.js of the package libjs-three; the engine's WebAssembly goes in as gzip in
+base64. Reports come from docs/reports/.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import base64
+import gzip
+import html
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "studies"), str(ROOT / "apps" / "web")]
+
+PAGE = ROOT / "apps" / "web" / "page"
+THREE = pathlib.Path("/usr/share/javascript/three")
+MODULES = {"three": THREE / "build/three.module.js", "three-orbit": THREE / "examples/jsm/controls/OrbitControls.js"}
+# Debian packages of which parts are in the page, with what they are there for.
+BUNDLED = {
+    "libjs-three": "three.js, which draws the 3-D pictures",
+    "emscripten": "the compiler's runtime and C library, in the simulated core",
+    "verilator": "Verilator's runtime, in the simulated core",
+    "libfmt-dev": "fmt, in the simulated core",
+    "libeigen3-dev": "Eigen, in the simulated core",
+}
+MOST_BYTES = 8_000_000
+
+
+class BundleError(Exception):
+    """Why there is no page, in one line."""
+
+
+def script_of_page():
+    """The page's modules and the library as one classic script."""
+    missing = [str(path) for path in MODULES.values() if not path.is_file()]
+    if missing:
+        raise BundleError(f"{missing[0]} is not there: apt-get install libjs-three")
+    aliases = [f"--alias:{name}={path}" for name, path in MODULES.items()]
+    command = ["esbuild", str(PAGE / "main.js"), "--bundle", "--minify", "--format=iife", "--target=es2022",
+               "--charset=utf8", "--log-level=warning", *aliases]
+    try:
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        raise BundleError("esbuild is not there: apt-get install esbuild") from None
+    except subprocess.CalledProcessError as error:
+        raise BundleError(f"esbuild: {error.stderr.strip().splitlines()[0]}") from None
+
+
+def licences(packages):
+    """The whole text of each package's copyright file."""
+    found = []
+    for package in packages:
+        path = pathlib.Path("/usr/share/doc") / package / "copyright"
+        if not path.is_file():
+            raise BundleError(f"{path} is not there: the page carries the licence of {package}")
+        found.append(f"{package}: {BUNDLED[package]}\n\n{path.read_text(encoding='utf-8')}")
+    return found
+
+
+def data(plates, packages):
+    """What the page reads as JSON, by name."""
+    import figures_data  # pylint: disable=import-outside-toplevel
+    from figures.reports import Reports  # pylint: disable=import-outside-toplevel
+    reports = Reports(ROOT)
+    found = {"organizations": figures_data.organizations(reports), "pareto": figures_data.pareto(reports),
+             "licences": licences(packages)}
+    if plates:
+        found["plates"] = json.loads(plates.read_text(encoding="utf-8"))
+    return found
+
+
+def in_script(text):
+    """Text that cannot end the element that it stands in."""
+    return text.replace("</", "<\\/").replace("<!--", "<\\!--")
+
+
+def engine_elements(engine, worker):
+    """The worker's script, and what it is handed as packed parts."""
+    if worker:
+        files, parts = [worker], []
+    else:
+        files, parts = [engine / "engine.js", engine / "worker.js"], sorted(engine.glob("*.wasm"))
+    absent = [path for path in files if not path.is_file()]
+    if absent or not (worker or parts):
+        raise BundleError(f"{absent[0] if absent else engine / '*.wasm'} is not there: build hwffd-web-engine")
+    text = "\n".join(path.read_text(encoding="utf-8") for path in files)
+    made = [f'<script id="worker-script" type="text/plain">{in_script(text)}</script>']
+    for part in parts:
+        packed = base64.b64encode(gzip.compress(part.read_bytes(), mtime=0)).decode()
+        made.append(f'<script data-part="{html.escape(part.name)}" type="text/plain">{packed}</script>')
+    return made
+
+
+def page(engine, worker, plates):
+    packages = ["libjs-three"] if worker else list(BUNDLED)
+    elements = [f'<script id="data-{name}" type="application/json">{in_script(json.dumps(value, separators=(",", ":")))}'
+                "</script>" for name, value in data(plates, packages).items()]
+    elements += engine_elements(engine, worker)
+    elements.append(f"<script>{in_script(script_of_page())}</script>")
+    style = "\n".join(path.read_text(encoding="utf-8") for path in sorted(PAGE.glob("*.css")))
+    text = (PAGE / "index.html").read_text(encoding="utf-8")
+    return text.replace("<!--style-->", f"<style>{style}</style>").replace("<!--scripts-->", "\n".join(elements))
+
+
+def parse(words):
+    parser = argparse.ArgumentParser(description="Makes the live page one file.")
+    source = parser.add_mutually_exclusive_group()
+    source.add_argument("--engine", type=pathlib.Path, default=ROOT / "build/web/engine",
+                        help="folder with engine.js, worker.js and the WebAssembly")
+    source.add_argument("--worker", type=pathlib.Path, help="a worker of one script in the engine's place")
+    parser.add_argument("--plates", type=pathlib.Path, help="the plates as JSON")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/web/index.html")
+    return parser.parse_args(words)
+
+
+def main(words=None):
+    options = parse(words)
+    try:
+        text = page(options.engine, options.worker, options.plates).encode()
+        if len(text) > MOST_BYTES:
+            raise BundleError(f"the page has {len(text):,} bytes, and is to have {MOST_BYTES:,} at most")
+    except BundleError as error:
+        print(f"bundle.py: {error}", file=sys.stderr)
+        return 1
+    options.output.parent.mkdir(parents=True, exist_ok=True)
+    options.output.write_bytes(text)
+    print(f"{options.output}: {len(text):,} bytes")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,63 @@
+// The page's end of the messages that docs/web.md lists: what is sent, what is waited for, and what of a
+// drag is left out because a newer place of the point is known already.
+// SPDX-License-Identifier: Apache-2.0
+
+// The message that ends the answer to each.
+const LAST = {
+  open: "deformed", mesh: "deformed", dims: "deformed", points: "deformed", shape: "deformed",
+  fault: "deformed", inside: "state", watch: "state", vcd: "vcd",
+};
+
+/** Sends messages to the worker and raises an event of each that comes, by its type, with it as `detail`. */
+export class Engine extends EventTarget {
+  constructor(worker) {
+    super();
+    this.worker = worker;
+    this.expected = [];  // the ends of the answers that are still to come, in order
+    this.waiting = new Map();  // kind -> the newest message that waits for the answer to the one before
+    this.hasMesh = false;
+    worker.onmessage = (event) => this.receive(event.data);
+    worker.onerror = (event) => this.raise("failed", event.message || "its script does not load");
+  }
+
+  /** Sends a message; its answer comes as events. */
+  send(message, transfer = []) {
+    if (message.type === "mesh") this.hasMesh = true;
+    const last = message.type === "open" && !this.hasMesh ? "lattice" : LAST[message.type];
+    this.expected.push(last);
+    this.worker.postMessage(message, transfer);
+  }
+
+  /** Sends what is soon out of date, such as the points of a drag: of those that wait only the last goes. */
+  sendNewest(message) {
+    if (this.isBusyWith("deformed")) this.waiting.set(message.type, message);
+    else this.send(message);
+  }
+
+  isBusyWith(last) {
+    return this.expected.includes(last);
+  }
+
+  /** What waits is out of date when the mesh or the lattice is another one. */
+  forgetWaiting() {
+    this.waiting.clear();
+  }
+
+  receive(message) {
+    if (message.type === "error" || message.type === this.expected[0]) this.expected.shift();
+    this.raise(message.type, message);
+    if (this.waiting.size > 0 && !this.isBusyWith("deformed")) {
+      const [kind, newest] = this.waiting.entries().next().value;
+      this.waiting.delete(kind);
+      this.send(newest);
+    }
+  }
+
+  raise(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  on(type, does) {
+    this.addEventListener(type, (event) => does(event.detail));
+  }
+}
