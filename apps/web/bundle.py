@@ -11,7 +11,6 @@ SPDX-License-Identifier: Apache-2.0
 import argparse
 import base64
 import gzip
-import html
 import json
 import pathlib
 import subprocess
@@ -83,19 +82,17 @@ def in_script(text):
 
 
 def engine_elements(engine, worker):
-    """The worker's script, and what it is handed as packed parts."""
-    if worker:
-        files, parts = [worker], []
-    else:
-        files, parts = [engine / "engine.js", engine / "worker.js"], sorted(engine.glob("*.wasm"))
-    absent = [path for path in files if not path.is_file()]
-    if absent or not (worker or parts):
-        raise BundleError(f"{absent[0] if absent else engine / '*.wasm'} is not there: build hwffd-web-engine")
-    text = "\n".join(path.read_text(encoding="utf-8") for path in files)
+    """The worker's script, and the WebAssembly that it is handed."""
+    scripts = [worker] if worker else [engine / name for name in ("engine.js", "drawings.js", "worker.js")]
+    modules = [] if worker else [engine / "engine.wasm"]
+    for path in scripts + modules:
+        if not path.is_file():
+            raise BundleError(f"{path} is not there: build the target hwffd-web-engine")
+    text = "\n".join(path.read_text(encoding="utf-8") for path in scripts)
     made = [f'<script id="worker-script" type="text/plain">{in_script(text)}</script>']
-    for part in parts:
-        packed = base64.b64encode(gzip.compress(part.read_bytes(), mtime=0)).decode()
-        made.append(f'<script data-part="{html.escape(part.name)}" type="text/plain">{packed}</script>')
+    for path in modules:
+        packed = base64.b64encode(gzip.compress(path.read_bytes(), mtime=0)).decode()
+        made.append(f'<script id="worker-module" type="text/plain">{packed}</script>')
     return made
 
 
@@ -114,7 +111,7 @@ def parse(words):
     parser = argparse.ArgumentParser(description="Makes the live page one file.")
     source = parser.add_mutually_exclusive_group()
     source.add_argument("--engine", type=pathlib.Path, default=ROOT / "build/web/engine",
-                        help="folder with engine.js, worker.js and the WebAssembly")
+                        help="folder with engine.js, drawings.js, worker.js and engine.wasm")
     source.add_argument("--worker", type=pathlib.Path, help="a worker of one script in the engine's place")
     parser.add_argument("--plates", type=pathlib.Path, help="the plates as JSON")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build/web/index.html")

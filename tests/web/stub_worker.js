@@ -113,11 +113,10 @@ function vcd() {
   for (let clock = 0; clock < state.clock; ++clock) {
     lines.push(`#${clock}`, ...codes.map(([, width, code]) => width === 1 ? `${(clock >> 1) & 1}${code}` : `b${(clock * 77).toString(2)} ${code}`));
   }
-  postMessage({ type: "vcd", text: `$timescale 1ns $end\n${lines.join("\n")}\n#${state.clock}\n` });
+  postMessage({ type: "vcd", text: `$timescale 1ns $end\n$enddefinitions $end\n${lines.join("\n")}\n#${state.clock}\n` });
 }
 
 const ANSWERS = {
-  parts: () => {},
   open: ({ core }) => {
     state.core = CORES.find(({ name }) => name === core);
     state.clock = 0;

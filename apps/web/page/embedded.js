@@ -18,13 +18,6 @@ async function unpacked(base64) {
   return new Response(stream).arrayBuffer();
 }
 
-/** The parts of the engine that are packed: {file name: bytes}. */
-async function parts() {
-  const files = document.querySelectorAll("script[data-part]");
-  const contents = await Promise.all([...files].map((file) => unpacked(file.textContent)));
-  return Object.fromEntries([...files].map((file, at) => [file.dataset.part, contents[at]]));
-}
-
 /**
  * The worker, started from the script inside the page.
  * @throws Error, a sentence, where the browser lacks what it takes
@@ -42,8 +35,10 @@ export function startWorker() {
   return new Worker(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));
 }
 
-/** Hands the worker its parts, when they are unpacked. */
-export async function handParts(worker) {
-  const files = await parts();
-  if (Object.keys(files).length > 0) worker.postMessage({ type: "parts", files }, Object.values(files));
+/** Hands the worker the simulated core, when it is unpacked; a worker of scripts alone has none. */
+export async function handModule(worker) {
+  const packed = byId("worker-module");
+  if (!packed) return;
+  const wasm = await unpacked(packed.textContent);
+  worker.postMessage({ type: "module", wasm }, [wasm]);
 }

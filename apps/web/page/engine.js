@@ -13,7 +13,7 @@ export class Engine extends EventTarget {
   constructor(worker) {
     super();
     this.worker = worker;
-    this.expected = [];  // the ends of the answers that are still to come, in order
+    this.expected = [];  // {asked, last} of the answers that are still to come, in order
     this.waiting = new Map();  // kind -> the newest message that waits for the answer to the one before
     this.hasMesh = false;
     worker.onmessage = (event) => this.receive(event.data);
@@ -24,7 +24,7 @@ export class Engine extends EventTarget {
   send(message, transfer = []) {
     if (message.type === "mesh") this.hasMesh = true;
     const last = message.type === "open" && !this.hasMesh ? "lattice" : LAST[message.type];
-    this.expected.push(last);
+    this.expected.push({ asked: message.type, last });
     this.worker.postMessage(message, transfer);
   }
 
@@ -35,7 +35,7 @@ export class Engine extends EventTarget {
   }
 
   isBusyWith(last) {
-    return this.expected.includes(last);
+    return this.expected.some((answer) => answer.last === last);
   }
 
   /** What waits is out of date when the mesh or the lattice is another one. */
@@ -44,8 +44,9 @@ export class Engine extends EventTarget {
   }
 
   receive(message) {
-    if (message.type === "error" || message.type === this.expected[0]) this.expected.shift();
-    this.raise(message.type, message);
+    const ends = message.type === "error" || message.type === this.expected[0]?.last;
+    const answer = ends ? this.expected.shift() : undefined;
+    this.raise(message.type, message.type === "error" ? { ...message, asked: answer?.asked } : message);
     if (this.waiting.size > 0 && !this.isBusyWith("deformed")) {
       const [kind, newest] = this.waiting.entries().next().value;
       this.waiting.delete(kind);

@@ -3,7 +3,7 @@
 
 import { byId } from "./dom.js";
 import { Engine } from "./engine.js";
-import { data, handParts, startWorker } from "./embedded.js";
+import { data, handModule, startWorker } from "./embedded.js";
 import { Notice } from "./notice.js";
 import { Work } from "./work.js";
 import { Comparison } from "./comparison.js";
@@ -20,26 +20,32 @@ function showLicences() {
   });
 }
 
-async function start() {
-  const notice = new Notice();
-  const work = new Work(notice);
-  showLicences();
-  showFigures(work);
-  let worker;
+/** Starts the worker and hands it the core, which is compiled while the page is made; null where it cannot be. */
+function startEngine(notice) {
   try {
-    worker = startWorker();
+    const worker = startWorker();
+    handModule(worker).catch((error) => notice.say(`The simulated core cannot be unpacked: ${error.message}.`));
+    return new Engine(worker);
   } catch (error) {
     notice.say(error.message);
     byId("verdict-text").textContent = "No core runs in this browser";
-    return;
+    return null;
   }
-  const engine = new Engine(worker);
-  engine.on("error", ({ text }) => notice.say(text));
-  engine.on("failed", (why) => notice.say(`The simulated core has stopped: ${why}. Load the page again.`));
-  work.connect(engine);
-  new Comparison(engine);
-  new Inside(engine, work);
-  await handParts(worker);
+}
+
+function start() {
+  const notice = new Notice();
+  const engine = startEngine(notice);
+  const work = new Work(notice);
+  if (engine) {
+    engine.on("error", ({ text }) => notice.say(text));
+    engine.on("failed", (why) => notice.say(`The simulated core has stopped: ${why}. Load the page again.`));
+    work.connect(engine);
+    new Comparison(engine);
+    new Inside(engine, work);
+  }
+  showFigures(work);
+  showLicences();
 }
 
 start();

@@ -60,6 +60,9 @@ export class Work {
       this.setMesh(this.mesh ?? BUILT_IN.amphora());
       this.sendDims(FIRST_DIMS);
     });
+    engine.on("error", ({ asked }) => {
+      if (asked === "mesh" && this.before) this.setMesh(this.before);
+    });
     engine.on("lattice", (lattice) => this.takeLattice(lattice));
     engine.on("deformed", ({ positions }) => {
       if (positions.length !== this.mesh?.positions.length) return;
@@ -75,6 +78,7 @@ export class Work {
   }
 
   setMesh(mesh) {
+    this.before = this.mesh;  // what comes back if the worker refuses the new one
     this.mesh = mesh;
     this.isNew = true;
     this.scene?.setMesh(mesh);

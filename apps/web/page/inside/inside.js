@@ -37,12 +37,12 @@ export class Inside {
 
   step(how) {
     this.halt();
-    this.advance(how);
+    this.engine.send({ type: "inside", ...how });
   }
 
   /** Asks for the next state unless one is on its way. */
-  advance(how) {
-    if (!this.engine.isBusyWith("state")) this.engine.send({ type: "inside", ...how });
+  advance(clocks) {
+    if (!this.engine.isBusyWith("state")) this.engine.send({ type: "inside", clocks });
   }
 
   get speed() {
@@ -62,7 +62,7 @@ export class Inside {
   run() {
     clearInterval(this.timer);
     const pictures = Math.min(this.speed, PICTURES);
-    this.timer = setInterval(() => this.advance({ clocks: this.speed / pictures }), 1000 / pictures);
+    this.timer = setInterval(() => this.advance(this.speed / pictures), 1000 / pictures);
     byId("run").setAttribute("aria-pressed", "true");
     byId("run").textContent = "Pause";
   }

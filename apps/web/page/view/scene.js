@@ -52,6 +52,7 @@ export class Scene {
   constructor(canvas) {
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.debug.checkShaderErrors = false;  // which waits for the compiler of shaders, many times
     this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
@@ -67,7 +68,7 @@ export class Scene {
   build() {
     this.scene = new THREE.Scene();
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(),
-      new THREE.MeshStandardMaterial({ roughness: 0.55, metalness: 0.05, side: THREE.DoubleSide }));
+      new THREE.MeshPhongMaterial({ specular: 0x30343a, shininess: 24, side: THREE.DoubleSide }));
     this.lines = new THREE.LineSegments(new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ transparent: true, opacity: 0.55 }));
     const map = dot();
