@@ -13,6 +13,7 @@ import base64
 import gzip
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -29,7 +30,11 @@ BUNDLED = {
     "verilator": "Verilator's runtime, in the simulated core",
     "libfmt-dev": "fmt, in the simulated core",
     "libeigen3-dev": "Eigen, in the simulated core",
+    "nlohmann-json3-dev": "JSON for Modern C++, in the simulated core",
+    "glmark2-data": "the cat of plates 1 to 4",
 }
+ENGINE_PACKAGES = ("emscripten", "verilator", "libfmt-dev", "libeigen3-dev", "nlohmann-json3-dev")
+COMMON = pathlib.Path("/usr/share/common-licenses")
 MOST_BYTES = 8_000_000
 
 
@@ -54,26 +59,25 @@ def script_of_page():
 
 
 def licences(packages):
-    """The whole text of each package's copyright file."""
+    """The whole text of each package's copyright file, and of the licences that these name by their file."""
     found = []
     for package in packages:
         path = pathlib.Path("/usr/share/doc") / package / "copyright"
         if not path.is_file():
             raise BundleError(f"{path} is not there: the page carries the licence of {package}")
         found.append(f"{package}: {BUNDLED[package]}\n\n{path.read_text(encoding='utf-8')}")
-    return found
+    named = sorted(set(re.findall(rf"{COMMON}/([\w.-]*\w)", "".join(found))))
+    return found + [f"{name}\n\n{(COMMON / name).read_text(encoding='utf-8')}" for name in named
+                    if (COMMON / name).is_file()]
 
 
-def data(plates, packages):
+def data(packages):
     """What the page reads as JSON, by name."""
     import figures_data  # pylint: disable=import-outside-toplevel
     from figures.reports import Reports  # pylint: disable=import-outside-toplevel
     reports = Reports(ROOT)
-    found = {"organizations": figures_data.organizations(reports), "pareto": figures_data.pareto(reports),
-             "licences": licences(packages)}
-    if plates:
-        found["plates"] = json.loads(plates.read_text(encoding="utf-8"))
-    return found
+    return {"organizations": figures_data.organizations(reports), "pareto": figures_data.pareto(reports),
+            "licences": licences(packages)}
 
 
 def in_script(text):
@@ -81,26 +85,36 @@ def in_script(text):
     return text.replace("</", "<\\/").replace("<!--", "<\\!--")
 
 
+def packed(name, path):
+    """An element with a file, as gzip in base64."""
+    if not path.is_file():
+        raise BundleError(f"{path} is not there: build hwffd-web-engine and hwffd-web-plates")
+    content = base64.b64encode(gzip.compress(path.read_bytes(), mtime=0)).decode()
+    return f'<script id="packed-{name}" type="text/plain">{content}</script>'
+
+
 def engine_elements(engine, worker):
     """The worker's script, and the WebAssembly that it is handed."""
     scripts = [worker] if worker else [engine / name for name in ("engine.js", "drawings.js", "worker.js")]
-    modules = [] if worker else [engine / "engine.wasm"]
-    for path in scripts + modules:
+    for path in scripts:
         if not path.is_file():
             raise BundleError(f"{path} is not there: build the target hwffd-web-engine")
     text = "\n".join(path.read_text(encoding="utf-8") for path in scripts)
     made = [f'<script id="worker-script" type="text/plain">{in_script(text)}</script>']
-    for path in modules:
-        packed = base64.b64encode(gzip.compress(path.read_bytes(), mtime=0)).decode()
-        made.append(f'<script id="worker-module" type="text/plain">{packed}</script>')
-    return made
+    return made if worker else [*made, packed("engine", engine / "engine.wasm")]
 
 
 def page(engine, worker, plates):
-    packages = ["libjs-three"] if worker else list(BUNDLED)
+    packages = ["libjs-three"]
+    if not worker:
+        packages += ENGINE_PACKAGES
+    if plates and "cat.3ds" in plates.read_text(encoding="utf-8"):
+        packages.append("glmark2-data")
     elements = [f'<script id="data-{name}" type="application/json">{in_script(json.dumps(value, separators=(",", ":")))}'
-                "</script>" for name, value in data(plates, packages).items()]
+                "</script>" for name, value in data(packages).items()]
     elements += engine_elements(engine, worker)
+    if plates:
+        elements.append(packed("plates", plates))
     elements.append(f"<script>{in_script(script_of_page())}</script>")
     style = "\n".join(path.read_text(encoding="utf-8") for path in sorted(PAGE.glob("*.css")))
     text = (PAGE / "index.html").read_text(encoding="utf-8")

@@ -18,6 +18,13 @@ async function unpacked(base64) {
   return new Response(stream).arrayBuffer();
 }
 
+/** Data that is packed, since it is long and not wanted at once. */
+export async function packedData(name) {
+  return JSON.parse(new TextDecoder().decode(await unpacked(byId(`packed-${name}`).textContent)));
+}
+
+export const hasPacked = (name) => byId(`packed-${name}`) !== null;
+
 /**
  * The worker, started from the script inside the page.
  * @throws Error, a sentence, where the browser lacks what it takes
@@ -37,8 +44,7 @@ export function startWorker() {
 
 /** Hands the worker the simulated core, when it is unpacked; a worker of scripts alone has none. */
 export async function handModule(worker) {
-  const packed = byId("worker-module");
-  if (!packed) return;
-  const wasm = await unpacked(packed.textContent);
+  if (!hasPacked("engine")) return;
+  const wasm = await unpacked(byId("packed-engine").textContent);
   worker.postMessage({ type: "module", wasm }, [wasm]);
 }

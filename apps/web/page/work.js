@@ -1,7 +1,7 @@
 // Deform: the mesh, its lattice and the core that carries it; settings, files and the picture.
 // SPDX-License-Identifier: Apache-2.0
 
-import { byId, choices } from "./dom.js";
+import { byId, choices, element } from "./dom.js";
 import { folds } from "./lattice.js";
 import { BUILT_IN } from "./mesh/built_in.js";
 import { CoreChoice } from "./settings/core.js";
@@ -25,11 +25,20 @@ export class Work {
       move: (index, place) => { this.movePoint(index, place); this.tellFolds(); },
     });
     this.files = new Files(this, notice);
-    choices(byId("mesh"), Object.keys(BUILT_IN).map((name) => [name, name]));
+    this.offerMeshes();
     byId("mesh").addEventListener("change", () => this.setMesh(BUILT_IN[byId("mesh").value]()));
     byId("look").addEventListener("click", () => this.look());
     byId("rest").addEventListener("click", () => { this.deformation.reset(); this.shape(""); });
     for (const axis of [0, 1, 2]) byId(`dims-${axis}`).addEventListener("change", () => this.setDims());
+  }
+
+  /** The built-in meshes, and the one that is shown if it is another. */
+  offerMeshes(shown = null) {
+    const names = Object.keys(BUILT_IN);
+    choices(byId("mesh"), names.map((name) => [name, name]));
+    if (shown === null) return;
+    if (!names.includes(shown)) byId("mesh").append(element("option", { disabled: true }, shown));
+    byId("mesh").value = shown;
   }
 
   makeView() {
@@ -81,6 +90,7 @@ export class Work {
     this.before = this.mesh;  // what comes back if the worker refuses the new one
     this.mesh = mesh;
     this.isNew = true;
+    this.offerMeshes(mesh.name);
     this.scene?.setMesh(mesh);
     this.deformation.reset();
     this.engine?.forgetWaiting();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 import { byId } from "../dom.js";
-import { data } from "../embedded.js";
+import { data, hasPacked } from "../embedded.js";
 import { Pareto } from "./pareto.js";
 import { Plates } from "./plates.js";
 import { showTable } from "./table.js";
@@ -12,6 +12,5 @@ export function showFigures(work) {
   if (table) showTable(byId("organizations"), table);
   const cores = data("pareto");
   if (cores) new Pareto(cores);
-  const plates = data("plates");
-  if (plates) new Plates(plates, work);
+  if (hasPacked("plates")) new Plates(work);
 }

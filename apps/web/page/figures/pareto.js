@@ -75,6 +75,7 @@ export class Pareto {
     const best = front(cores, rate);
     picture.append(svg("polyline", { class: "front",
       points: best.map((core) => `${x.at(core.size)},${y.at(rate(core))}`).join(" ") }));
+    picture.append(...labels(best, x, y, rate, width));
     const others = cores.filter((core) => !best.includes(core));
     for (const core of [...others, ...best]) {
       picture.append(this.dot(core, x.at(core.size), y.at(rate(core)), best.includes(core)));
@@ -91,6 +92,20 @@ export class Pareto {
     }
     return dot;
   }
+}
+
+/** Names of the best, above them to the left, or right of the first; where they would meet, the second is left out. */
+function labels(best, x, y, rate, width) {
+  const taken = [];
+  return best.flatMap((core) => {
+    const [right, below] = [x.at(core.size) - 8, y.at(rate(core)) - 6];
+    const long = 6.2 * core.label.length;
+    const left = right - long < EDGE.left ? right + 16 : right - long;
+    if (left + long > width || taken.some((one) => Math.abs(one.below - below) < 13 && one.left < left + long &&
+        left < one.left + one.long)) return [];
+    taken.push({ left, below, long });
+    return [svg("text", { x: left, y: below }, core.label)];
+  });
 }
 
 function drawAxes(picture, x, y, width) {

@@ -1,27 +1,35 @@
-// The plates of the paper as scenes: the model in its lattice, as the core's model has moved it.
+// The plates of the paper as scenes: each model in its lattice, at rest and deformed, seen as the plates see it.
 // SPDX-License-Identifier: Apache-2.0
 
 import { byId, choices, count } from "../dom.js";
+import { packedData } from "../embedded.js";
 import { Scene } from "../view/scene.js";
 
+/** The plates in the paper's order: of each subject first at rest, then deformed, from each side. */
+function platesOf(subjects) {
+  return subjects.flatMap((subject) => [["at rest", subject.rest], [subject.deformation, subject.deformed]]
+    .flatMap(([pose, state]) => subject.views.map((view) => ({ subject, pose, state, view }))));
+}
+
 export class Plates {
-  /** @param plates  [{title, deformation, view, triangles, positions, dims, points}], a number for each triple */
-  constructor(plates, work) {
-    Object.assign(this, { plates, work, scene: null });
+  constructor(work) {
+    Object.assign(this, { plates: [], work, scene: null });
     byId("plates").hidden = false;
-    choices(byId("plate"), plates.map(({ title }, at) => [String(at), `${at + 1}: ${title}`]));
     byId("plate").addEventListener("change", () => this.show());
     byId("plate-live").addEventListener("click", () => this.deform());
-    // Drawn when it is first seen: most of the work of a scene is done then.
+    // Unpacked and drawn when they come into sight.
     const seen = new IntersectionObserver((entries) => {
       if (!entries.some((entry) => entry.isIntersecting)) return;
       seen.disconnect();
       this.begin();
-    });
-    seen.observe(byId("plate-stage"));
+    }, { rootMargin: "400px" });
+    seen.observe(byId("plates"));
   }
 
-  begin() {
+  async begin() {
+    this.plates = platesOf(await packedData("plates"));
+    choices(byId("plate"), this.plates.map(({ subject, pose }, at) =>
+      [String(at), `${at + 1}: ${subject.model}, ${pose}`]));
     try {
       this.scene = new Scene(byId("plate-view"));
     } catch {
@@ -34,24 +42,25 @@ export class Plates {
     return this.plates[Number(byId("plate").value)];
   }
 
-  mesh(positions) {
-    return { name: this.plate.title, positions: new Float32Array(positions),
-      indices: new Uint32Array(this.plate.triangles) };
-  }
-
   show() {
-    const { title, dims, points, positions, view, rest } = this.plate;
-    byId("plate-text").textContent = `Plate ${Number(byId("plate").value) + 1}: ${title}, ` +
-      `${count(positions.length / 3)} vertices in one cell of 64 control points.`;
+    const { subject, pose, state, view } = this.plate;
+    byId("plate-text").textContent = `Plate ${Number(byId("plate").value) + 1}: ${subject.model}, ${pose}; ` +
+      `${count(state.positions.length / 3)} vertices, one cell of 64 control points.`;
     if (!this.scene) return;
-    this.scene.setMesh(this.mesh(positions));
-    this.scene.setLattice(dims, points);
-    this.scene.look([...rest, ...points], view);
+    const places = (numbers) => Float32Array.from(numbers, (number) => number * subject.step);
+    const indices = new Uint32Array(subject.triangles);
+    this.scene.setMesh({ positions: places(state.positions), indices });
+    this.scene.setLattice(subject.dims, places(state.points));
+    const both = [subject.rest, subject.deformed].flatMap(({ positions, points }) => [...positions, ...points]);
+    this.scene.look(places(both), view);
   }
 
   /** Takes the model, at rest, into the live core. */
   deform() {
-    this.work.setMesh(this.mesh(this.plate.model));
+    if (this.plates.length === 0) return;
+    const { subject } = this.plate;
+    this.work.setMesh({ name: subject.model, indices: new Uint32Array(subject.triangles),
+      positions: Float32Array.from(subject.rest.positions, (number) => number * subject.step) });
     byId("work").scrollIntoView();
   }
 }

@@ -36,7 +36,7 @@ export function drawTimeline(place, { first_clock: first, clocks, lanes }) {
   const width = Math.max(280, place.clientWidth - 18);
   const left = Math.min(150, 12 + 6.4 * Math.max(...lanes.map(({ name }) => name.length), 4));
   const height = TOP + ROW * lanes.length + 22;
-  const x = (clock) => left + (width - left - 8) * clock / Math.max(clocks, 1);
+  const x = (clock) => left + (width - left - 16) * clock / Math.max(clocks, 1);
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img",
     "aria-label": `Busy units in clocks ${first} to ${first + clocks}` });
   for (const clock of marks(first, clocks, width / 60)) {

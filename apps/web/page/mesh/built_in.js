@@ -37,10 +37,14 @@ const OUTLINE = [
   [0.38, 2.56], [0.24, 2.4], [0.2, 2.15], [0.22, 1.95], [0.01, 1.9],
 ];
 
+// The middle of a handle, from the neck to the belly, and half of its thickness.
+const HANDLE = [[0.2, 2.28], [0.42, 2.37], [0.68, 2.3], [0.82, 2.05], [0.8, 1.78], [0.58, 1.58]];
+const THICK = 0.055;
+
 /** A place on a line through the points of the outline, smooth at each (Catmull and Rom). */
 function along(points, fraction) {
   const place = fraction * (points.length - 1);
-  const cell = Math.min(Math.floor(place), points.length - 2);
+  const cell = Math.max(0, Math.min(Math.floor(place), points.length - 2));
   const s = place - cell;
   const at = (k) => points[Math.max(0, Math.min(points.length - 1, cell + k))];
   const weights = [
@@ -60,13 +64,11 @@ function amphora() {
   });
   for (const side of [1, -1]) {
     builder.grid(20, 10, (r, c) => {
-      const angle = (r / 19) * Math.PI - 0.55;
-      const centre = [side * (0.4 + 0.5 * Math.sin(angle + 0.3)), 1.93 - 0.42 * Math.cos(angle + 0.15)];
-      const thick = 0.055;
-      const turn = TURN * c / 10;
-      const out = thick * Math.cos(turn);
-      return [centre[0] + side * out * Math.sin(angle), centre[1] - out * Math.cos(angle),
-        -side * thick * Math.sin(turn)];
+      const [radius, height] = along(HANDLE, r / 19);
+      const [ahead, above] = along(HANDLE, r / 19 + 0.001);
+      const [outwards, , up] = unit([above - height, 0, radius - ahead]);
+      const [across, turn] = [THICK * Math.cos(TURN * c / 10), -THICK * Math.sin(TURN * c / 10)];
+      return [side * (radius + across * outwards), height + across * up, side * turn];
     });
   }
   return builder.mesh("amphora");
