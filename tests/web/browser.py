@@ -82,13 +82,11 @@ class Open:
     def number(self, name):
         return float(self.text(name).replace(",", ""))
 
-    def quiet(self, after=0):
-        """Waits until the worker has answered for this long: runs are counted by what WATCH notes."""
-        self.page.wait_for_timeout(after)
-        count, now = -1, self.page.evaluate("runs.length")
-        while count != now:
-            self.page.wait_for_timeout(200)
-            count, now = now, self.page.evaluate("runs.length")
+    def quiet(self):
+        """Waits until the worker has nothing more to answer."""
+        for _ in range(2):
+            self.page.wait_for_timeout(100)
+            self.until("!document.querySelector('[aria-busy=true]')")
 
     def until(self, script):
         self.page.wait_for_function(script, timeout=CORE_WAIT)

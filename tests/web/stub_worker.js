@@ -97,7 +97,8 @@ function insideState() {
   const lanes = ["decoder", "weights s", "weights t", "weights u", "tree", "accumulator"].map((name, row) => {
     const spans = [];
     for (let v = Math.max(0, Math.floor((first - 9 * row) / interval)); interval * v + 9 * row < state.clock; ++v) {
-      spans.push([interval * v + 9 * row, interval * v + 9 * row + Math.min(interval, 7), v]);
+      const begin = interval * v + 9 * row - first;
+      spans.push([Math.max(0, begin), Math.min(clocks, begin + Math.min(interval, 7)), v]);
     }
     return { name, spans };
   });

@@ -119,7 +119,10 @@ function schedule() {
 
 function take(message) {
   const last = waiting[waiting.length - 1];
-  if (message.type === "points" && last !== undefined && last.type === "points") waiting.pop();
+  if (message.type === "points" && last !== undefined && last.type === "points") {
+    waiting.pop();
+    post({ type: "superseded" });
+  }
   waiting.push(message);
   schedule();
 }

@@ -7,6 +7,7 @@ export class Comparison {
   constructor(engine) {
     this.engine = engine;
     engine.on("deformed", (run) => this.show(run));
+    engine.on("busy", () => byId("compare").setAttribute("aria-busy", engine.isBusyWith("deformed")));
     this.button = byId("fault");
     this.button.addEventListener("click", () => this.toggleFault());
   }

@@ -8,6 +8,8 @@ const LAST = {
   fault: "deformed", inside: "state", watch: "state", vcd: "vcd",
 };
 
+const RUNS = 2;  // of the mesh, that may be asked for at once
+
 /** Sends messages to the worker and raises an event of each that comes, by its type, with it as `detail`. */
 export class Engine extends EventTarget {
   constructor(worker) {
@@ -26,12 +28,18 @@ export class Engine extends EventTarget {
     const last = message.type === "open" && !this.hasMesh ? "lattice" : LAST[message.type];
     this.expected.push({ asked: message.type, last });
     this.worker.postMessage(message, transfer);
+    this.raise("busy");
   }
 
   /** Sends what is soon out of date, such as the points of a drag: of those that wait only the last goes. */
   sendNewest(message) {
-    if (this.isBusyWith("deformed")) this.waiting.set(message.type, message);
-    else this.send(message);
+    if (this.hasRoom()) this.send(message);
+    else this.waiting.set(message.type, message);
+  }
+
+  /** Whether the worker would be idle before long: one run of the mesh may wait behind the one that goes on. */
+  hasRoom() {
+    return this.expected.filter(({ last }) => last === "deformed").length < RUNS;
   }
 
   isBusyWith(last) {
@@ -44,14 +52,23 @@ export class Engine extends EventTarget {
   }
 
   receive(message) {
-    const ends = message.type === "error" || message.type === this.expected[0]?.last;
-    const answer = ends ? this.expected.shift() : undefined;
+    const answer = this.ended(message);
     this.raise(message.type, message.type === "error" ? { ...message, asked: answer?.asked } : message);
-    if (this.waiting.size > 0 && !this.isBusyWith("deformed")) {
+    if (this.waiting.size > 0 && this.hasRoom()) {
       const [kind, newest] = this.waiting.entries().next().value;
       this.waiting.delete(kind);
       this.send(newest);
     }
+    this.raise("busy");
+  }
+
+  /** Takes what this message ends off the list of answers to come; undefined if it ends none. */
+  ended(message) {
+    const ends = message.type === "error" || message.type === this.expected[0]?.last;
+    if (ends) return this.expected.shift();
+    if (message.type !== "superseded") return undefined;
+    const dropped = this.expected.findIndex(({ asked }) => asked === "points");
+    return this.expected.splice(dropped, 1)[0];
   }
 
   raise(type, detail) {

@@ -16,6 +16,7 @@ export class Inside {
     this.ports = new Ports(engine);
     engine.on("opened", (opened) => this.opened(opened));
     engine.on("state", (state) => this.show(state));
+    engine.on("busy", () => byId("inside").setAttribute("aria-busy", engine.isBusyWith("state")));
     byId("run").addEventListener("click", () => this.toggle());
     byId("step-clock").addEventListener("click", () => this.step({ clocks: 1 }));
     byId("step-vertex").addEventListener("click", () => this.step({ vertex: true }));
@@ -30,7 +31,7 @@ export class Inside {
     this.drawing.open(opened);
     this.ports.open(opened.ports);
     const core = this.work.core.current;
-    byId("formula").textContent = core ? `${core.formula} = ${number(core.formula_clocks)}` : "-";
+    byId("formula").textContent = core ? formulaOf(core) : "-";
     byId("timeline").replaceChildren();
     for (const id of ["clock", "vertices", "mismatches", "per-vertex"]) byId(`inside-${id}`).textContent = "-";
   }
@@ -69,6 +70,7 @@ export class Inside {
 
   halt() {
     clearInterval(this.timer);
+    if (this.timer !== null && this.state) this.engine.send({ type: "vcd" });
     this.timer = null;
     byId("run").setAttribute("aria-pressed", "false");
     byId("run").textContent = "Run";
@@ -82,13 +84,18 @@ export class Inside {
     byId("inside-mismatches").classList.toggle("wrong", state.mismatches > 0);
     byId("inside-per-vertex").textContent = perVertex(state.timeline);
     this.drawing.light(state.busy);
-    this.ports.show(state);
+    this.ports.show(state, this.timer !== null);
     this.drawTimeline();
   }
 
   drawTimeline() {
     if (this.state) drawTimeline(byId("timeline"), this.state.timeline);
   }
+}
+
+/** The formula of the clocks per vertex, and its value unless it is that already. */
+function formulaOf({ formula, formula_clocks: clocks }) {
+  return formula === String(clocks) ? formula : `${formula}: ${number(clocks)}`;
 }
 
 /** Clocks from vertex to vertex, counted where the last lane begins to work on each. */

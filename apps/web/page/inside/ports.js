@@ -6,10 +6,11 @@ import { parseVcd } from "./vcd.js";
 import { drawWaveform } from "./waveform.js";
 
 const WATCHED_FIRST = 8;
+const PAUSE = 700;  // ms
 
 export class Ports {
   constructor(engine) {
-    Object.assign(this, { engine, waves: null, saving: false });
+    Object.assign(this, { engine, waves: null, saving: false, drawn: -Infinity });
     engine.on("vcd", ({ text }) => this.take(text));
     byId("save-vcd").addEventListener("click", () => {
       this.saving = true;
@@ -31,8 +32,8 @@ export class Ports {
     box.addEventListener("change", () => this.watch());
     const value = element("td", {}, "-");
     const title = width > 1 ? `${name}[${width - 1}:0]` : name;
-    const line = element("tr", { title: description }, element("td", {}, box),
-      element("th", { scope: "row" }, title), value);
+    const line = element("tr", {}, element("td", {}, box), element("th", { scope: "row" }, title), value,
+      element("td", {}, description));
     return { name, box, value, line };
   }
 
@@ -41,9 +42,13 @@ export class Ports {
     this.engine.send({ type: "watch", ports });
   }
 
-  show({ ports }) {
-    for (const { name, value } of this.rows ?? []) value.textContent = ports[name] ?? "-";
-    if (!this.engine.isBusyWith("vcd")) this.engine.send({ type: "vcd" });
+  /** While the clock runs, the waveform is asked for now and then: it is long. */
+  show({ ports }, runs) {
+    for (const { name, value } of this.rows ?? []) value.textContent = ports[name] || "-";
+    const now = performance.now();
+    if (this.engine.isBusyWith("vcd") || (runs && now < this.drawn + PAUSE)) return;
+    this.drawn = now;
+    this.engine.send({ type: "vcd" });
   }
 
   take(text) {

@@ -8,11 +8,9 @@ const [ROW, BAR, TOP] = [17, 13, 4];
 const COLOURS = 4;
 
 /** [begin, end, vertex] of each run in which the last operation to enter is of one vertex. */
-export function runs(spans, first, clocks) {
+export function runs(spans, clocks) {
   const busy = new Array(clocks).fill(null);
-  for (const [begin, end, vertex] of spans) {
-    for (let clock = Math.max(0, begin - first); clock < Math.min(clocks, end - first); ++clock) busy[clock] = vertex;
-  }
+  for (const [begin, end, vertex] of spans) busy.fill(vertex, begin, end);
   const found = [];
   busy.forEach((vertex, clock) => {
     if (vertex === null) return;
@@ -39,7 +37,7 @@ export function drawTimeline(place, { first_clock: first, clocks, lanes }) {
   const x = (clock) => left + (width - left - 16) * clock / Math.max(clocks, 1);
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img",
     "aria-label": `Busy units in clocks ${first} to ${first + clocks}` });
-  for (const clock of marks(first, clocks, width / 60)) {
+  for (const clock of marks(first, clocks, width / 75)) {
     const at = x(clock - first);
     picture.append(svg("line", { class: "grid", x1: at, x2: at, y1: TOP, y2: height - 18 }),
       svg("text", { x: at, y: height - 5, "text-anchor": "middle" }, String(clock)));
@@ -47,7 +45,7 @@ export function drawTimeline(place, { first_clock: first, clocks, lanes }) {
   lanes.forEach(({ name, spans }, row) => {
     const y = TOP + ROW * row;
     picture.append(svg("text", { x: left - 6, y: y + BAR - 2, "text-anchor": "end" }, name));
-    for (const [begin, end, vertex] of runs(spans, first, clocks)) {
+    for (const [begin, end, vertex] of runs(spans, clocks)) {
       picture.append(svg("rect", { class: `v${vertex % COLOURS}`, x: x(begin), y, height: BAR,
         width: Math.max(0.5, x(end) - x(begin)) }));
     }

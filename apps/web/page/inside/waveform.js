@@ -5,6 +5,7 @@ import { svg } from "../dom.js";
 
 const [ROW, HIGH, LOW] = [24, 4, 18];
 const LETTER = 6.6;
+const CLOCK = 32;  // pixels
 
 function hexadecimal(bits) {
   if (/[xz]/i.test(bits)) return "x";
@@ -42,15 +43,27 @@ function wordTrace(parts, x, y) {
   });
 }
 
+/** Times of a clock: what lies between two rises of the first signal, if that is the clock. */
+function period({ name, changes }) {
+  const rises = changes.filter(([, bits]) => bits === "1");
+  return /clk$/.test(name) && rises.length > 1 ? rises[1][0] - rises[0][0] : 1;
+}
+
 /** Draws the last clocks into the element, as wide as it is. */
-export function drawWaveform(place, { signals, end }, shown = 32) {
+export function drawWaveform(place, { signals, begin, end }) {
+  if (signals.length === 0) {
+    place.replaceChildren();
+    return;
+  }
   const width = Math.max(280, place.clientWidth - 18);
-  const left = Math.min(150, 12 + 6.4 * Math.max(...signals.map(({ name }) => name.length), 4));
-  const from = Math.max(0, end - shown);
+  const left = Math.min(150, 12 + 6.4 * Math.max(...signals.map(({ name }) => name.length)));
+  const clock = period(signals[0]);
+  const clocks = Math.min(Math.max(8, Math.floor((width - left) / CLOCK)), Math.ceil((end - begin) / clock));
+  const from = end - clock * clocks;
   const x = (time) => left + (width - left - 6) * (time - from) / Math.max(end - from, 1);
-  const height = ROW * Math.max(signals.length, 1) + 6;
+  const height = ROW * signals.length + 6;
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img",
-    "aria-label": `The watched ports in the last ${end - from} clocks` });
+    "aria-label": `The watched ports in the last ${clocks} clocks` });
   signals.forEach((signal, row) => {
     const parts = stretches(signal, from, end);
     picture.append(svg("text", { x: left - 6, y: ROW * row + 15, "text-anchor": "end" }, signal.name),
