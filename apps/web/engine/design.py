@@ -12,6 +12,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import pathlib
 import sys
+from collections import Counter
 from dataclasses import dataclass
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -23,7 +24,8 @@ import drawing  # noqa: E402
 import elaborated  # noqa: E402
 import tables  # noqa: E402
 
-GENERATED = "Made from apps/web/engine/*.csv and the elaborated designs by design.py; changes here are lost."
+COLUMNS = ("id", "group", "module", "title", "from", "busy")
+GENERATED = "Made by apps/web/engine/design.py from tables and elaborated designs; changes here are lost."
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class Block:
     module: str
     title: str
     busy: str
+    sources: tuple  # the blocks that it gets something of
     count: int  # instances of the module, 1 where blocks share it
 
     @property
@@ -40,14 +43,22 @@ class Block:
         return f"{self.title}: {self.module}" + (f", {self.count} of them" if self.count > 1 else "")
 
 
+def _sources(text, there):
+    """Of "a|b c": the first of a and b that is there, and c if it is."""
+    found = ([name for name in one.split("|") if name in there][:1] for one in text.split())
+    return tuple(name for names in found for name in names)
+
+
 def blocks_of(tree):
     """The blocks that a design has."""
-    rows = [fields for _, fields in tables.read(HERE / "blocks.csv",
-                                                ("id", "group", "module", "title", "busy"))]
-    shared = {fields["module"] for fields in rows
-              if sum(other["module"] == fields["module"] for other in rows) > 1}
-    return [Block(**fields, count=1 if fields["module"] in shared else tree.counts[fields["module"]])
-            for fields in rows if tree.counts[fields["module"]] > 0]
+    rows = [fields for _, fields in tables.read(HERE / "blocks.csv", COLUMNS)
+            if tree.counts[fields["module"]] > 0]
+    there = [fields["id"] for fields in rows]
+    share = Counter(fields["module"] for fields in rows)
+    return [Block(fields["id"], fields["group"], fields["module"], fields["title"], fields["busy"],
+                  _sources(fields["from"], there),
+                  tree.counts[fields["module"]] if share[fields["module"]] == 1 else 1)
+            for fields in rows]
 
 
 def drawn(row, blocks):
