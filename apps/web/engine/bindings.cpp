@@ -2,9 +2,12 @@
 // then in a text of JSON, and positions in an array of floats.
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "design.hpp"
 #include "engine.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
@@ -62,6 +65,39 @@ Json json_of(const hwffd::Configuration& row) {
           {"formula_clocks", hwffd::expected_interval(row)}};
 }
 
+/// What a core has to show.
+Json json_of(hwffd::web::Engine& engine) {
+  Json blocks = Json::array();
+  for (const hwffd::web::Block& block : hwffd::web::design_of(engine.row()).blocks) {
+    blocks.push_back({{"id", block.id}, {"title", block.title}, {"module", block.module}});
+  }
+  Json ports = Json::array();
+  for (const hwffd::web::Port& port : hwffd::web::ports()) {
+    ports.push_back({{"name", port.name},
+                     {"width", engine.inside().signals().one(port.signal).width},
+                     {"description", port.description}});
+  }
+  return {{"core", engine.row().name}, {"blocks", std::move(blocks)}, {"ports", std::move(ports)}};
+}
+
+Json json_of(const hwffd::web::Snapshot& shown) {
+  Json lanes = Json::array();
+  for (const hwffd::organizations::Lane& lane : shown.lanes) {
+    Json spans = Json::array();
+    for (const auto& span : lane.spans) spans.push_back({span.begin, span.end, span.vertex});
+    lanes.push_back({{"name", lane.name}, {"spans", std::move(spans)}});
+  }
+  return {{"clock", shown.clock},
+          {"busy", shown.busy},
+          {"vertices", shown.vertices},
+          {"mismatches", shown.mismatches},
+          {"timeline",
+           {{"first_clock", shown.first_clock},
+            {"clocks", shown.clock - shown.first_clock},
+            {"lanes", std::move(lanes)}}},
+          {"ports", shown.ports}};
+}
+
 Json json_of(const std::optional<hwffd::web::Mismatch>& first) {
   if (!first) return nullptr;
   return {{"vertex", first->vertex},
@@ -98,7 +134,7 @@ int hwffd_cores() {
 int hwffd_open(const char* core) {
   return guarded([&](State& s) {
     s.engine.open(core);
-    s.text = Json{{"core", core}}.dump();
+    s.text = json_of(s.engine).dump();
   });
 }
 int hwffd_mesh() {
@@ -139,6 +175,34 @@ int hwffd_deform() {
                   {"saturated", deformed.saturated}}
                  .dump();
   });
+}
+
+/// Goes on by so many clocks, or where there are none until a vertex has come.
+int hwffd_inside(int clocks) {
+  return guarded([&](State& s) {
+    hwffd::web::Inside& inside = s.engine.inside();
+    if (clocks == 0) {
+      inside.run_vertex();
+    } else {
+      inside.run(clocks < 0 ? 0 : static_cast<std::uint64_t>(clocks));
+    }
+    s.text = json_of(inside.snapshot()).dump();
+  });
+}
+
+/// @param names  of ports, each behind the one before and a comma
+int hwffd_watch(const char* names) {
+  return guarded([&](State& s) {
+    std::istringstream list(names);
+    std::vector<std::string> wanted;
+    for (std::string name; std::getline(list, name, ',');) wanted.push_back(name);
+    s.engine.watch(wanted);
+    s.text = json_of(s.engine.inside().snapshot()).dump();
+  });
+}
+
+int hwffd_vcd() {
+  return guarded([](State& s) { s.text = s.engine.inside().vcd(); });
 }
 
 }  // extern "C"

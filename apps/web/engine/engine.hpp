@@ -10,6 +10,7 @@
 #include "hwffd/lattice/interleave.hpp"
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/model/stream_model.hpp"
+#include "inside.hpp"
 #include "running_core.hpp"
 
 namespace hwffd::web {
@@ -60,13 +61,22 @@ class Engine {
   /// Sends the mesh through core and model and compares all words.
   Deformed deform();
 
+  /// The inside of the core, to go on clock by clock with the mesh as it was deformed last.
+  Inside& inside();
+  /// Ports recorded from now on, of other cores too.
+  void watch(const std::vector<std::string>& names);
+
  private:
   void rest();
   void check_mesh() const;
+  /// The order in which vertices go to the core: by cells, where it keeps one.
+  std::vector<std::size_t> order() const;
 
   const Configuration* row_ = nullptr;
   std::unique_ptr<RunningCore> core_;
+  std::unique_ptr<Inside> inside_;
   std::unique_ptr<model::StreamModel> model_;
+  std::vector<std::string> watched_;
   Points positions_;
   std::optional<Box> box_;
   Index3 dims_{4, 4, 4};

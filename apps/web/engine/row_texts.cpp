@@ -11,7 +11,8 @@ namespace hwffd::web {
 std::string title_of(const Configuration& row) {
   const WordCodec codec(row.format);
   if (codec.is_float()) return fmt::format("{}, single precision", row.org);
-  return fmt::format("{}, {}-bit {}", row.org, std::string(row.format).substr(codec.is_block() ? 3 : 2),
+  return fmt::format("{}, {}-bit {}", row.org,
+                     std::string(row.format).substr(codec.is_block() ? 3 : 2),
                      codec.is_block() ? "block floating point" : "fixed point");
 }
 

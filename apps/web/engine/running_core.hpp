@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +26,11 @@ class RunningCore {
 
   /// Forgets what is inside and what is loaded.
   void reset();
-  /// One clock, in which a beat is offered where there is one and a result is taken where there is
-  /// one. The pins are those before the rising edge.
-  const cores::StreamPins& clock(const Beat* offered);
+  /// The first half of a clock, in which a beat is offered where there is one and a result is taken
+  /// where there is one: the pins, and all inside, before the rising edge.
+  const cores::StreamPins& settle(const Beat* offered);
+  /// The rising edge.
+  void edge();
   /// Sends commands and takes their results.
   /// @throws Error if no beat moves for a million clocks
   Answers run(const std::vector<Beat>& commands, std::size_t results);

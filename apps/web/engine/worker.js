@@ -7,6 +7,7 @@
 "use strict";
 
 const POINTS_AT_MOST = 200000; // vertices: engine.hpp, kMostVertices
+const CLOCKS_AT_MOST = 1000000; // inside.hpp, kMostClocks
 
 let engine = null;
 
@@ -55,10 +56,15 @@ function postDeformed() {
   post({ type: "deformed", ...JSON.parse(text()), seconds, positions: floats() });
 }
 
+function postState() {
+  const state = JSON.parse(text());
+  post({ type: "state", ...state, busy: Uint8Array.from(state.busy) });
+}
+
 const handlers = {
   open({ core }) {
     call("open", ["string"], [core]);
-    post({ type: "opened", ...JSON.parse(text()) });
+    post({ type: "opened", drawing: self.HWFFD_DRAWINGS[core], ...JSON.parse(text()) });
     if (!engine._hwffd_has_mesh()) return;
     postLattice();
     postDeformed();
@@ -87,6 +93,21 @@ const handlers = {
   fault({ on }) {
     call("fault", ["number"], [on ? 1 : 0]);
     postDeformed();
+  },
+  inside({ clocks, vertex }) {
+    if (!vertex && !(Number.isInteger(clocks) && clocks >= 1 && clocks <= CLOCKS_AT_MOST)) {
+      throw new Error(`clocks: ${clocks}; give a whole number from 1 to ${CLOCKS_AT_MOST}`);
+    }
+    call("inside", ["number"], [vertex ? 0 : clocks]);
+    postState();
+  },
+  watch({ ports }) {
+    call("watch", ["string"], [ports.join(",")]);
+    postState();
+  },
+  vcd() {
+    call("vcd");
+    post({ type: "vcd", text: text() });
   },
 };
 

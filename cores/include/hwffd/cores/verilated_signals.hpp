@@ -13,7 +13,11 @@ namespace hwffd::cores {
 
 /// Bytes in which a model keeps a word of so many bits.
 inline int storage_of(int width) {
-  return width <= 8 ? 1 : width <= 16 ? 2 : width <= 32 ? 4 : width <= 64 ? 8 : (width + 31) / 32 * 4;
+  return width <= 8    ? 1
+         : width <= 16 ? 2
+         : width <= 32 ? 4
+         : width <= 64 ? 8
+                       : (width + 31) / 32 * 4;
 }
 
 /// The visible signals of the model of a context, by instance, then by name; no memories. (All

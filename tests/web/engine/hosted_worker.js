@@ -10,6 +10,7 @@ const vm = require("vm");
 function host(folder) {
   const answers = [];
   const wanted = [];
+  let gone = []; // the answers up to the last that was wanted
   const deliver = (message) => {
     answers.push(message);
     for (const want of wanted.splice(0)) if (!want()) wanted.push(want);
@@ -26,7 +27,8 @@ function host(folder) {
     const look = () => {
       const place = answers.findIndex((answer) => answer.type === type || answer.type === "error");
       if (place < 0) return false;
-      resolve(answers.splice(0, place + 1)[place]);
+      gone = answers.splice(0, place + 1);
+      resolve(gone[place]);
       return true;
     };
     if (!look()) wanted.push(look);
@@ -38,6 +40,8 @@ function host(folder) {
   self.onmessage({ data: { type: "module", wasm } });
   return {
     next,
+    /** How many of that type came before the last answer that was wanted. */
+    passed: (type) => gone.filter((answer) => answer.type === type).length,
     send: (message) => self.onmessage({ data: message }),
     ask(message, type) {
       self.onmessage({ data: message });
