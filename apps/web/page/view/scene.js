@@ -10,12 +10,12 @@ const COLOURS = {
   dark: { ground: 0x12161b, mesh: 0x8296ab, line: 0x5d6873, point: 0xff8a5c, chosen: 0x7cc0ff },
 };
 
-const BUFFER = { alpha: false, preserveDrawingBuffer: true };
-
-/** Smooth edges where there is a graphics processor; a processor that draws would take three times as long. */
-function contextOf(canvas) {
-  return canvas.getContext("webgl", { ...BUFFER, antialias: true, failIfMajorPerformanceCaveat: true }) ??
-    canvas.getContext("webgl", { ...BUFFER, antialias: false }) ?? undefined;
+/** Pixels that are drawn for each of the screen's, along an axis: four for one smooth edges, where that costs little. */
+function fineness(renderer) {
+  const context = renderer.getContext();
+  const named = context.getExtension("WEBGL_debug_renderer_info");
+  const name = named ? context.getParameter(named.UNMASKED_RENDERER_WEBGL) : "";
+  return /swiftshader|llvmpipe|software|basic render/i.test(name) ? 1 : 2;
 }
 
 /** A round dot, since points are squares. */
@@ -59,7 +59,7 @@ export class Scene {
   /** @throws Error where the browser has no WebGL */
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, context: contextOf(canvas), ...BUFFER });
+    this.renderer = new THREE.WebGLRenderer({ canvas });
     this.renderer.debug.checkShaderErrors = false;  // which waits for the compiler of shaders, many times
     this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -86,7 +86,7 @@ export class Scene {
     this.light = new THREE.DirectionalLight(0xffffff, 0.75);
     this.scene.add(this.mesh, this.lines, this.points, this.chosen, this.light, this.light.target,
       new THREE.HemisphereLight(0xffffff, 0x667080, 0.55));
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(fineness(this.renderer));
   }
 
   paint() {
