@@ -80,8 +80,13 @@ def data(packages):
             "licences": licences(packages)}
 
 
+def in_data(value):
+    """JSON that cannot end the element that it stands in."""
+    return json.dumps(value, separators=(",", ":")).replace("<", "\\u003c")
+
+
 def in_script(text):
-    """Text that cannot end the element that it stands in."""
+    """A script that cannot end the element that it stands in."""
     return text.replace("</", "<\\/").replace("<!--", "<\\!--")
 
 
@@ -110,8 +115,8 @@ def page(engine, worker, plates):
         packages += ENGINE_PACKAGES
     if plates and "cat.3ds" in plates.read_text(encoding="utf-8"):
         packages.append("glmark2-data")
-    elements = [f'<script id="data-{name}" type="application/json">{in_script(json.dumps(value, separators=(",", ":")))}'
-                "</script>" for name, value in data(packages).items()]
+    elements = [f'<script id="data-{name}" type="application/json">{in_data(value)}</script>'
+                for name, value in data(packages).items()]
     elements += engine_elements(engine, worker)
     if plates:
         elements.append(packed("plates", plates))

@@ -126,6 +126,26 @@ def test_drag(opened, report, arguments):
         assert report["runs_per_s"] >= FEWEST_RUNS_PER_S
 
 
+def test_finger(chromium, file):
+    """A finger drags a point as the mouse does, and the page beside the picture still scrolls."""
+    width, height = WIDTHS["narrow"]
+    context = chromium.new_context(viewport={"width": width, "height": height}, has_touch=True, is_mobile=True,
+                                   color_scheme="light")
+    tab = Open(context, file.as_uri())
+    touch = context.new_cdp_session(tab.page)
+    x, y = max(tab.points_on_screen())
+    for kind, places in (("touchStart", [(x, y)]), ("touchMove", [(x - 12, y - 9)]), ("touchMove", [(x - 24, y - 18)]),
+                         ("touchEnd", [])):
+        touch.send("Input.dispatchTouchEvent",
+                   {"type": kind, "touchPoints": [{"x": one[0], "y": one[1]} for one in places]})
+        if kind == "touchStart":
+            before = tab.place()
+    tab.quiet()
+    assert tab.place() != before and tab.number("mismatches") == 0
+    assert not tab.errors
+    context.close()
+
+
 def test_fault(opened, report):
     opened.page.click("#fault")
     opened.until("Number(document.getElementById('mismatches').textContent.replaceAll(',', '')) > 0")
