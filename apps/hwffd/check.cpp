@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "outputs.hpp"
@@ -37,8 +38,7 @@ int run(const Options& options) {
   double first_volume = 0;
   for (const std::string& file : options.files) {
     const Lattice lattice = read_lattice(file);
-    family.check_dims(lattice.dims());
-    const FoldCheck check = check_folds(lattice, options.depth, family);
+    const FoldCheck check = check_folds(whole(lattice, family), options.depth, family);
     proved = proved && check.verdict == FoldCheck::Verdict::kProved;
     text += fmt::format("{} {}: {}, volume {:.6g}", file, dims_text(lattice.dims()), check.text(),
                         check.volume);

@@ -21,7 +21,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "hwffd COMMAND --help shows the options of a command, with examples. hwffd warp resamples a "
-      "volume, where the Python package is installed; any other NAME runs the program hwffd-NAME.");
+      "volume, where the Python package is installed; hwffd sim runs the simulated hardware, where "
+      "make sim has built it; any other NAME runs the program hwffd-NAME.");
   std::vector<std::pair<CLI::App*, command::Action>> commands;
   const auto add = [&](const char* name, const char* help, command::Action (*options)(CLI::App&)) {
     CLI::App* command = app.add_subcommand(name, help);

@@ -15,6 +15,7 @@
 #include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/shape.hpp"
@@ -157,11 +158,15 @@ Lattice rest_lattice(const StageText& text, const Points& points) {
   const Family family = family_of(text);
   if (!is_shape(text.lattice)) {
     Lattice read = read_lattice(text.lattice);
-    family.check_dims(read.dims());
+    whole_dims(read.dims(), family);
     return read;
   }
   std::optional<Index3> dims;
-  if (!text.dims.empty()) dims = parse_dims(text.dims, "--dims " + excerpt(text.dims));
+  if (!text.dims.empty()) {
+    dims = parse_dims(text.dims, "--dims " + excerpt(text.dims),
+                      family.takes_few() ? Lattice::kFewestPoints : Lattice::kMinPoints,
+                      Lattice::kMaxPoints);
+  }
   if (text.region.empty()) return lattice_around(text.lattice, points, dims, family);
   return lattice_around(text.lattice, parse_region(text.region), dims, family, 0.0);
 }
@@ -178,9 +183,10 @@ std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points
   std::vector<Stage> stages;
   for (const StageText& text : texts) {
     const Family family = family_of(text);
-    Lattice rest = rest_lattice(text, points);
+    const Lattice given = rest_lattice(text, points);
+    Lattice rest = whole(given, family);
     const FoldCheck folds = check_rest(text.lattice, rest, family);
-    Lattice deformed = deformed_lattice(text, rest);
+    Lattice deformed = whole(deformed_lattice(text, given), family);
     stages.push_back({text.lattice, family, std::move(rest), std::move(deformed), folds});
   }
   return stages;

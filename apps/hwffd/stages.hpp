@@ -57,7 +57,7 @@ class StageOptions {
 /// @throws UsageError for one that is unknown
 Family family_of(const StageText& text);
 
-/// The lattice at rest.
+/// The lattice at rest; of few points an axis where the text or its file says so (few_points.hpp).
 /// @param points  what a shape holds if the text gives no region
 /// @throws UsageError, Error for a text, file or lattice that is no good
 Lattice rest_lattice(const StageText& text, const Points& points);
@@ -65,7 +65,7 @@ Lattice rest_lattice(const StageText& text, const Points& points);
 /// The lattice with the deformations of the text, in order.
 Lattice deformed_lattice(const StageText& text, const Lattice& rest);
 
-/// All stages of a command, checked.
+/// All stages of a command, checked; their lattices have four points and more along each axis.
 /// @throws Error for a lattice at rest that folds
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points);
 

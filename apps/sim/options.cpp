@@ -128,7 +128,8 @@ Options parse_options(int argc, char** argv) {
         "-DHWFFD_TRACE=ON");
   }
   options.seed = seed_of(text.seed);
-  options.lattice = parse_dims(text.lattice, "LATTICE=" + text.lattice, kAxisPoints);
+  options.lattice =
+      parse_dims(text.lattice, "LATTICE=" + text.lattice, Lattice::kMinPoints, kAxisPoints);
   options.rows = rows_of(text);
   if (options.stream == kDmaStream) options.rows = dma_rows_of(options.rows);
   options.deformations = {text.deform};

@@ -1,4 +1,5 @@
-"""Registers that reset clears, found by yosys: those that are constants while it lasts, and only then.
+"""Registers that reset clears, found by yosys: those that are constants while it lasts, and only then,
+in modules that have a reset.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -9,6 +10,7 @@ import re
 import rtl
 
 RESET = "aresetn"  # 0 while it lasts
+RESETS = ("rst", RESET)  # of the modules below a top
 DEEP = 4  # (SETTLING of the benches) registers behind each other, each of which is a constant because of the one before
 # Bits below the first of these delays are beside a valid, which is that one, and known while it is 1.
 _BESIDE = re.compile(r"_valid\.gen_stage\[\d+\]\.data_q$")
@@ -21,12 +23,12 @@ class RegisterError(Exception):
     """A design whose registers are not found, in one line."""
 
 
-def steps(sources, top, parameters, free, held):
-    """The steps of yosys: a flat design as it is, and with a reset that does not end."""
+def steps(sources, top, parameters, tree, free, held):
+    """The steps of yosys: the design by modules, flat as it is, and flat with a reset that does not end."""
     folders = " ".join(f"-I {folder}" for folder in sources.includes)
     given = "".join(f" -chparam {name} {value}" for name, value in parameters.items())
     return [f"read_verilog {folders} {' '.join(sources.needed(top))}",
-            f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", "flatten",
+            f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", f"write_json {tree}", "flatten",
             f"write_json {free}", f"delete -input {top}/{RESET}", "setundef -undriven -zero",
             *["opt_expr", "opt_expr", "opt_dff -nodffe -nosdff"] * DEEP, f"write_json {held}"]
 
@@ -39,11 +41,30 @@ def _bits(module):
             for place, bit in enumerate(wire["bits"])}
 
 
-def cleared(free, held):
+def without_reset(modules, top):
+    """How names begin of what lies in instances whose module has no reset: what such a module keeps is
+    data, whose valid is elsewhere."""
+    prefixes = []
+    for name, cell in modules[top]["cells"].items():
+        kind = modules.get(cell["type"])
+        if kind is None:
+            continue
+        below = [f"{name}.{prefix}" for prefix in without_reset(modules, cell["type"])]
+        prefixes += below if set(RESETS) & set(kind["ports"]) else [f"{name}.", *below]
+    return tuple(prefixes)
+
+
+def _flattened(name):
+    """A cell's name from the top on, as simulators would have it."""
+    return name.removeprefix("$flatten").replace("\\", "")
+
+
+def cleared(free, held, data=()):
     """{name: its bits, from the lowest on} of the registers of a flat module, without and with a reset
-    that lasts: the shortest name of each bit, that of a register where there is one. Raises
-    RegisterError."""
-    outputs = {bit for cell in free["cells"].values() if cell["type"] == "$dff"
+    that lasts: the shortest name of each bit, that of a register where there is one. Those whose own
+    names begin as `data` says are none. Raises RegisterError."""
+    outputs = {bit for name, cell in free["cells"].items()
+               if cell["type"] == "$dff" and not _flattened(name).startswith(data)
                for bit in cell["connections"]["Q"]}
     lasting = _bits(held)
     names = {}
@@ -61,14 +82,14 @@ def cleared(free, held):
 
 def find(sources, top, parameters, folder):
     """cleared() of a top with its parameters. Raises RegisterError."""
-    files = [folder / f"{name}.json" for name in ("free", "held")]
+    files = [folder / f"{name}.json" for name in ("tree", "free", "held")]
     status, said = rtl.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
     if status:
         raise RegisterError(f"yosys: {said.strip().splitlines()[-1]}")
-    modules = [json.loads(path.read_text(encoding="utf-8"))["modules"][top] for path in files]
+    tree, free, held = (json.loads(path.read_text(encoding="utf-8"))["modules"] for path in files)
     for path in files:
         path.unlink()
-    return cleared(*modules)
+    return cleared(free[top], held[top], without_reset(tree, top))
 
 
 def _split(name, places):

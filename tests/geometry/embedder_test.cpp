@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -319,6 +320,21 @@ TEST(NearestPlace, KnownPlaces) {
   const NearestPlace ball(Sphere(Point(5, 0, 0), kUnit).lattice({4, 6, 11}));
   EXPECT_NEAR(ball.find(Point(5, 7, 0)).distance, 6.0, 0.02);
   EXPECT_LT((ball.find(Point(5, 7, 0)).point - Point(5, 1, 0)).norm(), 0.02);
+}
+
+/// Layers that repeat close a B-spline; an axis with clamped knots ends at its first layer all the
+/// same.
+TEST(NearestPlace, ClampedAxesEndWhereBsplinesClose) {
+  const std::array<double, 7> repeating{0, 1, 2, 3, 0, 1, 2};
+  Points points(7 * 6 * 6, 3);
+  for (int row = 0; row < points.rows(); ++row) {
+    points.row(row) << repeating[static_cast<std::size_t>(row / 36)], row / 6 % 6, row % 6;
+  }
+  const NearestPlace nearest(Lattice({7, 6, 6}, points), Family(Family::Kind::kClamped));
+  const NearestPlace::Result found = nearest.find(Point(-1, 2.5, 2.5));
+  EXPECT_NEAR(found.distance, 1.0, 1e-6);
+  EXPECT_EQ(found.at.cell, (Index3{0, 1, 1}));
+  EXPECT_EQ(found.at.local[0], 0.0);
 }
 
 /// The nearest places of a convex shape are no further apart than the points: also across cells and

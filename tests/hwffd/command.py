@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import itertools
 import json
 import pathlib
 import sys
@@ -33,14 +34,14 @@ f 3/1 4/2 6/3
 """
 
 
-def lattice(point):
-    points = [point(i, j, k) for i in range(4) for j in range(4) for k in range(4)]
-    return json.dumps({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": points})
+def lattice(point, dims=(4, 4, 4)):
+    points = [point(*at) for at in itertools.product(*map(range, dims))]
+    return json.dumps({"hwffd_lattice": 1, "dims": dims, "points": points})
 
 
 FLAT = lattice(lambda i, j, k: [i, j, 0])
 LATTICES = {"folded.json": lattice(lambda i, j, k: [-2 if i == 3 else i, j, k]),
-            "flat.json": FLAT, "junk.json": FLAT + "\0junk",
+            "flat.json": FLAT, "few.json": lattice(lambda *at: at, (2, 3, 2)), "junk.json": FLAT + "\0junk",
             "twice.json": FLAT.replace("{", '{"dims": [5, 5, 5], ', 1),
             "huge.json": lattice(lambda *at: [x * 1e154 for x in at])}
 

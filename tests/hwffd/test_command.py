@@ -204,6 +204,21 @@ class Command(CommandTest):
             self.assertIn("proved", self.good("check", "lattice.json", "--family", family))
         self.assertEqual(len({tuple(moved[key]) for key in moved}), len(moved))
 
+    def test_few_points(self):
+        """A cube whose corner is pulled takes what it holds along by trilinear weights."""
+        pull = ("--dims", "2x2x2", "--region", "0,0,0,1,1,1", "--deform", "move:1,1,1:0.5,0,0")
+        corner = (0.3, 0.6, 0.9)
+        (self.folder / "one.obj").write_text("v {} {} {}\nv 0 0 0\nv 1 1 1\nf 1 2 3\n".format(
+            *corner))
+        for family in ("bernstein", "catmull-rom", "linear"):
+            self.good("deform", "one.obj", "--family", family, *pull, "--device", "reference",
+                      "-o", "out.obj")
+            wanted = (corner[0] + 0.5 * corner[0] * corner[1] * corner[2], *corner[1:])
+            self.assert_near([vertices(self.text("out.obj"))[0]], [wanted], places=6)
+            self.good("lattice", "--family", family, *pull, "-o", "few.json")
+            self.assertEqual(json.loads(self.text("few.json"))["dims"], [2, 2, 2])
+            self.assertIn("proved", self.good("check", "few.json", "--family", family))
+
     def test_groups_and_masks(self):
         whole = ("deform", "solid.obj", "--deform", "scale:2", "--device", "reference",
                  "-o", "out.obj")

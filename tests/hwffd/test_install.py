@@ -152,6 +152,11 @@ class Programs(Installed):
             run("sh", "-c", line, cwd=self.folder, env=dict(os.environ, PATH=path))
             self.assertTrue((self.folder / line.split()[-1]).is_file(), line)
 
+    @unittest.skipUnless((BUILD / "apps" / "hwffd-sim").is_file(), "hwffd-sim is not built")
+    def test_sim_is_a_command(self):
+        said = run(self.prefix / "bin" / "hwffd", "sim", "--help", cwd=self.folder)
+        self.assertIn("Usage: hwffd-sim", said)
+
     def core(self, components):
         """A project in C for which neither OpenGL nor Eigen is there; the words that build it."""
         source = self.folder / components.replace(" ", "-")

@@ -37,6 +37,7 @@ void check_grid(const Grid& grid, const Index3& dims) {
 
 /// @throws Error for a vertex that the lattice has no place for
 void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
+  Lattice::check_dims(lattice.dims());
   const Index3 cells = lattice.cells();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!vertices[v].local.allFinite()) {

@@ -16,18 +16,23 @@
 namespace hwffd::web {
 namespace {
 
-/// Counts the words of the core that differ from the model's.
-void compare(Deformed& deformed, const std::vector<Beat>& rtl, const std::vector<Beat>& model) {
-  deformed.words = 4 * model.size();
+constexpr std::size_t kBatch = 65'536;  // vertices at once: a multiple of kPacketVertices
+
+/// Counts the words of the core that differ from the model's, of these vertices.
+void compare(Deformed& deformed, const std::vector<std::size_t>& vertices,
+             const std::vector<Beat>& rtl, const std::vector<Beat>& model) {
+  deformed.words += 4 * model.size();
   for (std::size_t v = 0; v < model.size(); ++v) {
     for (int word = 0; word < 4; ++word) {
       const std::uint32_t got = rtl[v].words[word];
       const std::uint32_t expected = model[v].words[word];
       if (got == expected) continue;
-      if (deformed.mismatches++ == 0) deformed.first = Mismatch{v, word, got, expected};
+      if (deformed.mismatches++ == 0) deformed.first = Mismatch{vertices[v], word, got, expected};
     }
   }
 }
+
+bool is_saturated(const Beat& result) { return (result.words[3] & kStatusSaturated) != 0; }
 
 }  // namespace
 
@@ -70,6 +75,11 @@ void Engine::rest() {
   embedded_ = box_->embed(dims_, positions_);
 }
 
+const Lattice& Engine::lattice() const {
+  check_mesh();
+  return *lattice_;
+}
+
 void Engine::set_points(const Points& points) {
   check_mesh();
   lattice_ = Lattice(dims_, points);
@@ -100,40 +110,51 @@ std::vector<std::size_t> Engine::order() const {
   return order;
 }
 
+Traffic Engine::deform(std::vector<std::size_t> vertices, const StreamWords& words,
+                       std::vector<Beat> commands, Deformed& deformed) {
+  std::vector<Embedded> embedded;
+  embedded.reserve(vertices.size());
+  for (const std::size_t vertex : vertices) embedded.push_back(embedded_[vertex]);
+  std::vector<Beat> packets = vertices_packets(vertex_beats(embedded, words.codec));
+  append(commands, packets);
+  std::vector<Beat> expected = model_->run(commands);
+  const Answers answers = core_->run(commands, expected.size());
+  compare(deformed, vertices, answers.beats, expected);
+  const Points positions = positions_of(answers.beats, words.codec, words.normalization);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    deformed.positions.row(static_cast<Eigen::Index>(vertices[v])) =
+        positions.row(static_cast<Eigen::Index>(v));
+  }
+  if (deformed.clocks == 0) deformed.first_result = answers.first;
+  deformed.clocks += answers.clocks;
+  deformed.saturated += static_cast<std::uint64_t>(
+      std::count_if(answers.beats.begin(), answers.beats.end(), is_saturated));
+  return {std::move(packets), std::move(expected), std::move(vertices)};
+}
+
 Deformed Engine::deform() {
   check_mesh();
   if (core_ == nullptr) throw Error("mesh: there is no core to deform it; open one first");
   const WordCodec codec(row_->format);
-  const Normalization normalization = Normalization::of(*lattice_, codec);
+  const StreamWords words{codec, Normalization::of(*lattice_, codec)};
   if (inside_->begun()) core_->reset();
   std::vector<Beat> commands = coefficients_packet(watertight_bspline(codec), codec);
-  append(commands, lattice_packet(lattice_words(*lattice_, codec, normalization)));
-  std::vector<std::size_t> sent = order();
-  std::vector<Embedded> embedded;
-  embedded.reserve(sent.size());
-  for (const std::size_t vertex : sent) embedded.push_back(embedded_[vertex]);
-  std::vector<Beat> vertices = vertices_packets(vertex_beats(embedded, codec));
-  append(commands, vertices);
-  std::vector<Beat> expected = model_->run(commands);
-  const Answers answers = core_->run(commands, expected.size());
-
+  append(commands, lattice_packet(lattice_words(*lattice_, codec, words.normalization)));
+  const std::vector<std::size_t> all = order();
   Deformed deformed;
-  compare(deformed, answers.beats, expected);
-  if (deformed.first) deformed.first->vertex = sent[deformed.first->vertex];
-  const Points positions = positions_of(answers.beats, codec, normalization);
-  deformed.positions.resizeLike(positions);
-  for (std::size_t v = 0; v < sent.size(); ++v) {
-    deformed.positions.row(static_cast<Eigen::Index>(sent[v])) =
-        positions.row(static_cast<Eigen::Index>(v));
+  deformed.positions.resizeLike(positions_);
+  std::optional<Traffic> first;
+  for (auto next = all.begin(); next != all.end();) {
+    const auto end = next + std::min<std::ptrdiff_t>(all.end() - next, kBatch);
+    Traffic traffic = deform({next, end}, words, std::move(commands), deformed);
+    commands.clear();
+    if (!first) first = std::move(traffic);
+    next = end;
   }
-  deformed.clocks = answers.clocks;
-  const std::size_t gaps = std::max<std::size_t>(expected.size(), 2) - 1;
+  const std::size_t gaps = std::max<std::size_t>(all.size(), 2) - 1;
   deformed.clocks_per_vertex =
-      static_cast<double>(answers.clocks - answers.first) / static_cast<double>(gaps);
-  deformed.saturated = static_cast<std::uint64_t>(
-      std::count_if(answers.beats.begin(), answers.beats.end(),
-                    [](const Beat& beat) { return (beat.words[3] & kStatusSaturated) != 0; }));
-  inside_->begin({std::move(vertices), std::move(expected), std::move(sent)});
+      static_cast<double>(deformed.clocks - deformed.first_result) / static_cast<double>(gaps);
+  inside_->begin(std::move(*first));
   return deformed;
 }
 

@@ -15,8 +15,8 @@
 
 namespace hwffd::web {
 
-/// Vertices of a mesh, at most: what the core takes some seconds for in a browser.
-constexpr std::size_t kMostVertices = 200'000;
+/// Vertices of a mesh, at most: what takes the fastest core some 20 seconds in a browser.
+constexpr std::size_t kMostVertices = 2'000'000;
 
 /// The first word of the core that is not the model's.
 struct Mismatch {
@@ -31,9 +31,10 @@ struct Deformed {
   std::uint64_t words = 0;
   std::uint64_t mismatches = 0;
   std::optional<Mismatch> first;
-  std::uint64_t clocks = 0;      ///< with the loading of the lattice
-  double clocks_per_vertex = 0;  ///< between results
-  std::uint64_t saturated = 0;   ///< vertices with a coordinate beyond what the format holds
+  std::uint64_t clocks = 0;        ///< with the loading of the lattice
+  std::uint64_t first_result = 0;  ///< the clock in which it came
+  double clocks_per_vertex = 0;    ///< between results
+  std::uint64_t saturated = 0;     ///< vertices with a coordinate beyond what the format holds
 };
 
 /// What stands behind the live page: a mesh in a box lattice, a simulated core that deforms it, and
@@ -55,7 +56,8 @@ class Engine {
   void set_fault(bool on);
 
   bool has_mesh() const { return box_.has_value(); }
-  const Lattice& lattice() const { return *lattice_; }
+  /// As it is now. Throws Error where there is no mesh.
+  const Lattice& lattice() const;
   const Configuration& row() const { return *row_; }
 
   /// Sends the mesh through core and model and compares all words.
@@ -71,6 +73,15 @@ class Engine {
   void check_mesh() const;
   /// The order in which vertices go to the core: by cells, where it keeps one.
   std::vector<std::size_t> order() const;
+
+  /// How coordinates become words of the stream.
+  struct StreamWords {
+    WordCodec codec;
+    Normalization normalization;
+  };
+  /// Sends some vertices behind commands, and adds what comes back. Returns what was sent of them.
+  Traffic deform(std::vector<std::size_t> vertices, const StreamWords& words,
+                 std::vector<Beat> commands, Deformed& deformed);
 
   const Configuration* row_ = nullptr;
   std::unique_ptr<RunningCore> core_;

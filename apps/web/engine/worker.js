@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
 
-const POINTS_AT_MOST = 200000; // vertices: engine.hpp, kMostVertices
+const POINTS_AT_MOST = 2000000; // vertices: engine.hpp, kMostVertices
 const CLOCKS_AT_MOST = 1000000; // inside.hpp, kMostClocks
 
 let engine = null;

@@ -2,6 +2,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/shape.hpp"
 
 namespace hwffd {
@@ -26,9 +27,9 @@ Lattice lattice_around(const std::string& shape, const Points& points, const Ind
 
 Lattice lattice_around(const std::string& shape, const Points& points,
                        const std::optional<Index3>& dims, const Family& family, double room) {
-  if (dims) Lattice::check_dims(*dims);
-  const Index3 cells = dims ? family.bspline_dims(*dims) : usual_dims(shape);
-  return family.from_bspline(lattice_around(shape, points, cells, room));
+  if (!dims) return family.from_bspline(lattice_around(shape, points, usual_dims(shape), room));
+  const Index3 cells = family.bspline_dims(whole_dims(*dims, family));
+  return thinned(family.from_bspline(lattice_around(shape, points, cells, room)), *dims, family);
 }
 
 }  // namespace hwffd

@@ -94,6 +94,7 @@ Closure::Closure(const Lattice& lattice) : dims_(lattice.dims()) {
       kSame * (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
   const Layers layers(dims_);
   for (int axis = 0; axis < 3; ++axis) {
+    if (layers.size(axis) < Lattice::kMinPoints) continue;  // it has no cells to join
     closed_[static_cast<std::size_t>(axis)] = is_closed(layers, points, axis, tolerance);
     for (int end = 0; end < 2; ++end) {
       for (int other = 1; other < 3; ++other) {

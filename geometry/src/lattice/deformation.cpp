@@ -40,7 +40,12 @@ Index3 first_place(Index3 place, const Lattice& lattice, const Closure& closure)
 }
 
 /// The lowest and the highest corner of a cell along an axis: what a shape holds is between them.
+/// Of a lattice of few points (few_points.hpp) those of its points.
 std::array<double, 2> reach_of_cells(const Lattice& lattice, int axis) {
+  if (places(lattice.cells()).empty()) {
+    const auto along = lattice.points().col(axis);
+    return {along.minCoeff(), along.maxCoeff()};
+  }
   const Oracle oracle;
   std::array<double, 2> reach{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};

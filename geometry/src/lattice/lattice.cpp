@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/coordinates.hpp"
 
@@ -15,16 +17,22 @@ std::vector<Index3> places(const Index3& counts) {
   return all;
 }
 
-void Lattice::check_dims(const Index3& dims) {
+void Lattice::check_dims(const Index3& dims, int least) {
   for (const int n : dims) {
-    if (n >= kMinPoints && n <= kMaxPoints) continue;
+    if (n >= least && n <= kMaxPoints) continue;
     throw Error(fmt::format("lattice of {} x {} x {} points: each axis takes {} to {} points",
-                            dims[0], dims[1], dims[2], kMinPoints, kMaxPoints));
+                            dims[0], dims[1], dims[2], least, kMaxPoints));
   }
 }
 
+Index3 Lattice::cells() const {
+  Index3 result = dims_;
+  for (int& n : result) n = std::max(0, n - 3);
+  return result;
+}
+
 Lattice::Lattice(const Index3& dims, Points points) : dims_(dims), points_(std::move(points)) {
-  check_dims(dims);
+  check_dims(dims, kFewestPoints);
   const Eigen::Index expected = static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2];
   if (points_.rows() != expected) {
     throw Error(fmt::format("lattice of {} x {} x {} points: {} points given; give {}", dims[0],

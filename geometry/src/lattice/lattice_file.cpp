@@ -42,7 +42,7 @@ void check_names(const Json& object, std::initializer_list<const char*> known) {
 }
 
 Index3 read_dims(const Json& object) {
-  const char* const cure = "three integers from 4 to 64, points along s, t and u";
+  const char* const cure = "three integers from 2 to 64, points along s, t and u";
   const Json& value = entry(object, "dims", cure);
   Index3 dims{};
   bool good = value.is_array() && value.size() == 3;
@@ -51,7 +51,7 @@ Index3 read_dims(const Json& object) {
     if (good) dims[a] = value[a].get<int>();
   }
   if (!good) throw Error(fmt::format("lattice file: 'dims' is not {}", cure));
-  Lattice::check_dims(dims);
+  Lattice::check_dims(dims, Lattice::kFewestPoints);
   return dims;
 }
 

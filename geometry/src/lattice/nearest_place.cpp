@@ -52,6 +52,7 @@ NearestPlace::NearestPlace(const Lattice& lattice, const Family& family)
       box_(family.regular() ? Box::of(lattice) : std::nullopt),
       centre_(middle_of(lattice.points())),
       lattice_(relative_to(centre_, lattice)) {
+  family.check_dims(lattice.dims());
   if (box_ && !has_right_angles(*box_)) box_.reset();
   if (box_) return;
   const Closure closure(lattice);

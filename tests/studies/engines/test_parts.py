@@ -21,10 +21,15 @@ SOURCE = """module {top} (input wire aclk, input wire aresetn, input wire d_i, o
   reg [1:0] state_q;
   reg       data_q;
   reg       late_q;
+  wire      kept;
+  {top}_data u_data (.aclk(aclk), .d_i(state_q[1]), .q_o(kept));
   always @(posedge aclk) state_q <= rst ? 2'd2 : {{state_q[0], d_i}};
   always @(posedge aclk) data_q <= d_i;
   always @(posedge aclk) late_q <= state_q[1];
-  assign q_o = data_q ^ late_q;
+  assign q_o = data_q ^ late_q ^ kept;
+endmodule
+module {top}_data (input wire aclk, input wire d_i, output reg q_o);
+  always @(posedge aclk) q_o <= d_i;
 endmodule
 """
 

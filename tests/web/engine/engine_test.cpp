@@ -247,16 +247,30 @@ TEST(Engine, AMeshIsDeformedAfterALookInside) {
   EXPECT_EQ(after.positions, before);
 }
 
+TEST(Engine, ALargeMeshGoesInSeveralBatches) {
+  Engine engine;
+  engine.open("basic-fx18-overlapped");
+  engine.set_mesh(cloud(70'000));
+  const Deformed deformed = engine.deform();
+  EXPECT_EQ(deformed.words, 4U * 70'000);
+  EXPECT_EQ(deformed.mismatches, 0U);
+  EXPECT_LT((deformed.positions - cloud(70'000)).cwiseAbs().maxCoeff(), 1e-3);
+  engine.inside().run(1000);
+  EXPECT_EQ(engine.inside().snapshot().mismatches, 0U);
+}
+
 TEST(Engine, BadInputIsRefusedInASentence) {
   Engine engine;
   EXPECT_EQ(error_of([&] { engine.deform(); }),
+            "lattice: there is no mesh that it is around; give one first");
+  EXPECT_EQ(error_of([&] { engine.lattice(); }),
             "lattice: there is no mesh that it is around; give one first");
   EXPECT_EQ(error_of([&] { engine.inside(); }), "core: there is none; open one first");
   EXPECT_THROW(engine.open("basic-fx99"), std::invalid_argument);
   EXPECT_EQ(error_of([&] { engine.set_mesh(Points(0, 3)); }),
             "mesh: it has no vertices; take one that has some");
   EXPECT_EQ(error_of([&] { engine.set_mesh(Points::Zero(5'000'000, 3)); }),
-            "mesh: it has 5000000 vertices; take one with 200000 at most");
+            "mesh: it has 5000000 vertices; take one with 2000000 at most");
   Points points = cloud(4);
   points(2, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(error_of([&] { engine.set_mesh(points); }),

@@ -25,6 +25,7 @@ Lattice lattice_around(const std::string& shape, const Points& points, const Ind
 
 /// The same of a family, with the map at rest of the B-spline lattice that has as many cells.
 /// @param dims  points an axis; without them cells as usual_dims() has them
+///   (few_points.hpp: 2 and 3 are some)
 /// @throws Error also for dims that the family cannot have
 Lattice lattice_around(const std::string& shape, const Points& points,
                        const std::optional<Index3>& dims, const Family& family,

@@ -39,7 +39,10 @@ class Family {
   /// points then make the box that they make as B-splines.
   bool regular() const { return kind_ != Kind::kClamped && kind_ != Kind::kBernstein; }
 
-  /// @throws Error for points an axis that the family cannot have
+  /// Whether an axis may have 2 or 3 points (few_points.hpp).
+  bool takes_few() const { return kind_ != Kind::kBspline && kind_ != Kind::kClamped; }
+
+  /// @throws Error for points an axis that the family cannot evaluate
   void check_dims(const Index3& dims) const;
   /// Cells along each axis of a lattice with that many points.
   Index3 cells(const Index3& dims) const;

@@ -18,20 +18,22 @@ std::vector<Index3> places(const Index3& counts);
 /// and regular points it fills the space between the points c+1 and c+2.
 class Lattice {
  public:
-  static constexpr int kMinPoints = 4;
+  static constexpr int kFewestPoints = 2;  ///< of families that take them (few_points.hpp)
+  static constexpr int kMinPoints = 4;     ///< with a cell
   static constexpr int kMaxPoints = 64;
 
-  /// @param dims points an axis, each 4 to 64
+  /// @param dims points an axis, each 2 to 64
   /// @param points dims[0]*dims[1]*dims[2] x 3, in the order above
   /// @throws Error for dimensions out of range, a wrong number of points, or a point that is not
   ///   finite or beyond kLargestCoordinate
   Lattice(const Index3& dims, Points points);
 
-  /// Throws the Error of the constructor if dims is out of range.
-  static void check_dims(const Index3& dims);
+  /// Throws Error unless each axis has `least` to 64 points; with four it has a cell.
+  static void check_dims(const Index3& dims, int least = kMinPoints);
 
   const Index3& dims() const { return dims_; }
-  Index3 cells() const { return {dims_[0] - 3, dims_[1] - 3, dims_[2] - 3}; }
+  /// Cells along each axis; 0 along one of 2 or 3 points.
+  Index3 cells() const;
 
   /// All points, n x 3, in the order of index().
   const Points& points() const { return points_; }
