@@ -63,7 +63,7 @@ function postState() {
 
 const handlers = {
   open({ core }) {
-    call("open", ["string"], [core]);
+    call("open", ["string"], [String(core)]);
     post({ type: "opened", drawing: self.HWFFD_DRAWINGS[core], ...JSON.parse(text()) });
     if (!engine._hwffd_has_mesh()) return;
     postLattice();
@@ -76,7 +76,10 @@ const handlers = {
     postDeformed();
   },
   dims({ dims }) {
-    call("dims", ["number", "number", "number"], [...dims]);
+    if (!Array.isArray(dims) || dims.length !== 3 || !dims.every(Number.isInteger)) {
+      throw new Error("dims: not three whole numbers; give points along s, t and u, 4 to 16");
+    }
+    call("dims", ["number", "number", "number"], dims);
     postLattice();
     postDeformed();
   },
@@ -86,7 +89,7 @@ const handlers = {
     postDeformed();
   },
   shape({ deformation }) {
-    call("shape", ["string"], [deformation]);
+    call("shape", ["string"], [String(deformation ?? "")]);
     postLattice();
     postDeformed();
   },
@@ -102,6 +105,7 @@ const handlers = {
     postState();
   },
   watch({ ports }) {
+    if (!Array.isArray(ports)) throw new Error("ports: not a list; give names of opened.ports");
     call("watch", ["string"], [ports.join(",")]);
     postState();
   },

@@ -32,9 +32,12 @@ async function testBadInput(worker) {
   await error(worker, { type: "mesh", positions: new Float32Array(3 * 5000000) }, "5000000 points");
   await error(worker, { type: "mesh", positions: new Float32Array([0, 0, NaN]) }, "not finite");
   await error(worker, { type: "dims", dims: [3, 4, 4] }, "take 4 to 16");
+  await error(worker, { type: "dims", dims: [4, 4] }, "not three whole numbers");
+  await error(worker, { type: "dims" }, "not three whole numbers");
   await error(worker, { type: "shape", deformation: "twist:x" }, "twist:x");
   await error(worker, { type: "inside", clocks: -1 }, "clocks");
   await error(worker, { type: "watch", ports: ["nothing"] }, "nothing");
+  await error(worker, { type: "watch" }, "not a list");
   await error(worker, { type: "nonsense" }, "nonsense");
 }
 
