@@ -122,10 +122,10 @@ const ANSWERS = {
     state.core = CORES.find(({ name }) => name === core);
     state.clock = 0;
     opened();
-    if (state.positions) { lattice(); deformed(); } else postMessage({ type: "lattice", dims: state.dims, points: new Float32Array(192) });
+    if (state.positions) { lattice(); deformed(); }
   },
   mesh: ({ positions }) => { state.positions = positions; box(); lattice(); deformed(); },
-  dims: ({ dims }) => { state.dims = dims; box(); lattice(); deformed(); },
+  dims: ({ dims }) => { state.dims = dims; if (state.positions) { box(); lattice(); deformed(); } },
   points: ({ points }) => { state.points = points; deformed(); },
   shape: ({ deformation }) => { shape(deformation); lattice(); deformed(); },
   fault: ({ on }) => { state.fault = on; deformed(); },

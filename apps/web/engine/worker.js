@@ -80,6 +80,7 @@ const handlers = {
       throw new Error("dims: not three whole numbers; give points along s, t and u, 4 to 16");
     }
     call("dims", ["number", "number", "number"], dims);
+    if (!engine._hwffd_has_mesh()) return;
     postLattice();
     postDeformed();
   },

@@ -1,12 +1,12 @@
 // The panel "RTL against model": what the last run of the mesh through the core counted.
 // SPDX-License-Identifier: Apache-2.0
 
-import { byId, count, number } from "./dom.js";
+import { byId, count, number, paced } from "./dom.js";
 
 export class Comparison {
   constructor(engine) {
     this.engine = engine;
-    engine.on("deformed", (run) => this.show(run));
+    engine.on("deformed", paced((run) => this.show(run)));
     engine.on("busy", () => byId("compare").setAttribute("aria-busy", engine.isBusyWith("deformed")));
     this.button = byId("fault");
     this.button.addEventListener("click", () => this.toggleFault());

@@ -38,6 +38,23 @@ export function save(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
+/** A function that does what it is asked for last, at most once in so many milliseconds: figures that can be read. */
+export function paced(does, pause = 120) {
+  let timer = null;
+  let waiting = null;
+  const next = () => {
+    timer = null;
+    if (waiting === null) return;
+    does(...waiting);
+    waiting = null;
+    timer = setTimeout(next, pause);
+  };
+  return (...given) => {
+    waiting = given;
+    if (timer === null) next();
+  };
+}
+
 const whole = new Intl.NumberFormat("en-US", { maximumFractionDigits: 0 });
 const short = new Intl.NumberFormat("en-US", { maximumSignificantDigits: 4 });
 

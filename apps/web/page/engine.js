@@ -2,7 +2,8 @@
 // drag is left out because a newer place of the point is known already.
 // SPDX-License-Identifier: Apache-2.0
 
-// The message that ends the answer to each.
+// The message that ends the answer to each, and what does where there is no mesh yet.
+const WITHOUT_MESH = { open: "opened", dims: null };
 const LAST = {
   open: "deformed", mesh: "deformed", dims: "deformed", points: "deformed", shape: "deformed",
   fault: "deformed", inside: "state", watch: "state", vcd: "vcd",
@@ -25,8 +26,8 @@ export class Engine extends EventTarget {
   /** Sends a message; its answer comes as events. */
   send(message, transfer = []) {
     if (message.type === "mesh") this.hasMesh = true;
-    const last = message.type === "open" && !this.hasMesh ? "lattice" : LAST[message.type];
-    this.expected.push({ asked: message.type, last });
+    const last = this.hasMesh ? LAST[message.type] : WITHOUT_MESH[message.type];
+    if (last !== null) this.expected.push({ asked: message.type, last });
     this.worker.postMessage(message, transfer);
     this.raise("busy");
   }

@@ -13,8 +13,8 @@ import { showFigures } from "./figures/figures.js";
 function showLicences() {
   const button = byId("licences");
   const text = byId("licence-text");
-  text.textContent = (data("licences") ?? []).join("\n\n");
   button.addEventListener("click", () => {
+    text.textContent = data("licences").join("\n\n");
     text.hidden = !text.hidden;
     button.setAttribute("aria-expanded", String(!text.hidden));
   });
@@ -44,8 +44,8 @@ function start() {
     new Comparison(engine);
     new Inside(engine, work);
   }
-  showFigures(work);
   showLicences();
+  requestIdleCallback(() => showFigures(work));
 }
 
 start();

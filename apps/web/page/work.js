@@ -66,8 +66,8 @@ export class Work {
     this.engine = engine;
     engine.on("ready", ({ cores }) => {
       this.core.offer(cores);
-      this.setMesh(this.mesh ?? BUILT_IN.amphora());
       this.sendDims(FIRST_DIMS);
+      this.setMesh(this.mesh ?? BUILT_IN.amphora());
     });
     engine.on("error", ({ asked }) => {
       if (asked === "mesh" && this.before) this.setMesh(this.before);
@@ -159,7 +159,7 @@ export class Work {
   movePoint(index, place) {
     this.lattice.points.set(place, 3 * index);
     this.scene?.moveLattice(this.lattice.points);
-    this.fields.show();
+    this.fields.showSoon();
     this.showChosen();
     this.engine?.sendNewest({ type: "points", points: this.lattice.points.slice() });
   }

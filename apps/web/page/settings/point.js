@@ -1,7 +1,7 @@
 // The chosen control point in fields: its indices i, j, k and its place x, y, z.
 // SPDX-License-Identifier: Apache-2.0
 
-import { byId } from "../dom.js";
+import { byId, paced } from "../dom.js";
 
 const AXES = [0, 1, 2];
 
@@ -9,6 +9,7 @@ export class PointFields {
   /** @param does  {choose(index), move(index, place)} */
   constructor(lattice, does) {
     Object.assign(this, { lattice, does, index: 0 });
+    this.showSoon = paced(() => this.show());
     for (const axis of AXES) {
       byId(`index-${axis}`).addEventListener("change", () => this.indexed());
       byId(`place-${axis}`).addEventListener("change", () => this.placed());

@@ -123,7 +123,8 @@ export class Scene {
   setMesh({ positions, indices }) {
     this.mesh.geometry.dispose();
     const geometry = new THREE.BufferGeometry();
-    geometry.setIndex(new THREE.BufferAttribute(indices, 1));
+    const short = positions.length / 3 <= 65536;
+    geometry.setIndex(new THREE.BufferAttribute(short ? new Uint16Array(indices) : indices, 1));
     geometry.setAttribute("position", new THREE.BufferAttribute(positions.slice(), 3));
     this.mesh.geometry = geometry;
     this.moveMesh(positions);
