@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean install
+.PHONY: help sim web organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean install
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing = $(filter-out 0,$(call given,TRACE))
@@ -42,6 +42,7 @@ AGAIN_ARGUMENT  = $(if $(filter-out 0,$(call given,AGAIN)),--again)
 help:
 	@echo 'Use it'
 	@echo '  make sim            deform a mesh on the simulated hardware and compare every bit with the model'
+	@echo '  make web            a page for the browser: a mesh deformed live by simulated cores, and a look inside'
 	@echo '  make hwffd          the command hwffd, the library, the Python module; PREFIX= installs them'
 	@echo '  make plates         the ten plates of the paper, drawn from the simulated hardware'
 	@echo '  make mass-spring    an example: a mesh in a lattice of masses and springs'
@@ -96,6 +97,19 @@ sim: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER="$(SIM_TIER)" -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
 	@$(STUDY) --quiet sim -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+
+# One file, build/web/index.html, and its test in a browser, which measures it.
+web: install
+	@scripts/install web
+	@scripts/python_env figures
+	@scripts/python_env web
+	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+	@$(CMAKE_BUILD) --target hwffd-web-engine hwffd-web-plates
+	@$(BUILD)/apps/hwffd-web-plates $(BUILD)/web/plates.json
+	@$(BUILD)/venv/bin/python -B apps/web/bundle.py --engine $(BUILD)/web/engine \
+	  --plates $(BUILD)/web/plates.json --output $(BUILD)/web/index.html
+	@$(STUDY) web -- $(BUILD)/venv/bin/python -B -m pytest --quiet tests/web/test_page.py \
+	  --argument=$(BUILD)/web/index.html
 
 # A study measures and writes its report; scripts/figures stamps, prints and draws it.
 STUDY = scripts/figures measure

@@ -43,7 +43,7 @@ set(HWFFD_MODEL_OPTIONS "-O2 -fno-tree-pre -fno-code-hoisting")
 set(HWFFD_NATIVE_OPTIONS "-march=native")
 
 # hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> [SOURCES <file>...]
-#                [PARAMETERS NAME=value...] [LIBRARY <file>])
+#                [PARAMETERS NAME=value...] [LIBRARY <file>] [CONTROL <file>...])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
 # where HWFFD_TRACE is on, which its users see as a definition of that name.
@@ -71,10 +71,13 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # WIDE says that many float units work side by side: Verilator's optimization of gates would make the
 # build four times as long and the simulation no faster.
 #
+# CONTROL are control files of Verilator beside the bench's. The target <target>_verilated then makes
+# the C++ alone, for another compiler.
+#
 # NATIVE says that the model stays on this machine and may use all of its processor: a third faster
 # where many units move side by side.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY" "SOURCES;PARAMETERS;CONTROL" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   if(NOT ARG_SOURCES)
@@ -89,7 +92,7 @@ function(hwffd_verilate target)
     list(APPEND flags -Wno-lint -Wno-fatal)
     set(options -O0)
   else()
-    set(control ${HWFFD_BENCH_CONTROL})
+    set(control ${HWFFD_BENCH_CONTROL} ${ARG_CONTROL})
     list(APPEND flags -Wall ${verilate_folders} ${control})
     if(HWFFD_COVERAGE)
       list(APPEND flags --coverage-line --coverage-toggle)
@@ -123,6 +126,9 @@ function(hwffd_verilate target)
     COMMENT "Verilating ${target}"
     VERBATIM)
   hwffd_compile_model(${target} ${dir} ${options})
+  if(ARG_CONTROL)
+    add_custom_target(${target}_verilated DEPENDS ${dir}/${class}.cpp ${dir}/${class}.h)
+  endif()
 endfunction()
 
 # hwffd_compile_model(<target> <folder> <option>...)

@@ -204,9 +204,11 @@ def parser():
     parameters.set_defaults(prefix="")
     build = commands.add_parser("build", help="write what a build needs of the table into a folder")
     factory = commands.add_parser("factory", help="write the C++ that makes cores of some rows")
-    for command in (build, factory):
+    models = commands.add_parser("models", help="write the C++ that makes models of some rows")
+    for command in (build, factory, models):
         command.add_argument("out")
-    factory.add_argument("--rows", nargs="+", metavar="NAME", required=True)
+    for command in (factory, models):
+        command.add_argument("--rows", nargs="+", metavar="NAME", required=True)
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, build):
         command.add_argument("--tier", choices=TIERS, default="all")
@@ -227,6 +229,9 @@ def main(arguments=None):
         elif options.command == "factory":
             write_if_changed(options.out, texts.factory_text(
                 [find(rows, name) for name in options.rows], "stream", options.suffix))
+        elif options.command == "models":
+            write_if_changed(options.out, texts.models_text(
+                [find(rows, name) for name in options.rows]))
         else:
             for name, text in generated(rows, options.tier, selected(rows, options)).items():
                 write_if_changed(pathlib.Path(options.out) / name, text)

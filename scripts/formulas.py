@@ -23,6 +23,7 @@ class Formula:
     """One formula of those terms. Raises TableError, which says what is accepted."""
 
     def __init__(self, text, terms, where):
+        self.text = text
         try:
             self._tree = ast.parse(text, mode="eval").body
             self._check(self._tree, terms)

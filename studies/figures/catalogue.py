@@ -91,6 +91,8 @@ REPORTS = {
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),
     "plates": Report("make plates", (*_RTL, *_GEOMETRY, "apps/plates/*.?pp"), rows="plates"),
+    "web": Report("make web", (*_RTL, "apps/web/**/*.?pp", "apps/web/**/*.js", "apps/web/**/*.css",
+                               "apps/web/page/index.html")),
     "structure": Report("make structure", (*_RTL, "synth/prepare.ys", "synth/ecp5.ys"),
                         rows="designs"),
     "formal": Report("make formal", ("rtl/**/*.v", "tests/formal/*.v",

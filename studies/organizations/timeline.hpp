@@ -1,23 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "comparison.hpp"
+#include "lanes.hpp"
 
 namespace hwffd::organizations {
-
-/// Units of one kind, and when they hold an operation.
-struct Lane {
-  struct Span {
-    std::uint64_t begin;
-    std::uint64_t end;
-    std::size_t vertex;
-  };
-  std::string name;
-  std::vector<Span> spans;  ///< in the order of their beginnings
-};
 
 /// The lanes of a row from its recorded schedule, from the polynomials to the accumulator. Throws
 /// std::logic_error where the clocks between the probes are not what the row's latencies say.

@@ -156,6 +156,12 @@ def test_the_factory_has_the_rows_asked_for(checkout, script):
     assert "Vsmall" not in checkout.text("out.cpp")
 
 
+def test_there_are_models_of_the_rows_asked_for(checkout, script):
+    script("models", "out.cpp", "--rows", "good-row", text=ROWS)
+    assert "EvaluatorModelOf<Fixed<18>, OrgTree>" in checkout.text("out.cpp")
+    assert "fx32" not in checkout.text("out.cpp")
+
+
 def test_output_is_written_only_when_changed(checkout, script):
     script("build", "out", text=ROWS)
     files = sorted((checkout.root / "out").iterdir())

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "hwffd/cores/signal.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 
@@ -40,6 +42,8 @@ class StreamCore {
   virtual EventPlace event_place() const { return {}; }
   /// idle_o.
   virtual bool idle() const { return true; }
+  /// What its build has made visible inside.
+  virtual std::vector<Signal> signals() const { return {}; }
 };
 
 }  // namespace hwffd::cores

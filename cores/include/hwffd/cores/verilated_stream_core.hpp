@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hwffd/cores/stream_core.hpp"
+#include "hwffd/cores/verilated_signals.hpp"
 #include "hwffd/cores/waveform.hpp"
 #include "hwffd/stream/beat.hpp"
 
@@ -72,6 +74,7 @@ class VerilatedStreamCore final : public StreamCore {
   std::uint32_t events() const override { return dut_->event_o; }
   EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
   bool idle() const override { return dut_->idle_o != 0; }
+  std::vector<Signal> signals() const override { return visible_signals(*context_); }
 
  private:
   std::unique_ptr<VerilatedContext> context_;

@@ -43,6 +43,8 @@ struct Organization {
   Clocks formed;      ///< between vertices of different cells, if it keeps one
   double seam_float;  ///< units that cells may differ at seams (`seam_bound`), in binary32
   double seam_fixed;  ///< the same in other formats
+  const char* overlapped_text;  ///< that formula as the table has it
+  const char* formed_text;      ///< the same; empty where there is none
 };
 
 /// Every row of the table, in its order.

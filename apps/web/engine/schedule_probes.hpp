@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "hwffd/cores/signal.hpp"
+#include "hwffd/model/configuration.hpp"
+#include "organizations/lanes.hpp"
+#include "signal_table.hpp"
+
+namespace hwffd::web {
+
+/// The schedule of a running core, from the probes of cores/rtl/ffd_bench.vlt: of several lanes the
+/// first, of all clocks the last ones. Vertices are numbered as they enter, from 0.
+class ScheduleProbes {
+ public:
+  /// Clocks that are kept: those shown, and those in which what is shown then has begun.
+  static constexpr std::uint64_t kKept = 1024;
+
+  /// Throws Error where the core lacks a probe.
+  ScheduleProbes(const SignalTable& signals, const Configuration& row);
+
+  /// Looks at the probes; once a clock, when the core has settled.
+  void sample(std::uint64_t clock);
+
+  /// Vertices that have entered.
+  std::size_t entered() const { return sequencers_.back().entered; }
+
+  organizations::Schedule schedule() const;
+
+ private:
+  using Entries = std::deque<organizations::Entry>;
+
+  /// A counter of steps, which takes in vertices.
+  struct Sequencer {
+    cores::Signal valid;
+    cores::Signal first;
+    std::uint64_t contexts = 1;        ///< vertices in turn, a clock each
+    std::vector<std::size_t> turns{};  ///< the vertex of each
+    std::size_t entered = 0;
+    Entries starts{};
+  };
+
+  static void look(Sequencer& sequencer, std::uint64_t clock);
+
+  std::vector<Sequencer> sequencers_;  ///< polynomials, and behind them combinations if there are
+  cores::Signal step_;
+  cores::Signal sum_;
+  std::deque<std::size_t> on_the_way_;  ///< vertices of steps that have begun
+  Entries steps_;
+  std::deque<std::uint64_t> sums_;
+  std::uint64_t begin_ = 0;
+  std::uint64_t end_ = 0;
+};
+
+}  // namespace hwffd::web

@@ -1,0 +1,181 @@
+"""What the live page takes and refuses: meshes, lattices, and browsers that lack something. Always on the page with a
+worker that stands for the core.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import json
+import pathlib
+import struct
+
+import pytest
+from browser import NO_WEBASSEMBLY, NO_WEBGL, SWITCHES, WATCH, Open, program, stub_page
+from playwright.sync_api import sync_playwright
+
+CORNERS = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+FACES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+TRIANGLES = [(a, b, c) for a, *rest in FACES for b, c in zip(rest, rest[1:])]
+
+
+def obj():
+    lines = ["# a cube", *(f"v {x} {y} {z}" for x, y, z in CORNERS)]
+    return "\n".join([*lines, *("f " + " ".join(f"{k + 1}//1" for k in face) for face in FACES), ""])
+
+
+def ply(form, vertices=len(CORNERS)):
+    head = (f"ply\nformat {form} 1.0\ncomment a cube\nelement vertex {vertices}\nproperty float x\n"
+            "property double y\nproperty float z\nproperty uchar red\n"
+            f"element face {len(FACES)}\nproperty list uchar int vertex_indices\nend_header\n")
+    if form == "ascii":
+        rows = [f"{x} {y} {z} 7" for x, y, z in CORNERS]
+        return head + "\n".join([*rows, *("4 " + " ".join(map(str, face)) for face in FACES), ""])
+    order = "<" if form == "binary_little_endian" else ">"
+    return (head.encode() + b"".join(struct.pack(f"{order}fdfB", x, y, z, 7) for x, y, z in CORNERS)
+            + b"".join(struct.pack(f"{order}B4i", 4, *face) for face in FACES))
+
+
+def stl_text():
+    facets = ("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in (CORNERS[k] for k in one))
+              + "endloop\nendfacet\n" for one in TRIANGLES)
+    return "solid cube\n" + "".join(facets) + "endsolid cube\n"
+
+
+def stl_binary():
+    facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(w for k in one for w in CORNERS[k]), 0) for one in TRIANGLES)
+    return b"solid but binary".ljust(80) + struct.pack("<I", len(TRIANGLES)) + facets
+
+
+GOOD = {"cube.obj": obj(), "text.ply": ply("ascii"), "little.PLY": ply("binary_little_endian"),
+        "big.ply": ply("binary_big_endian"), "text.stl": stl_text(), "binary.stl": stl_binary()}
+
+# File and a part of the sentence that says why it is not taken.
+BAD = {
+    "letter.obj": ("Dear reader,\nthis is no mesh.\n", "no vertex was found"),
+    "points.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no triangle"),
+    "index.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "vertex 9"),
+    "nan.obj": ("v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"),
+    "noise.stl": (bytes(range(256)) * 3, "no STL file"),
+    "cut.stl": (stl_binary()[:-9], "no STL file"),
+    "cut.ply": (ply("binary_little_endian")[:-3], "ends before"),
+    "word.ply": (ply("ascii").replace("uchar red", "colour red"), "colour red"),
+    "head.ply": ("ply\nelement vertex 3\n", "no PLY file"),
+    "five.ply": (ply("binary_little_endian", 5_000_000), "5 million vertices"),
+    "picture.png": (b"\x89PNG", "not read here"),
+    "text.json": ("not JSON", "not JSON"),
+    "other.json": ('{"dims": [4, 4, 4]}', "hwffd_lattice"),
+    "small.json": ('{"hwffd_lattice": 1, "dims": [3, 4, 4], "points": []}', "dims"),
+    "shape.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box"}', "shape"),
+    "extra.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [], "colour": 1}', "colour"),
+    "short.json": ('{"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[0, 0, 0]]}', "64 points"),
+}
+
+
+def lattice(swapped=False):
+    """4 x 5 x 4 points around the cube; swapped: two layers change places, so that it folds."""
+    layer = [0, 2, 1, 3, 4] if swapped else range(5)
+    points = [[i - 1, (layer[j] - 1) / 2, k - 1] for i in range(4) for j in range(5) for k in range(4)]
+    return json.dumps({"hwffd_lattice": 1, "dims": [4, 5, 4], "points": points})
+
+
+@pytest.fixture(scope="module")
+def browser():
+    path = program("chromium")
+    with sync_playwright() as playwright:
+        made = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+        yield made
+        made.close()
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    return stub_page(tmp_path_factory.mktemp("page"))
+
+
+@pytest.fixture(scope="module")
+def tab(browser, page):
+    opened = Open(browser.new_context(), page.as_uri())
+    yield opened
+    assert not opened.errors
+
+
+@pytest.mark.parametrize("name", GOOD)
+def test_mesh(tab, name):
+    """A cube has 8 vertices in every format, welded where the format repeats them."""
+    tab.page.select_option("#mesh", "ball")
+    tab.quiet()
+    assert tab.number("vertices") == 7000
+    tab.load(name, GOOD[name])
+    tab.until("document.getElementById('vertices').textContent === '8'")
+    assert tab.number("mismatches") == 0
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_refused(tab, name):
+    """One sentence names the file and says why; the page goes on with what it had."""
+    content, why = BAD[name]
+    tab.load(name, content)
+    said = tab.notice()
+    assert name in said and why in said and said.endswith(".")
+    tab.page.click("#notice button")
+    tab.page.select_option("#kind", "twist")
+    tab.quiet()
+    assert tab.number("mismatches") == 0
+
+
+def test_many_vertices_as_text(tab):
+    """Five million lines are refused after two million."""
+    tab.load("five.obj", "v 0 0 0\n" * 5_000_000)
+    assert "2 million vertices" in tab.notice()
+    tab.page.click("#notice button")
+
+
+def test_dropped(tab):
+    """A file that is dropped is taken as one that is chosen."""
+    drop = """text => { const data = new DataTransfer(); data.items.add(new File([text], "dropped.obj"));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); }"""
+    tab.page.select_option("#mesh", "knot")
+    tab.quiet()
+    tab.page.evaluate(drop, obj())
+    tab.until("document.getElementById('vertices').textContent === '8'")
+
+
+def test_lattice_file(tab):
+    """A lattice comes back as it was saved."""
+    tab.load("cube.obj", obj())
+    tab.load("lattice.json", lattice(), "#lattice-file")
+    tab.quiet()
+    assert tab.page.input_value("#dims-1") == "5" and tab.text("folds") == ""
+    with tab.page.expect_download() as download:
+        tab.page.click("#save-lattice")
+    saved = json.loads(pathlib.Path(download.value.path()).read_text())
+    wanted = json.loads(lattice())
+    assert saved["dims"] == wanted["dims"] and saved["points"] == wanted["points"]
+
+
+def test_folds(tab):
+    """A lattice that folds is taken, and one sentence says where."""
+    tab.load("folded.json", lattice(swapped=True), "#lattice-file")
+    tab.quiet()
+    assert "folds in" in tab.text("folds") and "(0, 0, 0)" in tab.text("folds")
+    tab.page.click("#rest")
+    tab.quiet()
+    assert tab.text("folds") == ""
+
+
+def test_without_webassembly(browser, page):
+    tab = Open(browser.new_context(), page.as_uri(), (NO_WEBASSEMBLY,), has_core=False)
+    assert "no WebAssembly" in tab.notice() and not tab.errors
+    assert tab.page.locator("#organizations tbody tr").count() > 5
+    assert tab.page.locator("#pareto circle").count() > 5
+
+
+def test_without_webgl(browser, page):
+    """The core, its figures and the point's fields work without the picture."""
+    tab = Open(browser.new_context(), page.as_uri(), (WATCH, NO_WEBGL))
+    assert "no WebGL" in tab.text("no-view")
+    assert tab.number("mismatches") == 0
+    tab.page.fill("#place-0", "-9")
+    tab.page.keyboard.press("Tab")
+    tab.quiet()
+    assert tab.place()[0] == -9 and tab.number("mismatches") == 0
+    assert tab.page.locator("#organizations tbody tr").count() > 5
