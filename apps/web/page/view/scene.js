@@ -10,12 +10,12 @@ const COLOURS = {
   dark: { ground: 0x12161b, mesh: 0x8296ab, line: 0x5d6873, point: 0xff8a5c, chosen: 0x7cc0ff },
 };
 
-/** Pixels that are drawn for each of the screen's, along an axis: four for one smooth edges, where that costs little. */
-function fineness(renderer) {
+/** Whether a processor draws, since there is no graphics processor. */
+function isSoftware(renderer) {
   const context = renderer.getContext();
   const named = context.getExtension("WEBGL_debug_renderer_info");
   const name = named ? context.getParameter(named.UNMASKED_RENDERER_WEBGL) : "";
-  return /swiftshader|llvmpipe|software|basic render/i.test(name) ? 1 : 2;
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 /** A round dot, since points are squares. */
@@ -72,10 +72,13 @@ export class Scene {
     this.resize();
   }
 
+  /** Without a graphics processor there is one point of light a vertex, and edges are not smoothed by more pixels. */
   build() {
+    const software = isSoftware(this.renderer);
     this.scene = new THREE.Scene();
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(),
-      new THREE.MeshPhongMaterial({ specular: 0x30343a, shininess: 24, side: THREE.DoubleSide }));
+      software ? new THREE.MeshLambertMaterial({ side: THREE.DoubleSide }) :
+        new THREE.MeshPhongMaterial({ specular: 0x30343a, shininess: 24, side: THREE.DoubleSide }));
     this.lines = new THREE.LineSegments(new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ transparent: true, opacity: 0.55 }));
     const map = dot();
@@ -86,7 +89,7 @@ export class Scene {
     this.light = new THREE.DirectionalLight(0xffffff, 0.75);
     this.scene.add(this.mesh, this.lines, this.points, this.chosen, this.light, this.light.target,
       new THREE.HemisphereLight(0xffffff, 0x667080, 0.55));
-    this.renderer.setPixelRatio(fineness(this.renderer));
+    this.renderer.setPixelRatio(software ? 1 : 2);
   }
 
   paint() {
