@@ -119,10 +119,12 @@ def test_drag(opened, report, arguments):
     opened.quiet()
     assert opened.place() != before
     tries = [followed(opened) for _ in range(TRIES if arguments else 1)]
-    report.update({name: max(one[name] for one in tries) for name in tries[0]}, mismatches=int(opened.number("mismatches")), vertices=int(opened.number("vertices")))
+    report.update({name: max(one[name] for one in tries) for name in tries[0]})
+    report.update({name: int(opened.number(name)) for name in ("vertices", "mismatches")})
     assert report["vertices"] >= 1000 and report["mismatches"] == 0
     assert opened.number("words") >= 3 * report["vertices"]
     assert opened.page.get_attribute("#verdict", "data-state") == "equal"
+
 
 def test_finger(chromium, file):
     """A finger drags a point as the mouse does, and the page beside the picture still scrolls."""
