@@ -15,7 +15,7 @@ from playwright.sync_api import sync_playwright
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SWITCHES = ["--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"]
-HEIGHT, WIDE, NARROW, GAP = 860, 1200, 375, 16
+HEIGHT, WIDE, NARROW, GAP = 900, 1200, 375, 16
 COLOURS = 200  # of the palette
 ANSWERED = "document.getElementById('vertices').textContent !== '-'"
 

@@ -59,7 +59,7 @@ function deformed() {
   const wrong = state.fault ? Math.floor(vertices / 2) : 0;
   for (let v = 0; v < wrong; ++v) positions[6 * v] += 0.05;
   postMessage({ type: "deformed", positions, vertices, words: 3 * vertices, mismatches: wrong,
-    first: wrong ? { vertex: 0, word: 0, rtl: "0x0000a5", model: "0x0000a4" } : null,
+    first: wrong ? { vertex: 0, word: 0, rtl: 0xa5, model: 0xa4 } : null,
     clocks: vertices * state.core.interval + 60, clocks_per_vertex: state.core.interval + 60 / vertices,
     seconds: (performance.now() - begin) / 1000, saturated: 0 });
 }

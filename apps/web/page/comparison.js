@@ -3,6 +3,8 @@
 
 import { byId, count, number, paced } from "./dom.js";
 
+const hexadecimal = (word) => `0x${word.toString(16).padStart(8, "0")}`;
+
 export class Comparison {
   constructor(engine) {
     this.engine = engine;
@@ -29,7 +31,7 @@ export class Comparison {
     let text = "words differ: every bit is as the model has it";
     if (mismatches > 0) {
       text = `of ${count(words)} words differ from the model`;
-      if (first) text += `; the first is word ${first.word} of vertex ${first.vertex}: ${first.rtl}, not ${first.model}`;
+      if (first) text += `; the first is word ${first.word} of vertex ${first.vertex}: ${hexadecimal(first.rtl)}, not ${hexadecimal(first.model)}`;
     }
     const place = byId("verdict-text");
     if (place.textContent !== text) place.textContent = text;

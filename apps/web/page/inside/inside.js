@@ -11,7 +11,7 @@ const PICTURES = 10;  // per second, at most
 
 export class Inside {
   constructor(engine, work) {
-    Object.assign(this, { engine, work, state: null, timer: null });
+    Object.assign(this, { engine, work, state: null, timer: null, shown: 0 });
     this.drawing = new Drawing();
     this.ports = new Ports(engine);
     engine.on("opened", (opened) => this.opened(opened));
@@ -33,7 +33,7 @@ export class Inside {
     const core = this.work.core.current;
     byId("formula").textContent = core ? formulaOf(core) : "-";
     byId("timeline").replaceChildren();
-    for (const id of ["clock", "vertices", "mismatches", "per-vertex"]) byId(`inside-${id}`).textContent = "-";
+    for (const id of ["clock", "vertices", "mismatches", "rate", "per-vertex"]) byId(`inside-${id}`).textContent = "-";
   }
 
   step(how) {
@@ -77,6 +77,7 @@ export class Inside {
   }
 
   show(state) {
+    this.showRate(state.vertices);
     this.state = state;
     byId("inside-clock").textContent = count(state.clock);
     byId("inside-vertices").textContent = count(state.vertices);
@@ -86,6 +87,14 @@ export class Inside {
     this.drawing.light(state.busy);
     this.ports.show(state, this.timer !== null);
     this.drawTimeline();
+  }
+
+  /** How fast the clock really goes; where it stands, none. */
+  showRate(vertices) {
+    const now = performance.now();
+    const passed = vertices - (this.state?.vertices ?? vertices);
+    byId("inside-rate").textContent = this.timer === null ? "-" : number(1000 * passed / (now - this.shown));
+    this.shown = now;
   }
 
   drawTimeline() {

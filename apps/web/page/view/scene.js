@@ -86,9 +86,9 @@ export class Scene {
     this.chosen = points(17, map);
     this.chosen.visible = false;
     for (const one of [this.mesh, this.lines, this.points, this.chosen]) one.frustumCulled = false;
-    this.light = new THREE.DirectionalLight(0xffffff, 0.75);
+    this.light = new THREE.DirectionalLight(0xffffff, 0.85);
     this.scene.add(this.mesh, this.lines, this.points, this.chosen, this.light, this.light.target,
-      new THREE.HemisphereLight(0xffffff, 0x667080, 0.55));
+      new THREE.HemisphereLight(0xffffff, 0x404850, 0.45));
     this.renderer.setPixelRatio(software ? 1 : 2);
   }
 
