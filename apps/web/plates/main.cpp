@@ -1,6 +1,6 @@
-// hwffd-web-plates: the subjects of the plates as scenes for the live page, in JSON: each model and its
-// lattice, at rest and deformed. Positions are those of eq. (1) in double; `make plates` compares the
-// plates with the simulated hardware.
+// hwffd-web-plates: the subjects of the plates as scenes for the live page, in JSON: each model and
+// its lattice, at rest and deformed. Positions are those of eq. (1) in double; `make plates`
+// compares the plates with the simulated hardware.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
