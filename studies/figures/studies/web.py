@@ -7,23 +7,22 @@ from figures.expressions import shown
 from figures.table import Table
 
 _LINES = (
-    ("bytes of the page", "bytes", "d"),
+    ("bytes of the page", "bytes", ""),
     ("seconds until the first mesh is compared", "load_s", ".2f"),
-    ("vertices of that mesh", "vertices", "d"),
-    ("words that differ from the model", "mismatches", "d"),
+    ("vertices of that mesh", "vertices", ""),
+    ("words that differ from the model", "mismatches", ""),
     ("the planted fault is seen", "fault_seen", ""),
-    ("vertices per second through the RTL", "vertices_per_s", "d"),
+    ("vertices per second through the RTL", "vertices_per_s", ""),
     ("runs of the mesh per second while a point is dragged", "runs_per_s", ".1f"),
     ("pictures per second meanwhile", "frames_per_s", ".1f"),
-    ("errors in the console", "console_errors", "d"),
+    ("errors in the console", "console_errors", ""),
 )
 
 
 def page(reports):
     report = reports.get("web")
     return Table(["figure", "measured"],
-                 [[name, shown(report[field], form) if form else ("yes" if report[field] else "no")]
-                  for name, field, form in _LINES])
+                 [[name, shown(report[field], form)] for name, field, form in _LINES])
 
 
 def missing(reports):
