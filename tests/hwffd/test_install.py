@@ -152,7 +152,7 @@ class Programs(Installed):
             run("sh", "-c", line, cwd=self.folder, env=dict(os.environ, PATH=path))
             self.assertTrue((self.folder / line.split()[-1]).is_file(), line)
 
-    @unittest.skipUnless((BUILD / "apps" / "hwffd-sim").is_file(), "hwffd-sim is not built")
+    @unittest.skipUnless(pathlib.Path(BUILD, "apps", "hwffd-sim").is_file(), "hwffd-sim is not built")
     def test_sim_is_a_command(self):
         said = run(self.prefix / "bin" / "hwffd", "sim", "--help", cwd=self.folder)
         self.assertIn("Usage: hwffd-sim", said)
