@@ -94,7 +94,8 @@ TEST(GridDevice, PlacesAreInTheOrderOfResults) {
   ASSERT_EQ(places.size(), 15U);
   for (std::size_t v = 0; v < places.size(); ++v) {
     const double s = 0.5 * static_cast<double>(v % 5);
-    const double u = 2 - 0.5 * static_cast<double>(v / 5);
+    const std::size_t line = v / 5;
+    const double u = 2 - 0.5 * static_cast<double>(line);
     EXPECT_EQ(places[v].cell[0] + places[v].local[0], s) << v;
     EXPECT_EQ(places[v].cell[1] + places[v].local[1], 0.5) << v;
     EXPECT_EQ(places[v].cell[2] + places[v].local[2], u) << v;
