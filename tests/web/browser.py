@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import contextlib
 import io
 import pathlib
 import shutil
@@ -12,6 +13,7 @@ import sys
 import numpy
 import pytest
 from PIL import Image
+from playwright.sync_api import sync_playwright
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SWITCHES = ["--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"]
@@ -48,6 +50,16 @@ def program(name):
     if not found:
         pytest.exit(f"skipped: {name} is not there: scripts/install web", returncode=77)
     return found
+
+
+@contextlib.contextmanager
+def started():
+    """A browser without a window."""
+    path = program("chromium")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+        yield browser
+        browser.close()
 
 
 def stub_page(folder):

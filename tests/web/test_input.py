@@ -9,8 +9,7 @@ import pathlib
 import struct
 
 import pytest
-from browser import NO_WEBASSEMBLY, NO_WEBGL, SWITCHES, WATCH, Open, program, stub_page
-from playwright.sync_api import sync_playwright
+from browser import NO_WEBASSEMBLY, NO_WEBGL, WATCH, Open, started, stub_page
 
 CORNERS = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
 FACES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
@@ -79,11 +78,8 @@ def lattice(swapped=False):
 
 @pytest.fixture(scope="module")
 def browser():
-    path = program("chromium")
-    with sync_playwright() as playwright:
-        made = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+    with started() as made:
         yield made
-        made.close()
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,7 @@ import time
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browser import CORE_WAIT, ROOT, SWITCHES, WATCH, Open, program, stub_page
-from playwright.sync_api import sync_playwright
+from browser import CORE_WAIT, ROOT, WATCH, Open, started, stub_page
 
 MOST_SECONDS, MOST_BYTES = 3.0, 8_000_000
 TRIES = 5
@@ -22,11 +21,8 @@ SHOTS = ROOT / "build" / "web"
 
 @pytest.fixture(scope="session")
 def chromium():
-    path = program("chromium")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+    with started() as browser:
         yield browser
-        browser.close()
 
 
 @pytest.fixture(scope="session")

@@ -27,17 +27,15 @@ class Tree:
     """Instances of modules, those of generate loops one by one."""
 
     def __init__(self, root):
-        self.counts = Counter()    # module -> instances
-        self.holders = {}          # module -> names of the modules around its instances
-        self._walk(root, ())
+        self.counts = Counter()  # module -> instances
+        self._walk(root)
 
-    def _walk(self, cell, around):
+    def _walk(self, cell):
         # Of a module with parameters Verilator makes module__PARAMETERS.
         module = cell.get("submodname").split("__")[0]
         self.counts[module] += 1
-        self.holders.setdefault(module, set()).update(around)
         for below in cell.findall("cell"):
-            self._walk(below, (*around, module))
+            self._walk(below)
 
 
 def tree_of(row):

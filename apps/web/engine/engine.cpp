@@ -63,8 +63,9 @@ void Engine::set_mesh(const Points& positions) {
 
 void Engine::set_dims(const Index3& dims) {
   for (const int points : dims) {
-    if (points >= 4 && points <= kAxisPoints) continue;
-    throw Error(fmt::format("lattice: {} points along an axis; take 4 to {}", points, kAxisPoints));
+    if (points >= Lattice::kMinPoints && points <= kAxisPoints) continue;
+    throw Error(fmt::format("lattice: {} points along an axis; take {} to {}", points,
+                            Lattice::kMinPoints, kAxisPoints));
   }
   dims_ = dims;
   if (has_mesh()) rest();
