@@ -348,7 +348,7 @@ module ffd_dma_engine #(
     .s_beat_upper(out_upper),
     .m_axi_wvalid(w_valid),
     .m_axi_wready(w_ready),
-    .m_axi_wdata (m_axi_wdata),
+    .m_axi_wdata (w_data),
     .m_axi_wstrb (w_strobe),
     .m_axi_wlast (w_last)
   );

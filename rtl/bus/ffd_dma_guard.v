@@ -5,7 +5,7 @@
 // raised and not answered, and beats that the burst under way still owes. So
 //   no address leaves the windows, whatever becomes of the registers before it (ffd_dma_gate);
 //   a burst has as many beats as its address said. Where the DMA ends it early or late, or is reset
-//     in its midst, it is completed with beats of which no byte is written (wstrb 0);
+//     in its midst, it is completed with beats of zeros of which no byte is written (wstrb 0);
 //   answers that nobody waits for are taken and not handed on.
 // Where the first two come about there is a fault: fault_o, until the soft reset, and no further
 // address. While flush_i is 1 (a soft reset) the same holds, and quiet_read_o and quiet_write_o say
@@ -19,7 +19,7 @@
 // Parameters: HARDENED 0 or 1; DATA_WIDTH 64, 128 or 256; READS and WRITES, the most bursts that
 //             are open each way.
 // Not checked: data; beats of a read, of which rlast is trusted.
-// Model:      none (control only).  Test: tests/bus/axi.
+// Model:      none (control only).  Test: tests/bus/dma, tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
@@ -61,6 +61,7 @@ module ffd_dma_guard #(
   input  wire [7:0]  s_aw_len,
   input  wire        s_w_valid,
   output wire        s_w_ready,
+  input  wire [DATA_WIDTH-1:0]   s_w_data,
   input  wire [DATA_WIDTH/8-1:0] s_w_strobe,
   input  wire        s_w_last,
   output wire        s_b_valid,
@@ -79,6 +80,7 @@ module ffd_dma_guard #(
   output wire [7:0]  m_axi_awlen,
   output wire        m_axi_wvalid,
   input  wire        m_axi_wready,
+  output wire [DATA_WIDTH-1:0]   m_axi_wdata,
   output wire [DATA_WIDTH/8-1:0] m_axi_wstrb,
   output wire        m_axi_wlast,
   input  wire        m_axi_bvalid,
@@ -101,6 +103,7 @@ module ffd_dma_guard #(
       assign m_axi_awlen   = s_aw_len;
       assign m_axi_wvalid  = s_w_valid;
       assign s_w_ready     = m_axi_wready;
+      assign m_axi_wdata   = s_w_data;
       assign m_axi_wstrb   = s_w_strobe;
       assign m_axi_wlast   = s_w_last;
       assign s_b_valid     = m_axi_bvalid;
@@ -209,13 +212,15 @@ module ffd_dma_guard #(
 
       // ---- writes. A beat that waits stays as it is, though a fault comes meanwhile.
       reg  waits_q;
+      reg  own_q;                            // it is a beat without a byte
       wire write_open = writes != NO_WRITE;
       wire owes       = owed != 9'd0;
-      wire own        = stop && !waits_q;    // a beat without a byte
+      wire own        = waits_q ? own_q : stop;
       wire beat       = m_axi_wvalid && m_axi_wready;
       wire write_end  = m_axi_bvalid && m_axi_bready && write_open;
       assign m_axi_wvalid  = owes && (s_w_valid || own);
       assign m_axi_wlast   = owed == 9'd1;
+      assign m_axi_wdata   = own ? {DATA_WIDTH {1'b0}} : s_w_data;
       assign m_axi_wstrb   = own ? {(DATA_WIDTH / 8) {1'b0}} : s_w_strobe;
       assign s_w_ready     = owes && !own && m_axi_wready;
       assign s_b_valid     = m_axi_bvalid && write_open && !stop;
@@ -225,7 +230,10 @@ module ffd_dma_guard #(
       assign writes_d      = rst ? NO_WRITE : writes + {{(WRITE_W - 1) {1'b0}}, write_raise}
                                             - {{(WRITE_W - 1) {1'b0}}, write_end};
       assign quiet_write_o = !write_open && !owes;
-      always @(posedge clk) waits_q <= m_axi_wvalid && !m_axi_wready && !rst;
+      always @(posedge clk) begin
+        waits_q <= m_axi_wvalid && !m_axi_wready && !rst;
+        own_q   <= own;
+      end
 
       // ---- faults
       reg  reset_q;

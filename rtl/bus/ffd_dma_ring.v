@@ -137,13 +137,14 @@ module ffd_dma_ring #(
   );
 
   // What to ask next: the ring, then descriptors first, since packets wait for them. Decided in the
-  // clock before it is asked, and not in that in which something is.
+  // clock before it is asked, and not in that in which something is. While the ring does not run
+  // nothing is planned.
   reg         plan_check_q;
   reg         plan_fetch_q;
   reg         plan_data_q;
   wire        planned   = plan_check_q || plan_fetch_q || plan_data_q;
   wire        fetch     = fetch_q != head_q && !ahead_q[AHEAD_W];
-  wire        allowed   = running_q && !stop_q && !refused_i && !stop_i && !beyond_q;
+  wire        allowed   = !stop_q && !refused_i && !stop_i && !beyond_q;
   wire        free      = !m_request_valid || m_request_ready;
   wire        bad_head  = head_valid && head_bad;
   // Not before the reader is done with the request before: that one is still to be read.
@@ -200,7 +201,7 @@ module ffd_dma_ring #(
       if (ask_data) next_q <= (next_q + 1'b1) & mask_q;
       if (finished_i) tail_q <= (tail_q + 1'b1) & mask_q;
       if (ask_fetch) ahead_q <= ahead_q + 1'b1;
-      else if (ask_data) ahead_q <= ahead_q - 1'b1;
+      else if (ask_data) ahead_q <= {1'b0, ahead_q[AHEAD_W-1:0] - 1'b1};
     end
   end
 

@@ -12,6 +12,7 @@ wire [63:0] aw_address;
 wire [7:0]  aw_len;
 wire        w_valid;
 wire        w_ready;
+wire [DATA_WIDTH-1:0] w_data;
 wire [DATA_WIDTH/8-1:0] w_strobe;
 wire        w_last;
 wire        b_valid;

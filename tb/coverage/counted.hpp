@@ -32,32 +32,16 @@ void name_counters(const std::uint32_t* counters, const Counter (&named)[count])
 
 /// `bits` bits of a signal from `first` on have become those of `now`.
 template <class Word>
-void settled(std::uint64_t now, Word& before, unsigned first, unsigned bits) {
-  const std::uint64_t mask = ~std::uint64_t{0} >> (64 - bits) << first;
-  before = static_cast<Word>((before & ~mask) | (now & mask));
-}
+void settled(std::uint64_t now, Word& before, unsigned first, unsigned bits);
 
-/// The same, and their counters, the first of which is given, learn which have risen and which
-/// fallen.
+/// The same, and their counters, the first of which is given, learn which have risen or fallen.
 template <class Word>
 void toggled(std::uint64_t now, Word& before, unsigned first, unsigned bits,
-             std::uint32_t* counter) {
-  const std::uint64_t mask = ~std::uint64_t{0} >> (64 - bits) << first;
-  std::uint64_t changed = (now ^ before) & mask;
-  if (changed == 0) return;
-  before = static_cast<Word>(before ^ changed);
-  for (; changed != 0; changed &= changed - 1) {
-    const int bit = __builtin_ctzll(changed);
-    counter[bit - static_cast<int>(first)] |= (now >> bit & 1) != 0 ? kRisen : kFallen;
-  }
-}
+             std::uint32_t* counter);
 
 /// A signal of which one bit may have changed.
 template <class Word>
-void moved(std::uint64_t now, Word& before, std::uint32_t* counter) {
-  if (now != before) *counter |= now > before ? kRisen : kFallen;
-  before = static_cast<Word>(now);
-}
+void moved(std::uint64_t now, Word& before, std::uint32_t* counter);
 
 }  // namespace hwffd
 

@@ -6,7 +6,10 @@
 // whether a line of a module was ever run. At the end of the process the counters of one place in a
 // source are joined and written to $HWFFD_COVERAGE, as lines with tabs: page, line, column,
 // comment, further lines, count. The count of a bit is 1 if it has risen and 2 if it has fallen, or
-// 3 if both. SPDX-License-Identifier: Apache-2.0
+// 3 if both.
+//
+// Models are compiled in a hurry; what they call at every signal stands here, and is not.
+// SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -88,3 +91,50 @@ Counters& all() {
 void hwffd::name_counters(const std::uint32_t* counters, const Counter* named, std::size_t count) {
   all().add(counters, named, count);
 }
+
+namespace hwffd {
+namespace {
+
+std::uint64_t mask_of(unsigned first, unsigned bits) {
+  return ~std::uint64_t{0} >> (64 - bits) << first;
+}
+
+}  // namespace
+
+template <class Word>
+void settled(std::uint64_t now, Word& before, unsigned first, unsigned bits) {
+  const std::uint64_t mask = mask_of(first, bits);
+  before = static_cast<Word>((before & ~mask) | (now & mask));
+}
+
+template <class Word>
+void toggled(std::uint64_t now, Word& before, unsigned first, unsigned bits,
+             std::uint32_t* counter) {
+  std::uint64_t changed = (now ^ before) & mask_of(first, bits);
+  if (changed == 0) return;
+  before = static_cast<Word>(before ^ changed);
+  for (; changed != 0; changed &= changed - 1) {
+    const int bit = __builtin_ctzll(changed);
+    counter[bit - static_cast<int>(first)] |= (now >> bit & 1) != 0 ? kRisen : kFallen;
+  }
+}
+
+template <class Word>
+void moved(std::uint64_t now, Word& before, std::uint32_t* counter) {
+  if (now != before) *counter |= now > before ? kRisen : kFallen;
+  before = static_cast<Word>(now);
+}
+
+// Of the words that Verilator makes signals of.
+#define HWFFD_COUNTED(Word)                                                              \
+  template void settled(std::uint64_t now, Word& before, unsigned first, unsigned bits); \
+  template void toggled(std::uint64_t now, Word& before, unsigned first, unsigned bits,  \
+                        std::uint32_t* counter);                                         \
+  template void moved(std::uint64_t now, Word& before, std::uint32_t* counter);
+HWFFD_COUNTED(std::uint8_t)
+HWFFD_COUNTED(std::uint16_t)
+HWFFD_COUNTED(std::uint32_t)
+HWFFD_COUNTED(std::uint64_t)
+#undef HWFFD_COUNTED
+
+}  // namespace hwffd

@@ -36,6 +36,7 @@ DmaBench::DmaBench(const DmaSize& size, std::uint64_t seed)
       size_(size),
       random_(derive_seed(seed, 1)),
       core_(make_dma_core(size.name, derive_seed(seed, 2))) {
+  checker.set_hardened(size.hardened);
   set_windows(kEverywhere, kEverywhere);
   place_ring(kRing, 3);
   reset();
@@ -51,6 +52,7 @@ void DmaBench::set_windows(tb::AxiMemory::Range read, tb::AxiMemory::Range write
   controls.read_last = read.second;
   controls.write_first = write.first;
   controls.write_last = write.second;
+  windows_settled_ = false;
   checker.set_limits({size_.max_burst, size_.outstanding, size_.outstanding, read.first,
                       read.second, write.first, write.second, size_.width});
 }
@@ -76,6 +78,8 @@ void DmaBench::step() {
     for (std::uint32_t& word : result_pins_.beat.words) word = random_.word();
     result_pins_.beat.last = random_.chance(0.5);
   }
+  controls.windows_locked = windows_settled_;
+  windows_settled_ = true;
   core_->exchange(controls, status, bus_, packet_pins_, result_pins_);
   observe();
   core_->clock();
@@ -107,6 +111,7 @@ void DmaBench::observe() {
   }
   if (controls.rst) return;
   fault_pulses_ += status.fault;
+  upsets_ += status.upset != 0;
   halted_early_ += status.halted && (both_ran_ || !memory.quiet());
   both_ran_ = status.ring_running && status.result_running;
   note(status.read_error, read_errors_);
@@ -244,6 +249,7 @@ std::string DmaBench::faults() {
   }
   if (size_.timeout == 0 && halted_early_ != 0)
     text += "halted while both halves run or a burst is open\n";
+  if (upsets_ != 0) text += fmt::format("upsets in {} clocks, though no bit flipped\n", upsets_);
   for (const std::string& report : checker.reports()) text += report + "\n";
   if (text.empty() && checker.violations() != 0) text = "violations";
   return text;

@@ -1,7 +1,11 @@
 #include "dma_core.hpp"
 
+#include <map>
 #include <stdexcept>
 
+#include "Vdma_hardened.h"
+#include "Vdma_hardened256.h"
+#include "Vdma_hardened64.h"
 #include "Vdma_large.h"
 #include "Vdma_marked.h"
 #include "Vdma_medium.h"
@@ -67,6 +71,7 @@ class VerilatedDmaCore : public DmaCore {
     dut.result_start_i = controls.result_start;
     dut.result_base_i = controls.result_base;
     dut.result_size_i = controls.result_size;
+    dut.windows_locked_i = controls.windows_locked;
   }
 
   void sample(DmaStatus& status) {
@@ -87,10 +92,16 @@ class VerilatedDmaCore : public DmaCore {
     status.read_error = {dut.read_error_o != 0, dut.read_error_code_o, dut.read_error_address_o};
     status.write_error = {dut.write_error_o != 0, dut.write_error_code_o,
                           dut.write_error_address_o};
+    status.upset = dut.upset_o;
   }
 
   tb::Sim<VDut> sim_;
 };
+
+template <class VDut>
+std::unique_ptr<DmaCore> make(std::uint64_t seed) {
+  return std::make_unique<VerilatedDmaCore<VDut>>(seed);
+}
 
 }  // namespace
 
@@ -99,7 +110,10 @@ const std::vector<DmaSize>& dma_sizes() {
                                              {"medium", 16, 64, 4},
                                              {"small", 4, 8, 2},
                                              {"narrow", 128, 512, 8, 0, 64},
-                                             {"wide", 16, 64, 4, 0, 256}};
+                                             {"wide", 16, 64, 4, 0, 256},
+                                             {"hardened", 16, 64, 4, 0, 128, true},
+                                             {"hardened64", 16, 64, 4, 0, 64, true},
+                                             {"hardened256", 16, 64, 4, 0, 256, true}};
   return sizes;
 }
 
@@ -118,16 +132,22 @@ const DmaSize& marked_dma_size() {
 }
 
 std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t seed) {
-  if (name == "large") return std::make_unique<VerilatedDmaCore<Vdma_large>>(seed);
-  if (name == "marked") return std::make_unique<VerilatedDmaCore<Vdma_marked>>(seed);
-  if (name == "medium") return std::make_unique<VerilatedDmaCore<Vdma_medium>>(seed);
-  if (name == "narrow") return std::make_unique<VerilatedDmaCore<Vdma_narrow>>(seed);
-  if (name == "pair") return std::make_unique<VerilatedDmaCore<Vdma_pair>>(seed);
-  if (name == "small") return std::make_unique<VerilatedDmaCore<Vdma_small>>(seed);
-  if (name == "watched") return std::make_unique<VerilatedDmaCore<Vdma_watched>>(seed);
-  if (name == "watched64") return std::make_unique<VerilatedDmaCore<Vdma_watched64>>(seed);
-  if (name == "watched256") return std::make_unique<VerilatedDmaCore<Vdma_watched256>>(seed);
-  if (name == "wide") return std::make_unique<VerilatedDmaCore<Vdma_wide>>(seed);
+  using Make = std::unique_ptr<DmaCore> (*)(std::uint64_t seed);
+  static const std::map<std::string, Make> makers = {{"hardened", make<Vdma_hardened>},
+                                                     {"hardened256", make<Vdma_hardened256>},
+                                                     {"hardened64", make<Vdma_hardened64>},
+                                                     {"large", make<Vdma_large>},
+                                                     {"marked", make<Vdma_marked>},
+                                                     {"medium", make<Vdma_medium>},
+                                                     {"narrow", make<Vdma_narrow>},
+                                                     {"pair", make<Vdma_pair>},
+                                                     {"small", make<Vdma_small>},
+                                                     {"watched", make<Vdma_watched>},
+                                                     {"watched256", make<Vdma_watched256>},
+                                                     {"watched64", make<Vdma_watched64>},
+                                                     {"wide", make<Vdma_wide>}};
+  const auto found = makers.find(name);
+  if (found != makers.end()) return found->second(seed);
   throw std::invalid_argument("make_dma_core: no size \"" + name + "\"");
 }
 

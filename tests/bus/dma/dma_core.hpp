@@ -24,6 +24,7 @@ struct DmaControls {
   bool result_start = false;
   std::uint64_t result_base = 0;
   std::uint32_t result_size = 0;
+  bool windows_locked = false;
 };
 
 struct DmaError {
@@ -41,6 +42,7 @@ struct DmaStatus {
   std::uint32_t result_count = 0;
   bool ring_marked = false, result_marked = false;  ///< interrupts of a descriptor, of a packet
   DmaError read_error, write_error;
+  unsigned upset = 0;  ///< of a hardened engine: what was repaired or refused
 };
 
 /// Valid, ready and beat of one stream.
@@ -68,6 +70,9 @@ struct DmaSize {
   std::uint64_t max_burst, depth, outstanding;
   std::uint64_t timeout = 0;
   std::uint64_t width = 128;  ///< of the bus
+  bool hardened = false;
+  /// Clocks that a burst is in the guard of a hardened engine.
+  std::uint64_t guard() const { return hardened ? 4 : 0; }
 };
 inline void PrintTo(const DmaSize& size, std::ostream* out) { *out << size.name; }
 const std::vector<DmaSize>& dma_sizes();
