@@ -16,6 +16,10 @@
 
 #include "hwffd/error.hpp"
 
+#ifdef HWFFD_COVERAGE
+#include <gcov.h>
+#endif
+
 namespace hwffd {
 namespace {
 
@@ -123,6 +127,9 @@ void make_mortal(const ChildLimits& limits) {
   } catch (const std::exception& error) {
     if (result.write(error.what(), 1)) result.end(Ending::kRefused);
   }
+#ifdef HWFFD_COVERAGE
+  __gcov_dump();  // what this process ran counts, too
+#endif
   ::_exit(0);  // nothing of the caller's is flushed or destroyed twice
 }
 

@@ -44,6 +44,8 @@ def work_on(options):
         raise counting.CoverageError(f"no program matches '{options.only}'")
     folder = build / "coverage"
     counts = counting.read(programs.run(run, build, folder, options.jobs, options.share))
+    if options.only == "*":
+        programs.run_calls(build, folder)
     sources = {path.stem: path.read_text(encoding="utf-8").splitlines()
                for path in sorted((ROOT / "rtl").rglob("*.v"))}
     reasons = exclusions.read(pathlib.Path(__file__).with_name("exclusions.csv"))

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import itertools
 import json
 import subprocess
 import sys
@@ -12,11 +13,11 @@ from counts import CoverageError
 FOLDERS = ("api", "cores", "geometry", "golden")
 
 
-def rows(root, build):
-    """A row for each folder."""
+def _files(root, build):
+    """What gcovr knows of each file."""
     command = [sys.executable, "-m", "gcovr", "--root", str(root), "--object-directory", str(build),
-               "--exclude-throw-branches", "--exclude-unreachable-branches", "--json-summary", "-",
-               "--merge-mode-functions=merge-use-line-0", "--merge-lines", "--gcov-ignore-errors=no_working_dir_found",
+               "--exclude-throw-branches", "--exclude-unreachable-branches", "--json", "-",
+               "--merge-mode-functions=merge-use-line-0", "--gcov-ignore-errors=no_working_dir_found",
                # Of threads that count at once, and of loops that run often.
                *(f"--gcov-ignore-parse-errors={kind}_hits.warn_once_per_file"
                  for kind in ("negative", "suspicious")),
@@ -24,15 +25,34 @@ def rows(root, build):
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
     if answer.returncode:
         raise CoverageError(f"gcovr: {answer.stderr.strip().splitlines()[-1:]}")
-    found = []
+    return json.loads(answer.stdout)["files"]
+
+
+def merged(lines):
+    """{line: (whether it ran, whether each of its branches did)}. A line of a template is there once for
+    each of its instances, and as in the RTL it is enough that any of them ran."""
+    found = {}
+    for line in lines:
+        if line.get("gcovr/excluded"):
+            continue
+        ran, branches = found.get(line["line_number"], (False, []))
+        more = [branch["count"] > 0 for branch in line.get("branches", ())
+                if not branch.get("gcovr/excluded")]
+        found[line["line_number"]] = (ran or line["count"] > 0, [
+            one or other for one, other in itertools.zip_longest(branches, more, fillvalue=False)])
+    return found
+
+
+def rows(root, build):
+    """A row for each folder."""
+    files, found = _files(root, build), []
     for folder in FOLDERS:
-        files = [one for one in json.loads(answer.stdout)["files"]
-                 if one["filename"].startswith(f"{folder}/")]
-        total = {field: sum(one[field] for one in files) for field in (
-            "line_total", "line_covered", "branch_total", "branch_covered")}
-        if not total["line_total"]:
+        lines = [line for one in files if one["file"].startswith(f"{folder}/")
+                 for line in merged(one["lines"]).values()]
+        branches = [ran for _, all_of_it in lines for ran in all_of_it]
+        if not lines:
             raise CoverageError(f"{folder}/: no line was counted")
-        found.append({"folder": folder, "lines": total["line_total"], "branches": total["branch_total"],
-                      "line": round(100 * total["line_covered"] / total["line_total"], 2),
-                      "branch": round(100 * total["branch_covered"] / max(1, total["branch_total"]), 2)})
+        found.append({"folder": folder, "lines": len(lines), "branches": len(branches),
+                      "line": round(100 * sum(ran for ran, _ in lines) / len(lines), 2),
+                      "branch": round(100 * sum(branches) / max(1, len(branches)), 2)})
     return found

@@ -24,6 +24,15 @@ def listed(build):
     return sorted(pathlib.Path(command) for command in commands)
 
 
+def run_calls(build, folder):
+    """The tests of the OpenGL calls, which are no programs of their own: they add to the counts of the C++."""
+    command = ["ctest", "--test-dir", str(build), "-L", "^test$", "-R", r"^gl\.", "--no-tests=error",
+               "--output-on-failure"]
+    with (folder / "calls.log").open("w", encoding="utf-8") as log:
+        if subprocess.run(command, stdout=log, stderr=log, check=False).returncode:
+            raise CoverageError(f"tests of OpenGL calls fail: see {folder / 'calls.log'}")
+
+
 def _key(program, build):
     return "-".join(program.relative_to(build).parts[1:])
 

@@ -283,6 +283,24 @@ TEST_P(BadGrids, AreRefusedWhole) {
   }
 }
 
+// One that comes while vertices before it still wait for the evaluator.
+TEST_P(BadGrids, WaitBehindVertices) {
+  run_.send_bspline();
+  run_.send_lattice(run_.random_lattice(random_, dims_));
+  constexpr std::size_t kMany = 6 * 6 * 6;
+  const Grid many = grid_between({0, 0, 0}, {2, 1, 3}, {6, 6, 6});
+  add_beats("too short", 3, kPacketShort);
+  for (int round = 0; round < 3; ++round) {
+    run_.send_grid(many);
+    run_.send(bad_[0].packet);
+    run_.send_grid(many);
+  }
+  ASSERT_TRUE(run_.run());
+  EXPECT_EQ(run_.events(kPacketShort), 3U);
+  EXPECT_EQ(run_.bench().results().size(), 6 * kMany);
+  for (std::size_t grid = 1; grid < 6; ++grid) EXPECT_TRUE(run_.same(0, grid * kMany, kMany));
+}
+
 TEST_P(BadGrids, NothingLoaded) {
   run_.send_grid(good_);
   run_.send_bspline();

@@ -35,15 +35,16 @@ struct Places {
   DescriptorRing ring = kRing;
   AddressWindow buffers = kBuffers, read = kReadWindow, write = kWriteWindow;
 
-  /// Results in the upper half of 64 bits, the others in the lower one.
+  /// Results in one half of 64 bits, the others in the other one.
   static Places anywhere(tb::Random& random) {
     constexpr std::uint64_t kRingBytes = 512, kHalf = std::uint64_t{1} << 63;
     const auto by = [](std::uint64_t bytes, const AddressWindow& window) {
       return AddressWindow{window.base + bytes, window.limit + bytes};
     };
-    const std::uint64_t read = random.bits() / 4 / kRingBytes * kRingBytes;
+    const std::uint64_t upper = random.chance(0.5) ? kHalf : 0;
+    const std::uint64_t read = upper + random.bits() / 4 * 2 / kRingBytes * kRingBytes;
     const std::uint64_t write =
-        kHalf + random.bits() / 4 / cores::kAxiBeatBytes * cores::kAxiBeatBytes;
+        kHalf - upper + random.bits() / 4 * 2 / cores::kAxiBeatBytes * cores::kAxiBeatBytes;
     return {{kRing.base + read, kRing.log2_size},
             by(read, kBuffers),
             by(read, kReadWindow),

@@ -17,6 +17,11 @@ constexpr std::uint32_t kAll = HWFFD_UPSET_STATUS_MEMORY_MASK | HWFFD_UPSET_STAT
 
 const Configuration& hardened_row() { return find_configuration("basic-fx18-overlapped"); }
 
+struct Register {
+  std::string instance;
+  unsigned bits;
+};
+
 /// A core whose registers may be written (hardened.vlt), and what works it.
 class Hardened {
  public:
@@ -25,11 +30,23 @@ class Hardened {
 
   /// Inverts a bit of a register of the DMA.
   void flip(const std::string& module, const char* name, unsigned bit) {
-    const VerilatedScope* scope =
-        core_.dut().contextp()->scopeFind(("TOP.hwffd_axi.u_core.u_dma." + module).c_str());
-    ASSERT_NE(scope, nullptr) << module;
+    flip_at("TOP.hwffd_axi.u_core.u_dma." + module, name, bit);
+  }
+  void flip_at(const std::string& instance, const char* name, unsigned bit) {
+    const VerilatedScope* scope = core_.dut().contextp()->scopeFind(instance.c_str());
+    ASSERT_NE(scope, nullptr) << instance;
     auto* bytes = static_cast<std::uint8_t*>(scope->varFind(name)->datap());
     bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+  }
+  /// Instances that have such a register.
+  std::vector<Register> registers(const std::string& name) {
+    std::vector<Register> found;
+    for (const auto& [instance, scope] : *core_.dut().contextp()->scopeNameMap()) {
+      const VerilatedVar* var = scope->varFind(name.c_str());
+      if (var != nullptr)
+        found.push_back({instance, static_cast<unsigned>(var->packed().elements())});
+    }
+    return found;
   }
   std::uint32_t upsets() { return run_.system().read32(HWFFD_UPSET_STATUS_OFFSET); }
   /// Each bit is cleared by a one, and by nothing else.
@@ -105,6 +122,59 @@ TEST(AxiHardened, AWindowThatFlipsIsOutvoted) {
     run.clear(HWFFD_UPSET_STATUS_COPY_MASK);
     EXPECT_TRUE(run->ends_well());
   }
+}
+
+/// Of windows, of what is open on the bus, of the burst that is checked, of the reset inside and of
+/// the count that clears the registers.
+TEST(AxiHardened, AnyBitOfACopyIsOutvoted) {
+  Hardened run(4);
+  ASSERT_TRUE(run->good_run());
+  unsigned bits = 0;
+  for (const Register& copy : run.registers("q_o")) {
+    for (unsigned bit = 0; bit < copy.bits; ++bit) {
+      run.flip_at(copy.instance, "q_o", bit);
+      run->system().run(2);
+      ASSERT_EQ(run.upsets(), HWFFD_UPSET_STATUS_COPY_MASK) << copy.instance << ", bit " << bit;
+      run->system().write32(HWFFD_UPSET_STATUS_OFFSET, HWFFD_UPSET_STATUS_COPY_MASK);
+      ++bits;
+    }
+  }
+  EXPECT_GT(bits, 1000U);
+  EXPECT_EQ(run.upsets(), 0U);
+  EXPECT_TRUE(run->ends_well());
+}
+
+TEST(AxiHardened, CopiesFlipWhileResultsComeAndAllAreRight) {
+  Hardened run(5);
+  const std::vector<Register> copies = run.registers("q_o");
+  run->send_scene(300);
+  run->start();
+  unsigned flips = 0;
+  for (; run->results_in_memory() < 290; ++flips) {
+    const Register& copy = copies[run->random().below(copies.size())];
+    run.flip_at(copy.instance, "q_o", static_cast<unsigned>(run->random().below(copy.bits)));
+    run->system().run(1 + run->random().below(20));
+    ASSERT_LT(flips, 10'000U);
+  }
+  EXPECT_GT(flips, 100U);
+  ASSERT_TRUE(run->finish());
+  EXPECT_EQ(run.upsets(), HWFFD_UPSET_STATUS_COPY_MASK);
+  run.clear(HWFFD_UPSET_STATUS_COPY_MASK);
+  EXPECT_TRUE(run->ends_well());
+}
+
+/// The one of three that believes in a request which nobody made is reset.
+TEST(AxiHardened, ASlaveOfTheRegistersIsOutvoted) {
+  Hardened run(6);
+  const std::vector<Register> slaves = run.registers("aw_held_q");
+  EXPECT_EQ(slaves.size(), 3U);
+  for (const Register& slave : slaves) {
+    run.flip_at(slave.instance, "aw_held_q", 0);
+    run->system().run(4);
+    EXPECT_EQ(run.upsets(), HWFFD_UPSET_STATUS_COPY_MASK) << slave.instance;
+    run.clear(HWFFD_UPSET_STATUS_COPY_MASK);
+  }
+  EXPECT_TRUE(run->ends_well());
 }
 
 /// Without HARDENED there is no such word.

@@ -60,6 +60,65 @@ TEST_P(AxiStart, ARingWithoutItsHeadIsRefused) {
   EXPECT_TRUE(run.clean());
 }
 
+/// Each bit of a head that the ring has not makes it wrong.
+TEST_P(AxiStart, EachBitOfAHeadIsLookedAt) {
+  AxiRun run(GetParam(), 3);
+  for (unsigned bit = kRing.log2_size; bit < 16; ++bit) {
+    ASSERT_TRUE(run.soft_reset());
+    run.system().write32(HWFFD_RING_HEAD_OFFSET, 1U << bit);
+    run.start(1);
+    ASSERT_TRUE(run.wait());
+    ASSERT_TRUE(run.only_error({kDmaRing, 0, 0, kRing.base})) << "bit " << bit;
+  }
+  ASSERT_TRUE(run.soft_reset());
+  EXPECT_TRUE(run.ends_well());
+}
+
+/// Each bit of a ring's base that its size wants to be 0.
+TEST_P(AxiStart, EachBitOfARingsBaseIsLookedAt) {
+  AxiRun run(GetParam(), 4);
+  for (unsigned bit = 0; bit < kRing.log2_size + 4; ++bit) {
+    ASSERT_TRUE(run.soft_reset());
+    const std::uint64_t base = kRing.base | std::uint64_t{1} << bit;
+    run.system().write32(HWFFD_RING_BASE_LO_OFFSET, static_cast<std::uint32_t>(base));
+    run.send_bspline();
+    run.start(1);
+    ASSERT_TRUE(run.wait());
+    EXPECT_TRUE(run.only_error({kDmaMisaligned, 0, 0, base})) << "bit " << bit;
+  }
+  ASSERT_TRUE(run.soft_reset());
+  EXPECT_TRUE(run.ends_well());
+}
+
+/// Each bit of the area's base and size.
+TEST_P(AxiStart, EachBitOfAnAreaIsLookedAt) {
+  AxiRun run(GetParam(), 5);
+  const auto expect_refused = [&](std::uint64_t base, std::uint32_t bytes, unsigned code) {
+    SCOPED_TRACE(testing::Message() << std::hex << base << ", " << bytes << " bytes");
+    ASSERT_TRUE(run.soft_reset());
+    run.start(1);
+    ASSERT_TRUE(run.wait());
+    ASSERT_EQ(run.driver().take_errors().status, 0U);
+    run.system().write32(HWFFD_RESULT_BASE_LO_OFFSET, static_cast<std::uint32_t>(base));
+    run.system().write32(HWFFD_RESULT_BASE_HI_OFFSET, static_cast<std::uint32_t>(base >> 32));
+    run.system().write32(HWFFD_RESULT_SIZE_OFFSET, bytes);
+    run.driver().start();
+    ASSERT_TRUE(run.wait());
+    EXPECT_TRUE(run.only_error({code, 0, 0, base}));
+  };
+  const std::uint64_t base = kWriteWindow.base;
+  for (unsigned bit = 0; bit < 4; ++bit) {
+    expect_refused(base | 1U << bit, 32, kDmaMisaligned);
+    expect_refused(base, 32 | 1U << bit, kDmaMisaligned);
+  }
+  for (unsigned bit = 21; bit < 32; ++bit) expect_refused(base, 1U << bit, kDmaWindow);
+  for (unsigned bit = 21; bit < 64; ++bit) {
+    expect_refused(base ^ std::uint64_t{1} << bit, 32, kDmaWindow);
+  }
+  ASSERT_TRUE(run.soft_reset());
+  EXPECT_TRUE(run.ends_well());
+}
+
 /// What was in the ring before its head went wrong is worked off.
 TEST_P(AxiStart, AHeadThatGoesWrongEndsTheRun) {
   unsigned refused = 0;

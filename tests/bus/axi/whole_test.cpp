@@ -93,6 +93,24 @@ TEST_P(Axi, TheRingGoesAround) {
   EXPECT_TRUE(run.clean());
 }
 
+/// The largest ring: every bit of its indices is 1 once, and 0 again behind a reset.
+TEST(AxiRing, HasThirtyTwoThousandEntries) {
+  constexpr unsigned kLog2Size = 15, kRound = 1024;
+  AxiRun run(find_configuration("basic-fx18-overlapped"), 11);
+  const AddressWindow buffers{0x200F70, 0x3FFFFF};
+  run.move_to({{0x80000, kLog2Size}, buffers, {0x80000, buffers.limit}, kWriteWindow});
+  for (unsigned round = 0; round < (1U << kLog2Size) / kRound; ++round) {
+    for (unsigned packet = 0; packet < kRound; ++packet) run.send_bspline();
+    ASSERT_TRUE(run.go()) << round;
+    const std::uint32_t tail = (round + 1) * kRound % (1U << kLog2Size);
+    ASSERT_EQ(run.system().read32(HWFFD_RING_TAIL_OFFSET), tail);
+  }
+  EXPECT_TRUE(run.ends_well());
+  ASSERT_TRUE(run.soft_reset());
+  EXPECT_EQ(run.system().read32(HWFFD_RING_TAIL_OFFSET), 0U);
+  EXPECT_TRUE(run.ends_well());
+}
+
 TEST_P(Axi, CountersCount) {
   AxiRun run(GetParam(), 5);
   ASSERT_TRUE(run.good_run());

@@ -13,6 +13,7 @@ sys.path[:0] = [str(ROOT / "studies" / "rtl_coverage"), str(ROOT / "scripts")]
 
 import annotated  # noqa: E402  pylint: disable=wrong-import-position
 import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
+import cpp  # noqa: E402  pylint: disable=wrong-import-position
 import exclusions  # noqa: E402  pylint: disable=wrong-import-position
 import report as reporting  # noqa: E402  pylint: disable=wrong-import-position
 
@@ -54,6 +55,16 @@ def test_lines_of_a_branch_are_lines(tmp_path):
     row = rows(read(tmp_path, WIDE))[0]
     assert (row["lines"], row["line"]) == (3, 66.67)  # line 4 is of `else`, too
     assert "line 5" in row["missed_places"]
+
+
+def test_a_line_of_a_template_is_one_line():
+    def line(count, *branches):
+        return {"line_number": 7, "count": count, "branches": [{"count": one} for one in branches]}
+    assert cpp.merged([line(0, 0, 0), line(5, 5, 0), line(3, 0, 3)]) == {7: (True, [True, True])}
+    assert cpp.merged([line(2, 2, 0), line(2, 2, 0, 0)]) == {7: (True, [True, False, False])}
+    assert cpp.merged([line(0), line(0)]) == {7: (False, [])}
+    skipped = {**line(0, 0, 0), "gcovr/excluded": True}
+    assert not cpp.merged([skipped])
 
 
 def test_what_falls_short_is_named(tmp_path):
