@@ -17,7 +17,9 @@
 #include "hwffd/error.hpp"
 
 #ifdef HWFFD_COVERAGE
+extern "C" {
 #include <gcov.h>
+}
 #endif
 
 namespace hwffd {
