@@ -102,17 +102,17 @@ std::uint32_t AxiSystem::read32(std::uint32_t offset) {
   return response.data;
 }
 
-void AxiSystem::post_write(std::uint32_t offset, std::uint32_t value) {
-  registers_.write({offset, value, 0xF});
+void AxiSystem::post_write(std::uint32_t offset, std::uint32_t value, std::uint8_t strobe) {
+  registers_.write({offset, value, strobe});
 }
 
-std::uint8_t AxiSystem::try_write(std::uint32_t offset, std::uint32_t value) {
+std::uint8_t AxiSystem::try_write(std::uint32_t offset, std::uint32_t value, std::uint8_t strobe) {
   if (offset == HWFFD_CONTROL_OFFSET && (value & HWFFD_CONTROL_SOFT_RESET_MASK) != 0) {
     clearing_ = true;
     bus_checker.allow_ready_to_fall(true);
   }
   const std::size_t number = registers_.writes().size();
-  post_write(offset, value);
+  post_write(offset, value, strobe);
   return answer(registers_.write_responses(), number).code;
 }
 

@@ -4,11 +4,11 @@
 
 #include "Vboard_icebreaker.h"
 #include "Vboard_ulx3s.h"
+#include "bad_packets.hpp"
 #include "frame_model.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "serial_host.hpp"
-#include "stimulus.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -166,6 +166,12 @@ TYPED_TEST(BoardTest, AnyPackets) {
       packet.clear();
       ASSERT_NO_FATAL_FAILURE(this->compare());
     }
+  }
+  this->load();
+  for (const BadPacket& bad : bad_packets(this->codec_, this->random_, this->lattice_)) {
+    this->send(bad.packet);
+    this->send(this->vertices(1));
+    ASSERT_NO_FATAL_FAILURE(this->compare()) << bad.name;
   }
   EXPECT_GT(this->compared_, 48U);
 }

@@ -15,12 +15,12 @@
 #include "Vunits_in_64.h"
 #include "Vunits_out_256.h"
 #include "Vunits_out_64.h"
+#include "bad_packets.hpp"
 #include "hwffd/model/stream_model.hpp"
 #include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packed.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
-#include "stimulus.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -219,12 +219,18 @@ TEST(Width, APacketThatEndsInAHalfUnitEndsAWholeOne) {
   EXPECT_EQ(get(sim->m_unit_data, 4), (std::vector<std::uint32_t>{0x9ABCDEF0, 0x12345678, 0, 0}));
 }
 
-/// A lattice, a grid of it, and as many packed vertices.
+/// A lattice, all that may be wrong with packets, the lattice again, a grid of it, one without
+/// vertices, and as many packed vertices.
 std::vector<Beat> expanded_packets(const WordCodec& codec, tb::Random& random,
                                    std::size_t vertices) {
-  std::vector<Beat> packets = lattice_packet(random_lattice(codec, random, {5, 5, 5}));
-  append(packets,
-         grid_packet(grid_between({0, 0, 0}, {2, 2, 2}, {static_cast<int>(vertices), 1, 2})));
+  const LatticeWords lattice = random_lattice(codec, random, {5, 5, 5});
+  std::vector<Beat> packets = lattice_packet(lattice);
+  for (const BadPacket& bad : bad_packets(codec, random, lattice)) append(packets, bad.packet);
+  append(packets, lattice_packet(lattice));
+  Grid grid = grid_between({0, 0, 0}, {2, 2, 2}, {static_cast<int>(vertices), 1, 2});
+  append(packets, grid_packet(grid));
+  grid.count[1] = 0;
+  append(packets, grid_packet(grid));
   const PackedVertex vertex{{0x4000, 0x10000, 1}, {1, 0, 1}};
   append(packets, packed_packet(std::vector<PackedVertex>(vertices, vertex)));
   return packets;

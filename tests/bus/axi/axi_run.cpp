@@ -194,4 +194,23 @@ AssertionResult AxiRun::only_error(const FirstError& first, std::uint32_t count)
   return AssertionFailure() << got << "\nwanted " << wanted;
 }
 
+void expect_words_and_bytes(tb::AxiSystem& system) {
+  constexpr std::uint32_t kWord = HWFFD_RESULT_BASE_LO_OFFSET, kWords = 0x1000;
+  for (unsigned strobe = 0; strobe < 16; ++strobe) {
+    system.write32(kWord, 0x11223344);
+    ASSERT_EQ(system.try_write(kWord, 0xAABBCCDD, static_cast<std::uint8_t>(strobe)), cores::kOkay);
+    std::uint32_t expected = 0;
+    for (unsigned byte = 0; byte < 4; ++byte) {
+      const std::uint32_t from = (strobe >> byte & 1) != 0 ? 0xAABBCCDD : 0x11223344;
+      expected |= from & 0xFFU << 8 * byte;
+    }
+    EXPECT_EQ(system.read32(kWord), expected) << strobe;
+  }
+  for (std::uint32_t bit = 0x400; bit < kWords; bit *= 2) {
+    EXPECT_THROW(system.read32(kWord | bit), RegisterError) << bit;
+    EXPECT_EQ(system.try_write(kWord | bit, 0), cores::kSlvErr) << bit;
+  }
+  EXPECT_EQ(system.read32(kWord), 0xAABBCCDDU);
+}
+
 }  // namespace hwffd::test

@@ -52,6 +52,9 @@ struct Places {
   }
 };
 
+/// Bytes of a word are written as strobes say, and every bit of its address counts.
+void expect_words_and_bytes(tb::AxiSystem& system);
+
 /// A whole system of one configuration, the driver that works it and the model of what it does.
 class AxiRun {
  public:

@@ -177,6 +177,12 @@ TEST(AxiHardened, ASlaveOfTheRegistersIsOutvoted) {
   EXPECT_TRUE(run->ends_well());
 }
 
+TEST(AxiHardened, RegistersAreWordsOfBytes) {
+  Hardened run(7);
+  expect_words_and_bytes(run->system());
+  EXPECT_TRUE(run->ends_well());
+}
+
 /// Without HARDENED there is no such word.
 TEST(AxiHardened, APlainCoreTellsOfNone) {
   AxiRun run(hardened_row(), 3);

@@ -111,6 +111,12 @@ TEST(AxiRing, HasThirtyTwoThousandEntries) {
   EXPECT_TRUE(run.ends_well());
 }
 
+TEST_P(Axi, RegistersAreWordsOfBytes) {
+  AxiRun run(GetParam(), 12, "mixed");
+  expect_words_and_bytes(run.system());
+  EXPECT_TRUE(run.ends_well());
+}
+
 TEST_P(Axi, CountersCount) {
   AxiRun run(GetParam(), 5);
   ASSERT_TRUE(run.good_run());

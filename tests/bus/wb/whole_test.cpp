@@ -155,6 +155,14 @@ TEST(WishboneWhole, AnywhereInMemory) {
   EXPECT_TRUE(run.clean());
 }
 
+TEST(WishboneWhole, RegistersAreWordsOfBytes) {
+  AxiRun run = wishbone_run(9, "always");
+  expect_words_and_bytes(run.system());
+  run.send_scene(400, 10);  // and bursts as long as they may be
+  ASSERT_TRUE(run.go());
+  EXPECT_TRUE(run.ends_well());
+}
+
 TEST(WishboneWhole, InterruptsAndErrorsReachTheDriver) {
   AxiRun run = wishbone_run(7, "bernoulli");
   EXPECT_FALSE(run.system().interrupt());

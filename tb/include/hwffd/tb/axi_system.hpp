@@ -53,10 +53,10 @@ class AxiSystem final : public RegisterPort {
   /// Throws RegisterError where the response is an error, std::runtime_error where there is none.
   std::uint32_t read32(std::uint32_t offset) override;
   void write32(std::uint32_t offset, std::uint32_t value) override;
-  /// The response code of such an access.
-  std::uint8_t try_write(std::uint32_t offset, std::uint32_t value);
+  /// The response code of such an access, of those bytes.
+  std::uint8_t try_write(std::uint32_t offset, std::uint32_t value, std::uint8_t strobe = 0xF);
   /// Puts a write on its way, behind those before it, without waiting for its response.
-  void post_write(std::uint32_t offset, std::uint32_t value);
+  void post_write(std::uint32_t offset, std::uint32_t value, std::uint8_t strobe = 0xF);
 
   /// What the checker lets through: what software put into the registers.
   void allow(const AddressWindow& read, const AddressWindow& write);
