@@ -45,9 +45,11 @@ struct Places {
     const std::uint64_t read = upper + random.bits() / 4 * 2 / kRingBytes * kRingBytes;
     const std::uint64_t write =
         kHalf - upper + random.bits() / 4 * 2 / cores::kAxiBeatBytes * cores::kAxiBeatBytes;
+    AddressWindow readable = by(read, kReadWindow);
+    readable.base -= random.below(kRingBytes);  // in all its bits
     return {{kRing.base + read, kRing.log2_size},
             by(read, kBuffers),
-            by(read, kReadWindow),
+            readable,
             by(write, kWriteWindow)};
   }
 };

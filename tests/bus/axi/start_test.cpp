@@ -111,6 +111,12 @@ TEST_P(AxiStart, EachBitOfAnAreaIsLookedAt) {
     expect_refused(base | 1U << bit, 32, kDmaMisaligned);
     expect_refused(base, 32 | 1U << bit, kDmaMisaligned);
   }
+  for (unsigned bit = 5; bit < 21; ++bit) {  // inside the window: larger than what comes
+    ASSERT_TRUE(run.soft_reset());
+    run.send_scene(1);
+    run.start((std::uint64_t{1} << bit) / cores::kAxiBeatBytes);
+    ASSERT_TRUE(run.finish()) << "bit " << bit;
+  }
   for (unsigned bit = 21; bit < 32; ++bit) expect_refused(base, 1U << bit, kDmaWindow);
   for (unsigned bit = 21; bit < 64; ++bit) {
     expect_refused(base ^ std::uint64_t{1} << bit, 32, kDmaWindow);
