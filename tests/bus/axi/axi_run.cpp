@@ -206,7 +206,7 @@ void expect_words_and_bytes(tb::AxiSystem& system) {
     }
     EXPECT_EQ(system.read32(kWord), expected) << strobe;
   }
-  for (std::uint32_t bit = 0x400; bit < kWords; bit *= 2) {
+  for (std::uint32_t bit = 0x200; bit < kWords; bit *= 2) {
     EXPECT_THROW(system.read32(kWord | bit), RegisterError) << bit;
     EXPECT_EQ(system.try_write(kWord | bit, 0), cores::kSlvErr) << bit;
   }
