@@ -13,6 +13,10 @@ import pool
 from counts import CoverageError
 
 
+# It reads probes of rows beyond the tier `cover`, whose models are not built here.
+LEFT_OUT = {"organizations_test"}
+
+
 def listed(build):
     """Test programs of the label test, each once."""
     answer = subprocess.run(["ctest", "--test-dir", str(build), "-L", "^test$", "--show-only=json-v1"],
@@ -21,7 +25,7 @@ def listed(build):
         raise CoverageError(f"{build}: ctest lists no tests: make coverage builds them")
     commands = {test["command"][0] for test in json.loads(answer.stdout)["tests"]
                 if any("--gtest_filter" in word for word in test.get("command", []))}
-    return sorted(pathlib.Path(command) for command in commands)
+    return sorted(path for path in map(pathlib.Path, commands) if path.name not in LEFT_OUT)
 
 
 def run_calls(build, folder):
