@@ -179,7 +179,7 @@ module formal_dma_ring #(
                        && (!\u_dut.stop_q || !valid) && planned
                        && (!\u_dut.over_q || (!\u_dut.check_q && !taken_q && !valid && ahead == 0
                            && fetches == 0 && packets == 0 && !\u_dut.planned ))
-                     : quiet && !valid;
+                     : quiet && !valid && (!\u_dut.planned || \u_dut.stop_q );
   wire        between = !(asks && is_fetch)
                      || (address == (base | {entry, 4'd0}) && entry == expected_q
                          && ((entry - tail[14:0]) & mask) < to_limit);
