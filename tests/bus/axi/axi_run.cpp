@@ -112,6 +112,21 @@ std::uint32_t AxiRun::result_word(std::uint64_t index, unsigned word) const {
   return system_->memory.beat(area_ + index * kBeat)[word];
 }
 
+void AxiRun::start_in(std::uint64_t base, std::uint32_t bytes) {
+  system_->write32(HWFFD_RESULT_BASE_LO_OFFSET, static_cast<std::uint32_t>(base));
+  system_->write32(HWFFD_RESULT_BASE_HI_OFFSET, static_cast<std::uint32_t>(base >> 32));
+  system_->write32(HWFFD_RESULT_SIZE_OFFSET, bytes);
+  driver_.start();
+}
+
+void AxiRun::start_with_memory_shut(std::uint64_t clocks) {
+  tb::AxiThrottles shut;
+  shut.w = tb::Throttle::shut_after(1, 2 * clocks);
+  system_->memory.set_throttles(shut);
+  start();
+  system_->run(clocks);
+}
+
 AssertionResult AxiRun::finish() {
   const AssertionResult ended = wait();
   if (!ended) return ended;

@@ -93,6 +93,10 @@ class AxiRun {
   void start(std::optional<std::uint64_t> results = {});
   /// The same, but the start is only on its way to the registers when `behind` is called.
   void start(std::optional<std::uint64_t> results, const std::function<void()>& behind);
+  /// A start with an area like that, past the checks of the driver.
+  void start_in(std::uint64_t base, std::uint32_t bytes);
+  /// A start; then so many clocks in which the memory takes no data, and goes on to take none.
+  void start_with_memory_shut(std::uint64_t clocks);
   /// Waits for the end; compares the count and every word in memory. What lies behind them is guard
   /// bytes for `clean`, even in the area.
   ::testing::AssertionResult finish();

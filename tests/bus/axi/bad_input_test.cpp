@@ -47,15 +47,10 @@ class AxiBadInput : public PerAxiConfiguration {
     EXPECT_EQ(run_.driver().pending(), 1U);
     expect_refusal(code, descriptor);
   }
-  /// An area like that, past the checks of the driver.
   void expect_area_refused(std::uint64_t base, std::uint32_t bytes, unsigned code) {
     run_.send_bspline();
     run_.forget_expected();
-    auto& port = run_.system();
-    port.write32(HWFFD_RESULT_BASE_LO_OFFSET, static_cast<std::uint32_t>(base));
-    port.write32(HWFFD_RESULT_BASE_HI_OFFSET, static_cast<std::uint32_t>(base >> 32));
-    port.write32(HWFFD_RESULT_SIZE_OFFSET, bytes);
-    run_.driver().start();
+    run_.start_in(base, bytes);
     expect_refusal(code, base);
   }
 

@@ -99,10 +99,7 @@ TEST_P(AxiStart, EachBitOfAnAreaIsLookedAt) {
     run.start(1);
     ASSERT_TRUE(run.wait());
     ASSERT_EQ(run.driver().take_errors().status, 0U);
-    run.system().write32(HWFFD_RESULT_BASE_LO_OFFSET, static_cast<std::uint32_t>(base));
-    run.system().write32(HWFFD_RESULT_BASE_HI_OFFSET, static_cast<std::uint32_t>(base >> 32));
-    run.system().write32(HWFFD_RESULT_SIZE_OFFSET, bytes);
-    run.driver().start();
+    run.start_in(base, bytes);
     ASSERT_TRUE(run.wait());
     EXPECT_TRUE(run.only_error({code, 0, 0, base}));
   };

@@ -157,12 +157,8 @@ TEST_P(Axi, VerticesAreCountedNotResults) {
 /// A result that cannot leave because the memory takes no data waits, and is counted as a stall.
 TEST_P(Axi, StallsAreCounted) {
   AxiRun run(GetParam(), 6);
-  tb::AxiThrottles closed;
-  closed.w = tb::Throttle::shut_after(1, 100'000);
-  run.system().memory.set_throttles(closed);
   run.send_scene(800);
-  run.start();
-  run.system().run(80'000);
+  run.start_with_memory_shut(80'000);
   EXPECT_GT(run.driver().counters().stalls, 1000U);
   run.system().memory.set_throttles({});
   ASSERT_TRUE(run.finish());

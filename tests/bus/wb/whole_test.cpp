@@ -164,12 +164,8 @@ TEST(WishboneWhole, RegistersAreWordsOfBytes) {
 /// A memory that takes no data for a while then gets bursts as long as they may be.
 TEST(WishboneWhole, BurstsOfAllLengths) {
   AxiRun run = wishbone_run(10, "always");
-  tb::AxiThrottles closed;
-  closed.w = tb::Throttle::shut_after(1, 40'000);
-  run.system().memory.set_throttles(closed);
   run.send_scene(600);
-  run.start();
-  run.system().run(40'000);
+  run.start_with_memory_shut(40'000);
   run.system().memory.set_throttles({});
   ASSERT_TRUE(run.finish());
   std::uint64_t longest = 0;
