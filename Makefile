@@ -285,7 +285,7 @@ mutants: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
 	@$(CMAKE_BUILD) --target $(call programs_of,studies/mutants/subjects.csv,3)
-	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS))
+	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS)) $(AGAIN_ARGUMENT)
 
 # FLIPS= of each core in registers, and as many in memories.
 upsets: install

@@ -16,11 +16,18 @@ class Kept:
     def __init__(self, root, name, field="rows", again=False):
         path = pathlib.Path(root) / FOLDER / f"{name}.json"
         rows = json.loads(path.read_text(encoding="utf-8"))[field] if path.is_file() else []
-        self._by_key = {} if again else {row["key"]: row for row in rows if row.get("key")}
+        self._by_key = {}
+        for row in () if again else rows:
+            if row.get("key"):
+                self._by_key.setdefault(row["key"], []).append(row)
 
     def __bool__(self):
         return bool(self._by_key)
 
     def get(self, key):
         """The row, or None."""
-        return self._by_key.get(key)
+        return next(iter(self.rows(key)), None)
+
+    def rows(self, key):
+        """All rows of what has several."""
+        return self._by_key.get(key, [])

@@ -1,11 +1,12 @@
 """make mutants: single changes of the RTL, and whether the tests see them.
 
     python studies/mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
-                           [--report FILE] [-j JOBS]
+                           [--again] [--report FILE] [-j JOBS]
 
 Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
 run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
-change something, and it has survived; or neither is known in time. Writes the report. The exit status
+change something, and it has survived; or neither is known in time. Of a subject whose design and tests
+are those of the committed report its rows stand. Writes the report. The exit status
 is 1 where a subject falls short of its aim, to which what is undecided counts as survived. A sample is
 as small as the table says, proofs have less time, and the aim is of all of it.
 
@@ -24,8 +25,10 @@ sys.path.insert(1, str(ROOT / "scripts"))
 
 import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
+import digest  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
 import front  # noqa: E402  pylint: disable=wrong-import-position
+import kept  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 from known import Known  # noqa: E402  pylint: disable=wrong-import-position
@@ -52,13 +55,26 @@ def numbers(chosen, column, total):
     return [max(1, round(number * total / sum(table))) for number in table] if total else table
 
 
-def measure(options, subject, number):
-    """A subject: so many mutants, and their verdicts. Another design has others."""
+def key(subject, folder):
+    """What the verdicts of a subject depend on: its design, where the folder does not matter, its tests,
+    and how they are found."""
+    tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
+    return digest.of(netlist.text(folder).replace(str(folder), ""),
+                     *(subject[field] for field in ("tests", "modules", "mutants")), *map(digest.cpp, tests),
+                     digest.statements(campaign, equivalence, netlist))
+
+
+def measure(options, subject, number, known):
+    """The rows of a subject: those that are known, or so many mutants and their verdicts."""
     model = built.model(options.build, subject["library"])
     folder = options.build / "mutants" / f"{subject['name']}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
-    print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
     of_design = netlist.read(ROOT, model, folder)
+    same = key(subject, folder)
+    print(f"mutants: {subject['name']}: {model.top}{', as in docs/reports' if known.rows(same) else ''}",
+          file=sys.stderr, flush=True)
+    if known.rows(same):
+        return known.rows(same)
     seed = of_design if options.seed is None else options.seed
     mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
     program, mutants, seconds = campaign.program(options.build, subject, model, mutants, folder)
@@ -71,10 +87,11 @@ def measure(options, subject, number):
     verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1],
                                                                    folder / str(place), limit),
                          options.jobs, "proof")
-    return seed, mutants, {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)}
+    return rows({"subject": subject["name"], "key": same, "seed": seed}, mutants,
+                {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)})
 
 
-def rows(subject, seed, mutants, verdicts):
+def rows(subject, mutants, verdicts):
     """A row for each module of the subject."""
     counts, names = collections.defaultdict(collections.Counter), collections.defaultdict(list)
     for number, verdict in verdicts.items():
@@ -83,7 +100,7 @@ def rows(subject, seed, mutants, verdicts):
         if verdict in SURVIVORS:
             names[module].append({"number": number, "verdict": verdict,
                                   "change": mutants[number - 1]})
-    return [{"subject": subject["name"], "seed": seed, "module": module, "total": sum(found.values()),
+    return [{**subject, "module": module, "total": sum(found.values()),
              **{verdict: found[verdict] for verdict in VERDICTS},
              "survivors": names[module]} for module, found in sorted(counts.items())]
 
@@ -98,8 +115,10 @@ def work_on(options):
     found, faults = [], []
     column = "sample" if options.sample else "mutants"
     chosen = [subject for subject in subjects(options.only) if subject[column] != "0"]
+    others = options.sample or options.mutants or options.seed is not None
+    known = kept.Kept(ROOT, "mutants", again=options.again or others)
     for subject, number in zip(chosen, numbers(chosen, column, options.mutants)):
-        mine = rows(subject, *measure(options, subject, number))
+        mine = measure(options, subject, number, known)
         found += mine
         if score(mine) < float(subject["aim"]) and not options.sample:
             faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
@@ -123,6 +142,7 @@ def main():
     asked.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
     asked.add_argument("--sample", action="store_true", help="so few that make test has time for them")
     parser.add_argument("--seed", type=int, help="of their choice; from each design")
+    parser.add_argument("--again", action="store_true", help="also what the committed report has of these sources")
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()

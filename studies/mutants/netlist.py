@@ -77,11 +77,15 @@ def _chosen(lines, modules, number):
 
 def read(root, model, folder):
     """Reads the design. A number that follows from it, the same on every machine."""
-    design = folder / "design.il"
-    if not yosys(root, folder / "read.ys", [*_read(root, model, folder), f"write_rtlil {design}"]):
+    if not yosys(root, folder / "read.ys", [*_read(root, model, folder), f"write_rtlil {base(folder)}"]):
         raise MutantError(f"yosys cannot read {model.top}: see {folder / 'read.log'}")
-    text = "".join(line for line in design.read_text().splitlines(True) if not line.startswith("#"))
-    return int(hashlib.sha256(text.encode()).hexdigest()[:6], 16)
+    return int(hashlib.sha256(text(folder).encode()).hexdigest()[:6], 16)
+
+
+def text(folder):
+    """The design that was read, without comments."""
+    return "".join(line for line in base(folder).read_text(encoding="utf-8").splitlines(True)
+                   if not line.startswith("#"))
 
 
 def listed(root, folder, number, seed, modules="*"):

@@ -136,6 +136,18 @@ TEST_P(AddressBits, EachIsReportedOfAWrite) {
   }
 }
 
+// Bits that are 1 together.
+TEST_P(AddressBits, AnyAreReported) {
+  tb::Random random(25);
+  for (int i = 0; i < 40; ++i) {
+    const std::uint64_t any = random.bits(), ring = zeros_below(~any, 20);
+    const std::uint64_t packet = zeros_below(any, 4);
+    const Descriptor descriptor{packet, 16, 0};
+    expect_read_error(GetParam(), {ring, descriptor, packet, kSlaveError, packet});
+    expect_write_error(GetParam(), packet, 256, kSlaveError);
+  }
+}
+
 // ---- addresses on the bus
 
 // A packet and an area reach over an address that ends in a 1 and zeros, so that the next burst's

@@ -108,7 +108,7 @@ std::unique_ptr<DmaCore> make(std::uint64_t seed) {
 const std::vector<DmaSize>& dma_sizes() {
   static const std::vector<DmaSize> sizes = {{"large", 256, 512, 8},
                                              {"medium", 16, 64, 4},
-                                             {"small", 4, 8, 2},
+                                             {"small", 4, 8, 2, 0, 128, false, 2},
                                              {"narrow", 128, 512, 8, 0, 64},
                                              {"wide", 16, 64, 4, 0, 256},
                                              {"hardened", 16, 64, 4, 0, 128, true},

@@ -71,6 +71,7 @@ struct DmaSize {
   std::uint64_t timeout = 0;
   std::uint64_t width = 128;  ///< of the bus
   bool hardened = false;
+  std::uint64_t descriptors = 4;  ///< fetched ahead of packets
   /// Clocks that a burst is in the guard of a hardened engine.
   std::uint64_t guard() const { return hardened ? 4 : 0; }
 };

@@ -77,6 +77,22 @@ TEST_P(ResultArea, AFlushEndsWithItsLastBeat) {
   }
 }
 
+// What patience sent on leaves none behind: the next beat waits as long.
+TEST_P(ResultArea, PatienceBeginsAnewBehindAFlush) {
+  const std::uint64_t patience = 21 + GetParam().guard();
+  DmaBench bench(GetParam(), 7);
+  bench.start_results(kFirst, 1 << 16);
+  bench.run(10);
+  for (std::uint64_t sent = 0; sent < 40; ++sent) {
+    bench.run(sent);
+    bench.offer_results(1);
+    const std::uint64_t clocks = clocks_to_address(bench);
+    const bool fills_burst = (sent + 1) % GetParam().max_burst == 0;
+    EXPECT_TRUE(clocks == patience || fills_burst) << clocks << " clocks, " << sent << " behind";
+    ASSERT_TRUE(bench.writes(kFirst, 0, sent + 1));
+  }
+}
+
 // A `last` that comes while a burst is on its way, which could take its flush along.
 TEST_P(ResultArea, ALastNeverWaitsForMore) {
   // Less than FLUSH_CLOCKS and that way. A guard waits for the data of the burst before, too.
@@ -120,17 +136,37 @@ TEST_P(ResultArea, AnotherStartAtOnceChangesNothing) {
   EXPECT_TRUE(only(bad.write_errors(), kMisaligned, kFirst + 4));
 }
 
-// While a soft reset waits for the reader's bursts, the writer has nothing open and could begin.
-TEST_P(ResultArea, NoneStartsDuringASoftReset) {
-  DmaBench bench(GetParam(), 9);
+// Nor is one while a burst is not answered.
+TEST_P(ResultArea, NoneStartsWhileABurstIsOut) {
+  DmaBench bench(GetParam(), 10);
   bench.memory.set_latency({60, 60});
-  bench.place_ring(0x7000, 2);
-  bench.put_packet(0x100000, GetParam().max_burst);
+  bench.start_results(kFirst, 1 << 16);
+  bench.offer_results(1, 1);
+  ASSERT_TRUE(bench.run_until([&] { return !bench.memory.writes().empty(); }, 1000));
+  for (int clocks = 0; clocks < 20; ++clocks) {
+    ASSERT_TRUE(bench.status.result_busy);
+    bench.start_results(kNext, 1 << 16);
+  }
+  bench.offer_results(2, 2);
+  EXPECT_TRUE(bench.writes(kFirst, 0, 3));
+}
+
+/// A soft reset that waits for a burst of the reader, while the writer has none open.
+void begin_long_soft_reset(DmaBench& bench) {
+  bench.memory.set_latency({60, 60});
+  bench.place_ring(kRing, 2);
+  bench.put_packet(kPackets, bench.size().max_burst);
   bench.start_ring();
   bench.run(20);
   bench.controls.soft_reset = true;
   bench.step();
   bench.step();
+}
+
+// The writer could begin.
+TEST_P(ResultArea, NoneStartsDuringASoftReset) {
+  DmaBench bench(GetParam(), 9);
+  begin_long_soft_reset(bench);
   for (int clocks = 0; clocks < 20; ++clocks) {
     bench.start_results(kFirst, 1 << 16);
     ASSERT_TRUE(bench.status.clearing);
@@ -142,6 +178,25 @@ TEST_P(ResultArea, NoneStartsDuringASoftReset) {
   EXPECT_FALSE(bench.status.result_running);
   EXPECT_TRUE(bench.memory.writes().empty());
   EXPECT_TRUE(bench.write_errors().empty());
+  EXPECT_EQ(bench.faults(), "");
+}
+
+// Results that are offered then are not taken: a full area does not overflow of them.
+TEST_P(ResultArea, NothingComesDuringASoftReset) {
+  DmaBench bench(GetParam(), 11);
+  bench.start_results(kFirst, 4 * kBeat);
+  bench.offer_results(4, 4);
+  ASSERT_TRUE(bench.writes(kFirst, 0, 4));
+  begin_long_soft_reset(bench);
+  bench.offer_results(8, 8);
+  for (int clocks = 0; clocks < 20; ++clocks) {
+    bench.step();
+    ASSERT_TRUE(bench.status.clearing);
+    EXPECT_FALSE(bench.status.result_overflow) << clocks;
+    EXPECT_EQ(bench.results_waiting(), 8u);
+  }
+  bench.forget_results();
+  ASSERT_TRUE(bench.end_soft_reset());
   EXPECT_EQ(bench.faults(), "");
 }
 

@@ -72,5 +72,20 @@ TEST(RingIndex, OfAStartInTheSameRing) {
   }
 }
 
+// From its last entry to its first.
+TEST(RingIndex, OfEachRingThatGoesAround) {
+  for (unsigned log2 = 1; log2 < kLargest; ++log2) {
+    SCOPED_TRACE(testing::Message() << "2^" << log2 << " entries");
+    DmaBench bench(small_dma_size(), log2);
+    const unsigned last = (1u << log2) - 1;
+    advance(bench, last);
+    bench.place_ring(kLargeRing, log2);
+    bench.set_software_head(static_cast<std::uint16_t>(last));
+    bench.put_packet(kPackets + 0x100, 2);
+    if (log2 > 1) bench.put_packet(kPackets + 0x200, 2);
+    EXPECT_TRUE(bench.reads(bench.software_head()));
+  }
+}
+
 }  // namespace
 }  // namespace hwffd::test
