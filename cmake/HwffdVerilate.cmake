@@ -30,6 +30,7 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC
   ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 target_compile_options(verilated_runtime PRIVATE -w ${uncounted})
+set_target_properties(verilated_runtime PROPERTIES HWFFD_UNCOUNTED ON)
 
 # Headers, and modules by their names, are found in the folders of rtl/hwffd.f.
 set(HWFFD_BENCH_CONTROL ${CMAKE_SOURCE_DIR}/cores/rtl/ffd_bench.vlt)
@@ -137,7 +138,7 @@ endfunction()
 function(hwffd_compile_model target dir)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${dir}/V${target}.cpp)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF HWFFD_UNCOUNTED ON)
   target_compile_options(${target} PRIVATE -w -g0 ${uncounted} ${ARGN})
   target_compile_definitions(${target} PRIVATE
     VM_TRACE=$<BOOL:${HWFFD_TRACE}> VM_TRACE_FST=$<BOOL:${HWFFD_TRACE}>)
