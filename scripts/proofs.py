@@ -26,6 +26,7 @@ COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file"
 PDR, SCORR, INDUCTION = METHODS = "pdr", "scorr", "induction"
 BASE, STEPS = 6, 2    # clocks searched from reset; clocks of the step, the last of which is proved
 SEARCH = 120          # clocks from reset in which a planted bug must be found
+STAND_INS = re.compile(r"^// Stand-ins: (.*)$", re.MULTILINE)  # files with modules in the place of others
 PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 VERDICT = ("result", "negative_control", "clocks_to_counterexample")
@@ -119,9 +120,11 @@ class Proofs:
             raise ProofError(f"no harness tests/formal/{one.harness}.v")
         there = {path.stem: path for path in sorted(self.harnesses.glob("*.v"))}
         words, files, own = set(), [harness], set()
-        for path in files:  # grows by what the files before it name
-            text = rtl.strip_comments(path.read_text())
-            said = set(re.findall(r"\w+", text))
+        for path in files:  # grows by what the files before it name, in their code or as stand-ins
+            text = path.read_text()
+            said = set(re.findall(r"(\w+)\.v\b", " ".join(STAND_INS.findall(text))))
+            text = rtl.strip_comments(text)
+            said |= set(re.findall(r"\w+", text))
             own |= set(re.findall(r"^module (\w+)", text, re.MULTILINE))  # also in a module's place
             files += [there[stem] for stem in there if stem in said and there[stem] not in files]
             words |= said

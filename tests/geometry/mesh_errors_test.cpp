@@ -169,6 +169,30 @@ TEST_F(MeshErrors, NewPositions) {
   }
 }
 
+/// A vertex of an obj file has three numbers, and beside them a weight that is not 0, or a colour.
+TEST_F(MeshErrors, VerticesOfAnObjFile) {
+  for (const std::string numbers :
+       {"1 2", "1 2 x", "1 2 3x", "x 2 3", "1 2 3 w", "1 2 3 0", "1 2 +"}) {
+    SCOPED_TRACE(numbers);
+    EXPECT_ERROR_PART(load("v 0 0 0\nv " + numbers + "\n"),
+                      "line 2: a vertex is not three numbers");
+  }
+}
+
+TEST_F(MeshErrors, NumbersOfAnObjFileThatAreTooLarge) {
+  for (const std::string number : {"1e39", "-1e39", "1e400", "1e+999"}) {
+    SCOPED_TRACE(number);
+    EXPECT_ERROR_PART(load("v 0 0 0\nv 1 0 " + number + "\n"), "is not a finite binary32 number");
+  }
+}
+
+TEST(FindModel, LoadsWhatItFinds) {
+  const TempFolder folder;
+  EXPECT_EQ(load_model(folder.write("a.obj", "v 0 0 0\nv 1 0 0\n").string()).vertex_count(), 2u);
+  EXPECT_ERROR_PART(load_model("no-such.obj"), "model 'no-such.obj': no such file");
+  EXPECT_GT(load_model("").vertex_count(), 0u);
+}
+
 TEST(FindModel, TakesPathsAndLooksInFolders) {
   const TempFolder folder;
   folder.write("cat.3ds", "x");

@@ -36,6 +36,20 @@ TEST_F(MeshNames, Latin1BecomesUtf8) {
   expect_part(read_text(folder / "b.obj"), "g t\xfcr\n");
 }
 
+/// In UTF-8 a name may become longer than Assimp has room for; it is cut between two characters.
+TEST_F(MeshNames, LongNamesAreCut) {
+  for (const std::string first : {"", "g"}) {
+    const std::string latin = first + std::string(700, '\xfc');
+    folder.write("a.mtl", "newmtl " + latin + "\nKd 0 1 0\n");
+    const Mesh mesh = load("mtllib a.mtl\nusemtl " + latin + "\n" + kTriangle);
+    mesh.save(folder / "b.gltf");
+    const nlohmann::json file = nlohmann::json::parse(read_text(folder / "b.gltf"));
+    std::string wanted = first;
+    while (wanted.size() + 2 <= MAXLEN - 1) wanted += "\u00fc";
+    EXPECT_EQ(file["materials"].back()["name"], wanted);
+  }
+}
+
 TEST_F(MeshNames, Utf8Stays) {
   const Mesh mesh = load(std::string("g t\u00fcr \u6728\n") + kTriangle);
   mesh.save(folder / "b.gltf");

@@ -159,6 +159,24 @@ TEST_F(MeshOrder, ObjNumbersAreExact) {
   EXPECT_EQ(mesh.positions(), expected);
 }
 
+/// What binary32 cannot hold is zero, where it is small.
+TEST_F(MeshOrder, ObjNumbersMayBeSmall) {
+  const Mesh mesh =
+      load("v 1e-50 -1e-400 1E-999\r\nv\t1 \\\r\n2 3\r\nvt 0 0\n# v 7 7 7\nv 1e-40 0 0\n");
+  Points expected(3, 3);
+  expected << 0, 0, 0, 1, 2, 3, 1e-40f, 0, 0;
+  EXPECT_EQ(mesh.positions(), expected);
+}
+
+/// A face that crosses itself, so that no corner can be cut off, has as many triangles as any
+/// other.
+TEST_F(MeshOrder, AFaceThatCrossesItself) {
+  Mesh mesh =
+      load("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 -1 0\nv -1 1 0\nf 1 2 3 4\nf 1 2 3 4 5 6\n");
+  mesh.save(folder / "b.glb");
+  EXPECT_EQ(Mesh::load(folder / "b.glb").triangles().size(), 2u + 4u);
+}
+
 TEST_F(MeshOrder, ConcaveFacesAreCutInside) {
   // An arrow head: the fan from its first corner would lie outside.
   Mesh mesh = load("v 0 2 0\nv -2 -2 0\nv 0 -1 0\nv 2 -2 0\nf 2 3 4 1\n");

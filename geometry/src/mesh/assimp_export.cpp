@@ -34,15 +34,12 @@ std::string relocated(const std::string& name, const Output& output) {
   return relative.empty() ? name : relative.string();
 }
 
-/// As aiString, which drops what does not fit, but cut.
+/// As aiString, which drops what does not fit, but cut, between two characters of UTF-8.
 void set(aiString& text, std::string value) {
-  constexpr std::size_t kLongest = MAXLEN - 1;
-  if (value.size() > kLongest) {
-    value.resize(kLongest);
-    while (!value.empty() && (static_cast<unsigned char>(value.back()) & 0xc0) == 0x80) {
-      value.pop_back();
-    }
-    if (!value.empty() && static_cast<unsigned char>(value.back()) >= 0xc0) value.pop_back();
+  std::size_t end = MAXLEN - 1;
+  if (value.size() > end) {
+    while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xc0) == 0x80) --end;
+    value.resize(end);
   }
   text.Set(value);
 }
