@@ -3,10 +3,10 @@
 #include <verilated.h>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 #include "hwffd/cores/axi_core.hpp"
+#include "hwffd/cores/verilated_model.hpp"
 #include "hwffd/cores/verilated_pins.hpp"
 #include "hwffd/cores/waveform.hpp"
 
@@ -17,20 +17,11 @@ template <class VDut>
 class VerilatedAxiCore final : public AxiCore {
  public:
   /// @param seed  start values of the registers, so that a missing reset shows
-  explicit VerilatedAxiCore(std::uint64_t seed) : context_(std::make_unique<VerilatedContext>()) {
-    context_->randReset(2);
-    context_->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
-    dut_ = std::make_unique<VDut>(context_.get());
+  explicit VerilatedAxiCore(std::uint64_t seed) : dut_(seed) {
     dut_->aclk = 0;
     dut_->aresetn = 0;
     dut_->eval();
   }
-  ~VerilatedAxiCore() override {
-    Verilated::threadContextp(context_.get());  // final() uses the last one made
-    dut_->final();
-  }
-  VerilatedAxiCore(const VerilatedAxiCore&) = delete;
-  VerilatedAxiCore& operator=(const VerilatedAxiCore&) = delete;
 
   void exchange(bool in_reset, AxiLitePins& registers, AxiPins& bus) override {
     dut_->aresetn = in_reset ? 0 : 1;
@@ -61,8 +52,7 @@ class VerilatedAxiCore final : public AxiCore {
   void trace(const std::string& path) { waveform_.open(*dut_, path); }
 
  private:
-  std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<VDut> dut_;
+  VerilatedModel<VDut> dut_;
   Waveform waveform_;
 };
 

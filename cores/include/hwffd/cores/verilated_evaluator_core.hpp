@@ -3,11 +3,11 @@
 #include <verilated.h>
 #include <verilated_syms.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "hwffd/cores/evaluator_core.hpp"
+#include "hwffd/cores/verilated_model.hpp"
 
 namespace hwffd::cores {
 
@@ -16,23 +16,13 @@ template <class VDut>
 class VerilatedEvaluatorCore final : public EvaluatorCore {
  public:
   /// @param seed  start values of the registers, so that a missing reset shows
-  explicit VerilatedEvaluatorCore(std::uint64_t seed)
-      : context_(std::make_unique<VerilatedContext>()) {
-    context_->randReset(2);
-    context_->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
-    dut_ = std::make_unique<VDut>(context_.get());
+  explicit VerilatedEvaluatorCore(std::uint64_t seed) : dut_(seed) {
     dut_->rst = 1;
     dut_->load_i = 0;
     dut_->write_i = 0;
     dut_->s_vertex_valid = 0;
     dut_->m_result_ready = 0;
   }
-  ~VerilatedEvaluatorCore() override {
-    Verilated::threadContextp(context_.get());  // final() uses the last one made
-    dut_->final();
-  }
-  VerilatedEvaluatorCore(const VerilatedEvaluatorCore&) = delete;
-  VerilatedEvaluatorCore& operator=(const VerilatedEvaluatorCore&) = delete;
 
   void drive_reset(bool asserted) override { dut_->rst = asserted ? 1 : 0; }
 
@@ -98,7 +88,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
 
   std::vector<Probe> probes() const override {
     std::vector<Probe> probes;
-    for (const auto& [name, scope] : *context_->scopeNameMap()) {
+    for (const auto& [name, scope] : *dut_.context().scopeNameMap()) {
       if (scope->varsp() == nullptr) continue;
       for (const auto& [signal, variable] : *scope->varsp()) {
         if (variable.vltype() != VLVT_UINT8) continue;
@@ -109,8 +99,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
   }
 
  private:
-  std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<VDut> dut_;
+  VerilatedModel<VDut> dut_;
 };
 
 }  // namespace hwffd::cores

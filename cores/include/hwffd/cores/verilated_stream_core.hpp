@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "hwffd/cores/stream_core.hpp"
+#include "hwffd/cores/verilated_model.hpp"
 #include "hwffd/cores/verilated_signals.hpp"
 #include "hwffd/cores/waveform.hpp"
 #include "hwffd/stream/beat.hpp"
@@ -22,23 +22,13 @@ template <class VDut>
 class VerilatedStreamCore final : public StreamCore {
  public:
   /// @param seed  start values of the registers, so that a missing reset shows
-  explicit VerilatedStreamCore(std::uint64_t seed)
-      : context_(std::make_unique<VerilatedContext>()) {
-    context_->randReset(2);
-    context_->randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
-    dut_ = std::make_unique<VDut>(context_.get());
+  explicit VerilatedStreamCore(std::uint64_t seed) : dut_(seed) {
     dut_->aclk = 0;
     dut_->aresetn = 0;
     dut_->s_axis_tvalid = 0;
     dut_->m_axis_tready = 0;
     dut_->eval();
   }
-  ~VerilatedStreamCore() override {
-    Verilated::threadContextp(context_.get());  // final() uses the last one made
-    dut_->final();
-  }
-  VerilatedStreamCore(const VerilatedStreamCore&) = delete;
-  VerilatedStreamCore& operator=(const VerilatedStreamCore&) = delete;
 
   void drive_reset(bool asserted) override { dut_->aresetn = asserted ? 0 : 1; }
   void drive_input(bool valid, const Beat& beat) override {
@@ -74,11 +64,10 @@ class VerilatedStreamCore final : public StreamCore {
   std::uint32_t events() const override { return dut_->event_o; }
   EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
   bool idle() const override { return dut_->idle_o != 0; }
-  std::vector<Signal> signals() const override { return visible_signals(*context_); }
+  std::vector<Signal> signals() const override { return visible_signals(dut_.context()); }
 
  private:
-  std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<VDut> dut_;
+  VerilatedModel<VDut> dut_;
   Waveform waveform_;
 };
 
