@@ -2,8 +2,10 @@
 // which is loaded when a core is first asked for.
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -18,7 +20,7 @@ namespace {
 /// Beside this library, or where the system looks.
 void* open_library() {
   Dl_info own{};
-  if (dladdr(reinterpret_cast<void*>(&has_stream_core), &own) != 0 && own.dli_fname != nullptr) {
+  if (dladdr(reinterpret_cast<void*>(&has_stream_core), &own) != 0) {
     const auto beside = std::filesystem::path(own.dli_fname).parent_path() / HWFFD_RTL_LIBRARY;
     void* library = dlopen(beside.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library != nullptr) return library;
@@ -32,7 +34,7 @@ struct Library {
     void* library = open_library();
     if (library == nullptr) return;
     const auto version = reinterpret_cast<const char* (*)()>(dlsym(library, "hwffd_rtl_version"));
-    if (version == nullptr || std::string(version()) != HWFFD_PROJECT_VERSION) return;
+    if (version == nullptr || std::strcmp(version(), HWFFD_PROJECT_VERSION) != 0) return;
     has = reinterpret_cast<decltype(has)>(dlsym(library, "hwffd_rtl_has"));
     make = reinterpret_cast<decltype(make)>(dlsym(library, "hwffd_rtl_make"));
   }
@@ -56,7 +58,7 @@ bool stream_cores_can_trace() { return false; }
 std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration, std::uint64_t seed,
                                              const std::string& trace) {
   if (!trace.empty() || !has_stream_core(configuration)) {
-    throw std::invalid_argument(std::string("no core of row ") + configuration.name);
+    throw std::invalid_argument(fmt::format("no core of row {}", configuration.name));
   }
   return std::unique_ptr<StreamCore>(library().make(configuration.name, seed));
 }

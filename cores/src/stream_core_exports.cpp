@@ -1,7 +1,5 @@
 #include "stream_core_exports.hpp"
 
-#include <exception>
-
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/model/configuration.hpp"
 
@@ -10,7 +8,7 @@ const char* hwffd_rtl_version() { return HWFFD_PROJECT_VERSION; }
 int hwffd_rtl_has(const char* row) {
   try {
     return hwffd::cores::has_stream_core(hwffd::find_configuration(row)) ? 1 : 0;
-  } catch (const std::exception&) {
+  } catch (...) {
     return 0;
   }
 }
@@ -18,7 +16,7 @@ int hwffd_rtl_has(const char* row) {
 hwffd::cores::StreamCore* hwffd_rtl_make(const char* row, std::uint64_t seed) {
   try {
     return hwffd::cores::make_stream_core(hwffd::find_configuration(row), seed).release();
-  } catch (const std::exception&) {
+  } catch (...) {
     return nullptr;
   }
 }

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <verilated.h>
-#include <verilated_syms.h>
 
 #include <string>
 #include <vector>
 
 #include "hwffd/cores/evaluator_core.hpp"
 #include "hwffd/cores/verilated_model.hpp"
+#include "hwffd/cores/verilated_signals.hpp"
 
 namespace hwffd::cores {
 
@@ -88,12 +88,10 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
 
   std::vector<Probe> probes() const override {
     std::vector<Probe> probes;
-    for (const auto& [name, scope] : *dut_.context().scopeNameMap()) {
-      if (scope->varsp() == nullptr) continue;
-      for (const auto& [signal, variable] : *scope->varsp()) {
-        if (variable.vltype() != VLVT_UINT8) continue;
-        probes.push_back({name, signal, static_cast<const std::uint8_t*>(variable.datap())});
-      }
+    for (const Signal& signal : visible_signals(dut_.context())) {
+      if (signal.bytes != 1) continue;
+      probes.push_back(
+          {signal.instance, signal.name, static_cast<const std::uint8_t*>(signal.data)});
     }
     return probes;
   }
