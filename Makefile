@@ -294,7 +294,7 @@ upsets: install
 	@$(CMAKE_BUILD) --target hwffd_upsets_programs
 	@$(STUDY) upsets -- python3 -B studies/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
 
-# NIGHTLY=1 proves the fused unit too, an hour. Answers are kept by the digest of the question.
+# NIGHTLY=1 proves the fused unit too, ten minutes. Answers are kept by the digest of the question.
 theorems: install
 	@scripts/python_env figures
 	@scripts/python_env theorems
