@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace hwffd::cores {
@@ -23,7 +24,8 @@ class NoCore final : public StreamCore {
 /// Of each cycle what is left then; a beat moves where that changes.
 class Planned final : public StreamParty {
  public:
-  Planned(StreamLoop& loop, std::vector<std::uint64_t> left) : loop_(loop), left_(left) {}
+  Planned(StreamLoop& loop, std::vector<std::uint64_t> left)
+      : loop_(loop), left_(std::move(left)) {}
   bool one_cycle() override {
     loop_.clock();
     if (at_ + 1 < left_.size()) ++at_;
