@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "Vbasic_fx18_overlapped.h"
 #include "Vbasic_fx18_overlapped_evaluator.h"
@@ -14,12 +17,9 @@ namespace {
 using Evaluator = VerilatedEvaluatorCore<Vbasic_fx18_overlapped_evaluator>;
 using Stream = VerilatedStreamCore<Vbasic_fx18_overlapped>;
 
-constexpr char kSequencer[] = "u_sequencer";
-
-template <class Named>
-bool is_of(const Named& one, const std::string& instance, const std::string& signal) {
-  const std::size_t at = one.instance.rfind('.');
-  return one.instance.substr(at + 1) == instance && one.name == signal;
+/// Whether that is the valid of the sequencer's steps.
+bool is_step_valid(const std::string& instance, const std::string& name) {
+  return instance.substr(instance.rfind('.') + 1) == "u_sequencer" && name == "step_valid_o";
 }
 
 TEST(VerilatedCores, AnEvaluatorShowsItsProbes) {
@@ -28,8 +28,7 @@ TEST(VerilatedCores, AnEvaluatorShowsItsProbes) {
   for (int clocks = 0; clocks < 3; ++clocks) core.clock();  // settles by itself
   const std::vector<Probe> probes = core.probes();
   const auto steps = std::find_if(probes.begin(), probes.end(), [](const Probe& probe) {
-    return probe.instance.substr(probe.instance.rfind('.') + 1) == kSequencer &&
-           probe.signal == "step_valid_o";
+    return is_step_valid(probe.instance, probe.signal);
   });
   ASSERT_NE(steps, probes.end());
   EXPECT_EQ(*steps->value, 0);
@@ -41,7 +40,7 @@ TEST(VerilatedCores, AStreamShowsItsSignals) {
   for (int clocks = 0; clocks < 3; ++clocks) core.clock();
   const std::vector<Signal> signals = core.signals();
   const auto steps = std::find_if(signals.begin(), signals.end(), [](const Signal& signal) {
-    return is_of(signal, kSequencer, "step_valid_o");
+    return is_step_valid(signal.instance, signal.name);
   });
   ASSERT_NE(steps, signals.end());
   EXPECT_EQ(steps->width, 1);

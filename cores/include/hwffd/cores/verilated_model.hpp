@@ -3,7 +3,6 @@
 #include <verilated.h>
 
 #include <cstdint>
-#include <memory>
 
 namespace hwffd::cores {
 
