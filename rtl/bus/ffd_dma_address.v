@@ -48,13 +48,13 @@ module ffd_dma_address #(
   output wire                 m_burst_valid,
   input  wire                 m_burst_ready,
   output wire [ADDRESS_W-1:0] m_burst_address,
-  output wire [7:0]           m_burst_len,
+  output wire [BURST_W-1:0]   m_burst_len,
   output wire                 m_burst_last,
   output wire [7:0]           m_bus_len,
   output wire                 m_bus_upper,
-  output wire [7:0]           offer_o,
+  output wire [BURST_W-1:0]   offer_o,
   input  wire                 limited_i,
-  input  wire [7:0]           limit_i
+  input  wire [BURST_W-1:0]   limit_i
 );
   generate
     if (ADDRESS_W < 14 || ADDRESS_W > 64) begin : gen_bad_address
@@ -108,23 +108,16 @@ module ffd_dma_address #(
 
   // Where the burst ends: the block or the request, or what limit_i allows.
   wire [BURST_W-1:0] next_low = next_q[BURST_W-1:0];
-  wire [BURST_W-1:0] len      = limited_i ? limit_i[BURST_W-1:0] : offer_q;
   wire               step     = m_burst_valid && m_burst_ready;
 
-  generate
-    if (BURST_W == 8) begin : gen_whole
-      assign offer_o     = offer_q;
-      assign m_burst_len = len;
-    end else begin : gen_padded
-      assign offer_o     = {{(8 - BURST_W) {1'b0}}, offer_q};
-      assign m_burst_len = {{(8 - BURST_W) {1'b0}}, len};
-    end
-  endgenerate
+  assign offer_o     = offer_q;
+  assign m_burst_len = limited_i ? limit_i : offer_q;
 
   // Halves of 256 bits from the first one's start on: two a beat, the last of them may be odd.
-  wire [8:0] halves = {1'b0, m_burst_len} + {8'd0, next_q[0]};
-  assign m_bus_len   = DATA_WIDTH == 64 ? {m_burst_len[6:0], 1'b1}
-                     : DATA_WIDTH == 256 ? halves[8:1] : m_burst_len;
+  wire [8:0] beats  = {{(9 - BURST_W) {1'b0}}, m_burst_len};
+  wire [8:0] halves = beats + {8'd0, next_q[0]};
+  assign m_bus_len   = DATA_WIDTH == 64 ? {beats[6:0], 1'b1}
+                     : DATA_WIDTH == 256 ? halves[8:1] : beats[7:0];
   assign m_bus_upper = halves[0];
 
   assign m_burst_address = {next_q, 4'd0};
@@ -168,7 +161,7 @@ module ffd_dma_address #(
     end else if (state_q == NEXT) begin
       next_q <= sums[BEAT_W:1];
     end
-    if (step) more_q <= {{(COUNT_W - BURST_W) {1'b0}}, len};
+    if (step) more_q <= {{(COUNT_W - BURST_W) {1'b0}}, m_burst_len};
     if (state_q == SUM) begin
       {wraps_q, last_q} <= sums[BEAT_W+1:1];
       below_q           <= borrow[BEAT_W+1];
@@ -181,7 +174,7 @@ module ffd_dma_address #(
       refused_code_o <= code;
     end
   end
-  wire unused_ok = &{1'b0, sums[0], borrow[BEAT_W:0], limit_i};
+  wire unused_ok = &{1'b0, sums[0], borrow[BEAT_W:0]};
 endmodule
 
 `default_nettype wire

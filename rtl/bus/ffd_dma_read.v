@@ -91,7 +91,8 @@ module ffd_dma_read #(
     end
   endgenerate
 
-  localparam COUNT_W = FIFO_DEPTH < 256 ? 9 : $clog2(FIFO_DEPTH) + 1;  // and a burst's length
+  localparam BURST_W = $clog2(MAX_BURST);
+  localparam COUNT_W = $clog2(FIFO_DEPTH) + 1;
   localparam [2:0] SLAVE_ERROR = 3'd6;
   localparam [2:0] DECODE_ERROR = 3'd7;
 
@@ -101,10 +102,10 @@ module ffd_dma_read #(
   wire        burst_valid;
   wire        burst_ready;
   wire [63:0] burst_address;
-  wire [7:0]  burst_len;
+  wire [BURST_W-1:0] burst_len;
   wire        burst_last;
   wire [7:0]  bus_len;
-  wire [7:0]  unused_offer;
+  wire [BURST_W-1:0] unused_offer;
   wire        address_ready;
   reg         fetch_q;
   reg         mark_q;
@@ -139,7 +140,7 @@ module ffd_dma_read #(
     .m_bus_upper      (asked_last_o),
     .offer_o          (unused_offer),
     .limited_i        (1'b0),
-    .limit_i          (8'd0)
+    .limit_i          ({BURST_W {1'b0}})
   );
 
   always @(posedge clk) begin
@@ -278,14 +279,14 @@ module ffd_dma_read #(
   reg  [COUNT_W-1:0] room_q;
   // Counted a clock after it happened: a burst was taken (len_q), a beat dropped, one has left. The
   // next burst is looked at four clocks after one was taken.
-  reg  [7:0]         len_q;
+  reg  [BURST_W-1:0] len_q;
   reg                taken_q;
   reg                dropped_q;
   reg                left_q;
-  wire               enough = room_q > {{(COUNT_W - 8) {1'b0}}, burst_len};
+  wire               enough = room_q > {{(COUNT_W - BURST_W) {1'b0}}, burst_len};
   // No beat is dropped in a clock in which a burst is taken. The sum is one chain of carries: less
   // the burst's beats, or one more, and one more for a beat that left.
-  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - 8) {1'b1}}, ~len_q}
+  wire [COUNT_W-1:0] more   = taken_q ? {{(COUNT_W - BURST_W) {1'b1}}, ~len_q}
                                       : {{(COUNT_W - 1) {1'b0}}, dropped_q};
   wire [COUNT_W:0]   rooms  = {room_q, 1'b1} + {more, left_q};
 

@@ -12,7 +12,8 @@
 // falls. What was in no burst waits in the FIFO for the next start_i; count_o stays at the beats
 // before the failed burst. An area that is refused: error_o with code (1 to 4) and its base.
 // start_i is ignored while busy_o is 1 (bursts out, or stopping).
-// soft_i (level): no new address, no beat taken; started bursts get their data; busy_o falls.
+// soft_i (level, until rst, which empties the FIFO): no new address, no beat taken; started bursts
+// get their data; busy_o falls.
 // marked_o (with MARKS), a pulse with the count: a beat with s_result_mark is in memory.
 // hold_i (level): no new address from the clock after next on, nothing lost.
 // Write data leaves in beats of 16 bytes, whatever the bus; only m_axi_awlen is in beats of
@@ -86,7 +87,8 @@ module ffd_dma_write #(
     end
   endgenerate
 
-  localparam COUNT_W = FIFO_DEPTH < 256 ? 9 : $clog2(FIFO_DEPTH) + 1;  // and a burst's length
+  localparam BURST_W = $clog2(MAX_BURST);
+  localparam COUNT_W = $clog2(FIFO_DEPTH) + 1;
   localparam QUIET_W = $clog2(FLUSH_CLOCKS + 1);
   localparam [2:0] SLAVE_ERROR = 3'd6;
   localparam [2:0] DECODE_ERROR = 3'd7;
@@ -104,13 +106,13 @@ module ffd_dma_write #(
   wire        burst_valid;
   wire        burst_ready;
   wire [63:0] burst_address;
-  wire [7:0]  burst_len;
+  wire [BURST_W-1:0] burst_len;
   wire        burst_last;
   wire [7:0]  bus_len;
   wire        bus_upper;
-  wire [7:0]  offer;
+  wire [BURST_W-1:0] offer;
   reg         limited_q;   // the burst is shorter than what is offered
-  reg  [7:0]  limit_q;
+  reg  [BURST_W-1:0] limit_q;
   wire        step = burst_valid && burst_ready;
   wire        bad;
   wire        bursts_out;
@@ -184,7 +186,7 @@ module ffd_dma_write #(
   ) u_fifo (
     .clk         (clk),
     .rst         (rst),
-    .s_word_valid(s_result_valid && !soft_i),
+    .s_word_valid(s_result_valid),
     .s_word_ready(fifo_ready),
     .s_word_data (fifo_in[127+MARKS:0]),
     .m_word_valid(fifo_valid),
@@ -206,12 +208,12 @@ module ffd_dma_write #(
   reg                go_q;
   reg                marked_q;    // a beat with `last` was taken: a clock ago
   reg                mark_q;      // two clocks ago
-  wire [COUNT_W-1:0] offered = {{(COUNT_W - 8) {1'b0}}, offer};
+  wire [COUNT_W-1:0] offered = {{(COUNT_W - BURST_W) {1'b0}}, offer};
   wire               whole   = behind_q >= offered;
   wire               none    = pending_q == NONE;
   wire               late    = quiet_q == FLUSH_CLOCKS[QUIET_W-1:0] && !none;
   // One chain of carries: less the burst's beats or a beat that is dropped, one more for a push.
-  wire [COUNT_W-1:0] more    = step ? {{(COUNT_W - 8) {1'b1}}, ~burst_len} : {COUNT_W {drop}};
+  wire [COUNT_W-1:0] more    = step ? {{(COUNT_W - BURST_W) {1'b1}}, ~burst_len} : {COUNT_W {drop}};
   wire [COUNT_W:0]   sum     = {pending_q, 1'b1} + {more, push};
   wire               room;
 
@@ -237,7 +239,7 @@ module ffd_dma_write #(
     behind_q  <= pending_q - ONE;
     all_q     <= behind_q <= offered;
     limited_q <= !whole;
-    limit_q   <= behind_q[7:0];
+    limit_q   <= behind_q[BURST_W-1:0];
     if (push || none) quiet_q <= {QUIET_W {1'b0}};
     else if (!late) quiet_q <= quiet_q + 1'b1;
   end
@@ -247,10 +249,10 @@ module ffd_dma_write #(
   wire        lengths_ready;
   wire        length_valid;
   wire        length_pop;
-  wire [7:0]  length;
+  wire [BURST_W-1:0] length;
   wire        outstanding_ready;
   wire        out_valid;
-  wire [7:0]  out_len;
+  wire [BURST_W-1:0] out_len;
   wire [59:0] out_beat;
   wire        answer = m_axi_bvalid && m_axi_bready && out_valid;
   // The answer that was taken in the clock before.
@@ -258,7 +260,7 @@ module ffd_dma_write #(
   reg         bad_q;
   reg         decode_q;    // its code is DECODE_ERROR
   reg         started_q;   // start_i was
-  reg  [7:0]  len_q;
+  reg  [BURST_W-1:0] len_q;
   reg  [59:0] beat_q;
 
   assign bursts_out  = out_valid || good_q || bad_q;
@@ -273,7 +275,7 @@ module ffd_dma_write #(
   always @(posedge clk) if (step) {m_axi_awlen, m_axi_awaddr} <= {bus_len, burst_address};
 
   ffd_stream_fifo #(
-    .WIDTH(8),
+    .WIDTH(BURST_W),
     .DEPTH(OUTSTANDING)
   ) u_lengths (
     .clk         (clk),
@@ -287,7 +289,7 @@ module ffd_dma_write #(
   );
 
   ffd_stream_fifo #(
-    .WIDTH(68),
+    .WIDTH(60 + BURST_W),
     .DEPTH(OUTSTANDING)
   ) u_outstanding (
     .clk         (clk),
@@ -302,10 +304,11 @@ module ffd_dma_write #(
 
   // ---- the data channel
   reg        active_q;
-  reg  [7:0] left_q;       // beats of the burst after this one
+  reg  [BURST_W-1:0] left_q;    // beats of the burst after this one
   wire       w_free = !m_axi_wvalid || m_axi_wready;
   wire       move  = active_q && fifo_valid && w_free;
-  wire       ended = move && left_q == 8'd0;
+  wire       last  = left_q == {BURST_W {1'b0}};
+  wire       ended = move && last;
 
   // All data of the area has left: what comes behind it is dropped, until the next start.
   reg        past_q;
@@ -325,7 +328,7 @@ module ffd_dma_write #(
 
   always @(posedge clk) begin
     if (length_pop) left_q <= length;
-    else if (move) left_q <= left_q - 8'd1;
+    else if (move) left_q <= left_q - 1'b1;
   end
 
   always @(posedge clk) begin
@@ -333,7 +336,7 @@ module ffd_dma_write #(
     else if (w_free) m_axi_wvalid <= active_q && fifo_valid;
   end
 
-  always @(posedge clk) if (w_free) {m_axi_wlast, m_axi_wdata} <= {left_q == 8'd0, fifo_data};
+  always @(posedge clk) if (w_free) {m_axi_wlast, m_axi_wdata} <= {last, fifo_data};
 
   ffd_dma_marks #(
     .OUTSTANDING(OUTSTANDING),
@@ -384,7 +387,7 @@ module ffd_dma_write #(
       error_o      <= bad || refused;
       overflow_o   <= drop || (overflow_o && !accept);
       if (started_q) count_o <= 32'd0;
-      else if (good_q && !stop_q && !soft_i) count_o <= count_o + {24'd0, len_q} + 32'd1;
+      else if (good_q && !stop_q && !soft_i) count_o <= count_o + {{(32 - BURST_W) {1'b0}}, len_q} + 32'd1;
     end
   end
 

@@ -188,10 +188,10 @@ module formal_dma_read #(
   // ---- open bursts, the oldest first: those of the memory, then the one on the address channel
   localparam PLACE_W = $clog2(OUTSTANDING);
   localparam LEVEL_W = $clog2(FIFO_DEPTH);
-  localparam ROOM_W  = FIFO_DEPTH < 256 ? 9 : LEVEL_W + 1;
+  localparam ROOM_W  = LEVEL_W + 1;
   (* hierconn *) wire               \u_dut.burst_valid ;
   (* hierconn *) wire               \u_dut.burst_ready ;
-  (* hierconn *) wire [7:0]         \u_dut.burst_len ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.burst_len ;
   (* hierconn *) wire               \u_dut.burst_last ;
   (* hierconn *) wire               \u_dut.fetch_q ;
   (* hierconn *) wire               \u_dut.end_q ;

@@ -167,7 +167,7 @@ module formal_dma_write #(
   // The length of the burst that may go is that of what is offered, or less.
   (* hierconn *) wire       \u_dut.go_q ;
   (* hierconn *) wire       \u_dut.limited_q ;
-  (* hierconn *) wire [7:0] \u_dut.limit_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.limit_q ;
   wire        measured = !\u_dut.go_q || \u_dut.u_address.state_q != 3'd4 || !\u_dut.limited_q
                       || \u_dut.limit_q < \u_dut.u_address.offer_q ;
 
@@ -175,13 +175,13 @@ module formal_dma_write #(
   localparam MOST    = 4;
   localparam PLACE_W = $clog2(OUTSTANDING);
   (* hierconn *) wire             \u_dut.active_q ;
-  (* hierconn *) wire [7:0]       \u_dut.left_q ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.left_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_outstanding.write_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_outstanding.read_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.write_q ;
   (* hierconn *) wire [PLACE_W:0] \u_dut.u_lengths.read_q ;
-  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] ;
-  (* hierconn *) wire [7:0]       \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1] ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] ;
+  (* hierconn *) wire [BURST_W-1:0] \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1] ;
   reg  [2:0]          count_q;
   reg  [8*MOST-1:0]   lens_q;
   reg  [7:0]          beat_q;
@@ -251,8 +251,8 @@ module formal_dma_write #(
   (* hierconn *) wire            \u_dut.flush_q ;
   (* hierconn *) wire            \u_dut.some_q ;
   (* hierconn *) wire [1:0]      \u_dut.quiet_q ;
-  (* hierconn *) wire [8:0]      \u_dut.pending_q ;
-  (* hierconn *) wire [8:0]      \u_dut.behind_q ;
+  (* hierconn *) wire [FIFO_W:0] \u_dut.pending_q ;
+  (* hierconn *) wire [FIFO_W:0] \u_dut.behind_q ;
   (* hierconn *) wire            \u_dut.fifo_valid ;
   (* hierconn *) wire            \u_dut.fifo_ready ;
   (* hierconn *) wire            \u_dut.u_address.refused_o ;
@@ -260,7 +260,7 @@ module formal_dma_write #(
   (* hierconn *) wire [FIFO_W:0] \u_dut.u_fifo.read_q ;
   wire [2:0]      state  = \u_dut.u_address.state_q ;
   wire            active = \u_dut.active_q ;
-  wire [8:0]      pending = \u_dut.pending_q ;
+  wire [FIFO_W:0] pending = \u_dut.pending_q ;
   wire [FIFO_W:0] level  = \u_dut.u_fifo.write_q - \u_dut.u_fifo.read_q ;
   reg  [4:0]      idle_q;
   wire        inside  = !empty || count_q != 0;
@@ -280,7 +280,8 @@ module formal_dma_write #(
                       : \u_dut.full_q ? !(\u_dut.past_q && \u_dut.fifo_valid )
                       : \u_dut.go_q && state == BURST ? 4 : 5 + to_go;
 
-  // What is in the FIFO is what waits, what of a burst has not moved, and what bursts will take.
+  // What is in the FIFO is what waits, what of a burst has not moved, and what bursts will take; in a
+  // soft reset also what nobody counts.
   integer    k;
   reg  [9:0] owed;
   always @* begin
@@ -291,10 +292,11 @@ module formal_dma_write #(
                            ? \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[1]
                            : \u_dut.u_lengths.u_memory.gen_slice[0].memory_q[0] );
   end
-  wire [8:0] wanted = 9'd1 + (\u_dut.limited_q ? \u_dut.limit_q [BURST_W-1:0]
+  wire [8:0] wanted = 9'd1 + (\u_dut.limited_q ? \u_dut.limit_q
                                                : \u_dut.u_address.offer_q );
   wire       stored = level <= FIFO_DEPTH && (!\u_dut.fifo_ready || level < FIFO_DEPTH)
-                   && owed == level + \u_dut.fifo_valid
+                   && owed <= level + \u_dut.fifo_valid
+                   && (soft_q || owed == level + \u_dut.fifo_valid )
                    && \u_dut.quiet_q <= FLUSH_CLOCKS
                    && (!\u_dut.past_q || (\u_dut.full_q && !active && lengths == 0))
                    && (!\u_dut.full_q || (state == IDLE && !\u_dut.asking_q ))
