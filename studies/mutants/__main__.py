@@ -56,10 +56,9 @@ def numbers(chosen, column, total):
 
 
 def key(subject, folder):
-    """What the verdicts of a subject depend on: its design, where the folder does not matter, its tests,
-    and how they are found."""
+    """What the verdicts of a subject depend on: its design, its tests, and how they are found."""
     tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
-    return digest.of(netlist.text(folder).replace(str(folder), ""),
+    return digest.of(netlist.text(folder),
                      *(subject[field] for field in ("tests", "modules", "mutants")), *map(digest.cpp, tests),
                      digest.statements(campaign, equivalence, netlist))
 

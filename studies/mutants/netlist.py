@@ -11,6 +11,7 @@ SPDX-License-Identifier: Apache-2.0
 import fnmatch
 import hashlib
 import os
+import pathlib
 import re
 import subprocess
 
@@ -23,6 +24,7 @@ _PORT = re.compile(r"^  input \[(\d+):0\] mutant;\n  wire \[\1:0\] mutant;\n", r
 # Changes of a clock: the proof of equivalence takes every register for clocked by the same one.
 # And yosys takes no read of a memory that has an enable but no clock.
 _LEFT_OUT = re.compile(r"-port (?:\S*CLK|\S*clk) |-wire \S*clk |\$memrd\S* -port EN ")
+_MEMORY = pathlib.Path("rtl/common/ffd_mem_sdp.v")
 _MOST = re.compile(r"(?<=localparam MOST = )[^;]+(?=;)")
 _IMPORT = 'import "DPI-C" function int hwffd_mutant();\n'
 
@@ -40,10 +42,9 @@ def _by_bits(memory, folder):
 def _read(root, model, folder):
     """The steps of yosys that read a model's design."""
     inside = sorted(path.relative_to(root) for path in root.glob("rtl/**/*.v*"))
-    memory = next((path for path in inside if path.name == "ffd_mem_sdp.v"), None)
     folders = " ".join(f"-I {path}" for path in sorted({one.parent for one in inside}))
-    sources = [str(path) for path in inside if path.suffix == ".v" and path != memory]
-    sources += [str(_by_bits(root / memory, folder))] if memory else []
+    sources = [str(path) for path in inside if path.suffix == ".v" and path != _MEMORY]
+    sources += [str(_by_bits(root / _MEMORY, folder))] if _MEMORY in inside else []
     sources += [os.path.relpath(source, root) for source in model.sources
                 if not source.startswith(str(root / "rtl"))]
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
@@ -79,6 +80,8 @@ def read(root, model, folder):
     """Reads the design. A number that follows from it, the same on every machine."""
     if not yosys(root, folder / "read.ys", [*_read(root, model, folder), f"write_rtlil {base(folder)}"]):
         raise MutantError(f"yosys cannot read {model.top}: see {folder / 'read.log'}")
+    design = base(folder).read_text(encoding="utf-8")
+    base(folder).write_text(design.replace(str(folder / _MEMORY.name), str(_MEMORY)), encoding="utf-8")
     return int(hashlib.sha256(text(folder).encode()).hexdigest()[:6], 16)
 
 
