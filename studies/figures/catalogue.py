@@ -8,12 +8,13 @@ from dataclasses import dataclass
 
 # Sources, as patterns of files (sources.py says what counts of each kind of file).
 _RTL = ("rtl/**/*.v", "rtl/configurations.csv")
+_CORE = ("rtl/[!b]*/*.v", "rtl/configurations.csv")  # without rtl/bus and rtl/board
 _MODEL = (*(f"golden/**/{part}/*.?pp" for part in ("numerics", "bounds", "oracle")),
           "golden/**/model/org_*.?pp", "golden/**/model/organization.?pp",
           "golden/**/model/evaluator.?pp", "golden/**/stream/w*.?pp")
 _GEOMETRY = ("geometry/**/lattice/*.?pp", "geometry/**/mesh/*.?pp")
 _SYNTH = (*_RTL, "synth/*.ys", "synth/osu018.*")
-_ENGINES = (*_RTL, "synth/prepare.ys", "synth/ecp5.ys", "synth/generic_memories.ys",
+_ENGINES = ("synth/prepare.ys", "synth/ecp5.ys", "synth/generic_memories.ys",
             "tests/recorded/commands/*", "studies/engines/*.?pp", "studies/engines/*.v",
             "studies/engines/*.py", "tb/cells/ecp5/*.v", "scripts/cxxrtl.py")
 
@@ -35,19 +36,19 @@ class Report:
 
 REPORTS = {
     "organizations": Report(
-        "make organizations", (*_RTL, "studies/organizations/*.?pp"),
+        "make organizations", (*_CORE, "studies/organizations/*.?pp"),
         volatile=("simulation_vertices_per_s", "simulation_share", "reference_vertices_per_s",
                   "compiler_options", "targets"),
         selectors=("org", "n", "format")),
-    "timelines": Report("make organizations", (*_RTL, "studies/organizations/*.?pp")),
+    "timelines": Report("make organizations", (*_CORE, "studies/organizations/*.?pp")),
     "words": Report("make words", (*_MODEL, *_GEOMETRY, "studies/words/*.?pp")),
-    "streams": Report("make streams", (*_RTL, *_GEOMETRY, "golden/**/stream/packets.?pp",
+    "streams": Report("make streams", (*_CORE, *_GEOMETRY, "golden/**/stream/packets.?pp",
                                        "studies/streams/*.?pp")),
-    "bfp": Report("make bfp", (*_RTL, *_MODEL, "studies/bfp/*.?pp"), rows="errors"),
-    "tangents": Report("make tangents", (*_RTL, *_GEOMETRY, "studies/tangents/*.?pp")),
+    "bfp": Report("make bfp", (*_CORE, *_MODEL, "studies/bfp/*.?pp"), rows="errors"),
+    "tangents": Report("make tangents", (*_CORE, *_GEOMETRY, "studies/tangents/*.?pp")),
     "embed": Report("make embed", (*_GEOMETRY, "studies/embed/*.?pp")),
     "glapi": Report("make glapi", ("api/gl/**/*.?pp", "tests/gl/*.py"), rows="commands"),
-    "sim": Report("make sim", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs"),
+    "sim": Report("make sim", (*_CORE, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs"),
     "dma": Report("make sim STREAM=dma", (*_RTL, *_GEOMETRY, "apps/sim/*.?pp"), rows="runs",
                   written="sim"),
     "synth": Report("make synth", _SYNTH, volatile=("seconds", "kinds"),
@@ -64,7 +65,7 @@ REPORTS = {
         "studies/compare/arrays/*.py", "scripts/requirements-compare.txt")),
     "energy": Report(
         "make energy",
-        (*_RTL, *_MODEL, "synth/prepare.ys", "synth/verify.ys", "synth/osu018.*",
+        (*_CORE, *_MODEL, "synth/prepare.ys", "synth/verify.ys", "synth/osu018.*",
          "studies/energy/*.?pp", "studies/energy/*.v", "studies/energy/*.py",
          "studies/compare/scene.?pp")),
     "coverage": Report("make coverage", (
@@ -85,13 +86,13 @@ REPORTS = {
                                          "scripts/requirements-theorems.txt"), volatile=("seconds", "counterexample")),
     "testfloat": Report("make testfloat", ("rtl/number/float/*.v", "rtl/number/fixed/ffd_fx_block.v",
                                            "rtl/common/ffd_num_delay.v", "studies/testfloat/*.?pp")),
-    "engines": Report("make engines", _ENGINES, volatile=("seconds",)),
-    "unknowns": Report("make engines", _ENGINES),
+    "engines": Report("make engines", (*_CORE, *_ENGINES), volatile=("seconds",)),
+    "unknowns": Report("make engines", (*_RTL, *_ENGINES)),
     "boards": Report("make boards", (*_RTL, "synth/*.ys", "synth/boards/boards.csv",
                                      "synth/boards/*/*.pcf", "synth/boards/*/*.lpf"),
                      rows="boards"),
-    "plates": Report("make plates", (*_RTL, *_GEOMETRY, "apps/plates/*.?pp"), rows="plates"),
-    "web": Report("make web", (*_RTL, "apps/web/**/*.?pp", "apps/web/**/*.js", "apps/web/**/*.css",
+    "plates": Report("make plates", (*_CORE, *_GEOMETRY, "apps/plates/*.?pp"), rows="plates"),
+    "web": Report("make web", (*_CORE, "apps/web/**/*.?pp", "apps/web/**/*.js", "apps/web/**/*.css",
                                "apps/web/page/index.html")),
     "structure": Report("make structure", (*_RTL, "synth/prepare.ys", "synth/ecp5.ys"),
                         rows="designs"),
