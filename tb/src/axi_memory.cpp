@@ -101,9 +101,9 @@ bool AxiMemory::quiet() const {
 }
 
 void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
-  pins.ar.ready = throttles_.ar.willing();
-  pins.aw.ready = throttles_.aw.willing();
-  pins.w.ready = throttles_.w.willing();
+  pins.ar.ready = throttles_.ar.willing() && (ar_waits_ || !ready_waits_);
+  pins.aw.ready = throttles_.aw.willing() && (aw_waits_ || !ready_waits_);
+  pins.w.ready = throttles_.w.willing() && (w_waits_ || !ready_waits_);
 
   const bool read_willing = throttles_.r.willing();
   if (!r_.valid && read_willing && !read_queue_.empty() && read_queue_.front().due <= cycle) {
@@ -218,6 +218,9 @@ void AxiMemory::observe(const cores::AxiPins& pins, std::uint64_t cycle) {
     ++write_beats_;
     data_queue_.push_back(pins.w);
   }
+  ar_waits_ = pins.ar.valid && !pins.ar.ready;
+  aw_waits_ = pins.aw.valid && !pins.aw.ready;
+  w_waits_ = pins.w.valid && !pins.w.ready;
   commit(cycle);
 }
 

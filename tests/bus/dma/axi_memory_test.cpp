@@ -42,6 +42,26 @@ TEST(AxiMemory, GuardBytesAreRandomAndWatched) {
   EXPECT_EQ(memory.changed_outside({{0xffffffffffffffe0, 0xffffffffffffffef}}), 1u);
 }
 
+TEST(AxiMemory, ReadyMayWaitForValid) {
+  Hand hand;
+  hand.memory.let_ready_wait_for_valid();
+  for (int i = 0; i < 5; ++i) {
+    hand.step();
+    EXPECT_FALSE(hand.pins.ar.ready || hand.pins.aw.ready || hand.pins.w.ready);
+  }
+  for (bool* valid : {&hand.pins.ar.valid, &hand.pins.aw.valid, &hand.pins.w.valid}) {
+    *valid = true;
+    hand.step();
+    EXPECT_FALSE(hand.pins.ar.ready || hand.pins.aw.ready || hand.pins.w.ready);
+    hand.step();
+    EXPECT_EQ(hand.pins.ar.ready, valid == &hand.pins.ar.valid);
+    EXPECT_EQ(hand.pins.aw.ready, valid == &hand.pins.aw.valid);
+    EXPECT_EQ(hand.pins.w.ready, valid == &hand.pins.w.valid);
+    *valid = false;
+    hand.step();
+  }
+}
+
 TEST(AxiMemory, ReadsComeInOrderAfterTheLatency) {
   Hand hand;
   hand.memory.set_latency({30, 30});

@@ -266,6 +266,19 @@ TEST_P(Sized, WriteDataMayComeBeforeItsAddress) {
   EXPECT_TRUE(bench.writes(0x20000, 0, 8));
 }
 
+/// A slave that is ready for nothing before it sees it: nobody waits for the other.
+TEST_P(Sized, ReadyMayWaitForValid) {
+  DmaBench bench(GetParam(), 16);
+  bench.memory.let_ready_wait_for_valid();
+  bench.start_results(0x20000, 1 << 16);
+  bench.offer_results(40, 7);
+  bench.put_packets(5, 9);
+  bench.start_ring();
+  ASSERT_TRUE(bench.run_until([&] { return bench.results_waiting() == 0 && bench.status.idle; }));
+  EXPECT_TRUE(bench.exact(5));
+  EXPECT_TRUE(bench.writes(0x20000, 0, 40));
+}
+
 TEST_P(Sized, NoResultStaysBehind) {
   DmaBench bench(GetParam(), 6);
   bench.start_results(0x10000, 1 << 16);

@@ -44,6 +44,8 @@ class AxiMemory {
 
   void set_latency(Latency latency) { latency_ = latency; }
   void set_throttles(const AxiThrottles& throttles) { throttles_ = throttles; }
+  /// As the bus allows: ready of AR, AW and W comes only where valid was seen in the clock before.
+  void let_ready_wait_for_valid() { ready_waits_ = true; }
 
   /// The beat with 16 bytes number `beat` of the read burst accepted as number `burst` from now (0
   /// the next) fails; where those are two beats, the first or the second, as `beat` is even or odd.
@@ -118,6 +120,8 @@ class AxiMemory {
   std::uint64_t seed_;
   Latency latency_;
   AxiThrottles throttles_;
+  bool ready_waits_ = false;
+  bool ar_waits_ = false, aw_waits_ = false, w_waits_ = false;  // valid, and was not taken
   std::vector<Failure> failing_reads_, failing_writes_;
   std::unordered_map<std::uint64_t, std::uint64_t> misplaced_;  // of bursts by number
   std::unordered_map<std::uint64_t, std::array<std::uint8_t, kPage>> pages_;
