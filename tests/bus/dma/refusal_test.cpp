@@ -2,6 +2,8 @@
 // byte.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "asking.hpp"
 
 namespace hwffd::test {
@@ -62,6 +64,27 @@ TEST_P(Refusal, EveryKindOfBadDescriptor) {
       {{kPackets, 0, 0x100}, kFlags},
   };
   for (const BadDescriptor& bad : cases) expect_refused(GetParam(), bad, kEverywhere);
+}
+
+/// The ring gets longer while the packet before the bad descriptor waits for room.
+TEST_P(Refusal, NoDescriptorIsReadBehindBadFlags) {
+  DmaBench bench(GetParam(), 1);
+  bench.packet_throttle = tb::Throttle::shut_after(1, 1000000);  // willing in the first clock only
+  bench.put_packet(kPackets, 2 * bench.size().depth);
+  bench.put_descriptor({kPackets, 64, 0x80000000});
+  bench.start_ring();
+  bench.run(2 * bench.size().depth + 200);
+  bench.put_descriptor({kPackets, 64, 0});
+  bench.ring_doorbell();
+  bench.run(50);
+  bench.packet_throttle = tb::Throttle::always();
+  ASSERT_TRUE(bench.run_until_stopped());
+  const auto& reads = bench.memory.reads();
+  EXPECT_EQ(std::count_if(reads.begin(), reads.end(),
+                          [](const auto& read) { return read.address < kPackets; }),
+            2);
+  EXPECT_TRUE(only(bench.read_errors(), kFlags, bench.descriptor_address(1)));
+  EXPECT_TRUE(bench.exact(1));
 }
 
 /// Packets that wait for room when the bad descriptor is seen are read all the same.
