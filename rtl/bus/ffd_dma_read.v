@@ -304,7 +304,7 @@ module ffd_dma_read #(
     end
   end
 
-  assign empty_o = !held_q && room_q == FIFO_DEPTH[COUNT_W-1:0];
+  assign empty_o = room_q == FIFO_DEPTH[COUNT_W-1:0];
 
   // ---- the address channel
   assign asked_o       = burst_valid && burst_ready;
