@@ -76,10 +76,10 @@ def measure(options, subject, number, known):
         return known.rows(same)
     seed = of_design if options.seed is None else options.seed
     mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
-    program, mutants, seconds = campaign.program(options.build, subject, model, mutants, folder)
+    program, mutants = campaign.program(options.build, subject, model, mutants, folder)
     netlisted = folder / f"{model.top}.sv"
     tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
-    unseen = campaign.unseen(program, subject, mutants, seconds, tested, options.jobs)
+    unseen = campaign.unseen(program, subject, mutants, tested, options.jobs)
     how = pathlib.Path(equivalence.__file__)
     judged = Known(folder / "verdicts.json", netlisted, how, *how.parent.glob(f"{model.top}.v"))
     limit = SAMPLE_LIMIT if options.sample else LIMIT

@@ -3,17 +3,18 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import json
 import os
 import pathlib
 import subprocess
 import sys
-import time
 
 from built import MutantError, link
 from netlist import write
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LEAST, TIMES = 10, 5  # a run may take so many seconds, or so many times what the tests take without a mutant
+QUICK = 0.3  # seconds of a test that runs before the slower ones
 CHOICE = """#include <cstdlib>
 extern "C" int hwffd_mutant() {
   const char* number = std::getenv("HWFFD_MUTANT");
@@ -30,17 +31,16 @@ def _shell(command, folder):
 
 
 def program(build, subject, model, mutants, folder):
-    """The test program with the mutants in place of the model, these mutants, and the seconds that the
-    tests take without one. Those are left out with which the tests fail though none is chosen: yosys
-    writes loops through the bits of a vector, which Verilator does not always order."""
+    """The test program with the mutants in place of the model, and these mutants. Those are left out with
+    which the tests fail though none is chosen: yosys writes loops through the bits of a vector, which
+    Verilator does not always order."""
     def fails(some):
         return not passes(_built(build, subject, model, some, folder), subject["tests"], 0)
 
     while mutants:
         path = _built(build, subject, model, mutants, folder)
-        start = time.monotonic()
         if passes(path, subject["tests"], 0):
-            return path, mutants, time.monotonic() - start
+            return path, mutants
         part = mutants
         while len(part) > 1:
             half = len(part) // 2
@@ -67,11 +67,18 @@ def _built(build, subject, model, mutants, folder):
     return link(build, subject["program"], subject["library"], library, folder / "tests")
 
 
-def _names(path, tests):
-    """Tests of these names."""
-    listed = subprocess.run([path, "--gtest_list_tests", f"--gtest_filter={tests}"], check=False,
-                            capture_output=True, text=True).stdout
-    return [line.strip() for line in listed.splitlines() if line.startswith("  ")]
+def _parts(path, tests, folder):
+    """(filter, seconds without a mutant) of the quick tests, then of the others."""
+    report = folder / "tests.json"
+    report.unlink(missing_ok=True)
+    subprocess.run([path, f"--gtest_filter={tests}", f"--gtest_output=json:{report}"], check=False,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"] if report.exists() else []
+    seconds = {f"{suite['name']}.{test['name']}": float(test["time"].rstrip("s"))
+               for suite in suites for test in suite["testsuite"]}
+    parts = ([name for name in seconds if seconds[name] <= QUICK],
+             [name for name in seconds if seconds[name] > QUICK])
+    return [(":".join(part), sum(seconds[name] for name in part)) for part in parts if part]
 
 
 def passes(path, tests, number, limit=None):
@@ -85,11 +92,11 @@ def passes(path, tests, number, limit=None):
         return False
 
 
-def unseen(path, subject, mutants, seconds, tested, jobs):
+def unseen(path, subject, mutants, tested, jobs):
     """The numbers of those that the tests did not see."""
-    if not _names(path, subject["tests"]):
+    parts = _parts(path, subject["tests"], path.parent)
+    if not parts:
         raise MutantError(f"{path}: no test is called {subject['tests']}")
-    limit = max(LEAST, TIMES * seconds)
-    passed = tested.of(range(1, len(mutants) + 1),
-                       lambda number: passes(path, subject["tests"], number, limit), jobs, "mutant")
+    passed = tested.of(range(1, len(mutants) + 1), lambda number: all(
+        passes(path, tests, number, max(LEAST, TIMES * seconds)) for tests, seconds in parts), jobs, "mutant")
     return [number for number, alive in passed.items() if alive]
