@@ -23,10 +23,15 @@ void AxiMemory::misplace_last(std::uint64_t burst, std::uint64_t beat) {
   misplaced_[reads_.size() + burst] = beat;
 }
 
+void AxiMemory::lengthen_read_at(std::uint64_t address, std::uint64_t beats) {
+  surplus_[address] = beats;
+}
+
 void AxiMemory::fail_nothing() {
   failing_reads_.clear();
   failing_writes_.clear();
   misplaced_.clear();
+  surplus_.clear();
 }
 
 void AxiMemory::answer_unasked(cores::AxiResponse response, bool last) {
@@ -208,8 +213,14 @@ void AxiMemory::observe(const cores::AxiPins& pins, std::uint64_t cycle) {
   }
   if (pins.ar.valid && pins.ar.ready) {
     const auto misplaced = misplaced_.find(reads_.size());
+    const auto surplus = surplus_.find(pins.ar.address);
     read_queue_.push_back(open(pins.ar, cycle, reads_, failing_reads_));
-    if (misplaced != misplaced_.end()) read_queue_.back().marked = misplaced->second;
+    Open& read = read_queue_.back();
+    if (misplaced != misplaced_.end()) read.marked = misplaced->second;
+    if (surplus != surplus_.end()) {
+      read.beats += surplus->second;
+      read.marked = read.beats - 1;
+    }
   }
   if (pins.aw.valid && pins.aw.ready) {
     write_queue_.push_back(open(pins.aw, cycle, writes_, failing_writes_));

@@ -41,4 +41,14 @@ unsigned ask_area(DmaBench& bench, tb::AxiMemory::Range window, std::uint64_t ba
   return code;
 }
 
+Asked asked_for(const DmaBench& bench) {
+  Asked asked;
+  for (const auto& read : bench.memory.reads()) {
+    const bool packet = read.address >= kPackets;
+    asked.descriptors += packet ? 0 : 1;
+    asked.beats += packet ? read.beats : 0;
+  }
+  return asked;
+}
+
 }  // namespace hwffd::test

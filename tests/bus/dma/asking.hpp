@@ -15,4 +15,11 @@ unsigned ask_read(DmaBench& bench, tb::AxiMemory::Range window, std::uint64_t ri
 unsigned ask_area(DmaBench& bench, tb::AxiMemory::Range window, std::uint64_t base,
                   std::uint32_t bytes, std::uint64_t results);
 
+/// What has been read of a ring below kPackets and of packets from there on.
+struct Asked {
+  std::uint64_t descriptors = 0;
+  std::uint64_t beats = 0;  ///< of packets
+};
+Asked asked_for(const DmaBench& bench);
+
 }  // namespace hwffd::test

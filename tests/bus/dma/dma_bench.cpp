@@ -263,7 +263,8 @@ AssertionResult DmaBench::exact(unsigned tail) {
 }
 
 AssertionResult DmaBench::reads(unsigned tail) {
-  return run_ring() ? exact(tail) : AssertionFailure() << "the ring has no end";
+  if (!run_ring()) return AssertionFailure() << "the ring has no end";
+  return status.ring_running ? exact(tail) : AssertionFailure() << "the ring has stopped";
 }
 
 AssertionResult DmaBench::refuses(unsigned index, unsigned code) {

@@ -2,7 +2,7 @@
 // ahead.
 #include <gtest/gtest.h>
 
-#include "dma_bench.hpp"
+#include "asking.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -11,18 +11,6 @@ constexpr std::uint64_t kNoEnd = 1000000;
 
 class StalledPackets : public PerDmaSize {};
 HWFFD_FOR_EACH_DMA_SIZE(StalledPackets);
-
-/// Beats of packets, or descriptors, that were asked for.
-std::uint64_t asked_packets(const DmaBench& bench) {
-  std::uint64_t beats = 0;
-  for (const auto& read : bench.memory.reads()) beats += read.address >= kPackets ? read.beats : 0;
-  return beats;
-}
-std::uint64_t asked_descriptors(const DmaBench& bench) {
-  std::uint64_t count = 0;
-  for (const auto& read : bench.memory.reads()) count += read.address < kPackets ? 1 : 0;
-  return count;
-}
 
 TEST_P(StalledPackets, AreReadWhileThereIsRoomForTheWholeBurst) {
   const std::uint64_t depth = GetParam().depth;
@@ -36,7 +24,7 @@ TEST_P(StalledPackets, AreReadWhileThereIsRoomForTheWholeBurst) {
       bench.put_packet(kPackets + 0x4000, beats);
       bench.start_ring();
       bench.run(4 * depth + 200);
-      EXPECT_EQ(asked_packets(bench), depth - room + (beats <= room ? beats : 0));
+      EXPECT_EQ(asked_for(bench).beats, depth - room + (beats <= room ? beats : 0));
       bench.packet_throttle = tb::Throttle::always();
       ASSERT_TRUE(bench.run_until_idle());
       EXPECT_TRUE(bench.exact(2));
@@ -56,7 +44,8 @@ TEST_P(StalledPackets, HaveDescriptorsFetchedAhead) {
     for (std::uint64_t i = taken; i < 15; ++i) bench.put_packet(kPackets + i * 0x4000, depth);
     bench.ring_doorbell();
     bench.run(4 * depth + 400);
-    EXPECT_EQ(asked_descriptors(bench), taken + 1 + GetParam().descriptors) << taken << " taken";
+    EXPECT_EQ(asked_for(bench).descriptors, taken + 1 + GetParam().descriptors)
+        << taken << " taken";
     bench.packet_throttle = tb::Throttle::always();
     ASSERT_TRUE(bench.run_until_idle());
     EXPECT_TRUE(bench.exact(15));

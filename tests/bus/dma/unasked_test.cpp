@@ -45,5 +45,25 @@ TEST_P(Unasked, ReadDataBetweenPackets) {
   EXPECT_EQ(bench.checker.violations(), 11 * kKinds) << "a rule that the engine broke";
 }
 
+/// A slave that answers a fetch with more descriptors than there is room for: the rest is dropped.
+TEST(RingSurplus, OfDescriptorsIsDropped) {
+  const std::uint64_t room = small_dma_size().descriptors, depth = small_dma_size().depth;
+  for (std::uint64_t surplus = room + 3; surplus < room + 9; ++surplus) {
+    SCOPED_TRACE(testing::Message() << surplus << " more");
+    DmaBench bench(small_dma_size(), 3);
+    bench.packet_throttle = tb::Throttle::shut_after(1, 1000000);  // willing in the first clock only
+    bench.put_packet(kPackets, 2 * depth);
+    bench.start_ring();
+    bench.run(2 * depth + 200);  // the packet waits for room, and no request is taken
+    bench.memory.lengthen_read_at(bench.descriptor_address(1), surplus);
+    for (std::uint64_t i = 0; i < 6; ++i) bench.put_packet(kPackets + i * 0x1000, 1);
+    bench.controls.ring_head = 2;
+    bench.run(100);
+    bench.packet_throttle = tb::Throttle::always();
+    bench.run(400);
+    EXPECT_EQ(bench.packets().size(), 2 * depth + room + 2) << "one is asked for meanwhile";
+  }
+}
+
 }  // namespace
 }  // namespace hwffd::test

@@ -57,6 +57,9 @@ class AxiMemory {
   /// RLAST of the read burst accepted as number `burst` from now comes with beat `beat`, not with
   /// its last one; beyond that: with none.
   void misplace_last(std::uint64_t burst, std::uint64_t beat);
+  /// Every read burst at that address has so many beats more, which nobody asked for, and RLAST with
+  /// the last of them.
+  void lengthen_read_at(std::uint64_t address, std::uint64_t beats);
   void fail_nothing();
   /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
   /// open.
@@ -124,6 +127,7 @@ class AxiMemory {
   bool ar_waits_ = false, aw_waits_ = false, w_waits_ = false;  // valid, and was not taken
   std::vector<Failure> failing_reads_, failing_writes_;
   std::unordered_map<std::uint64_t, std::uint64_t> misplaced_;  // of bursts by number
+  std::unordered_map<std::uint64_t, std::uint64_t> surplus_;    // of bursts by address
   std::unordered_map<std::uint64_t, std::array<std::uint8_t, kPage>> pages_;
 
   std::deque<Open> read_queue_;
