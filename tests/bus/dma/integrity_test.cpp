@@ -154,7 +154,7 @@ TEST(Ring, TheLargestRing) {
 TEST(Ring, ABadDescriptorBehindTheStart) {
   std::vector<unsigned> indices = {0x2AAA, 0x5555};
   for (unsigned index = 1; index < 140; ++index) indices.push_back(index);
-  for (unsigned k = 8; k < 15; ++k) indices.insert(indices.end(), {(1u << k) - 1, (1u << k) + 3});
+  for (unsigned k = 8; k < 15; ++k) indices.insert(indices.end(), {(1u << k) - 1, (1u << k) + 4});
   for (const unsigned index : indices) {
     SCOPED_TRACE(testing::Message() << index);
     DmaBench bench(small_dma_size(), index);
@@ -330,7 +330,10 @@ TEST_P(Sized, WhatIsBeyondTheAreaIsDroppedAndFlagged) {
 
 TEST_P(Sized, ResultsWaitForAnArea) {
   DmaBench bench(GetParam(), 12);
+  bench.run(10);
   bench.offer_results(2000, 10);
+  bench.run(bench.size().depth);
+  EXPECT_EQ(bench.accepted_results().size(), bench.size().depth) << "one in each clock";
   bench.run(1000);
   EXPECT_EQ(bench.accepted_results().size(), bench.size().depth + 1)
       << "one waits behind the memory";

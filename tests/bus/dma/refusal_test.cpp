@@ -131,6 +131,35 @@ TEST_P(Refusal, TheReadWindowIsExactToTheByte) {
   EXPECT_EQ(code(last, at), kOutside);  // an empty window
 }
 
+/// In whichever clock a start is refused, also beside a head that comes and goes: nothing is asked
+/// for behind it.
+TEST_P(Refusal, OfAStartBesideADoorbell) {
+  std::uint64_t refused = 0;
+  for (int pulse = 1; pulse < 4; ++pulse) {
+    for (int start = 0; start < 16; ++start) {
+      SCOPED_TRACE(testing::Message() << pulse << " clocks, start in " << start);
+      DmaBench bench(GetParam(), 1);
+      bench.put_packets(1, 1);
+      ASSERT_TRUE(bench.run_ring());
+      for (int i = 0; i < 8; ++i) bench.put_descriptor({kPackets, kBeat, 0});
+      for (int i = 0; i < 40 && bench.read_errors().empty(); ++i) {
+        bench.controls.ring_head = i < 2 || i >= 2 + pulse ? 1 : 2;
+        bench.controls.ring_start = i == start;
+        bench.controls.ring_base = i == start ? kRing + 16 : kRing;
+        bench.step();
+      }
+      if (bench.read_errors().empty()) continue;  // the ring was not at its end
+      ++refused;
+      const std::size_t reads = bench.memory.reads().size();
+      bench.run(60);
+      EXPECT_EQ(bench.memory.reads().size(), reads);
+      EXPECT_EQ(bench.read_errors().size(), 1u);
+      EXPECT_EQ(bench.read_errors()[0].code, kMisaligned);
+    }
+  }
+  EXPECT_GT(refused, 6u);
+}
+
 TEST_P(Refusal, TheRingLiesInTheReadWindow) {
   const std::uint64_t ring = 0x40000;
   const auto code = [&](std::uint64_t base, tb::AxiMemory::Range window) -> unsigned {

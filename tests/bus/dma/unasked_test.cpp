@@ -51,7 +51,8 @@ TEST(RingSurplus, OfDescriptorsIsDropped) {
   for (std::uint64_t surplus = room + 3; surplus < room + 9; ++surplus) {
     SCOPED_TRACE(testing::Message() << surplus << " more");
     DmaBench bench(small_dma_size(), 3);
-    bench.packet_throttle = tb::Throttle::shut_after(1, 1000000);  // willing in the first clock only
+    bench.packet_throttle =
+        tb::Throttle::shut_after(1, 1000000);  // willing in the first clock only
     bench.put_packet(kPackets, 2 * depth);
     bench.start_ring();
     bench.run(2 * depth + 200);  // the packet waits for room, and no request is taken

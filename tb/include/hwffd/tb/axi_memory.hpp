@@ -57,8 +57,8 @@ class AxiMemory {
   /// RLAST of the read burst accepted as number `burst` from now comes with beat `beat`, not with
   /// its last one; beyond that: with none.
   void misplace_last(std::uint64_t burst, std::uint64_t beat);
-  /// Every read burst at that address has so many beats more, which nobody asked for, and RLAST with
-  /// the last of them.
+  /// Every read burst at that address has so many beats more, which nobody asked for, and RLAST
+  /// with the last of them.
   void lengthen_read_at(std::uint64_t address, std::uint64_t beats);
   void fail_nothing();
   /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
