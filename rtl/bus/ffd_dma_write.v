@@ -302,11 +302,11 @@ module ffd_dma_write #(
     .m_word_data ({out_len, out_beat})
   );
 
-  // ---- the data channel
+  // ---- the data channel: while a burst is active its next beat is there, since all were when it began
   reg        active_q;
   reg  [BURST_W-1:0] left_q;    // beats of the burst after this one
   wire       w_free = !m_axi_wvalid || m_axi_wready;
-  wire       move  = active_q && fifo_valid && w_free;
+  wire       move  = active_q && w_free;
   wire       last  = left_q == {BURST_W {1'b0}};
   wire       ended = move && last;
 
@@ -318,7 +318,7 @@ module ffd_dma_write #(
 
   assign length_pop = !active_q || ended;
   assign drop       = past_q && fifo_valid && !soft_i;
-  assign fifo_pop   = (active_q && w_free) || drop;
+  assign fifo_pop   = move || drop;
   assign empty_o    = none;
 
   always @(posedge clk) begin
@@ -333,7 +333,7 @@ module ffd_dma_write #(
 
   always @(posedge clk) begin
     if (rst) m_axi_wvalid <= 1'b0;
-    else if (w_free) m_axi_wvalid <= active_q && fifo_valid;
+    else if (w_free) m_axi_wvalid <= active_q;
   end
 
   always @(posedge clk) if (w_free) {m_axi_wlast, m_axi_wdata} <= {last, fifo_data};

@@ -275,7 +275,7 @@ module formal_dma_write #(
   wire [2:0] to_flush = \u_dut.flush_q ? 0 : 3'd1 + FLUSH_CLOCKS - \u_dut.quiet_q ;
   wire [3:0] to_go    = to_burst + to_flush + !\u_dut.some_q + awvalid;
   wire [4:0] left     = wvalid ? 0
-                      : active ? (\u_dut.fifo_valid ? 1 : 2)
+                      : active ? 1
                       : lengths != 0 ? 3
                       : \u_dut.full_q ? !(\u_dut.past_q && \u_dut.fifo_valid )
                       : \u_dut.go_q && state == BURST ? 4 : 5 + to_go;
@@ -297,6 +297,8 @@ module formal_dma_write #(
   wire       stored = level <= FIFO_DEPTH && (!\u_dut.fifo_ready || level < FIFO_DEPTH)
                    && owed <= level + \u_dut.fifo_valid
                    && (soft_q || owed == level + \u_dut.fifo_valid )
+                   && (\u_dut.fifo_valid || (!active && lengths == 0 && !\u_dut.go_q ))
+                   && (state != BURST || !\u_dut.some_q || \u_dut.fifo_valid )
                    && \u_dut.quiet_q <= FLUSH_CLOCKS
                    && (!\u_dut.past_q || (\u_dut.full_q && !active && lengths == 0))
                    && (!\u_dut.full_q || (state == IDLE && !\u_dut.asking_q ))
