@@ -66,7 +66,7 @@ module ffd_dma_write #(
   output reg          running_o,
   output wire         busy_o,
   output wire         empty_o,
-  output reg  [31:0]  count_o,
+  output wire [31:0]  count_o,
   output reg          overflow_o,
   output wire         marked_o,
   output wire         fault_o,
@@ -95,12 +95,12 @@ module ffd_dma_write #(
 
   // ---- the area
   reg         stop_q;
-  reg         asking_q;    // an area waits to be checked
+  reg         asking_q;    // an area goes to be checked, for which all is ready after accept
   reg         full_q;      // its last address is out
   reg  [63:0] base_q;
   reg  [31:0] size_q;
   wire        accept = start_i && !busy_o && !soft_i;
-  wire        request_ready;
+  wire        unused_ready;
   wire        refused;
   wire [2:0]  refused_code;
   wire        burst_valid;
@@ -132,7 +132,7 @@ module ffd_dma_write #(
     .window_first_i   (window_first_i),
     .window_last_i    (window_last_i),
     .s_request_valid  (asking_q),
-    .s_request_ready  (request_ready),
+    .s_request_ready  (unused_ready),
     .s_request_address(base_q),
     .s_request_length (size_q),
     .s_request_check  (1'b0),
@@ -158,7 +158,7 @@ module ffd_dma_write #(
       stop_q    <= 1'b0;
       full_q    <= 1'b0;
     end else begin
-      asking_q  <= accept || (asking_q && !request_ready && !soft_i);
+      asking_q  <= accept;
       running_o <= accept || (running_o && !refused && !(stop_q && !bursts_out));
       stop_q    <= bad || (stop_q && bursts_out);
       full_q    <= !accept && !bad && (full_q || (step && burst_last));
@@ -361,6 +361,8 @@ module ffd_dma_write #(
   end
 
   // ---- answers
+  reg  [27:0] count_q;     // an area has less than 2^28 beats
+  assign count_o = {4'd0, count_q};
   assign bad     = bad_q && !stop_q && !soft_i;
   assign fault_o = bad;
 
@@ -381,13 +383,13 @@ module ffd_dma_write #(
       m_axi_bready <= 1'b0;
       error_o      <= 1'b0;
       overflow_o   <= 1'b0;
-      count_o      <= 32'd0;
+      count_q      <= 28'd0;
     end else begin
       m_axi_bready <= 1'b1;
       error_o      <= bad || refused;
       overflow_o   <= drop || (overflow_o && !accept);
-      if (started_q) count_o <= 32'd0;
-      else if (good_q && !stop_q && !soft_i) count_o <= count_o + {{(32 - BURST_W) {1'b0}}, len_q} + 32'd1;
+      if (started_q) count_q <= 28'd0;
+      else if (good_q && !stop_q && !soft_i) count_q <= count_q + {{(28 - BURST_W) {1'b0}}, len_q} + 28'd1;
     end
   end
 
@@ -396,7 +398,7 @@ module ffd_dma_write #(
     error_address_o <= refused ? base_q : {beat_q, 4'd0};
   end
 
-  wire unused_ok = &{1'b0, burst_address[3:0], bus_upper, sum[0], fifo_in};
+  wire unused_ok = &{1'b0, unused_ready, burst_address[3:0], bus_upper, sum[0], fifo_in};
 endmodule
 
 `default_nettype wire

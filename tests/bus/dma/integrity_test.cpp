@@ -250,6 +250,17 @@ TEST_P(Sized, FullBurstsWhileResultsKeepComing) {
   for (const auto& write : bench.memory.writes()) EXPECT_EQ(write.beats, burst);
 }
 
+TEST_P(Sized, AShortBurstTakesAllThatWaits) {
+  for (std::uint64_t results = 1; results <= GetParam().max_burst; ++results) {
+    DmaBench bench(GetParam(), results);
+    bench.start_results(0x10000, 1 << 20);
+    bench.offer_results(results, results);
+    ASSERT_TRUE(bench.writes(0x10000, 0, results));
+    ASSERT_EQ(bench.memory.writes().size(), 1u) << results;
+    EXPECT_EQ(bench.memory.writes()[0].beats, results);
+  }
+}
+
 /// A slave that takes no address sees all data of the bursts that may be open; nothing is lost.
 TEST_P(Sized, WriteDataMayComeBeforeItsAddress) {
   DmaBench bench(GetParam(), 14);
@@ -340,6 +351,7 @@ TEST_P(Sized, ResultsWaitForAnArea) {
   EXPECT_TRUE(bench.memory.writes().empty());
   bench.start_results(0x20000, 2000 * kBeat);
   EXPECT_TRUE(bench.writes(0x20000, 0, 2000));
+  EXPECT_EQ(bench.memory.writes().front().beats, bench.size().max_burst);
 }
 
 }  // namespace

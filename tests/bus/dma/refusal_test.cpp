@@ -83,6 +83,26 @@ TEST_P(Refusal, NoDescriptorIsReadBehindBadFlags) {
   EXPECT_TRUE(bench.exact(1));
 }
 
+/// In whichever clock the ring gets longer: what is asked for is asked for before the error.
+TEST_P(Refusal, NoDescriptorIsAskedForBesideBadFlags) {
+  for (std::uint64_t delay = 0; delay < 40; ++delay) {
+    SCOPED_TRACE(testing::Message() << delay << " clocks");
+    DmaBench bench(GetParam(), delay);
+    bench.put_descriptor({kPackets, 64, 0x80000000});
+    bench.start_ring();
+    bench.run(delay);
+    bench.put_packet(kPackets, 4);
+    bench.ring_doorbell();
+    ASSERT_TRUE(bench.run_until_error());
+    bench.run(bench.size().guard());
+    const std::size_t reads = bench.memory.reads().size();
+    bench.run(40);
+    EXPECT_EQ(bench.memory.reads().size(), reads);
+    EXPECT_TRUE(only(bench.read_errors(), kFlags, bench.descriptor_address(0)));
+    EXPECT_TRUE(bench.packets().empty());
+  }
+}
+
 /// Packets that wait for room when the bad descriptor is seen are read all the same.
 TEST_P(Refusal, WhatWaitsBeforeABadDescriptorIsRead) {
   for (const BadDescriptor& bad : bad_descriptors()) {

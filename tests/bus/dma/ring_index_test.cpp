@@ -64,6 +64,19 @@ TEST(RingIndex, OfADescriptorThatIsRefused) {
   }
 }
 
+// Through no ring between.
+TEST(RingIndex, OfAMuchSmallerRing) {
+  for (unsigned log2 = 1; log2 < 10; ++log2) {
+    SCOPED_TRACE(testing::Message() << "2^" << log2 << " entries");
+    const unsigned index = 0x3FF;
+    DmaBench bench(small_dma_size(), log2);
+    advance(bench, index);
+    bench.place_ring(kLargeRing, log2);
+    expect_refused(bench, in_ring(index, log2), {kPackets, 0, 0}, kZeroLength);
+    expect_read(bench, in_ring(index, log2));
+  }
+}
+
 TEST(RingIndex, OfAStartInTheSameRing) {
   for (const unsigned index : {0x2AAAu, 0x5555u}) {
     DmaBench bench(small_dma_size(), index);
