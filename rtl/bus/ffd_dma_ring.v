@@ -98,11 +98,11 @@ module ffd_dma_ring #(
 
   assign running_o = running_q;
   assign tail_o    = {1'b0, tail_q};
-  assign empty_o   = !running_q || (tail_q == head_q && !check_q);
+  assign empty_o   = !running_q || (tail_q == head_q && !check_q && !m_request_valid);
   assign started_o = accept && legal;
 
   always @(posedge clk) begin
-    over_q       <= empty_o && !stop_q && quiet_i && !m_request_valid && !accept && !rst;
+    over_q       <= empty_o && !stop_q && quiet_i && !accept && !rst;
     start_q      <= start_i && !rst;
     mask_q       <= mask;
     head_q       <= head_i[14:0] & mask;

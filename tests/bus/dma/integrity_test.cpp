@@ -261,6 +261,21 @@ TEST_P(Sized, AShortBurstTakesAllThatWaits) {
   }
 }
 
+// What lies behind a border of bursts goes out at once, too.
+TEST_P(Sized, NoBorderDelaysTheEndOfAPacket) {
+  const std::uint64_t burst = GetParam().max_burst;
+  for (std::uint64_t before = 1; before < burst; ++before) {
+    DmaBench bench(GetParam(), before);
+    const std::uint64_t base = 0x10000 + (burst - before) * kBeat;
+    bench.start_results(base, 1 << 16);
+    bench.offer_results(before + 1, before + 1);
+    ASSERT_TRUE(bench.writes(base, 0, before + 1));
+    const auto& writes = bench.memory.writes();
+    ASSERT_EQ(writes.size(), 2u);
+    EXPECT_LT(writes[1].cycle - writes[0].cycle, 16 + bench.size().guard() * before) << before;
+  }
+}
+
 /// A slave that takes no address sees all data of the bursts that may be open; nothing is lost.
 TEST_P(Sized, WriteDataMayComeBeforeItsAddress) {
   DmaBench bench(GetParam(), 14);

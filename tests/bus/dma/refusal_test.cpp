@@ -151,6 +151,16 @@ TEST_P(Refusal, TheReadWindowIsExactToTheByte) {
   EXPECT_EQ(code(last, at), kOutside);  // an empty window
 }
 
+/// Of a ring without descriptors, too, the engine says so before it is idle.
+TEST_P(Refusal, OfAnEmptyRing) {
+  DmaBench bench(GetParam(), 1);
+  bench.set_windows(kNowhere, kNowhere);
+  bench.start_ring();
+  bench.run(5);  // what was just started is seen
+  ASSERT_TRUE(bench.run_until([&] { return bench.status.idle; }));
+  EXPECT_TRUE(only(bench.read_errors(), kOutside, kRing));
+}
+
 /// In whichever clock a start is refused, also beside a head that comes and goes: nothing is asked
 /// for behind it.
 TEST_P(Refusal, OfAStartBesideADoorbell) {

@@ -29,6 +29,22 @@ TEST_P(ResultArea, TheNextOneBeginsWhereTheOldOneIsPartlyUsed) {
   }
 }
 
+// As many as take 18 bits, in an odd number of bursts each time.
+TEST(LargeArea, IsCountedToItsEnd) {
+  constexpr std::uint64_t kResults = (1u << 18) + 5;
+  DmaBench bench(small_dma_size(), 1);
+  bench.start_results(kFirst, kResults * kBeat);
+  bench.run(10);
+  for (std::uint64_t count = 0; count < kResults;) {
+    const std::uint64_t more = std::min<std::uint64_t>(kResults - count, 1004);
+    bench.offer_results(more, more);
+    count += more;
+    ASSERT_TRUE(bench.run_until_counted(count));
+  }
+  EXPECT_EQ(bench.results_in_memory(kFirst, 0, kResults), kResults);
+  EXPECT_EQ(bench.faults(), "");
+}
+
 // An area that its last burst would have filled is not full once that burst has failed.
 TEST_P(ResultArea, ResultsBehindAFailedLastBurstWait) {
   const std::uint64_t burst = GetParam().max_burst;
