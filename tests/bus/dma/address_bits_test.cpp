@@ -130,8 +130,9 @@ TEST_P(AddressBits, EachIsReportedOfAWrite) {
       expect_write_error(GetParam(), at, 256, kSlaveError);
     }
     expect_write_error(GetParam(), area, 0, kZeroLength);
-    for (const unsigned low : {1, 5, 10, 15}) {
+    for (const unsigned low : {1, 2, 4, 8, 5, 10, 15}) {
       expect_write_error(GetParam(), area + low, 256, kMisaligned);
+      expect_write_error(GetParam(), area, 256 + low, kMisaligned);
     }
   }
 }
