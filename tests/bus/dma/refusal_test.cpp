@@ -44,16 +44,11 @@ void expect_refused(const DmaSize& size, const BadDescriptor& bad, tb::AxiMemory
 
 TEST_P(Refusal, EveryKindOfBadDescriptor) {
   const BadDescriptor cases[] = {
-      {{kPackets, 0, 0}, kZeroLength},
-      {{0, 0, 0}, kZeroLength},
-      {{kPackets + 15, 0, 0}, kMisaligned},
-      {{kPackets, 1, 0}, kMisaligned},
-      {{kPackets, 63, 0}, kMisaligned},
-      {{kPackets, 0xffffffff, 0}, kMisaligned},
-      {{0 - kBeat, 32, 0}, kWraps},
-      {{0 - 1000 * kBeat, 1001 * kBeat, 0}, kWraps},
-      {{0 - kBeat, 0xfffffff0, 0}, kWraps},
-      {{0xffffffff00000020, 0xfffffff0, 0}, kWraps},
+      {{kPackets, 0, 0}, kZeroLength},      {{0, 0, 0}, kZeroLength},
+      {{kPackets + 15, 0, 0}, kMisaligned}, {{kPackets, 1, 0}, kMisaligned},
+      {{kPackets, 63, 0}, kMisaligned},     {{kPackets, 0xffffffff, 0}, kMisaligned},
+      {{0 - kBeat, 32, 0}, kWraps},         {{0 - 1000 * kBeat, 1001 * kBeat, 0}, kWraps},
+      {{0 - kBeat, 0xfffffff0, 0}, kWraps}, {{0xffffffff00000020, 0xfffffff0, 0}, kWraps},
       {{kPackets, 0, 0x100}, kFlags},
   };
   for (const BadDescriptor& bad : cases) expect_refused(GetParam(), bad, kEverywhere);
