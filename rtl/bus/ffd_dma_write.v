@@ -302,7 +302,7 @@ module ffd_dma_write #(
     .m_word_data ({out_len, out_beat})
   );
 
-  // ---- the data channel: while a burst is active its next beat is there, since all were when it began
+  // ---- the data channel: an active burst's next beat is there, since all were when it began
   reg        active_q;
   reg  [BURST_W-1:0] left_q;    // beats of the burst after this one
   wire       w_free = !m_axi_wvalid || m_axi_wready;
@@ -312,9 +312,7 @@ module ffd_dma_write #(
 
   // All data of the area has left: what comes behind it is dropped, until the next start.
   reg        past_q;
-  always @(posedge clk) begin
-    past_q <= full_q && !active_q && !length_valid && !accept && !bad && !rst;
-  end
+  always @(posedge clk) past_q <= full_q && !active_q && !length_valid && !accept && !bad && !rst;
 
   assign length_pop = !active_q || ended;
   assign drop       = past_q && fifo_valid && !soft_i;
@@ -370,12 +368,9 @@ module ffd_dma_write #(
     started_q <= accept;
     good_q    <= answer && m_axi_bresp == 2'b00 && !rst;
     bad_q     <= answer && m_axi_bresp != 2'b00 && !rst;
-  end
-
-  always @(posedge clk) begin
-    decode_q <= m_axi_bresp == 2'b11;
-    len_q    <= out_len;
-    beat_q   <= out_beat;
+    decode_q  <= m_axi_bresp == 2'b11;
+    len_q     <= out_len;
+    beat_q    <= out_beat;
   end
 
   always @(posedge clk) begin
@@ -389,7 +384,8 @@ module ffd_dma_write #(
       error_o      <= bad || refused;
       overflow_o   <= drop || (overflow_o && !accept);
       if (started_q) count_q <= 28'd0;
-      else if (good_q && !stop_q && !soft_i) count_q <= count_q + {{(28 - BURST_W) {1'b0}}, len_q} + 28'd1;
+      else if (good_q && !stop_q && !soft_i)
+        count_q <= count_q + {{(28 - BURST_W) {1'b0}}, len_q} + 28'd1;
     end
   end
 
