@@ -284,7 +284,7 @@ programs_of = $(sort $(notdir $(shell tail -n +2 $1 | cut -d, -f$2)))
 mutants: install
 	@scripts/python_env
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target $(call programs_of,studies/mutants/subjects.csv,3)
+	@$(CMAKE_BUILD) --target $(foreach column,3 9,$(call programs_of,studies/mutants/subjects.csv,$(column)))
 	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS)) $(AGAIN_ARGUMENT)
 
 # FLIPS= of each core in registers, and as many in memories.

@@ -89,9 +89,9 @@ module ffd_dma_write #(
 
   localparam BURST_W = $clog2(MAX_BURST);
   localparam COUNT_W = $clog2(FIFO_DEPTH) + 1;
-  localparam QUIET_W = $clog2(FLUSH_CLOCKS + 1);
-  localparam [2:0] SLAVE_ERROR = 3'd6;
-  localparam [2:0] DECODE_ERROR = 3'd7;
+  localparam QUIET_W = FLUSH_CLOCKS < 2 ? 1 : $clog2(FLUSH_CLOCKS);
+  localparam LAST_QUIET = FLUSH_CLOCKS - 1;
+  localparam [2:0] SLAVE_ERROR = 3'd6, DECODE_ERROR = 3'd7;
 
   // ---- the area
   reg         stop_q;
@@ -194,11 +194,11 @@ module ffd_dma_write #(
     .m_word_data (fifo_word)
   );
 
-  localparam [COUNT_W-1:0] NONE = {COUNT_W {1'b0}};
-  localparam [COUNT_W-1:0] ONE = {{(COUNT_W - 1) {1'b0}}, 1'b1};
+  localparam [COUNT_W-1:0] NONE = {COUNT_W {1'b0}}, ONE = {{(COUNT_W - 1) {1'b0}}, 1'b1};
   reg  [COUNT_W-1:0] pending_q;
   reg                flush_q;
   reg  [QUIET_W-1:0] quiet_q;     // clocks without a beat
+  reg                late_q;      // they are FLUSH_CLOCKS or more
   // A burst is made of the beats that were there two clocks ago. First behind_q and flush_q are of
   // one clock; then go_q, and with it the length. What is there only grows while a burst waits, and
   // the next burst comes four clocks later. So does what has room for its address.
@@ -211,7 +211,7 @@ module ffd_dma_write #(
   wire [COUNT_W-1:0] offered = {{(COUNT_W - BURST_W) {1'b0}}, offer};
   wire               whole   = behind_q >= offered;
   wire               none    = pending_q == NONE;
-  wire               late    = quiet_q == FLUSH_CLOCKS[QUIET_W-1:0] && !none;
+  wire               late    = late_q && !none;
   // One chain of carries: less the burst's beats or a beat that is dropped, one more for a push.
   wire [COUNT_W-1:0] more    = step ? {{(COUNT_W - BURST_W) {1'b1}}, ~burst_len} : {COUNT_W {drop}};
   wire [COUNT_W:0]   sum     = {pending_q, 1'b1} + {more, push};
@@ -240,8 +240,8 @@ module ffd_dma_write #(
     all_q     <= behind_q <= offered;
     limited_q <= !whole;
     limit_q   <= behind_q[BURST_W-1:0];
-    if (push || none) quiet_q <= {QUIET_W {1'b0}};
-    else if (!late) quiet_q <= quiet_q + 1'b1;
+    if (push || none) {late_q, quiet_q} <= {(QUIET_W + 1) {1'b0}};
+    else {late_q, quiet_q} <= {late_q || quiet_q == LAST_QUIET[QUIET_W-1:0], quiet_q + 1'b1};
   end
 
   // ---- bursts: address channel, lengths for the data channel, outstanding ones

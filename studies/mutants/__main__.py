@@ -5,7 +5,8 @@
 
 Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
 run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
-change something, and it has survived; or neither is known in time. Of a subject whose design and tests
+change something, and it has survived; or neither is known in time. Late tests, which take minutes, run
+with those alone that are not proved. Of a subject whose design and tests
 are those of the committed report its rows stand. Writes the report. The exit status
 is 1 where a subject falls short of its aim, to which what is undecided counts as survived. A sample is
 as small as the table says, proofs have less time, and the aim is of all of it.
@@ -59,7 +60,7 @@ def key(subject, folder):
     """What the verdicts of a subject depend on: its design, its tests, and how they are found."""
     tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
     return digest.of(netlist.text(folder),
-                     *(subject[field] for field in ("tests", "modules", "mutants")), *map(digest.cpp, tests),
+                     *(subject[field] for field in ("tests", "modules", "mutants", "late")), *map(digest.cpp, tests),
                      digest.statements(campaign, equivalence, netlist))
 
 
@@ -79,15 +80,27 @@ def measure(options, subject, number, known):
     program, mutants = campaign.program(options.build, subject, model, mutants, folder)
     netlisted = folder / f"{model.top}.sv"
     tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
-    unseen = campaign.unseen(program, subject, mutants, tested, options.jobs)
+    unseen = campaign.unseen(program, subject["tests"], range(1, len(mutants) + 1), tested, options.jobs)
     how = pathlib.Path(equivalence.__file__)
     judged = Known(folder / "verdicts.json", netlisted, how, *how.parent.glob(f"{model.top}.v"))
     limit = SAMPLE_LIMIT if options.sample else LIMIT
     verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1],
                                                                    folder / str(place), limit),
                          options.jobs, "proof")
+    if subject["late"] and not options.sample:
+        verdicts = after_late_tests(options, subject, folder, verdicts)
     return rows({"subject": subject["name"], "key": same, "seed": seed}, mutants,
                 {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)})
+
+
+def after_late_tests(options, subject, folder, verdicts):
+    """The verdicts, without those of mutants that the late tests kill."""
+    left = [place for place, verdict in verdicts.items() if verdict in SURVIVORS]
+    if not left:
+        return verdicts
+    program = campaign.late(options.build, subject, folder)
+    unseen = campaign.unseen(program, "*", left, Known(folder / "late.json", program), options.jobs)
+    return {place: verdict for place, verdict in verdicts.items() if place not in left or place in unseen}
 
 
 def rows(subject, mutants, verdicts):

@@ -92,11 +92,16 @@ def passes(path, tests, number, limit=None):
         return False
 
 
-def unseen(path, subject, mutants, tested, jobs):
-    """The numbers of those that the tests did not see."""
-    parts = _parts(path, subject["tests"], path.parent)
+def late(build, subject, folder):
+    """The program of the subject's late tests, with the mutants that `program` has."""
+    return link(build, subject["late"], subject["library"], folder / "libmutants.a", folder / "late")
+
+
+def unseen(path, tests, numbers, tested, jobs):
+    """Those of the mutants with these numbers that the tests did not see."""
+    parts = _parts(path, tests, path.parent)
     if not parts:
-        raise MutantError(f"{path}: no test is called {subject['tests']}")
-    passed = tested.of(range(1, len(mutants) + 1), lambda number: all(
-        passes(path, tests, number, max(LEAST, TIMES * seconds)) for tests, seconds in parts), jobs, "mutant")
+        raise MutantError(f"{path}: no test is called {tests}")
+    passed = tested.of(numbers, lambda number: all(
+        passes(path, part, number, max(LEAST, TIMES * seconds)) for part, seconds in parts), jobs, "mutant")
     return [number for number, alive in passed.items() if alive]

@@ -105,6 +105,12 @@ bool AxiMemory::quiet() const {
          data_queue_.empty();
 }
 
+void AxiMemory::forget() {
+  pages_.clear();
+  reads_.clear();
+  writes_.clear();
+}
+
 void AxiMemory::drive(cores::AxiPins& pins, std::uint64_t cycle) {
   pins.ar.ready = throttles_.ar.willing() && (ar_waits_ || !ready_waits_);
   pins.aw.ready = throttles_.aw.willing() && (aw_waits_ || !ready_waits_);
@@ -195,7 +201,7 @@ void AxiMemory::commit(std::uint64_t cycle) {
     }
     writes_[open.number].beats = bytes / cores::kAxiBeatBytes;
     open.due = due(cycle);
-    answer_queue_.push_back(open);
+    if (!early_) answer_queue_.push_back(open);
   }
 }
 
@@ -224,6 +230,7 @@ void AxiMemory::observe(const cores::AxiPins& pins, std::uint64_t cycle) {
   }
   if (pins.aw.valid && pins.aw.ready) {
     write_queue_.push_back(open(pins.aw, cycle, writes_, failing_writes_));
+    if (early_) answer_queue_.push_back(write_queue_.back());
   }
   if (pins.w.valid && pins.w.ready) {
     ++write_beats_;

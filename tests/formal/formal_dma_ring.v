@@ -119,7 +119,7 @@ module formal_dma_ring #(
   wire [14:0] to_old   = (head_q[14:0] - tail[14:0]) & mask;
   // What is looked at a clock later.
   wire [14:0] mask_old = ~(15'h7FFF << entries_log2_q);
-  wire        looked   = \u_dut.mask_q == mask_old && \u_dut.head_q == (head_q[14:0] & mask_old)
+  wire        looked   = \u_dut.mask_q == mask_old && \u_dut.head_q == head_q[14:0]
                       && \u_dut.beyond_q == ((head_q >> entries_log2_q) != 0)
                       && \u_dut.misaligned_q == ((base_q[18:0] & {mask_old, 4'hF}) != 0);
   always @(posedge clk) begin
@@ -160,10 +160,11 @@ module formal_dma_ring #(
   wire        planned = (\u_dut.check_q || !\u_dut.plan_check_q )
                      && !(\u_dut.check_q && (\u_dut.plan_fetch_q || \u_dut.plan_data_q ))
                      && !(\u_dut.plan_fetch_q && \u_dut.plan_data_q )
-                     && (!\u_dut.plan_fetch_q || (to_fetch < to_limit && ahead < DESCRIPTORS))
+                     && (!\u_dut.plan_fetch_q || \u_dut.stop_q || (to_fetch < to_limit && ahead < DESCRIPTORS))
                      && (!\u_dut.plan_data_q || queued != 0);
   wire        ordered = running
-                     ? \u_dut.mask_q == mask && (\u_dut.head_q & ~mask) == 0
+                     ? \u_dut.mask_q == mask
+                       && (\u_dut.beyond_q || (\u_dut.head_q & ~mask) == 0)
                        && (to_limit <= to_head)
                        && to_next <= to_fetch && to_fetch <= to_limit
                        && ahead == \u_dut.ahead_q && ahead <= DESCRIPTORS

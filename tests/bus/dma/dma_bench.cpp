@@ -90,10 +90,13 @@ void DmaBench::step() {
 void DmaBench::observe() {
   if (controls.ring_start || controls.result_start) checker.restarted();
   checker.allow_ready_to_fall(status.clearing || was_clearing_);  // the halves are reset at its end
+  const bool just_cleared = was_clearing_ && !status.clearing;
   was_clearing_ = status.clearing;
   checker.observe(bus_, cycle_, controls.rst);
   if (!controls.rst) memory.observe(bus_, cycle_);
 
+  stream_faults_ += controls.rst && was_reset_ && result_pins_.ready;  // it would be lost
+  was_reset_ = controls.rst;
   const bool cleared = controls.rst || status.clearing;
   if (packet_waits_ && !cleared) {
     stream_faults_ += !packet_pins_.valid || packet_pins_.beat != packet_held_;
@@ -113,6 +116,7 @@ void DmaBench::observe() {
   fault_pulses_ += status.fault;
   upsets_ += status.upset != 0;
   halted_early_ += status.halted && (both_ran_ || !memory.quiet());
+  halted_cleared_ += status.halted && just_cleared;
   both_ran_ = status.ring_running && status.result_running;
   note(status.read_error, read_errors_);
   note(status.write_error, write_errors_);
@@ -249,6 +253,7 @@ std::string DmaBench::faults() {
   }
   if (size_.timeout == 0 && halted_early_ != 0)
     text += "halted while both halves run or a burst is open\n";
+  if (halted_cleared_ != 0) text += "halted after a soft reset\n";
   if (upsets_ != 0) text += fmt::format("upsets in {} clocks, though no bit flipped\n", upsets_);
   for (const std::string& report : checker.reports()) text += report + "\n";
   if (text.empty() && checker.violations() != 0) text = "violations";

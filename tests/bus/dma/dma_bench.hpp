@@ -184,11 +184,12 @@ class DmaBench {
   cores::AxiPins bus_;
   DmaStream packet_pins_, result_pins_;
   bool windows_settled_ = false;  ///< they were those in the clock before
-  bool was_clearing_ = false;
+  bool was_clearing_ = false, was_reset_ = false;
   bool packet_waits_ = false;
   Beat packet_held_;
   std::uint64_t stream_faults_ = 0;
-  std::uint64_t fault_pulses_ = 0, bus_errors_ = 0, halted_early_ = 0, upsets_ = 0;
+  std::uint64_t fault_pulses_ = 0, bus_errors_ = 0, halted_early_ = 0, halted_cleared_ = 0;
+  std::uint64_t upsets_ = 0;
   bool both_ran_ = false;  ///< in the clock before
   std::uint16_t software_head_ = 0;
   std::vector<Beat> packets_, expected_, accepted_;

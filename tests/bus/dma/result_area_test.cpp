@@ -45,6 +45,26 @@ TEST(LargeArea, IsCountedToItsEnd) {
   EXPECT_EQ(bench.faults(), "");
 }
 
+// Of a slave that answers before it takes data: of every burst that has gone out the data follows,
+// and there are no more of them than their lengths have room.
+TEST_P(ResultArea, AnswersBeforeDataLoseNoData) {
+  constexpr std::uint64_t count = 40;
+  DmaBench bench(GetParam(), 1);
+  bench.memory.answer_before_data();
+  tb::AxiThrottles throttles;
+  throttles.w = tb::Throttle::shut_after(1, 1000);
+  bench.memory.set_throttles(throttles);
+  bench.start_results(kFirst, static_cast<std::uint32_t>(count * kBeat));
+  bench.result_throttle = tb::Throttle::sparse(20);
+  bench.offer_results(count, 1);  // a burst each
+  bench.run(20 * count);
+  bench.memory.set_throttles({});
+  bench.run(20 * count);
+  EXPECT_EQ(bench.results_in_memory(kFirst, 0, count), count);
+  EXPECT_EQ(bench.status.result_count, count);
+  EXPECT_TRUE(bench.memory.quiet());
+}
+
 // An area that its last burst would have filled is not full once that burst has failed.
 TEST_P(ResultArea, ResultsBehindAFailedLastBurstWait) {
   const std::uint64_t burst = GetParam().max_burst;

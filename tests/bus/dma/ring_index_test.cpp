@@ -7,6 +7,8 @@
 namespace hwffd::test {
 namespace {
 
+using testing::AssertionResult;
+
 constexpr unsigned kLargest = 15;  // log2 of the entries
 constexpr std::uint64_t kLargeRing = 0x80000;
 
@@ -66,9 +68,9 @@ TEST(RingIndex, OfADescriptorThatIsRefused) {
 
 // Through no ring between.
 TEST(RingIndex, OfAMuchSmallerRing) {
-  for (unsigned log2 = 1; log2 < 10; ++log2) {
+  constexpr unsigned index = (1u << kLargest) - 1;
+  for (unsigned log2 = 1; log2 < kLargest; ++log2) {
     SCOPED_TRACE(testing::Message() << "2^" << log2 << " entries");
-    const unsigned index = 0x3FF;
     DmaBench bench(small_dma_size(), log2);
     advance(bench, index);
     bench.place_ring(kLargeRing, log2);
@@ -100,6 +102,23 @@ TEST(RingIndex, OfEachRingThatGoesAround) {
     bench.put_packet(kPackets + 0x100, 2);
     if (log2 > 1) bench.put_packet(kPackets + 0x200, 2);
     EXPECT_TRUE(bench.reads(bench.software_head()));
+  }
+}
+
+// A start checks all of its ring and no more.
+TEST(RingWindow, EndsWithTheRing) {
+  for (unsigned log2 = 1; log2 <= kLargest; ++log2) {
+    const std::uint64_t last = kLargeRing + (kBeat << log2) - 1;
+    for (const bool whole : {true, false}) {
+      SCOPED_TRACE(testing::Message() << "2^" << log2 << " entries, whole: " << whole);
+      DmaBench bench(small_dma_size(), log2);
+      bench.set_windows({kLargeRing, whole ? last : last - 1}, kNowhere);
+      bench.place_ring(kLargeRing, log2);
+      ASSERT_TRUE(bench.run_ring());
+      EXPECT_EQ(bench.status.ring_running, whole);
+      EXPECT_TRUE(whole ? AssertionResult(bench.read_errors().empty())
+                        : only(bench.read_errors(), kOutside, kLargeRing));
+    }
   }
 }
 

@@ -64,6 +64,8 @@ class AxiMemory {
   /// Breaks a rule of the bus: a beat of read data that nobody asked for comes while no read is
   /// open.
   void answer_unasked(cores::AxiResponse response, bool last);
+  /// Breaks a rule of the bus: a write is answered when its address has come, before its data.
+  void answer_before_data() { early_ = true; }
   /// As aresetn of the whole bus: what is open is forgotten, write data without its last beat too.
   void forget_open();
 
@@ -88,6 +90,8 @@ class AxiMemory {
   std::uint64_t write_beats() const { return write_beats_; }
   /// Bursts accepted and not yet answered wholly, and write data without an address.
   bool quiet() const;
+  /// Drops what it holds and has logged; only while it is quiet.
+  void forget();
 
  private:
   static constexpr std::uint64_t kPage = 4096;
@@ -123,7 +127,7 @@ class AxiMemory {
   std::uint64_t seed_;
   Latency latency_;
   AxiThrottles throttles_;
-  bool ready_waits_ = false;
+  bool ready_waits_ = false, early_ = false;
   bool ar_waits_ = false, aw_waits_ = false, w_waits_ = false;  // valid, and was not taken
   std::vector<Failure> failing_reads_, failing_writes_;
   std::unordered_map<std::uint64_t, std::uint64_t> misplaced_;  // of bursts by number
