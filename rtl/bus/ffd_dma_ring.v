@@ -75,7 +75,7 @@ module ffd_dma_ring #(
   reg         start_q;
   reg         beyond_q;
   reg         misaligned_q;
-  reg  [14:0] mask_q;     // bits of an entry's number, and the last entry
+  reg  [14:0] mask_q;     // bits of an entry's number
   reg  [14:0] head_q;     // one of the ring's entries, unless beyond_q
   reg         running_q;
   reg         stop_q;
@@ -95,13 +95,6 @@ module ffd_dma_ring #(
   reg         over_q;
   wire        over       = over_q && !stop_q && !m_request_valid;
   wire        accept     = start_q && (!running_q || over);
-
-  // The entry behind one of a ring that ends with `last`.
-  function [14:0] following;
-    input [14:0] entry;
-    input [14:0] last;
-    following = entry == last ? 15'd0 : entry + 1'b1;
-  endfunction
 
   assign running_o = running_q;
   assign tail_o    = {1'b0, tail_q};
@@ -204,9 +197,9 @@ module ffd_dma_ring #(
       ahead_q <= {(AHEAD_W + 1) {1'b0}};
     end else begin
       if (ask_check) fetch_q <= tail_q;
-      else if (ask_fetch) fetch_q <= following(fetch_q, mask_q);
-      if (ask_data) next_q <= following(next_q, mask_q);
-      if (finished_i) tail_q <= following(tail_q, mask_q);
+      else if (ask_fetch) fetch_q <= (fetch_q + 1'b1) & mask_q;
+      if (ask_data) next_q <= (next_q + 1'b1) & mask_q;
+      if (finished_i) tail_q <= (tail_q + 1'b1) & mask_q;
       if (ask_fetch) ahead_q <= ahead_q + 1'b1;
       else if (ask_data) ahead_q <= {1'b0, ahead_q[AHEAD_W-1:0] - 1'b1};
     end

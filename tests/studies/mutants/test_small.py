@@ -3,6 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import argparse
+import importlib.util
 import pathlib
 import subprocess
 import sys
@@ -13,8 +15,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT / "studies" / "mutants"), str(ROOT / "scripts")]
 
 import built  # noqa: E402  pylint: disable=wrong-import-position
+import campaign  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
+
+_FILE = importlib.util.spec_from_file_location("study", ROOT / "studies" / "mutants" / "__main__.py")
+study = importlib.util.module_from_spec(_FILE)
+_FILE.loader.exec_module(study)
 
 COUNTER = """module counter #(parameter WIDTH = 4) (
   input wire clk, input wire rst, input wire up_i, output reg [WIDTH-1:0] count_o);
@@ -103,3 +110,17 @@ def test_a_design_with_nothing_to_change_is_an_error(root):
 def test_a_build_that_is_not_there_is_an_error(tmp_path):
     with pytest.raises(built.MutantError, match="make test builds it"):
         built.model(tmp_path, "libdma_small.a")
+
+
+def test_late_tests_run_with_what_is_left_alone(tmp_path, monkeypatch):
+    asked = []
+    program = tmp_path / "late"
+    program.write_text("")
+    monkeypatch.setattr(campaign, "late", lambda build, subject, folder: program)
+    monkeypatch.setattr(campaign, "unseen", lambda path, tests, numbers, tested, jobs: asked.append(numbers) or [7])
+    options = argparse.Namespace(build=tmp_path, jobs=1)
+    verdicts = {3: "equivalent", 5: "undecided", 7: "survived"}
+    assert study.after_late_tests(options, {}, tmp_path, verdicts) == {3: "equivalent", 7: "survived"}
+    assert asked == [[5, 7]]
+    assert study.after_late_tests(options, {}, tmp_path, {3: "equivalent"}) == {3: "equivalent"}
+    assert len(asked) == 1
