@@ -1,5 +1,5 @@
-"""Whether a mutant changes anything: proved by ABC, which finds what is equal in the design before and
-after the change; else whether it can: inputs are found after which an output differs.
+"""Whether a mutant changes anything: proved by ABC, of every step from where the design can be, or by what is
+equal in the design before and after the change; else whether it can: inputs are found after which an output differs.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 
+import aiger
 from netlist import base, yosys
 
 # What a memory holds and a multiplier gives stays the same as long as nothing differs that goes in, so a
@@ -16,11 +17,18 @@ SMALL = 20_000  # bits of memories that may become registers
 CUT, WHOLE = ("expose -evert t:$mem_v2 t:$mul", "opt_clean"), ("memory_map", "opt_clean")
 
 
-def _side(steps, top, memories, name, out):
-    """The design by one name; with the inputs that it is made for, where a file of its name says which."""
+def _inside(steps, top):
+    """(steps that make a design, its top) with the inputs that it is made for, where a file of its name
+    says which."""
     domain = pathlib.Path(__file__).with_name(f"{top}.v")
-    if domain.exists():
-        steps, top = [*steps, f"read_verilog {domain}", "hierarchy -top domain", "flatten", "opt_clean"], "domain"
+    if not domain.exists():
+        return steps, top
+    return [*steps, f"read_verilog {domain}", "hierarchy -top domain", "proc", "flatten", "opt_clean"], "domain"
+
+
+def _side(steps, top, memories, name, out):
+    """The design by one name."""
+    steps, top = _inside(steps, top)
     return ["design -reset", *steps, f"hierarchy -top {top}", "memory_collect", *memories,
             f"rename {top} {name}", f"write_rtlil {out}"]
 
@@ -45,43 +53,28 @@ def _miter(mutant, top, memories, path):
             "miter -equiv -flatten gold gate miter", "hierarchy -top miter"]
 
 
-def _cell(design, name):
-    """(text to the end, type, parameters and connections, what Y is, its width) of a cell in RTLIL; None
-    for a register."""
-    cell = re.search(rf"\A.*?^  cell (\S+) {re.escape(name)}\n(.*?)^  end\n", design, re.MULTILINE | re.DOTALL)
-    output = cell and re.search(r"^    connect \\Y (.*)\n", cell[2], re.MULTILINE)
-    width = cell and re.search(r"parameter \\(?:Y_)?WIDTH (\d+)", cell[2])
-    return (cell[0], cell[1], cell[2], output[1], width[1]) if output and width else None
+def _alike(root, steps, path, limit):
+    """The graph of a design whose registers have the names that they have with the change, or without it;
+    or None."""
+    design = path.with_suffix(".aig")
+    made = yosys(root, path, [
+        *steps, *CUT, "async2sync", "techmap", "opt_clean", "dfflegalize -cell $_DFF_P_ 01", "aigmap", "opt_clean",
+        "setundef -zero -init", f"write_aiger -zinit -symbols {design}"], limit)
+    return aiger.read(design) if made else None
 
 
-def _twin(mutant, top, path):
-    """The steps that make a design with the changed cell beside itself: `trigger` tells that what they
-    make of their inputs differs. None for a register, and for a design that is made for some inputs."""
-    design, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
-    name = re.search(r"-cell (\S+)", mutant)[1]
-    cell = _cell(design, name)
-    if cell is None or pathlib.Path(__file__).with_name(f"{top}.v").exists():
-        return None
-    before, kind, inside, output, width = cell
-    inside = inside.replace(f"    connect \\Y {output}\n", "    connect \\Y \\twin_y\n")
-    both = path.with_suffix(".il")
-    both.write_text(before + rf"""  wire width {width} \twin_y
-  wire output 9999 \trigger
-  cell {kind} \twin
-{inside}  end
-  cell $ne \differs
-    parameter \A_SIGNED 0
-    parameter \A_WIDTH {width}
-    parameter \B_SIGNED 0
-    parameter \B_WIDTH {width}
-    parameter \Y_WIDTH 1
-    connect \A {output}
-    connect \B \twin_y
-    connect \Y \trigger
-  end
-""" + design[len(before):], encoding="utf-8")
-    return [f"read_rtlil {both}", mutant.replace(f"-cell {name} ", "-cell twin "), f"hierarchy -top {top}",
-            "memory_collect", *CUT, f"delete -port {top}/o:* {top}/trigger %d", "opt_clean"]
+def step(root, mutant, top, path, limit):
+    """A file: from what states the design can reach with the change it comes to others in a clock, or gives
+    other outputs. None where registers cannot be matched."""
+    text, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
+    own, design = path.with_suffix(".base.il"), path.with_suffix(".aig")
+    own.write_text(text, encoding="utf-8")
+    graphs = []
+    for name, steps in (("gold", [f"read_rtlil {own}"]), ("gate", [f"read_rtlil {own}", mutant])):
+        steps, its = _inside(steps, top)
+        graphs.append(_alike(root, [*steps, f"hierarchy -top {its}", "memory_collect"],
+                             path.with_suffix(f".{name}.ys"), limit))
+    return design if None not in graphs and aiger.step(*graphs, design) else None
 
 
 def _gates(root, steps, path, limit):
@@ -103,7 +96,7 @@ def _abc(design, steps, limit):
         return ""
 
 
-def _proved(design, seconds):
+def proved(design, seconds):
     """True if no output differs, whatever comes in, once all registers have been zero: registers that are
     always equal become one, then gates, and what is left is decided by reachability in so many seconds."""
     return "Property proved" in _abc(design, f"lcorr; &get -n; &scorr; &put; pdr -T {seconds}", 4 * seconds)
@@ -127,20 +120,18 @@ def verdict(root, model, mutant, path, limit):
     @param path   what its files begin with
     @param limit  seconds; of a step no more than that, or twice
     """
-    twin = path.with_suffix(".twin.ys")
-    steps = _twin(mutant, model.top, twin)
-    design = steps and _gates(root, steps, twin, limit)
-    if design and _proved(design, limit // 6):
+    design = step(root, mutant, model.top, path.with_suffix(".step.ys"), limit)
+    if design and proved(design, limit // 2):
         return "equivalent"
     cut = path.with_suffix(".cut.ys")
     design = _gates(root, _miter(mutant, model.top, CUT, cut), cut, limit)
     if _memory_bits(path.with_name("design.il")) > SMALL:
-        return "equivalent" if design and _proved(design, limit // 2) else "undecided"
+        return "equivalent" if design and proved(design, limit // 2) else "undecided"
     # What is easily proved first, then what is easily found.
-    if design and _proved(design, limit // 6):
+    if design and proved(design, limit // 6):
         return "equivalent"
     whole = path.with_suffix(".whole.ys")
     design = _gates(root, _miter(mutant, model.top, WHOLE, whole), whole, limit)
     if design and _differs(design, limit // 3):
         return "survived"
-    return "equivalent" if design and _proved(design, limit // 2) else "undecided"
+    return "equivalent" if design and proved(design, limit // 2) else "undecided"

@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import argparse
 import importlib.util
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -14,6 +15,7 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT / "studies" / "mutants"), str(ROOT / "scripts")]
 
+import aiger  # noqa: E402  pylint: disable=wrong-import-position
 import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
@@ -124,3 +126,36 @@ def test_late_tests_run_with_what_is_left_alone(tmp_path, monkeypatch):
     assert asked == [[5, 7]]
     assert study.after_late_tests(options, {}, tmp_path, {3: "equivalent"}) == {3: "equivalent"}
     assert len(asked) == 1
+
+
+HOT = """module hot (input wire clk, input wire rst, input wire turn_i, output wire [1:0] state_o);
+  reg  [1:0] state_q;
+  wire       never = state_q[0] && state_q[1];
+  always @(posedge clk) begin
+    if (rst) state_q <= 2'b01;
+    else if (turn_i) state_q <= {state_q[0], state_q[1] || never};
+  end
+  assign state_o = state_q;
+endmodule
+"""
+
+
+@pytest.mark.parametrize("mode, alike", [("const0", True), ("const1", False), ("inv", False)])
+def test_a_step_is_compared_from_states_that_are_reached(tmp_path, mode, alike):
+    (tmp_path / "rtl" / "small").mkdir(parents=True)
+    (tmp_path / "rtl" / "small" / "hot.v").write_text(HOT)
+    model = built.Model("Vhot", "hot", (), (), (), ())
+    netlist.read(tmp_path, model, tmp_path)
+    cell = re.search(r"cell \$logic_and (\S+)", netlist.base(tmp_path).read_text())[1]
+    design = equivalence.step(tmp_path, f"mutate -mode {mode} -module hot -cell {cell} -port Y -portbit 0", "hot",
+                              tmp_path / "1.ys", 20)
+    assert design and equivalence.proved(design, 10) == alike
+
+
+def test_registers_that_cannot_be_matched_are_no_step(tmp_path):
+    one = aiger.Graph([{"a"}], [{"r_q", "out"}], [2], {"out": 4}, [])
+    assert aiger.step(one, one, tmp_path / "same.aig")
+    assert aiger.read(tmp_path / "same.aig").outputs == {}
+    other = aiger.Graph([{"a"}], [{"s_q"}], [2], {"out": 4}, [])
+    assert not aiger.step(one, other, tmp_path / "no.aig")
+    assert not (tmp_path / "no.aig").exists()
