@@ -250,7 +250,8 @@ module formal_dma_write #(
   (* hierconn *) wire            \u_dut.past_q ;
   (* hierconn *) wire            \u_dut.flush_q ;
   (* hierconn *) wire            \u_dut.some_q ;
-  (* hierconn *) wire [1:0]      \u_dut.quiet_q ;
+  (* hierconn *) wire            \u_dut.quiet_q ;
+  (* hierconn *) wire            \u_dut.late_q ;
   (* hierconn *) wire [FIFO_W:0] \u_dut.pending_q ;
   (* hierconn *) wire [FIFO_W:0] \u_dut.behind_q ;
   (* hierconn *) wire            \u_dut.fifo_valid ;
@@ -272,7 +273,7 @@ module formal_dma_write #(
   // How many such clocks can still come: to the burst that is offered, to the flush, to the beat.
   wire [2:0] to_burst = state == BURST ? 0 : state == NEXT ? 3 : state != IDLE ? 3'd4 - state
                       : \u_dut.u_address.refused_o ? 0 : \u_dut.asking_q ? 4 : 5;
-  wire [2:0] to_flush = \u_dut.flush_q ? 0 : 3'd1 + FLUSH_CLOCKS - \u_dut.quiet_q ;
+  wire [2:0] to_flush = \u_dut.flush_q ? 0 : 3'd1 + (\u_dut.late_q ? 0 : FLUSH_CLOCKS - \u_dut.quiet_q );
   wire [3:0] to_go    = to_burst + to_flush + !\u_dut.some_q + awvalid;
   wire [4:0] left     = wvalid ? 0
                       : active ? 1
@@ -299,7 +300,6 @@ module formal_dma_write #(
                    && (soft_q || owed == level + \u_dut.fifo_valid )
                    && (\u_dut.fifo_valid || (!active && lengths == 0 && !\u_dut.go_q ))
                    && (state != BURST || !\u_dut.some_q || \u_dut.fifo_valid )
-                   && \u_dut.quiet_q <= FLUSH_CLOCKS
                    && (!\u_dut.past_q || (\u_dut.full_q && !active && lengths == 0))
                    && (!\u_dut.full_q || (state == IDLE && !\u_dut.asking_q ))
                    && (!\u_dut.asking_q || (state == IDLE && !\u_dut.u_address.refused_o ))
