@@ -74,7 +74,7 @@ REPORTS = {
     "mutants": Report("make mutants", (
         "rtl/**/*.v", "rtl/configurations.csv", "tests/bus/axil/*.?pp", "tests/bus/dma/*.?pp",
         "tests/evaluator/*.?pp", "tests/system/*.?pp", "tests/unit/**/*.?pp", "studies/mutants/*.py",
-        "studies/mutants/*.csv")),
+        "studies/mutants/*.csv", "studies/mutants/*.v")),
     "upsets": Report("make upsets", (
         "rtl/**/*.v", "rtl/configurations.csv", "studies/upsets/*.?pp", "studies/upsets/*.v",
         "studies/upsets/*.py", "synth/ecp5.ys", "synth/prepare.ys", "tb/**/axi_*.?pp",

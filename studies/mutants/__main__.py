@@ -56,10 +56,11 @@ def numbers(chosen, column, total):
     return [max(1, round(number * total / sum(table))) for number in table] if total else table
 
 
-def key(subject, folder):
-    """What the verdicts of a subject depend on: its design, its tests, and how they are found."""
+def key(subject, top, folder):
+    """What the verdicts of a subject depend on: its design, what that is made for, its tests, and how they
+    are found."""
     tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
-    return digest.of(netlist.text(folder),
+    return digest.of(netlist.text(folder), *map(digest.lines, TABLE.parent.glob(f"{top}.v")),
                      *(subject[field] for field in ("tests", "modules", "mutants", "late")), *map(digest.cpp, tests),
                      digest.statements(campaign, equivalence, netlist))
 
@@ -70,7 +71,7 @@ def measure(options, subject, number, known):
     folder = options.build / "mutants" / f"{subject['name']}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
     of_design = netlist.read(ROOT, model, folder)
-    same = key(subject, folder)
+    same = key(subject, model.top, folder)
     print(f"mutants: {subject['name']}: {model.top}{', as in docs/reports' if known.rows(same) else ''}",
           file=sys.stderr, flush=True)
     if known.rows(same):
