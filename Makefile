@@ -96,7 +96,7 @@ SIM_TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given
 sim: install
 	@$(CMAKE_CONFIGURE) -DHWFFD_TIER="$(SIM_TIER)" -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
 	@$(CMAKE_BUILD) --target hwffd-sim
-	@$(STUDY) --quiet sim -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+	@$(STUDY) --quiet $(if $(filter dma,$(call given,STREAM)),dma,sim) -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
 
 # One file, build/web/index.html, and its test in a browser, which measures it.
 web: install
