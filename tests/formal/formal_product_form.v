@@ -155,15 +155,19 @@ module formal_product_form #(
 
   // One claim, by the names that the table of properties has for its rows.
   localparam TREE = CG == 0;
+  localparam PAPER = SCHEDULE == `FFD_SCHEDULE_PAPER;
   always @* if (!first_q && !rst && result) begin
     if (TREE && N == 1 && SERIAL == 1) basic: assert (whole);
     if (TREE && N == 1 && SERIAL == 0) tree1: assert (whole);
     if (TREE && N == 2) tree2: assert (whole);
     if (TREE && N == 4) tree4: assert (whole);
     if (TREE && N == 8) tree8: assert (whole);
-    if (TREE && N == 16) tree16: assert (whole);
-    if (TREE && N == 32) tree32: assert (whole);
-    if (TREE && N == 64) parallel: assert (whole);
+    if (TREE && N == 16 && !PAPER) tree16: assert (whole);
+    if (TREE && N == 16 && PAPER) tree16_paper: assert (whole);
+    if (TREE && N == 32 && !PAPER) tree32: assert (whole);
+    if (TREE && N == 32 && PAPER) tree32_paper: assert (whole);
+    if (TREE && N == 64 && !PAPER) parallel: assert (whole);
+    if (TREE && N == 64 && PAPER) parallel_paper: assert (whole);
     if (CG == 1) cg1: assert (whole);
     if (CG == 2) cg2: assert (whole);
     if (CG == 3) cg3: assert (whole);
