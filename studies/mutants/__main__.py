@@ -6,10 +6,10 @@
 Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
 run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
 change something, and it has survived; or neither is known in time. Late tests, which take minutes, run
-with those alone that are not proved. Of a subject whose design and tests
-are those of the committed report its rows stand. Writes the report. The exit status
-is 1 where a subject falls short of its aim, to which what is undecided counts as survived. A sample is
-as small as the table says, proofs have less time, and the aim is of all of it.
+with those alone that are not proved. Of a subject whose design and tests are those of the committed
+report its rows stand. Writes the report. The exit status is 1 where a subject falls short of its aim, to
+which what is undecided counts as survived. A sample is as small as the table says, proofs have less time,
+and the aim is of all of it.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -24,6 +24,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
 
+import aiger  # noqa: E402  pylint: disable=wrong-import-position
 import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
 import digest  # noqa: E402  pylint: disable=wrong-import-position
@@ -60,9 +61,9 @@ def key(subject, top, folder):
     """What the verdicts of a subject depend on: its design, what that is made for, its tests, and how they
     are found."""
     tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
-    return digest.of(netlist.text(folder), *map(digest.lines, TABLE.parent.glob(f"{top}.v")),
+    return digest.of(netlist.text(folder), *map(digest.lines, equivalence.domain(top)),
                      *(subject[field] for field in ("tests", "modules", "mutants", "late")), *map(digest.cpp, tests),
-                     digest.statements(campaign, equivalence, netlist))
+                     digest.statements(aiger, campaign, equivalence, netlist))
 
 
 def measure(options, subject, number, known):
@@ -82,8 +83,8 @@ def measure(options, subject, number, known):
     netlisted = folder / f"{model.top}.sv"
     tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
     unseen = campaign.unseen(program, subject["tests"], range(1, len(mutants) + 1), tested, options.jobs)
-    how = pathlib.Path(equivalence.__file__)
-    judged = Known(folder / "verdicts.json", netlisted, how, *how.parent.glob(f"{model.top}.v"))
+    how = [pathlib.Path(module.__file__) for module in (aiger, equivalence)]
+    judged = Known(folder / "verdicts.json", netlisted, *how, *equivalence.domain(model.top))
     limit = SAMPLE_LIMIT if options.sample else LIMIT
     verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1],
                                                                    folder / str(place), limit),

@@ -17,13 +17,16 @@ SMALL = 20_000  # bits of memories that may become registers
 CUT, WHOLE = ("expose -evert t:$mem_v2 t:$mul", "opt_clean"), ("memory_map", "opt_clean")
 
 
+def domain(top):
+    """The file that says for which inputs a design is made, in a list; an empty one where that is all."""
+    return list(pathlib.Path(__file__).parent.glob(f"{top}.v"))
+
+
 def _inside(steps, top):
-    """(steps that make a design, its top) with the inputs that it is made for, where a file of its name
-    says which."""
-    domain = pathlib.Path(__file__).with_name(f"{top}.v")
-    if not domain.exists():
+    """(steps that make a design, its top) with the inputs that it is made for."""
+    if not domain(top):
         return steps, top
-    return [*steps, f"read_verilog {domain}", "hierarchy -top domain", "proc", "flatten", "opt_clean"], "domain"
+    return [*steps, f"read_verilog {domain(top)[0]}", "hierarchy -top domain", "proc", "flatten", "opt_clean"], "domain"
 
 
 def _side(steps, top, memories, name, out):
@@ -39,16 +42,21 @@ def _public(design, mutant):
             re.sub(r"(?<=-cell )(?=\$\S*\$mul\$)", r"\\", mutant))
 
 
-def _miter(mutant, top, memories, path):
-    """The steps that make one module of the design before and after the change: `trigger` tells that an
-    output differs."""
+def _before_and_after(mutant, path):
+    """The steps that read the design, and those that read it and make the change."""
     text, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
     own = path.with_suffix(".base.il")
     own.write_text(text, encoding="utf-8")
-    design = f"read_rtlil {own}"
+    return [f"read_rtlil {own}"], [f"read_rtlil {own}", mutant]
+
+
+def _miter(mutant, top, memories, path):
+    """The steps that make one module of the design before and after the change: `trigger` tells that an
+    output differs."""
+    before, after = _before_and_after(mutant, path)
     gold, gate = (path.with_suffix(f".{name}.il") for name in ("gold", "gate"))
-    return [*_side([design], top, memories, "gold", gold),
-            *_side([design, mutant], top, memories, "gate", gate),
+    return [*_side(before, top, memories, "gold", gold),
+            *_side(after, top, memories, "gate", gate),
             "design -reset", f"read_rtlil {gold}", f"read_rtlil {gate}",
             "miter -equiv -flatten gold gate miter", "hierarchy -top miter"]
 
@@ -66,11 +74,8 @@ def _alike(root, steps, path, limit):
 def step(root, mutant, top, path, limit):
     """A file: from what states the design can reach with the change it comes to others in a clock, or gives
     other outputs. None where registers cannot be matched."""
-    text, mutant = _public(base(path.parent).read_text(encoding="utf-8"), mutant)
-    own, design = path.with_suffix(".base.il"), path.with_suffix(".aig")
-    own.write_text(text, encoding="utf-8")
-    graphs = []
-    for name, steps in (("gold", [f"read_rtlil {own}"]), ("gate", [f"read_rtlil {own}", mutant])):
+    design, graphs = path.with_suffix(".aig"), []
+    for name, steps in zip(("gold", "gate"), _before_and_after(mutant, path)):
         steps, its = _inside(steps, top)
         graphs.append(_alike(root, [*steps, f"hierarchy -top {its}", "memory_collect"],
                              path.with_suffix(f".{name}.ys"), limit))
