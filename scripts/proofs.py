@@ -17,7 +17,6 @@ from dataclasses import dataclass
 
 import digest
 import engine
-import kept
 import rtl
 
 TABLE = "tests/formal/properties.csv"
@@ -29,7 +28,6 @@ SEARCH = 120          # clocks from reset in which a planted bug must be found
 STAND_INS = re.compile(r"^// Stand-ins: (.*)$", re.MULTILINE)  # files with modules in the place of others
 PROOF, CONTROL = "proof", "control"
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
-VERDICT = ("result", "negative_control", "clocks_to_counterexample")
 
 
 class ProofError(Exception):
@@ -102,9 +100,8 @@ class Proofs:
     """The properties of one checkout as steps of yosys and ABC; verdicts lie in build/formal/, their
     keys in their names."""
 
-    def __init__(self, root, limit=300, again=False):
+    def __init__(self, root, limit=300):
         self.root, self.limit = pathlib.Path(root), limit
-        self.kept = kept.Kept(root, "formal", "properties", again)
         self.folder = self.root / "build" / "formal"
         self.harnesses = self.root / "tests" / "formal"
         self.sources = rtl.Sources(self.root)
@@ -228,7 +225,7 @@ class Proofs:
         files = self.files(one)
         # Seconds come last: without them a run was broken off.
         if not all(path.is_file() and path.with_suffix(".seconds").is_file() for path in files):
-            return self._kept_result(one)
+            return None
         (result, clock), (control, frame) = (decided(one, path.read_text(errors="replace"))
                                              for path in files)
         took, control_took = (engine.seconds(path.with_suffix(".seconds")) for path in files)
@@ -236,13 +233,6 @@ class Proofs:
                 "control_seconds": control_took,
                 "clocks_to_counterexample": frame if control == REFUTED else None,
                 **({"broken_at_clock": clock} if result == REFUTED else {})}
-
-    def _kept_result(self, one):
-        """What the committed report says, if all is proved; else None. Raises ProofError."""
-        row = self.kept.get(self.key(one)) or {}
-        if (row.get("result"), row.get("negative_control")) != (PROVED, REFUTED):
-            return None
-        return {field: row[field] for field in VERDICT}
 
     def effort(self, one):
         """The seconds that it took with other sources."""
