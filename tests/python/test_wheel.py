@@ -53,17 +53,17 @@ def wheel(tmp_path_factory):
     # Beside pip's own, the environment has cmake and ninja of the system.
     run(TOOLS / "pip", "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir",
         folder / "built", source)
-    (built,) = (folder / "built").glob("hwffd-*.whl")
+    (built,) = (folder / "built").glob("pyhwffd-*.whl")
     path = f"{TOOLS}{os.pathsep}{os.environ['PATH']}"
     run(TOOLS / "auditwheel", "repair", "--wheel-dir", folder / "repaired", built,
         env={**os.environ, "PATH": path})
-    (repaired,) = (folder / "repaired").glob("hwffd-*.whl")
+    (repaired,) = (folder / "repaired").glob("pyhwffd-*.whl")
     return repaired
 
 
 def test_it_has_the_package_and_its_libraries(wheel):
     version = (ROOT / "VERSION").read_text().strip()
-    assert wheel.name.startswith(f"hwffd-{version}-cp3") and "manylinux" in wheel.name
+    assert wheel.name.startswith(f"pyhwffd-{version}-cp3") and "manylinux" in wheel.name
     names = zipfile.ZipFile(wheel).namelist()
     for name in "__init__.py", "__init__.pyi", "py.typed", "volumes/__init__.py":
         assert f"hwffd/{name}" in names

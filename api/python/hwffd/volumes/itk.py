@@ -14,7 +14,7 @@ def simple_itk():
     try:
         import SimpleITK  # pylint: disable=import-outside-toplevel
     except ImportError as error:
-        raise Error("volumes: SimpleITK is missing; pip install 'hwffd[volumes]' brings it") from error
+        raise Error("volumes: SimpleITK is missing: pip install SimpleITK") from error
     return SimpleITK
 
 

@@ -17,7 +17,7 @@ def ndimage():
     try:
         import scipy.ndimage  # pylint: disable=import-outside-toplevel
     except ImportError as error:
-        raise Error("volumes: SciPy is missing; pip install 'hwffd[volumes]' brings it") from error
+        raise Error("volumes: SciPy is missing: pip install scipy") from error
     return scipy.ndimage
 
 
