@@ -2,18 +2,32 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim web organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean install
+.PHONY: help sim web organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
-tracing = $(filter-out 0,$(call given,TRACE))
+tracing =
 BUILD   = build
+sim: tracing = $(filter-out 0,$(call given,TRACE))
 sim: BUILD = $(if $(tracing),build-trace,build)
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 TIER  ?= test
+TIERS  = sim cover test all
+ifneq ($(TIER),$(filter $(TIERS),$(firstword $(TIER))))
+  $(error TIER=$(TIER): one of $(TIERS))
+endif
 
-CMAKE_CONFIGURE = cmake -S . -B $(BUILD) -G Ninja --log-level=NOTICE
-CMAKE_BUILD     = cmake --build $(BUILD) -j $(JOBS)
-CTEST           = ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
+# Installs the sets of scripts/packages.txt that a command needs.
+INSTALL = @scripts/install
+# All that can be configured is said each time, so that nothing is as an earlier command has left it; the
+# generator of a build that is there stays.
+SELECTED  = $(call selected,)
+selected  = $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(and $(filter $v,$1),$(call given,$v)),$$HWFFD_GIVEN_$v)")
+COVERAGE  = OFF
+CONFIGURE = @cmake -S . -B $(BUILD) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-G Ninja) --log-level=NOTICE \
+  -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF) -DHWFFD_COVERAGE=$(COVERAGE) $(SELECTED)
+COMPILE   = @cmake --build $(BUILD) -j $(JOBS)
+RUN_TESTS = scripts/run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
+            --output-junit reports/tests.xml --test-output-size-passed 65536 -j $(JOBS)
 
 # Variables of `make sim` and `make synth`, handed on as --model X and so on. Only those given on
 # make's command line count, not those that happen to be in the environment. They travel as they
@@ -26,7 +40,8 @@ option_of   = $(firstword $(subst :, ,$1))
 variable_of = $(lastword $(subst :, ,$1))
 given       = $(and $(findstring command line,$(origin $1)),$(value $1))
 ORGANIZATIONS_OPTIONS := org:ORG n:N format:FORMAT
-OPTIONS     := prefix:PREFIX board:BOARD profile:PROFILE work:WORK seeds:SEEDS $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
+OPTIONS     := prefix:PREFIX board:BOARD profile:PROFILE work:WORK seeds:SEEDS only:ONLY hours:HOURS flips:FLIPS \
+               mutants:MUTANTS share:SHARE $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS) $(ORGANIZATIONS_OPTIONS))
 
 $(foreach o,$(OPTIONS),$(eval export HWFFD_GIVEN_$(call variable_of,$o) := \
   $$(value $(call variable_of,$o))))
@@ -34,6 +49,9 @@ unexport $(foreach o,$(OPTIONS),$(call variable_of,$o))
 
 arguments = $(foreach o,$1,$(if $(call given,$(call variable_of,$o)), \
   --$(call option_of,$o) "$$HWFFD_GIVEN_$(call variable_of,$o)"))
+# Refuses what is no number, before anything is built.
+numbers = @$(foreach v,$1,$(if $(call given,$v),case "$$HWFFD_GIVEN_$v" in (''|*[!0-9.]*|*.*.*) \
+  echo "make: $v=$$HWFFD_GIVEN_$v: a number is wanted" >&2; exit 2 ;; esac;)) :
 SIM_ARGUMENTS   = $(call arguments,$(SIM_OPTIONS)) $(if $(tracing),--trace)
 SYNTH_ARGUMENTS = $(call arguments,$(SYNTH_OPTIONS))
 # What docs/reports/ has of these sources is not measured again, unless AGAIN=1 says so.
@@ -85,26 +103,26 @@ help:
 	@echo
 	@echo 'JOBS=$(JOBS) processes side by side. docs/commands.md has all variables, docs/studies the results.'
 
-install:
-	@scripts/install
-
 # The rows that it runs: those of tier sim, unless it is asked for others.
-SIM_TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given,FORMAT),$$(test \
+sim: TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given,FORMAT),$$(test \
   -n "$$(scripts/configurations.py list --tier sim --format "$$HWFFD_GIVEN_FORMAT" 2>/dev/null)" \
   && echo sim || echo test),sim)))
-
-sim: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER="$(SIM_TIER)" -DHWFFD_TRACE=$(if $(tracing),ON,OFF)
-	@$(CMAKE_BUILD) --target hwffd-sim
+sim:
+	$(INSTALL) build
+	$(call numbers,SEED)
+	@case "$$HWFFD_GIVEN_STREAM" in ''|interleaved|resident|dma) ;; *) \
+	  echo "make: STREAM=$$HWFFD_GIVEN_STREAM: one of interleaved, resident, dma" >&2; exit 2 ;; esac
+	@scripts/configurations.py list --tier $(TIER) --top $(if $(filter dma,$(call given,STREAM)),axi,stream) \
+	  $(call arguments,org:ORG format:FORMAT schedule:SCHEDULE) >/dev/null
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-sim
 	@$(STUDY) --quiet $(if $(filter dma,$(call given,STREAM)),dma,sim) -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
 
 # One file, build/web/index.html, and its test in a browser, which measures it.
-web: install
-	@scripts/install web
-	@scripts/python_env figures
-	@scripts/python_env web
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-web-engine hwffd-web-plates
+web:
+	$(INSTALL) build web
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-web-engine hwffd-web-plates
 	@$(BUILD)/apps/hwffd-web-plates $(BUILD)/web/plates.json
 	@$(BUILD)/venv/bin/python -B apps/web/bundle.py --engine $(BUILD)/web/engine \
 	  --plates $(BUILD)/web/plates.json --output $(BUILD)/web/index.html
@@ -115,206 +133,209 @@ web: install
 STUDY = scripts/figures measure
 
 # Only the rows selected are verilated. The names are checked before they reach CMake.
-organizations: install
+organizations: SELECTED = $(call selected,ORG N FORMAT)
+organizations:
+	$(INSTALL) build yosys figures
 	@scripts/configurations.py list $(call arguments,$(ORGANIZATIONS_OPTIONS)) >/dev/null
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) $(foreach v,ORG N FORMAT,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)")
-	@$(CMAKE_BUILD) --target hwffd-organizations
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-organizations
 	@$(STUDY) organizations,timelines -- $(BUILD)/studies/hwffd-organizations
 
 # The same selection, of one format; ORG= and N= narrow it.
-bfp: install
+bfp: SELECTED = $(filter-out -DHWFFD_FORMAT=%,$(call selected,ORG N)) -DHWFFD_FORMAT=bfp32
+bfp:
+	$(INSTALL) build figures
 	@scripts/configurations.py list --format bfp32 $(call arguments,org:ORG n:N) >/dev/null
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) $(foreach v,ORG N,-DHWFFD_$v="$(if $(call given,$v),$$HWFFD_GIVEN_$v)") -DHWFFD_FORMAT=bfp32
-	@$(CMAKE_BUILD) --target hwffd-bfp
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-bfp
 	@$(STUDY) bfp -- $(BUILD)/studies/hwffd-bfp
 
-streams words tangents embed: install
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-$@
+streams words tangents embed:
+	$(INSTALL) build figures
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-$@
 	@$(STUDY) $@ -- $(BUILD)/studies/hwffd-$@
 
 # Programs of others are its peers: as many cores each, in one run.
-compare: install
-	@scripts/python_env figures
-	@scripts/python_env compare
-	@scripts/python_env python
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-compare hwffd_python
+compare:
+	$(INSTALL) build compare
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-compare hwffd_python
 	@$(STUDY) compare,bench -- $(BUILD)/venv/bin/python -B studies/compare
 
 # Netlists are kept in build/energy/, since to map them takes as long as the rest.
-energy: install
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-energy-words
+energy:
+	$(INSTALL) build energy figures
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-energy-words
 	@$(STUDY) energy -- $(BUILD)/venv/bin/python -B studies/energy
 
 # Netlists and C++ of small rows, each compiled once.
-engines: install
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd_engines
+engines:
+	$(INSTALL) build engines figures
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_engines
 	@$(STUDY) engines,unknowns -- $(BUILD)/venv/bin/python -B studies/engines
 
 # What Coq has accepted is kept in build/bounds/.
-bounds: install
-	@scripts/install bounds
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-bounds
+bounds:
+	$(INSTALL) build bounds figures
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-bounds
 	@$(STUDY) bounds -- python3 -B studies/bounds
 
-hwffd: install
-	@scripts/python_env
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd hwffd_rtl hwffd_gl_shared hwffd-command hwffd_python
-	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$HWFFD_GIVEN_PREFIX", \
+# The simulated hardware in it is that of tier sim, unless TIER= says more. That PREFIX can be written is known first.
+hwffd: TIER = sim
+hwffd:
+	$(INSTALL) build module
+	@$(if $(call given,PREFIX),mkdir -p "$$HWFFD_GIVEN_PREFIX" 2>/dev/null && test -w "$$HWFFD_GIVEN_PREFIX" || \
+	  { echo "make: PREFIX=$$HWFFD_GIVEN_PREFIX: cannot be written: take a folder of your own" >&2; exit 2; })
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_installed
+	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$(cd "$$HWFFD_GIVEN_PREFIX" && pwd)", \
 	  echo 'built build/apps/hwffd; to install it: make hwffd PREFIX=/usr/local')
 
-plates: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-plates
+plates: TIER = sim
+plates:
+	$(INSTALL) build
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-plates
 	@$(STUDY) --quiet plates -- $(BUILD)/apps/hwffd-plates
 
-mass-spring: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-example-mass-spring
+mass-spring: TIER = sim
+mass-spring:
+	$(INSTALL) build
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-example-mass-spring
 	@$(BUILD)/examples/hwffd-example-mass-spring
 
-glapi: install
-	@scripts/python_env
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd_rtl hwffd_gl_shared hwffd_python
+glapi:
+	$(INSTALL) build module
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_rtl hwffd_gl_shared hwffd_python
 	@$(STUDY) glapi -- $(BUILD)/venv/bin/python tests/gl/glapi.py --output $(BUILD)
 
-synth: install
-	@scripts/python_env
+# Standard cells are one of the targets.
+CELLS = $(if $(filter-out osu018,$(call given,TARGET)),,cells)
+synth:
+	$(INSTALL) engine $(CELLS)
 	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS) $(AGAIN_ARGUMENT)
 
-synth-check: install
-	@scripts/python_env
+synth-check:
+	$(INSTALL) engine $(CELLS)
 	@scripts/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
-synth-baseline: install
-	@scripts/python_env
+synth-baseline:
+	$(INSTALL) engine cells
 	@scripts/synth_baseline write -j $(JOBS)
 
-structure: install
-	@scripts/python_env figures
+structure:
+	$(INSTALL) engine figures
 	@$(STUDY) structure -- scripts/structure -j $(JOBS)
 
 # The texts as a site, with what `make web` has made.
-docs: install
-	@scripts/install docs
-	@scripts/python_env docs
+docs:
+	$(INSTALL) docs
 	@$(BUILD)/venv/bin/python -B apps/docs
 
 # Everything that is drawn or filled in from reports.
-figures: install
-	@scripts/python_env figures
+figures:
+	$(INSTALL) figures
 	@scripts/figures
 
-pnr: install
-	@scripts/python_env route
+pnr:
+	$(INSTALL) route
 	@$(STUDY) --quiet pnr,synth -- scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT) $(AGAIN_ARGUMENT)
 
-boards: install
-	@scripts/python_env route
+boards:
+	$(INSTALL) route
 	@$(STUDY) --quiet boards -- scripts/boards -j $(JOBS) $(call arguments,board:BOARD)
 
 # PROFILE= of these or a site's own; WORK= which reports, SEEDS= of the soak.
 PROFILES = studies/workflow/profiles
 profile  = $(if $(call given,PROFILE),$(if $(wildcard $(PROFILES)/$(call given,PROFILE)),$(PROFILES)/)"$$HWFFD_GIVEN_PROFILE",$(PROFILES)/local)
 
-workflow: install
-	@scripts/python_env figures
-	@scripts/python_env route
-	@scripts/python_env workflow
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
+workflow:
+	$(INSTALL) build route figures workflow
+	$(call numbers,SEEDS)
+	$(CONFIGURE)
 	@$(BUILD)/venv/bin/snakemake --snakefile studies/workflow/Snakefile --directory $(BUILD) \
 	  --workflow-profile synth/profiles/default --profile $(profile) \
-	  $(if $(call given,JOBS),--cores $(JOBS) --jobs $(JOBS)) --config root=$(CURDIR) \
+	  $(if $(call given,JOBS),--cores $(JOBS) --jobs $(JOBS)) --config "root=$(CURDIR)" \
 	  $(if $(call given,WORK),"work=$$HWFFD_GIVEN_WORK") $(if $(call given,SEEDS),"soak_seeds=$$HWFFD_GIVEN_SEEDS")
 
-formal: install
-	@scripts/python_env
-	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS) $(AGAIN_ARGUMENT)
+formal:
+	$(INSTALL) engine
+	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS) $(call arguments,only:ONLY)
 
-test: install
-	@scripts/python_env figures
-	@scripts/python_env theorems
-	@scripts/python_env python
-	@scripts/python_env workflow
-	@scripts/install docs
-	@scripts/python_env docs
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=test
-	@$(CMAKE_BUILD)
-	@$(STUDY) --quiet tests -- $(CTEST) --output-junit reports/tests.xml -L '^test$$'
+test: override TIER = test
+test:
+	$(INSTALL) test
+	$(CONFIGURE)
+	$(COMPILE)
+	@$(STUDY) --quiet tests -- $(RUN_TESTS) -L '^test$$'
 
-test-all: install
-	@scripts/python_env all
-	@scripts/python_env figures
-	@scripts/python_env theorems
-	@scripts/python_env python
-	@scripts/python_env workflow
-	@scripts/install docs
-	@scripts/python_env docs
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=all
-	@$(CMAKE_BUILD)
-	@$(CTEST) -L '^(test|all)$$'
+test-all: override TIER = all
+test-all:
+	$(INSTALL) test-all
+	$(CONFIGURE)
+	$(COMPILE)
+	@$(RUN_TESTS) -L '^(test|all)$$'
 
 # A build of its own, whose models and libraries count, of the rows of tier cover; SHARE=8 runs an eighth of each
 # program's tests.
 coverage: BUILD = build-coverage
 coverage: TIER = cover
-coverage: install
-	@scripts/python_env
-	@scripts/python_env coverage
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER) -DHWFFD_COVERAGE=ON
-	@$(CMAKE_BUILD) --target hwffd_tests
+coverage: COVERAGE = ON
+coverage:
+	$(INSTALL) test coverage
+	$(call numbers,SHARE)
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_tests
 	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
 # The test programs in a column of a table.
 programs_of = $(sort $(notdir $(shell tail -n +2 $1 | cut -d, -f$2)))
 
 # MUTANTS= of all subjects together; what is known of the same mutants is not run again.
-mutants: install
-	@scripts/python_env
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target $(foreach column,3 9,$(call programs_of,studies/mutants/subjects.csv,$(column)))
+mutants:
+	$(INSTALL) build engine
+	$(call numbers,MUTANTS)
+	$(CONFIGURE)
+	$(COMPILE) --target $(foreach column,3 9,$(call programs_of,studies/mutants/subjects.csv,$(column)))
 	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS)) $(AGAIN_ARGUMENT)
 
 # FLIPS= of each core in registers, and as many in memories.
-upsets: install
-	@scripts/python_env
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd_upsets_programs
+upsets:
+	$(INSTALL) build engines
+	$(call numbers,FLIPS)
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd_upsets_programs
 	@$(STUDY) upsets -- python3 -B studies/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
 
 # NIGHTLY=1 proves the fused unit too, ten minutes. Answers are kept by the digest of the question.
-theorems: install
-	@scripts/python_env figures
-	@scripts/python_env theorems
+theorems:
+	$(INSTALL) theorems figures
 	@$(STUDY) theorems -- $(BUILD)/venv/bin/python -B studies/theorems -j $(JOBS) $(if $(filter-out 0,$(call given,NIGHTLY)),--nightly)
 
 # N= cases of each unit and latency: 100000000 nightly.
-testfloat: install
-	@scripts/python_env figures
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target hwffd-testfloat
+testfloat:
+	$(INSTALL) build figures
+	$(call numbers,N)
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-testfloat
 	@$(STUDY) testfloat -- $(BUILD)/studies/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
 
-soak: install
-	@$(CMAKE_CONFIGURE) -DHWFFD_TIER=$(TIER)
-	@$(CMAKE_BUILD) --target $(call programs_of,studies/soak/traffic.csv,2)
+soak:
+	$(INSTALL) build
+	$(call numbers,HOURS)
+	$(CONFIGURE)
+	$(COMPILE) --target $(call programs_of,studies/soak/traffic.csv,2)
 	@$(STUDY) soak -- python3 -B studies/soak -j $(JOBS) $(addprefix --hours ,$(call given,HOURS))
 
-lint: install
-	@scripts/python_env
-	@$(CMAKE_CONFIGURE)
+lint:
+	$(INSTALL) build lint
+	$(CONFIGURE)
 	@scripts/lint -j $(JOBS)
 
 clean:

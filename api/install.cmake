@@ -1,6 +1,5 @@
 # What `cmake --install` puts beside the library: headers, and how CMake and pkg-config find it. Each
 # component of find_package is a file of targets.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/hwffd)
 

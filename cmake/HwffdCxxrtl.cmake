@@ -1,7 +1,7 @@
 # Cores as yosys writes them in C++ (CXXRTL), as ordinary build steps.
 
-find_path(CXXRTL_INCLUDE backends/cxxrtl/cxxrtl.h PATHS ${yosys_folder}/../share/yosys/include
-  NO_DEFAULT_PATH REQUIRED)
+set(cxxrtl_include ${CMAKE_BINARY_DIR}/cxxrtl/include)
+hwffd_of_yosys(include ${cxxrtl_include} /backends/cxxrtl/cxxrtl.h)
 
 # hwffd_cxxrtl(<library> <row> <source> [<planted>])
 #
@@ -13,13 +13,13 @@ function(hwffd_cxxrtl library row source)
   add_custom_command(
     OUTPUT ${made} ${CMAKE_BINARY_DIR}/cxxrtl/${library}.h
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/cxxrtl.py ${row} ${made} --planted ${ARGN}
-    DEPENDS ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
+    DEPENDS hwffd_of_yosys ${cxxrtl_include}/backends/cxxrtl/cxxrtl.h ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
             ${netlist_scripts}/cxxrtl.py ${netlist_scripts}/rtl.py
     COMMENT "Writing ${row} as C++"
     VERBATIM)
   add_library(${library} STATIC EXCLUDE_FROM_ALL ${made} ${source})
   set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
-  target_include_directories(${library} SYSTEM PRIVATE ${CXXRTL_INCLUDE} ${CMAKE_BINARY_DIR}/cxxrtl)
+  target_include_directories(${library} SYSTEM PRIVATE ${cxxrtl_include} ${CMAKE_BINARY_DIR}/cxxrtl)
   target_compile_definitions(${library} PRIVATE
     HWFFD_CXXRTL_HEADER="${library}.h" HWFFD_ROW="${row}")
   target_compile_options(${library} PRIVATE -w -g0 -O1)

@@ -1,22 +1,36 @@
 # Netlists as ordinary build steps: a row of the table through yosys, and what comes out through
-# Verilator, with models of the target's cells.
+# Verilator, with models of the target's cells. yosys is wanted by the steps, not while CMake configures.
 
-find_program(YOSYS yosys REQUIRED)
-get_filename_component(yosys_folder ${YOSYS} DIRECTORY)
 set(netlist_scripts ${CMAKE_SOURCE_DIR}/scripts)
 file(GLOB netlist_steps CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.ys
      ${CMAKE_SOURCE_DIR}/synth/*/*.v ${CMAKE_SOURCE_DIR}/synth/*/*.map
      ${CMAKE_SOURCE_DIR}/synth/*/*.txt)
+
+# hwffd_of_yosys(<name> <copy> [<file>])
+#
+# Copies a file of those that yosys brings, or a folder, of which <file> is one. Who takes it depends on
+# the file and on the target hwffd_of_yosys.
+add_custom_target(hwffd_of_yosys)
+function(hwffd_of_yosys name copy)
+  string(MAKE_C_IDENTIFIER of_yosys_${name} target)
+  add_custom_command(
+    OUTPUT ${copy}${ARGN}
+    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/of_yosys.py ${name} ${copy}
+    DEPENDS ${netlist_scripts}/of_yosys.py
+    VERBATIM)
+  add_custom_target(${target} DEPENDS ${copy}${ARGN})
+  add_dependencies(hwffd_of_yosys ${target})
+endfunction()
 
 # The cells of a target: ours, and yosys' own for the others. (Gates need none.)
 foreach(cells ecp5,ecp5 gw5a,gowin)
   string(REPLACE , ";" fields ${cells})
   list(GET fields 0 target)
   list(GET fields 1 folder)
-  find_file(YOSYS_${target}_CELLS ${folder}/cells_sim.v PATHS ${yosys_folder}/../share/yosys
-    NO_DEFAULT_PATH REQUIRED)
+  set(copy ${CMAKE_BINARY_DIR}/netlists/cells/${target}.v)
+  hwffd_of_yosys(${folder}/cells_sim.v ${copy})
   file(GLOB netlist_cells_${target} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tb/cells/${target}/*.v)
-  set(netlist_library_${target} LIBRARY ${YOSYS_${target}_CELLS})
+  set(netlist_library_${target} LIBRARY ${copy} AFTER hwffd_of_yosys)
 endforeach()
 
 # hwffd_netlist(<identifier> <target> [<variant>])

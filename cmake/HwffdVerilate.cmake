@@ -1,13 +1,12 @@
 # Verilated models as ordinary build steps: they run in parallel, only where a target asks for them,
 # and never while CMake configures (which the function shipped with Verilator does).
 
-find_program(VERILATOR verilator REQUIRED)
+hwffd_find_program(VERILATOR verilator)
 execute_process(
   COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
   OUTPUT_VARIABLE VERILATOR_ROOT
   OUTPUT_STRIP_TRAILING_WHITESPACE)
-find_package(Threads REQUIRED)
-find_package(ZLIB REQUIRED)
+hwffd_find(ZLIB)
 
 option(HWFFD_TRACE "models that can write waveforms; they run slower" OFF)
 
@@ -44,7 +43,7 @@ set(HWFFD_MODEL_OPTIONS "-O2 -fno-tree-pre -fno-code-hoisting")
 set(HWFFD_NATIVE_OPTIONS "-march=native")
 
 # hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> [SOURCES <file>...]
-#                [PARAMETERS NAME=value...] [LIBRARY <file>] [CONTROL <file>...])
+#                [PARAMETERS NAME=value...] [LIBRARY <file>] [AFTER <target>] [CONTROL <file>...])
 #
 # Makes the static library <target>, whose class is V<target> (header "V<target>.h"); with waveforms
 # where HWFFD_TRACE is on, which its users see as a definition of that name.
@@ -67,7 +66,7 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # branch.
 #
 # LIBRARY is a file for the modules that the sources lack; of those that both have, it is the sources' that
-# count. (NO_INCLUDES is how yosys' files of cells are told to stay alone.)
+# count. (NO_INCLUDES is how yosys' files of cells are told to stay alone.) AFTER is the target that makes it.
 #
 # WIDE says that many float units work side by side: Verilator's optimization of gates would make the
 # build four times as long and the simulation no faster.
@@ -78,7 +77,7 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # NATIVE says that the model stays on this machine and may use all of its processor: a third faster
 # where many units move side by side.
 function(hwffd_verilate target)
-  cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY" "SOURCES;PARAMETERS;CONTROL" ${ARGN})
+  cmake_parse_arguments(ARG "NETLIST;NATIVE;WIDE" "TOP;LIBRARY;AFTER" "SOURCES;PARAMETERS;CONTROL" ${ARGN})
   set(class V${target})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${target})
   if(NOT ARG_SOURCES)
@@ -122,7 +121,7 @@ function(hwffd_verilate target)
     OUTPUT ${dir}/${class}.cpp ${dir}/${class}.h
     COMMAND ${script} ${class} ${VERILATOR} ${flags} ${ARG_SOURCES}
     WORKING_DIRECTORY ${dir}
-    DEPENDS ${ARG_SOURCES} ${control} ${script} $<$<BOOL:${HWFFD_COVERAGE}>:${counters}>
+    DEPENDS ${ARG_SOURCES} ${ARG_LIBRARY} ${ARG_AFTER} ${control} ${script} $<$<BOOL:${HWFFD_COVERAGE}>:${counters}>
     DEPFILE ${dir}/${class}.d
     COMMENT "Verilating ${target}"
     VERBATIM)

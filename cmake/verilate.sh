@@ -4,10 +4,33 @@
 # Verilates in the current folder, which then has CLASS.h, with the headers behind it, and CLASS.cpp,
 # all of the model as one file. Files that come out as they were keep their time, so that a change of
 # RTL that a model does not see compiles nothing. CLASS.d says which files were read.
+#
+# Verilator ends at a blank in a path: it sees the checkout and the build through two links in this folder.
 # SPDX-License-Identifier: Apache-2.0
 set -eu
 class=$1
 shift
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=$(cd ../.. && pwd)
+ln -sfn "$root" checkout
+ln -sfn "$build" build
+
+# A word with `build` or `checkout` in place of their paths, behind -I or at its begin.
+linked() {
+  for at in "build $build" "checkout $root"; do
+    path=${at#* }/
+    case $1 in
+      "$path"*) echo "${at%% *}/${1#"$path"}" && return ;;
+      "-I$path"*) echo "-I${at%% *}/${1#"-I$path"}" && return ;;
+    esac
+  done
+  echo "$1"
+}
+for word; do
+  shift
+  set -- "$@" "$(linked "$word")"
+done
 
 rm -rf new
 if ! "$@" --Mdir new 2>verilator.log; then
@@ -31,5 +54,7 @@ rm new/*.cpp "new/$class.h"
 for header in new/"$class"*.h; do keep "$header" "${header#new/}"; done
 keep new/class.h "$class.h"
 keep new/model.cc "$class.cpp"
-sed "s|^.*: |$PWD/$class.cpp: |" "new/${class}__ver.d" >"$class.d"
+escaped() { printf '%s' "$1" | sed 's/ /\\\\ /g; s/[&|]/\\&/g'; }
+sed "s|^.*: |$(escaped "$PWD")/$class.cpp: |; s| checkout/| $(escaped "$root")/|g; s| build/| $(escaped "$build")/|g" \
+  "new/${class}__ver.d" >"$class.d"
 rm -r new

@@ -152,9 +152,9 @@ def of_tier(configurations, tier):
     return [configuration for configuration in configurations if configuration.tier in built]
 
 
-def select(configurations, org="", n="", fmt=""):
-    """Those of an organization, N and format, each perhaps empty: any. Raises TableError."""
-    for column, wanted in (("org", org), ("n", n), ("format", fmt)):
+def select(configurations, org="", n="", fmt="", schedule=""):
+    """Those of an organization, N, format and schedule, each perhaps empty: any. Raises TableError."""
+    for column, wanted in (("org", org), ("n", n), ("format", fmt), ("schedule", schedule)):
         if not wanted:
             continue
         known = list(dict.fromkeys(str(getattr(c, column)) for c in configurations))
@@ -168,6 +168,13 @@ def add_selection(parser):
     """The options that `selected` reads."""
     for column in ("org", "n", "format"):
         parser.add_argument(f"--{column}", default="", help="these rows only")
+
+
+def listed(configurations, options):
+    """Those of the command `list`. Raises TableError."""
+    tops = TOPS[TOPS.index(options.top):]
+    rows = [c for c in of_tier(configurations, options.tier) if c.top in tops]
+    return select(rows, options.org, options.n, options.format, options.schedule)
 
 
 def selected(configurations, options):
@@ -213,6 +220,8 @@ def parser():
     for command in (listing, build):
         command.add_argument("--tier", choices=TIERS, default="all")
         add_selection(command)
+    listing.add_argument("--schedule", default="", help="these rows only")
+    listing.add_argument("--top", choices=TOPS, default=TOPS[0], help="rows with at least this top")
     return made
 
 
@@ -221,7 +230,7 @@ def main(arguments=None):
     try:
         rows = read(options.table)
         if options.command == "list":
-            for configuration in of_tier(selected(rows, options), options.tier):
+            for configuration in listed(rows, options):
                 print(configuration.name)
         elif options.command == "parameters":
             assignments = find(rows, options.name).assignments()

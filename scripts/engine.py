@@ -33,7 +33,7 @@ def program():
     own = venv_packages.FOLDER / "bin"
     found = shutil.which("snakemake", path=f"{own}{os.pathsep}{os.environ.get('PATH', '')}")
     if not found:
-        raise EngineError("snakemake not found: run scripts/python_env")
+        raise EngineError("snakemake not found: run scripts/install engine")
     return found
 
 

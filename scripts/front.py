@@ -36,7 +36,7 @@ class Parser(argparse.ArgumentParser):
 def run(parser, work, faults):
     """As `ended`, of work(options, root)."""
     options = parser.parse_args()
-    return ended(parser.prog, lambda: work(options, options.root.resolve()), faults)
+    return ended(parser.prog, lambda: work(options, options.root.absolute()), faults)
 
 
 def ended(prog, work, faults):

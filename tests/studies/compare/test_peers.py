@@ -83,5 +83,5 @@ def test_a_result_that_is_no_number_is_refused(scenes):
 
 def test_a_package_that_is_not_there_is_named(scenes):
     peer = dataclasses.replace(peers.PEERS[0], package="nowhere")
-    with pytest.raises(peers.PeerError, match="nowhere is not in build/venv: run scripts/python_env"):
+    with pytest.raises(peers.PeerError, match="nowhere is not in build/venv: run scripts/install"):
         peers.row(peer, scenes[0], False)

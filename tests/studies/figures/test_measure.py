@@ -107,7 +107,7 @@ def test_rows_that_were_not_measured_again_stay(checkout, figures):
     assert json.loads(checkout.text(committed))["rows"] == [
         row("a", 1.0, older=True), row("b", 3.0), row("c", 4.0)]
     reports = Reports(checkout.root, COMMITTED)
-    assert check.older(reports, "pnr") == 1
+    assert reports.older("pnr") == 1
     assert measure.with_older(reports.get("pnr"), reports.get("pnr"), "pnr")["rows"] == list(
         reports.rows("pnr"))
 

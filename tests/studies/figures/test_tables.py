@@ -210,7 +210,7 @@ def test_what_ctest_wrote(checkout, reports):
         <testcase name="api.c.d" time="7" status="run"/></testsuite>"""})
     module("tests").collect(checkout.root)
     data = reports(FRESH)
-    assert (data.figure("tests", "tests"), data.figure("tests", "not_passed")) == (3, 1)
+    assert (data.figure("tests", "tests"), data.figure("tests", "failed"), data.figure("tests", "skipped")) == (3, 1, 0)
     assert markers.table(data, "tests.suites").rows == [["`api`", "1", "7"], ["`lint`", "2", "2"]]
     assert markers.table(data, "tests.longest").rows[0] == ["`api.c.d`", "7"]
 
