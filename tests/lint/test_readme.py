@@ -1,5 +1,5 @@
-"""What the README promises: one screen and a half, and Verilog that can be copied as it stands; and
-that `make help` fits on a screen.
+"""What the README promises: Verilog that can be copied as it stands; and that `make help` fits on a
+screen.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -14,7 +14,7 @@ from rtl import ROOT
 
 README = (ROOT / "README.md").read_text()
 (VERILOG,) = re.findall(r"^```verilog\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
-LINES, HELP_LINES, HELP_GROUPS = 150, 7, 6
+HELP_LINES, HELP_GROUPS = 7, 6
 
 AROUND = """module readme (
   input wire clk, input wire rst,
@@ -25,10 +25,6 @@ AROUND = """module readme (
 );
 {}endmodule
 """
-
-
-def test_length():
-    assert len(README.splitlines()) <= LINES
 
 
 def test_verilog_elaborates(checkout):
@@ -62,6 +58,6 @@ def test_help_names_every_target():
     makefile = (ROOT / "Makefile").read_text()
     phony = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE).group(1).split()
     documented = set(re.findall(r"`make ([a-z-]+)`", (ROOT / "docs" / "commands.md").read_text()))
-    wanted = set(phony) - {"help", "install"}
+    wanted = set(phony) - {"help"}
     assert set(re.findall(r"^\t@echo '  make ([a-z-]+)", makefile, re.MULTILINE)) == wanted
     assert documented >= wanted

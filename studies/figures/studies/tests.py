@@ -19,8 +19,7 @@ def collect(root):
     if not source.is_file():
         return
     try:
-        cases = [{"name": case.get("name"), "seconds": float(case.get("time")),
-                  "passed": case.get("status") == "run"}
+        cases = [{"name": case.get("name"), "seconds": float(case.get("time")), "status": case.get("status")}
                  for case in xml.etree.ElementTree.parse(source).iter("testcase")]
     except (xml.etree.ElementTree.ParseError, TypeError, ValueError) as error:
         raise RequestError(f"{source}: not what ctest writes: {error}") from error
@@ -31,7 +30,8 @@ def collect(root):
         suite["seconds"] = round(suite["seconds"] + case["seconds"], 1)
     longest = sorted(cases, key=lambda case: -case["seconds"])[:LONGEST]
     target.write_text(json.dumps({
-        "tests": len(cases), "not_passed": sum(not case["passed"] for case in cases),
+        "tests": len(cases), "failed": sum(case["status"] == "fail" for case in cases),
+        "skipped": sum(case["status"] not in ("run", "fail") for case in cases),
         "suites": [{"suite": name, **suite} for name, suite in sorted(suites.items())],
         "longest": [{"name": case["name"], "seconds": round(case["seconds"], 1)}
                     for case in longest]}), encoding="utf-8")
