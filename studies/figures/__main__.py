@@ -81,7 +81,7 @@ def do_measure(options):
             if written:
                 print("drew " + ", ".join(str(path.relative_to(options.root)) for path in written))
         except ImportError as error:
-            print(f"no pictures: {error}: run scripts/python_env figures", file=sys.stderr)
+            print(f"no pictures: {error}: run scripts/install figures", file=sys.stderr)
     return status
 
 
@@ -109,7 +109,7 @@ def main(arguments=None):
     at = words.index("--") if "--" in words else len(words)
     options = parser.parse_args(words[:at])
     options.command = words[at + 1:]
-    options.root = options.root.resolve()
+    options.root = options.root.absolute()
     try:
         return options.do(options)
     except KeyboardInterrupt:

@@ -49,11 +49,6 @@ def check(root):
     return len(names), wrong, unmeasured + _stale(root, reports)
 
 
-def older(reports, name):
-    """How many rows were kept beside a part that was measured anew (measure.with_older)."""
-    return sum(bool(row.get("older")) for row in reports.get(name).get(REPORTS[name].rows) or [])
-
-
 def _stale(root, reports):
     """A line for each committed report that lacks rows or whose sources have changed since, with
     what renews it.
@@ -67,7 +62,7 @@ def _stale(root, reports):
         try:
             measured = reports.get(name).get(STAMP, {}).get("sources")
             stale = measured != sources.key(root, REPORTS[name].sources)
-            absent, kept = missing(reports, name), older(reports, name)
+            absent, kept = missing(reports, name), reports.older(name)
             states = [text for is_so, text in (
                 (stale, "is stale"), (absent, f"lacks {absent}"),
                 (kept, f"has {kept} rows of earlier sources")) if is_so]

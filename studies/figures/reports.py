@@ -97,6 +97,10 @@ class Reports:
             raise RequestError(f"{name} has no rows")
         return [row for row in found if is_wanted(row, wanted)]
 
+    def older(self, name):
+        """How many rows were kept beside a part that was measured anew (measure.with_older)."""
+        return sum(bool(row.get("older")) for row in self.get(name).get(REPORTS[name].rows) or [])
+
     def figure(self, name, field):
         """A field at the top of a report, or a figure that follows from it."""
         derived = getattr(module(name), "FIGURES", {}) if module(name) else {}

@@ -55,5 +55,5 @@ def key(root, patterns):
         parts = [_verilog(root, verilog)] if verilog else []
         parts += [_other(path) for path in files if path.suffix != ".v"]
     except FileNotFoundError as error:
-        raise SourceError(f"{error.filename} not found: run scripts/install") from error
+        raise SourceError(f"{error.filename} not found: run scripts/install build") from error
     return digest.of(*sorted(parts))

@@ -48,6 +48,13 @@ def _share(kind):
     return figure
 
 
+def _of_all(reports):
+    """Of all bits, those that were run: what is excluded counts as not run."""
+    rows = reports.rows("coverage")
+    places = sum(row["toggles"] + row["excluded"] for row in rows)
+    return sum((row["toggle"] or 0) / 100 * row["toggles"] for row in rows) / places
+
+
 def _full(reports):
     return sum(row["line"] in (100, None) and row["branch"] in (100, None)
                and (row["toggle"] or 100) >= 99 for row in reports.rows("coverage"))
@@ -57,6 +64,7 @@ TABLES = {"modules": modules, "cpp": cpp}
 FIGURES = {
     "modules": lambda reports: len(reports.rows("coverage")), "modules_full": _full,
     **{kind: _share(kind) for kind in KINDS},
+    "toggle_of_all": _of_all,
     "excluded": lambda reports: sum(row["excluded"] for row in reports.rows("coverage")),
     "programs": lambda reports: reports.get("coverage")["programs"],
 }

@@ -64,5 +64,13 @@ def _of(verdict):
 
 
 TABLES = {"subjects": subjects, "modules": modules, "left": left}
-FIGURES = {**{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
+def _below(reports):
+    """The subjects that are below their aim, with what they reach."""
+    aims = _subjects(reports)
+    cells = {name: _cells(found)[-1] for name, found in _sums(reports, "subject").items()}
+    return ", ".join(f"{name} {percent} %" for name, percent in cells.items()
+                     if percent != "-" and float(percent) < float(aims[name]["aim"]))
+
+
+FIGURES = {"below": _below, "subjects": lambda reports: len(_subjects(reports)), **{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
            "modules": lambda reports: len({row["module"] for row in reports.rows("mutants")})}

@@ -58,3 +58,4 @@ def missing(reports):
 
 
 TABLES = {"clocks": clocks}
+FIGURES = {"rows": lambda reports: len(reports.rows("pnr")), "older": lambda reports: reports.older("pnr")}

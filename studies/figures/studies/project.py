@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import configurations
+import organizations
 import rtl
 import version
 
@@ -12,5 +13,6 @@ FIGURES = {
     "version": lambda reports: str(version.read(reports.root)),
     "configurations": lambda reports: len(
         configurations.read(reports.root / "rtl" / "configurations.csv")),
+    "organizations": lambda reports: len(organizations.read(reports.root / "rtl")),
     "modules": lambda reports: len(rtl.Sources(reports.root).modules()),
 }

@@ -8,6 +8,7 @@ from figures.studies.organizations import is_plain, rows
 from figures.table import Table
 from organizations import label
 
+OLDER = " \u2020"
 EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
 
 
@@ -21,7 +22,7 @@ def _luts(area):
 
 def organizations(reports, *names):
     """Organizations in fx18, overlapped, on ECP5, all or those named: the whole core, its clock where
-    it has been routed, and what the evaluator is of it.
+    it has been routed, and what the evaluator is of it. A dagger marks a row measured with older RTL.
     """
     cores, clocks = (_by_name(reports, name, CORE) for name in ("synth", "pnr"))
     evaluators, lines = _by_name(reports, "synth", EVALUATOR), []
@@ -30,9 +31,11 @@ def organizations(reports, *names):
         if not is_plain(row) or names and name.replace(" ", "") not in names:
             continue
         core, evaluator = (found.get(row["name"], {}) for found in (cores, evaluators))
-        clock, interval = clocks.get(row["name"], {}).get("fmax_mhz"), row["interval_overlapped"]
+        routed = clocks.get(row["name"], {})
+        clock, interval = routed.get("fmax_mhz"), row["interval_overlapped"]
+        older = any(found.get("older") for found in (core, evaluator, routed))
         lines.append([
-            f"`{name}`", shown(interval, "g"), shown(core.get("dsp")), _luts(core),
+            f"`{name}`" + OLDER * older, shown(interval, "g"), shown(core.get("dsp")), _luts(core),
             _luts(evaluator), shown(clock, ".1f"),
             shown(clock / interval if clock else None, ".2f"), shown(row["max_error"], ".1e")])
     return Table(["organization", "cycles per vertex", "multipliers", "LUT", "of these, evaluator",

@@ -237,3 +237,4 @@ def missing(reports):
 
 TABLES = {"organizations": organizations, "cores": cores, "systems": systems, "prices": prices,
           "generality": generality, "matrix": matrix, "critical_paths": critical_paths}
+FIGURES = {"rows": lambda reports: len(reports.rows("synth")), "older": lambda reports: reports.older("synth")}
