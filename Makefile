@@ -185,7 +185,7 @@ bounds:
 	@$(STUDY) bounds -- python3 -B studies/bounds
 
 # The simulated hardware in it is that of tier sim, unless TIER= says more. That PREFIX can be written is known first.
-hwffd: TIER = sim
+hwffd plates mass-spring: TIER = sim
 hwffd:
 	$(INSTALL) build module
 	@$(if $(call given,PREFIX),mkdir -p "$$HWFFD_GIVEN_PREFIX" 2>/dev/null && test -w "$$HWFFD_GIVEN_PREFIX" || \
@@ -195,14 +195,12 @@ hwffd:
 	@$(if $(call given,PREFIX),cmake --install $(BUILD) --prefix "$$(cd "$$HWFFD_GIVEN_PREFIX" && pwd)", \
 	  echo 'built build/apps/hwffd; to install it: make hwffd PREFIX=/usr/local')
 
-plates: TIER = sim
 plates:
 	$(INSTALL) build
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-plates
 	@$(STUDY) --quiet plates -- $(BUILD)/apps/hwffd-plates
 
-mass-spring: TIER = sim
 mass-spring:
 	$(INSTALL) build
 	$(CONFIGURE)

@@ -16,20 +16,16 @@ build=$(cd ../.. && pwd)
 ln -sfn "$root" checkout
 ln -sfn "$build" build
 
-# A word with `build` or `checkout` in place of their paths, behind -I or at its begin.
-linked() {
-  for at in "build $build" "checkout $root"; do
-    path=${at#* }/
-    case $1 in
-      "$path"*) echo "${at%% *}/${1#"$path"}" && return ;;
-      "-I$path"*) echo "-I${at%% *}/${1#"-I$path"}" && return ;;
-    esac
-  done
-  echo "$1"
-}
+# Each word with `build` or `checkout` in place of their paths, behind -I or at its begin.
 for word; do
   shift
-  set -- "$@" "$(linked "$word")"
+  case $word in
+    "$build"/*) word=build/${word#"$build"/} ;;
+    "-I$build"/*) word=-Ibuild/${word#"-I$build"/} ;;
+    "$root"/*) word=checkout/${word#"$root"/} ;;
+    "-I$root"/*) word=-Icheckout/${word#"-I$root"/} ;;
+  esac
+  set -- "$@" "$word"
 done
 
 rm -rf new
