@@ -1,4 +1,4 @@
-"""How long files and functions may be, and that no six lines of code stand twice.
+"""How long functions may be, and that no six lines of code stand twice.
 
 Generated files, which say so in their first lines, do not count. Of the six lines blank ones,
 comments and lone brackets do not count; ports, named connections with the wires between them and
@@ -12,7 +12,6 @@ import re
 
 from rtl import line_of
 
-FILE_LINES = 400
 FUNCTION_LINES = 60
 EQUAL_LINES = 6
 
@@ -61,12 +60,6 @@ def files(tree):
 
 def _blank(match):
     return re.sub(r"[^\n]", " ", match.group(0))
-
-
-def long_file(tree, path):
-    lines = tree.text(path).count("\n")
-    if lines > FILE_LINES:
-        yield FILE_LINES + 1, f"{lines} lines, at most {FILE_LINES} wanted"
 
 
 def long_function(tree, path):

@@ -259,7 +259,6 @@ PER_FILE = {
     "trailing-blank": (lambda tree: tree.all, trailing_blanks),
     "link": (lambda tree: tree.markdown, links.dead_links),
     "section": (lambda tree: tree.all, links.missing_sections),
-    "long-file": (sizes.files, sizes.long_file),
     "long-function": (sizes.files, sizes.long_function),
 }
 # Those that want a Python package.

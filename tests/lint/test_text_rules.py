@@ -181,8 +181,6 @@ PLANTED = [
      {"tb/include/hwffd/tb/bench.hpp": "", "api/src/x.cpp": '#include "hwffd/tb/bench.hpp"\n'}),
     ("one-way", "a folder without include/",
      {"apps/picture/png.hpp": "", "studies/words/x.cpp": '#include "picture/png.hpp"\n'}),
-    ("long-file", "C++", {"golden/src/x.cpp": lines(401)}),
-    ("long-file", "a script", {"scripts/x": "#!/usr/bin/env python3\n" + lines(400, "x = {}")}),
     ("long-function", "C++", {"tests/x.cpp": f"int f(\n  int x) {{\n{lines(58)}}}\n"}),
     ("long-function", "a member",
      {"api/x.hpp": f"namespace x {{\nclass X : Y {{\n  X() : x(0) {{\n{lines(59)}  }}\n}};\n}}\n"}),
@@ -225,9 +223,8 @@ PASSES = {
          "tb/src/x.cpp": '#include "hwffd/cores/core.hpp"\n'},
     "an anonymous begin in always":
         inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
-    "400 lines": {"golden/src/x.cpp": lines(400)},
-    "a long file that is generated":
-        {"driver/x.h": "/* Made from x by y */\n" + lines(500)},
+    "a long function that is generated":
+        {"driver/x.h": f"/* Made from x by y */\nint f(\n  int x) {{\n{lines(500)}}}\n"},
     "60 lines of a function, and long data and namespaces":
         {"tests/x.cpp": f"namespace x {{\nvoid f(int x) {{\n{lines(58)}}}\n"
                         f"const char* y = \"(){{\";\nX z[] = {{\n{lines(61, 'w{},')}}};\n}}\n"},
