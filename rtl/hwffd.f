@@ -2,6 +2,7 @@
 // `verilator -F rtl/hwffd.f` takes it as it is. Order does not matter.
 // Made by scripts/made.py from what is there; changes here are lost.
 +incdir+bus
++incdir+common
 +incdir+evaluator
 +incdir+number
 +incdir+stream
@@ -98,6 +99,7 @@ number/ffd_num_centre.v
 number/ffd_num_coordinate.v
 number/ffd_num_cut.v
 number/ffd_num_in.v
+number/ffd_num_latencies.v
 number/ffd_num_mac.v
 number/ffd_num_mul.v
 number/ffd_num_narrow.v

@@ -12,6 +12,15 @@ TABLE = f"rtl/{organizations.TABLE}"
 SELECT = "rtl/evaluator/ffd_org_select.v"
 HEADER = "rtl/evaluator/ffd_organizations.vh"
 GENERATED = "by scripts/made.py; changes here are lost."
+LATENCIES = """\
+  ffd_num_latencies #(
+    .FORMAT         (FORMAT),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY)
+  ) u_latencies ();
+"""
 
 
 def select_text(rtl):
@@ -58,6 +67,7 @@ module ffd_org_select #(
 ) (
   `include "ffd_org_ports.vh"
 );
+{LATENCIES}
   generate
     if ({refusals}) begin : gen_bad_n
       ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();

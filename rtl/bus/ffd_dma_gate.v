@@ -106,7 +106,7 @@ module ffd_dma_gate #(
     .WIDTH(72)
   ) u_burst (
     .clk      (clk),
-    .d_i      (take ? {s_burst_address, s_burst_len} : burst),
+    .d_i      (take ? {s_burst_address, s_burst_len} : burst & {72{!rst}}),
     .q_o      (burst),
     .differs_o(burst_differs)
   );

@@ -10,6 +10,7 @@
 // Model:      none (control only).  Test: tests/bus/dma/marks_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 
 module ffd_dma_marks #(
   parameter OUTSTANDING = 8,
@@ -63,6 +64,7 @@ module ffd_dma_marks #(
 
       assign marked_o = marked_q;
       wire unused_ok = &{1'b0, queue_ready};
+      `FFD_ASSERT("a burst ends, and too many are open", !(beat_i && last_i) || queue_ready)
     end
   endgenerate
 endmodule

@@ -28,6 +28,7 @@
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 
 module ffd_dma_read #(
   parameter MAX_BURST   = 256,
@@ -326,6 +327,12 @@ module ffd_dma_read #(
   end
 
   wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0], asked};
+
+  `FFD_ASSERT("a burst is asked, and too many are open",
+              !(burst_valid && burst_ready) || queue_ready)
+
+  `FFD_ASSERT("there is more room than the FIFO has",
+              room_q <= FIFO_DEPTH[COUNT_W-1:0])
 endmodule
 
 `default_nettype wire

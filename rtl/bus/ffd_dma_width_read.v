@@ -17,6 +17,7 @@
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 
 module ffd_dma_width_read #(
   parameter DATA_WIDTH  = 128,
@@ -59,6 +60,7 @@ module ffd_dma_width_read #(
       wire first_upper;
       wire last_upper;
       wire take = m_axi_rvalid && m_axi_rready && open;
+      `FFD_ASSERT("a burst is asked, and too many are open", !asked_i || queue_ready)
 
       ffd_stream_fifo #(
         .WIDTH(2),

@@ -26,6 +26,7 @@
 // Model:      none (transport only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 
 module ffd_dma_write #(
   parameter MAX_BURST    = 256,
@@ -395,6 +396,9 @@ module ffd_dma_write #(
   end
 
   wire unused_ok = &{1'b0, unused_ready, burst_address[3:0], bus_upper, sum[0], fifo_in};
+
+  `FFD_ASSERT("a burst is made, and too many are open",
+              !step || (lengths_ready && outstanding_ready))
 endmodule
 
 `default_nettype wire

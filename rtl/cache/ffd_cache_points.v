@@ -83,7 +83,7 @@ module ffd_cache_points #(
     if (AXIS < 4 || AXIS > 64) begin : gen_bad_axis
       ERROR_ffd_cache_points_axis_must_be_4_to_64 u_error ();
     end
-    if (SLOT_W > HIGHS_W - (PAGES > 1 ? 0 : 1)) begin : gen_bad_slots
+    if (COMING != 0 && SLOT_W > HIGHS_W - (PAGES > 1 ? 0 : 1)) begin : gen_bad_slots
       ERROR_ffd_cache_points_has_more_slots_than_places u_error ();
     end
   endgenerate
@@ -139,7 +139,7 @@ module ffd_cache_points #(
       // Straight from the converters: a point of a lattice a beat.
       assign write       = {1'b0, lattice_write_i};
       assign write_slot  = 1'b0;
-      if (PLACE_W > 1) begin : gen_places
+      if (PLACE_W > PAGE_W) begin : gen_places
         assign write_place = {lattice_buffer_i, lattice_at_i[2 +: HIGH_W],
                               lattice_at_i[AXIS_W+2 +: HIGH_W],
                               lattice_at_i[2*AXIS_W+2 +: HIGH_W]};
@@ -268,7 +268,7 @@ module ffd_cache_points #(
       wire                 read_odd;
 
       assign place[PLACE_W-1 -: PAGE_W] = page;
-      for (a = 0; a < 3 && PLACE_W > 1; a = a + 1) begin : gen_place
+      for (a = 0; a < 3 && PLACE_W > PAGE_W; a = a + 1) begin : gen_place
         wire [3:0] which = {2'd0, bank[4-2*a +: 2]} + 4 * a;
         assign place[(2-a)*HIGH_W +: HIGH_W] = highs[which*HIGH_W +: HIGH_W];
       end

@@ -3,9 +3,9 @@
 // Lanes that read in every clock have a store each; all are written at once, with the same points.
 //
 // Formats, pipeline, parameters: those of ffd_cache_points; PORTS >= 1. Ports from the lowest on:
-//             source, with a bit above SOURCE_W that says whether the vertex reads again; cell;
-//             index; points.
-// odd_o, with HARDENED: a point that was wanted has another parity than when it was written.
+//             source, with a bit above SOURCE_W that says whether the vertex reads again, and with
+//             HARDENED one below that says that its points may not be there; cell; index; points.
+// odd_o, with HARDENED: a point that was there has another parity than when it was written.
 // slot_free_o: the last read of a vertex whose points came with it; of one vertex in a clock.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -26,7 +26,8 @@ module ffd_cache_stores #(
   parameter AT_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES),
   parameter LATENCY  = 2,
-  parameter HARDENED = 0
+  parameter HARDENED = 0,
+  parameter READ_W   = SOURCE_W + 1 + HARDENED
 ) (
   input  wire                                       clk,
   input  wire                                       rst,
@@ -42,7 +43,7 @@ module ffd_cache_stores #(
   input  wire [1:0]                                 slot_phase_i,
   input  wire [PORTS-1:0]                           read_i,
   input  wire [PORTS-1:0]                           read_last_i,
-  input  wire [PORTS*(SOURCE_W+1)-1:0]              read_source_i,
+  input  wire [PORTS*READ_W-1:0]                    read_source_i,
   input  wire [PORTS*12-1:0]                        read_cell_i,
   input  wire [PORTS*6-1:0]                         read_index_i,
   output wire                                       slot_free_o,
@@ -52,6 +53,7 @@ module ffd_cache_stores #(
   localparam POINTS_W = N * 3 * `FFD_POINT_W(FORMAT);
 
   wire [PORTS-1:0] odd;
+  wire [PORTS-1:0] absent;
   generate
     if (HARDENED != 0 && HARDENED != 1) begin : gen_bad_hardened
       ERROR_ffd_cache_stores_hardened_must_be_0_or_1 u_error ();
@@ -67,14 +69,14 @@ module ffd_cache_stores #(
       ) u_come (
         .clk(clk),
         .rst(rst),
-        .d_i(read_i),
+        .d_i(read_i & ~absent),
         .q_o(come)
       );
       always @(posedge clk) odd_q <= |(odd & come) && !rst;
       assign odd_o = odd_q;
     end else begin : gen_no_odd
       assign odd_o = 1'b0;
-      wire unused_ok = &{1'b0, rst, odd, read_i};
+      wire unused_ok = &{1'b0, rst, odd, read_i, absent};
     end
   endgenerate
 
@@ -84,7 +86,9 @@ module ffd_cache_stores #(
   genvar p;
   generate
     for (p = 0; p < PORTS; p = p + 1) begin : gen_store
-      wire [SOURCE_W:0] source = read_source_i[(SOURCE_W+1)*p +: SOURCE_W+1];
+      wire [READ_W-1:0] asked  = read_source_i[READ_W*p +: READ_W];
+      wire [SOURCE_W:0] source = asked[READ_W-1 -: SOURCE_W+1];
+      assign absent[p]    = HARDENED != 0 && asked[0];
       assign slot_last[p] = read_last_i[p] && source[SOURCE_W:SOURCE_W-1] == 2'b00;
 
       ffd_cache_points #(

@@ -8,10 +8,13 @@
 //
 // Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
 // Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1.
-// Not checked: an address of DEPTH or more reads an undefined word and writes none.
+// Not checked: an address of DEPTH or more reads an undefined word; that none is written there, by
+//             FFD_ASSERTIONS.
 // Model:      none (storage only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
+`include "ffd_assert.vh"
 
 module ffd_mem_sdp #(
   parameter WIDTH        = 32,
@@ -45,6 +48,12 @@ module ffd_mem_sdp #(
   localparam MOST = DEPTH > 8192 ? 1 : DEPTH > 4096 ? 2 : DEPTH > 2048 ? 4 : WIDTH;
 `endif
   localparam SLICES = (WIDTH + MOST - 1) / MOST;
+
+  // A memory has no reset.
+  wire rst = 1'b0;
+  wire unused_rst = rst;
+  `FFD_ASSERT("a word is written beyond the last",
+              !write_i || {{(32 - ADDRESS_W) {1'b0}}, write_address_i} < DEPTH)
 
   genvar s;
   generate

@@ -15,6 +15,7 @@
 // Model:      golden/include/hwffd/model (each organization's order).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 
 module ffd_eval_accumulator #(
@@ -34,6 +35,7 @@ module ffd_eval_accumulator #(
 );
   localparam SUM_W   = `FFD_SUM_W(FORMAT);
   localparam LATENCY = FMA_LATENCY > 0 ? FMA_LATENCY : ADD_LATENCY;
+  `FFD_TAKES(LATENCY)
   localparam HOLD    = DISTANCE > LATENCY;
   // Where no register lies between, the adder's last one is here, twice: one holds the result, the
   // other is cleared.

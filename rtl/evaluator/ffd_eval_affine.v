@@ -13,6 +13,7 @@
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 
 module ffd_eval_affine #(
@@ -30,6 +31,7 @@ module ffd_eval_affine #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam OFFSET_W = `FFD_OFFSET_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
+  `FFD_TAKES(MUL_LATENCY + 3 * ADD_LATENCY)
 
   wire [3*OFFSET_W-1:0] offsets;
   wire [POINT_W-1:0]    base;

@@ -13,6 +13,7 @@
 // Model:      golden/include/hwffd/model/organization.hpp (weights_of).  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -107,6 +108,7 @@ module ffd_eval_axis_weights #(
         .derivative_i(kind[2]),
         .weights_o   (of_bank)
       );
+      `FFD_ASSERT_TAKES(u_powers, POLY_LATENCY)
 
       assign weights_o[EVALUATED*WEIGHT_W-1:0] = of_bank[EVALUATED*WEIGHT_W-1:0];
       wire unused_ok = &{1'b0, of_bank, bank_i, axis_i, start_i, load_i, load_address,

@@ -30,6 +30,7 @@
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -198,6 +199,7 @@ module ffd_eval_contraction #(
               .point_i  (points),
               .sum_o    (sum)
             );
+            `FFD_ASSERT_TAKES(u_quarters, CONTRACT - CONVERT_LATENCY)
           end else if (BANKS == 2) begin : gen_halves
             ffd_eval_halves #(
               .TURNS      (TURNS),
@@ -213,6 +215,7 @@ module ffd_eval_contraction #(
               .points_i (points),
               .sum_o    (sum)
             );
+            `FFD_ASSERT_TAKES(u_halves, CONTRACT - CONVERT_LATENCY)
           end else if (AFFINE == 0) begin : gen_trees
             for (n = 0; n < SUMS; n = n + 1) begin : gen_tree
               ffd_eval_tree #(
@@ -227,6 +230,7 @@ module ffd_eval_contraction #(
                 .points_i (points),
                 .sum_o    (sum[n*SUM_W +: SUM_W])
               );
+              `FFD_ASSERT_TAKES(u_tree, CONTRACT - CONVERT_LATENCY)
             end
           end else begin : gen_affine
             ffd_eval_affine #(
@@ -240,6 +244,7 @@ module ffd_eval_contraction #(
               .points_i (points),
               .sums_o   (sum)
             );
+            `FFD_ASSERT_TAKES(u_affine, CONTRACT - CONVERT_LATENCY)
           end
           wire unused_ok = &{1'b0, weights};
         end

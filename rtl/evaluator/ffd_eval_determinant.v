@@ -18,6 +18,7 @@
 // Model:      golden/include/hwffd/model/determinant.hpp.  Test: tests/unit/determinant.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 
 module ffd_eval_determinant #(
@@ -42,6 +43,7 @@ module ffd_eval_determinant #(
   localparam NARROW   = `FFD_NARROW_LATENCY(FORMAT, CONVERT_LATENCY);
   localparam OUT      = `FFD_OUT_LATENCY(FORMAT, CONVERT_LATENCY);
   localparam COFACTOR = MUL_LATENCY + ADD_LATENCY + NARROW;
+  `FFD_TAKES(NARROW + 1 + COFACTOR + MUL_LATENCY + 1 + 2 * ADD_LATENCY + OUT)
 
   // ---- columns as points, kept until the third is there
 

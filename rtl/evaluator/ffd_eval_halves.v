@@ -11,6 +11,7 @@
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -32,6 +33,8 @@ module ffd_eval_halves #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam OFFSET_W = `FFD_OFFSET_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
+  `FFD_TAKES(AFFINE != 0 ? MUL_LATENCY + 3 * ADD_LATENCY : MUL_LATENCY + ADD_LATENCY
+             + (FMA_LATENCY > 0 ? FMA_LATENCY : ADD_LATENCY))
 
   wire low;  // with the weights
 

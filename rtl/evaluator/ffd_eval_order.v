@@ -18,6 +18,7 @@
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system, tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 
 module ffd_eval_order #(
   parameter SUMS        = 1,
@@ -146,6 +147,8 @@ module ffd_eval_order #(
         .m_word_data ({waiting_flags, waiting})
       );
       wire unused_ok = &{1'b0, waiting_ready};
+      `FFD_ASSERT("a determinant comes, and the queue is full",
+                  !determinant_valid_i || waiting_ready)
     end else begin : gen_no_determinants
       assign waiting_valid = 1'b0;
       assign waiting_flags = 3'd0;
@@ -194,6 +197,13 @@ module ffd_eval_order #(
 
   // Who counts vertices leaves room in all of them.
   wire unused_ok = &{1'b0, users_ready, results_ready, user};
+
+  `FFD_ASSERT("a result comes, and the queue is full",
+              !(word_valid_i || own) || results_ready)
+  `FFD_ASSERT("a vertex comes, and the queue is full",
+              !take_i || users_ready)
+  `FFD_ASSERT("a result comes of a vertex that did not",
+              !(word_valid_i || own) || user_valid)
 endmodule
 
 `default_nettype wire

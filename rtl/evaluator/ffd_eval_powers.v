@@ -11,6 +11,7 @@
 // Model:      golden/include/hwffd/model/org_powers.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -29,6 +30,7 @@ module ffd_eval_powers #(
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
   localparam STEP     = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, 0);
   localparam TOTAL    = `FFD_POLY_LATENCY(`FFD_EVALUATOR_POWERS, 0, STEP, CONVERT_LATENCY);
+  `FFD_TAKES(TOTAL)
 
   wire [4*WEIGHT_W-1:0] of_function;
   wire [4*WEIGHT_W-1:0] of_bank;

@@ -11,6 +11,7 @@
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 
 module ffd_eval_quarters #(
@@ -28,6 +29,7 @@ module ffd_eval_quarters #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam OFFSET_W = `FFD_OFFSET_W(FORMAT);
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
+  `FFD_TAKES(MUL_LATENCY + 3 * ADD_LATENCY)
 
   // Bank 3 is the base of all: of itself it is the base term, and its offset is 0, whatever its
   // weight.

@@ -28,6 +28,7 @@
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -224,6 +225,8 @@ module ffd_eval_stream #(
         .m_word_data ({column, exponent})
       );
       wire unused_ok = &{1'b0, sides_ready, side_valid};
+      `FFD_ASSERT("a vertex comes, and the queue is full", !entered_q || sides_ready)
+      `FFD_ASSERT("a sum comes of a vertex that did not", !sum_valid || side_valid)
     end else begin : gen_no_sides
       assign column   = 2'd0;
       assign exponent = `FFD_EXPONENT_W'd0;
@@ -272,6 +275,7 @@ module ffd_eval_stream #(
     user_q        <= s_vertex_user;
   end
 
+  localparam LATE = `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY);
   wire        determinant_valid;
   wire [31:0] determinant;
   wire [2:0]  determinant_flags;
@@ -326,6 +330,7 @@ module ffd_eval_stream #(
         .saturated_o   (determinant_saturated),
         .nan_o         (determinant_nan)
       );
+      `FFD_ASSERT_TAKES(u_determinant, LATE)
     end else begin : gen_no_determinant
       assign determinant_valid = 1'b0;
       assign determinant       = 32'd0;
@@ -335,8 +340,7 @@ module ffd_eval_stream #(
   endgenerate
 
   // Where the next sum comes later than the determinant, both go into one queue as they come.
-  localparam LATEST = `FFD_DETERMINANT_LATENCY(FORMAT, MUL_LATENCY, ADD_LATENCY, CONVERT_LATENCY)
-                    + (FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY);
+  localparam LATEST = LATE + (FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY);
 
   ffd_eval_order #(
     .SUMS       (SUMS),
@@ -369,6 +373,9 @@ module ffd_eval_stream #(
   );
 
   wire unused_ok = &{1'b0, word_valid, sums};
+
+  `FFD_ASSERT("more vertices have left than came, or more are inside than may be",
+              inside_q >= FIRST && inside_q <= IN_FLIGHT[COUNT_W-1:0] + FIRST)
 endmodule
 
 `default_nettype wire

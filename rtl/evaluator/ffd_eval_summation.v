@@ -13,6 +13,7 @@
 // Model:      golden/include/hwffd/model/organization.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -167,6 +168,7 @@ module ffd_eval_summation #(
           .points_i (points),
           .sum_o    (sum)
         );
+        `FFD_ASSERT_TAKES(u_tree, TREE)
       end
 
       if (N == 64) begin : gen_whole
@@ -187,6 +189,7 @@ module ffd_eval_summation #(
           .point_i     (points[POINT_W-1:0]),
           .sum_o       (result_sum_o[c*SUM_W +: SUM_W])
         );
+        `FFD_ASSERT_TAKES(u_accumulator, ACCUMULATE)
       end
     end
     if (N == 64) begin : gen_unused

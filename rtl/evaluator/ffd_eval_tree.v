@@ -10,6 +10,7 @@
 // Model:      golden/include/hwffd/model/organization.hpp (tree_sum).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 
 module ffd_eval_tree #(
@@ -29,6 +30,8 @@ module ffd_eval_tree #(
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
   localparam LEVELS   = $clog2(N + 1) - 1;  // rounded down, so that a bad N meets its guard only
   localparam FUSED    = FMA_LATENCY > 0;
+  `FFD_TAKES(FUSED ? MUL_LATENCY + FMA_LATENCY + (LEVELS - 1) * ADD_LATENCY
+                   : MUL_LATENCY + LEVELS * ADD_LATENCY)
 
   generate
     if ((1 << LEVELS) != N || N > 64 || (FUSED && N == 1)) begin : gen_bad_n

@@ -15,6 +15,7 @@
 // Model:      golden/include/hwffd/model/org_cg.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 
@@ -380,6 +381,9 @@ module ffd_org_cg #(
 
   assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
+
+  `FFD_ASSERT("a set is filled, and none was free",
+              !ahead_last || filled_room)
 endmodule
 
 `default_nettype wire

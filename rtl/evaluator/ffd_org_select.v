@@ -23,6 +23,14 @@ module ffd_org_select #(
 ) (
   `include "ffd_org_ports.vh"
 );
+  ffd_num_latencies #(
+    .FORMAT         (FORMAT),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY)
+  ) u_latencies ();
+
   generate
     if (ORG == 0 && N != 1 ||
         ORG == 1 && N != 1 ||

@@ -49,6 +49,7 @@ module ffd_stream_decoder #(
   input  wire [`FFD_FRAME_W-1:0]              beat_frame_i,
   input  wire                                 beat_held_i,   // it waits for go_o
   output wire                                 go_o,
+  output wire [1:0]                           wait_o,        // {for room, for readers}
   output wire                                 refuse_o,
   output wire                                 place_valid_o,
   output wire [PLACE_W-1:0]                   place_o,
@@ -134,6 +135,7 @@ module ffd_stream_decoder #(
 
   wire [SLOT_W-1:0]      slot;
   wire                   page_go;
+  wire                   page_waits;
   wire [`FFD_PAGE_W-1:0] page_verdict;
   wire                   page_empty;
   wire [2:0]             beyond;
@@ -162,6 +164,7 @@ module ffd_stream_decoder #(
     .slot_i       (slot),
     .leave_i      (retire_i),
     .go_o         (page_go),
+    .waits_o      (page_waits),
     .refuse_o     (refuse_o),
     .place_valid_o(place_valid_o),
     .place_o      (place_o),
@@ -186,9 +189,11 @@ module ffd_stream_decoder #(
   wire bank_busy, functions_busy, buffer_busy;
   wire slot_free;
   wire room;
-  assign go_o = !(beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
-             && !(beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy) && !(of_page && !page_go)
-             && !(vertex && !resident_q && !slot_free) && !(finish && !room);
+  wire read_on = (beat_frame_i[`FFD_FRAME_BANK] && (bank_busy || functions_busy))
+              || (beat_frame_i[`FFD_FRAME_BUFFER] && buffer_busy);
+  wire full    = (vertex && !resident_q && !slot_free) || (finish && !room);
+  assign go_o   = !read_on && !(of_page && !page_go) && !full;
+  assign wait_o = {full, read_on || (of_page && page_waits)} & {2{beat_held_i}};
 
   assign slot_free_o      = slot_free;
   assign lattice_loaded_o = lattice_loaded;

@@ -248,7 +248,7 @@ module ffd_stream_functions #(
         wire               unused_epoch = old[3];
         assign half[a] = old[0];
         assign changed = walk_q ? {epoch_q, 1'b0, filled || (old[1] && !uniform_walk_q),
-                                   old[0] ^ filled}
+                                   (old[0] && !uniform_walk_q) ^ filled}
                                 : {epoch_q, top, old[1:0]};
 
         wire [7:0]         sum  = {{(8 - AXIS_W) {1'b0}}, cell_there[AXIS_W*a +: AXIS_W]}

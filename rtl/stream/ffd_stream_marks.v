@@ -12,6 +12,7 @@
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_stream.vh"
 
 module ffd_stream_marks #(
@@ -115,6 +116,10 @@ module ffd_stream_marks #(
       end
 
       wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i};
+      `FFD_ASSERT("a packet ends, and the queue is full",
+                  !(valid_i && frame_i[`FFD_FRAME_FINISH] && frame_i[`FFD_FRAME_FINAL])
+                  || queue_ready)
+      `FFD_ASSERT("a packet's last result comes before the packet has ended", !pop || known)
     end
   endgenerate
 endmodule

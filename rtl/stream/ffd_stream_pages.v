@@ -21,6 +21,7 @@
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system/pages_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_stream.vh"
 
@@ -47,6 +48,7 @@ module ffd_stream_pages #(
   input  wire                         leave_i,   // a vertex
   input  wire [`FFD_EXPONENT_W-1:0]   exponent_i,  // of the packet under way
   output wire                         go_o,
+  output wire                         waits_o,   // for the readers of its page
   output wire                         refuse_o,
   output wire                         place_valid_o,
   output wire [PLACE_W-1:0]           place_o,
@@ -187,6 +189,7 @@ module ffd_stream_pages #(
             ? !rst && !go && (refused || vertices_q || (free && (located || !part_q))) : 1'b0;
   end
   assign go_o          = ready_q;
+  assign waits_o       = step_q[2] && !refused && !vertices_q && !free;
   assign refuse_o      = ready_q && refused;
   assign place_valid_o = ready_q && part_q;
 
@@ -308,6 +311,11 @@ module ffd_stream_pages #(
   );
 
   wire unused_ok = &{1'b0, has_fourth, size, data_i, number};
+
+  `FFD_ASSERT("a vertex leaves, and none is inside",
+              !leave_i || inside_q != {READERS_W{1'b0}})
+  `FFD_ASSERT("more vertices are inside than may be",
+              inside_q <= INSIDE[READERS_W-1:0])
 endmodule
 
 `default_nettype wire

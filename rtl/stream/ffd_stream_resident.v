@@ -39,6 +39,7 @@ module ffd_stream_resident #(
   input  wire [SLOT_W-1:0]           slot_i,      // of those that are not
   input  wire                        leave_i,     // a vertex
   output wire                        go_o,
+  output wire                        waits_o,     // for readers
   output wire                        refuse_o,
   output wire                        place_valid_o,
   output wire [PLACE_W-1:0]          place_o,
@@ -92,6 +93,7 @@ module ffd_stream_resident #(
         .leave_i      (leave_i),
         .exponent_i   (exponent_i),
         .go_o         (go_o),
+        .waits_o      (waits_o),
         .refuse_o     (refuse_o),
         .place_valid_o(place_valid_o),
         .place_o      (place_o),
@@ -128,6 +130,7 @@ module ffd_stream_resident #(
       );
       assign new_page_o    = !page;
       assign go_o          = 1'b1;
+      assign waits_o       = 1'b0;
       assign refuse_o      = 1'b0;
       assign place_valid_o = 1'b0;
       assign place_o       = {PLACE_W{1'b0}};

@@ -4,10 +4,11 @@
 //
 // Pipeline:   a slot that became free is known a clock later.
 // Parameters: SLOTS >= 2; FEATURES as in ffd_stream.vh: slot 0 is free where there are none.
-// Not checked: a claim while none is free.
+// Not checked: a claim while none is free, but by FFD_ASSERTIONS.
 // Model:      none (storage only).  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_stream.vh"
 
 module ffd_stream_slots #(
@@ -43,6 +44,8 @@ module ffd_stream_slots #(
           used_q <= used_q + {{SLOT_W{1'b0}}, claim_i} - {{SLOT_W{1'b0}}, free_i};
         end
       end
+      `FFD_ASSERT("a slot is claimed, and none is free", !claim_i || used_q != ALL_SLOTS)
+      `FFD_ASSERT("a slot becomes free that none had", !free_i || used_q != {(SLOT_W + 1) {1'b0}})
     end else begin : gen_no_slots
       assign slot_o = {SLOT_W{1'b0}};
       assign free_o = 1'b1;

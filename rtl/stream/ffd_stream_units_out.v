@@ -23,11 +23,13 @@ module ffd_stream_units_out #(
   output wire             s_unit_ready,
   input  wire [127:0]     s_unit_data,
   input  wire             s_unit_last,
+  input  wire             s_unit_user,  // 1 with the last unit of a packet only
   output reg              m_beat_valid,
   input  wire             m_beat_ready,
   output reg  [WIDTH-1:0] m_beat_data,
   output wire             m_beat_upper,
-  output reg              m_beat_last
+  output reg              m_beat_last,
+  output reg              m_beat_user
 );
   generate
     if (WIDTH != 64 && WIDTH != 256) begin : gen_bad_width
@@ -42,6 +44,7 @@ module ffd_stream_units_out #(
     if (WIDTH == 64) begin : gen_halves
       reg        high_q;          // the high half waits
       reg        high_last_q;
+      reg        high_user_q;
       reg [63:0] high_data_q;
 
       assign s_unit_ready = free && !high_q;
@@ -59,10 +62,14 @@ module ffd_stream_units_out #(
       end
 
       always @(posedge clk) begin
-        if (take) {high_last_q, high_data_q} <= {s_unit_last, s_unit_data[127:64]};
+        if (take) begin
+          {high_user_q, high_last_q} <= {s_unit_user, s_unit_last};
+          high_data_q                <= s_unit_data[127:64];
+        end
         if (free) begin
           m_beat_data <= high_q ? high_data_q : s_unit_data[63:0];
           m_beat_last <= high_q && high_last_q;
+          m_beat_user <= high_q && high_user_q;
         end
       end
     end else begin : gen_pair
@@ -90,6 +97,7 @@ module ffd_stream_units_out #(
         if (free) begin
           m_beat_data <= {s_unit_data, low_q ? low_data_q : s_unit_data};
           m_beat_last <= s_unit_last;
+          m_beat_user <= s_unit_user;
           upper_q     <= low_q;
         end
       end

@@ -15,6 +15,7 @@
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_assert.vh"
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
 `include "ffd_stream.vh"
@@ -211,6 +212,11 @@ module ffd_stream_vertex #(
           m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q;
 
   wire unused_ok = &{1'b0, queue_ready, numbers_i, facts, places_i};
+
+  `FFD_ASSERT("a vertex ends, and the queue is full",
+              !whole_q || queue_ready)
+  `FFD_ASSERT("more vertices have left than came",
+              !leave || waiting_q != {COUNT_W{1'b0}})
 endmodule
 
 `default_nettype wire

@@ -57,9 +57,10 @@ module hwffd_stream #(
   // Registers around the memories of a lane, in front of those of 64 and of several stores; not
   // with the paper's units.
   localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 || PORTS > 1 ? 3 : 2;
-  // An organization works on as many vertices in turn as its accumulator is deep, and `cg` holds
-  // two more; one drains, one loads.
-  localparam ACCUMULATE   = FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
+  // An organization that accumulates works on as many vertices in turn as its accumulator is deep,
+  // and `cg` holds two more; one drains, one loads.
+  localparam ACCUMULATE   = !`FFD_ORG_IN_TURN(ORG) ? 1
+                          : FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
   localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
   // Of a vertex; of an evaluation one more, and the user word another with a fourth component.
@@ -69,6 +70,8 @@ module hwffd_stream #(
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
+  // Of a read: whether it is the vertex's last, its source, and whether it may find no points.
+  localparam READ_W       = SOURCE_W + 1 + HARDENED;
 
   wire clk = aclk, rst = !aresetn;
   wire                     front_idle;
@@ -141,7 +144,7 @@ module hwffd_stream #(
   wire [1:0]                        vertex_results;
   wire [USER_W-1:0]                 vertex_user;
   wire                              part_valid, part_ready;
-  wire [SOURCE_W:0]                 part_source;
+  wire [READ_W-1:0]                 part_source;
   wire [3*`FFD_PLACE_W(SPANS)-1:0]  part_bank;
   wire [1:0]                        part_column;
   wire                              part_fourth;
@@ -149,7 +152,7 @@ module hwffd_stream #(
   wire [USER_W:0]                   part_user;
   wire [PORTS-1:0]                  read;
   wire [PORTS-1:0]                  read_last;
-  wire [PORTS*(SOURCE_W+1)-1:0]     read_source;
+  wire [PORTS*READ_W-1:0]           read_source;
   wire [PORTS*12-1:0]               read_cell;
   wire [PORTS*6-1:0]                read_index;
   wire                              read_slot_last;
@@ -163,6 +166,7 @@ module hwffd_stream #(
   wire                              result_fourth;
   wire [PART_W-1:0]                 result_words_user;
   wire [`FFD_EVENTS-1:0]            decoder_event;
+  wire [1:0]                        decoder_wait;
   wire                              result_final = result_words_user[PART_W-1] && result_last;
   wire [USER_W-1:0]                 result_user  = result_words_user[USER_W-1:0];
   wire                              evaluating, forming, decoder_idle, encoder_idle;
@@ -197,6 +201,7 @@ module hwffd_stream #(
     .beat_frame_i        (in_frame),
     .beat_held_i         (in_held),
     .go_o                (in_go),
+    .wait_o              (decoder_wait),
     .refuse_o            (refuse),
     .place_valid_o       (place_valid),
     .place_o             (place),
@@ -247,9 +252,21 @@ module hwffd_stream #(
     end
   endgenerate
 
+  // Points that no packet has written have any parity, and so have those that one is writing: of a
+  // lattice that is not loaded, and of a vertex that is cut short.
+  wire [READ_W-2:0] found_source;
+  generate
+    if (HARDENED != 0) begin : gen_found
+      assign found_source = {vertex_source, vertex_user[`FFD_USER_UNLOADED]
+                                            || vertex_user[`FFD_USER_TRUNCATED]};
+    end else begin : gen_source
+      assign found_source = vertex_source;
+    end
+  endgenerate
+
   ffd_stream_derivatives #(
     .FEATURES(FEATURES),
-    .SOURCE_W(SOURCE_W),
+    .SOURCE_W(READ_W - 1),
     .USER_W  (USER_W),
     .SPANS   (SPANS),
     .JACOBIAN(`FFD_ORG_JACOBIAN(ORG) != 0)
@@ -258,7 +275,7 @@ module hwffd_stream #(
     .rst             (rst),
     .s_vertex_valid  (vertex_valid),
     .s_vertex_ready  (vertex_ready),
-    .s_vertex_source (vertex_source),
+    .s_vertex_source (found_source),
     .s_vertex_bank   (vertex_bank),
     .s_vertex_results(vertex_results),
     .s_vertex_user   (vertex_user),
@@ -318,7 +335,7 @@ module hwffd_stream #(
   ffd_eval_stream #(
     `include "ffd_row_arguments.vh"
     .READ_LATENCY   (READ_LATENCY),
-    .SOURCE_W       (SOURCE_W + 1),
+    .SOURCE_W       (READ_W),
     .USER_W         (PART_W),
     .IN_FLIGHT      (INSIDE),
     .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
@@ -361,7 +378,7 @@ module hwffd_stream #(
   ffd_stream_encoder #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
-    .INSIDE  (IN_FLIGHT + WAITING + 8)
+    .INSIDE  (INSIDE + WAITING + 8)
   ) u_encoder (
     .clk               (clk),
     .rst               (rst),
@@ -387,11 +404,7 @@ module hwffd_stream #(
   assign event_o  = decoder_event | saturated << `FFD_EVENT_SATURATED;
   assign vertex_o = retire_q;
 
-  // Why a beat is held: for a bank or a buffer that is still read, or because the evaluator has no
-  // room; and whether `nested` forms coefficients.
-  wire   held_back = in_held && !in_go;
-  wire   reads_on  = in_frame[`FFD_FRAME_BANK] || in_frame[`FFD_FRAME_BUFFER];
-  assign wait_o    = {forming, held_back && !reads_on, held_back && reads_on};
+  assign wait_o    = {forming, decoder_wait};
   assign idle_o    = front_idle && decoder_idle && encoder_idle;
   wire unused_ok = &{1'b0, part_fourth};
 endmodule

@@ -42,6 +42,7 @@ module hwffd_stream_bus #(
   output wire [DATA_WIDTH-1:0]   m_axis_tdata,
   output wire [DATA_WIDTH/8-1:0] m_axis_tkeep,
   output wire                    m_axis_tlast,
+  output wire                    m_axis_tuser,  // with the last beat of a packet with the flag I
   output wire [14:0]             event_o,
   output wire [31:0]             event_packet_o,
   output wire [31:0]             event_beat_o,
@@ -67,7 +68,7 @@ module hwffd_stream_bus #(
   wire         in_idle;
   wire         out_idle;
   wire         core_idle;
-  wire         core_user;  // interrupts are for a DMA
+  wire         out_user;
 
   hwffd_stream #(
     `include "ffd_stream_arguments.vh"
@@ -82,7 +83,7 @@ module hwffd_stream_bus #(
     .m_axis_tready (out_ready),
     .m_axis_tdata  (out_data),
     .m_axis_tlast  (out_last),
-    .m_axis_tuser  (core_user),
+    .m_axis_tuser  (out_user),
     .event_o       (event_o),
     .event_packet_o(event_packet_o),
     .event_beat_o  (event_beat_o),
@@ -105,9 +106,10 @@ module hwffd_stream_bus #(
       assign m_axis_tdata  = out_data;
       assign m_axis_tkeep  = 16'hFFFF;
       assign m_axis_tlast  = out_last;
+      assign m_axis_tuser  = out_user;
       assign in_idle       = 1'b1;
       assign out_idle      = 1'b1;
-      wire unused_ok = &{1'b0, s_axis_tkeep, core_user};
+      wire unused_ok = &{1'b0, s_axis_tkeep};
     end else begin : gen_units
       // A bus of 64 bits has no upper unit; the bit is not looked at there.
       localparam UPPER = DATA_WIDTH == 256 ? 16 : 0;
@@ -140,15 +142,17 @@ module hwffd_stream_bus #(
         .s_unit_ready(out_ready),
         .s_unit_data (out_data),
         .s_unit_last (out_last),
+        .s_unit_user (out_user),
         .m_beat_valid(m_axis_tvalid),
         .m_beat_ready(m_axis_tready),
         .m_beat_data (m_axis_tdata),
         .m_beat_upper(upper),
-        .m_beat_last (m_axis_tlast)
+        .m_beat_last (m_axis_tlast),
+        .m_beat_user (m_axis_tuser)
       );
 
       assign m_axis_tkeep = {{(DATA_WIDTH / 16) {upper}}, {(DATA_WIDTH / 16) {1'b1}}};
-      wire unused_ok = &{1'b0, s_axis_tkeep, core_user};
+      wire unused_ok = &{1'b0, s_axis_tkeep};
     end
   endgenerate
 endmodule

@@ -16,6 +16,7 @@ std::string name_differences(const Beat& expected, const Beat& got) {
       text += fmt::format("{}word {} by {:08x}", text.empty() ? "" : ", ", i, flipped);
   }
   if (expected.last != got.last) text += text.empty() ? "last" : ", last";
+  if (expected.user != got.user) text += text.empty() ? "user" : ", user";
   return "differs in " + text;
 }
 

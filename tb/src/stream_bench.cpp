@@ -48,6 +48,7 @@ void StreamBench::reset(std::uint64_t cycles) {
   loop_.reset(false);
   events_ = {};
   event_places_ = {};
+  waits_ = {};
   was_reset_ = true;
   first_cycle_ = true;
   hung_ = false;
@@ -83,6 +84,8 @@ bool StreamBench::step(SinkMode mode) {
   bool moved = false;
   if (!in_reset) {
     count_events();
+    count_waits();
+    if (core_.upset()) checker_.report(cycle, "an upset is told, and none happened");
     moved = driver_.accept(pins.input_ready, cycle);
     if (monitor_.observe(pins.output_valid, pins.output_ready, pins.output, cycle)) {
       moved = true;
@@ -103,6 +106,11 @@ void StreamBench::count_events() {
     ++events_[event];
     event_places_[event] = core_.event_place();
   }
+}
+
+void StreamBench::count_waits() {
+  const std::uint32_t waits = core_.waits();
+  for (unsigned bit = 0; bit < waits_.size() && waits != 0; ++bit) waits_[bit] += waits >> bit & 1;
 }
 
 void StreamBench::compare(const StreamPins& probed, const StreamPins& pins) {

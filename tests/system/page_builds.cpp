@@ -7,11 +7,13 @@
 #include "Vpages_basic_plain.h"
 #include "Vpages_cg1.h"
 #include "Vpages_factored3.h"
+#include "Vpages_four.h"
 #include "Vpages_jacobian3.h"
 #include "Vpages_lanes.h"
 #include "Vpages_nested3.h"
 #include "Vpages_one.h"
 #include "Vpages_one8.h"
+#include "Vpages_scan4.h"
 #include "Vpages_tree8.h"
 
 namespace hwffd::test {
@@ -37,7 +39,7 @@ const PageBuild kBuilds[] = {
      make_page_core<Vpages_tree8>},
     {"factored3",
      "factored3-fx18-overlapped",
-     {kPlain | model::kFourthFeature, 8, 5},
+     {kPlain | model::kFourthFeature | model::kMarksFeature, 8, 5},
      make_page_core<Vpages_factored3>},
     {"nested3",
      "nested3-fx18-overlapped",
@@ -51,6 +53,8 @@ const PageBuild kBuilds[] = {
      "jacobian3x3-fx17-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 2},
      make_page_core<Vpages_lanes>},
+    {"scan4", "scan4-fx17-overlapped", {kPlain, 16, 3}, make_page_core<Vpages_scan4>},
+    {"four", "cg1-fx18-overlapped", {kPlain, 4, 5}, make_page_core<Vpages_four>},
     {"one",
      "cg1-fx18-overlapped",
      {model::kAllFeatures | model::kPagesFeature | model::kFourthFeature, 16, 1},

@@ -32,13 +32,14 @@ struct BusBeat {
   std::vector<std::uint32_t> words;
   bool upper = true;
   bool last = false;
+  bool user = false;
 };
 
 /// An upper half that is left out may be anything.
 bool operator==(const BusBeat& a, const BusBeat& b) {
   const auto meant = a.words.begin() + (a.upper ? a.words.size() : a.words.size() / 2);
   return a.words.size() == b.words.size() && std::equal(a.words.begin(), meant, b.words.begin()) &&
-         a.upper == b.upper && a.last == b.last;
+         a.upper == b.upper && a.last == b.last && a.user == b.user;
 }
 
 /// Packets as such a bus carries them.
@@ -47,16 +48,17 @@ std::vector<BusBeat> on_bus(const std::vector<Beat>& units, unsigned width) {
   bool whole = true;  // of 256 bits: the last beat
   for (const Beat& unit : units) {
     if (width == 64) {
-      beats.push_back({{unit.words[0], unit.words[1]}, true, false});
-      beats.push_back({{unit.words[2], unit.words[3]}, true, unit.last});
+      beats.push_back({{unit.words[0], unit.words[1]}, true, false, false});
+      beats.push_back({{unit.words[2], unit.words[3]}, true, unit.last, unit.user});
     } else if (whole) {
-      beats.push_back({{unit.words.begin(), unit.words.end()}, false, unit.last});
+      beats.push_back({{unit.words.begin(), unit.words.end()}, false, unit.last, unit.user});
       beats.back().words.resize(8);
       whole = unit.last;
     } else {
       std::copy(unit.words.begin(), unit.words.end(), beats.back().words.begin() + 4);
       beats.back().upper = true;
       beats.back().last = unit.last;
+      beats.back().user = unit.user;
       whole = true;
     }
   }
@@ -95,6 +97,7 @@ std::vector<Beat> any_packets(tb::Random& random, int packets) {
       Beat unit;
       for (std::uint32_t& word : unit.words) word = random.word();
       unit.last = left == 1;
+      unit.user = unit.last && random.chance(0.5);
       units.push_back(unit);
     }
   }
@@ -179,6 +182,7 @@ void to_beats(unsigned width, std::uint64_t per_unit) {
           sim->s_unit_valid = valid;
           put(sim->s_unit_data, {unit.words.begin(), unit.words.end()});
           sim->s_unit_last = unit.last;
+          sim->s_unit_user = unit.user;
           sim->m_beat_ready = ready;
           sim->eval();
           return sim->s_unit_ready != 0;
@@ -186,7 +190,7 @@ void to_beats(unsigned width, std::uint64_t per_unit) {
         [&](bool ready, std::size_t at) {
           if (!ready || sim->m_beat_valid == 0) return false;
           const BusBeat got{get(sim->m_beat_data, width / 32), sim->m_beat_upper != 0,
-                            sim->m_beat_last != 0};
+                            sim->m_beat_last != 0, sim->m_beat_user != 0};
           EXPECT_TRUE(got == beats[at]) << at;
           return true;
         });
@@ -236,6 +240,31 @@ std::vector<Beat> expanded_packets(const WordCodec& codec, tb::Random& random,
   return packets;
 }
 
+/// Packets of few vertices that ask for a count, an interrupt, both or neither.
+std::vector<Beat> marked_packets(const WordCodec& codec, tb::Random& random, int packets) {
+  const LatticeWords lattice = random_lattice(codec, random, {4, 4, 4});
+  std::vector<Beat> beats = page_packet(1, lattice);
+  for (int packet = 0; packet < packets; ++packet) {
+    PageVertices how;
+    how.count = packet % 2 != 0;
+    how.interrupt = packet / 2 % 2 != 0;
+    const auto vertices = random_vertices(codec, random, lattice.dims, random.between(1, 3));
+    append(beats, page_vertices_packet(1, vertices, how));
+  }
+  return beats;
+}
+
+/// All of these, some times.
+std::vector<Beat> all_packets(const WordCodec& codec, tb::Random& random) {
+  std::vector<Beat> units;
+  for (int i = 0; i < 4; ++i) {
+    append(units, random_packets(codec, random, 25));
+    append(units, expanded_packets(codec, random, i + 1));
+    append(units, marked_packets(codec, random, 6));
+  }
+  return units;
+}
+
 /// A core behind such a bus, sent packets of every kind, bad ones among them.
 template <class Dut>
 void whole_core(unsigned width, bool wrong_keep) {
@@ -244,16 +273,16 @@ void whole_core(unsigned width, bool wrong_keep) {
     const Configuration& row = find_configuration("cg1-fx18-overlapped");
     const WordCodec codec(row.format);
     tb::Random random(tb::seed_from_environment(5));
-    model::StreamModel model(row,
-                             model::kAllFeatures | model::kGridsFeature | model::kPackedFeature);
-    std::vector<Beat> units;
-    for (int i = 0; i < 4; ++i) {
-      append(units, random_packets(codec, random, 25));
-      append(units, expanded_packets(codec, random, i + 1));
-    }
+    model::StreamModel model(row, model::kAllFeatures | model::kGridsFeature |
+                                      model::kPackedFeature | model::kPagesFeature |
+                                      model::kMarksFeature);
+    const std::vector<Beat> units = all_packets(codec, random);
     const std::vector<BusBeat> sent = on_bus(units, width);
     const std::vector<BusBeat> expected = on_bus(model.run(units), width);
     ASSERT_GT(expected.size(), 50U);
+    ASSERT_GT(std::count_if(expected.begin(), expected.end(),
+                            [](const BusBeat& beat) { return beat.user; }),
+              10);
 
     VerilatedContext context;
     context.randReset(2);
@@ -284,7 +313,7 @@ void whole_core(unsigned width, bool wrong_keep) {
         ASSERT_LT(got, expected.size());
         const BusBeat result{get(dut.m_axis_tdata, width / 32),
                              width == 64 || dut.m_axis_tkeep == static_cast<Keep>(kBoth),
-                             dut.m_axis_tlast != 0};
+                             dut.m_axis_tlast != 0, dut.m_axis_tuser != 0};
         ASSERT_TRUE(result == expected[got]) << "beat " << got;
         ++got;
       }

@@ -41,6 +41,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   }
   if (last && flagged(kCountFlag)) results_.push_back({{packet_results_, 0, 0, ~0U}, false});
   results_.back().last = last;
+  results_.back().user = last && flagged(kInterruptFlag);
 }
 
 Beat StreamModel::blank_result(Beat result) const {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "Vmem_sdp.h"
+#include "Vmem_sdp_twelve.h"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
 
@@ -39,6 +40,22 @@ TEST(Memory, AReadOfTheWordBeingWrittenGivesTheComplement) {
     clashes += clash ? 1 : 0;
   }
   EXPECT_GT(clashes, 100);
+}
+
+/// The simulation ends where an assertion fails, and says of which module.
+TEST(Memory, AWordBeyondTheLastEndsTheSimulation) {
+  constexpr std::uint32_t kTwelve = 12;
+  tb::Sim<Vmem_sdp_twelve> sim(1);
+  sim->write_i = 1;
+  for (std::uint32_t address = 0; address < kTwelve; ++address) {
+    sim->write_address_i = address;
+    sim.tick();
+  }
+  sim->write_address_i = kTwelve;
+  sim->write_i = 0;
+  sim.tick();
+  sim->write_i = 1;
+  EXPECT_DEATH(sim.tick(), "ffd_mem_sdp");
 }
 
 }  // namespace

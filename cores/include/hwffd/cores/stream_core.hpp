@@ -35,11 +35,15 @@ class StreamCore {
 
   virtual bool input_ready() const = 0;   ///< s_axis_tready
   virtual bool output_valid() const = 0;  ///< m_axis_tvalid
-  virtual Beat output() const = 0;        ///< m_axis_tdata and _tlast
+  virtual Beat output() const = 0;        ///< m_axis_tdata, _tlast and _tuser
   /// event_o: bit n is a pulse of event n. A core without events has none.
   virtual std::uint32_t events() const { return 0; }
   /// Where the events of this clock come from: event_packet_o and event_beat_o.
   virtual EventPlace event_place() const { return {}; }
+  /// wait_o: bit 0 for what vertices inside still read, bit 1 for room, bit 2 for coefficients.
+  virtual std::uint32_t waits() const { return 0; }
+  /// upset_o.
+  virtual bool upset() const { return false; }
   /// idle_o.
   virtual bool idle() const { return true; }
   /// What its build has made visible inside.

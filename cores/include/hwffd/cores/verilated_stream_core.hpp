@@ -59,10 +59,13 @@ class VerilatedStreamCore final : public StreamCore {
     Beat beat;
     for (std::size_t i = 0; i < beat.words.size(); ++i) beat.words[i] = dut_->m_axis_tdata[i];
     beat.last = dut_->m_axis_tlast != 0;
+    beat.user = dut_->m_axis_tuser != 0;
     return beat;
   }
   std::uint32_t events() const override { return dut_->event_o; }
   EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
+  std::uint32_t waits() const override { return dut_->wait_o; }
+  bool upset() const override { return dut_->upset_o != 0; }
   bool idle() const override { return dut_->idle_o != 0; }
   std::vector<Signal> signals() const override { return visible_signals(dut_.context()); }
 

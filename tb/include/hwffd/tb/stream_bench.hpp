@@ -85,6 +85,8 @@ class StreamBench : private cores::StreamParty {
   const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
   /// Where the last of an event came from.
   cores::EventPlace event_place(int event) const { return event_places_.at(event); }
+  /// Clocks since the last reset in which that bit of wait_o was 1.
+  std::uint64_t waits(unsigned bit) const { return waits_.at(bit); }
   /// Clocks between results `first` and `last`, divided by their distance. Throws
   /// std::out_of_range when they are not two recorded results in order.
   double clocks_per_result(std::size_t first, std::size_t last) const;
@@ -115,6 +117,7 @@ class StreamBench : private cores::StreamParty {
 
   bool step(SinkMode mode);
   void count_events();
+  void count_waits();
   void compare(const StreamPins& probed, const StreamPins& pins);
   void fail(const std::string& what);
   void fail_hanging(const std::string& what);
@@ -132,6 +135,7 @@ class StreamBench : private cores::StreamParty {
   std::function<void(double)> progress_;
   std::array<std::uint64_t, kStreamEvents> events_{};
   std::array<cores::EventPlace, kStreamEvents> event_places_{};
+  std::array<std::uint64_t, 3> waits_{};
   bool was_reset_ = false;
   bool first_cycle_ = false;
   bool hung_ = false;
