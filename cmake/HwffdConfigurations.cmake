@@ -53,5 +53,5 @@ endif()
 hwffd_generate(build ${HWFFD_GENERATED_DIR} --tier ${HWFFD_TIER} ${HWFFD_SELECTION})
 include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 
-file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/+]")
+file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/+].*[.]v$")
 list(TRANSFORM HWFFD_RTL_SOURCES PREPEND ${HWFFD_RTL_DIR}/)

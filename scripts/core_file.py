@@ -82,7 +82,8 @@ parameters:
 def _rtl_lines(root):
     sources = sorted((root / "rtl").glob("*/*.vh"))
     lines = [f"      - {path.relative_to(root)}: {{is_include_file: true}}" for path in sources]
-    return lines + [f"      - rtl/{entry}" for entry in rtl.read_file_list(root / "rtl/hwffd.f")]
+    return lines + [f"      - rtl/{entry}" + (": {file_type: vlt}" if entry == rtl.WAIVERS else "")
+                    for entry in rtl.read_file_list(root / "rtl/hwffd.f")]
 
 
 def _example_lines():

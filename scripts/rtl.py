@@ -35,6 +35,9 @@ _WORD = re.compile(r"[A-Za-z_]\w*")
 _INCLUDE = re.compile(r'^[ \t]*`include[ \t]+"([^"\n]+)"', re.MULTILINE)
 _FOLDER = "+incdir+"
 
+# What Verilator is told of the sources, in the folder of the list: an empty file to other tools.
+WAIVERS = "lint/hwffd.vlt"
+
 # What a simulator defines so that memories show reads whose word is undefined.
 SIMULATION = "FFD_SIMULATION"
 
@@ -82,14 +85,17 @@ def read_include_folders(path):
 
 
 def file_list_text(folder):
-    """What rtl/hwffd.f must be: every source in the folders of rtl/, and the folders with headers."""
+    """What rtl/hwffd.f must be: what Verilator is told, every source in the folders of rtl/, and the
+    folders with headers."""
     folder = pathlib.Path(folder)
     sources = sorted(folder.glob("*/**/*.v"))
     folders = sorted({path.parent for path in folder.glob("*/**/*.vh")})
     lines = [_FOLDER + str(path.relative_to(folder)) for path in folders]
+    lines += [WAIVERS] if (folder / WAIVERS).is_file() else []
     lines += [str(path.relative_to(folder)) for path in sources]
     return f"""// Every source of the core and every folder with headers, one a line, relative to this folder:
-// `verilator -F rtl/hwffd.f` takes it as it is. Order does not matter.
+// `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
+// not matter, but for the first one, which is Verilator's.
 // Made by scripts/made.py from what is there; changes here are lost.
 """ + "\n".join(lines) + "\n"
 
@@ -172,7 +178,7 @@ def _verilator():
 
 
 def verilator(sources, top, files, parameters=(), language=VERILOG):
-    waivers = sources.rtl / "lint" / "hwffd.vlt"
+    waivers = sources.rtl / WAIVERS
     return (
         [_verilator(), "--lint-only", *language.verilator, "-Wall"]
         + ["-I" + folder for folder in sources.includes]

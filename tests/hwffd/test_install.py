@@ -154,6 +154,10 @@ class Programs(Installed):
     def test_rtl(self):
         rtl = self.prefix / "share" / "hwffd" / "rtl"
         run("verilator", "--lint-only", "-Wall", "-F", rtl / "hwffd.f", "--top-module", "hwffd_stream", cwd=self.folder)
+        listed = run(rtl / "file_list", cwd=self.folder).splitlines()
+        self.assertGreater(len(listed), 100)
+        missing = [line for line in listed if not pathlib.Path(line.removeprefix("+incdir+")).exists()]
+        self.assertEqual(missing, [])
 
     def test_sim_is_a_command(self):
         said = run(self.prefix / "bin" / "hwffd", "sim", "--help", cwd=self.folder)

@@ -247,7 +247,7 @@ def test_a_parameter_or_a_file_more_makes_the_core_file_stale(tree, check, name,
 
 
 def test_files_and_parameters_of_the_core_file():
-    files = re.findall(r"^      - ([\w/]+\.(?:vh?|[ch]pp))(?::|$)", CORE, re.MULTILINE)
+    files = re.findall(r"^      - ([\w/]+\.(?:vh?|vlt|[ch]pp))(?::|$)", CORE, re.MULTILINE)
     assert all((ROOT / name).is_file() for name in files)
     assert {f"rtl/{entry}" for entry in rtl.read_file_list(ROOT / "rtl/hwffd.f")} <= set(files)
     for name in configurations.read()[0].parameters:

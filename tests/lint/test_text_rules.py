@@ -236,6 +236,7 @@ PASSES = {
     "equal ports and connections":
         {"tests/x.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),"),
          "tests/y.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),")},
+    "a waiver of time units": {"rtl/lint/hwffd.vlt": WAIVERS + 'lint_off -rule TIMESCALEMOD -file "*.v"\n'},
     "the same line many times": {"api/x.cpp": "x(y,\n" * 11},
 }
 
