@@ -78,7 +78,7 @@ module ffd_axil_voted #(
           `include "ffd_axil_copy.vh"
         );
       end else begin : gen_kept
-        (* keep_hierarchy *)
+        (* keep_hierarchy = "yes", dont_touch = "yes", syn_hier = "hard" *)
         ffd_axil_slave #(
           .ADDRESS_W  (ADDRESS_W),
           .SECURE_ONLY(SECURE_ONLY)
