@@ -96,6 +96,25 @@ TEST_P(Features, EachPacket) {
   }
 }
 
+// Bits of word 0 that are no flags: all, but for P in a core with packed vertices.
+TEST_P(Features, VerticesHaveNoOtherFlags) {
+  if ((GetParam().features & model::kResidentFeature) == 0) GTEST_SKIP() << "no opcode 3";
+  start(1);
+  tb::Random random(2);
+  const LatticeWords lattice = random_lattice(codec_, random, 6);
+  send(coefficients_packet(watertight_bspline(codec_), codec_));
+  send(lattice_packet(lattice));
+  std::vector<Beat> packet = vertices_packet(random_vertices(codec_, random, lattice.dims, 3));
+  send(packet);
+  packet[0].words[0] |= 0xFFFFFF00U;
+  if ((GetParam().features & model::kPackedFeature) != 0) packet[0].words[0] &= ~kPackedFlag;
+  send(packet);
+  ASSERT_NO_FATAL_FAILURE(finish());
+  EXPECT_EQ(bench_->events(), model::StreamEvents{});
+  ASSERT_EQ(bench_->results().size(), 6U);
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(bench_->results()[v], bench_->results()[3 + v]);
+}
+
 TEST_P(Features, AnyPacketsInAnyOrder) {
   constexpr std::uint64_t kRounds = 20;
   for (std::uint64_t seed = tb::seed_from_environment(1), last = seed + 3; seed <= last; ++seed) {

@@ -6,10 +6,11 @@
 // whose highest W are the value: what lies below them rounds, what leaves the window overflows. A
 // fixed-point word (fixed_i) is the upper half of the window as it stands.
 //
-// Formats:    exponent_i signed, of coordinate_i it is 1; value_o signed W bits. An infinity has
-//             plus_o or minus_o by its sign, a NaN both; their value is 0 and not saturated. With
-//             end_i the value is 0, and with one_i as well 2^(W-2), flagged if flagged_i; clear_i,
-//             without these two, clears value and flags.
+// Formats:    exponent_i signed, of coordinate_i it is 1; value_o signed W bits. Infinities and NaN
+//             have value 0, not saturated; an infinity has plus_o or minus_o by its sign and a NaN
+//             both, but with coordinate_i neither. With end_i the value is 0, and with one_i as
+//             well 2^(W-2), flagged if flagged_i; clear_i, without these two, clears value and
+//             flags.
 // Rounding:   half up, once (ffd_fx_round): of a magnitude below 0 a tie is rounded down.
 // Overflow:   outside [-2^exponent, 2^exponent) saturated and flagged.
 // Pipeline:   LATENCY registers, II 1, never frozen; of four: distance | shift by 15 | by 48,
