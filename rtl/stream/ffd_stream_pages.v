@@ -302,7 +302,7 @@ module ffd_stream_pages #(
     .READ_LATENCY(0)
   ) u_readers (
     .clk            (clk),
-    .write_i        (whole || (finish_i && of_page_i)),
+    .write_i        (whole || (finish_i && of_page_i && found_q)),
     .write_address_i(page_q),
     .write_data_i   ({came_q[READERS_W-1] ^ whole, came_q[READERS_W-2:0]}),
     .read_i         (1'b1),

@@ -282,7 +282,7 @@ void whole_core(unsigned width, bool wrong_keep) {
     ASSERT_GT(expected.size(), 50U);
     ASSERT_GT(std::count_if(expected.begin(), expected.end(),
                             [](const BusBeat& beat) { return beat.user; }),
-              10);
+              4);
 
     VerilatedContext context;
     context.randReset(2);
