@@ -9,6 +9,7 @@ import os
 import pathlib
 import signal
 import sys
+import warnings
 from collections.abc import Iterator, Sequence
 
 from hwffd import Error, Lattice, UsageError, __version__, shapes
@@ -145,13 +146,17 @@ def run(words: Sequence[str]) -> None:
     outputs = {options.output: warped.volume}
     if warped.field is not None:
         outputs[options.field] = warped.field
-    with _quiet():
+    with _quiet(), warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always", UserWarning)
         write_all(outputs)
+    for warning in said:
+        print(f"{NAME}: warning: {' '.join(str(warning.message).split())}", file=sys.stderr)
     print(_report(options, lattice, warped), flush=True)
 
 
 def main() -> int:
     """The program; its exit status."""
+    sys.stdout.reconfigure(errors="surrogateescape")  # names as they were given
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         run(sys.argv[1:])

@@ -5,22 +5,28 @@ SPDX-License-Identifier: Apache-2.0
 
 from __future__ import annotations
 
-import gzip
+import contextlib
+import dataclasses
+import itertools
 import os
 import pathlib
 import re
 import shutil
 import stat
 import tempfile
-import zlib
-from collections.abc import Mapping
+import warnings
+from collections.abc import Iterator, Mapping
 
 from hwffd import Error, UsageError
+from hwffd.volumes import metaimage, nifti, nrrd
 from hwffd.volumes.itk import from_itk, simple_itk, to_itk
+from hwffd.volumes.locales import plain_numbers
 from hwffd.volumes.volume import Volume
 
-SUFFIXES = (".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz")
-_AT_ONCE = 1 << 20
+# The module that knows the headers of each format.
+_FORMATS = {".nrrd": nrrd, ".nhdr": nrrd, ".mha": metaimage, ".mhd": metaimage, ".nii": nifti,
+            ".nii.gz": nifti}
+SUFFIXES = tuple(_FORMATS)
 
 
 def check_suffix(path: os.PathLike[str] | str) -> None:
@@ -35,47 +41,65 @@ def _reason(error: RuntimeError) -> str:
     return re.sub(r"^(sitk::ERROR|ITK ERROR|Reason): *(\w+\(0x\w+\): *)?", "", lines[-1])[:160]
 
 
-def _check_length(path: pathlib.Path, reader) -> None:
-    """Refuses a NIfTI file that ends early, of which ITK makes a volume with zeros at its end."""
-    if not reader.HasMetaDataKey("vox_offset"):
+def _suffix_of(name: str) -> str:
+    return next(suffix for suffix in SUFFIXES if name.lower().endswith(suffix))
+
+
+def _is_utf8(path: pathlib.Path) -> bool:
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+@contextlib.contextmanager
+def _name_for_itk(path: pathlib.Path) -> Iterator[str]:
+    """A name by which ITK reads a file and no other: of a.nii and a.nii.gz it takes the first, and it
+    takes no name that is no UTF-8. Such a file is read through a link, which is alone or, where a
+    header may name other files, among links to what lies beside it."""
+    suffix = _suffix_of(path.name)
+    alone = _FORMATS[suffix] is nifti
+    if not alone and _is_utf8(path):
+        yield str(path)
         return
-    size = reader.GetNumberOfComponents()
-    for count in reader.GetSize():
-        size *= count
-    wanted = int(float(reader.GetMetaData("vox_offset")))
-    wanted += size * int(reader.GetMetaData("bitpix")) // 8
-    found = path.stat().st_size
-    if path.name.lower().endswith(".gz"):
-        found = 0
-        try:
-            with gzip.open(path) as stream:
-                while part := stream.read(_AT_ONCE):
-                    found += len(part)
-        except (EOFError, zlib.error) as error:
-            raise Error(f"{path}: is damaged or ends early; copy it again") from error
-    if found < wanted:
-        raise Error(f"{path}: ends after {found} of {wanted} bytes; copy it again")
+    with tempfile.TemporaryDirectory(prefix="hwffd-") as folder:
+        names = {path.name} if alone else set(os.listdir(path.absolute().parent))
+        for name in names - {path.name}:
+            os.symlink(path.absolute().with_name(name), os.path.join(folder, name))
+        link = next(link for n in itertools.count() if (link := f"volume{n}{suffix}") not in names)
+        os.symlink(path.absolute(), os.path.join(folder, link))
+        yield os.path.join(folder, link)
 
 
 def read(path: os.PathLike[str] | str) -> Volume:
-    """The volume in a file: three dimensions of integers or floats, with components or without."""
+    """The volume in a file: three dimensions of integers or floats, with components or without.
+
+    What else its header says is in Volume.metadata."""
     check_suffix(path)
     path = pathlib.Path(path)
     if not path.is_file():
         raise Error(f"{path}: {'no file' if path.exists() else 'is not there'}; name a volume")
-    reader = simple_itk().ImageFileReader()
-    reader.SetFileName(str(path))
+    itk = simple_itk()
+    form = _FORMATS[_suffix_of(path.name)]
+    name = str(path)
     try:
-        reader.ReadImageInformation()
-        if reader.GetDimension() == 3:
-            _check_length(path, reader)
-        return from_itk(reader.Execute())
+        header = form.read(path)
+        if header.voxels:
+            header.voxels.check(path)
+        with _name_for_itk(path) as name, plain_numbers():
+            reader = itk.ImageFileReader()
+            reader.SetFileName(name)
+            volume = from_itk(reader.Execute())
+        if form is nifti:
+            nifti.mend(path, volume.values)
+        return dataclasses.replace(volume, metadata=header.fields)
     except UsageError as error:
         raise Error(f"{path}: {error}") from error
     except (OSError, RuntimeError) as error:
         if isinstance(error, Error):
             raise
-        raise Error(f"{path}: cannot be read: {_reason(error)}") from error
+        raise Error(f"{path}: cannot be read: {_reason(error).replace(name, str(path))}") from error
 
 
 def check_writable(path: os.PathLike[str] | str) -> None:
@@ -91,22 +115,27 @@ def check_writable(path: os.PathLike[str] | str) -> None:
 
 
 def write(path: os.PathLike[str] | str, volume: Volume) -> None:
-    """Writes a volume to a file whose suffix says in which format. It is there whole or not at all."""
+    """Writes a volume to a file whose suffix says in which format. It is there whole or not at all.
+
+    A UserWarning names what of Volume.metadata the format does not hold."""
     write_all({path: volume})
 
 
 def write_all(volumes: Mapping[os.PathLike[str] | str, Volume]) -> None:
     """Writes several files, none of which takes its name before all are written."""
-    itk = simple_itk()
-    folders = []
+    folders: list[tuple[pathlib.Path, pathlib.Path]] = []
+    dropped: dict[os.PathLike[str] | str, list[str]] = {}
     try:
         for path, volume in volumes.items():
             check_writable(path)
             place = pathlib.Path(path).resolve()
-            folders.append((tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent), place))
-            itk.WriteImage(to_itk(volume), os.path.join(folders[-1][0], place.name), True)
+            folder = pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+            folders.append((folder, place))
+            _write_to(folder, place.name, volume)
+            held = _FORMATS[_suffix_of(place.name)].read(folder / place.name).fields
+            dropped[path] = [name for name, value in volume.metadata.items() if held.get(name) != value]
         for folder, place in folders:
-            _move(pathlib.Path(folder), place)
+            _move(folder, place)
     except (OSError, RuntimeError) as error:
         if isinstance(error, Error):
             raise
@@ -114,6 +143,33 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume]) -> None:
     finally:
         for folder, _ in folders:
             shutil.rmtree(folder, ignore_errors=True)
+    for path, names in dropped.items():
+        if names:
+            warnings.warn(f"{path}: dropped: {', '.join(names)}", UserWarning, stacklevel=3)
+
+
+def _write_to(folder: pathlib.Path, name: str, volume: Volume) -> None:
+    """Writes a volume, and beside it its voxels where the format has them apart, into a folder.
+
+    ITK knows them by a name that is UTF-8 and leads there by a link."""
+    suffix = _suffix_of(name)
+    form = _FORMATS[suffix]
+    pack_later = suffix == ".nii.gz" and bool(volume.metadata)
+    header = folder / f"volume{'.nii' if pack_later else suffix}"
+    with tempfile.TemporaryDirectory(prefix="hwffd-") as place, plain_numbers():
+        link = os.path.join(place, "folder")
+        os.symlink(folder, link)
+        simple_itk().WriteImage(to_itk(volume), os.path.join(link, header.name), True)
+    stem = name[:-len(suffix)]
+    if suffix in (".nhdr", ".mhd"):
+        header.write_bytes(header.read_bytes().replace(b" volume.", b" " + os.fsencode(stem) + b"."))
+    if volume.metadata:
+        form.carry(header, volume.metadata)
+    if pack_later:
+        nifti.pack(header, folder / f"volume{suffix}")
+    for part in list(folder.iterdir()):
+        end = part.name.removeprefix("volume")
+        part.rename(folder / (name if end == suffix else stem + end))
 
 
 def _move(folder: pathlib.Path, place: pathlib.Path) -> None:

@@ -23,12 +23,14 @@ class Volume:
 
     values: (nz, ny, nx), or (nz, ny, nx, c) of c components; voxel (i, j, k) is values[k, j, i].
     origin, spacing: x, y, z. direction: (3, 3), whose columns are the directions of i, j and k.
+    metadata: what a file says besides, by the names that ITK gives it; write() carries it on.
     """
 
     values: NDArray[np.generic]
     origin: ArrayLike = (0.0, 0.0, 0.0)
     spacing: ArrayLike = (1.0, 1.0, 1.0)
     direction: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    metadata: dict[str, str] = dataclasses.field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.values = np.asarray(self.values)

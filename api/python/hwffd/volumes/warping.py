@@ -153,7 +153,8 @@ def resample(volume: Volume, lattice: Lattice, *, like: Volume | None = None, or
                 outside_volume += waiting.popleft().result()
         outside_volume += sum(task.result() for task in waiting)
     where = grid.origin, grid.spacing, grid.direction
-    return Warped(Volume(out.reshape(*shape, *volume.values.shape[3:]), *where),
+    warped = Volume(out.reshape(*shape, *volume.values.shape[3:]), *where, dict(volume.metadata))
+    return Warped(warped,
                   None if field is None else Volume(field, *where), outside_lattice, outside_volume)
 
 
