@@ -34,7 +34,7 @@ constexpr int kPictures = 8;
 struct Options {
   std::string model;
   int frames = 24;
-  DeviceChoice device;
+  DeviceChoice device{"model"};
   std::filesystem::path output = "build/mass_spring";
 };
 

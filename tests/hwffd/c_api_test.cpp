@@ -86,13 +86,16 @@ TEST(CApi, ControlPointsMove) {
 TEST(CApi, DevicesAgree) {
   const Lattice lattice = ball();
   ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "bend:45"), HWFFD_OK);
-  double model[9], rtl[9], reference[9];
+  double unnamed[9], model[9], rtl[9], reference[9];
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, unnamed), HWFFD_OK);
+  ASSERT_EQ(hwffd_lattice_device(lattice.get(), "model", nullptr, nullptr), HWFFD_OK);
   ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, model), HWFFD_OK);
   ASSERT_EQ(hwffd_lattice_device(lattice.get(), "rtl", nullptr, nullptr), HWFFD_OK)
       << hwffd_error();
   ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, rtl), HWFFD_OK);
   ASSERT_EQ(hwffd_lattice_device(lattice.get(), "reference", nullptr, nullptr), HWFFD_OK);
   ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, reference), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(unnamed, reference, sizeof(reference)), 0);
   EXPECT_EQ(std::memcmp(model, rtl, sizeof(rtl)), 0);
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(model[i], reference[i], 1e-6);
 }
@@ -136,6 +139,7 @@ TEST(CApi, NumbersThatAreNoResultsAreFailures) {
   for (int i = 0; i < 64; ++i) points[static_cast<std::size_t>(3 * i + 2)] = i % 4 * 1e39;
   const Lattice lattice(hwffd_lattice_new(dims, points.data()));
   ASSERT_TRUE(lattice) << hwffd_error();
+  ASSERT_EQ(hwffd_lattice_device(lattice.get(), "model", nullptr, nullptr), HWFFD_OK);
   const double point[3] = {1.5e39, 1.5e39, 1.5e39};
   double out[3] = {7, 7, 7};
   EXPECT_EQ(hwffd_deform(lattice.get(), point, 1, out), HWFFD_ERROR);

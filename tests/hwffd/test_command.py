@@ -107,7 +107,7 @@ class Command(CommandTest):
         self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json", "r.json")
         report = self.report()
         self.assertEqual(report["vertices"], 6)
-        self.assertEqual(report["device"], "model basic-fp32-overlapped")
+        self.assertEqual(report["device"], "reference")
         self.assertEqual(report["written"], ["out.obj"])
         (stage,) = report["stages"]
         self.assertEqual((stage["lattice"], stage["dims"]), ("box", [4, 4, 4]))
@@ -146,7 +146,8 @@ class Command(CommandTest):
                 ("basic-fp32-overlapped-deep", "--format", "fp32"): "basic-fp32-overlapped-deep",
                 ("basic-fx32-overlapped-iterative",): "basic-fx32-overlapped-iterative",
                 ("basic-fx18-overlapped-bspline",): "basic-fx18-overlapped-bspline"}.items():
-            self.good("deform", "points.xyz", "-o", "out.xyz", "--json", "r.json", "--org", *words)
+            self.good("deform", "points.xyz", "-o", "out.xyz", "--json", "r.json", "--device", "model",
+                      "--org", *words)
             report = self.report()
             self.assertEqual(report["device"], f"model {row}")
 

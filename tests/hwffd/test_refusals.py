@@ -77,10 +77,15 @@ REFUSED = {
     "deform solid.obj -o out.ply --region 0,0,2,1,1,2": (USAGE, "--region", "no volume"),
     "deform solid.obj -o out.ply --outside away": (USAGE, "away", "fade"),
     "deform solid.obj -o out.ply --device fpga": (USAGE, "fpga", "rtl"),
-    "deform solid.obj -o out.ply --org cg9": (USAGE, "cg9", "basic", "cg3", "nested3"),
-    "deform solid.obj -o out.ply --format fp64": (USAGE, "fp64", "fx18"),
-    "deform solid.obj -o out.ply --org basic-fp32-overlapped-fma": (USAGE, "fma", "hwffd info"),
-    "deform solid.obj -o out.ply --org basic-fx18-overlapped --format fp32": (USAGE, "fx18"),
+    "deform solid.obj -o out.ply --device model --org cg9":
+        (USAGE, "cg9", "basic", "cg3", "nested3"),
+    "deform solid.obj -o out.ply --device model --format fp64": (USAGE, "fp64", "fx18"),
+    "deform solid.obj -o out.ply --device model --org basic-fp32-overlapped-fma":
+        (USAGE, "fma", "hwffd info"),
+    "deform solid.obj -o out.ply --device model --org basic-fx18-overlapped --format fp32":
+        (USAGE, "fx18"),
+    "deform solid.obj -o out.ply --org cg1": (USAGE, "--org requires --device"),
+    "deform solid.obj -o out.ply --format fx18": (USAGE, "--format requires --device"),
     "deform solid.obj -o out.ply --org factored/3 --device rtl --format fx99": (USAGE, "factored"),
     "deform solid.obj -o out.ply --keyframes 0": (USAGE, "--keyframes"),
     "deform points.xyz --keyframes 3": (USAGE, "--keyframes", "--output"),

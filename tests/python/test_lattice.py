@@ -67,6 +67,7 @@ def test_families_carry_points_and_come_back(family):
     assert np.abs(moved - POINTS).max() > 0.1
     again = hwffd.Lattice.of(lattice.rest_points, family=family)
     again.control_points = lattice.control_points
+    again.set_device("model")
     np.testing.assert_array_equal(hwffd.deform(again, POINTS), moved)
 
 
@@ -136,6 +137,8 @@ def test_exceptions_are_one_tree():
 def test_devices():
     lattice = hwffd.Lattice.around("box", CORNERS)
     lattice.deform("twist:30")
+    assert lattice.device == "reference"
+    lattice.set_device("model")
     assert lattice.device == "model basic-fp32-overlapped"
     assert "basic-fp32-overlapped" in hwffd.devices("model")
     lattice.set_device(device="model", org="factored/3", format="fx18")

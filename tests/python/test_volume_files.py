@@ -175,6 +175,8 @@ REFUSED = {
     "in.nrrd box out.png": (USAGE, "out.png", ".nii.gz"),
     "in.nrrd box out": (USAGE, "out:", ".nrrd"),
     "in.nrrd box out.nrrd --field ./out.nrrd": (USAGE, "--field", "output"),
+    "in.nrrd box out.nrrd --org cg1": (USAGE, "--org requires --device"),
+    "in.nrrd box out.nrrd --format fx18": (USAGE, "--format requires --device"),
     "in.nrrd box none/out.nrrd": (FAILURE, "none/out.nrrd", "folder"),
     "in.nrrd box kept.nrrd": (FAILURE, "kept.nrrd: is read-only"),
     "in.nrrd box out.nrrd --field none/f.mha": (FAILURE, "none/f.mha"),
@@ -192,7 +194,7 @@ REFUSED = {
     "in.nrrd words.mha out.nrrd": (FAILURE, "words.mha"),
     "in.nrrd box out.nrrd --like flat.nrrd": (FAILURE, "flat.nrrd", "2 dimensions"),
     "in.nrrd box out.nrrd --deform to:none.json": (FAILURE, "none.json"),
-    "in.nrrd box out.nrrd --deform scale:1e30 --format fp32 --deform scale:1e30":
+    "in.nrrd box out.nrrd --deform scale:1e30 --device model --deform scale:1e30":
         (FAILURE, "not finite", "reference"),
 }
 

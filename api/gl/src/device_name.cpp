@@ -24,7 +24,7 @@ DeviceChoice parse_device(const std::string& name) {
 
 DeviceChoice device_of_environment() {
   const char* name = std::getenv("HWFFD_DEVICE");
-  if (name == nullptr || *name == '\0') return DeviceChoice{};
+  if (name == nullptr || *name == '\0') return parse_device("model");
   try {
     return parse_device(name);
   } catch (const UsageError& error) {

@@ -8,7 +8,7 @@ namespace hwffd::gl {
 /// @throws UsageError for more or empty parts
 DeviceChoice parse_device(const std::string& name);
 
-/// What the environment's HWFFD_DEVICE says; the model where it says nothing.
+/// What the environment's HWFFD_DEVICE says; the model, a core's bits, where it says nothing.
 /// @throws UsageError, which names the variable
 DeviceChoice device_of_environment();
 

@@ -82,7 +82,7 @@ int hwffd_lattice_move(hwffd_lattice* lattice, const double* points);
 int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation);
 
 /**
- * What evaluates: "model" (at first), "rtl" or "reference".
+ * What evaluates: "reference" (at first), for which the other words mean nothing, "model" or "rtl".
  * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`;
  * NULL: as at first
  * @param format        "fp32" (at first), "bfp32", "fx18", "fx32"; NULL: as at first, or as the row

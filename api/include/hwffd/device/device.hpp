@@ -118,7 +118,7 @@ void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex);
 
 /// Which device is wanted, in words.
 struct DeviceChoice {
-  std::string device = "model";  ///< "model", "rtl" or "reference"
+  std::string device = "reference";  ///< "reference", "model" or "rtl"
   /// Of model and rtl: an organization, basic, cg1, tree4, factored/3, ..., or the name of one of
   /// device_rows(), such as basic-fp32-overlapped-fmac.
   std::string org = "basic";

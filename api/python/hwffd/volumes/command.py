@@ -63,11 +63,16 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
         help="value of voxels that come from beyond the input (default 0)")
     add("--field", metavar="FILE", help="displacement field to write, as ITK reads it")
     add("--like", metavar="FILE", help="volume whose grid the output has; else that of the input")
-    add("--device", default="model", help="model (default), rtl, reference")
-    add("--org", default="basic", help="organization or row, as for hwffd deform")
-    add("--format", default="", help="number format: fp32 (default), bfp32, fx18, fx32, ...")
+    add("--device", help="reference (default), model, rtl")
+    add("--org", help="organization or row of model or rtl, as for hwffd deform")
+    add("--format", help="number format of model or rtl: fp32 (default), bfp32, fx18, "
+        "fx32, ...")
     add("--version", action="version", version=__version__)
-    return parser.parse_args(words)
+    options = parser.parse_args(words)
+    for option in "org", "format":
+        if getattr(options, option) is not None and options.device is None:
+            parser.error(f"--{option} requires --device, model or rtl")
+    return options
 
 
 def _lattice(options: argparse.Namespace, volume: Volume) -> Lattice:
@@ -82,7 +87,7 @@ def _lattice(options: argparse.Namespace, volume: Volume) -> Lattice:
         raise UsageError("--dims: a lattice file has its own; leave it out")
     else:
         lattice = Lattice.read(options.lattice)
-    lattice.set_device(options.device, options.org, options.format)
+    lattice.set_device(options.device or "reference", options.org or "basic", options.format or "")
     lattice.set_outside(options.outside)
     for deformation in options.deform:
         lattice.deform(deformation)
