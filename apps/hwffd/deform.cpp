@@ -45,6 +45,7 @@ struct Options {
   int keyframes = 0;
   std::vector<std::string> groups;
   std::string mask;
+  bool check_folds = false;
 };
 
 /// frame.ply -> frame-0007.ply
@@ -71,10 +72,19 @@ void warn_of_losses(const std::string& file, const std::vector<std::string>& los
 }
 
 void warn_of(const DeformReport& report) {
-  for (std::size_t i = 0; i < report.stages.size(); ++i) {
-    if (report.deformed_folds[i].verdict != FoldCheck::Verdict::kFolded) continue;
+  for (std::size_t i = 0; i < report.folds.size(); ++i) {
+    const FoldCheck& deformed = report.folds[i].deformed;
+    if (deformed.verdict != FoldCheck::Verdict::kFolded) continue;
     warn(fmt::format("lattice '{}', deformed, is {}: the mesh may pass through itself",
-                     report.stages[i].name, report.deformed_folds[i].text()));
+                     report.stages[i].name, deformed.text()));
+  }
+  for (std::size_t i = 0; i < report.stages.size(); ++i) {
+    const std::size_t lost = report.result.summaries[i].not_converged;
+    if (lost == 0) continue;
+    warn(
+        fmt::format("lattice '{}': {} vertices could neither be embedded nor proved outside, and "
+                    "count as outside; see --check-folds",
+                    report.stages[i].name, lost));
   }
   if (report.result.torn_edges > 0) {
     warn(
@@ -131,10 +141,12 @@ int run(const Options& options, const StageOptions& stage_options) {
   Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(stage_options.texts(), geometry.positions());
   std::vector<Deformer::Rest> rest;
-  std::vector<FoldCheck> deformed_folds;
+  std::vector<StageFolds> folds;
   for (const Stage& stage : stages) {
     rest.push_back({stage.rest, stage.family});
-    deformed_folds.push_back(check_folds(stage.deformed, kFoldDepth, stage.family));
+    if (!options.check_folds) continue;
+    const FoldCheck at_rest = check_rest(stage);
+    folds.push_back({at_rest, check_folds(stage.deformed, kFoldDepth, stage.family)});
   }
   const Mask mask(geometry, options.groups, options.mask);
   const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
@@ -163,7 +175,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     geometry.move(result.positions, result.gradients);
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
-  const DeformReport report{geometry, *device, stages, deformed_folds, result, outputs};
+  const DeformReport report{geometry, *device, stages, folds, result, outputs};
   if (geometry.is_mesh()) warn_of_losses(geometry.name(), geometry.mesh().dropped());
   warn_of_losses(outputs.front(), losses);
   warn_of(report);
@@ -197,6 +209,7 @@ Action add_deform(CLI::App& app) {
                  "text with a number for each vertex of the input: how much of the displacement it "
                  "takes, 0 to 1")
       ->type_name("FILE");
+  add_check_folds(app, options->check_folds);
   app.add_option("--keyframes", options->keyframes,
                  "write frames 0 (at rest) to N (deformed), numbered")
       ->type_name("N")

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "geometry.hpp"
@@ -25,6 +26,7 @@ struct Options {
   std::string input;
   std::string output;
   std::string report;
+  bool check_folds = false;
 };
 
 const char* word(EmbeddingStatus status) {
@@ -57,6 +59,8 @@ int run(const Options& options, const StageOptions& stage_options) {
   check_outputs({{"--output", options.output}, {"--json", options.report}});
   const Geometry geometry = Geometry::read(options.input);
   const std::vector<Stage> stages = make_stages(texts, geometry.positions());
+  std::optional<FoldCheck> folds;
+  if (options.check_folds) folds = check_rest(stages.front());
   const Embedder embedder(stages.front().rest, stages.front().family);
   const std::vector<Embedding> embeddings = embedder.embed(geometry.positions());
   const EmbeddingSummary summary = summarize(embeddings);
@@ -68,11 +72,13 @@ int run(const Options& options, const StageOptions& stage_options) {
                 {"family", stages.front().family.name()},
                 {"size", embedder.size()}};
     report.update(json_of(summary));
+    if (folds) report["rest"] = json_of(*folds);
     write_report(options.report, report);
   }
   if (options.report != "-" && options.output != "-") {
     fmt::print("{} {}: {}\n", stages.front().name, dims_text(stages.front().rest.dims()),
                text_of(summary));
+    if (folds) fmt::print("at rest {}\n", folds->text());
   }
   if (summary.not_converged > 0) {
     throw Error(
@@ -93,6 +99,7 @@ Action add_embed(CLI::App& app) {
   app.add_option("-o,--output", options->output,
                  "text file for the places, one a line; - for standard output");
   app.add_option("--json", options->report, "report to write; - for standard output");
+  add_check_folds(app, options->check_folds);
   app.footer(kExamples);
   return [=] { return run(*options, *stages); };
 }

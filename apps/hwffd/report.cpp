@@ -42,12 +42,15 @@ Json json_of(const DeformReport& report) {
   Json stages = Json::array();
   for (std::size_t i = 0; i < report.stages.size(); ++i) {
     const Stage& stage = report.stages[i];
-    stages.push_back({{"lattice", stage.name},
-                      {"dims", stage.rest.dims()},
-                      {"family", stage.family.name()},
-                      {"embedding", json_of(report.result.summaries[i])},
-                      {"rest", json_of(stage.rest_folds)},
-                      {"deformed", json_of(report.deformed_folds[i])}});
+    Json entry{{"lattice", stage.name},
+               {"dims", stage.rest.dims()},
+               {"family", stage.family.name()},
+               {"embedding", json_of(report.result.summaries[i])}};
+    if (!report.folds.empty()) {
+      entry["rest"] = json_of(report.folds[i].rest);
+      entry["deformed"] = json_of(report.folds[i].deformed);
+    }
+    stages.push_back(std::move(entry));
   }
   return {
       {"input", report.geometry.name()},         {"vertices", report.geometry.positions().rows()},
@@ -62,6 +65,10 @@ std::string text_of(const DeformReport& report) {
     const Stage& stage = report.stages[i];
     text += fmt::format("{} {}: {}\n", stage.name, dims_text(stage.rest.dims()),
                         text_of(report.result.summaries[i]));
+    if (report.folds.empty()) continue;
+    text +=
+        fmt::format("{} {}: at rest {}, deformed {}\n", stage.name, dims_text(stage.rest.dims()),
+                    report.folds[i].rest.text(), report.folds[i].deformed.text());
   }
   text += report.device.name();
   if (report.device.counts().clocks > 0) {

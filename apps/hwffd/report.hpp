@@ -22,7 +22,7 @@ struct DeformReport {
   const Geometry& geometry;
   const Device& device;
   const std::vector<Stage>& stages;
-  const std::vector<FoldCheck>& deformed_folds;  ///< one a stage
+  const std::vector<StageFolds>& folds;  ///< one a stage; none if nobody asked
   const Deformer::Result& result;
   const std::vector<std::string>& written;
 };

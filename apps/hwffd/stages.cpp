@@ -15,6 +15,7 @@
 #include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/embedder.hpp"
 #include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
@@ -76,18 +77,8 @@ Points parse_region(const std::string& text) {
   return corners;
 }
 
-/// Checks what embedding needs of a lattice at rest.
-FoldCheck check_rest(const std::string& name, const Lattice& rest, const Family& family) {
-  FoldCheck check = check_folds(rest, kFoldDepth, family);
-  const Point extent = rest.points().colwise().maxCoeff() - rest.points().colwise().minCoeff();
-  if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
-    throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));
-  }
-  if (check.verdict == FoldCheck::Verdict::kFolded) {
-    throw Error(fmt::format("lattice '{}': {}; embedding needs a lattice without folds at rest",
-                            name, check.text()));
-  }
-  return check;
+[[noreturn]] void throw_no_volume(const std::string& name) {
+  throw Error(fmt::format("lattice '{}': its cells span no volume; spread its points", name));
 }
 
 }  // namespace
@@ -185,11 +176,31 @@ std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points
     const Family family = family_of(text);
     const Lattice given = rest_lattice(text, points);
     Lattice rest = whole(given, family);
-    const FoldCheck folds = check_rest(text.lattice, rest, family);
+    if (!span_volume(rest.points())) throw_no_volume(text.lattice);
     Lattice deformed = whole(deformed_lattice(text, given), family);
-    stages.push_back({text.lattice, family, std::move(rest), std::move(deformed), folds});
+    stages.push_back({text.lattice, family, std::move(rest), std::move(deformed)});
   }
   return stages;
+}
+
+void add_check_folds(CLI::App& app, bool& check) {
+  app.add_flag("--check-folds", check,
+               "prove that no lattice folds, and refuse one that does at rest; takes seconds for "
+               "lattices of many points");
+}
+
+FoldCheck check_rest(const Stage& stage) {
+  FoldCheck check = check_folds(stage.rest, kFoldDepth, stage.family);
+  const Points& points = stage.rest.points();
+  const Point extent = points.colwise().maxCoeff() - points.colwise().minCoeff();
+  if (std::abs(check.volume) <= kNoVolume * std::pow(extent.maxCoeff(), 3)) {
+    throw_no_volume(stage.name);
+  }
+  if (check.verdict == FoldCheck::Verdict::kFolded) {
+    throw Error(fmt::format("lattice '{}': {}; embedding wants a lattice without folds at rest",
+                            stage.name, check.text()));
+  }
+  return check;
 }
 
 }  // namespace hwffd::command

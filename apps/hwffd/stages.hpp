@@ -30,7 +30,12 @@ struct Stage {
   Family family;
   Lattice rest;
   Lattice deformed;
-  FoldCheck rest_folds;
+};
+
+/// Whether the lattices of a stage fold.
+struct StageFolds {
+  FoldCheck rest;
+  FoldCheck deformed;
 };
 
 /// The options --lattice, --dims, --family, --region and --deform of a command. Every --lattice
@@ -65,8 +70,15 @@ Lattice rest_lattice(const StageText& text, const Points& points);
 /// The lattice with the deformations of the text, in order.
 Lattice deformed_lattice(const StageText& text, const Lattice& rest);
 
-/// All stages of a command, checked; their lattices have four points and more along each axis.
-/// @throws Error for a lattice at rest that folds
+/// All stages of a command; their lattices have four points and more along each axis.
+/// @throws Error for a lattice at rest whose points lie in one plane
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points);
+
+/// Adds the option --check-folds to a command.
+void add_check_folds(CLI::App& app, bool& check);
+
+/// Checks the lattice at rest of a stage, which takes what check_folds() takes.
+/// @throws Error for one that folds, or whose cells span no volume together
+FoldCheck check_rest(const Stage& stage);
 
 }  // namespace hwffd::command

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "hwffd/lattice/bezier_volume.hpp"
 #include "hwffd/lattice/box.hpp"
@@ -15,6 +16,7 @@
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/sphere.hpp"
+#include "hwffd/on_threads.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "uniform.hpp"
 
@@ -260,6 +262,37 @@ TEST(Fold, TornJointsFoldClosedOnesDoNot) {
   const FoldCheck closed = check_folds(Closure(ball).restore(moved));
   EXPECT_EQ(closed.text(), "proved but on collapsed faces");
   EXPECT_TRUE(closed.collapsed);
+}
+
+/// Proved at once and after many halvings, folded, undecided for their depth and for their number:
+/// the answer is the same to the last bit on any number of threads.
+TEST(Fold, AnswersDoNotDependOnTheNumberOfThreads) {
+  const Lattice ball = Sphere(Point::Zero(), kUnit).lattice({7, 9, 12});
+  Points flat = box({14, 14, 14}).points();
+  flat.col(1).setZero();
+  const std::vector<Lattice> lattices{box({9, 8, 7}),
+                                      deformed(box({7, 8, 9}), "random:1"),
+                                      deformed(box({7, 8, 9}), "bend:300"),
+                                      deformed(box({4, 7, 4}), "twist:180"),
+                                      deformed(ball, "random:3"),
+                                      deformed(ball, "taper:0.5"),
+                                      Lattice({14, 14, 14}, flat)};
+  std::set<Verdict> seen;
+  for (std::size_t i = 0; i < lattices.size(); ++i) {
+    set_thread_count(1);
+    const FoldCheck one = check_folds(lattices[i]);
+    seen.insert(one.verdict);
+    for (const std::size_t threads : {2, 5}) {
+      set_thread_count(threads);
+      const FoldCheck many = check_folds(lattices[i]);
+      EXPECT_EQ(many.text(), one.text()) << i;
+      EXPECT_EQ(many.depth, one.depth) << i;
+      EXPECT_EQ(many.volume, one.volume) << i;
+      EXPECT_EQ(many.local, one.local) << i;
+    }
+  }
+  set_thread_count(0);
+  EXPECT_EQ(seen.size(), 3u);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ def lattice(point, dims=(4, 4, 4)):
 
 FLAT = lattice(lambda i, j, k: [i, j, 0])
 LATTICES = {"folded.json": lattice(lambda i, j, k: [-2 if i == 3 else i, j, k]),
-            "flat.json": FLAT, "few.json": lattice(lambda *at: at, (2, 3, 2)), "junk.json": FLAT + "\0junk",
+            "sheet.json": lattice(lambda i, j, k: [i, j, i * j]), "flat.json": FLAT, "few.json": lattice(lambda *at: at, (2, 3, 2)), "junk.json": FLAT + "\0junk",
             "twice.json": FLAT.replace("{", '{"dims": [5, 5, 5], ', 1),
             "huge.json": lattice(lambda *at: [x * 1e154 for x in at])}
 

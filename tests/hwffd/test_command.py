@@ -112,10 +112,44 @@ class Command(CommandTest):
         (stage,) = report["stages"]
         self.assertEqual((stage["lattice"], stage["dims"]), ("box", [4, 4, 4]))
         self.assertEqual(stage["embedding"]["inside"], 6)
+        self.assertFalse({"rest", "deformed"} & stage.keys())
+
+    def test_folds_are_looked_for_where_asked(self):
+        out = self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json",
+                        "r.json", "--check-folds")
+        self.assertIn("box 4x4x4: at rest proved, deformed proved\n", out)
+        (stage,) = self.report()["stages"]
         self.assertEqual(stage["deformed"]["verdict"], "proved")
         sides = [max(axis) - min(axis) + 2**-22 * max(map(abs, axis))
                  for axis in zip(*vertices(MESH))]
         self.assertAlmostEqual(stage["rest"]["volume"], math.prod(sides), places=9)
+        inside_out = ("deform", "solid.obj", "--dims", "4x8x4", "--deform", "bend:300", "-o",
+                      "out.obj")
+        self.good(*inside_out)
+        done = self.call(*inside_out, "--check-folds")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"\Ahwffd: warning: lattice 'box', deformed, is folded at [^\n]+\n\Z")
+        out = self.good("embed", "solid.obj", "--check-folds", "--json", "e.json")
+        self.assertTrue(out.endswith("\nat rest proved\n"))
+        self.assertEqual(self.report("e.json")["rest"]["verdict"], "proved")
+
+    def test_a_lattice_that_folds_at_rest(self):
+        """Each place found gives the vertex back, though it is one of several."""
+        (self.folder / "p.xyz").write_text("1.05 1.5 1.5\n1.2 1.2 1.3\n9 9 9\n")
+        self.good("embed", "p.xyz", "--lattice", "folded.json", "-o", "places.txt", "--json", "e.json")
+        report = self.report("e.json")
+        self.assertNotIn("rest", report)
+        self.assertEqual((report["inside"], report["outside"]), (2, 1))
+        self.assertLess(report["worst_residual"], 1e-11)
+        out = self.good("deform", "p.xyz", "--lattice", "folded.json", "--deform", "move:0,0,0:0,0,0")
+        self.assert_near([tuple(map(float, line.split())) for line in out.splitlines()],
+                         [(1.05, 1.5, 1.5), (1.2, 1.2, 1.3), (9, 9, 9)], places=9)
+
+    def test_large_lattices_take_no_proof(self):
+        done = subprocess.run([PROGRAM, "deform", "points.xyz", "--dims", "64x64x64", "--deform",
+                               "twist:30"], cwd=self.folder, capture_output=True, text=True,
+                              check=True, timeout=60)
+        self.assertEqual(len(done.stdout.splitlines()), 3)
 
     def test_stream_of_points(self):
         out = self.good("deform", "-", "--region", "0,0,0,1,1,1", "--deform", "scale:2",

@@ -63,8 +63,12 @@ REFUSED = {
     "deform solid.obj -o out.ply --lattice /dev/zero": (FAILURE, "/dev/zero", "bytes"),
     "deform solid.obj -o out.ply --lattice huge.json": (FAILURE, "huge.json", "1e+100"),
     "check huge.json": (FAILURE, "huge.json", "1e+100"),
-    "deform solid.obj -o out.ply --lattice folded.json": (FAILURE, "folded.json", "folded at"),
+    "deform solid.obj -o out.ply --lattice folded.json --check-folds":
+        (FAILURE, "folded.json", "folded at"),
+    "embed solid.obj --lattice folded.json --check-folds": (FAILURE, "folded.json", "folded at"),
     "deform solid.obj -o out.ply --lattice flat.json": (FAILURE, "flat.json", "volume"),
+    "embed solid.obj --lattice flat.json": (FAILURE, "flat.json", "volume"),
+    "deform solid.obj -o out.ply --lattice sheet.json --check-folds": (FAILURE, "sheet.json", "volume"),
     "deform solid.obj -o out.ply --dims 4x4": (USAGE, "--dims 4x4"),
     "deform solid.obj -o out.ply --dims 4x4x65": (USAGE, "4 to 64"),
     "deform solid.obj -o out.ply --dims 3x4x4": (USAGE, "4 to 64"),

@@ -1,5 +1,8 @@
 #include "hwffd/lattice/bezier_volume.hpp"
 
+#include <array>
+#include <vector>
+
 #include "hwffd/lattice/conversion.hpp"
 #include "hwffd/oracle/oracle.hpp"
 
@@ -18,16 +21,33 @@ Eigen::Index count(const Index3& degree) {
   return static_cast<Eigen::Index>(degree[0] + 1) * (degree[1] + 1) * (degree[2] + 1);
 }
 
-/// Product of the binomials of a coefficient: it times this is the coefficient of
+/// Products of the binomials of coefficients: one times its product is the coefficient of
 /// s^i (1-s)^(n-i) and so on, in which a product of polynomials is a convolution.
-double scale(const Index3& degree, const Index3& at) {
-  return binomial(degree[0], at[0]) * binomial(degree[1], at[1]) * binomial(degree[2], at[2]);
-}
+class Scales {
+ public:
+  explicit Scales(const Index3& degree) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (int i = 0; i <= degree[axis]; ++i) of_axis_[axis].push_back(binomial(degree[axis], i));
+    }
+  }
+
+  double at(const Index3& place) const {
+    return along(0, place) * along(1, place) * along(2, place);
+  }
+
+ private:
+  double along(std::size_t axis, const Index3& place) const {
+    return of_axis_[axis][static_cast<std::size_t>(place[axis])];
+  }
+
+  std::array<std::vector<double>, 3> of_axis_;
+};
 
 Coefficients scaled(const BezierVolume& volume) {
+  const Scales scales(volume.degree());
   Coefficients result = volume.coefficients();
   for (Eigen::Index row = 0; row < result.rows(); ++row) {
-    result.row(row) *= scale(volume.degree(), volume.place(row));
+    result.row(row) *= scales.at(volume.place(row));
   }
   return result;
 }
@@ -137,15 +157,23 @@ BezierVolume product(const BezierVolume& a, const BezierVolume& b) {
   const Coefficients x = scaled(a);
   const Coefficients y = scaled(b);
   Coefficients c = Coefficients::Zero(count(degree), 1);
+  // A row of coefficients of b along u meets consecutive rows of the product: from where on, for
+  // the first coefficient of a.
+  const Eigen::Index run = b.degree()[2] + 1;
+  std::vector<Eigen::Index> starts;
+  for (Eigen::Index j = 0; j < y.rows(); j += run) starts.push_back(result.index(b.place(j)));
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
-    // A row of coefficients of b along u meets consecutive rows of the product.
-    const Eigen::Index run = b.degree()[2] + 1;
-    for (Eigen::Index j = 0; j < y.rows(); j += run) {
-      const Eigen::Index at = result.index(sum(a.place(i), b.place(j)));
-      c.middleRows(at, run) += x(i, 0) * y.middleRows(j, run);
+    const double factor = x(i, 0);
+    const double* from = y.data();
+    double* const first = c.data() + result.index(a.place(i));
+    for (const Eigen::Index start : starts) {
+      double* const to = first + start;
+      for (Eigen::Index k = 0; k < run; ++k) to[k] += factor * from[k];
+      from += run;
     }
   }
-  for (Eigen::Index row = 0; row < c.rows(); ++row) c(row, 0) /= scale(degree, result.place(row));
+  const Scales scales(degree);
+  for (Eigen::Index row = 0; row < c.rows(); ++row) c(row, 0) /= scales.at(result.place(row));
   return BezierVolume(degree, std::move(c));
 }
 

@@ -22,22 +22,22 @@ constexpr std::size_t kPointsOfABlock = 1 << 17;
 constexpr std::size_t kPointsAtOnce = 64;  // points that a thread embeds at once
 constexpr std::size_t kPointsOfABoxAtOnce = 1024;
 
-/// Throws Error if points lie in one plane: nothing could be embedded among them.
-void check_volume(const Points& points) {
+}  // namespace
+
+bool span_volume(const Points& points) {
   Eigen::ColPivHouseholderQR<Points> arms(points.rowwise() - points.colwise().mean());
   arms.setThreshold(kFlat);
-  if (arms.rank() == 3) return;
-  throw Error("lattice at rest: its points lie in one plane and span no volume; give others");
+  return arms.rank() == 3;
 }
-
-}  // namespace
 
 Embedder::Embedder(Lattice lattice, const Family& family)
     : lattice_(std::move(lattice)), family_(family) {
   family_.check_dims(lattice_.dims());
   if (family_.regular()) box_ = Box::of(lattice_);
   const Points& points = lattice_.points();
-  check_volume(points);
+  if (!span_volume(points)) {
+    throw Error("lattice at rest: its points lie in one plane and span no volume; give others");
+  }
   centre_ = middle_of(points);
   if (box_) {
     const Family::Evaluable evaluable =

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "hwffd/lattice/bezier_volume.hpp"
@@ -11,9 +15,21 @@
 namespace hwffd {
 namespace {
 
-constexpr double kSame = 1e-12;          // of the lattice's size
-constexpr double kRounding = 1e-12;      // of the product of the largest derivatives
-constexpr std::size_t kMaxParts = 4000;  // of all cells together, left undecided at a level
+constexpr double kSame = 1e-12;           // of the lattice's size
+constexpr double kRounding = 1e-12;       // of the product of the largest derivatives
+constexpr std::size_t kMaxParts = 4000;   // of all cells together, left undecided at a level
+constexpr std::size_t kCellsAtOnce = 16;  // that a thread looks at
+constexpr std::size_t kPartsAtOnce = 8;
+
+/// What the coefficients of det J say of its sign over a part.
+struct Bounds {
+  double least, most;                ///< of all coefficients
+  double corner_least, corner_most;  ///< of those at corners, which are values
+  double rounding;                   ///< that every coefficient may be wrong by
+
+  bool is_proved(double sign) const { return (sign > 0 ? least : -most) > rounding; }
+  bool is_folded(double sign) const { return (sign > 0 ? corner_least : -corner_most) < -rounding; }
+};
 
 /// A part of a cell, and det J over it without the factors that vanish on collapsed faces.
 struct Part {
@@ -22,6 +38,24 @@ struct Part {
   double width;
   BezierVolume determinant;
   double rounding;  ///< that every coefficient may be wrong by
+
+  /// The coefficient at a corner, 0 or 1 an axis.
+  double at(const Index3& corner) const {
+    const Index3& degree = determinant.degree();
+    const Eigen::Index row =
+        determinant.index({corner[0] * degree[0], corner[1] * degree[1], corner[2] * degree[2]});
+    return determinant.coefficients()(row, 0);
+  }
+
+  Bounds bounds() const {
+    Bounds result{determinant.coefficients().minCoeff(), determinant.coefficients().maxCoeff(),
+                  at({0, 0, 0}), at({0, 0, 0}), rounding};
+    for (const Index3& corner : places({2, 2, 2})) {
+      result.corner_least = std::min(result.corner_least, at(corner));
+      result.corner_most = std::max(result.corner_most, at(corner));
+    }
+    return result;
+  }
 };
 
 /// Along how many of its two axes a face of the cell is collapsed.
@@ -47,101 +81,154 @@ double largest(const BezierVolume& volume) {
   return volume.coefficients().rowwise().norm().maxCoeff();
 }
 
+/// Level by level: the parts of a level are looked at on all threads and judged in their order, so
+/// that the answer is the same for any number of threads. Of whole cells only bounds are kept.
 class Check {
  public:
-  Check(const Lattice& lattice, const Family& family) {
+  Check(const Lattice& lattice, const Family& family)
+      : lattice_(lattice), family_(family), count_(family.cells(lattice.dims())) {
     const Points& points = lattice.points();
     const Point low = points.colwise().minCoeff();
     const Point high = points.colwise().maxCoeff();
-    const Point centre = (low + high) / 2;
+    centre_ = (low + high) / 2;
     size_ = (high - low).maxCoeff();
-    const Index3 count = family.cells(lattice.dims());
-    for (const Index3& cell : places(count)) {
-      Watch::look();
-      Support support = family.support(lattice, cell);
-      support.rowwise() -= centre.transpose();
-      add_cell(count, cell, BezierVolume::of_cell(support));
-    }
-    sign_ = result_.volume < 0 ? -1.0 : 1.0;
   }
 
   FoldCheck run(int max_depth) {
-    for (;; ++result_.depth) {
-      std::vector<Part> unclear;
-      Watch::look();
-      for (Part& part : parts_) {
-        if (is_folded(part)) return result_;
-        if (!is_proved(part)) unclear.push_back(std::move(part));
+    std::vector<Part> parts = unclear_cells();
+    while (result_.verdict == FoldCheck::Verdict::kProved && !parts.empty()) {
+      if (result_.depth >= max_depth || parts.size() > kMaxParts / 8) {
+        report(FoldCheck::Verdict::kUndecided, parts.front(), Eigen::Vector3d::Constant(0.5));
+        break;
       }
-      if (unclear.empty()) return result_;
-      if (result_.depth >= max_depth || unclear.size() > kMaxParts / 8) {
-        return report(FoldCheck::Verdict::kUndecided, unclear.front(),
-                      Eigen::Vector3d::Constant(0.5));
-      }
-      parts_.clear();
-      for (const Part& part : unclear) halve(part);
+      ++result_.depth;
+      parts = unclear(halved(parts));
     }
+    return result_;
   }
 
  private:
-  void add_cell(const Index3& count, const Index3& cell, const BezierVolume& map) {
+  struct Cell {
+    Part part;
+    double volume;
+    bool collapsed;
+  };
+
+  Cell cell_at(const Index3& index) const {
+    Support support = family_.support(lattice_, index);
+    support.rowwise() -= centre_.transpose();
+    const BezierVolume map = BezierVolume::of_cell(support);
     BezierVolume determinant = jacobian_determinant(map);
-    result_.volume += determinant.integral()[0];
+    const double volume = determinant.integral()[0];
     // The slopes have the rounding of the points (a hundred times smaller than kRounding).
     double rounding = kRounding;
     for (int axis = 0; axis < 3; ++axis) rounding *= largest(map.derivative(axis)) + size_ / 100;
+    bool collapsed = false;
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       for (int end = 0; end < 2; ++end) {
-        if (cell[a] != end * (count[a] - 1)) continue;
+        if (index[a] != end * (count_[a] - 1)) continue;
         const int power = collapsed_axes(map, axis, end, kSame * size_);
         if (power == 0) continue;
-        result_.collapsed = true;
+        collapsed = true;
         determinant = determinant.without_factor(axis, end, power);
         rounding *= power == 1 ? 8 : 28;  // the coefficients grow by at most this
       }
     }
-    parts_.push_back({cell, Eigen::Vector3d::Zero(), 1.0, std::move(determinant), rounding});
+    return {
+        {index, Eigen::Vector3d::Zero(), 1.0, std::move(determinant), rounding}, volume, collapsed};
   }
 
-  bool is_proved(const Part& part) const {
-    return (sign_ * part.determinant.coefficients()).minCoeff() > part.rounding;
+  /// The cells that are not proved, up to the first that folds, which is reported.
+  std::vector<Part> unclear_cells() {
+    const std::vector<Index3> cells = places(count_);
+    std::vector<Bounds> bounds(cells.size());
+    std::vector<double> volumes(cells.size());
+    std::atomic<bool> collapsed{false};
+    on_ranges(cells.size(), kCellsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t c = first; c < end; ++c) {
+        const Cell cell = cell_at(cells[c]);
+        bounds[c] = cell.part.bounds();
+        volumes[c] = cell.volume;
+        if (cell.collapsed) collapsed = true;
+      }
+    });
+    result_.collapsed = collapsed;
+    result_.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    sign_ = result_.volume < 0 ? -1.0 : 1.0;
+    return unclear(bounds, [&](std::size_t c) { return cell_at(cells[c]).part; });
+  }
+
+  std::vector<Part> unclear(std::vector<Part> parts) {
+    std::vector<Bounds> bounds(parts.size());
+    on_ranges(parts.size(), kPartsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t p = first; p < end; ++p) bounds[p] = parts[p].bounds();
+    });
+    return unclear(bounds, [&](std::size_t p) { return std::move(parts[p]); });
+  }
+
+  /// The parts that are not proved, as many as undecided() needs, up to one that folds, which is
+  /// reported.
+  template <typename PartAt>
+  std::vector<Part> unclear(const std::vector<Bounds>& bounds, const PartAt& part_at) {
+    std::vector<Part> result;
+    for (std::size_t p = 0; p < bounds.size(); ++p) {
+      if (bounds[p].is_folded(sign_)) {
+        report_fold(part_at(p));
+        return {};
+      }
+      if (!bounds[p].is_proved(sign_) && result.size() <= kMaxParts / 8) {
+        result.push_back(part_at(p));
+      }
+    }
+    return result;
   }
 
   /// Corner coefficients are values: one of the other sign is a fold.
-  bool is_folded(const Part& part) {
-    const Index3& degree = part.determinant.degree();
-    for (int c = 0; c < 8; ++c) {
-      const Index3 corner{c >> 2 & 1, c >> 1 & 1, c & 1};
-      const Eigen::Index row = part.determinant.index(
-          {corner[0] * degree[0], corner[1] * degree[1], corner[2] * degree[2]});
-      if (sign_ * part.determinant.coefficients()(row, 0) >= -part.rounding) continue;
+  void report_fold(const Part& part) {
+    for (const Index3& corner : places({2, 2, 2})) {
+      if (sign_ * part.at(corner) >= -part.rounding) continue;
       report(FoldCheck::Verdict::kFolded, part, Eigen::Vector3d(corner[0], corner[1], corner[2]));
-      return true;
+      return;
     }
-    return false;
   }
 
-  FoldCheck report(FoldCheck::Verdict verdict, const Part& part, const Eigen::Vector3d& at) {
+  void report(FoldCheck::Verdict verdict, const Part& part, const Eigen::Vector3d& at) {
     result_.verdict = verdict;
     result_.cell = part.cell;
     result_.local = part.low + part.width * at;
-    return result_;
   }
 
-  void halve(const Part& part) {
-    const auto octants = part.determinant.octants();
-    for (int o = 0; o < 8; ++o) {
-      const Eigen::Vector3d corner(o >> 2 & 1, o >> 1 & 1, o & 1);
-      parts_.push_back({part.cell, part.low + corner * part.width / 2, part.width / 2,
-                        octants[static_cast<std::size_t>(o)], part.rounding});
+  static std::vector<Part> halved(const std::vector<Part>& parts) {
+    std::vector<std::vector<Part>> octants(parts.size());
+    on_ranges(parts.size(), kPartsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t p = first; p < end; ++p) octants[p] = halved(parts[p]);
+    });
+    std::vector<Part> result;
+    for (std::vector<Part>& some : octants) {
+      std::move(some.begin(), some.end(), std::back_inserter(result));
     }
+    return result;
   }
 
+  static std::vector<Part> halved(const Part& part) {
+    auto octants = part.determinant.octants();
+    std::vector<Part> result;
+    for (std::size_t o = 0; o < octants.size(); ++o) {
+      const Eigen::Vector3d corner(o >> 2 & 1, o >> 1 & 1, o & 1);
+      result.push_back({part.cell, part.low + corner * part.width / 2, part.width / 2,
+                        std::move(octants[o]), part.rounding});
+    }
+    return result;
+  }
+
+  const Lattice& lattice_;
+  const Family& family_;
+  const Index3 count_;
+  Point centre_;
   FoldCheck result_;
   double size_ = 0.0;
   double sign_ = 1.0;
-  std::vector<Part> parts_;
 };
 
 }  // namespace

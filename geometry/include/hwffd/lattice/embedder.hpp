@@ -26,6 +26,9 @@ struct Embedding {
   int iterations = 0;     ///< Newton steps, in all cells tried; 0 for boxes
 };
 
+/// Whether points do not lie in one plane, to within 1e-9 of their extent.
+bool span_volume(const Points& points);
+
 /// Embeds points in a lattice of any shape (paper, section 2), with uniform cubic B-splines or
 /// another family of blending functions.
 ///
@@ -44,7 +47,7 @@ struct Embedding {
 /// distance as residual.
 class Embedder {
  public:
-  /// @throws Error if the points lie in one plane, to within 1e-9 of their extent
+  /// @throws Error if the points do not span_volume()
   explicit Embedder(Lattice lattice, const Family& family = {});
 
   const Lattice& lattice() const { return lattice_; }

@@ -38,6 +38,10 @@ constexpr int kFoldDepth = 6;
 /// factor s, 1 - s and so on (squared for the centre of a ball): the map is then invertible
 /// everywhere next to the face.
 ///
+/// All threads look at cells (on_threads.hpp), each cell once and a part of one again for each time
+/// that it is halved; the answer does not depend on their number. A cell takes as long as embedding
+/// hundreds of points, so lattices of many points take seconds (docs/studies/embed.md).
+///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
 FoldCheck check_folds(const Lattice& lattice, int max_depth = kFoldDepth,
