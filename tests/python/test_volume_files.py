@@ -4,10 +4,13 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import gzip
+import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
+import sys
 import time
 
 import hwffd
@@ -172,11 +175,11 @@ REFUSED = {
     "in.nrrd box out.nrrd --device fpga": (USAGE, "fpga", "reference"),
     "in.nrrd box out.nrrd --deform twirl": (USAGE, "twirl"),
     "in.nrrd box out.nrrd --outside far": (USAGE, "far"),
+    "in.nrrd box out.nrrd --org cg1": (USAGE, "--org requires --device"),
+    "in.nrrd box out.nrrd --format fx18": (USAGE, "--format requires --device"),
     "in.nrrd box out.png": (USAGE, "out.png", ".nii.gz"),
     "in.nrrd box out": (USAGE, "out:", ".nrrd"),
     "in.nrrd box out.nrrd --field ./out.nrrd": (USAGE, "--field", "output"),
-    "in.nrrd box out.nrrd --org cg1": (USAGE, "--org requires --device"),
-    "in.nrrd box out.nrrd --format fx18": (USAGE, "--format requires --device"),
     "in.nrrd box none/out.nrrd": (FAILURE, "none/out.nrrd", "folder"),
     "in.nrrd box kept.nrrd": (FAILURE, "kept.nrrd: is read-only"),
     "in.nrrd box out.nrrd --field none/f.mha": (FAILURE, "none/f.mha"),
@@ -210,6 +213,32 @@ def test_the_program_refuses_in_a_line(folder, line):
     for word in words:
         assert word in done.stderr
     assert files(folder) == before and len(list(folder.iterdir())) == len(before) + 1
+
+
+def test_the_program_says_what_is_missing_and_a_cure(folder, tmp_path):
+    words = [PROGRAM, "in.nrrd", "box", "out.nrrd"]
+    done = subprocess.run([sys.executable, "-S", *words], cwd=folder, capture_output=True, text=True,
+                          check=False)
+    assert (done.returncode, done.stdout) == (FAILURE, "")
+    assert re.fullmatch(r"hwffd-warp: [^\n]*numpy[^\n]*python3 -m venv DIR && DIR/bin/pip install numpy scipy "
+                        r"SimpleITK, then put DIR/bin first on PATH\n", done.stderr)
+    for package in "scipy", "SimpleITK":
+        (tmp_path / "without" / package).mkdir(parents=True)
+        (tmp_path / "without" / package / "__init__.py").write_text("raise ImportError('not here')")
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False,
+                              env={**os.environ, "PYTHONPATH": str(tmp_path / "without")})
+        assert (done.returncode, done.stdout, done.stderr.count("\n")) == (FAILURE, "", 1)
+        assert f"{package} is missing in {sys.executable}: " in done.stderr
+        assert f"{sys.executable} -m pip install {package}" in done.stderr
+        (tmp_path / "without" / package / "__init__.py").unlink()
+        (tmp_path / "without" / package).rmdir()
+    other = tmp_path / "other"
+    shutil.copytree(PROGRAM.parent / "hwffd", other / "hwffd", ignore=shutil.ignore_patterns("_core*"))
+    (other / "hwffd" / "_core.cpython-27-other.so").write_bytes(b"")
+    shutil.copy(PROGRAM, other)
+    done = subprocess.run([other / PROGRAM.name, "--version"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (FAILURE, "", 1)
+    assert "_core.cpython-27-other.so: put that Python first on PATH" in done.stderr
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import inspect
 import warnings
 
 import hwffd
@@ -230,3 +231,19 @@ def test_what_is_no_volume_is_refused():
         with pytest.raises(hwffd.Error, match=text) as caught:
             call()
         assert "\n" not in str(caught.value)
+
+
+def test_everything_of_volumes_has_types():
+    checked = 0
+    for name in volumes.__all__:
+        entity = getattr(volumes, name)
+        for function in [entity, *(vars(entity).values() if inspect.isclass(entity) else ())]:
+            function = function.fget if isinstance(function, property) else function
+            if not inspect.isfunction(function) or function.__name__.startswith("__"):
+                continue
+            signature = inspect.signature(function)
+            for argument in signature.parameters.values():
+                assert argument.name == "self" or argument.annotation is not argument.empty, (name, argument)
+            assert signature.return_annotation is not signature.empty, (name, function)
+            checked += 1
+    assert checked > 12

@@ -3,22 +3,31 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from __future__ import annotations
+
+from types import ModuleType
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from hwffd import Error, UsageError
+from hwffd import UsageError
+from hwffd.volumes.missing import missing
 from hwffd.volumes.volume import Volume
 
+if TYPE_CHECKING:
+    import SimpleITK
 
-def simple_itk():
+
+def simple_itk() -> ModuleType:
     """The module, for what works without it otherwise."""
     try:
         import SimpleITK  # pylint: disable=import-outside-toplevel
     except ImportError as error:
-        raise Error("volumes: SimpleITK is missing: pip install SimpleITK") from error
+        raise missing("SimpleITK") from error
     return SimpleITK
 
 
-def from_itk(image) -> Volume:
+def from_itk(image: SimpleITK.Image) -> Volume:
     """A copy of an image of SimpleITK that has three dimensions."""
     itk = simple_itk()
     if image.GetDimension() != 3:
@@ -30,7 +39,7 @@ def from_itk(image) -> Volume:
                   np.reshape(image.GetDirection(), (3, 3)))
 
 
-def to_itk(volume: Volume):
+def to_itk(volume: Volume) -> SimpleITK.Image:
     """The same as an image of SimpleITK."""
     itk = simple_itk()
     image = itk.GetImageFromArray(volume.values, isVector=volume.values.ndim == 4)

@@ -3,21 +3,26 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from __future__ import annotations
+
+from types import ModuleType
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hwffd import Error, UsageError
+from hwffd.volumes.missing import missing
 
 ORDERS = (0, 1, 3)
 _MODES = {1: "nearest", 3: "mirror"}  # how values go on beyond the outermost voxels, as in ITK
 
 
-def ndimage():
+def ndimage() -> ModuleType:
     """SciPy's module, which is wanted here only."""
     try:
         import scipy.ndimage  # pylint: disable=import-outside-toplevel
     except ImportError as error:
-        raise Error("volumes: SciPy is missing: pip install scipy") from error
+        raise missing("scipy") from error
     return scipy.ndimage
 
 

@@ -3,7 +3,10 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from __future__ import annotations
+
 import dataclasses
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +16,18 @@ from hwffd import UsageError
 _FARTHEST = 1e100  # coordinates of a lattice, beyond which the library has none
 
 
-@dataclasses.dataclass
+def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    try:
+        array = np.array(given, np.float64)
+    except (TypeError, ValueError):
+        array = np.empty(0)
+    if array.shape != shape or not (np.abs(array) < _FARTHEST).all():
+        text = str(given).replace("\n", "")
+        raise UsageError(f"volume: {name} {text:.80}; give finite numbers of shape {shape}")
+    return array
+
+
+@dataclasses.dataclass(init=False)
 class Volume:
     """Voxels with ITK's geometry: that of index (i, j, k) lies at
 
@@ -27,35 +41,29 @@ class Volume:
     """
 
     values: NDArray[np.generic]
-    origin: ArrayLike = (0.0, 0.0, 0.0)
-    spacing: ArrayLike = (1.0, 1.0, 1.0)
-    direction: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    metadata: dict[str, str] = dataclasses.field(default_factory=dict)
+    origin: NDArray[np.float64]
+    spacing: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    metadata: dict[str, str]
 
-    def __post_init__(self) -> None:
-        self.values = np.asarray(self.values)
+    def __init__(self, values: ArrayLike, origin: ArrayLike = (0.0, 0.0, 0.0),
+                 spacing: ArrayLike = (1.0, 1.0, 1.0),
+                 direction: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+                 metadata: Mapping[str, str] | None = None) -> None:
+        self.values = np.asarray(values)
         if self.values.dtype.kind not in "iuf" or self.values.ndim not in (3, 4):
             raise UsageError(f"volume: {self.values.ndim} dimensions of {self.values.dtype}; give "
                              "numbers, (nz, ny, nx) or (nz, ny, nx, components)")
         if self.values.size == 0:
             raise UsageError(f"volume: shape {self.values.shape}; give one with voxels")
-        self.origin = self._numbers("origin", (3,))
-        self.spacing = self._numbers("spacing", (3,))
-        self.direction = self._numbers("direction", (3, 3))
+        self.origin = _numbers("origin", origin, (3,))
+        self.spacing = _numbers("spacing", spacing, (3,))
+        self.direction = _numbers("direction", direction, (3, 3))
+        self.metadata = dict(metadata or {})
         if not (self.spacing > 0).all():
             raise UsageError(f"volume: spacing {self.spacing.tolist()}; give numbers above 0")
         if abs(np.linalg.det(self.direction)) < 1e-6:
             raise UsageError("volume: direction spans no space; give three directions apart")
-
-    def _numbers(self, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
-        try:
-            array = np.array(getattr(self, name), np.float64)
-        except (TypeError, ValueError):
-            array = np.empty(0)
-        if array.shape != shape or not (np.abs(array) < _FARTHEST).all():
-            given = str(getattr(self, name)).replace("\n", "")
-            raise UsageError(f"volume: {name} {given:.80}; give finite numbers of shape {shape}")
-        return array
 
     @property
     def counts(self) -> tuple[int, int, int]:

@@ -10,6 +10,7 @@ import dataclasses
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,11 @@ from hwffd.volumes.regular import RegularVoxels
 from hwffd.volumes.splines import Sampler
 from hwffd.volumes.volume import Volume
 
+if TYPE_CHECKING:
+    import SimpleITK
+
 Progress = Callable[[float], None]
+Image = TypeVar("Image", Volume, "SimpleITK.Image")
 
 _VOXELS_AT_ONCE = 1 << 18
 _FEWEST_POINTS, _MOST_POINTS = 4, 64  # of a lattice, an axis
@@ -153,13 +158,13 @@ def resample(volume: Volume, lattice: Lattice, *, like: Volume | None = None, or
                 outside_volume += waiting.popleft().result()
         outside_volume += sum(task.result() for task in waiting)
     where = grid.origin, grid.spacing, grid.direction
-    warped = Volume(out.reshape(*shape, *volume.values.shape[3:]), *where, dict(volume.metadata))
+    warped = Volume(out.reshape(*shape, *volume.values.shape[3:]), *where, volume.metadata)
     return Warped(warped,
                   None if field is None else Volume(field, *where), outside_lattice, outside_volume)
 
 
-def warp(image, lattice: Lattice, *, like=None, order: int = 3, default: float = 0.0,
-         progress: Progress | None = None):
+def warp(image: Image, lattice: Lattice, *, like: Volume | SimpleITK.Image | None = None, order: int = 3,
+         default: float = 0.0, progress: Progress | None = None) -> Image:
     """An image resampled through a lattice: voxel x of the result has the value of the image at T(x),
     where T is the deformation that takes the lattice at rest to what it is now.
 
@@ -176,7 +181,7 @@ def warp(image, lattice: Lattice, *, like=None, order: int = 3, default: float =
                          progress=progress).volume)
 
 
-def displacement_field(grid, lattice: Lattice, *, progress: Progress | None = None):
+def displacement_field(grid: Image, lattice: Lattice, *, progress: Progress | None = None) -> Image:
     """T(x) - x for each voxel x of a grid, in its unit of length, as ITK's displacement fields have
     it: three components of float64.
 
@@ -188,10 +193,10 @@ def displacement_field(grid, lattice: Lattice, *, progress: Progress | None = No
     return back(Volume(field, volume.origin, volume.spacing, volume.direction))
 
 
-def _volume_of(image) -> tuple[Volume, Callable[[Volume], object]]:
+def _volume_of(image: Image) -> tuple[Volume, Callable[[Volume], Image]]:
     """An image as a volume, and what makes an image of the same kind of a volume."""
     if isinstance(image, Volume):
-        return image, lambda volume: volume
+        return image, lambda volume: cast("Image", volume)
     if hasattr(image, "GetDimension"):
-        return from_itk(image), to_itk
+        return from_itk(cast("SimpleITK.Image", image)), cast("Callable[[Volume], Image]", to_itk)
     raise UsageError(f"image: a {type(image).__name__}; give a Volume or an image of SimpleITK")
