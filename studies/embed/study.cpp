@@ -1,5 +1,10 @@
 #include "study.hpp"
 
+#include <cmath>
+#include <ctime>
+
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "samples.hpp"
 
@@ -18,6 +23,15 @@ Row measure(const std::string& mesh, const std::string& kind, const Embedder& em
 }
 
 }  // namespace
+
+double fold_check_us_per_cell(int points) {
+  const Lattice box = lattice_around("box", corners(), Index3{points, points, points});
+  const Lattice bent = Deformation::parse("bend:60").apply(box);
+  const std::clock_t begin = std::clock();
+  check_folds(bent);
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return 1e6 * seconds / std::pow(points - 3, 3);
+}
 
 std::vector<Row> by_construction(std::size_t points, std::uint64_t seed) {
   std::vector<Row> rows;

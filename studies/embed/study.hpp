@@ -23,6 +23,10 @@ struct Row {
   double max_residual_relative() const { return summary.worst_residual / size; }
 };
 
+/// Microseconds of processor time that check_folds() takes for each cell of a bent box.
+/// @param points  control points an axis
+double fold_check_us_per_cell(int points);
+
 /// Points of known places in a lattice of every kind, embedded again.
 std::vector<Row> by_construction(std::size_t points, std::uint64_t seed);
 

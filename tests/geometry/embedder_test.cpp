@@ -208,7 +208,7 @@ TEST(Embedder, Summary) {
 TEST(EmbedReport, RowsAndFields) {
   const std::vector<embed::Row> rows = embed::by_construction(50, 3);
   ASSERT_EQ(rows.size(), embed::lattice_kinds().size());
-  const std::string json = embed::json_report(rows);
+  const std::string json = embed::json_report(rows, 12.5);
   for (const char* const field :
        {"\"mesh\": \"by construction\"", "\"lattice\": \"sphere\"", "\"points\": 50",
         "\"inside\": 50", "\"not_converged\": 0",

@@ -26,7 +26,7 @@ def _sorted(rows):
     return sorted(rows, key=lambda row: (FORMS.index(row["form"]), FORMATS.index(row["format"]), row["bound"]))
 
 
-def _sharpest(reports):
+def sharpest(reports):
     """Of each form and format the smallest bound."""
     best = {}
     for row in _sorted(row for row in reports.rows("bounds") if row["form"] in FORMS):
@@ -49,7 +49,7 @@ def certified(reports):
     return Table(["form", "format", "certificate", "bound", "reached", "nothing taken for granted"],
                  [[f"`{form}`", f"`{name}`", f"`{row['certificate']}`", shown(row["bound"], ".3e"),
                    shown(row["witness"], ".3e"), shown(plain[form, name], ".3e") if (form, name) in plain else "-"]
-                  for (form, name), row in _sharpest(reports).items()])
+                  for (form, name), row in sharpest(reports).items()])
 
 
 def weights(reports):
@@ -87,12 +87,12 @@ def missing(reports):
 
 
 def _largest(form):
-    return lambda reports: max(_ratio(row) for (of, _), row in _sharpest(reports).items() if of == form)
+    return lambda reports: max(_ratio(row) for (of, _), row in sharpest(reports).items() if of == form)
 
 
 def _missed(reports):
     """Forms and formats that miss their aim, in words."""
-    names = [f"`{form}` in `{name}` ({shown(_ratio(row), '.2f')})" for (form, name), row in _sharpest(reports).items()
+    names = [f"`{form}` in `{name}` ({shown(_ratio(row), '.2f')})" for (form, name), row in sharpest(reports).items()
              if _ratio(row) > AIMS.get(form, float("inf"))]
     return ", ".join(names) or "none"
 

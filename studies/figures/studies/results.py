@@ -4,9 +4,10 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 from figures.expressions import shown
+from figures.studies.bounds import sharpest
 from figures.studies.organizations import is_plain, rows
 from figures.table import Table
-from organizations import label
+from organizations import known, label
 
 OLDER = " \u2020"
 EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
@@ -22,8 +23,10 @@ def _luts(area):
 
 def organizations(reports, *names):
     """Organizations in fx18, overlapped, on ECP5, all or those named: the whole core, its clock where
-    it has been routed, and what the evaluator is of it. A dagger marks a row measured with older RTL.
+    it has been routed, what the evaluator is of it, and the bound that is proved of its errors beside the
+    largest of a sample. A dagger marks a row measured with older RTL.
     """
+    bounds = sharpest(reports) if reports.has("bounds") else {}
     cores, clocks = (_by_name(reports, name, CORE) for name in ("synth", "pnr"))
     evaluators, lines = _by_name(reports, "synth", EVALUATOR), []
     for row in rows(reports, format="fx18", schedule="overlapped"):
@@ -37,9 +40,11 @@ def organizations(reports, *names):
         lines.append([
             f"`{name}`" + OLDER * older, shown(interval, "g"), shown(core.get("dsp")), _luts(core),
             _luts(evaluator), shown(clock, ".1f"),
-            shown(clock / interval if clock else None, ".2f"), shown(row["max_error"], ".1e")])
+            shown(clock / interval if clock else None, ".2f"),
+            shown(bounds.get((known()[row["org"]].form, row["format"]), {}).get("bound"), ".1e"),
+            shown(row["max_error"], ".1e")])
     return Table(["organization", "cycles per vertex", "multipliers", "LUT", "of these, evaluator",
-                  "MHz", "million vertices per second", "max error"], lines)
+                  "MHz", "million vertices per second", "error, proved bound", "error, sample"], lines)
 
 
 TABLES = {"organizations": organizations}

@@ -130,7 +130,13 @@ def test_the_table_of_results_joins_three_reports(reports):
                    synth={**samples.SYNTH, "rows": [*samples.SYNTH["rows"], *cores]},
                    pnr={**samples.PNR, "rows": [*samples.PNR["rows"], clock]})
     made = markers.table(data, "results.organizations")
-    assert made.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "8.7e-05"]
+    assert made.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "-", "8.7e-05"]
+    bounds = {"rows": [{"form": form, "format": word, "bound": bound, "hypothesis": ""}
+                       for form, word, bound in (("product", "fx18", 7e-4), ("product", "fx18", 6e-4),
+                                                 ("product", "fx32", 5e-4), ("nested", "fx18", 4e-4))]}
+    data = reports(organizations=samples.ORGANIZATIONS, synth=samples.SYNTH, pnr=samples.PNR, bounds=bounds)
+    assert [row[-2] for row in markers.table(data, "results.organizations basic nested").rows] == [
+        "6.0e-04", "4.0e-04"]
     assert made.rows[1][5:7] == ["110.0", "13.75"]
     assert [line[0] for line in markers.table(data, "results.organizations tree8 nested").rows] == [
         "`tree 8`", "`nested`"]
