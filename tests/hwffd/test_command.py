@@ -171,6 +171,24 @@ class Command(CommandTest):
         self.assertEqual(head, "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
                                "property double y\nproperty double z\n")
 
+    def test_names_are_bytes(self):
+        mesh, lattice = os.fsdecode(b"m\xe9.obj"), os.fsdecode(b"l\xe9.json")
+        (self.folder / mesh).write_text(self.text("solid.obj"))
+        for command in (["lattice", "-o", lattice], ["check", lattice, "--json", "-"], ["info", mesh],
+                        ["embed", mesh, "-o", os.fsdecode(b"e\xe9")],
+                        *(["deform", mesh, "--lattice", "box", "--deform", "twist", "-o",
+                           os.fsdecode(b"o\xe9." + end)] for end in (b"obj", b"ply", b"glb", b"gltf"))):
+            done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            if command[0] == "deform":
+                self.assertTrue((self.folder / command[-1]).is_file())
+        for command in (["deform", mesh, "--lattice", os.fsdecode(b"n\xe9.json"), "-o", "out.obj"],
+                        ["info", os.fsdecode(b"n\xe9.obj")], ["deform", mesh, "-o", os.fsdecode(b"o.\xe9")],
+                        ["deform", mesh, "-o", "out.obj", "--deform", os.fsdecode(b"\xe9")]):
+            done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
+            self.assertIn(done.returncode, (FAILURE, USAGE))
+            self.assertRegex(done.stderr, rb"\Ahwffd: [^\n]+\n\Z")
+
     def test_rows(self):
         for words, row in {
                 ("factored/3", "--format", "fx18"): "factored3-fx18-overlapped",

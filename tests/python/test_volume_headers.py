@@ -271,6 +271,21 @@ def test_names_are_bytes(suffix, tmp_path):
     assert done.returncode == 1 and done.stderr.count(b"\n") == 1 and b"is not there" in done.stderr
 
 
+def test_words_of_the_command_are_bytes(tmp_path):
+    volumes.write(tmp_path / "in.nrrd", phantom(np.int16))
+    volumes.lattice_over(phantom()).write(tmp_path / f"{NAME}.json")
+    done = warped(tmp_path, "in.nrrd", f"{NAME}.json", "out.nrrd", "--deform", f"to:{NAME}.json")
+    assert (done.returncode, done.stderr) == (0, b"")
+    for words in ([f"{NAME}none.json"], ["box", "--deform", f"to:{NAME}none.json"], ["box", "--deform", NAME],
+                  ["box", "--device", NAME], ["box", "--outside", NAME],
+                  ["box", "--device", "model", "--org", NAME], ["box", "--field", f"{NAME}/a.nrrd"],
+                  ["box", "--dims", NAME]):
+        lattice, *more = words
+        done = warped(tmp_path, "in.nrrd", lattice, "out.nrrd", *more)
+        assert done.returncode in (1, 2) and done.stderr.startswith(b"hwffd-warp: "), done.stderr
+        assert done.stderr.count(b"\n") == 1 and done.stdout == b""
+
+
 KEYS = ["Segment0_Name:=liver", "modality:=CT", r"text:=two\nlines and a \\ more", "empty:=",
         'space units: "mm" "mm" "mm"', "content: a head", "old min: -1024"]
 HELD = {"Segment0_Name": "liver", "modality": "CT", "text": "two\nlines and a \\ more", "empty": "",

@@ -9,6 +9,7 @@ import os
 import pathlib
 import signal
 import sys
+import typing
 import warnings
 from collections.abc import Iterator, Sequence
 
@@ -87,11 +88,21 @@ def _lattice(options: argparse.Namespace, volume: Volume) -> Lattice:
         raise UsageError("--dims: a lattice file has its own; leave it out")
     else:
         lattice = Lattice.read(options.lattice)
-    lattice.set_device(options.device or "reference", options.org or "basic", options.format or "")
-    lattice.set_outside(options.outside)
+    lattice.set_device(_word(options.device or "reference"), _word(options.org or "basic"),
+                       _word(options.format or ""))
+    lattice.set_outside(_word(options.outside))
     for deformation in options.deform:
-        lattice.deform(deformation)
+        lattice.deform(_word(deformation))
     return lattice
+
+
+def _word(text: str) -> str:
+    """A word of the command line as the library takes it: the bytes where it is no UTF-8, such as to:FILE."""
+    word = os.fsencode(text)
+    try:
+        return word.decode()
+    except UnicodeDecodeError:
+        return typing.cast(str, word)
 
 
 @contextlib.contextmanager
@@ -170,6 +181,9 @@ def main() -> int:
         text = " ".join(str(error).split()) or "out of memory; take a smaller volume"
         print(f"{NAME}: {text}", file=sys.stderr)
         return USAGE if isinstance(error, UsageError) else FAILURE
+    except UnicodeDecodeError as error:  # a message of the library with a name that is no UTF-8
+        print(f"{NAME}: {os.fsdecode(error.object)}", file=sys.stderr)
+        return FAILURE
     except KeyboardInterrupt:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         os.kill(os.getpid(), signal.SIGINT)
