@@ -60,6 +60,7 @@ def test_ctrl_c_ends_a_call_within_0_2_s(work, threads, many):
     points = np.concatenate([many] * 4)  # some seconds of work
     lattice = ball()
     box = hwffd.Lattice.around("box", CORNERS, (9, 9, 9))
+    box.set_device("model")
     embedding = box.embed(points)
     calls = {"embed": lambda: lattice.embed(points),
              "boxes": lambda: box.embed(points),

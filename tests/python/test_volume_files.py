@@ -245,7 +245,7 @@ def test_the_program_says_what_is_missing_and_a_cure(folder, tmp_path):
 def test_a_signal_leaves_nothing_behind(folder, number):
     volumes.write(folder / "large.nrrd", volumes.Volume(np.zeros((200, 300, 300), np.uint8)))
     before = files(folder)
-    with subprocess.Popen([PROGRAM, "large.nrrd", "box", "out.nrrd"], cwd=folder,
+    with subprocess.Popen([PROGRAM, "large.nrrd", "box", "out.nrrd", "--device", "model"], cwd=folder,
                           stderr=subprocess.PIPE, text=True) as program:
         time.sleep(2)
         assert program.poll() is None

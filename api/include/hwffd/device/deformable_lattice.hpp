@@ -16,7 +16,7 @@ namespace hwffd {
 /// deform points. What C (hwffd.h) and Python call.
 class DeformableLattice {
  public:
-  /// Not deformed yet, on the model, points outside stay.
+  /// Not deformed yet, on the reference, points outside stay.
   /// @throws Error if the lattice spans no volume (Embedder), or has points an axis that the family
   ///   cannot have
   explicit DeformableLattice(Lattice rest, const Family& family = {});
