@@ -10,6 +10,8 @@ import module_header
 import register_texts
 import registers as registers_table
 import rtl
+import space
+import space_values as values
 from figures.reports import RequestError
 from figures.table import Table
 
@@ -43,8 +45,24 @@ def _header(reports, top):
 def parameters(reports, top, lines=()):
     header = _header(reports, top)
     meaning = _meanings(top, header.parameters, lines)
-    return Table(["parameter", "default", "meaning"], [
-        [f"`{name}`", str(value), meaning[name]] for name, value in header.parameters.items()])
+    known = _space(top)
+    return Table(["parameter", "default", "values", "meaning"], [
+        [f"`{name}`", str(value), str(known.parameters[top][name].values), meaning[name]]
+        for name, value in header.parameters.items()])
+
+
+def rules(reports, top):
+    """What binds parameters of a top to each other; the guard is the module that stops elaboration."""
+    _header(reports, top)
+    return Table(["rule", "of parameters"], [
+        [rule.text, values.listed(f"`{name}`" for name in rule.names)] for rule in _space(top).rules_of(top)])
+
+
+def _space(top):
+    known = space.Space()
+    if top not in known.parameters:
+        raise RequestError(f"{top}: no top of scripts/space.py: {', '.join(known.parameters)}")
+    return known
 
 
 def ports(reports, top, lines=()):
@@ -67,4 +85,4 @@ def rows(reports):
     return [dataclasses.asdict(row) for row in table]
 
 
-TABLES = {"parameters": parameters, "ports": ports, "registers": registers}
+TABLES = {"parameters": parameters, "rules": rules, "ports": ports, "registers": registers}

@@ -1,0 +1,97 @@
+"""The description of the legal space (scripts/space.py) and the RTL say the same: parameters and defaults
+of each top; a guard of the name that the description gives it for each value next to a range and for each
+rule; and no guard for what is legal.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import concurrent.futures
+import os
+import random
+import re
+
+import module_header
+import pytest
+import rtl
+import space_draw
+import space as spaces
+
+SOURCES = rtl.Sources()
+SPACE = spaces.Space()
+GUARD = re.compile(r"\bERROR_(\w+)")
+# Of tops that share parameters, the one whose parameters are tried.
+OWN = {"hwffd_stream": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream"}
+
+
+def guards(top, configuration):
+    """The guards that Icarus meets."""
+    parameters = [f"{name}={value}" for name, value in configuration.items()]
+    status, said = rtl.run([word for word in rtl.icarus(SOURCES, top, SOURCES.needed(top), parameters)
+                            if word != "-Wall"])
+    found = sorted(set(GUARD.findall(said)))
+    assert found or status == 0, said
+    return found
+
+
+def small(made):
+    """The smallest of some that are legal: Icarus takes half a minute to elaborate the largest."""
+    return min((made() for _ in range(12)), key=lambda one: space_draw.size(SPACE, one))
+
+
+def cases():
+    """(what, top, configuration, guard or None) of everything that is tried, from one seed."""
+    found = []
+    for top, base in OWN.items():
+        draw = space_draw.Draw(SPACE, top, random.Random(top))
+        own = [one for name, one in SPACE.parameters[top].items()
+               if base is None or name not in SPACE.parameters[base]]
+        names = {one.name for one in own}
+        for one in own:
+            found += [(f"{one.name}={value}", top, draw.beyond(one, value), one.guard) for value in one.beyond()]
+            found += [(f"{one.name}={value}", top,
+                       small(lambda name=one.name, value=value: draw.legal(**{name: value})), None)
+                      for value in space_draw.ends(one)]
+        found += [(rule.text, top, draw.breaking(rule), rule.guard) for rule in SPACE.rules_of(top)
+                  if base is None or (set(rule.names) | set(rule.needs)) & names]
+    return found
+
+
+CASES = cases()
+
+
+@pytest.fixture(name="met", scope="module")
+def _met():
+    """What Icarus says of each case."""
+    with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
+        return list(pool.map(lambda case: guards(case[1], case[2]), CASES))
+
+
+@pytest.mark.parametrize("top", SPACE.parameters)
+def test_parameters_and_defaults(top):
+    defaults = module_header.read(SOURCES, top).parameters
+    assert set(defaults) == set(SPACE.parameters[top])
+    assert SPACE.faults(top, defaults) == []
+
+
+def test_every_guard_is_in_the_sources():
+    known = {guard for path in SOURCES.files.values()
+             for guard in GUARD.findall(rtl.strip_comments(path.read_text()))}
+    patterns = {one.guard for top in SPACE.parameters.values() for one in top.values()}
+    patterns |= {rule.guard for rule in SPACE.rules}
+    assert len(patterns) > 40
+    assert [pattern for pattern in sorted(patterns)
+            if not any(re.fullmatch(pattern, guard) for guard in known)] == []
+
+
+@pytest.mark.parametrize("number", range(len(CASES)), ids=lambda number: f"{CASES[number][1]}: {CASES[number][0]}")
+def test_case(met, number):
+    _, _, configuration, guard = CASES[number]
+    if guard is None:
+        assert met[number] == [], configuration
+    else:
+        assert any(re.fullmatch(guard, one) for one in met[number]), (configuration, guard, met[number])
+
+
+def test_both_kinds_are_tried():
+    refused = sum(guard is not None for _, _, _, guard in CASES)
+    assert refused > 80 and len(CASES) - refused > 60
