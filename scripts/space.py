@@ -260,12 +260,17 @@ def _place_bits(p):
     return page + 3 * (axis - 2 if p.AXIS > 8 else 1) - (p.PAGES == 1)
 
 
+def _units(p):
+    """Units of 16 bytes in a burst: a burst of AXI has 256 beats at most."""
+    return min(p.MAX_BURST, 128 if p.DATA_WIDTH == 64 else 256)
+
+
 def _bus_rules():
     return [
-        Rule("READ_DEPTH holds two bursts", ("READ_DEPTH", "MAX_BURST"),
-             lambda p: p.READ_DEPTH >= 2 * p.MAX_BURST, "ffd_dma_read_fifo_depth_.*"),
-        Rule("WRITE_DEPTH holds two bursts", ("WRITE_DEPTH", "MAX_BURST"),
-             lambda p: p.WRITE_DEPTH >= 2 * p.MAX_BURST, "ffd_dma_write_fifo_depth_.*"),
+        *(Rule(f"{name} holds two bursts, which with DATA_WIDTH 64 have 128 units of 16 bytes at most",
+               (name, "MAX_BURST", "DATA_WIDTH"),
+               lambda p, name=name: getattr(p, name) >= 2 * _units(p), f"ffd_dma_{side}_fifo_depth_.*")
+          for name, side in (("READ_DEPTH", "read"), ("WRITE_DEPTH", "write"))),
         Rule("ID has ID_WIDTH bits at most", ("ID", "ID_WIDTH"), lambda p: p.ID < 1 << p.ID_WIDTH,
              "ffd_bus_core_id_.*"),
         Rule("IN_FLIGHT is at most 32768 behind a bus", ("IN_FLIGHT",), lambda p: p.IN_FLIGHT <= 32768,

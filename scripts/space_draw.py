@@ -9,6 +9,7 @@ import space as spaces
 from space_values import Between, Powers
 
 TRIES = 20_000  # until a rule is broken, and no other
+UNITS = 130  # Icarus elaborates what has no more in a few seconds; the largest cores take half a minute
 
 
 class DrawError(Exception):
@@ -16,30 +17,33 @@ class DrawError(Exception):
 
 
 class Draw:
-    """Draws of one top; `random` is a random.Random."""
+    """Draws of one top; `random` is a random.Random. What is drawn has at most so many units of `size`."""
 
-    def __init__(self, space, top, random):
-        self.space, self.top, self.random = space, top, random
+    def __init__(self, space, top, random, units=UNITS):
+        self.space, self.top, self.random, self.units = space, top, random, units
         self.parameters = space.parameters[top]
 
     def legal(self, **fixed):
         """A legal configuration, {name: value}, with these values. Raises DrawError."""
         for _ in range(TRIES):
             drawn = self._proposal(fixed) | fixed
-            if not self.space.faults(self.top, drawn):
+            if not self.space.faults(self.top, drawn) and size(self.space, drawn) <= self.units:
                 return drawn
         raise DrawError(f"{self.top}: no legal configuration with {fixed}")
 
-    def beyond(self, parameter, value):
-        """A configuration that is legal but for that value of a parameter."""
-        return self.legal() | {parameter.name: value}
+    def beyond(self, parameter, value, **fixed):
+        """A configuration that is legal, with these values, but for that value of a parameter."""
+        return self.legal(**fixed) | {parameter.name: value}
 
-    def breaking(self, rule):
-        """A configuration that breaks that rule alone. Raises DrawError."""
+    def breaking(self, rule, **fixed):
+        """A configuration with these values that breaks that rule alone. Raises DrawError."""
         for _ in range(TRIES):
-            drawn = self._proposal({})
+            drawn = self._proposal(fixed)
+            if size(self.space, drawn) > self.units:
+                continue
             for name in self.random.sample(rule.names, self.random.randint(1, len(rule.names))):
                 drawn[name] = self._any(name)
+            drawn |= fixed
             if self.space.faults(self.top, drawn) == [rule]:
                 return drawn
         raise DrawError(f"{self.top}: nothing breaks only this: {rule.text}")
@@ -64,7 +68,10 @@ class Draw:
 
     def _row(self, fixed):
         """What a row of configurations.csv has."""
-        one = self.space.organizations[fixed.get("ORG", self.random.choice(list(self.space.organizations)))]
+        every = self.space.organizations
+        # Those whose N is chosen are as many as there are small N.
+        weighed = [number for number, one in every.items() for _ in range(1 if one.n else 4)]
+        one = every[fixed.get("ORG", self.random.choice(weighed))]
         words = ["fixed"] * 3
         if one.form != "affine":
             words += ["float"]
@@ -77,7 +84,7 @@ class Draw:
             evaluators += [spaces.BSPLINE] + [spaces.POWERS if one.weighs_axes else spaces.ITERATIVE] * 2
         return {
             "ORG": one.number,
-            "N": one.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5, 6)),
+            "N": one.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5)),
             "FORMAT": number,
             "SCHEDULE": int(one.formulas["paper"] is not None and self._chance(0.25)),
             "EVALUATOR": self.random.choice(evaluators),

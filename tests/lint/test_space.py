@@ -33,11 +33,6 @@ def guards(top, configuration):
     return found
 
 
-def small(made):
-    """The smallest of some that are legal: Icarus takes half a minute to elaborate the largest."""
-    return min((made() for _ in range(12)), key=lambda one: space_draw.size(SPACE, one))
-
-
 def cases():
     """(what, top, configuration, guard or None) of everything that is tried, from one seed."""
     found = []
@@ -48,15 +43,38 @@ def cases():
         names = {one.name for one in own}
         for one in own:
             found += [(f"{one.name}={value}", top, draw.beyond(one, value), one.guard) for value in one.beyond()]
-            found += [(f"{one.name}={value}", top,
-                       small(lambda name=one.name, value=value: draw.legal(**{name: value})), None)
+            found += [(f"{one.name}={value}", top, draw.legal(**{one.name: value}), None)
                       for value in space_draw.ends(one)]
         found += [(rule.text, top, draw.breaking(rule), rule.guard) for rule in SPACE.rules_of(top)
                   if base is None or (set(rule.names) | set(rule.needs)) & names]
     return found
 
 
-CASES = cases()
+def kinds(draw):
+    """ORG and EVALUATOR of what is built of other modules: a guard that one of them has another may lack."""
+    found = {}
+    for _ in range(1000):
+        drawn = draw.legal()
+        one = SPACE.organizations[drawn["ORG"]]
+        found.setdefault((one.module, one.in_turn, one.scan, drawn["EVALUATOR"]),
+                         {name: drawn[name] for name in ("ORG", "EVALUATOR")})
+    return found.values()
+
+
+def arithmetic_cases():
+    """Latencies that are none, and a fused one without binary32, in each kind."""
+    found = []
+    draw = space_draw.Draw(SPACE, "hwffd_stream", random.Random(1))
+    fused, = [rule for rule in SPACE.rules if rule.names == ("FORMAT", "FMA_LATENCY")]
+    for kind in kinds(draw):
+        for name in ("MUL_LATENCY", "ADD_LATENCY"):
+            one = draw.parameters[name]
+            found.append((f"{kind} {name}=0", draw.top, draw.beyond(one, 0, **kind), one.guard))
+        found.append((f"{kind} {fused.text}", draw.top, draw.breaking(fused, **kind), fused.guard))
+    return found
+
+
+CASES = cases() + arithmetic_cases()
 
 
 @pytest.fixture(name="met", scope="module")
