@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim web organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all soak lint clean
+.PHONY: help sim web organizations bfp streams words tangents embed compare energy coverage engines mutants upsets theorems bounds testfloat hwffd glapi plates mass-spring synth synth-check synth-baseline structure figures boards pnr formal workflow docs test test-all random soak lint clean
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing =
@@ -80,6 +80,7 @@ help:
 	@echo '  make lint           Verilator, Icarus, yosys, clang and text rules: no warning is allowed'
 	@echo '  make formal         unbounded proofs of control and transport, each with a planted bug'
 	@echo '  make glapi          the OpenGL calls and their errors, beside those of Mesa'
+	@echo '  make random         N= cores of random parameters on random packets, from SEED= on'
 	@echo '  make soak           random traffic with new seeds, for HOURS='
 	@echo 'Trust it (docs/assurance.md)'
 	@echo '  make coverage       lines, branches and bits of the RTL that the tests run (hours)'
@@ -324,8 +325,16 @@ testfloat:
 	$(COMPILE) --target hwffd-testfloat
 	@$(STUDY) testfloat -- $(BUILD)/studies/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
 
+random:
+	$(INSTALL) build engines
+	$(call numbers,N SEED)
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-random-words
+	@python3 -B tests/random --words $(BUILD)/tests/random/hwffd-random-words --folder $(BUILD)/random \
+	  --count $(or $(call given,N),20) $(addprefix --seed ,$(call given,SEED))
+
 soak:
-	$(INSTALL) build
+	$(INSTALL) build engines
 	$(call numbers,HOURS)
 	$(CONFIGURE)
 	$(COMPILE) --target $(call programs_of,studies/soak/traffic.csv,2)

@@ -163,20 +163,26 @@ def factory_text(configurations, core, suffix=""):
         core=core, Core=core.capitalize(), **_CORES[core])
 
 
-def _model_class(c):
-    """factored, of OrgFactored in org_factored.hpp."""
-    return "powers" if c.evaluator == "powers" else c.organization.module
+def model_kind(organization, number_format, fma_latency, evaluator):
+    """What decides which model it is: the class, such as factored, of OrgFactored in org_factored.hpp, its
+    format, whether fused, and whether from powers."""
+    powers = evaluator == "powers"
+    return "powers" if powers else organization.module, number_format, fma_latency > 0, powers
+
+
+def _kind_of(c):
+    return model_kind(c.organization, c.number_format, c.fma_latency, c.evaluator)
 
 
 def _cpp(condition):
     return "true" if condition else "false"
 
 
-def models_text(configurations):
-    """C++: make_evaluator_model for every organization and format of the table."""
+def models_text(configurations, organizations):
+    """C++: make_evaluator_model for every kind of model of the table; an organization has those of its
+    module, also where no row has it in that format."""
     headers = sorted({c.number_format.header for c in configurations})
-    kinds = list(dict.fromkeys((_model_class(c), c.org, c.number_format, c.fma_latency > 0,
-                                c.evaluator == "powers") for c in configurations))
+    kinds = list(dict.fromkeys(map(_kind_of, configurations)))
     lines = [f"// {GENERATED}"]
     lines += [f'#include "hwffd/model/org_{name}.hpp"' for name in dict.fromkeys(k[0] for k in kinds)]
     lines += [
@@ -197,11 +203,15 @@ def models_text(configurations):
         "  const bool fused = row.fma_latency > 0;",
         '  const bool powers = std::string(row.evaluator) == "powers";',
     ]
-    for name, org, number_format, fused, powers in kinds:
+    for kind in kinds:
+        name, number_format, fused, powers = kind
         model = number_format.fused if fused else number_format.model
+        modules = {c.organization.module for c in configurations if _kind_of(c) == kind}
+        names = [one.name for one in organizations.values() if one.module in modules]
+        any_of = " || ".join(f'org == "{org}"' for org in names)
         lines += [
-            f'  if (org == "{org}" && format == "{number_format.name}" && fused == {_cpp(fused)} &&',
-            f"      powers == {_cpp(powers)}) {{",
+            f'  if (({any_of}) && format == "{number_format.name}" &&',
+            f"      fused == {_cpp(fused)} && powers == {_cpp(powers)}) {{",
             f"    return std::make_unique<EvaluatorModelOf<{model}, Org{name.capitalize()}>>(row);",
             "  }",
         ]

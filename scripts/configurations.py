@@ -187,7 +187,7 @@ def generated(rows, tier, wanted):
     stream, axi = ([c for c in tiered if c.top in TOPS[TOPS.index(top):]] for top in TOPS[1:])
     return {
         "configurations.cpp": texts.table_text(rows, organizations.read()),
-        "models.cpp": texts.models_text(rows),
+        "models.cpp": texts.models_text(rows, organizations.read()),
         "stream_core_factory.cpp": texts.factory_text(stream, "stream"),
         "axi_core_factory.cpp": texts.factory_text(axi, "axi", "_axi"),
         "evaluator_core_factory.cpp": texts.factory_text(tiered, "evaluator", "_evaluator"),
@@ -240,7 +240,7 @@ def main(arguments=None):
                 [find(rows, name) for name in options.rows], "stream", options.suffix))
         elif options.command == "models":
             write_if_changed(options.out, texts.models_text(
-                [find(rows, name) for name in options.rows]))
+                [find(rows, name) for name in options.rows], organizations.read()))
         else:
             for name, text in generated(rows, options.tier, selected(rows, options)).items():
                 write_if_changed(pathlib.Path(options.out) / name, text)

@@ -3,8 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "hwffd/stream/grid.hpp"
-#include "hwffd/stream/packed.hpp"
+#include "expand_stimulus.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {
@@ -42,13 +41,5 @@ class ExpandRun : public PageRun {
   /// That `count` results from `first` on are those from `again` on in every bit.
   ::testing::AssertionResult same(std::size_t first, std::size_t again, std::size_t count);
 };
-
-/// A grid in a lattice: 1 to `most` vertices an axis, any places and directions, often with ends
-/// on faces, and often at the ends of a coordinate's unit.
-Grid random_grid(tb::Random& random, const std::array<int, 3>& dims, int most);
-
-/// Packed vertices of a lattice; with `stray` some are outside.
-std::vector<PackedVertex> random_packed(tb::Random& random, const std::array<int, 3>& dims,
-                                        std::size_t count, bool stray = false);
 
 }  // namespace hwffd::test

@@ -1,0 +1,126 @@
+"""make random: cores of random parameters on random packets.
+
+    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--parts P] [--keep]
+
+Each number from S on is a configuration: most are legal, and each of these is read by Verilator without a
+warning, built in Icarus, whose values may be X, and run on a stream of packets of every kind, good and bad,
+with pauses on both sides; every bit of its results, its events, counts and waits are compared with the
+model, and the model's with those of another organization that has the same bits. The others break one rule
+of the space, and must be refused by their guard in Verilator, Icarus and yosys. The exit status is 1 where
+one fails.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import pathlib
+import random
+import resource
+import shutil
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "scripts"))
+
+import configuration_texts as texts  # noqa: E402  pylint: disable=wrong-import-position
+import configurations  # noqa: E402  pylint: disable=wrong-import-position
+import digest  # noqa: E402  pylint: disable=wrong-import-position
+import rtl  # noqa: E402  pylint: disable=wrong-import-position
+import run  # noqa: E402  pylint: disable=wrong-import-position
+import space  # noqa: E402  pylint: disable=wrong-import-position
+import space_draw  # noqa: E402  pylint: disable=wrong-import-position
+
+ILLEGAL = 0.2  # share of the configurations
+
+
+class Campaign:
+    """Configurations by number."""
+
+    def __init__(self, options):
+        self.options = options
+        self.space, self.sources = space.Space(), rtl.Sources()
+        self.kinds = {texts.model_kind(row.organization, row.number_format, row.fma_latency, row.evaluator)
+                      for row in configurations.read()}
+        self.space.formats = {number: one for number, one in self.space.formats.items()
+                              if any(one == kind[1] for kind in self.kinds)}
+        self.results = self.clocks = self.legal = self.illegal = 0
+
+    def _modelled(self, draw):
+        """A legal configuration of which there is a model, since some row of the table has its arithmetic."""
+        while True:
+            p = draw.legal()
+            kind = texts.model_kind(self.space.organizations[p["ORG"]], self.space.formats[p["FORMAT"]],
+                                    p["FMA_LATENCY"], configurations.EVALUATORS[p["EVALUATOR"]])
+            if kind in self.kinds:
+                return p
+
+    def one(self, seed):
+        """Runs a number. Raises run.Failure, with the configuration in front."""
+        chosen = random.Random(seed)
+        draw = space_draw.Draw(self.space, run.TOP, chosen)
+        folder = self.options.folder / str(seed)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        if chosen.random() < ILLEGAL:
+            parameters = list(draw.parameters.values())
+            rules = self.space.rules_of(run.TOP)
+            bad = chosen.choice([*parameters, *rules])
+            configuration = (draw.breaking(bad) if bad in rules
+                             else draw.beyond(bad, chosen.choice(bad.beyond())))
+            self._told(configuration, lambda: run.refused(self.sources, configuration, bad.guard, folder))
+            self.illegal += 1
+        else:
+            configuration = self._modelled(draw)
+            core = run.Legal(self.space, self.sources, configuration, folder)
+            self._told(configuration, lambda: self._run(core, seed))
+            self.legal += 1
+        if not self.options.keep:
+            shutil.rmtree(folder)
+
+    def _run(self, core, seed):
+        core.words(run.Stream(self.options.words, seed, self.options.parts))
+        results, clocks = core.compare(core.simulate(seed))
+        core.lint()
+        self.results += results
+        self.clocks += clocks
+
+    @staticmethod
+    def _told(configuration, body):
+        try:
+            body()
+        except run.Failure as failure:
+            raise run.Failure(f"{run.text(configuration)}: {failure}") from failure
+
+
+def seed_of_sources():
+    """A first number that changes with the sources of the core."""
+    sources = sorted(path for path in (ROOT / "rtl").rglob("*.v*"))
+    return int(digest.of(*(path.read_text(encoding="utf-8") for path in sources))[:8], 16)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="random", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--words", type=pathlib.Path, required=True, metavar="PROGRAM", help="hwffd-random-words")
+    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "random")
+    parser.add_argument("--seed", type=int, help="the first number; one of the sources unless given")
+    parser.add_argument("--count", type=int, default=1, help="how many")
+    parser.add_argument("--parts", type=int, default=3, help="of a stream, about")
+    parser.add_argument("--keep", action="store_true", help="what was made of those that did not fail, too")
+    options = parser.parse_args()
+    options.words, options.folder = options.words.resolve(), options.folder.resolve()
+    first = seed_of_sources() if options.seed is None else options.seed
+    campaign, failed = Campaign(options), 0
+    for seed in range(first, first + options.count):
+        try:
+            campaign.one(seed)
+        except run.Failure as failure:
+            failed += 1
+            print(f"random: {seed}: {failure}; again: make random SEED={seed} N=1", flush=True)
+    print(f"random: {campaign.legal} configurations ran, {campaign.illegal} were refused, {failed} failed; "
+          f"{campaign.results} results in {campaign.clocks} clocks compared, "
+          f"{resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime:.0f} processor seconds")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,26 @@
+// Cores of random parameters, each built and run on random packets: tests/random/__main__.py.
+#include "hwffd/tb/random.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace hwffd::test {
+namespace {
+
+// From the seed that is given, or from one that the sources of the core are the reason for. A soak
+// has more of them.
+TEST(Random, Configurations) {
+  const std::uint64_t seed = tb::seed_from_environment(0);
+  const int count = std::getenv("HWFFD_SOAK") != nullptr ? 100 : 24;
+  const std::string command =
+      fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --count {}{}", HWFFD_PYTHON,
+                  HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
+                  seed == 0 ? "" : fmt::format(" --seed {}", seed));
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+}  // namespace
+}  // namespace hwffd::test

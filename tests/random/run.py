@@ -1,0 +1,158 @@
+"""A configuration of the legal space, built and run on a stream of any packets; and one that is illegal,
+refused by name.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import re
+import subprocess
+from dataclasses import dataclass
+
+import rtl
+from configurations import EVALUATORS, SCHEDULES
+
+HERE = pathlib.Path(__file__).resolve().parent
+BENCH = "ffd_bench_random"
+TOP = "hwffd_stream"
+BENCHES = (HERE / f"{BENCH}.v", HERE.parents[1] / "studies" / "engines" / "ffd_bench_known.v")
+EVENTS = 15
+LIMIT = 600  # seconds of a process: one that hangs has failed
+_TOLD = re.compile(r"^(?:unknown|broken) .*$", re.MULTILINE)
+_GUARD = re.compile(r"\bERROR_(\w+)")
+
+
+class Failure(Exception):
+    """What is wrong with a configuration, in one line."""
+
+
+def text(configuration):
+    return " ".join(f"{name}={value}" for name, value in configuration.items())
+
+
+def process(command, folder, what):
+    """What a program prints; Failure where it fails."""
+    try:
+        status, said = rtl.run(["timeout", str(LIMIT), *map(str, command)], folder)
+    except subprocess.SubprocessError as error:
+        raise Failure(f"{what}: {error}") from error
+    if status:
+        lines = said.strip().splitlines() or [f"exit status {status}"]
+        raise Failure(f"{what}: {lines[0]}")
+    return said
+
+
+@dataclass(frozen=True)
+class Stream:
+    """How a stream is made: the program for its words, its seed and about how many parts it has."""
+
+    program: pathlib.Path
+    seed: int
+    parts: int
+
+
+class Legal:
+    """A configuration that must work."""
+
+    def __init__(self, space, sources, configuration, folder):
+        self.space, self.sources, self.configuration, self.folder = space, sources, configuration, folder
+        self.organization = space.organizations[configuration["ORG"]]
+
+    def same_bits(self):
+        """(organization, N) with the same bits, or None: of the form, and in binary32 with the same order."""
+        form, n = self.organization.form, self.configuration["N"]
+        words = self.space.formats[self.configuration["FORMAT"]].words
+        others = [one for one in self.space.organizations.values()
+                  if one.form == form and one is not self.organization]
+        if form == "product" and words == "float":
+            others = [one for one in others if (one.n or n) == n]
+        others = [(one.name, one.n or n) for one in others if self.configuration["EVALUATOR"] != 3
+                  or one.weighs_axes]
+        return others[self.configuration["AXIS"] % len(others)] if others else None
+
+    def words(self, stream):
+        p = self.configuration
+        other = self.same_bits()
+        interval = 64 // p["N"] if self.organization.in_turn else self.organization.fold
+        process([stream.program, "--org", self.organization.name, "--n", p["N"],
+                 "--format", self.space.formats[p["FORMAT"]].name, "--schedule", SCHEDULES[p["SCHEDULE"]],
+                 "--evaluator", EVALUATORS[p["EVALUATOR"]], "--fma", p["FMA_LATENCY"],
+                 "--features", p["FEATURES"], "--axis", p["AXIS"], "--pages", p["PAGES"], "--spans", p["SPANS"],
+                 "--interval", interval * (8 if p["SCHEDULE"] else 1), "--parts", stream.parts,
+                 "--seed", stream.seed, "--folder", ".",
+                 *(("--other", other[0], "--other-n", other[1]) if other else ())], self.folder, "words")
+        if other and self._lines("other.txt") != self._lines("model.txt"):
+            raise Failure(f"the model of {other[0]} has other bits")
+
+    def lint(self):
+        """Without a warning."""
+        process([word for word in rtl.verilator(
+            self.sources, TOP, self.sources.needed(TOP), [f"{n}={v}" for n, v in self.configuration.items()])],
+            self.folder, "verilator")
+
+    def simulate(self, seed):
+        """In Icarus. What the bench tells, or Failure."""
+        beats = len(self._lines("beats.hex"))
+        process(["iverilog", "-g2005", "-o", "bench.vvp", "-s", BENCH, f"-D{rtl.SIMULATION}",
+                 *(f"-P{BENCH}.{name}={value}" for name, value in
+                   {**self.configuration, "BEATS": beats, "SEED": seed}.items()),
+                 *(f"-I{folder}" for folder in self.sources.includes), *self.sources.needed(TOP), *BENCHES],
+                self.folder, "iverilog")
+        return process(["vvp", "-n", "bench.vvp"], self.folder, "vvp")
+
+    def _lines(self, name):
+        return (self.folder / name).read_text(encoding="ascii").splitlines()
+
+    def compare(self, said):
+        """Counts of results and clocks; Failure at the first difference."""
+        told = _TOLD.findall(said)
+        model, got = self._lines("model.txt"), self._lines("results.txt")
+        part = 0
+        for number, (wanted, found) in enumerate(zip(model, got)):
+            wrong = _difference(wanted, found)
+            if wrong:
+                raise Failure(f"line {number + 1} of results.txt, part {part}: {wrong}"
+                              + "".join(f"; {one}" for one in told[:3]))
+            part += found.startswith("=")
+        if told:
+            raise Failure("; ".join(told[:3]))
+        if len(model) != len(got):
+            raise Failure(f"{len(got)} lines of results, {len(model)} wanted")
+        clocks = re.search(r"^clocks (\d+)", said, re.MULTILINE)
+        return len(got) - part, int(clocks[1])
+
+
+def _difference(wanted, found):
+    """What differs between a line of the model and one of the bench, or nothing."""
+    if found.startswith("=") != wanted.startswith(("any", "memory")):
+        return f"'{found}', the model has '{wanted}'"
+    if not found.startswith("="):
+        return "" if wanted == found else f"'{found}', the model has '{wanted}'"
+    purpose, *counts = wanted.split()
+    _, *had = found.split()
+    if counts != had[:EVENTS + 1]:
+        return f"events and vertices {' '.join(had[:EVENTS + 1])}, the model has {' '.join(counts)}"
+    if purpose == "memory" and had[EVENTS + 2] != "0":
+        return f"{had[EVENTS + 2]} clocks of waiting for the evaluator where it has room"
+    return ""
+
+
+def refused(sources, configuration, guard, folder):
+    """Failure unless each tool refuses it at a guard of that name."""
+    assignments = [f"{name}={value}" for name, value in configuration.items()]
+    files = sources.needed(TOP)
+    chparams = "".join(f" -chparam {name} {value}" for name, value in configuration.items())
+    headers = " ".join(f"-I {name}" for name in sources.includes)
+    commands = {
+        "icarus": [word for word in rtl.icarus(sources, TOP, files, assignments) if word != "-Wall"],
+        "verilator": [*(word for word in rtl.verilator(sources, TOP, files, assignments) if word != "-Wall"),
+                      "-Wno-fatal", "-Wno-lint"],
+        "yosys": ["yosys", "-Q", "-T", "-q", "-p", f"read_verilog {headers} {' '.join(files)}; "
+                  f"hierarchy -check -top {TOP}{chparams}"],
+    }
+    for tool, command in commands.items():
+        status, said = rtl.run(["timeout", str(LIMIT), *command], folder)
+        met = sorted(set(_GUARD.findall(said)))
+        if status == 0 or not any(re.fullmatch(guard, one) for one in met):
+            raise Failure(f"{tool} does not refuse it by {guard}: "
+                          + (f"exit status {status}, guards {' '.join(met) or 'none'}"))
