@@ -164,10 +164,13 @@ def factory_text(configurations, core, suffix=""):
 
 
 def model_kind(organization, number_format, fma_latency, evaluator):
-    """What decides which model it is: the class, such as factored, of OrgFactored in org_factored.hpp, its
-    format, whether fused, and whether from powers."""
-    powers = evaluator == "powers"
-    return "powers" if powers else organization.module, number_format, fma_latency > 0, powers
+    """What decides which model it is: module, format, whether fused, and whether from powers."""
+    return organization.module, number_format, fma_latency > 0, evaluator == "powers"
+
+
+def _model_class(kind):
+    """factored, of OrgFactored in org_factored.hpp."""
+    return "powers" if kind[3] else kind[0]
 
 
 def _kind_of(c):
@@ -184,7 +187,7 @@ def models_text(configurations, organizations):
     headers = sorted({c.number_format.header for c in configurations})
     kinds = list(dict.fromkeys(map(_kind_of, configurations)))
     lines = [f"// {GENERATED}"]
-    lines += [f'#include "hwffd/model/org_{name}.hpp"' for name in dict.fromkeys(k[0] for k in kinds)]
+    lines += [f'#include "hwffd/model/org_{name}.hpp"' for name in dict.fromkeys(map(_model_class, kinds))]
     lines += [
         '#include "hwffd/model/evaluator.hpp"',
         '#include "hwffd/model/hard_wired.hpp"',
@@ -204,15 +207,13 @@ def models_text(configurations, organizations):
         '  const bool powers = std::string(row.evaluator) == "powers";',
     ]
     for kind in kinds:
-        name, number_format, fused, powers = kind
+        module, number_format, fused, powers = kind
         model = number_format.fused if fused else number_format.model
-        modules = {c.organization.module for c in configurations if _kind_of(c) == kind}
-        names = [one.name for one in organizations.values() if one.module in modules]
-        any_of = " || ".join(f'org == "{org}"' for org in names)
+        any_of = " || ".join(f'org == "{one.name}"' for one in organizations.values() if one.module == module)
         lines += [
             f'  if (({any_of}) && format == "{number_format.name}" &&',
             f"      fused == {_cpp(fused)} && powers == {_cpp(powers)}) {{",
-            f"    return std::make_unique<EvaluatorModelOf<{model}, Org{name.capitalize()}>>(row);",
+            f"    return std::make_unique<EvaluatorModelOf<{model}, Org{_model_class(kind).capitalize()}>>(row);",
             "  }",
         ]
     lines += [

@@ -14,7 +14,7 @@ namespace {
 // has more of them.
 TEST(Random, Configurations) {
   const std::uint64_t seed = tb::seed_from_environment(0);
-  const int count = std::getenv("HWFFD_SOAK") != nullptr ? 100 : 24;
+  const int count = std::getenv("HWFFD_SOAK") != nullptr ? 100 : 14;
   const std::string command =
       fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --count {}{}", HWFFD_PYTHON,
                   HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
