@@ -1,6 +1,5 @@
 #include "expand_builds.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "Vexpand_affine.h"

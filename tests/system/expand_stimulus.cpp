@@ -1,5 +1,7 @@
 #include "expand_stimulus.hpp"
 
+#include <algorithm>
+
 namespace hwffd::test {
 namespace {
 
