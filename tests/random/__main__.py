@@ -48,11 +48,14 @@ class Campaign:
     def _modelled(self, draw):
         """A legal configuration of which there is a model, since some row of the table has its arithmetic."""
         while True:
-            p = draw.legal()
-            kind = texts.model_kind(self.space.organizations[p["ORG"]], self.space.formats[p["FORMAT"]],
-                                    p["FMA_LATENCY"], configurations.EVALUATORS[p["EVALUATOR"]])
-            if kind in self.kinds:
-                return p
+            drawn = draw.legal()
+            if self._has_model(drawn, self.space.organizations[drawn["ORG"]]):
+                return drawn
+
+    def _has_model(self, p, organization):
+        return (organization.weighs_axes or p["EVALUATOR"] != space.POWERS) and texts.model_kind(
+            organization, self.space.formats[p["FORMAT"]], p["FMA_LATENCY"],
+            configurations.EVALUATORS[p["EVALUATOR"]]) in self.kinds
 
     def one(self, seed):
         """Runs a number. Raises run.Failure, with the configuration in front."""
@@ -71,7 +74,8 @@ class Campaign:
             self.illegal += 1
         else:
             configuration = self._modelled(draw)
-            core = run.Legal(self.space, self.sources, configuration, folder)
+            core = run.Legal(self.space, self.sources, configuration, folder,
+                             lambda organization: self._has_model(configuration, organization))
             self._told(configuration, lambda: self._run(core, seed))
             self.legal += 1
         if not self.options.keep:

@@ -54,20 +54,20 @@ class Stream:
 class Legal:
     """A configuration that must work."""
 
-    def __init__(self, space, sources, configuration, folder):
+    def __init__(self, space, sources, configuration, folder, modelled):
+        """modelled(organization) says whether there is a model of it with the rest of the configuration."""
         self.space, self.sources, self.configuration, self.folder = space, sources, configuration, folder
-        self.organization = space.organizations[configuration["ORG"]]
+        self.organization, self.modelled = space.organizations[configuration["ORG"]], modelled
 
     def same_bits(self):
         """(organization, N) with the same bits, or None: of the form, and in binary32 with the same order."""
         form, n = self.organization.form, self.configuration["N"]
         words = self.space.formats[self.configuration["FORMAT"]].words
         others = [one for one in self.space.organizations.values()
-                  if one.form == form and one is not self.organization]
+                  if one.form == form and one is not self.organization and self.modelled(one)]
         if form == "product" and words == "float":
             others = [one for one in others if (one.n or n) == n]
-        others = [(one.name, one.n or n) for one in others if self.configuration["EVALUATOR"] != 3
-                  or one.weighs_axes]
+        others = [(one.name, one.n or n) for one in others]
         return others[self.configuration["AXIS"] % len(others)] if others else None
 
     def words(self, stream):
