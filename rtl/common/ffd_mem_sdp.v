@@ -49,11 +49,14 @@ module ffd_mem_sdp #(
 `endif
   localparam SLICES = (WIDTH + MOST - 1) / MOST;
 
-  // A memory has no reset.
-  wire rst = 1'b0;
-  wire unused_rst = rst;
+`ifdef FFD_ASSERTIONS
+  // It has no reset: what a pipeline held before its own has left it after some clocks.
+  reg  [6:0] clocks_q = 7'd0;
+  wire       rst      = !clocks_q[6];
+  always @(posedge clk) if (rst) clocks_q <= clocks_q + 1'b1;
   `FFD_ASSERT("a word is written beyond the last",
               !write_i || {{(32 - ADDRESS_W) {1'b0}}, write_address_i} < DEPTH)
+`endif
 
   genvar s;
   generate
