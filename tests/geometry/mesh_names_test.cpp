@@ -69,11 +69,13 @@ TEST_F(MeshNames, TexturesAreFoundFromAnotherFolder) {
   const Mesh mesh = Mesh::load(folder.write(
       "in/a.obj", std::string("mtllib a.mtl\nusemtl red\n") + kTriangle + "usemtl far\nf 1 3 2\n"));
   mesh.save(folder / "in/b.obj");
-  expect_part(read_text(folder / "in/b.mtl"), "map_Kd skin/red.png\n");
+  expect_part(read_text(folder / "in/b.obj"), "mtllib a.mtl\n");
   mesh.save(folder / "out/b.obj");
-  expect_part(read_text(folder / "out/b.mtl"), "map_Kd ../in/skin/red.png\n");
-  expect_part(read_text(folder / "out/b.mtl"), "map_Kd /abs/far.png\n");
+  expect_part(read_text(folder / "out/b.obj"), "mtllib ../in/a.mtl\n");
   mesh.save(folder / "out/b.gltf");
+  Mesh::load(folder / "out/b.gltf").save(folder / "in/c.obj");
+  expect_part(read_text(folder / "in/c.mtl"), "map_Kd skin/red.png\n");
+  expect_part(read_text(folder / "in/c.mtl"), "map_Kd /abs/far.png\n");
   expect_part(read_text(folder / "out/b.gltf"), "\"../in/skin/red.png\"");
   mesh.save(folder / "out/b.ply");
   expect_part(read_text(folder / "out/b.ply"), "comment TextureFile ../in/skin/red.png\n");
@@ -126,7 +128,9 @@ TEST_F(MeshNames, DroppedAnimationsAndCameras) {
 
 TEST_F(MeshNames, ObjectNamesThatObjDrops) {
   const Mesh mesh = load(std::string("o car\ng wheel\n") + kTriangle + "g wheel 2\nf 1 3 2\n");
-  EXPECT_EQ(mesh.save(folder / "b.obj"), std::vector<std::string>{"names of empty objects"});
+  EXPECT_EQ(
+      mesh.save(folder / "b.ply"),
+      (std::vector<std::string>{"order of vertices", "part names", "names of empty objects"}));
   // A vertex of the file is one in each of the two parts.
   EXPECT_EQ(mesh.save(folder / "b.glb"), std::vector<std::string>{"order of vertices"});
 }

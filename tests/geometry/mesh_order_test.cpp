@@ -149,22 +149,27 @@ TEST_F(MeshOrder, SeamsDoNotRepeatVerticesInObj) {
   EXPECT_EQ(mesh.save(folder / "b.ply"), std::vector<std::string>{"order of vertices"});
 }
 
-/// The coordinates of an obj file are rounded once.
+/// Coordinates of more digits than binary32 has stay double.
 TEST_F(MeshOrder, ObjNumbersAreExact) {
   const Mesh mesh = load(
       "v 0.1 +1e-3 16777217\nv 1.00000017881393432617187499 2 4 2\n"
       "v 1 \\\n2 3 0.1 0.2 0.3\nf 1 2 3\n");
   Points expected(3, 3);
-  expected << 0.1f, 1e-3f, 16777216, 0.5f * 1.00000011920928955078125f, 1, 2, 1, 2, 3;
+  expected << 0.1, 1e-3, 16777217, 0.5 * 1.00000017881393432617187499, 1, 2, 1, 2, 3;
+  EXPECT_FALSE(mesh.is_single());
   EXPECT_EQ(mesh.positions(), expected);
+  expected << 0.1f, 1e-3f, 1.00000012f, 0, 0, 0, 0, 0, 0;
+  const Mesh single = load("v 0.1 +1e-3 1.00000012\nv 0 0 0\nf 1 2 2\n");
+  EXPECT_TRUE(single.is_single());
+  EXPECT_EQ(single.positions(), expected.topRows(2));
 }
 
-/// What binary32 cannot hold is zero, where it is small.
+/// What a double cannot hold is zero, where it is small.
 TEST_F(MeshOrder, ObjNumbersMayBeSmall) {
   const Mesh mesh =
       load("v 1e-50 -1e-400 1E-999\r\nv\t1 \\\r\n2 3\r\nvt 0 0\n# v 7 7 7\nv 1e-40 0 0\n");
   Points expected(3, 3);
-  expected << 0, 0, 0, 1, 2, 3, 1e-40f, 0, 0;
+  expected << 1e-50, 0, 0, 1, 2, 3, 1e-40, 0, 0;
   EXPECT_EQ(mesh.positions(), expected);
 }
 

@@ -172,9 +172,11 @@ TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
 }
 
 TEST_F(MeshKeep, AMaterialLibraryBesideAnObj) {
-  Mesh mesh = load(kHouse);
+  load(kHouse).save(folder / "house.glb");
+  Mesh mesh = Mesh::load(folder / "house.glb");
   const Mesh got = again(mesh, "out.obj");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.obj", "in.mtl", "out.mtl", "out.obj"}));
+  EXPECT_EQ(folder.files(),
+            (std::set<std::string>{"a.obj", "house.glb", "in.mtl", "out.mtl", "out.obj"}));
   expect_part(read_text(folder / "out.obj"), "mtllib out.mtl\n");
   aiColor3D colour;
   const unsigned material = got.scene().mMeshes[1]->mMaterialIndex;

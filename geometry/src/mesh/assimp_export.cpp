@@ -8,9 +8,9 @@
 
 #include <assimp/Exporter.hpp>
 #include <cstring>
-#include <system_error>
 
 #include "hwffd/error.hpp"
+#include "mesh/relocated.hpp"
 #include "mesh/scene.hpp"
 #include "mesh/utf8.hpp"
 
@@ -18,21 +18,6 @@ namespace hwffd {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The name of a texture file for who looks from the output's folder. Textures inside the file
-/// (*0), absolute paths and addresses stay.
-std::string relocated(const std::string& name, const Output& output) {
-  const fs::path file(name);
-  const bool stays = name.empty() || name[0] == '*' || file.is_absolute() ||
-                     name.find(':') != name.npos || output.texture_folder.empty();
-  if (stays) return name;
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(output.path).parent_path(), error);
-  const fs::path from = fs::weakly_canonical(output.texture_folder, error);
-  if (error || folder == from) return name;
-  const fs::path relative = (from / file).lexically_relative(folder);
-  return relative.empty() ? name : relative.string();
-}
 
 /// As aiString, which drops what does not fit, but cut, between two characters of UTF-8.
 void set(aiString& text, std::string value) {
@@ -67,7 +52,7 @@ void adapt(aiMaterial& material, const Output& output, bool is_utf8) {
     }
     const bool is_texture = std::strcmp(property.mKey.C_Str(), _AI_MATKEY_TEXTURE_BASE) == 0;
     std::string text(value.C_Str());
-    if (is_texture) text = relocated(text, output);
+    if (is_texture) text = relocated(text, output.texture_folder, output.path);
     if (is_utf8) text = utf8_of(text);
     set(value, text);
     texts.push_back({property.mKey.C_Str(), property.mSemantic, property.mIndex, value});

@@ -4,157 +4,123 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
+#include <numeric>
+#include <utility>
 
 #include "hwffd/error.hpp"
+#include "mesh/format/document.hpp"
+#include "mesh/format/scene_of.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/read_scene.hpp"
 #include "mesh/scene.hpp"
+#include "mesh/weld.hpp"
 
 namespace hwffd {
-namespace {
 
-using PositionKey = std::array<std::uint32_t, 3>;
-
-std::size_t hash_of(const PositionKey& key) {
-  std::uint64_t hash = 0;
-  for (const std::uint32_t word : key) {
-    hash = (hash ^ word) * 0x9e3779b97f4a7c15ull;
-    hash ^= hash >> 29;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
-/// The bits of a position; -0 and +0 are equal.
-PositionKey key_of(const aiVector3D& p) {
-  const std::array<float, 3> values{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};
-  PositionKey key{};
-  std::memcpy(key.data(), values.data(), sizeof(key));
-  return key;
-}
-
-/// Numbers positions in the order in which they are first seen. Of one table of whole numbers,
-/// since a node for each of millions of positions costs more time and room than all else of a mesh.
-class PositionNumbers {
- public:
-  /// @param most  how many positions there may be
-  explicit PositionNumbers(std::size_t most) {
-    std::size_t size = 2;
-    while (size < 2 * most) size *= 2;
-    table_.assign(size, kFree);
-  }
-
-  std::uint32_t number_of(const PositionKey& key) {
-    const std::size_t mask = table_.size() - 1;
-    std::size_t at = hash_of(key) & mask;
-    while (table_[at] != kFree && keys_[table_[at]] != key) at = (at + 1) & mask;
-    if (table_[at] == kFree) {
-      table_[at] = static_cast<std::uint32_t>(keys_.size());
-      keys_.push_back(key);
-    }
-    return table_[at];
-  }
-
-  std::size_t count() const { return keys_.size(); }
-
- private:
-  static constexpr std::uint32_t kFree = 0xffffffff;
-  std::vector<std::uint32_t> table_;
-  std::vector<PositionKey> keys_;
+/// The scene of a mesh and where its vertices come from.
+struct Mesh::Scene {
+  ContentScene made;
+  std::vector<std::uint32_t> welded;   ///< scene vertex -> welded vertex
+  std::vector<std::uint32_t> numbers;  ///< scene vertex -> vertex of the file
 };
-
-}  // namespace
-
-void Mesh::SceneDeleter::operator()(aiScene* scene) const { delete scene; }
 
 Mesh::Mesh(Mesh&& other) noexcept = default;
 Mesh& Mesh::operator=(Mesh&& other) noexcept = default;
 Mesh::~Mesh() = default;
 
-Mesh::Mesh(ScenePtr scene, std::string name) : scene_(std::move(scene)), name_(std::move(name)) {
+Mesh::Mesh(std::unique_ptr<aiScene> scene, std::string name)
+    : name_(std::move(name)), content_(std::make_unique<Content>(content_of(*scene))) {
   weld();
-  numbers_ = weld_;
-  read_count_ = weld_.size();
-  find_triangles();
-  normals_ = std::make_unique<SceneNormals>(*scene_, weld_);
+  scene_ = std::make_unique<Scene>();
+  std::vector<std::uint32_t>& vertices = scene_->made.vertices;
+  vertices.resize(weld_.size());
+  std::iota(vertices.begin(), vertices.end(), 0u);
+  if (!content_->normals.empty()) scene_->made.normals = vertices;
+  scene_->made.scene = std::move(scene);
+  scene_->welded = weld_;
+  scene_->numbers = weld_;
 }
 
 Mesh::Mesh(ReadScene read, const std::filesystem::path& path)
-    : Mesh(ScenePtr(read.scene.release()), path.filename().string()) {
-  if (!read.numbers.empty()) {
-    is_numbered_ = true;
-    numbers_ = std::move(read.numbers);
-    read_count_ = std::size_t{*std::max_element(numbers_.begin(), numbers_.end())} + 1;
-  }
+    : Mesh(std::move(read.scene), path.filename().string()) {
+  is_numbered_ = !read.numbers.empty();
+  if (is_numbered_) scene_->numbers = std::move(read.numbers);
   dropped_ = std::move(read.dropped);
+  inputs_ = {path};
   folder_ = std::filesystem::absolute(path).parent_path();
   unit_ = read.unit;
 }
 
+Mesh::Mesh(std::unique_ptr<Document> document, const std::filesystem::path& path)
+    : name_(path.filename().string()),
+      document_(std::move(document)),
+      content_(std::make_unique<Content>(std::move(document_->content()))),
+      is_numbered_(true),
+      dropped_(content_->extras),
+      inputs_(document_->companions()),
+      folder_(std::filesystem::absolute(path).parent_path()),
+      unit_(content_->unit) {
+  inputs_.push_back(path);
+  weld();
+}
+
 void Mesh::weld() {
-  std::size_t vertices = 0;
-  each_part(*scene_, [&](const aiMesh& part, std::size_t) { vertices += part.mNumVertices; });
-  weld_.reserve(vertices);
-  PositionNumbers numbers(vertices);
-  each_part(*scene_, [&](const aiMesh& part, std::size_t) {
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      weld_.push_back(numbers.number_of(key_of(part.mVertices[v])));
-    }
-  });
-  positions_.resize(static_cast<Eigen::Index>(numbers.count()), 3);
-  std::uint32_t next = 0;  // not seen yet
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      if (weld_[first + v] == next) positions_.row(next++) = to_eigen(part.mVertices[v]);
-    }
-  });
+  Welded welded = hwffd::weld(std::move(content_->positions));
+  positions_ = std::move(welded.positions);
+  weld_ = std::move(welded.vertices);
+  find_triangles();
+  normals_ = std::make_unique<FollowingNormals>(*content_, weld_, positions_);
 }
 
 void Mesh::find_triangles() {
   triangles_.clear();
-  each_part(*scene_, [&](const aiMesh& part, std::size_t first) {
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      for (unsigned c = 2; c < face.mNumIndices; ++c) {
-        triangles_.push_back({weld_[first + face.mIndices[0]], weld_[first + face.mIndices[c - 1]],
-                              weld_[first + face.mIndices[c]]});
-      }
+  triangles_.reserve(content_->corners.size() / 3);
+  for (std::size_t f = 0; f < content_->face_count(); ++f) {
+    const std::size_t begin = content_->face_begin(f);
+    const std::size_t corners = content_->face_end(f) - begin;
+    // The first corner stays the first of a face that is turned round.
+    const auto vertex = [&](std::size_t c) {
+      return weld_[content_->corners[begin + (turned_ && c > 0 ? corners - c : c)]];
+    };
+    for (std::size_t c = 2; c < corners; ++c) {
+      triangles_.push_back({vertex(0), vertex(c - 1), vertex(c)});
     }
-  });
+  }
 }
 
-bool Mesh::has_normals() const { return hwffd::has_normals(*scene_); }
+bool Mesh::is_single() const { return content_->is_single; }
+
+bool Mesh::has_normals() const { return !content_->normals.empty(); }
 
 Points Mesh::rounded(const Points& positions) const {
   if (positions.rows() != positions_.rows()) {
     throw Error(fmt::format("{}: {} new positions for {} vertices; give one for each vertex", name_,
                             positions.rows(), positions_.rows()));
   }
-  Points rounded = positions.cast<float>().cast<double>();
-  for (Eigen::Index i = 0; i < rounded.rows(); ++i) {
-    if (rounded.row(i).allFinite()) continue;
+  for (Eigen::Index i = 0; i < positions.rows(); ++i) {
+    if (positions.row(i).cast<float>().allFinite()) continue;
     throw Error(
         fmt::format("{}: new position of vertex {} is not a finite binary32 number; "
                     "check the control points",
                     name_, i));
   }
-  return rounded;
+  if (!is_single()) return positions;
+  return positions.cast<float>().cast<double>();
 }
 
-void Mesh::move(Points positions) {
+void Mesh::move(Points positions, bool turned) {
   positions_ = std::move(positions);
-  each_part(*scene_, [&](aiMesh& part, std::size_t first) {
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const Eigen::RowVector3f p = positions_.row(weld_[first + v]).cast<float>();
-      part.mVertices[v] = aiVector3D(p.x(), p.y(), p.z());
-    }
-  });
+  if (turned == turned_) return;
+  turned_ = turned;
+  find_triangles();
+  if (!scene_) return;
+  each_part(*scene_->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
 }
 
 void Mesh::set_positions(const Points& positions) {
-  move(rounded(positions));
-  orient_faces(false);
-  normals_->follow_faces(*scene_);
+  move(rounded(positions), false);
+  normals_->follow_faces(*content_, positions_, 1.0);
+  update_scene();
 }
 
 void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {
@@ -163,17 +129,46 @@ void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matri
     throw Error(fmt::format("{}: {} gradients for {} vertices; give one for each vertex", name_,
                             gradients.size(), vertex_count()));
   }
-  move(std::move(to));
-  orient_faces(is_mirror(gradients));
-  normals_->follow(*scene_, gradients, turned_ ? -1.0 : 1.0);
+  move(std::move(to), is_mirror(gradients));
+  normals_->follow(*content_, positions_, gradients, turned_ ? -1.0 : 1.0);
+  update_scene();
 }
 
-void Mesh::orient_faces(bool turned) {
-  if (turned == turned_) return;
-  turned_ = turned;
-  each_part(*scene_, [](aiMesh& part, std::size_t) { turn_faces(part); });
-  find_triangles();
+Mesh::Scene& Mesh::made() const {
+  if (scene_) return *scene_;
+  auto scene = std::make_unique<Scene>();
+  scene->made = scene_of(*content_, weld_.size(), [&](std::uint32_t vertex) -> Eigen::RowVector3d {
+    return positions_.row(weld_[vertex]);
+  });
+  scene->numbers = scene->made.vertices;
+  for (const std::uint32_t vertex : scene->made.vertices) scene->welded.push_back(weld_[vertex]);
+  if (turned_) {
+    each_part(*scene->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
+  }
+  scene_ = std::move(scene);
+  return *scene_;
 }
+
+void Mesh::update_scene() const {
+  if (!scene_) return;
+  each_part(*scene_->made.scene, [&](aiMesh& part, std::size_t first) {
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      const Eigen::RowVector3f p = positions_.row(scene_->welded[first + v]).cast<float>();
+      part.mVertices[v] = aiVector3D(p.x(), p.y(), p.z());
+      if (!part.HasNormals() || scene_->made.normals[first + v] == kNone) continue;
+      const Eigen::RowVector3f n = content_->normals.rows.row(scene_->made.normals[first + v]);
+      part.mNormals[v] = aiVector3D(n.x(), n.y(), n.z());
+    }
+  });
+}
+
+aiScene& Mesh::made_scene() const { return *made().made.scene; }
+
+const aiScene& Mesh::scene() const { return made_scene(); }
+
+const std::vector<std::uint32_t>& Mesh::welded() const { return made().welded; }
+
+const std::vector<std::uint32_t>& Mesh::numbers() const { return made().numbers; }
 
 Points Mesh::smooth_normals() const { return hwffd::smooth_normals(positions_, triangles_); }
 

@@ -73,7 +73,7 @@ Mesh Mesh::build(std::string name, const std::vector<Part>& parts) {
   if (parts.empty()) throw Error(fmt::format("{}: has no parts; give at least one", name));
   for (const Part& part : parts) check(name, part);
   const auto count = static_cast<unsigned>(parts.size());
-  ScenePtr scene(new aiScene());
+  auto scene = std::make_unique<aiScene>();
   scene->mRootNode = new aiNode(name);
   scene->mRootNode->mNumMeshes = count;
   scene->mRootNode->mMeshes = new unsigned[count];

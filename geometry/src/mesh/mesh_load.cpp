@@ -8,6 +8,7 @@
 #include "child.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh/format/document.hpp"
 #include "mesh/read_scene.hpp"
 #include "read_file.hpp"
 
@@ -66,8 +67,7 @@ void check_references(const ReadScene& read) {
   if (!read.numbers.empty() && read.numbers.size() != vertices) throw not_a_mesh("lost vertices");
 }
 
-ReadScene read_apart(const fs::path& path) {
-  const std::string bytes = read_file(path);
+ReadScene read_apart(const fs::path& path, const std::string& bytes) {
   try {
     ReadScene read = unpack(
         run_in_child([&] { return pack(read_scene(path, bytes)); }, limits_for(bytes.size())));
@@ -91,7 +91,13 @@ Mesh Mesh::load(const fs::path& path) {
   };
   if (!fs::exists(path, ignored)) refuse("no such file");
   if (!fs::is_regular_file(path, ignored)) refuse("not a file");
-  return Mesh(read_apart(path), path);
+  std::string bytes = read_file(path);
+  if (!has_reader(path)) return Mesh(read_apart(path, bytes), path);
+  try {
+    return Mesh(read_document(path, std::move(bytes)), path);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", file, error.what()));
+  }
 }
 
 }  // namespace hwffd

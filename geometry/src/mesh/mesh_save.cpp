@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <system_error>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/extension.hpp"
 #include "hwffd/mesh/mesh.hpp"
+#include "mesh/format/document.hpp"
 #include "mesh/mesh_writers.hpp"
+#include "mesh/normals.hpp"
 #include "mesh/scene.hpp"
 
 namespace hwffd {
@@ -36,19 +39,32 @@ Writer writer_for(const fs::path& path) {
       extension.empty() ? "without an extension" : extension + " meshes"));
 }
 
+/// A file that is written beside the one that is named never takes the place of one that was read.
+void refuse_inputs(const Files& made, const fs::path& path, const std::vector<fs::path>& inputs) {
+  for (const auto& [name, bytes] : made) {
+    const fs::path beside = path.parent_path() / name;
+    for (const fs::path& input : inputs) {
+      std::error_code ignored;
+      if (name == path.filename().string() || !fs::equivalent(beside, input, ignored)) continue;
+      throw Error(fmt::format(
+          "{}, which goes beside it, would replace a file that the mesh was read from; name the "
+          "output otherwise",
+          beside.string()));
+    }
+  }
+}
+
 std::size_t count_of(const Output& output) {
   return std::size_t{*std::max_element(output.numbers.begin(), output.numbers.end())} + 1;
 }
 
 }  // namespace
 
-std::vector<aiVector3D> numbered_positions(const Output& output) {
-  std::vector<aiVector3D> positions(count_of(output));
-  each_part(output.scene, [&](const aiMesh& part, std::size_t first) {
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      positions[output.numbers[first + v]] = part.mVertices[v];
-    }
-  });
+Points numbered_positions(const Output& output) {
+  Points positions(static_cast<Eigen::Index>(count_of(output)), 3);
+  for (std::size_t v = 0; v < output.numbers.size(); ++v) {
+    positions.row(output.numbers[v]) = output.positions.row(output.welded[v]);
+  }
   return positions;
 }
 
@@ -65,12 +81,25 @@ bool Mesh::can_save(const fs::path& path) { return writers().count(extension_of(
 
 void Mesh::check_format(const fs::path& path) { writer_for(path); }
 
+bool Mesh::edits(const fs::path& path) const { return document_ && document_->is_of(path); }
+
 std::vector<std::string> Mesh::save(const fs::path& path) const {
-  const Output output{*scene_, numbers_, path, folder_, unit_};
   const Writer write = writer_for(path);
+  const bool is_edit = edits(path);
   Files made;
+  std::vector<std::string> losses;
   try {
-    made = write(output);
+    if (is_edit) {
+      made = document_->edited(
+          {positions_, weld_, content_->normals, normals_->origins(), content_->tangents, turned_},
+          path);
+    } else {
+      const Output output{scene(),   positions_, welded(), is_single(),
+                          numbers(), path,       folder_,  unit_};
+      made = write(output);
+      losses = losses_of(output, is_numbered_);
+    }
+    refuse_inputs(made, path, inputs_);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
@@ -81,7 +110,7 @@ std::vector<std::string> Mesh::save(const fs::path& path) const {
   }
   files.push_back({path, std::move(made.at(name))});
   write_files(files);
-  return losses_of(output, is_numbered_);
+  return losses;
 }
 
 }  // namespace hwffd

@@ -8,11 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "hwffd/points.hpp"
+
 namespace hwffd {
 
 /// A mesh on its way into files.
 struct Output {
   const aiScene& scene;
+  const Points& positions;                    ///< of welded vertices
+  const std::vector<std::uint32_t>& welded;   ///< scene vertex -> welded vertex
+  bool is_single;                             ///< whether positions are binary32
   const std::vector<std::uint32_t>& numbers;  ///< scene vertex -> vertex of the file
   std::filesystem::path path;
   std::filesystem::path texture_folder;  ///< that names of textures start from; empty: none
@@ -35,7 +40,7 @@ Files write_dae(const Output& output);
 std::vector<std::string> losses_of(const Output& output, bool is_numbered);
 
 /// Positions in the order of the file's vertices.
-std::vector<aiVector3D> numbered_positions(const Output& output);
+Points numbered_positions(const Output& output);
 
 /// Whether the scene has several vertices for one of the file, with other normals or texture
 /// coordinates.

@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "cofactor.hpp"
 #include "mesh/scene.hpp"
@@ -10,25 +13,15 @@
 namespace hwffd {
 namespace {
 
+constexpr float kRounding = 0x1p-22f;   // of a number up to 1, twice
 constexpr double kSameNormal = 0.9999;  // cosine; readers repeat a normal with rounding errors
 
-/// Takes the direction as a normal, if it is one.
-void set_normal(aiVector3D& normal, const Eigen::Vector3d& direction) {
+/// The direction as a normal, or `otherwise` if it is none.
+Eigen::RowVector3f normal_of(const Eigen::Vector3d& direction,
+                             const Eigen::RowVector3f& otherwise) {
   const Eigen::Vector3d n = direction.stableNormalized();
-  if (n.isZero() || !n.allFinite()) return;
-  normal =
-      aiVector3D(static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()));
-}
-
-/// Area vector of a face times two.
-Eigen::Vector3d area_of(const aiMesh& part, const aiFace& face) {
-  Eigen::Vector3d area = Eigen::Vector3d::Zero();
-  for (unsigned c = 2; c < face.mNumIndices; ++c) {
-    const Eigen::Vector3d origin = to_eigen(part.mVertices[face.mIndices[0]]);
-    area += (to_eigen(part.mVertices[face.mIndices[c - 1]]) - origin)
-                .cross(to_eigen(part.mVertices[face.mIndices[c]]) - origin);
-  }
-  return area;
+  if (n.isZero() || !n.allFinite()) return otherwise;
+  return n.cast<float>().transpose();
 }
 
 }  // namespace
@@ -63,70 +56,117 @@ bool has_normals(const aiScene& scene) {
   return some;
 }
 
-SceneNormals::SceneNormals(const aiScene& scene, const std::vector<std::uint32_t>& weld)
-    : weld_(weld) {
-  if (!has_normals(scene)) return;
-  read_.resize(weld.size(), Eigen::Vector3f::Zero());
-  class_.resize(weld.size(), 0);
-  each_part(scene, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      read_[first + v] = to_eigen(part.mNormals[v]).cast<float>();
-    }
-  });
-  find_classes(scene);
+FollowingNormals::FollowingNormals(Content& content, const std::vector<std::uint32_t>& weld,
+                                   const Points& rest) {
+  if (content.normals.empty()) return;
+  rest_ = rest;
+  weld_ = weld;
+  split(content, weld);
+  read_ = content.normals.rows;
+  find_classes();
 }
 
-void SceneNormals::find_classes(const aiScene& scene) {
-  struct Class {
-    Eigen::Vector3d normal;
-    std::uint32_t index;
-  };
-  const auto last = std::max_element(weld_.begin(), weld_.end());
-  std::vector<std::vector<Class>> at_vertex(last == weld_.end() ? 0 : std::size_t{*last} + 1);
-  each_part(scene, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const Eigen::Vector3d normal = read_[first + v].cast<double>().normalized();
-      std::vector<Class>& classes = at_vertex[weld_[first + v]];
-      std::size_t c = 0;
-      while (c < classes.size() && !(classes[c].normal.dot(normal) > kSameNormal)) ++c;
-      if (c == classes.size()) classes.push_back({normal, classes_++});
-      class_[first + v] = classes[c].index;
+void FollowingNormals::split(Content& content, const std::vector<std::uint32_t>& weld) {
+  Values<3>& normals = content.normals;
+  if (normals.of_corner.empty()) {  // a row is a vertex
+    owners_ = weld;
+    for (std::size_t row = 0; row < owners_.size(); ++row) {
+      if (std::isnan(normals.rows(static_cast<Eigen::Index>(row), 0))) owners_[row] = kNone;
     }
-  });
+    return;
+  }
+  const auto rows = static_cast<std::uint32_t>(normals.rows.rows());
+  owners_.assign(rows, kNone);
+  std::vector<std::uint32_t> next(rows, kNone);  // the extra row behind a row of the same origin
+  for (std::size_t c = 0; c < content.corners.size(); ++c) {
+    std::uint32_t row = normals.of_corner[c];
+    if (row == kNone) continue;
+    const std::uint32_t vertex = weld[content.corners[c]];
+    const std::uint32_t origin = row;
+    if (owners_[row] == kNone) owners_[row] = vertex;
+    while (owners_[row] != vertex && next[row] != kNone) row = next[row];
+    if (owners_[row] != vertex) {
+      next[row] = static_cast<std::uint32_t>(owners_.size());
+      row = next[row];
+      owners_.push_back(vertex);
+      next.push_back(kNone);
+      origins_.push_back(origin);
+    }
+    normals.of_corner[c] = row;
+  }
+  normals.rows.conservativeResize(static_cast<Eigen::Index>(owners_.size()), 3);
+  for (std::size_t extra = 0; extra < origins_.size(); ++extra) {
+    normals.rows.row(rows + static_cast<Eigen::Index>(extra)) = normals.rows.row(origins_[extra]);
+  }
 }
 
-void SceneNormals::follow_faces(aiScene& scene) const {
+void FollowingNormals::find_classes() {
+  std::vector<std::uint32_t> order(owners_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return owners_[a] < owners_[b]; });
+  class_.resize(owners_.size());
+  std::vector<std::pair<Eigen::Vector3d, std::uint32_t>> found;  // at one vertex
+  std::uint32_t vertex = kNone;
+  for (const std::uint32_t row : order) {
+    if (owners_[row] != vertex) found.clear();
+    vertex = owners_[row];
+    const Eigen::Vector3d normal = read_.row(row).cast<double>().transpose().normalized();
+    std::size_t c = 0;
+    while (c < found.size() && !(found[c].first.dot(normal) > kSameNormal)) ++c;
+    if (c == found.size()) found.emplace_back(normal, classes_++);
+    class_[row] = found[c].second;
+  }
+}
+
+void FollowingNormals::follow_faces(Content& content, const Points& positions, double sign) const {
+  if (read_.rows() == 0) return;
   std::vector<Eigen::Vector3d> sums(classes_, Eigen::Vector3d::Zero());
-  each_part(scene, [&](const aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      const Eigen::Vector3d area = area_of(part, face);
-      for (unsigned c = 0; c < face.mNumIndices; ++c) {
-        sums[class_[first + face.mIndices[c]]] += area;
-      }
+  std::vector<bool> moved(classes_, false);
+  const auto vertex_of = [&](std::size_t corner) { return weld_[content.corners[corner]]; };
+  for (std::size_t f = 0; f < content.face_count(); ++f) {
+    const std::size_t begin = content.face_begin(f);
+    const std::size_t end = content.face_end(f);
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    bool moves = false;
+    const Eigen::Vector3d origin = positions.row(vertex_of(begin));
+    for (std::size_t c = begin; c < end; ++c) {
+      moves = moves || positions.row(vertex_of(c)) != rest_.row(vertex_of(c));
+      if (c < begin + 2) continue;
+      area += (positions.row(vertex_of(c - 1)).transpose() - origin)
+                  .cross(positions.row(vertex_of(c)).transpose() - origin);
     }
-  });
-  each_part(scene, [&](aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      set_normal(part.mNormals[v], sums[class_[first + v]]);
+    for (std::size_t c = begin; c < end; ++c) {
+      const std::uint32_t row = content.normals.row_of(c, content.corners[c]);
+      if (row == kNone) continue;
+      sums[class_[row]] += sign * area;
+      if (moves) moved[class_[row]] = true;
     }
-  });
+  }
+  content.normals.rows = read_;
+  for (Eigen::Index row = 0; row < read_.rows(); ++row) {
+    const std::uint32_t c = class_[static_cast<std::size_t>(row)];
+    if (moved[c] && owners_[static_cast<std::size_t>(row)] != kNone) {
+      content.normals.rows.row(row) = normal_of(sums[c], read_.row(row));
+    }
+  }
 }
 
-void SceneNormals::follow(aiScene& scene, const std::vector<Eigen::Matrix3d>& gradients,
-                          double sign) const {
-  follow_faces(scene);
-  each_part(scene, [&](aiMesh& part, std::size_t first) {
-    if (!part.HasNormals()) return;
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const Eigen::Matrix3d turn = sign * cofactor(known(gradients[weld_[first + v]]));
-      set_normal(part.mNormals[v], turn * read_[first + v].cast<double>());
-    }
-  });
+void FollowingNormals::follow(Content& content, const Points& positions,
+                              const std::vector<Eigen::Matrix3d>& gradients, double sign) const {
+  follow_faces(content, positions, sign);
+  for (Eigen::Index row = 0; row < read_.rows(); ++row) {
+    const std::uint32_t vertex = owners_[static_cast<std::size_t>(row)];
+    if (vertex == kNone) continue;
+    const Eigen::Matrix3d turn = sign * cofactor(known(gradients[vertex]));
+    const Eigen::Vector3d read = read_.row(row).cast<double>().transpose();
+    const Eigen::RowVector3f now = content.normals.rows.row(row);
+    const Eigen::RowVector3f turned = normal_of(turn * read, now);
+    // What no more than rounding has moved is what was read.
+    const Eigen::RowVector3f before = normal_of(read, read_.row(row));
+    const bool stays = (turned - before).cwiseAbs().maxCoeff() <= kRounding;
+    content.normals.rows.row(row) = stays ? Eigen::RowVector3f(read_.row(row)) : turned;
+  }
 }
 
 }  // namespace hwffd

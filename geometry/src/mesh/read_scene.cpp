@@ -6,12 +6,10 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <set>
 
 #include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/extension.hpp"
-#include "mesh/obj_vertices.hpp"
 #include "mesh/ply_check.hpp"
 #include "mesh/scene.hpp"
 #include "mesh/source_io.hpp"
@@ -90,10 +88,8 @@ ReadScene read_scene(const std::filesystem::path& path, const std::string& bytes
   const std::string extension = extension_of(path);
   const std::string fault = extension == ".ply" ? fault_of_ply(bytes) : "";
   if (!fault.empty()) throw not_a_mesh(fault);
-  std::optional<ObjVertices> obj;
-  if (extension == ".obj") obj.emplace(bytes);
   ReadScene read;
-  read.scene = import(path.string(), obj ? obj->numbered() : bytes);
+  read.scene = import(path.string(), bytes);
   aiScene& scene = *read.scene;
   check_scene(scene);
   read.dropped = strip_scene(scene);
@@ -102,7 +98,6 @@ ReadScene read_scene(const std::filesystem::path& path, const std::string& bytes
   if (extension == ".dae" || extension == ".zae") read.unit = take_unit(scene);
   if (!is_numbered(extension)) join_corners(scene);
   bake_transforms(scene);
-  if (obj) read.numbers = obj->restore(scene);
   if (is_numbered(extension)) read.numbers = one_after_another(scene);
   check_scene(scene);  // a transform may overflow, and parts that no node shows are gone
   return read;

@@ -5,6 +5,7 @@
 
 #include "hwffd/excerpt.hpp"
 #include "mesh/assimp_export.hpp"
+#include "mesh/format/text.hpp"
 #include "mesh/scene.hpp"
 
 namespace hwffd {
@@ -46,16 +47,20 @@ class ObjText {
 
  private:
   void write_vertices() {
-    const std::vector<aiVector3D> positions = numbered_positions(output_);
-    std::vector<const aiColor4D*> colours(positions.size(), nullptr);
+    const Points positions = numbered_positions(output_);
+    const auto count = static_cast<std::size_t>(positions.rows());
+    std::vector<const aiColor4D*> colours(count, nullptr);
     each_part(output_.scene, [&](const aiMesh& part, std::size_t first) {
       for (unsigned v = 0; v < part.mNumVertices && part.HasVertexColors(0); ++v) {
         colours[output_.numbers[first + v]] = &part.mColors[0][v];
       }
     });
-    for (std::size_t n = 0; n < positions.size(); ++n) {
-      const aiVector3D& p = positions[n];
-      text_ += fmt::format("v {} {} {}", p.x, p.y, p.z);
+    for (std::size_t n = 0; n < count; ++n) {
+      text_ += 'v';
+      for (int axis = 0; axis < 3; ++axis) {
+        text_ += ' ';
+        append_number(text_, positions(static_cast<Eigen::Index>(n), axis), output_.is_single);
+      }
       if (const aiColor4D* c = colours[n]) text_ += fmt::format(" {} {} {}", c->r, c->g, c->b);
       text_ += '\n';
     }

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
+#include "mesh/format/text.hpp"
 #include "mesh/mesh_writers.hpp"
 #include "mesh/scene.hpp"
 
 namespace hwffd {
 
 Files write_off(const Output& output) {
-  const std::vector<aiVector3D> positions = numbered_positions(output);
+  const Points positions = numbered_positions(output);
   std::string faces;
   std::size_t count = 0;
   each_part(output.scene, [&](const aiMesh& part, std::size_t first) {
@@ -21,8 +22,13 @@ Files write_off(const Output& output) {
       faces += '\n';
     }
   });
-  std::string text = fmt::format("OFF\n{} {} 0\n", positions.size(), count);
-  for (const aiVector3D& p : positions) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  std::string text = fmt::format("OFF\n{} {} 0\n", positions.rows(), count);
+  for (Eigen::Index n = 0; n < positions.rows(); ++n) {
+    for (int axis = 0; axis < 3; ++axis) {
+      append_number(text, positions(n, axis), output.is_single);
+      text += axis < 2 ? ' ' : '\n';
+    }
+  }
   return {{output.path.filename().string(), text + faces}};
 }
 

@@ -26,6 +26,7 @@ unsigned char byte_of(float part) {
 
 /// What the vertices of any part have; it is written for all.
 struct Layout {
+  bool is_single = true;
   bool normals = false;
   bool textures = false;
   bool colours = false;
@@ -34,12 +35,15 @@ struct Layout {
   std::size_t corners = 0;  ///< of all faces
 
   std::size_t row_size() const {
-    return 12u + (normals ? 12u : 0u) + (textures ? 8u : 0u) + (colours ? 4u : 0u);
+    return (is_single ? 12u : 24u) + (normals ? 12u : 0u) + (textures ? 8u : 0u) +
+           (colours ? 4u : 0u);
   }
 };
 
-Layout layout_of(const aiScene& scene) {
+Layout layout_of(const Output& output) {
+  const aiScene& scene = output.scene;
   Layout layout;
+  layout.is_single = output.is_single;
   each_part(scene, [&](const aiMesh& part, std::size_t) {
     layout.normals = layout.normals || part.HasNormals();
     layout.textures = layout.textures || part.HasTextureCoords(0);
@@ -70,7 +74,7 @@ std::string header_of(const Output& output, const Layout& layout, std::size_t ve
   const auto properties = [&](const char* type, std::initializer_list<const char*> names) {
     for (const char* name : names) text += fmt::format("property {} {}\n", type, name);
   };
-  properties("float", {"x", "y", "z"});
+  properties(layout.is_single ? "float" : "double", {"x", "y", "z"});
   if (layout.normals) properties("float", {"nx", "ny", "nz"});
   if (layout.textures) properties("float", {"s", "t"});
   if (layout.colours) properties("uchar", {"red", "green", "blue", "alpha"});
@@ -83,13 +87,19 @@ std::string header_of(const Output& output, const Layout& layout, std::size_t ve
 }
 
 /// Puts what the layout has of a vertex where `row` begins.
-void put_row(const aiMesh& part, unsigned v, const Layout& layout, char* row) {
+/// @param position  of the vertex
+void put_row(const aiMesh& part, unsigned v, const Point& position, const Layout& layout,
+             char* row) {
   const auto vector = [&](const aiVector3D& value, std::size_t components) {
     const std::array<float, 3> numbers{value.x, value.y, value.z};
     row =
         std::copy_n(reinterpret_cast<const char*>(numbers.data()), components * sizeof(float), row);
   };
-  vector(part.mVertices[v], 3);
+  if (layout.is_single) {
+    vector(part.mVertices[v], 3);
+  } else {
+    row = std::copy_n(reinterpret_cast<const char*>(position.data()), 3 * sizeof(double), row);
+  }
   if (layout.normals) vector(part.HasNormals() ? part.mNormals[v] : aiVector3D(), 3);
   if (layout.textures) {
     vector(part.HasTextureCoords(0) ? part.mTextureCoords[0][v] : aiVector3D(), 2);
@@ -103,7 +113,7 @@ void put_row(const aiMesh& part, unsigned v, const Layout& layout, char* row) {
 }  // namespace
 
 Files write_ply(const Output& output) {
-  const Layout layout = layout_of(output.scene);
+  const Layout layout = layout_of(output);
   const std::vector<std::uint32_t> rows = rows_of(output);
   const std::size_t size = layout.row_size();
   std::string bytes = header_of(output, layout, output.numbers.size());
@@ -113,7 +123,8 @@ Files write_ply(const Output& output) {
   bytes.resize(faces);
   each_part(output.scene, [&](const aiMesh& part, std::size_t first) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      put_row(part, v, layout, &bytes[start + rows[first + v] * size]);
+      put_row(part, v, output.positions.row(output.welded[first + v]), layout,
+              &bytes[start + rows[first + v] * size]);
     }
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];

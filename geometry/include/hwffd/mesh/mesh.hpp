@@ -13,7 +13,10 @@ struct aiScene;
 
 namespace hwffd {
 
-class SceneNormals;
+class Document;
+class FollowingNormals;
+struct Content;
+struct ContentScene;
 struct ReadScene;
 
 /// A polygon mesh, or a cloud of points, whose vertices can be moved. It keeps the whole scene of
@@ -21,6 +24,10 @@ struct ReadScene;
 /// position once: vertices that a file repeats along smoothing groups or texture seams are welded
 /// by exact equality, over all parts of the scene. Welding is for those who move vertices: files
 /// are written with the vertices that were read, in their order.
+///
+/// A mesh that is saved in the format that it was read from is that file, edited: positions and
+/// normals are replaced where they changed, and every other byte is as it was. This holds for obj,
+/// ply, off and stl; edits() tells.
 ///
 /// Coordinates are those of the scene with its node transforms applied. A 3ds file is taken as
 /// written, y up, without the turn that Assimp puts on its root, and a dae file in its own unit.
@@ -74,26 +81,32 @@ class Mesh {
   /// Number of vertices before welding. Of obj, ply, off, glb and gltf those in the file, whether a
   /// face uses them or not; else distinct combinations of position, normal, texture coordinates and
   /// colour in each part.
-  std::size_t vertex_count_read() const { return read_count_; }
+  std::size_t vertex_count_read() const { return weld_.size(); }
 
   /// What the file held and this mesh does not: "2 animations", "property quality of vertex".
   const std::vector<std::string>& dropped() const { return dropped_; }
 
-  /// Welded positions, vertex_count() x 3. Every value is a binary32 number.
+  /// Welded positions, vertex_count() x 3. Every value is a binary32 number if is_single(), else a
+  /// double in the range of binary32.
   const Points& positions() const { return positions_; }
+
+  /// Whether coordinates are binary32: of files with doubles, and of text with numbers of more
+  /// digits than binary32 has, they are not.
+  bool is_single() const;
 
   /// Whether any part has normals that set_positions() turns.
   bool has_normals() const;
 
-  /// Moves the vertices, with all their duplicates. Values are rounded to binary32. The normals
-  /// that the mesh has become area-weighted means over the faces that shared a normal, so hard
-  /// edges stay hard; faces are as they were read. Tangents were dropped on reading.
+  /// Moves the vertices, with all their duplicates. Values are rounded to binary32 if is_single().
+  /// Normals of faces that moved become area-weighted means over the faces that shared a normal, so
+  /// hard edges stay hard; faces are as they were read.
   /// @param positions vertex_count() x 3
   /// @throws Error if the number of rows differs or a value is not a finite binary32 number; the
   ///   mesh is then unchanged.
   void set_positions(const Points& positions);
 
-  /// The same, but a normal n that was read becomes the direction of cofactor(G) n, where G is the
+  /// The same, but a normal n that was read becomes the direction of cofactor(G) n (and a tangent
+  /// that of G t), where G is the
   /// derivative of the deformation there: smoothing groups and normals made by hand are kept, and
   /// the result does not depend on the faces. Where G is unknown (not finite, or singular) the
   /// normal comes from the faces as above.
@@ -115,9 +128,14 @@ class Mesh {
   /// area; (0, 1, 0) where the faces give no direction.
   Points smooth_normals() const;
 
+  /// Whether save() under this name edits the file that was read, so that nothing of it is lost.
+  bool edits(const std::filesystem::path& path) const;
+
   /// Writes the mesh; the extension chooses the format (obj, ply, off, stl, glb, gltf, dae). Files
   /// that belong to it (mtl, bin) go beside it; texture files are named so that they are found from
   /// there, not copied. Written whole or not at all, see write_files().
+  ///
+  /// What follows is of a mesh that is not edits(path).
   ///
   /// Vertices come in the order and number in which they were read, also those without faces,
   /// unless the format has one normal or texture coordinate a vertex and the mesh several.
@@ -132,47 +150,49 @@ class Mesh {
   ///   order
   /// @return what of this mesh is lost, a few words each
   /// @throws UsageError for an unknown extension (check_format()), Error for a mesh without faces
-  /// as stl or
-  ///   dae, or a failed write.
+  ///   as stl or dae, a file beside it that would replace one that the mesh was read from, or a
+  ///   failed write.
   std::vector<std::string> save(const std::filesystem::path& path) const;
 
-  /// The scene as it stands now, for a renderer that wants materials or texture coordinates.
-  const aiScene& scene() const { return *scene_; }
+  /// The scene as it stands now, for a renderer that wants materials or texture coordinates. It is
+  /// made by the first call, which is for one thread alone, and lives as long as the mesh.
+  const aiScene& scene() const;
 
   /// The welded vertex of every vertex of scene(), parts in order.
-  const std::vector<std::uint32_t>& welded() const { return weld_; }
+  const std::vector<std::uint32_t>& welded() const;
 
   /// The vertex in the file of every vertex of scene(), where the format numbers vertices
   /// (vertex_count_read()); else as welded().
-  const std::vector<std::uint32_t>& numbers() const { return numbers_; }
+  const std::vector<std::uint32_t>& numbers() const;
 
  private:
-  struct SceneDeleter {
-    void operator()(aiScene* scene) const;
-  };
-  using ScenePtr = std::unique_ptr<aiScene, SceneDeleter>;
+  struct Scene;
 
-  Mesh(ScenePtr scene, std::string name);
+  Mesh(std::unique_ptr<aiScene> scene, std::string name);
   Mesh(ReadScene read, const std::filesystem::path& path);
+  Mesh(std::unique_ptr<Document> document, const std::filesystem::path& path);
   void weld();
   /// @throws Error for what set_positions() refuses
   Points rounded(const Points& positions) const;
-  void move(Points positions);
+  void move(Points positions, bool turned);
   void find_triangles();
-  void orient_faces(bool turned);
+  Scene& made() const;
+  aiScene& made_scene() const;
+  void update_scene() const;
 
-  ScenePtr scene_;
   std::string name_;
+  std::unique_ptr<Document> document_;  ///< none: no file, or one that Assimp reads
+  std::unique_ptr<Content> content_;    ///< but for its positions; normals as they stand now
   Points positions_;
+  std::vector<std::uint32_t> weld_;  ///< vertex of the content -> welded vertex
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> weld_;     ///< scene vertex (parts in order) -> welded vertex
-  std::vector<std::uint32_t> numbers_;  ///< scene vertex -> vertex in the file; or as weld_
-  bool is_numbered_ = false;            ///< whether numbers_ are the file's
-  std::size_t read_count_ = 0;
+  std::unique_ptr<FollowingNormals> normals_;
+  mutable std::unique_ptr<Scene> scene_;
+  bool is_numbered_ = false;  ///< whether the content's vertices are those of the file
   std::vector<std::string> dropped_;
-  std::filesystem::path folder_;  ///< that names of textures start from; empty: none
-  double unit_ = 1;               ///< of positions, in metres
-  std::unique_ptr<SceneNormals> normals_;
+  std::vector<std::filesystem::path> inputs_;  ///< the file that was read, and those beside it
+  std::filesystem::path folder_;               ///< that names of textures start from; empty: none
+  double unit_ = 1;                            ///< of positions, in metres
   bool turned_ = false;  ///< whether faces are turned round from how they were read
 };
 

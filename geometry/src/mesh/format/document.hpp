@@ -56,9 +56,11 @@ class Document {
   std::vector<std::filesystem::path> companions_;
 };
 
-/// Reads a mesh by the reader of ours that its extension names.
+/// Whether a format has a reader of ours, by the extension; Assimp reads the others.
+bool has_reader(const std::filesystem::path& path);
+
+/// Reads a mesh of such a format.
 /// @param path  of the file; companions (mtllib, buffers) are looked for beside it
-/// @return nothing for a format that has none: Assimp reads those
 /// @throws Error, without the file's name, for what is no such file
 std::unique_ptr<Document> read_document(const std::filesystem::path& path, std::string bytes);
 
