@@ -176,7 +176,9 @@ int run(const Options& options, const StageOptions& stage_options) {
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
   const DeformReport report{geometry, *device, stages, folds, result, outputs};
-  if (geometry.is_mesh()) warn_of_losses(geometry.name(), geometry.mesh().dropped());
+  if (geometry.is_mesh() && !geometry.mesh().edits(outputs.front())) {
+    warn_of_losses(geometry.name(), geometry.mesh().dropped());
+  }
   warn_of_losses(outputs.front(), losses);
   warn_of(report);
   if (!options.report.empty()) write_report(options.report, json_of(report));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <optional>
 #include <random>
@@ -62,6 +63,32 @@ bool is_device(const fs::path& path) {
   std::error_code ignored;
   return fs::is_other(path, ignored);
 }
+
+/// The descriptor of this process that a name such as /dev/stdout, /dev/fd/3 or a link to one
+/// stands for. What is behind it, be it a file, is written on and never replaced.
+std::optional<int> descriptor_of(const fs::path& path) {
+  std::error_code error;
+  const fs::path descriptors = fs::canonical("/proc/self/fd", error);
+  if (error) return std::nullopt;
+  fs::path target = path;
+  for (int links = 0; links < kMostLinks; ++links) {
+    const fs::path folder = fs::canonical(fs::absolute(target).parent_path(), error);
+    if (error) return std::nullopt;
+    const std::string name = target.filename().string();
+    int number = 0;
+    const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (folder == descriptors && failure == std::errc() && end == name.data() + name.size()) {
+      return number;
+    }
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) return std::nullopt;
+    target = target.parent_path() / next;
+  }
+  return std::nullopt;
+}
+
+/// Whether a file of this name is written as it stands, not replaced.
+bool is_stream(const fs::path& path) { return is_device(path) || descriptor_of(path); }
 
 /// Where a link leads, whether a file is there or not, so that it stays a link; else the path.
 fs::path followed(const fs::path& path) {
@@ -159,6 +186,11 @@ class Temporaries {
 void check_writable(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) fail(path, EISDIR);
+  if (const auto descriptor = descriptor_of(path)) {
+    const int flags = ::fcntl(*descriptor, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) fail(path, EBADF);
+    return;
+  }
   if (is_device(path)) return;
   const fs::path target = followed(path);
   if (::faccessat(AT_FDCWD, folder_of(target).c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -176,12 +208,16 @@ void check_writable(const fs::path& path) {
 void write_files(const std::vector<FileContent>& files) {
   for (const FileContent& file : files) check_writable(file.path);
   for (const FileContent& file : files) {
-    if (is_device(file.path)) write_to(::open(file.path.c_str(), O_WRONLY | O_CLOEXEC), file);
+    if (const auto descriptor = descriptor_of(file.path)) {
+      write_to(::fcntl(*descriptor, F_DUPFD_CLOEXEC, 0), file);
+    } else if (is_device(file.path)) {
+      write_to(::open(file.path.c_str(), O_WRONLY | O_CLOEXEC), file);
+    }
   }
   const SignalsWait wait;
   Temporaries temporaries;
   for (const FileContent& file : files) {
-    if (!is_device(file.path)) temporaries.write(file);
+    if (!is_stream(file.path)) temporaries.write(file);
   }
   temporaries.rename_all();
 }

@@ -1,5 +1,6 @@
 #include "hwffd/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -54,6 +55,31 @@ TEST_F(AtomicFile, ReplacesOlderFiles) {
   folder.write("one", "a much longer older text");
   write_files({{folder / "one", "new"}});
   EXPECT_EQ(folder.texts(), (Texts{{"one", "new"}}));
+}
+
+/// What is open, under each of its names, is written on: it may be a file that holds something.
+TEST_F(AtomicFile, DescriptorsAreWrittenOn) {
+  const auto path = folder.write("log", "precious\n");
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(descriptor, 0);
+  const std::string number = std::to_string(descriptor);
+  std::filesystem::create_symlink("/dev/fd/" + number, folder / "link");
+  std::filesystem::create_symlink("link", folder / "link to a link");
+  const std::vector<std::string> names{"/dev/fd/" + number, "/proc/self/fd/" + number,
+                                       (folder / "link").string(),
+                                       (folder / "link to a link").string()};
+  std::string wanted = "precious\n";
+  for (const std::string& name : names) {
+    check_writable(name);
+    write_files({{name, name + "\n"}});
+    wanted += name + "\n";
+    EXPECT_EQ(read_text(path), wanted);
+  }
+  ::close(descriptor);
+  const int reader = ::open(path.c_str(), O_RDONLY);
+  EXPECT_ERROR_PART(check_writable("/dev/fd/" + std::to_string(reader)), "Bad file descriptor");
+  ::close(reader);
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"link", "link to a link", "log"}));
 }
 
 /// The second file fails for want of room after the first was complete: neither changes.

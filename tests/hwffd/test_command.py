@@ -76,8 +76,11 @@ class Command(CommandTest):
             info = json.loads(self.good("info", f"out.{extension}", "--json", "-"))
             self.assertEqual((info["vertices"], info["triangles"]), (6, 6), extension)
         text = self.text("out.obj")
-        for word in ("red", "vt 1 0", "lower", "upper"):
-            self.assertIn(word, text + self.text("out.mtl"))
+        for word in ("red", "vt 1 0", "lower", "upper", "mtllib solid.mtl"):
+            self.assertIn(word, text)
+        self.assertFalse((self.folder / "out.mtl").exists())
+        self.good("deform", "solid.obj", "--deform", "none", "--device", "reference", "-o", "o.obj")
+        self.assertEqual(self.text("o.obj"), MESH)
 
     def test_points_vertices_and_names(self):
         (self.folder / "dust.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 2 1\n")
@@ -91,9 +94,12 @@ class Command(CommandTest):
                    "property float y\nproperty float z\nproperty float quality\nend_header\n"
                    "1 2 3 4\n")
         (self.folder / "new\nline.ply").write_text(quality)
-        out = self.good("deform", "new\nline.ply", "--deform", "none", "-o", "a\nb.ply",
+        out = self.good("deform", "new\nline.ply", "--deform", "none", "-o", "a\nb.obj",
                         warning="new\\x0aline.ply: dropped: property quality of vertex")
-        self.assertIn("wrote a\\x0ab.ply\n", out)
+        self.assertIn("wrote a\\x0ab.obj\n", out)
+        self.good("deform", "new\nline.ply", "--deform", "none", "--device", "reference",
+                  "-o", "b.ply")
+        self.assertEqual(self.text("b.ply"), quality)
 
     def test_a_reader_that_crashes(self):
         (self.folder / "a.raw").write_text("0 0 0 1 0 0 1 1 0\nroof\n0 0 1 1 0 1 1 1 1\n")
@@ -217,6 +223,17 @@ class Command(CommandTest):
                                           preexec_fn=(lambda: os.close(1)) if closed else None)
                     self.assertEqual(done.returncode, FAILURE)
                     self.assertRegex(done.stderr, r"\Ahwffd: standard output: [^\n]+\n\Z")
+
+    def test_what_is_open_is_written_on(self):
+        """A log behind standard output keeps what it holds."""
+        for name in "/dev/stdout", "/dev/fd/1":
+            (self.folder / "log").write_text("precious\n")
+            with open(self.folder / "log", "a") as log:
+                subprocess.run([PROGRAM, "deform", "points.xyz", "--deform", "none", "--device",
+                                "reference", "-o", name], cwd=self.folder, stdout=log, check=True)
+            lines = self.text("log").splitlines()
+            self.assertEqual(lines[:4], ["precious", "0 0 0", "0.25 0.5 0.75", "1 1 1"])
+            self.assertTrue((self.folder / "log").is_file())
 
     def test_output_closed_does_not_reach_files(self):
         """A file opened in the place of the closed standard output does not get its text."""

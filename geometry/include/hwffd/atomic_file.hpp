@@ -16,7 +16,8 @@ struct FileContent {
 /// are complete are they renamed, in the order given, so put the file that refers to the others
 /// last. An older file of the same name stays whole until it is replaced, and leaves its owner, as
 /// far as the system allows, and its mode to the new one. A link is followed. A device or pipe
-/// (/dev/stdout, /dev/null) is not replaced: it gets its bytes before the files.
+/// (/dev/null) and what is open in this process (/dev/stdout, /dev/fd/3, be it a file) are not
+/// replaced: they get their bytes, behind those that are there, before the files.
 ///
 /// Signals that end a program wait, in this thread, while there are temporary files.
 /// @throws Error as check_writable, or if a file cannot be created, written in full or renamed; no

@@ -55,7 +55,7 @@ Mesh::Mesh(std::unique_ptr<Document> document, const std::filesystem::path& path
     : name_(path.filename().string()),
       document_(std::move(document)),
       content_(std::make_unique<Content>(std::move(document_->content()))),
-      is_numbered_(true),
+      is_numbered_(content_->is_numbered),
       dropped_(content_->extras),
       inputs_(document_->companions()),
       folder_(std::filesystem::absolute(path).parent_path()),
@@ -140,8 +140,8 @@ Mesh::Scene& Mesh::made() const {
   scene->made = scene_of(*content_, weld_.size(), [&](std::uint32_t vertex) -> Eigen::RowVector3d {
     return positions_.row(weld_[vertex]);
   });
-  scene->numbers = scene->made.vertices;
   for (const std::uint32_t vertex : scene->made.vertices) scene->welded.push_back(weld_[vertex]);
+  scene->numbers = is_numbered_ ? scene->made.vertices : scene->welded;
   if (turned_) {
     each_part(*scene->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 #include "cofactor.hpp"
@@ -14,6 +15,7 @@ namespace hwffd {
 namespace {
 
 constexpr float kRounding = 0x1p-22f;   // of a number up to 1, twice
+constexpr std::size_t kSearched = 256;  // normals of one vertex: a hostile file has any number
 constexpr double kSameNormal = 0.9999;  // cosine; readers repeat a normal with rounding errors
 
 /// The direction as a normal, or `otherwise` if it is none.
@@ -77,26 +79,24 @@ void FollowingNormals::split(Content& content, const std::vector<std::uint32_t>&
   }
   const auto rows = static_cast<std::uint32_t>(normals.rows.rows());
   owners_.assign(rows, kNone);
-  std::vector<std::uint32_t> next(rows, kNone);  // the extra row behind a row of the same origin
+  std::unordered_map<std::uint64_t, std::uint32_t> extra;  // row and vertex -> row of its own
   for (std::size_t c = 0; c < content.corners.size(); ++c) {
-    std::uint32_t row = normals.of_corner[c];
+    std::uint32_t& row = normals.of_corner[c];
     if (row == kNone) continue;
     const std::uint32_t vertex = weld[content.corners[c]];
-    const std::uint32_t origin = row;
     if (owners_[row] == kNone) owners_[row] = vertex;
-    while (owners_[row] != vertex && next[row] != kNone) row = next[row];
-    if (owners_[row] != vertex) {
-      next[row] = static_cast<std::uint32_t>(owners_.size());
-      row = next[row];
+    if (owners_[row] == vertex) continue;
+    const std::uint64_t key = std::uint64_t{row} << 32 | vertex;
+    const auto [entry, is_new] = extra.emplace(key, static_cast<std::uint32_t>(owners_.size()));
+    if (is_new) {
       owners_.push_back(vertex);
-      next.push_back(kNone);
-      origins_.push_back(origin);
+      origins_.push_back(row);
     }
-    normals.of_corner[c] = row;
+    row = entry->second;
   }
   normals.rows.conservativeResize(static_cast<Eigen::Index>(owners_.size()), 3);
-  for (std::size_t extra = 0; extra < origins_.size(); ++extra) {
-    normals.rows.row(rows + static_cast<Eigen::Index>(extra)) = normals.rows.row(origins_[extra]);
+  for (std::size_t n = 0; n < origins_.size(); ++n) {
+    normals.rows.row(rows + static_cast<Eigen::Index>(n)) = normals.rows.row(origins_[n]);
   }
 }
 
@@ -112,7 +112,7 @@ void FollowingNormals::find_classes() {
     if (owners_[row] != vertex) found.clear();
     vertex = owners_[row];
     const Eigen::Vector3d normal = read_.row(row).cast<double>().transpose().normalized();
-    std::size_t c = 0;
+    std::size_t c = found.size() > kSearched ? found.size() - kSearched : 0;
     while (c < found.size() && !(found[c].first.dot(normal) > kSameNormal)) ++c;
     if (c == found.size()) found.emplace_back(normal, classes_++);
     class_[row] = found[c].second;

@@ -10,7 +10,6 @@
 
 #include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/extension.hpp"
-#include "mesh/ply_check.hpp"
 #include "mesh/scene.hpp"
 #include "mesh/source_io.hpp"
 
@@ -59,7 +58,7 @@ void check_part(const aiMesh& mesh) {
 /// Formats whose vertices Assimp hands on as the file numbers them. The readers of the others give
 /// each corner of a face a vertex of its own.
 bool is_numbered(const std::string& extension) {
-  static const std::set<std::string> kNumbered{".ply", ".off", ".gltf", ".glb"};
+  static const std::set<std::string> kNumbered{".gltf", ".glb"};
   return kNumbered.count(extension) != 0;
 }
 
@@ -86,14 +85,11 @@ void check_scene(const aiScene& scene) {
 
 ReadScene read_scene(const std::filesystem::path& path, const std::string& bytes) {
   const std::string extension = extension_of(path);
-  const std::string fault = extension == ".ply" ? fault_of_ply(bytes) : "";
-  if (!fault.empty()) throw not_a_mesh(fault);
   ReadScene read;
   read.scene = import(path.string(), bytes);
   aiScene& scene = *read.scene;
   check_scene(scene);
   read.dropped = strip_scene(scene);
-  if (extension == ".ply") read.dropped = unread_of_ply(bytes);
   if (extension == ".3ds") undo_3ds_turn(scene);
   if (extension == ".dae" || extension == ".zae") read.unit = take_unit(scene);
   if (!is_numbered(extension)) join_corners(scene);

@@ -50,9 +50,11 @@ struct ContentNode {
 /// one; strips and polylines are cut.
 struct Content {
   Points positions;  ///< a row a vertex of the file
-  /// Whether the file's coordinates are binary32: by their type, or in text because each of them is
-  /// the shortest decimal of a binary32 number. Positions are then exactly such numbers.
+  /// Whether the file's coordinates are binary32: by their type, or in text because binary32 keeps
+  /// every digit of each of them. Positions are then exactly such numbers.
   bool is_single = true;
+  /// Whether the file numbers its vertices; if not, positions are those of corners that differ.
+  bool is_numbered = true;
   std::vector<std::uint32_t> corners;  ///< vertices of all faces, face after face
   std::vector<std::size_t> face_ends;  ///< where the corners of a face end; empty: all have three
   Values<3> normals;
@@ -77,6 +79,15 @@ struct Content {
   std::size_t face_begin(std::size_t face) const {
     if (face_ends.empty()) return 3 * face;
     return face == 0 ? 0 : face_ends[face - 1];
+  }
+  /// Ends a face whose corners, from this one on, have been added.
+  void end_face(std::size_t begin) {
+    constexpr std::size_t kTriangle = 3;
+    if (face_ends.empty() && corners.size() == begin + kTriangle) return;
+    if (face_ends.empty()) {
+      for (std::size_t end = kTriangle; end <= begin; end += kTriangle) face_ends.push_back(end);
+    }
+    face_ends.push_back(corners.size());
   }
   std::size_t face_end(std::size_t face) const { return face_begin(face + 1); }
 };

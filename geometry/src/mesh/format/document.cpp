@@ -16,7 +16,8 @@ using Reader = std::unique_ptr<Document> (*)(const std::filesystem::path&, std::
 
 /// By extension.
 const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders = {{".obj", read_obj}};
+  static const std::map<std::string, Reader> kReaders = {
+      {".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}};
   return kReaders;
 }
 

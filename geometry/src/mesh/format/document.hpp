@@ -66,5 +66,8 @@ std::unique_ptr<Document> read_document(const std::filesystem::path& path, std::
 
 /// The readers, one a format, each in its own file.
 std::unique_ptr<Document> read_obj(const std::filesystem::path& path, std::string bytes);
+std::unique_ptr<Document> read_off(const std::filesystem::path& path, std::string bytes);
+std::unique_ptr<Document> read_stl(const std::filesystem::path& path, std::string bytes);
+std::unique_ptr<Document> read_ply(const std::filesystem::path& path, std::string bytes);
 
 }  // namespace hwffd

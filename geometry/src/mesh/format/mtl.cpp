@@ -3,7 +3,6 @@
 #include <assimp/ObjMaterial.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "mesh/format/text.hpp"
@@ -17,13 +16,6 @@ struct Key {
   unsigned type;
   unsigned index;
 };
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 const std::map<std::string, Key>& colours() {
   static const std::map<std::string, Key> kColours = {{"ka", {AI_MATKEY_COLOR_AMBIENT}},
@@ -116,7 +108,7 @@ class MtlReader {
     LineReader lines(text, LineReader::Continuation::kBackslash);
     while (lines.next()) {
       if (lines.words().empty()) continue;
-      const std::string statement = lower(lines.words()[0]);
+      const std::string statement = lower_case(lines.words()[0]);
       if (statement == "newmtl") {
         const std::string name(lines.from(1));
         materials_.push_back({name, plain_material(name), {}});
@@ -172,8 +164,8 @@ class MtlReader {
     MtlMaterial& last = materials_.back();
     const std::vector<std::string_view>& words = lines.words();
     std::size_t w = 1;
-    while (w + 1 < words.size() && words_of_option(lower(words[w])) > 0) {
-      const std::string option = lower(words[w]);
+    while (w + 1 < words.size() && words_of_option(lower_case(words[w])) > 0) {
+      const std::string option = lower_case(words[w]);
       last.extras.push_back(option + " of " + std::string(words[0]));
       std::size_t values = static_cast<std::size_t>(words_of_option(option));
       float ignored = 0;

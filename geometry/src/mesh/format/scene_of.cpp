@@ -70,8 +70,12 @@ class PartBuilder {
   void add(std::size_t corner) {
     const Wedge wedge{content_.corners[corner], corner};
     std::uint32_t w = last_[wedge.vertex];
-    while (w != kNone && !agree(wedges_[w], wedge)) w = before_[w];
-    if (w == kNone) {
+    unsigned searched = 0;
+    while (w != kNone && searched < kMostSearched && !agree(wedges_[w], wedge)) {
+      w = before_[w];
+      ++searched;
+    }
+    if (w == kNone || searched == kMostSearched) {
       w = static_cast<std::uint32_t>(wedges_.size());
       wedges_.push_back(wedge);
       before_.push_back(last_[wedge.vertex]);
@@ -102,6 +106,8 @@ class PartBuilder {
     wedges_ = std::move(sorted);
     for (std::uint32_t& index : indices_) index = place[index];
   }
+
+  static constexpr unsigned kMostSearched = 256;  // of one vertex: a hostile file has any number
 
   const Content& content_;
   std::vector<Wedge> wedges_;

@@ -70,6 +70,14 @@ bool read_whole(std::string_view word, T& value) {
 template bool read_whole(std::string_view word, std::int64_t& value);
 template bool read_whole(std::string_view word, std::uint64_t& value);
 
+std::string lower_case(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 void append_number(std::string& text, double value, bool is_single) {
   if (is_single) {
     fmt::format_to(std::back_inserter(text), "{}", static_cast<float>(value));
@@ -109,7 +117,9 @@ bool LineReader::next() {
       is_comment = true;
     } else {
       const std::size_t begin = at_;
+      const bool is_number = c == '+' || c == '-' || c == '.' || (c >= '0' && c <= '9');
       while (!at_ending() && !is_blank(text_[at_])) {
+        if (is_number && text_[at_] == '#') break;
         const bool breaks = text_[at_] == '\\' && continuation_ == Continuation::kBackslash &&
                             at_ + 1 < text_.size() && is_ending(text_[at_ + 1]);
         if (breaks) break;

@@ -29,11 +29,15 @@ bool read_number(std::string_view word, TextNumber& number);
 template <typename T>
 bool read_whole(std::string_view word, T& value);
 
+/// The word with A to Z as a to z.
+std::string lower_case(std::string_view word);
+
 /// The shortest decimal that reads back as the value, in binary32 or binary64.
 void append_number(std::string& text, double value, bool is_single);
 
 /// Walks over the lines of a text, which end in LF, CR or both, word by word. Words are parted by
-/// blanks and tabs; a word that begins with # begins a comment, up to the end of the line.
+/// blanks and tabs; a # that begins a word or follows a number begins a comment, up to the end of
+/// the line.
 class LineReader {
  public:
   enum class Continuation { kNone, kBackslash };
