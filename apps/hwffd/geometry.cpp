@@ -6,8 +6,9 @@
 #include <iostream>
 
 #include "hwffd/error.hpp"
+#include "hwffd/mesh/extension.hpp"
+#include "hwffd/mesh/settled.hpp"
 #include "outputs.hpp"
-#include "points_file.hpp"
 
 namespace hwffd::command {
 
@@ -17,16 +18,17 @@ Geometry Geometry::read(const std::string& name) {
   Geometry geometry;
   geometry.name_ = name == "-" ? "standard input" : name;
   if (name == "-") {
-    geometry.points_ = read_points(std::cin, geometry.name_);
+    geometry.file_.emplace(std::cin, geometry.name_);
   } else if (names_points(name)) {
     std::ifstream file(name);
     if (!file || fs::is_directory(name)) {
       throw Error(fmt::format("{}: cannot be read; check the name", name));
     }
-    geometry.points_ = read_points(file, name);
+    geometry.file_.emplace(file, name);
   } else {
     geometry.mesh_.emplace(Mesh::load(find_model(name)));
   }
+  if (geometry.file_) geometry.points_ = geometry.file_->points();
   return geometry;
 }
 
@@ -42,14 +44,16 @@ void Geometry::move(const Points& positions, const std::vector<Eigen::Matrix3d>&
       mesh_->set_positions(positions, gradients);
     }
   } else {
-    points_ = positions;
+    points_ = settled(positions, file_->points());
   }
 }
 
 std::vector<std::string> Geometry::write(const std::string& path) const {
   if (is_mesh()) return mesh_->save(path);
-  write_output(path, points_text(points_, path));
-  return {};
+  const bool is_edit = extension_of(path) == ".xyz" && extension_of(name_) == ".xyz";
+  write_output(path, is_edit ? file_->edited(points_) : points_text(points_, path));
+  if (is_edit || !file_->has_more()) return {};
+  return {"columns behind x y z"};
 }
 
 void check_format(const std::string& input, const std::string& output) {

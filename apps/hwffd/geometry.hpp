@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hwffd/mesh/mesh.hpp"
+#include "points_file.hpp"
 
 namespace hwffd::command {
 
@@ -27,16 +28,18 @@ class Geometry {
   /// @param gradients  of a mesh; if empty normals come from its faces
   void move(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients);
 
-  /// Writes the mesh in the format of the extension, or the points (points_text); "-" is standard
-  /// output, for points only. Whole or not at all.
+  /// Writes the mesh in the format of the extension, or the points: an .xyz that stays one is
+  /// edited, else they are bare (points_text). "-" is standard output, for points only. Whole or
+  /// not at all.
   /// @param path  in a format that check_format() passes
-  /// @return what of the mesh the format does not hold (Mesh::save)
+  /// @return what of the mesh (Mesh::save) or the points is lost
   /// @throws Error for what cannot be written
   std::vector<std::string> write(const std::string& path) const;
 
  private:
   std::string name_;
   std::optional<Mesh> mesh_;
+  std::optional<PointsFile> file_;  ///< of points
   Points points_;
 };
 

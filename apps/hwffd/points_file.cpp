@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -18,41 +20,68 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
-/// The numbers of a line; false where something else stands there.
-bool read_numbers(std::string_view line, std::vector<double>& numbers) {
-  numbers.clear();
+/// The words of a line, up to a comment: views of it.
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
   line = line.substr(0, line.find('#'));
   while (true) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-    if (line.empty()) return true;
-    if (line.front() == '+') line.remove_prefix(1);
-    double value = 0;
-    const auto [next, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) return false;
-    line.remove_prefix(static_cast<std::size_t>(next - line.data()));
-    if (!line.empty() && !is_blank(line.front())) return false;
-    numbers.push_back(value);
+    if (line.empty()) return words;
+    std::size_t end = 0;
+    while (end < line.size() && !is_blank(line[end])) ++end;
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
   }
 }
 
-/// The numbers of all lines, as many in each, which should be `what`.
-std::vector<double> read_lines(std::istream& in, const std::string& name, std::size_t each,
-                               const char* what) {
-  std::vector<double> values;
-  std::vector<double> numbers;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (number == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, kByteOrderMark.size());
-    const bool good = read_numbers(line, numbers);
-    if (good && numbers.empty()) continue;
-    if (!good || numbers.size() != each) {
-      throw Error(fmt::format("{}: line {} is not {}; mend it", name, number, what));
-    }
-    values.insert(values.end(), numbers.begin(), numbers.end());
-  }
-  if (in.bad()) throw Error(fmt::format("{}: cannot be read to its end", name));
-  return values;
+/// False where a word is no finite number.
+bool read_number(std::string_view word, double& value) {
+  if (word.front() == '+') word.remove_prefix(1);
+  const char* const end = word.data() + word.size();
+  const auto [next, error] = std::from_chars(word.data(), end, value);
+  return next == end && error == std::errc() && std::isfinite(value);
 }
+
+/// Whether a line of these words is a row of names of columns.
+bool is_heading(const std::vector<std::string_view>& words) {
+  double ignored = 0;
+  return std::none_of(words.begin(), words.end(),
+                      [&](std::string_view word) { return read_number(word, ignored); });
+}
+
+/// The first numbers of all lines.
+/// @param each  how many, and `what` they should be
+/// @param may_have_more  whether a line may have further words, and the first be a heading
+/// @param take  is called with each line's number, words and numbers
+template <typename Take>
+void read_lines(std::string_view text, const std::string& name, std::size_t each, const char* what,
+                bool may_have_more, Take take) {
+  std::vector<double> numbers(each);
+  bool is_first = true;
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::vector<std::string_view> words = words_of(text.substr(0, end));
+    text.remove_prefix(std::min(end + (text.substr(end, 2) == "\r\n" ? 2 : 1), text.size()));
+    if (words.empty()) continue;
+    if (is_first && may_have_more && words.size() >= each && is_heading(words)) continue;
+    is_first = false;
+    bool good = words.size() == each || (may_have_more && words.size() > each);
+    for (std::size_t w = 0; good && w < each; ++w) good = read_number(words[w], numbers[w]);
+    if (!good) throw Error(fmt::format("{}: line {} is not {}; mend it", name, number, what));
+    take(words, numbers);
+  }
+}
+
+std::string text_of(std::istream& in, const std::string& name) {
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw Error(fmt::format("{}: cannot be read to its end", name));
+  return text;
+}
+
+constexpr const char* kWhat = "x y z, three finite numbers";
 
 bool is_ply(const std::filesystem::path& path) { return extension_of(path) == ".ply"; }
 
@@ -60,14 +89,39 @@ bool is_ply(const std::filesystem::path& path) { return extension_of(path) == ".
 
 bool names_points(const std::string& name) { return name == "-" || extension_of(name) == ".xyz"; }
 
-Points read_points(std::istream& in, const std::string& name) {
-  const std::vector<double> values = read_lines(in, name, 3, "x y z, three finite numbers");
-  if (values.empty()) throw Error(fmt::format("{}: no points; give lines of x y z", name));
-  return Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+PointsFile::PointsFile(std::istream& in, std::string name)
+    : name_(std::move(name)), text_(text_of(in, name_)) {
+  std::vector<double> values;
+  read_lines(text_, name_, 3, kWhat, true, [&](const auto& words, const auto& numbers) {
+    values.insert(values.end(), numbers.begin(), numbers.end());
+    has_more_ = has_more_ || words.size() > 3;
+  });
+  if (values.empty()) throw Error(fmt::format("{}: no points; give lines of x y z", name_));
+  points_ =
+      Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+std::string PointsFile::edited(const Points& points) const {
+  std::string text;
+  const char* done = text_.data();
+  Eigen::Index row = 0;
+  read_lines(text_, name_, 3, kWhat, true, [&](const auto& words, const auto& numbers) {
+    for (std::size_t w = 0; w < 3; ++w) {
+      const double now = points(row, static_cast<Eigen::Index>(w));
+      if (now == numbers[w]) continue;
+      text.append(done, words[w].data()).append(fmt::format("{}", now));
+      done = words[w].data() + words[w].size();
+    }
+    ++row;
+  });
+  return text.append(done, text_.data() + text_.size());
 }
 
 std::vector<double> read_column(std::istream& in, const std::string& name) {
-  std::vector<double> values = read_lines(in, name, 1, "one finite number");
+  std::vector<double> values;
+  const std::string text = text_of(in, name);
+  read_lines(text, name, 1, "one finite number", false,
+             [&](const auto&, const auto& numbers) { values.push_back(numbers[0]); });
   if (values.empty()) throw Error(fmt::format("{}: no numbers; give one a line", name));
   return values;
 }

@@ -13,13 +13,30 @@ namespace hwffd::command {
 /// in .xyz, in capitals or not.
 bool names_points(const std::string& name);
 
-/// Points as text, one "x y z" a line, n x 3. Blank lines, what follows a #, and the mark with
-/// which some programs begin UTF-8 are skipped; commas and semicolons count as blanks.
-/// @param name  of the text, for messages
-/// @throws Error for a line that is not three finite numbers, and for no points
-Points read_points(std::istream& in, const std::string& name);
+/// Points as text, one "x y z" a line. Blank lines, what follows a #, the mark with which some
+/// programs begin UTF-8, a first line of names of columns, and columns behind the third are passed
+/// over; commas and semicolons count as blanks.
+class PointsFile {
+ public:
+  /// @param name  of the text, for messages
+  /// @throws Error for a line that does not begin with three finite numbers, and for no points
+  PointsFile(std::istream& in, std::string name);
 
-/// A number a line, in the same way.
+  const Points& points() const { return points_; }
+  /// Whether there are columns behind the third.
+  bool has_more() const { return has_more_; }
+
+  /// The text with points in other places, as many: what did not change is as it was.
+  std::string edited(const Points& points) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  Points points_;
+  bool has_more_ = false;
+};
+
+/// A number a line, with comments and blank lines likewise.
 /// @throws Error for a line that is not one finite number, and for none
 std::vector<double> read_column(std::istream& in, const std::string& name);
 

@@ -9,6 +9,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import math
 import os
+import pathlib
 import re
 import subprocess
 import unittest
@@ -194,6 +195,42 @@ class Command(CommandTest):
             done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
             self.assertIn(done.returncode, (FAILURE, USAGE))
             self.assertRegex(done.stderr, rb"\Ahwffd: [^\n]+\n\Z")
+
+    def test_the_table_of_formats(self):
+        """Each row of the documents: a file in its own format, where nothing moves."""
+        page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "hwffd.md"
+        rows = re.findall(r"^\| `(\w+)` \|.*\| (\d+) \|$", page.read_text(), re.MULTILINE)
+        files = {"obj": MESH.replace("v 1 0 0", " v 1.000 0 0 # a"),
+                 "ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                        "property double y\nproperty float z\nproperty float q\nelement face 1\n"
+                        "property list uchar int vertex_indices\nend_header\n"
+                        "0.50 0 0 1\n1 0 0 1\n0 1.10 0 1\n3 0 1 2\n",
+                 "off": "OFF # a\n3 1 0\n0.50 0 0\n1 0 0\n0 1.123456789012 0\n3 0 1 2 1 0 0\n",
+                 "stl": "solid a\n facet normal 0.0 0 1\nouter loop\nvertex 0.50 0 0\n"
+                        "vertex 1 0 0\nvertex 0 1 0\nendloop endfacet\nendsolid a\n",
+                 "xyz": "# a\n0.50 0 0 red\n1 2 3\n"}
+        self.assertEqual([name for name, _ in rows], list(files))
+        for name, differ in rows:
+            (self.folder / f"in.{name}").write_text(files[name])
+            self.good("deform", f"in.{name}", "--deform", "none", "--device", "reference",
+                      "-o", f"out.{name}")
+            was, now = ((self.folder / f"{n}.{name}").read_bytes() for n in ("in", "out"))
+            self.assertEqual(len(was), len(now), name)
+            self.assertEqual(sum(a != b for a, b in zip(was, now)), int(differ), name)
+
+    def test_points_come_back_edited(self):
+        text = "x y z  a # names\n\n0.50 0 0 red 1\r\n# b\n1e0,2;3 blue\n4 5 6\n"
+        (self.folder / "a.xyz").write_text(text, newline="")
+        options = ("--device", "reference", "-o", "b.xyz")
+        self.good("deform", "a.xyz", "--deform", "none", *options)
+        self.assertEqual((self.folder / "b.xyz").read_bytes(), text.encode())
+        self.good("deform", "a.xyz", "--deform", "shear:1", *options)
+        lines = (self.folder / "b.xyz").read_bytes().split(b"\n")
+        self.assertEqual([lines[n] for n in (0, 1, 3, 6)], [b"x y z  a # names", b"", b"# b", b""])
+        self.assertTrue(lines[2].endswith(b" red 1\r"))
+        self.assertNotIn(b"0.50", lines[2])
+        self.good("deform", "a.xyz", "--deform", "none", "-o", "b.ply",
+                  warning="b.ply: dropped: columns behind x y z")
 
     def test_rows(self):
         for words, row in {

@@ -40,6 +40,16 @@ const char* const kPly =
     "0 0 0 0 0 1 255 0 0\n1 0 0 0 0 1 255 0 0\n1 1 0 0 0 1 0 255 0\n0 1 0 0 0 1 0 0 255\n"
     "3 0 1 2\n3 0 2 3\n";
 
+/// Strips, texture coordinates of corners, a list, whole numbers, an element of its own.
+const char* const kPlyMore =
+    "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement tristrips 1\n"
+    "property list int int vertex_indices\nelement vertex 4\nproperty double x\n"
+    "property short y\nproperty list uchar float l\nproperty float z\nelement face 2\n"
+    "property list uchar int vertex_indices\nproperty list uchar float texcoord\nelement edge 1\n"
+    "property int vertex1\nend_header\n7 0 1 2 -1 1 2 3\n0.1 0 1 5 0\n1 0 0 0\n1 1 2 3 4 0\n0 1 0 "
+    "0\n"
+    "3 0 1 2 6 0 0 1 0 1 1\n4 0 1 2 3 0\n3\n";
+
 const char* const kStl =
     "solid wedge\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
     "endloop\nendfacet\nfacet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
@@ -55,6 +65,10 @@ std::string converted(const std::string& extension) {
 
 const char* const kOff =
     "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1e-3\n4 0 1 2 3\n3 0 1 4\n";
+
+const char* const kOffMore =
+    "STCNOFF # all\n3 2 0\n0 0 0 0 0 1 255 0 0 255 0 0\n1 0 0 0 0 1 0 255 0 255 1 0\n"
+    "0 1.5 0 0 0 1 0 0 255 255 0 1\n3 0 1 2 1 0 0\n2 0 1\n";
 
 const char* const kRaw = "0 0 0 1 0 0 1 1 0\n0 0 0 1 1 0 0 1 0\n0 0 1 1 0 1 1 1 1\n";
 
@@ -87,11 +101,11 @@ std::vector<std::string> points_corpus() {
 
 std::vector<std::string> obj_corpus() { return {kObj}; }
 
-std::vector<std::string> ply_corpus() { return {kPly, converted(".ply")}; }
+std::vector<std::string> ply_corpus() { return {kPly, kPlyMore, converted(".ply")}; }
 
 std::vector<std::string> stl_corpus() { return {kStl, converted(".stl")}; }
 
-std::vector<std::string> off_corpus() { return {kOff}; }
+std::vector<std::string> off_corpus() { return {kOff, kOffMore}; }
 
 std::vector<std::string> raw_corpus() { return {kRaw}; }
 

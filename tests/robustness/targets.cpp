@@ -11,6 +11,7 @@
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/outside.hpp"
 #include "hwffd/lattice/shape.hpp"
+#include "hwffd/mesh/mesh.hpp"
 #include "points_file.hpp"
 #include "program.hpp"
 #include "stages.hpp"
@@ -82,7 +83,9 @@ void read_text_of_points(const std::string& input) {
   static const Embedder embedders[] = {Embedder(lattice_around("box", corners, {4, 5, 6})),
                                        Embedder(lattice_around("sphere", corners, {4, 5, 6}))};
   std::istringstream in(input);
-  const Points points = command::read_points(in, "points");
+  const command::PointsFile file(in, "points");
+  const Points& points = file.points();
+  expect(file.edited(points) == input, "a byte that changed");
   expect(points.rows() > 0 && points.allFinite(), "points that are not finite");
   for (const Embedder& embedder : embedders) {
     for (const Embedding& e : embedder.embed(points)) {
@@ -92,6 +95,31 @@ void read_text_of_points(const std::string& input) {
   }
 }
 
+/// A mesh of a format that is edited: nothing of it changes where nothing moves, and a mirror about
+/// the origin has as many vertices and triangles.
+void edit_mesh(const std::string& extension, const std::string& input) {
+  Mesh mesh = Mesh::load(mesh_folder().write("edit" + extension, input));
+  const auto save = [&](double scale) {
+    const std::vector<Eigen::Matrix3d> gradients(mesh.vertex_count(),
+                                                 scale * Eigen::Matrix3d::Identity());
+    mesh.set_positions(scale * mesh.positions(), gradients);
+    mesh.save(mesh_folder() / ("edited" + extension));
+  };
+  save(1);
+  expect(read_text(mesh_folder() / ("edited" + extension)) == input, "a byte that changed");
+  save(-1);
+  const Mesh again = Mesh::load(mesh_folder() / ("edited" + extension));
+  expect(again.triangles().size() == mesh.triangles().size(), "another number of triangles");
+  const bool is_same = extension == ".stl" || again.vertex_count_read() == mesh.vertex_count_read();
+  expect(is_same, "another number of vertices");
+}
+
+Target edit_target(const char* name, std::vector<std::string> corpus) {
+  const std::string extension = "." + std::string(name).substr(std::string("edit-").size());
+  return {name, std::move(corpus),
+          [extension](const std::string& input) { edit_mesh(extension, input); }};
+}
+
 }  // namespace
 
 std::vector<Target> targets() {
@@ -99,7 +127,11 @@ std::vector<Target> targets() {
           {"deformation", deformation_corpus(), read_deformation},
           {"outside", outside_corpus(), read_outside},
           {"stages", stages_corpus(), read_stages},
-          {"points", points_corpus(), read_text_of_points}};
+          {"points", points_corpus(), read_text_of_points},
+          edit_target("edit-obj", obj_corpus()),
+          edit_target("edit-ply", ply_corpus()),
+          edit_target("edit-off", off_corpus()),
+          edit_target("edit-stl", stl_corpus())};
 }
 
 }  // namespace hwffd

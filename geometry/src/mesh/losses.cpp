@@ -2,17 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
-#include "hwffd/mesh/extension.hpp"
-#include "mesh/mesh_writers.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/mesh/mesh.hpp"
+#include "mesh/format/mtl.hpp"
 #include "mesh/scene.hpp"
+
+// What a translation did not keep: what was read is compared with what was written, read again.
 
 namespace hwffd {
 namespace {
 
 enum class Feature {
-  kNumbers,  ///< order and number of the vertices read
   kNormals,
   kTextureCoordinates,
   kMoreTextureCoordinates,  ///< than the first
@@ -28,34 +32,28 @@ enum class Feature {
   kLooseVertices,
 };
 
-/// A feature, how it is called, and the extensions of formats that do not hold it or whose writers
-/// do not write it.
+/// A feature, how it is called, and another one that holds the same.
 struct Loss {
   Feature feature;
   const char* text;
-  const char* formats;
+  Feature also;
 };
 
 constexpr Loss kLosses[] = {
-    {Feature::kNumbers, "order of vertices", ".stl"},
-    {Feature::kNormals, "smooth normals", ".off .stl"},
-    {Feature::kTextureCoordinates, "texture coordinates", ".off .stl"},
-    {Feature::kMoreTextureCoordinates, "further texture coordinates", ".obj .ply"},
-    {Feature::kColours, "colours", ".off .stl"},
-    {Feature::kMoreColours, "further colours", ".obj .ply"},
-    {Feature::kMaterials, "materials", ".ply .off .stl"},
-    {Feature::kTexturesInside, "textures inside the file", ".obj .ply .off .stl"},
-    {Feature::kNames, "part names", ".ply .off .stl"},
-    {Feature::kEmptyNodes, "names of empty objects", ".obj .ply .off .stl"},
-    {Feature::kPolygons, "polygons (cut into triangles)", ".stl .glb .gltf"},
-    {Feature::kLines, "lines", ".stl"},
-    {Feature::kPoints, "points", ".stl .dae"},
-    {Feature::kLooseVertices, "unused vertices", ".stl"}};
-
-/// One normal or texture coordinate a vertex.
-bool repeats_in_format(const std::string& extension) {
-  return extension == ".ply" || extension == ".glb" || extension == ".gltf" || extension == ".dae";
-}
+    {Feature::kNormals, "smooth normals", Feature::kNormals},
+    {Feature::kTextureCoordinates, "texture coordinates", Feature::kTextureCoordinates},
+    {Feature::kMoreTextureCoordinates, "further texture coordinates",
+     Feature::kMoreTextureCoordinates},
+    {Feature::kColours, "colours", Feature::kColours},
+    {Feature::kMoreColours, "further colours", Feature::kMoreColours},
+    {Feature::kMaterials, "materials", Feature::kMaterials},
+    {Feature::kTexturesInside, "textures inside the file", Feature::kTexturesInside},
+    {Feature::kNames, "part names", Feature::kNames},
+    {Feature::kEmptyNodes, "names of empty objects", Feature::kEmptyNodes},
+    {Feature::kPolygons, "polygons (cut into triangles)", Feature::kPolygons},
+    {Feature::kLines, "lines", Feature::kLines},
+    {Feature::kPoints, "points", Feature::kLooseVertices},
+    {Feature::kLooseVertices, "unused vertices", Feature::kPoints}};
 
 bool is_flat(const aiMesh& part, const aiFace& face) {
   for (unsigned c = 1; c < face.mNumIndices; ++c) {
@@ -97,34 +95,72 @@ void find_names(const aiNode& node, std::set<Feature>& found) {
   }
 }
 
+std::string name_of(const aiMaterial& material) {
+  aiString name;
+  material.Get(AI_MATKEY_NAME, name);
+  return name == aiString(AI_DEFAULT_MATERIAL_NAME) ? "" : name.C_Str();
+}
+
 std::set<Feature> features_of(const aiScene& scene) {
   std::set<Feature> found;
   each_part(scene, [&](const aiMesh& part, std::size_t) { find_in_part(part, found); });
   find_names(*scene.mRootNode, found);
   for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
-    aiString name;
-    scene.mMaterials[m]->Get(AI_MATKEY_NAME, name);
-    if (name.length > 0 && name != aiString(AI_DEFAULT_MATERIAL_NAME)) {
-      found.insert(Feature::kMaterials);
-    }
+    if (!name_of(*scene.mMaterials[m]).empty()) found.insert(Feature::kMaterials);
   }
   if (scene.mNumTextures > 0) found.insert(Feature::kTexturesInside);
   return found;
 }
 
+/// Statements of materials that parts use and that the other scene has not, by name, or otherwise.
+void find_statements(const aiScene& read, const aiScene& written, std::set<std::string>& lost) {
+  std::map<std::string, const aiMaterial*> others;
+  for (unsigned m = 0; m < written.mNumMaterials; ++m) {
+    others.emplace(name_of(*written.mMaterials[m]), written.mMaterials[m]);
+  }
+  each_part(read, [&](const aiMesh& part, std::size_t) {
+    if (part.mMaterialIndex >= read.mNumMaterials) return;
+    const aiMaterial& material = *read.mMaterials[part.mMaterialIndex];
+    const auto other = others.find(name_of(material));
+    if (name_of(material).empty() || other == others.end()) return;
+    for (const std::string& statement : mtl_differences(material, *other->second)) {
+      lost.insert("statement " + statement + " of materials");
+    }
+  });
+}
+
+/// Whether each vertex of a file stands where it stood.
+bool same_order(const Mesh& read, const Mesh& written) {
+  if (read.vertex_count_read() != written.vertex_count_read()) return false;
+  Eigen::Matrix<float, Eigen::Dynamic, 3> places = Eigen::Matrix<float, Eigen::Dynamic, 3>::Zero(
+      static_cast<Eigen::Index>(read.vertex_count_read()), 3);
+  for (std::size_t v = 0; v < read.numbers().size(); ++v) {
+    places.row(read.numbers()[v]) = read.positions().row(read.welded()[v]).cast<float>();
+  }
+  for (std::size_t v = 0; v < written.numbers().size(); ++v) {
+    const Eigen::RowVector3f place = written.positions().row(written.welded()[v]).cast<float>();
+    if (places.row(written.numbers()[v]) != place) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-std::vector<std::string> losses_of(const Output& output, bool is_numbered) {
-  const std::string extension = extension_of(output.path);
-  std::set<Feature> found = features_of(output.scene);
-  if (is_numbered) found.insert(Feature::kNumbers);
+std::vector<std::string> Mesh::lost_in(const Mesh& written) const {
   std::vector<std::string> losses;
-  for (const auto& [feature, text, formats] : kLosses) {
-    const bool is_repeated =
-        feature == Feature::kNumbers && repeats_in_format(extension) && repeats_vertices(output);
-    const bool is_held = (std::string(formats) + " ").find(extension + " ") == std::string::npos;
-    if (found.count(feature) != 0 && (is_repeated || !is_held)) losses.emplace_back(text);
+  if (is_numbered_ && !(written.is_numbered_ && same_order(*this, written))) {
+    losses.emplace_back("order of vertices");
   }
+  const std::set<Feature> here = features_of(scene());
+  const std::set<Feature> there = features_of(written.scene());
+  for (const Loss& loss : kLosses) {
+    const bool is_lost = here.count(loss.feature) != 0 && there.count(loss.feature) == 0 &&
+                         there.count(loss.also) == 0;
+    if (is_lost) losses.emplace_back(loss.text);
+  }
+  std::set<std::string> statements;
+  find_statements(scene(), written.scene(), statements);
+  losses.insert(losses.end(), statements.begin(), statements.end());
   return losses;
 }
 

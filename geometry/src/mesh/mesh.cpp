@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hwffd/error.hpp"
+#include "hwffd/mesh/settled.hpp"
 #include "mesh/format/document.hpp"
 #include "mesh/format/scene_of.hpp"
 #include "mesh/normals.hpp"
@@ -68,6 +69,7 @@ void Mesh::weld() {
   Welded welded = hwffd::weld(std::move(content_->positions));
   positions_ = std::move(welded.positions);
   weld_ = std::move(welded.vertices);
+  if (!is_single()) rest_ = positions_;
   find_triangles();
   normals_ = std::make_unique<FollowingNormals>(*content_, weld_, positions_);
 }
@@ -104,7 +106,7 @@ Points Mesh::rounded(const Points& positions) const {
                     "check the control points",
                     name_, i));
   }
-  if (!is_single()) return positions;
+  if (!is_single()) return settled(positions, rest_);
   return positions.cast<float>().cast<double>();
 }
 

@@ -87,7 +87,6 @@ std::vector<std::string> Mesh::save(const fs::path& path) const {
   const Writer write = writer_for(path);
   const bool is_edit = edits(path);
   Files made;
-  std::vector<std::string> losses;
   try {
     if (is_edit) {
       made = document_->edited(
@@ -97,7 +96,6 @@ std::vector<std::string> Mesh::save(const fs::path& path) const {
       const Output output{scene(),   positions_, welded(), is_single(),
                           numbers(), path,       folder_,  unit_};
       made = write(output);
-      losses = losses_of(output, is_numbered_);
     }
     refuse_inputs(made, path, inputs_);
   } catch (const Error& error) {
@@ -110,7 +108,13 @@ std::vector<std::string> Mesh::save(const fs::path& path) const {
   }
   files.push_back({path, std::move(made.at(name))});
   write_files(files);
-  return losses;
+  std::error_code ignored;
+  if (is_edit || !fs::is_regular_file(path, ignored)) return {};
+  try {
+    return lost_in(load(path));
+  } catch (const Error&) {  // it takes names that no reader takes
+    return {"names that can be read again"};
+  }
 }
 
 }  // namespace hwffd

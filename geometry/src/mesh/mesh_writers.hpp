@@ -35,10 +35,6 @@ Files write_gltf(const Output& output);  ///< extension .glb: one binary file
 Files write_stl(const Output& output);
 Files write_dae(const Output& output);
 
-/// What the format of the output does not hold of the mesh, a few words each.
-/// @param is_numbered  whether the order of vertices is that of a file
-std::vector<std::string> losses_of(const Output& output, bool is_numbered);
-
 /// Positions in the order of the file's vertices.
 Points numbered_positions(const Output& output);
 

@@ -97,7 +97,8 @@ class Mesh {
   /// Whether any part has normals that set_positions() turns.
   bool has_normals() const;
 
-  /// Moves the vertices, with all their duplicates. Values are rounded to binary32 if is_single().
+  /// Moves the vertices, with all their duplicates. Values are rounded to binary32 if is_single(),
+  /// and else settled().
   /// Normals of faces that moved become area-weighted means over the faces that shared a normal, so
   /// hard edges stay hard; faces are as they were read.
   /// @param positions vertex_count() x 3
@@ -139,7 +140,7 @@ class Mesh {
   ///
   /// Vertices come in the order and number in which they were read, also those without faces,
   /// unless the format has one normal or texture coordinate a vertex and the mesh several.
-  /// Otherwise lost are
+  /// What is lost is measured: the file is read again and compared. As a rule these are
   ///
   /// - obj: textures inside the file
   /// - ply: parts become one; their names, materials and all but one texture's name
@@ -148,7 +149,8 @@ class Mesh {
   /// - glb, gltf: polygons are cut into triangles; objects of an obj file are empty nodes
   /// - dae: points; part names get a suffix, blanks in names become letters; materials may change
   ///   order
-  /// @return what of this mesh is lost, a few words each
+  /// @return what of this mesh is lost, a few words each; nothing for what cannot be read again,
+  ///   such as a device
   /// @throws UsageError for an unknown extension (check_format()), Error for a mesh without faces
   ///   as stl or dae, a file beside it that would replace one that the mesh was read from, or a
   ///   failed write.
@@ -176,6 +178,8 @@ class Mesh {
   Points rounded(const Points& positions) const;
   void move(Points positions, bool turned);
   void find_triangles();
+  /// What of this mesh another, which was written of it and read again, does not hold.
+  std::vector<std::string> lost_in(const Mesh& written) const;
   Scene& made() const;
   aiScene& made_scene() const;
   void update_scene() const;
@@ -184,6 +188,7 @@ class Mesh {
   std::unique_ptr<Document> document_;  ///< none: no file, or one that Assimp reads
   std::unique_ptr<Content> content_;    ///< but for its positions; normals as they stand now
   Points positions_;
+  Points rest_;                      ///< as they were read; none if is_single()
   std::vector<std::uint32_t> weld_;  ///< vertex of the content -> welded vertex
   std::vector<Triangle> triangles_;
   std::unique_ptr<FollowingNormals> normals_;

@@ -3,7 +3,10 @@
 #include <assimp/ObjMaterial.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "mesh/format/text.hpp"
 
@@ -186,6 +189,38 @@ class MtlReader {
 std::unique_ptr<aiMaterial> default_material() { return plain_material(AI_DEFAULT_MATERIAL_NAME); }
 
 std::unique_ptr<aiMaterial> named_material(const std::string& name) { return plain_material(name); }
+
+std::vector<std::string> mtl_differences(const aiMaterial& material, const aiMaterial& other) {
+  constexpr float kRounding = 1e-3f;  // of a colour or factor on its way through another format
+  const std::unique_ptr<aiMaterial> plain = plain_material("");
+  std::vector<std::string> differences;
+  const auto differ = [](const aiColor4D& a, const aiColor4D& b) {
+    const float most = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+    return !(most <= kRounding * std::max({1.0f, a.r, a.g, a.b}));
+  };
+  const auto compare = [&](const std::string& statement, const Key& key) {
+    const auto value_in = [&](const aiMaterial& which) {
+      aiColor4D value(0, 0, 0, 0);
+      if (which.Get(key.name, key.type, key.index, value) != aiReturn_SUCCESS) {
+        value.r = std::numeric_limits<float>::quiet_NaN();
+      }
+      return value;
+    };
+    const aiColor4D here = value_in(material);
+    const bool is_plain = std::isnan(here.r) || !differ(here, value_in(*plain));
+    if (!is_plain && differ(here, value_in(other))) differences.push_back(statement);
+  };
+  for (const auto& [statement, key] : colours()) compare(statement, key);
+  for (const auto& [statement, key] : factors()) compare(statement, key);
+  std::set<aiTextureType> seen;
+  for (const auto& [statement, type] : pictures()) {
+    if (!seen.insert(type).second) continue;
+    if (material.GetTextureCount(type) > other.GetTextureCount(type)) {
+      differences.push_back(statement);
+    }
+  }
+  return differences;
+}
 
 std::vector<MtlMaterial> read_mtl(std::string_view text) { return MtlReader().read(text); }
 

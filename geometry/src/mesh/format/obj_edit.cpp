@@ -98,7 +98,7 @@ class ObjEditor {
       const double to = now[static_cast<Eigen::Index>(axis)];
       if (read == to) continue;
       std::string number;
-      append_number(number, to * vertex.weight, is_single_);
+      append_number(number, to * vertex.weight, is_single_ && vertex.weight == 1);
       text_.replace(vertex.words[axis], number);
     }
   }
