@@ -56,19 +56,36 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
 
 void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", one_line(text)); }
 
-/// One line that names what a file lost on its way; none for nothing.
-void warn_of_losses(const std::string& file, const std::vector<std::string>& losses) {
+/// One line that names what became of parts of a file; none for no parts.
+void warn_of_parts(const std::string& file, const char* fate,
+                   const std::vector<std::string>& parts) {
   constexpr std::size_t kLongest = 120;
   std::string list;
-  for (std::size_t i = 0; i < losses.size(); ++i) {
-    const std::string next = (i == 0 ? "" : ", ") + losses[i];
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string next = (i == 0 ? "" : ", ") + parts[i];
     if (list.size() + next.size() > kLongest) {
-      list += fmt::format(" and {} more", losses.size() - i);
+      list += fmt::format(" and {} more", parts.size() - i);
       break;
     }
     list += next;
   }
-  if (!list.empty()) warn(fmt::format("{}: dropped: {}", file, list));
+  if (!list.empty()) warn(fmt::format("{}: {}: {}", file, fate, list));
+}
+
+/// What of a mesh is lost on its way into a file, or does not follow it there.
+void warn_of_losses(const Geometry& geometry, const std::string& output,
+                    const std::vector<std::string>& losses) {
+  if (geometry.is_mesh()) {
+    const Mesh& mesh = geometry.mesh();
+    if (mesh.edits(output)) {
+      warn_of_parts(output,
+                    "kept as they were, and so move the deformed shape as if it were at rest",
+                    mesh.unfollowed());
+    } else {
+      warn_of_parts(geometry.name(), "dropped", mesh.dropped());
+    }
+  }
+  warn_of_parts(output, "dropped", losses);
 }
 
 void warn_of(const DeformReport& report) {
@@ -176,10 +193,7 @@ int run(const Options& options, const StageOptions& stage_options) {
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
   const DeformReport report{geometry, *device, stages, folds, result, outputs};
-  if (geometry.is_mesh() && !geometry.mesh().edits(outputs.front())) {
-    warn_of_losses(geometry.name(), geometry.mesh().dropped());
-  }
-  warn_of_losses(outputs.front(), losses);
+  warn_of_losses(geometry, outputs.front(), losses);
   warn_of(report);
   if (!options.report.empty()) write_report(options.report, json_of(report));
   if (outputs.front() != "-" && options.report != "-") fmt::print("{}", text_of(report));

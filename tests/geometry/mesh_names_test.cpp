@@ -102,6 +102,30 @@ TEST_F(MeshNames, UnitOfDaeIsKept) {
   EXPECT_FLOAT_EQ(static_cast<float>(again(mesh, "b.glb").positions()(1, 0)), 3.0f);
 }
 
+/// Whichever axis points up, coordinates are those in the file.
+TEST_F(MeshNames, UpAxisOfDaeIsKept) {
+  const std::filesystem::path path =
+      dae_file(folder, "<unit name=\"centimeter\" meter=\"0.01\" />");
+  const std::string text = read_text(path);
+  const std::string up = "<up_axis>Y_UP</up_axis>";
+  ASSERT_NE(text.find(up), std::string::npos);
+  const Points positions = Mesh::load(path).positions();
+  for (const std::string axis : {"X", "Y", "Z"}) {
+    std::string turned = text;
+    turned.replace(turned.find(up), up.size(), "<up_axis>" + axis + "_UP</up_axis>");
+    const Mesh mesh = load(turned, "b.dae");
+    EXPECT_EQ(mesh.positions(), positions) << axis;
+    EXPECT_EQ(again(mesh, "c.dae").positions(), positions) << axis;
+    expect_part(read_text(folder / "c.dae"), "<up_axis>" + axis + "_UP</up_axis>");
+    expect_part(read_text(folder / "c.dae"), "meter=\"0.01\"");
+    EXPECT_EQ(again(mesh, "c.obj").positions(), positions) << axis;
+    // In glTF y points up, by definition.
+    const Points upright = again(mesh, "c.glb").positions();
+    const int a = axis[0] - 'X';
+    EXPECT_NEAR((upright.col(1) - 0.01 * positions.col(a)).cwiseAbs().maxCoeff(), 0, 1e-9) << axis;
+  }
+}
+
 TEST_F(MeshNames, DroppedPropertiesOfPly) {
   const Mesh mesh = load(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

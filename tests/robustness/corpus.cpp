@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "gltf_model.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "temp_folder.hpp"
@@ -138,5 +139,9 @@ std::vector<std::string> exported_corpus(const std::vector<std::string>& exporte
   }
   return corpus;
 }
+
+std::vector<std::string> gltf_corpus() { return {varied().text()}; }
+
+std::vector<std::string> glb_corpus() { return {varied().container()}; }
 
 }  // namespace hwffd

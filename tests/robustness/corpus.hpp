@@ -24,6 +24,9 @@ std::vector<std::string> raw_corpus();
 /// Some hold the date, which changes no length.
 std::vector<std::string> exported_corpus(const std::vector<std::string>& exporters);
 
+std::vector<std::string> gltf_corpus();  ///< as text, with all that our reader knows
+std::vector<std::string> glb_corpus();   ///< the same in a container
+
 /// Where meshes are to be read from.
 const TempFolder& mesh_folder();
 

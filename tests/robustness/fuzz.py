@@ -20,7 +20,9 @@ import sys
 import threading
 
 INPUTS = {"lattice": 60000, "deformation": 20000, "outside": 5000, "stages": 10000, "points": 5000,
-          "edit-obj": 4000, "edit-ply": 4000, "edit-off": 4000, "edit-stl": 4000, "obj": 2000, "ply": 2000, "stl": 2000}
+          "edit-obj": 4000, "edit-ply": 4000, "edit-off": 4000, "edit-stl": 4000,
+          "edit-gltf": 4000, "edit-glb": 4000, "obj": 2000, "ply": 2000, "stl": 2000,
+          "gltf": 2000, "glb": 2000}
 FEW = 50  # of each other format of meshes
 LONGEST_INPUT = 1 << 20
 LONGEST_MESSAGE = 200

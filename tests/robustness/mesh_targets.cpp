@@ -72,6 +72,12 @@ Target target(const char* format, std::vector<std::string> corpus) {
   return {format, std::move(corpus), [name](const std::string& input) { read_mesh(name, input); }};
 }
 
+std::vector<std::string> with(std::vector<std::string> corpus,
+                              const std::vector<std::string>& others) {
+  corpus.insert(corpus.end(), others.begin(), others.end());
+  return corpus;
+}
+
 }  // namespace
 
 std::vector<Target> targets() {
@@ -80,8 +86,8 @@ std::vector<Target> targets() {
           target("stl", stl_corpus()),
           target("off", off_corpus()),
           target("raw", raw_corpus()),
-          target("gltf", exported_corpus({"gltf2"})),
-          target("glb", exported_corpus({"glb2"})),
+          target("gltf", with(gltf_corpus(), exported_corpus({"gltf2"}))),
+          target("glb", with(glb_corpus(), exported_corpus({"glb2"}))),
           target("dae", exported_corpus({"collada"})),
           target("fbx", exported_corpus({"fbxa"})),
           target("3ds", exported_corpus({"3ds"})),

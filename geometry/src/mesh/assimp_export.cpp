@@ -29,7 +29,23 @@ void set(aiString& text, std::string value) {
   text.Set(value);
 }
 
+/// Takes alpha out of the colours of a material that has an opacity, too: it is one number, and
+/// exporters multiply the two.
+void take_alpha(aiMaterial& material) {
+  float opacity = 1;
+  if (material.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS) return;
+  const auto take = [&](const char* key, unsigned semantic, unsigned index) {
+    aiColor4D colour;
+    if (material.Get(key, semantic, index, colour) != aiReturn_SUCCESS || !(colour.a < 1)) return;
+    colour.a = 1;
+    material.AddProperty(&colour, 1, key, semantic, index);
+  };
+  take(AI_MATKEY_COLOR_DIFFUSE);
+  take(AI_MATKEY_BASE_COLOR);
+}
+
 void adapt(aiMaterial& material, const Output& output, bool is_utf8) {
+  take_alpha(material);
   // Without a name each exporter invents another.
   aiString name;
   material.Get(AI_MATKEY_NAME, name);

@@ -14,6 +14,7 @@
 #include "mesh/normals.hpp"
 #include "mesh/read_scene.hpp"
 #include "mesh/scene.hpp"
+#include "mesh/tangents.hpp"
 #include "mesh/weld.hpp"
 
 namespace hwffd {
@@ -49,7 +50,7 @@ Mesh::Mesh(ReadScene read, const std::filesystem::path& path)
   dropped_ = std::move(read.dropped);
   inputs_ = {path};
   folder_ = std::filesystem::absolute(path).parent_path();
-  unit_ = read.unit;
+  content_->space = read.space;
 }
 
 Mesh::Mesh(std::unique_ptr<Document> document, const std::filesystem::path& path)
@@ -59,8 +60,7 @@ Mesh::Mesh(std::unique_ptr<Document> document, const std::filesystem::path& path
       is_numbered_(content_->is_numbered),
       dropped_(content_->extras),
       inputs_(document_->companions()),
-      folder_(std::filesystem::absolute(path).parent_path()),
-      unit_(content_->unit) {
+      folder_(std::filesystem::absolute(path).parent_path()) {
   inputs_.push_back(path);
   weld();
 }
@@ -72,6 +72,7 @@ void Mesh::weld() {
   if (!is_single()) rest_ = positions_;
   find_triangles();
   normals_ = std::make_unique<FollowingNormals>(*content_, weld_, positions_);
+  tangents_ = std::make_unique<FollowingTangents>(*content_);
 }
 
 void Mesh::find_triangles() {
@@ -89,6 +90,8 @@ void Mesh::find_triangles() {
     }
   }
 }
+
+const std::vector<std::string>& Mesh::unfollowed() const { return content_->unfollowed; }
 
 bool Mesh::is_single() const { return content_->is_single; }
 
@@ -122,6 +125,7 @@ void Mesh::move(Points positions, bool turned) {
 void Mesh::set_positions(const Points& positions) {
   move(rounded(positions), false);
   normals_->follow_faces(*content_, positions_, 1.0);
+  tangents_->follow(*content_, weld_, {}, false);
   update_scene();
 }
 
@@ -133,6 +137,7 @@ void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matri
   }
   move(std::move(to), is_mirror(gradients));
   normals_->follow(*content_, positions_, gradients, turned_ ? -1.0 : 1.0);
+  tangents_->follow(*content_, weld_, gradients, turned_);
   update_scene();
 }
 

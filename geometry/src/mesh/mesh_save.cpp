@@ -94,7 +94,7 @@ std::vector<std::string> Mesh::save(const fs::path& path) const {
           path);
     } else {
       const Output output{scene(),   positions_, welded(), is_single(),
-                          numbers(), path,       folder_,  unit_};
+                          numbers(), path,       folder_,  content_->space};
       made = write(output);
     }
     refuse_inputs(made, path, inputs_);

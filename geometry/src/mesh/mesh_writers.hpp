@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hwffd/points.hpp"
+#include "mesh/space.hpp"
 
 namespace hwffd {
 
@@ -21,7 +22,7 @@ struct Output {
   const std::vector<std::uint32_t>& numbers;  ///< scene vertex -> vertex of the file
   std::filesystem::path path;
   std::filesystem::path texture_folder;  ///< that names of textures start from; empty: none
-  double unit;                           ///< of coordinates, in metres
+  Space space;                           ///< of coordinates
 };
 
 /// Name -> bytes; the file that refers to the others has the output's name.

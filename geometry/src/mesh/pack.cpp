@@ -203,7 +203,7 @@ void visit(Archive& archive, ReadScene& read) {
   visit(archive, scene.mMaterials, scene.mNumMaterials);
   visit(archive, scene.mTextures, scene.mNumTextures);
   visit(archive, read.numbers);
-  archive.value(read.unit);
+  archive.value(read.space);
   visit(archive, read.dropped);
 }
 

@@ -91,7 +91,7 @@ ReadScene read_scene(const std::filesystem::path& path, const std::string& bytes
   check_scene(scene);
   read.dropped = strip_scene(scene);
   if (extension == ".3ds") undo_3ds_turn(scene);
-  if (extension == ".dae" || extension == ".zae") read.unit = take_unit(scene);
+  if (extension == ".dae" || extension == ".zae") read.space = take_space(scene);
   if (!is_numbered(extension)) join_corners(scene);
   bake_transforms(scene);
   if (is_numbered(extension)) read.numbers = one_after_another(scene);

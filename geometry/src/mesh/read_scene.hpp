@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hwffd/error.hpp"
+#include "mesh/space.hpp"
 
 namespace hwffd {
 
@@ -19,7 +20,7 @@ struct ReadScene {
   /// The number in the file of every vertex of the scene, parts in order; empty for a format whose
   /// reader gives each corner of a face a vertex of its own. Every number occurs.
   std::vector<std::uint32_t> numbers;
-  double unit = 1;                   ///< of its coordinates, in metres; not 1 for dae only
+  Space space;                       ///< of its coordinates; dae only says it
   std::vector<std::string> dropped;  ///< what was left out: "2 animations"
 };
 

@@ -193,14 +193,27 @@ void undo_3ds_turn(aiScene& scene) {
   scene.mRootNode->mTransformation = back * scene.mRootNode->mTransformation;
 }
 
-double take_unit(aiScene& scene) {
+Space take_space(aiScene& scene) {
+  constexpr float kNearly = 1e-6f;  // what rounding makes of 1
+  Space space;
   aiMatrix4x4& matrix = scene.mRootNode->mTransformation;
   const float unit = aiVector3D(matrix.a1, matrix.b1, matrix.c1).Length();
-  if (!std::isfinite(unit) || unit <= 0) return 1;
+  if (!std::isfinite(unit) || unit <= 0) return space;
   for (unsigned row = 0; row < 3; ++row) {
-    for (unsigned column = 0; column < 4; ++column) matrix[row][column] /= unit;
+    for (unsigned column = 0; column < 4; ++column) {
+      float& entry = matrix[row][column];
+      entry /= unit;
+      if (std::abs(entry - std::round(entry)) < kNearly) entry = std::round(entry);
+    }
   }
-  return std::stod(fmt::format("{}", unit));  // the decimal number that the file has
+  space.unit = std::stod(fmt::format("{}", unit));  // the decimal number that the file has
+  const aiMatrix4x4 from_x(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  const aiMatrix4x4 from_z(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+  if (matrix.b1 == 1) space.up = 0;
+  if (matrix.b3 == 1) space.up = 2;
+  if (space.up == 0) matrix = matrix * from_x;
+  if (space.up == 2) matrix = matrix * from_z;
+  return space;
 }
 
 void drop_points_and_lines(aiScene& scene) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/space.hpp"
+
 namespace hwffd {
 
 inline Eigen::Vector3d to_eigen(const aiVector3D& p) { return {p.x, p.y, p.z}; }
@@ -45,9 +47,9 @@ void bake_transforms(aiScene& scene);
 /// coordinates are then those in the file.
 void undo_3ds_turn(aiScene& scene);
 
-/// Takes the unit of a dae file, in metres, out of the root's transform, where Assimp's reader puts
-/// it: coordinates are then those in the file.
-double take_unit(aiScene& scene);
+/// Takes the unit and the turn of a dae file to y up out of the root's transform, where Assimp's
+/// reader puts them: coordinates are then those in the file.
+Space take_space(aiScene& scene);
 
 /// Drops faces of one or two corners.
 void drop_points_and_lines(aiScene& scene);

@@ -23,20 +23,26 @@ void need_faces(const Output& output, const char* format, unsigned corners) {
               " holds nothing else; use obj, ply or glb");
 }
 
-/// Puts the unit into the text of a file; Assimp's exporter calls every unit a metre.
-void put_unit(std::string& text, double unit) {
+void replace(std::string& text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  if (at == text.npos) throw Error("cannot write the unit and the axis");
+  text.replace(at, part.size(), by);
+}
+
+/// Puts the unit and the axis into the text of a file; Assimp's exporter calls every unit a metre
+/// and y up.
+void put_space(std::string& text, const Space& space) {
   static const std::map<double, const char*> kNames = {{0.001, "millimeter"},
                                                        {0.01, "centimeter"},
                                                        {0.0254, "inch"},
                                                        {0.3048, "foot"},
                                                        {1, "meter"}};
-  const std::string metre = "<unit name=\"meter\" meter=\"1\" />";
-  const auto name = kNames.find(unit);
-  const std::size_t at = text.find(metre);
-  if (at == text.npos) throw Error("cannot write the unit");
-  text.replace(at, metre.size(),
-               fmt::format("<unit name=\"{}\" meter=\"{}\" />",
-                           name == kNames.end() ? "unit" : name->second, unit));
+  const auto name = kNames.find(space.unit);
+  replace(text, "<unit name=\"meter\" meter=\"1\" />",
+          fmt::format("<unit name=\"{}\" meter=\"{}\" />",
+                      name == kNames.end() ? "unit" : name->second, space.unit));
+  replace(text, "<up_axis>Y_UP</up_axis>",
+          fmt::format("<up_axis>{}_UP</up_axis>", "XYZ"[space.up]));
 }
 
 }  // namespace
@@ -54,7 +60,7 @@ Files write_dae(const Output& output) {
   need_faces(output, "dae", kLine);
   const std::string name = output.path.filename().string();
   Files files = assimp_export(*copy_of(output, true), "collada", name);
-  put_unit(files.at(name), output.unit);
+  put_space(files.at(name), output.space);
   return files;
 }
 

@@ -9,6 +9,7 @@
 
 #include "hwffd/mesh/extension.hpp"
 #include "mesh/assimp_export.hpp"
+#include "mesh/gltf/uri.hpp"
 #include "mesh/polygon.hpp"
 #include "mesh/scene.hpp"
 #include "mesh/utf8.hpp"
@@ -32,8 +33,7 @@ class Geometry {
   explicit Geometry(const Output& output) : scene_(output.scene) {
     for (unsigned m = 0; m < scene_.mNumMeshes; ++m) add_part(*scene_.mMeshes[m]);
     add_node(*scene_.mRootNode);
-    // Lengths are in metres by definition.
-    if (output.unit != 1) nodes_[0]["scale"] = {output.unit, output.unit, output.unit};
+    put_space(output.space);
   }
 
   /// Adds its lists to the file.
@@ -49,6 +49,16 @@ class Geometry {
   const std::string& buffer() const { return buffer_; }
 
  private:
+  /// Lengths are in metres, and y points up, by definition (glTF 2.0, section 3.4). Matrices are
+  /// written column by column.
+  void put_space(const Space& space) {
+    const double u = space.unit;
+    Json& root = nodes_[0];
+    if (space.up == 1 && u != 1) root["scale"] = {u, u, u};
+    if (space.up == 0) root["matrix"] = {0, u, 0, 0, -u, 0, 0, 0, 0, 0, u, 0, 0, 0, 0, 1};
+    if (space.up == 2) root["matrix"] = {u, 0, 0, 0, 0, 0, -u, 0, 0, u, 0, 0, 0, 0, 0, 1};
+  }
+
   /// The number of an array; equal arrays are stored once.
   template <typename T>
   int accessor(const std::vector<T>& values, std::size_t components, int target) {
@@ -187,6 +197,14 @@ class Geometry {
   std::string buffer_;
 };
 
+/// Names of files as URIs; Assimp's exporter takes them for such.
+void encode_names(Json& images) {
+  for (Json& image : images) {
+    const std::string name = image.value("uri", "");
+    if (!gltf::is_absolute_uri(name)) image["uri"] = gltf::percent_encoded(name);
+  }
+}
+
 /// What Assimp's exporter makes of the materials.
 Json materials_file(const Output& output) {
   const std::string name = "materials.gltf";
@@ -197,6 +215,7 @@ Json materials_file(const Output& output) {
        {"extensionsUsed", "extensionsRequired", "materials", "textures", "images", "samplers"}) {
     if (all.contains(key)) file[key] = all[key];
   }
+  if (file.contains("images")) encode_names(file["images"]);
   if (!file.contains("extensionsUsed")) return file;
   Json& extensions = file["extensionsUsed"];  // of which this one is about faces
   extensions.erase(std::remove(extensions.begin(), extensions.end(), "FB_ngon_encoding"),
@@ -234,7 +253,7 @@ Files write_gltf(const Output& output) {
     return {{name, binary_file(file.dump(), geometry.buffer())}};
   }
   const std::string buffer = output.path.stem().string() + ".bin";
-  file["buffers"][0]["uri"] = utf8_of(buffer);
+  file["buffers"][0]["uri"] = gltf::percent_encoded(utf8_of(buffer));
   return {{name, file.dump(2) + "\n"}, {buffer, geometry.buffer()}};
 }
 

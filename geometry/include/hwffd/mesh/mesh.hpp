@@ -15,6 +15,7 @@ namespace hwffd {
 
 class Document;
 class FollowingNormals;
+class FollowingTangents;
 struct Content;
 struct ContentScene;
 struct ReadScene;
@@ -30,7 +31,8 @@ struct ReadScene;
 /// ply, off and stl; edits() tells.
 ///
 /// Coordinates are those of the scene with its node transforms applied. A 3ds file is taken as
-/// written, y up, without the turn that Assimp puts on its root, and a dae file in its own unit.
+/// written, y up, without the turn that Assimp puts on its root, and a dae file in its own unit and
+/// with its own axis up.
 /// Node transforms end as identity and an instanced part becomes one part an instance; animations,
 /// bones, morph targets, cameras and lights are dropped, since they do not follow the deformation.
 class Mesh {
@@ -85,6 +87,10 @@ class Mesh {
 
   /// What the file held and this mesh does not: "2 animations", "property quality of vertex".
   const std::vector<std::string>& dropped() const { return dropped_; }
+
+  /// What the file holds that acts on the vertices and does not follow them: "1 skin", "2 morph
+  /// targets". Where the file is edited it stays as it was.
+  const std::vector<std::string>& unfollowed() const;
 
   /// Welded positions, vertex_count() x 3. Every value is a binary32 number if is_single(), else a
   /// double in the range of binary32.
@@ -192,12 +198,12 @@ class Mesh {
   std::vector<std::uint32_t> weld_;  ///< vertex of the content -> welded vertex
   std::vector<Triangle> triangles_;
   std::unique_ptr<FollowingNormals> normals_;
+  std::unique_ptr<FollowingTangents> tangents_;
   mutable std::unique_ptr<Scene> scene_;
   bool is_numbered_ = false;  ///< whether the content's vertices are those of the file
   std::vector<std::string> dropped_;
   std::vector<std::filesystem::path> inputs_;  ///< the file that was read, and those beside it
   std::filesystem::path folder_;               ///< that names of textures start from; empty: none
-  double unit_ = 1;                            ///< of positions, in metres
   bool turned_ = false;  ///< whether faces are turned round from how they were read
 };
 

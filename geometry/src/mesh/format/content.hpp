@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hwffd/points.hpp"
+#include "mesh/space.hpp"
 
 namespace hwffd {
 
@@ -68,9 +69,11 @@ struct Content {
   std::vector<ContentNode> nodes;
   std::vector<std::unique_ptr<aiMaterial>> materials;  ///< at least one
   std::vector<std::unique_ptr<aiTexture>> pictures;    ///< named *0, *1 by materials
-  double unit = 1;                                     ///< of positions, in metres
+  Space space;                                         ///< of positions
   /// What the file has and the fields above do not: "property quality of vertex".
   std::vector<std::string> extras;
+  /// What acts on vertices and does not follow them, and stays where the file is edited: "1 skin".
+  std::vector<std::string> unfollowed;
 
   std::size_t vertex_count() const { return static_cast<std::size_t>(positions.rows()); }
   std::size_t face_count() const {

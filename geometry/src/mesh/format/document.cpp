@@ -16,8 +16,9 @@ using Reader = std::unique_ptr<Document> (*)(const std::filesystem::path&, std::
 
 /// By extension.
 const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders = {
-      {".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}};
+  static const std::map<std::string, Reader> kReaders = {{".glb", read_gltf}, {".gltf", read_gltf},
+                                                         {".obj", read_obj},  {".off", read_off},
+                                                         {".ply", read_ply},  {".stl", read_stl}};
   return kReaders;
 }
 

@@ -69,5 +69,6 @@ std::unique_ptr<Document> read_obj(const std::filesystem::path& path, std::strin
 std::unique_ptr<Document> read_off(const std::filesystem::path& path, std::string bytes);
 std::unique_ptr<Document> read_stl(const std::filesystem::path& path, std::string bytes);
 std::unique_ptr<Document> read_ply(const std::filesystem::path& path, std::string bytes);
+std::unique_ptr<Document> read_gltf(const std::filesystem::path& path, std::string bytes);
 
 }  // namespace hwffd

@@ -1,0 +1,344 @@
+// glTF and GLB files as they are read: types, places and joins of their numbers, what they refer
+// to, and what is refused.
+
+#include <gtest/gtest.h>
+
+#include "errors.hpp"
+#include "gltf_model.hpp"
+#include "mesh_files.hpp"
+
+namespace hwffd {
+namespace {
+
+class GltfRead : public MeshFiles {
+ protected:
+  Points positions(const GltfModel& model) const {
+    return load(model.text(), "a.gltf").positions();
+  }
+  std::string error(const std::string& text, const std::string& name = "a.gltf") const {
+    const std::filesystem::path path = folder.write(name, text);
+    const std::string message = message_of<Error>([&] { Mesh::load(path); });
+    expect_part(message, path.string() + ": ");
+    return message;
+  }
+};
+
+Points points_of(const std::vector<double>& values) {
+  return Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+/// Integers, plain and normalized, with and without gaps (KHR_mesh_quantization), under a node that
+/// gives them their size.
+TEST_F(GltfRead, QuantizedPositions) {
+  int checked = 0;
+  const auto check = [&](auto most, bool is_normalized, std::size_t stride) {
+    using T = decltype(most);
+    GltfModel model = square();
+    model.json["extensionsUsed"] = {"KHR_mesh_quantization"};
+    model.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+    model.json["nodes"][0]["scale"] = {2, 2, 2};
+    model.primitive()["attributes"]["POSITION"] = model.add<T>(
+        {0, 0, 0, most, 0, 0, most, most, 0, 0, most, 0}, "VEC3", stride, is_normalized);
+    const double size = is_normalized ? 2.0 : 2.0 * most;
+    EXPECT_EQ(positions(model), size * points_of({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
+    ++checked;
+  };
+  for (const bool is_normalized : {false, true}) {
+    for (const std::size_t gap : {0, 1}) {
+      check(std::int8_t{127}, is_normalized, 4 * gap);
+      check(std::uint8_t{255}, is_normalized, 4 * gap);
+      check(std::int16_t{32767}, is_normalized, 8 * gap);
+      check(std::uint16_t{65535}, is_normalized, 8 * gap);
+    }
+  }
+  EXPECT_EQ(checked, 16);
+}
+
+/// The smallest of a signed type stands for -1, too (glTF 2.0, section 3.6.2.2).
+TEST_F(GltfRead, NormalizedIntegersDoNotPassOne) {
+  GltfModel model = square();
+  model.primitive()["attributes"]["POSITION"] =
+      model.add<std::int8_t>({-128, -127, 127, 0, 0, 0, 1, 1, 1, 0, 0, 0}, "VEC3", 4, true);
+  EXPECT_EQ(Eigen::RowVector3d(positions(model).row(0)), Eigen::RowVector3d(-1, -1, 1));
+}
+
+/// Two attributes in turn in one view.
+TEST_F(GltfRead, InterleavedAttributes) {
+  GltfModel model = square();
+  const std::size_t both = model.add<float>(
+      {9, 0, 0, 0, 0, 1, 8, 0, 0, 0, 0, 1, 8, 7, 0, 0, 0, 1, 6, 7, 0, 0, 0, 1}, "VEC3");
+  Json& accessors = model.json["accessors"];
+  model.json["bufferViews"][both]["byteStride"] = 24;
+  accessors[both]["count"] = 4;
+  accessors.push_back(accessors[both]);
+  accessors.back()["byteOffset"] = 12;
+  model.primitive()["attributes"] = {{"POSITION", both}, {"NORMAL", both + 1}};
+  const Mesh mesh = load(model.text(), "a.gltf");
+  EXPECT_EQ(mesh.positions(), points_of({9, 0, 0, 8, 0, 0, 8, 7, 0, 6, 7, 0}));
+  each_vertex(mesh, [](const aiMesh& part, unsigned v) {
+    EXPECT_EQ(part.mNormals[v], aiVector3D(0, 0, 1));
+  });
+}
+
+/// Elements that take the place of others, or of zeros where there are none.
+TEST_F(GltfRead, SparsePositions) {
+  for (const bool has_base : {true, false}) {
+    GltfModel model = square();
+    const std::size_t indices = model.add<std::uint8_t>({1, 3}, "SCALAR");
+    const std::size_t values = model.add<float>({5, 6, 7, 8, 9, 10}, "VEC3");
+    Json& position = model.json["accessors"][0];
+    position["sparse"] = {{"count", 2},
+                          {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                          {"values", {{"bufferView", values}}}};
+    if (!has_base) position.erase("bufferView");
+    const double one = has_base ? 1 : 0;
+    Points expected = points_of({0, 0, 0, 5, 6, 7, one, one, 0, 8, 9, 10});
+    if (!has_base) {  // two corners in one place
+      expected = points_of({0, 0, 0, 5, 6, 7, 8, 9, 10});
+    }
+    EXPECT_EQ(positions(model), expected);
+  }
+}
+
+/// Every way to join vertices (section 3.7.2.1), with indices and without.
+TEST_F(GltfRead, Modes) {
+  struct Mode {
+    int mode;
+    unsigned faces;
+    unsigned corners;
+  };
+  for (const Mode& mode : std::vector<Mode>{
+           {0, 5, 1}, {1, 2, 2}, {2, 5, 2}, {3, 4, 2}, {4, 1, 3}, {5, 3, 3}, {6, 3, 3}}) {
+    for (const bool is_indexed : {true, false}) {
+      GltfModel model = square();
+      model.primitive()["attributes"]["POSITION"] =
+          model.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
+      model.primitive()["indices"] = model.add<std::uint32_t>({0, 1, 2, 3, 4}, "SCALAR");
+      model.primitive()["mode"] = mode.mode;
+      if (!is_indexed) model.primitive().erase("indices");
+      const Mesh mesh = load(model.text(), "a.gltf");
+      const aiMesh& part = *mesh.scene().mMeshes[0];
+      ASSERT_EQ(part.mNumFaces, mode.faces) << mode.mode;
+      EXPECT_EQ(part.mFaces[0].mNumIndices, mode.corners) << mode.mode;
+      EXPECT_EQ(mesh.vertex_count_read(), 5u);
+      if (mode.mode != 5) continue;
+      for (const Mesh::Triangle& t : mesh.triangles()) {  // all seen from above
+        const Eigen::RowVector3d a = mesh.positions().row(t[1]) - mesh.positions().row(t[0]);
+        const Eigen::RowVector3d b = mesh.positions().row(t[2]) - mesh.positions().row(t[0]);
+        EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0);
+      }
+    }
+  }
+}
+
+/// Parts of a mesh that have their attributes in common have vertices in common.
+TEST_F(GltfRead, PartsShareVertices) {
+  GltfModel model = square();
+  Json& primitives = model.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1]["mode"] = 1;
+  const Mesh mesh = load(model.text(), "a.gltf");
+  EXPECT_EQ(mesh.vertex_count_read(), 4u);
+  EXPECT_EQ(mesh.scene().mNumMeshes, 2u);
+}
+
+/// Node transforms in double: the sum is not rounded to binary32 in between.
+TEST_F(GltfRead, TransformsAreDouble) {
+  GltfModel model = square();
+  model.json["nodes"] = Json::parse(R"([{"children": [1], "translation": [5e6, 0, 0]},
+    {"mesh": 0, "matrix": [0.125,0,0,0, 0,0.125,0,0, 0,0,0.125,0, 0.25,0,0,1]}])");
+  EXPECT_EQ(positions(model)(1, 0), 5e6 + 0.125 + 0.25);
+  EXPECT_EQ(positions(model)(3, 2), 0.0625);
+}
+
+TEST_F(GltfRead, FilesBesideIt) {
+  const GltfModel model = square();
+  for (const auto& [uri, name] : std::vector<std::pair<std::string, std::string>>{
+           {"my%20bin.bin", "my bin.bin"},
+           {"a%c3%a4.bin", "a\u00e4.bin"},
+           {"100%.bin", "100%.bin"},
+           {"my bin.bin", "my bin.bin"},
+           {"a%20b.bin", "a%20b.bin"}}) {  // of a writer that encodes nothing
+    const auto file = folder.write(name, model.bytes);
+    EXPECT_EQ(load(model.text(uri), "a.gltf").vertex_count(), 4u) << uri;
+    std::filesystem::remove(file);
+    expect_part(error(model.text(uri)), "buffer 0: there is no file '");
+  }
+  for (const std::string uri : {"/dev/zero", "https://example.org/a.bin", "."}) {
+    expect_part(error(model.text(uri)), "buffer 0: there is no file '");
+  }
+  folder.write("short.bin", "x");
+  expect_part(error(model.text("short.bin")), "buffer 0: has 1 bytes, 60 by its byteLength");
+}
+
+TEST_F(GltfRead, RequiredExtensions) {
+  for (const std::string name : {"KHR_materials_unlit", "KHR_texture_transform"}) {
+    GltfModel model = square();
+    model.json["extensionsRequired"] = {name};
+    EXPECT_EQ(load(model.text(), "a.gltf").vertex_count(), 4u) << name;
+  }
+  GltfModel model = square();
+  model.json["extensionsRequired"] = {"VENDOR_secret_layout"};
+  for (const auto& [name, text] :
+       {std::pair("a.gltf", model.text()), {"a.glb", model.container()}}) {
+    expect_part(error(text, name),
+                "requires the extension VENDOR_secret_layout, which is not known here");
+  }
+  model.json.erase("extensionsRequired");
+  model.json["extensionsUsed"] = {"VENDOR_secret_layout"};  // a helping of salt, not the meal
+  EXPECT_EQ(load(model.text(), "a.gltf").vertex_count(), 4u);
+}
+
+TEST_F(GltfRead, CompressedGeometry) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    for (const std::string name :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+      GltfModel model = square();
+      model.json[list] = {name};
+      expect_part(error(model.text()), "its geometry is compressed by " + name);
+    }
+  }
+  GltfModel model = square();  // in no list
+  model.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+  expect_part(error(model.text()), "its geometry is compressed by KHR_draco_mesh_compression");
+}
+
+/// Sizes, offsets and numbers that lead out of what is there.
+TEST_F(GltfRead, BrokenReferences) {
+  struct Bad {
+    const char* pointer;
+    Json value;
+    const char* message;
+  };
+  const std::vector<Bad> all{
+      {"/accessors/0/count", 5, "accessor 0: ends behind the 48 bytes of its bufferView"},
+      {"/accessors/0/count", 9007199254740991, "accessor 0: ends behind"},
+      {"/accessors/0/count", -1, "accessor 0: its count is no whole number"},
+      {"/accessors/0/byteOffset", 4, "accessor 0: ends behind"},
+      {"/accessors/0/byteOffset", 18446744073709551615u, "accessor 0: ends behind"},
+      {"/accessors/0/bufferView", 7, "accessor 0: its bufferView is 7 of 2"},
+      {"/accessors/0/componentType", 5124, "a componentType that glTF does not know, 5124"},
+      {"/accessors/0/type", "VEC5", "has a type that glTF does not know, 'VEC5'"},
+      {"/accessors/0/type", "VEC2", "POSITION is an accessor of 2 components, not 3"},
+      {"/bufferViews/0/byteLength", 100, "bufferView 0: ends behind the 60 bytes of buffer 0"},
+      {"/bufferViews/0/byteOffset", 18446744073709551600u, "bufferView 0: ends behind"},
+      {"/bufferViews/0/byteStride", 4, "its byteStride is 4, its elements have 12 bytes"},
+      {"/bufferViews/0/buffer", 1, "bufferView 0: its buffer is 1 of 1"},
+      {"/meshes/0/primitives/0/attributes/POSITION", 9, "its POSITION is 9 of 2"},
+      {"/meshes/0/primitives/0/attributes/NORMAL", 1, "NORMAL is an accessor of 1 components"},
+      {"/meshes/0/primitives/0/attributes/TEXCOORD_0", 1, "has 6 elements for 4 vertices"},
+      {"/meshes/0/primitives/0/indices", 9, "its indices is 9 of 2"},
+      {"/meshes/0/primitives/0/mode", 7, "has a mode that glTF does not know, 7"},
+      {"/meshes/0/primitives/0/material", 0, "its material is 0 of 0"},
+      {"/nodes/0/mesh", 1, "node 0: its mesh is 1 of 1"},
+      {"/nodes/0/children", {0}, "node 0: stands twice in the tree of nodes"},
+      {"/nodes/0/scale", {1, 1}, "node 0: its scale has 2 numbers, not 3"},
+      {"/nodes/0/matrix", {1}, "node 0: its matrix has 1 numbers, not 16"},
+      {"/nodes/0", 3, "node 0: is no object"},
+      {"/scene", 1, "its scene is 1 of 1"},
+      {"/asset/version", "1.0", "glTF version 1.0"},
+      {"/accessors", 3, "its accessors are no array"}};
+  for (const Bad& bad : all) {
+    SCOPED_TRACE(bad.pointer);
+    GltfModel model = square();
+    model.json[Json::json_pointer(bad.pointer)] = bad.value;
+    expect_part(error(model.text()), bad.message);
+    expect_part(error(model.container(), "a.glb"), bad.message);
+  }
+  EXPECT_EQ(all.size(), 27u);
+  GltfModel model = square();
+  model.primitive()["indices"] = model.add<std::uint8_t>({0, 1, 4}, "SCALAR");
+  expect_part(error(model.text()), "refers to vertex 4 of 4; repair the mesh");
+}
+
+TEST_F(GltfRead, BrokenSparse) {
+  for (const auto& [index, message] :
+       {std::pair<std::uint8_t, const char*>(4, "a sparse accessor replaces element 4 of 4")}) {
+    GltfModel model = square();
+    const std::size_t indices = model.add<std::uint8_t>({index}, "SCALAR");
+    model.json["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+        {"values", {{"bufferView", 0}}}};
+    expect_part(error(model.text()), message);
+    model.json["accessors"][0]["sparse"]["count"] = 2;
+    expect_part(error(model.text()), "ends behind the 1 bytes of its bufferView");
+  }
+}
+
+/// Meshes that nodes repeat until no memory would hold them.
+TEST_F(GltfRead, TooManyVertices) {
+  GltfModel model = square();
+  model.json["accessors"][0].erase("bufferView");
+  model.json["accessors"][0]["count"] = 4000000000;
+  model.primitive().erase("indices");
+  expect_part(error(model.text()), "nodes show over ");
+}
+
+TEST_F(GltfRead, NodesNestedTooDeeply) {
+  GltfModel model = square();
+  Json nodes = Json::array();
+  for (int n = 0; n < 2000; ++n) nodes.push_back({{"children", {n + 1}}});
+  nodes.push_back({{"mesh", 0}});
+  model.json["nodes"] = nodes;
+  expect_part(error(model.text()), "nodes are nested over 1000 deep");
+}
+
+TEST_F(GltfRead, Containers) {
+  const std::string good = square().container();
+  EXPECT_EQ(load(good, "a.glb").vertex_count(), 4u);
+  EXPECT_EQ(load(good, "a.gltf").vertex_count(), 4u);  // its bytes say what it is
+  EXPECT_EQ(load(square().text(), "a.glb").vertex_count(), 4u);
+  EXPECT_EQ(load("\xEF\xBB\xBF" + square().text(), "a.gltf").vertex_count(), 4u);
+  EXPECT_EQ(load(good + "trailing", "a.glb").vertex_count(), 4u);
+  for (const std::size_t size : {6u, 19u, 100u}) {
+    expect_part(error(good.substr(0, size), "a.glb"), "not a mesh that can be read (the file ends");
+  }
+  std::string other = good;
+  other[4] = 1;
+  expect_part(error(other, "a.glb"), "GLB version 1, not 2");
+  expect_part(error("{\"asset\": ", "a.gltf"), "no JSON: ");
+  expect_part(error("[]", "a.gltf"), "its JSON is no object");
+}
+
+/// Alpha comes through every chain of formats that has it once, however often.
+TEST_F(GltfRead, AlphaIsNotSquared) {
+  GltfModel model = square();
+  model.json["materials"] = {{{"name", "glass"},
+                              {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}},
+                              {"alphaMode", "BLEND"}}};
+  model.primitive()["material"] = 0;
+  int checked = 0;
+  for (const std::vector<std::string>& chain :
+       std::vector<std::vector<std::string>>{{"b.obj", "c.gltf"},
+                                             {"b.dae", "c.gltf"},
+                                             {"b.dae", "c.obj", "d.gltf"},
+                                             {"b.obj", "c.dae", "d.obj", "e.dae", "f.gltf"},
+                                             {"b.gltf", "c.obj", "d.gltf", "e.obj", "f.gltf"}}) {
+    Mesh mesh = load(model.text(), "a.gltf");
+    for (const std::string& name : chain) mesh = again(mesh, name);
+    const Json file = Json::parse(read_text(folder / chain.back()));
+    for (const Json& material : file["materials"]) {
+      if (material["name"] != "glass") continue;
+      EXPECT_FLOAT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][3].get<float>(), 0.5f)
+          << chain.front();
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 5);
+}
+
+/// What other formats do not hold is named.
+TEST_F(GltfRead, WhatIsDropped) {
+  GltfModel model = square();
+  model.primitive()["attributes"]["_TEMPERATURE"] = model.add<float>({1, 2, 3, 4}, "SCALAR");
+  model.primitive()["targets"] = {{{"POSITION", 0}}};
+  model.json["extensionsUsed"] = {"KHR_materials_ior"};
+  model.json["nodes"][0]["extras"] = {{"a", 1}};
+  EXPECT_EQ(load(model.text(), "a.gltf").dropped(),
+            (std::vector<std::string>{"1 morph target", "attribute _TEMPERATURE",
+                                      "extension KHR_materials_ior", "extras"}));
+}
+
+}  // namespace
+}  // namespace hwffd
