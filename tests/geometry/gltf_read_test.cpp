@@ -275,6 +275,14 @@ TEST_F(GltfRead, TooManyVertices) {
   expect_part(error(model.text()), "nodes show over ");
 }
 
+TEST_F(GltfRead, JsonNestedTooDeeply) {
+  GltfModel model = square();
+  std::string text = model.text();
+  const std::string deep = std::string(50000, '[') + std::string(50000, ']');
+  text.replace(text.find("\"scene\""), 0, "\"extras\":" + deep + ",");
+  expect_part(error(text), "its JSON is nested over 1000 deep");
+}
+
 TEST_F(GltfRead, NodesNestedTooDeeply) {
   GltfModel model = square();
   Json nodes = Json::array();
@@ -334,10 +342,14 @@ TEST_F(GltfRead, WhatIsDropped) {
   model.primitive()["attributes"]["_TEMPERATURE"] = model.add<float>({1, 2, 3, 4}, "SCALAR");
   model.primitive()["targets"] = {{{"POSITION", 0}}};
   model.json["extensionsUsed"] = {"KHR_materials_ior"};
+  model.json["materials"] = {{{"normalTexture", {{"index", 0}, {"scale", 0.5}}}}};
+  model.json["textures"] = {{{"source", 0}}};
+  model.json["images"] = {{{"uri", "a.png"}}};
   model.json["nodes"][0]["extras"] = {{"a", 1}};
-  EXPECT_EQ(load(model.text(), "a.gltf").dropped(),
-            (std::vector<std::string>{"1 morph target", "attribute _TEMPERATURE",
-                                      "extension KHR_materials_ior", "extras"}));
+  EXPECT_EQ(
+      load(model.text(), "a.gltf").dropped(),
+      (std::vector<std::string>{"1 morph target", "settings of textures", "attribute _TEMPERATURE",
+                                "extension KHR_materials_ior", "extras"}));
 }
 
 }  // namespace

@@ -133,8 +133,8 @@ class Command(CommandTest):
                   warning=f"out.glb: {kept}")
         self.assertNotEqual(self.report_of("out.glb"), self.report_of("ball.gltf"))
         self.good("deform", "ball.gltf", "--deform", "none", "-o", "out.obj",
-                  warning="ball.gltf: dropped: 1 bone, 1 morph target, extension KHR_materials_ior,"
-                          " extras")
+                  warning="ball.gltf: dropped: 1 bone, 1 morph target, tangents,"
+                          " extension KHR_materials_ior, extras")
 
     def report_of(self, name):
         return json.loads(self.good("info", name, "--json", "-"))

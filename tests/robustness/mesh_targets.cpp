@@ -48,8 +48,11 @@ void save(const Mesh& mesh, const std::string& name) {
   for (const std::string& file : folder.files()) expect(file[0] != '.', "a temporary file is left");
   if (name == "out.dae") return;  // whose exporter takes any name, and whose reader does not
   const Mesh again = Mesh::load(folder / name);
-  if (name != "out.stl") {
-    const std::string text = "another number of vertices in " + name;
+  const std::string text = "another number of vertices in " + name;
+  // Below a node's transform the numbers of a file are rounded, and equal places become unequal.
+  if (mesh.edits(folder / name)) {
+    expect(again.vertex_count_read() == mesh.vertex_count_read(), text.c_str());
+  } else if (name != "out.stl") {
     expect(again.vertex_count() == mesh.vertex_count(), text.c_str());
   }
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "hwffd/mesh/extension.hpp"
 #include "mesh/format/document.hpp"
@@ -17,6 +19,23 @@ bool is_read(const std::string& extension) {
 
 void add(std::vector<std::string>& list, std::size_t count, const char* what) {
   if (count > 0) list.push_back(fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"));
+}
+
+/// Whether a material says how its textures are to be taken: from other coordinates than the first,
+/// or stronger or weaker.
+bool has_texture_settings(const JsonItem& material) {
+  const JsonItem surface = material.object("pbrMetallicRoughness");
+  for (const auto& [item, key] :
+       {std::pair(&surface, "baseColorTexture"), std::pair(&surface, "metallicRoughnessTexture"),
+        std::pair(&material, "normalTexture"), std::pair(&material, "occlusionTexture"),
+        std::pair(&material, "emissiveTexture")}) {
+    const JsonItem texture = item->object(key);
+    if (texture.number("texCoord", 0) != 0 || texture.number("scale", 1) != 1 ||
+        texture.number("strength", 1) != 1) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Fills the content's lists of what is not in it.
@@ -55,6 +74,11 @@ void list_extras(const File& file, const Scene& scene, Content& content) {
   add(extras,
       root.object("extensions").object("KHR_lights_punctual").list("lights", "light").size(),
       "light");
+  if (content.tangents.rows() > 0) extras.emplace_back("tangents");
+  const std::vector<JsonItem> materials = root.list("materials", "material");
+  if (std::any_of(materials.begin(), materials.end(), has_texture_settings)) {
+    extras.emplace_back("settings of textures");
+  }
   for (const std::string& name : attributes) extras.push_back("attribute " + name);
   for (const std::string& name : root.texts("extensionsUsed")) {
     if (!is_read(name)) extras.push_back("extension " + name);

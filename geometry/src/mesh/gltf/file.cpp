@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr std::string_view kMagic = "glTF";
+constexpr std::size_t kDeepest = 1000;  // of JSON; who copies or writes it recurses
 constexpr std::size_t kHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
 constexpr std::uint32_t kJsonType = 0x4E4F534A;
@@ -108,6 +109,9 @@ void File::parse() {
     json_ = Json::parse(text_);
   } catch (const Json::exception& error) {
     throw not_a_mesh(excerpt(fmt::format("no JSON: {}", error.what()), 100));
+  }
+  if (JsonText(text_).depth() > kDeepest) {
+    throw not_a_mesh(fmt::format("its JSON is nested over {} deep", kDeepest));
   }
   if (!json_.is_object()) throw not_a_mesh("its JSON is no object");
   root_ = JsonItem(json_, "the file");

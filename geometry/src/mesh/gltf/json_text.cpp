@@ -1,5 +1,6 @@
 #include "mesh/gltf/json_text.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace hwffd::gltf {
@@ -42,6 +43,18 @@ JsonText::Span JsonText::root() const {
   const bool has_mark = text_.substr(0, kByteOrderMark.size()) == kByteOrderMark;
   const std::size_t begin = skip_blanks(has_mark ? kByteOrderMark.size() : 0);
   return {begin, end_of_value(begin)};
+}
+
+std::size_t JsonText::depth() const {
+  std::size_t depth = 0;
+  std::size_t most = 0;
+  for (std::size_t at = 0; at < text_.size(); ++at) {
+    const char c = text_[at];
+    if (c == '"') at = end_of_value(at) - 1;
+    if (c == '{' || c == '[') most = std::max(most, ++depth);
+    if (c == '}' || c == ']') --depth;
+  }
+  return most;
 }
 
 JsonText::Members JsonText::members(Span object) const {

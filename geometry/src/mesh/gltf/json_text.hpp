@@ -25,6 +25,8 @@ class JsonText {
 
   std::string_view at(Span span) const { return text_.substr(span.begin, span.end - span.begin); }
   Span root() const;
+  /// How many objects and arrays stand within each other.
+  std::size_t depth() const;
   /// Of an object, by name; none of anything else.
   Members members(Span object) const;
   /// Of an array; none of anything else.

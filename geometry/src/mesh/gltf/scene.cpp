@@ -11,7 +11,7 @@
 namespace hwffd::gltf {
 namespace {
 
-constexpr unsigned kDeepest = 1000;  // of nodes; what walks over them recurses
+constexpr unsigned kDeepestNode = 1000;  // of nodes; what walks over them recurses
 /// Vertices and corners that a scene may show beside one for each byte that is read: meshes that
 /// are shown many times.
 constexpr std::size_t kMostRepeated = std::size_t{1} << 22;
@@ -92,7 +92,9 @@ class SceneReader {
   void visit(std::size_t number, std::uint32_t parent, const Eigen::Affine3d& above,
              unsigned depth) {
     const JsonItem& node = nodes_[number];
-    if (depth > kDeepest) throw Error(fmt::format("nodes are nested over {} deep", kDeepest));
+    if (depth > kDeepestNode) {
+      throw Error(fmt::format("nodes are nested over {} deep", kDeepestNode));
+    }
     if (scene_.is_shown[number]) node.fail("stands twice in the tree of nodes");
     scene_.is_shown[number] = true;
     scene_.worlds[number] = above * transform_of(node);
