@@ -205,6 +205,18 @@ void encode_names(Json& images) {
   }
 }
 
+/// Says the opacity in both models of a material; Assimp's exporter does in one.
+void spread_alpha(Json& materials) {
+  const Json::json_pointer gloss("/extensions/KHR_materials_pbrSpecularGlossiness");
+  const Json::json_pointer alpha("/pbrMetallicRoughness/baseColorFactor/3");
+  for (Json& material : materials) {
+    if (!material.contains(gloss) || !material.contains(alpha)) continue;
+    Json& factor = material[gloss]["diffuseFactor"];
+    if (factor.is_null()) factor = {1, 1, 1, 1};
+    factor[3] = material[alpha];
+  }
+}
+
 /// What Assimp's exporter makes of the materials.
 Json materials_file(const Output& output) {
   const std::string name = "materials.gltf";
@@ -216,6 +228,7 @@ Json materials_file(const Output& output) {
     if (all.contains(key)) file[key] = all[key];
   }
   if (file.contains("images")) encode_names(file["images"]);
+  if (file.contains("materials")) spread_alpha(file["materials"]);
   if (!file.contains("extensionsUsed")) return file;
   Json& extensions = file["extensionsUsed"];  // of which this one is about faces
   extensions.erase(std::remove(extensions.begin(), extensions.end(), "FB_ngon_encoding"),

@@ -185,14 +185,20 @@ std::vector<double> values_of(const File& file, const Accessor& accessor) {
 }
 
 std::vector<std::uint32_t> integers_of(const File& file, const Accessor& accessor) {
-  const std::vector<double> values = values_of(file, accessor);
-  std::vector<std::uint32_t> integers;
-  integers.reserve(values.size());
-  for (const double value : values) {
-    // Beyond all vertices, if it is none.
-    const bool is_index = value >= 0 && value <= std::numeric_limits<std::uint32_t>::max();
-    integers.push_back(is_index ? static_cast<std::uint32_t>(value)
-                                : std::numeric_limits<std::uint32_t>::max());
+  constexpr std::uint32_t kBeyond = std::numeric_limits<std::uint32_t>::max();  // all vertices
+  const auto integer_of = [](double value) {
+    return value >= 0 && value < kBeyond ? static_cast<std::uint32_t>(value) : kBeyond;
+  };
+  std::vector<std::uint32_t> integers(accessor.count);
+  if (accessor.place && !accessor.sparse) {  // most: without a list of doubles
+    const Place& place = *accessor.place;
+    const char* const bytes = file.buffers()[place.buffer].bytes.data() + place.offset;
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+      integers[i] = integer_of(value_at(bytes + i * place.stride, accessor.type, false));
+    }
+  } else {
+    const std::vector<double> values = values_of(file, accessor);
+    std::transform(values.begin(), values.end(), integers.begin(), integer_of);
   }
   return integers;
 }

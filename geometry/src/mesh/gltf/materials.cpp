@@ -3,6 +3,7 @@
 #include <assimp/texture.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 
@@ -98,7 +99,9 @@ class MaterialReader {
   void read_gloss(const JsonItem& gloss, aiMaterial& material) const {
     const std::vector<double> colour = gloss.numbers("diffuseFactor", {1, 1, 1, 1});
     add_colour(colour, AI_MATKEY_COLOR_DIFFUSE, material);
-    add_number(colour[3], AI_MATKEY_OPACITY, material);
+    float opacity = 1;  // of the other model; some writers say it only there
+    material.Get(AI_MATKEY_OPACITY, opacity);
+    add_number(std::min(static_cast<double>(opacity), colour[3]), AI_MATKEY_OPACITY, material);
     add_colour(gloss.numbers("specularFactor", {1, 1, 1}), AI_MATKEY_COLOR_SPECULAR, material);
     const double glossiness = gloss.number("glossinessFactor", 1);
     add_number(glossiness * kShiniest, AI_MATKEY_SHININESS, material);
