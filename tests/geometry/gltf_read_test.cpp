@@ -263,6 +263,16 @@ TEST_F(GltfRead, BrokenSparse) {
     expect_part(error(model.text()), message);
     model.json["accessors"][0]["sparse"]["count"] = 2;
     expect_part(error(model.text()), "ends behind the 1 bytes of its bufferView");
+    model.json["accessors"][0]["sparse"]["count"] = 1;
+    for (const char* part : {"values", "indices"}) {
+      model.json["accessors"][0]["sparse"].erase(part);
+      expect_part(error(model.text()),
+                  part == std::string("values")
+                      ? "values of sparse of accessor 0: has no bufferView"
+                      : "indices of sparse of accessor 0: has no componentType");
+    }
+    model.json["accessors"][0]["sparse"]["indices"] = {{"componentType", 5121}};
+    expect_part(error(model.text()), "indices of sparse of accessor 0: has no bufferView");
   }
 }
 
@@ -305,7 +315,8 @@ TEST_F(GltfRead, Containers) {
   std::string other = good;
   other[4] = 1;
   expect_part(error(other, "a.glb"), "GLB version 1, not 2");
-  expect_part(error("{\"asset\": ", "a.gltf"), "no JSON: ");
+  expect_part(error("{\"asset\":\n x", "a.gltf"), "no JSON in line 2, column 2");
+  expect_part(error("{\"asset\": 1e999}", "a.gltf"), "a number too large for double precision");
   expect_part(error("[]", "a.gltf"), "its JSON is no object");
 }
 

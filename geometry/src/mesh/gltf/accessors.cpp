@@ -117,7 +117,9 @@ class AccessorReader {
 
  private:
   Place place_of(const JsonItem& item, std::size_t count, std::size_t size) const {
-    const JsonItem& view = views_[*item.index("bufferView", views_.size())];
+    const std::optional<std::size_t> number = item.index("bufferView", views_.size());
+    if (!number) item.fail("has no bufferView");
+    const JsonItem& view = views_[*number];
     if (!view.has("buffer")) view.fail("has no buffer");
     const std::size_t buffer = *view.index("buffer", file_.buffers().size());
     const std::size_t begin = view.whole("byteOffset", 0);

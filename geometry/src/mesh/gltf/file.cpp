@@ -107,8 +107,14 @@ void File::parse() {
   if (text_.find('\0') != text_.npos) throw not_a_mesh("a zero byte in its JSON");
   try {
     json_ = Json::parse(text_);
-  } catch (const Json::exception& error) {
-    throw not_a_mesh(excerpt(fmt::format("no JSON: {}", error.what()), 100));
+  } catch (const Json::parse_error& error) {
+    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                         error.byte > 0 ? error.byte - 1 : 0, text_.size()));
+    const auto line = std::find(std::make_reverse_iterator(end), text_.rend(), '\n').base();
+    throw not_a_mesh(fmt::format("no JSON in line {}, column {}",
+                                 1 + std::count(text_.begin(), end, '\n'), 1 + (end - line)));
+  } catch (const Json::exception&) {
+    throw not_a_mesh("a number too large for double precision");
   }
   if (JsonText(text_).depth() > kDeepest) {
     throw not_a_mesh(fmt::format("its JSON is nested over {} deep", kDeepest));
