@@ -28,13 +28,14 @@ struct ReadScene;
 ///
 /// A mesh that is saved in the format that it was read from is that file, edited: positions and
 /// normals are replaced where they changed, and every other byte is as it was. This holds for obj,
-/// ply, off and stl; edits() tells.
+/// ply, off, stl, gltf and glb (these two are one); edits() tells.
 ///
 /// Coordinates are those of the scene with its node transforms applied. A 3ds file is taken as
 /// written, y up, without the turn that Assimp puts on its root, and a dae file in its own unit and
 /// with its own axis up.
-/// Node transforms end as identity and an instanced part becomes one part an instance; animations,
-/// bones, morph targets, cameras and lights are dropped, since they do not follow the deformation.
+/// In other formats node transforms end as identity and an instanced part becomes one part an
+/// instance; animations, bones, morph targets, cameras and lights are dropped, since they do not
+/// follow the deformation.
 class Mesh {
  public:
   /// Vertex indices of one triangle, counterclockwise seen from outside.
