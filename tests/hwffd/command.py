@@ -3,9 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import base64
 import itertools
 import json
 import pathlib
+import struct
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
@@ -32,6 +34,26 @@ g upper
 f 2/1 5/2 4/3
 f 3/1 4/2 6/3
 """
+
+
+def triangle_in_gltf():
+    """One triangle, as the bytes of a .gltf and of a .glb, with what no mesh has."""
+    data = struct.pack("<9f", 0.5, 0, 0, 1, 0, 0, 0, 1 / 3, 0)
+    scene = {"asset": {"version": "2.0", "extras": [1.50, "\\"]}, "scene": 0,
+             "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "rotation": [0.6, 0, 0, 0.8]}],
+             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+             "materials": [{"extensions": {"KHR_materials_ior": {"ior": 1.4}}}],
+             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                            "min": [0, 0.0, 0], "max": [1, 0.3333333432674408, 0]}],
+             "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36}]}
+    chunk = json.dumps(scene).encode()
+    chunk += b" " * (-len(chunk) % 4)
+    container = (struct.pack("<4sII", b"glTF", 2, 28 + len(chunk) + len(data))
+                 + struct.pack("<I4s", len(chunk), b"JSON") + chunk
+                 + struct.pack("<I4s", len(data), b"BIN\0") + data)
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    scene["buffers"][0]["uri"] = uri
+    return json.dumps(scene, indent=3).encode(), container
 
 
 def lattice(point, dims=(4, 4, 4)):

@@ -14,7 +14,7 @@ import re
 import subprocess
 import unittest
 
-from command import FLAT, MESH, CommandTest
+from command import FLAT, MESH, CommandTest, triangle_in_gltf
 from program import FAILURE, PROGRAM, USAGE, vertices
 
 
@@ -209,9 +209,11 @@ class Command(CommandTest):
                  "stl": "solid a\n facet normal 0.0 0 1\nouter loop\nvertex 0.50 0 0\n"
                         "vertex 1 0 0\nvertex 0 1 0\nendloop endfacet\nendsolid a\n",
                  "xyz": "# a\n0.50 0 0 red\n1 2 3\n"}
+        files = {name: text.encode() for name, text in files.items()}
+        files["gltf"], files["glb"] = triangle_in_gltf()
         self.assertEqual([name for name, _ in rows], list(files))
         for name, differ in rows:
-            (self.folder / f"in.{name}").write_text(files[name])
+            (self.folder / f"in.{name}").write_bytes(files[name])
             self.good("deform", f"in.{name}", "--deform", "none", "--device", "reference",
                       "-o", f"out.{name}")
             was, now = ((self.folder / f"{n}.{name}").read_bytes() for n in ("in", "out"))
