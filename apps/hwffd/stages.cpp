@@ -142,15 +142,17 @@ std::vector<StageText> StageOptions::texts() const {
 }
 
 Family family_of(const StageText& text) {
-  return text.family.empty() ? Family() : Family::parse(text.family);
+  if (!text.family.empty()) return Family::parse(text.family);
+  return is_shape(text.lattice) ? Family()
+                                : read_lattice_file(text.lattice).family.value_or(Family());
 }
 
 Lattice rest_lattice(const StageText& text, const Points& points) {
   const Family family = family_of(text);
   if (!is_shape(text.lattice)) {
-    Lattice read = read_lattice(text.lattice);
-    whole_dims(read.dims(), family);
-    return read;
+    const LatticeFile read = read_lattice_file(text.lattice);
+    whole_dims(read.lattice.dims(), family);
+    return read.rest.value_or(read.lattice);
   }
   std::optional<Index3> dims;
   if (!text.dims.empty()) {
@@ -159,7 +161,9 @@ Lattice rest_lattice(const StageText& text, const Points& points) {
                       Lattice::kMaxPoints);
   }
   if (text.region.empty()) return lattice_around(text.lattice, points, dims, family);
-  return lattice_around(text.lattice, parse_region(text.region), dims, family, 0.0);
+  Fit exactly;
+  exactly.room = 0.0;
+  return lattice_around(text.lattice, parse_region(text.region), dims, family, exactly);
 }
 
 Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
@@ -167,7 +171,8 @@ Lattice deformed_lattice(const StageText& text, const Lattice& rest) {
   for (const std::string& word : text.deformations) {
     deformations.push_back(Deformation::parse(word));
   }
-  return deform_lattice(rest, deformations);
+  // A file may hold a lattice at rest and deformed already.
+  return deform_lattice(is_shape(text.lattice) ? rest : read_lattice(text.lattice), deformations);
 }
 
 std::vector<Stage> make_stages(const std::vector<StageText>& texts, const Points& points) {

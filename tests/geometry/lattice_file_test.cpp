@@ -1,5 +1,6 @@
 #include "hwffd/lattice/lattice_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,6 +37,41 @@ TEST(LatticeFile, EveryBitComesBack) {
   EXPECT_EQ(back.points(), lattice.points());
   EXPECT_EQ(folder.files(), (std::set<std::string>{"crooked.json"}));
   EXPECT_EQ(lattice_text(back), read_text(folder / "crooked.json"));
+}
+
+TEST(LatticeFile, FamilyAndRestComeBack) {
+  const Lattice rest = crooked();
+  const Lattice deformed = Deformation::parse("bend:40").apply(rest);
+  const std::string text =
+      lattice_text(LatticeFile{deformed, rest, Family(Family::Kind::kClamped)});
+  const LatticeFile back = parse_lattice_file(text);
+  EXPECT_EQ(back.lattice.points(), deformed.points());
+  ASSERT_TRUE(back.rest && back.family);
+  EXPECT_EQ(back.rest->points(), rest.points());
+  EXPECT_EQ(back.rest->dims(), rest.dims());
+  EXPECT_EQ(back.family->kind(), Family::Kind::kClamped);
+  EXPECT_EQ(lattice_text(back), text);
+  // Files of before have neither, and are written as they were.
+  EXPECT_FALSE(parse_lattice_file(lattice_text(rest)).rest);
+  EXPECT_FALSE(parse_lattice_file(kBox).family);
+  EXPECT_EQ(lattice_text(parse_lattice_file(lattice_text(rest))), lattice_text(rest));
+  const std::string start = R"({"hwffd_lattice": 1, "dims": [2, 2, 2], "points": [)";
+  std::string eight = "[0, 0, 0]";
+  for (int i = 1; i < 8; ++i) eight += fmt::format(", [{}, {}, {}]", i / 4, i / 2 % 2, i % 2);
+  EXPECT_EQ(parse_lattice_file(start + eight + R"(], "family": "linear"})").family->name(),
+            "linear");
+  EXPECT_ERROR(parse_lattice_file(start + eight + R"(], "family": "cubic"})"),
+               "lattice file: unknown 'family'; give one of bspline, clamped, bernstein, "
+               "catmull-rom, linear");
+  EXPECT_ERROR(parse_lattice_file(start + eight + R"(], "family": 3})"),
+               "lattice file: unknown 'family'; give one of bspline, clamped, bernstein, "
+               "catmull-rom, linear");
+  EXPECT_ERROR(parse_lattice_file(start + eight + R"(], "rest": 3})"),
+               "lattice file: 'rest' is not a list; give [[x, y, z], ...]");
+  EXPECT_ERROR(parse_lattice_file(start + eight + R"(], "rest": [[1, 2]]})"),
+               "lattice file: point 0 at rest is not a point; give [x, y, z]");
+  EXPECT_ERROR_PART(parse_lattice_file(start + eight + R"(], "rest": [[1, 2, 3]]})"),
+                    "lattice file: 'rest': ");
 }
 
 /// The order of axes by an asymmetric example: in the file, u runs fastest, s slowest.
@@ -123,16 +159,18 @@ const Bad kBad[] = {
     {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "points": [[1, 2, 3]]})",
      "lattice of 4 x 4 x 4 points: 1 points given; give 64"},
     {R"({"hwffd_lattice": 1, "dim": [4, 4, 4]})",
-     "lattice file: unknown 'dim'; known here are hwffd_lattice, order, dims, points"},
+     "lattice file: unknown 'dim'; known here are hwffd_lattice, order, dims, points, rest, "
+     "family"},
     {R"({"hwffd_lattice": 1, "a\nb": 1})",
-     "lattice file: unknown 'a\\x0ab'; known here are hwffd_lattice, order, dims, points"},
+     "lattice file: unknown 'a\\x0ab'; known here are hwffd_lattice, order, dims, points, rest, "
+     "family"},
     {R"({"hwffd_lattice": 1, "order": "s fastest"})",
      "lattice file: another 'order' of the points; sort them so that point (i, j, k) is number "
      "(i*n_t + j)*n_u + k"},
     {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "points": []})",
      "lattice file: unknown 'points'; known here are hwffd_lattice, dims, shape, origin, "
      "edges, "
-     "inner"},
+     "inner, family"},
     {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": 0})",
      "lattice file: 'origin' is not a point; give [x, y, z]"},
     {R"({"hwffd_lattice": 1, "dims": [4, 4, 4], "shape": "box", "origin": [0, 0, 0],
@@ -204,8 +242,9 @@ TEST(LatticeFile, NamesTheFile) {
 
 TEST(LatticeFile, LongNamesAreCut) {
   const std::string text = R"({"hwffd_lattice": 1, ")" + std::string(1000000, 'x') + R"(": 1})";
-  EXPECT_ERROR(parse_lattice(text), "lattice file: unknown '" + std::string(57, 'x') +
-                                        "...'; known here are hwffd_lattice, order, dims, points");
+  EXPECT_ERROR(parse_lattice(text),
+               "lattice file: unknown '" + std::string(57, 'x') +
+                   "...'; known here are hwffd_lattice, order, dims, points, rest, family");
 }
 
 TEST(LatticeFile, PointsThatAreNotFinite) {

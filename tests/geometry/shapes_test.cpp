@@ -35,11 +35,14 @@ std::size_t outside(const Lattice& lattice, const Points& points) {
 
 /// The points themselves need no room.
 TEST(Around, HoldsItsPoints) {
+  Fit exactly;
+  exactly.room = 0.0;
   for (const Shape& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       Points points = cloud(seed, Point(0.2, -3, 0.2), seed % 2 == 0 ? Point(1e3, 1, 1) : kOnes);
       for (const Index3& dims : {shape.usual, shape.several}) {
-        EXPECT_EQ(outside(lattice_around(shape.name, points, dims, 0), points), 0u) << shape.name;
+        EXPECT_EQ(outside(lattice_around(shape.name, points, dims, exactly), points), 0u)
+            << shape.name;
         points = points.cast<float>().cast<double>().eval();
       }
     }

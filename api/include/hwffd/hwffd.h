@@ -185,7 +185,8 @@ int hwffd_attached_deform(const hwffd_attached* attached, hwffd_lattice* lattice
 /**
  * The gradient of the deformation at each point, 3 x 3, in double: out[9*i + 3*r + c] is the
  * derivative of coordinate r of the moved point i along coordinate c of the point at rest. NaN
- * where it is not known: at poles and axes, and for points outside that follow.
+ * where it is not known: at poles and axes, and where the nearest place of a point outside that
+ * follows jumps.
  */
 int hwffd_attached_gradients(const hwffd_attached* attached, const hwffd_lattice* lattice,
                              double* out);

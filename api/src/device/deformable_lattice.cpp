@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/bending.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/lattice/inverse.hpp"
 #include "hwffd/on_threads.hpp"
 
 namespace hwffd {
@@ -62,37 +64,60 @@ Points DeformableLattice::carry(const Attachment& attachment) {
   return carried;
 }
 
-Points DeformableLattice::carry_by_parts(const Eigen::Ref<const Points>& points,
-                                         Attachment::Unsure unsure) {
-  Points carried(points.rows(), 3);
+void DeformableLattice::carry_by_parts(Eigen::Index count, const ReadRows& read,
+                                       const WriteRows& write, Attachment::Unsure unsure) {
   EmbeddingSummary summary;
   std::mutex joining;
   // No fewer than make up for the lattices that each part copies.
   const Eigen::Index size = std::max(kPointsOfAPart, 2 * rest().points().rows());
-  on_ranges(static_cast<std::size_t>(points.rows()), static_cast<std::size_t>(size),
+  on_ranges(static_cast<std::size_t>(count), static_cast<std::size_t>(size),
             [&](std::size_t first, std::size_t end) {
               const auto from = static_cast<Eigen::Index>(first);
-              const auto count = static_cast<Eigen::Index>(end - first);
-              const Attachment part = attach(points.middleRows(from, count), unsure);
-              carried.middleRows(from, count) =
-                  part.follow(device_->evaluate(deformed_, part.places(), family()));
+              const Attachment part =
+                  attach(read(from, static_cast<Eigen::Index>(end - first)), unsure);
+              write(from, part.follow(device_->evaluate(deformed_, part.places(), family())));
               const std::lock_guard<std::mutex> lock(joining);
               summary = joined(summary, part.summary());
             });
   summary_ = summary;
-  return carried;
 }
 
-Points DeformableLattice::carry(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure) {
+void DeformableLattice::carry(Eigen::Index count, const ReadRows& read, const WriteRows& write,
+                              Attachment::Unsure unsure) {
   // Points outside that follow need a search that takes longer to prepare than a part does.
   if (device_->concurrent() && outside_.kind() == Outside::Kind::kKeep) {
     try {
-      return carry_by_parts(points, unsure);
+      return carry_by_parts(count, read, write, unsure);
     } catch (const Error&) {
       // As a whole it fails again, with a text that has its row.
     }
   }
-  return carry(attach(points, unsure));
+  write(0, carry(attach(read(0, count), unsure)));
+}
+
+Points DeformableLattice::carry(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure) {
+  Points carried(points.rows(), 3);
+  carry(
+      points.rows(),
+      [&](Eigen::Index first, Eigen::Index count) { return points.middleRows(first, count); },
+      [&](Eigen::Index first, const Points& rows) {
+        carried.middleRows(first, rows.rows()) = rows;
+      },
+      unsure);
+  return carried;
+}
+
+Points DeformableLattice::displacements(const Eigen::Ref<const Points>& points,
+                                        Attachment::Unsure unsure) {
+  return carry(points, unsure) - points;
+}
+
+Points DeformableLattice::inverse(const Points& points) const {
+  return inverse_of(embedder_, deformed_, outside_, points);
+}
+
+double DeformableLattice::bending_energy() const {
+  return hwffd::bending_energy(rest(), deformed_, family());
 }
 
 std::vector<Eigen::Matrix3d> DeformableLattice::gradients(const Attachment& attachment) const {

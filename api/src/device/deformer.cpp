@@ -56,7 +56,8 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
       const Device::Tangents tangents =
           device.tangents(deformed[stage], attachment.places(), family);
       result.positions = attachment.follow(tangents.positions);
-      const std::vector<Eigen::Matrix3d> own = attachment.gradients(tangents.jacobians);
+      const std::vector<Eigen::Matrix3d> own =
+          attachment.gradients(tangents.jacobians, tangents.positions);
       for (std::size_t i = 0; i < own.size(); ++i) {
         result.gradients[i] = own[i] * result.gradients[i];
       }

@@ -26,6 +26,13 @@ void check(const Device::Blending& blending) {
   }
 }
 
+void check_kind(const std::string& kind) {
+  const std::vector<std::string>& kinds = device_kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
+  throw UsageError(
+      fmt::format("device '{}' is unknown; one of {}", excerpt(kind), fmt::join(kinds, ", ")));
+}
+
 /// @throws Error for a grid that the lattice has no places for
 void check_grid(const Grid& grid, const Index3& dims) {
   if (grid_fits(grid, dims)) return;
@@ -283,6 +290,7 @@ const std::vector<std::string>& device_kinds() {
 }
 
 std::vector<std::string> device_rows(const std::string& kind) {
+  check_kind(kind);
   std::vector<std::string> names;
   for (const Configuration& row : configurations()) {
     if (is_there(kind, row)) names.emplace_back(row.name);
@@ -291,11 +299,7 @@ std::vector<std::string> device_rows(const std::string& kind) {
 }
 
 std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
-  const std::vector<std::string>& kinds = device_kinds();
-  if (std::find(kinds.begin(), kinds.end(), choice.device) == kinds.end()) {
-    throw UsageError(fmt::format("device '{}' is unknown; one of {}", excerpt(choice.device),
-                                 fmt::join(kinds, ", ")));
-  }
+  check_kind(choice.device);
   if (choice.device == "reference") return reference_device();
   if (choice.device == "rtl" && device_rows("rtl").empty()) {
     throw UsageError(

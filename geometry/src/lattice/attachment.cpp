@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "follower_gradient.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/on_threads.hpp"
@@ -21,8 +22,8 @@ constexpr Eigen::Index kRowsAtOnce = 4096;        // between two looks at who wa
 constexpr std::size_t kPointsOfABlock = 1 << 16;  // that are embedded at once
 constexpr std::size_t kGradientsAtOnce = 256;     // places that a thread takes at once
 
-Eigen::Matrix3d jacobian_at(const Embedded& place, const Lattice& lattice, const Family& family) {
-  return Oracle().jet(family.support(lattice, place.cell), place.local).jacobian;
+Oracle::Jet jet_at(const Embedded& place, const Lattice& lattice, const Family& family) {
+  return Oracle().jet(family.support(lattice, place.cell), place.local);
 }
 
 /// J_deformed J_rest^-1 at a place; NaN where J_rest is singular.
@@ -118,11 +119,14 @@ std::vector<NearestPlace::Result> Attachment::nearest_places() const {
   return places;
 }
 
+void Attachment::check_evaluated(const Points& evaluated) const {
+  if (evaluated.rows() == static_cast<Eigen::Index>(places().size())) return;
+  throw Error(fmt::format("{} evaluated places given; give {}, one for each of places()",
+                          evaluated.rows(), places().size()));
+}
+
 Points Attachment::follow(Points evaluated) const {
-  if (evaluated.rows() != static_cast<Eigen::Index>(places().size())) {
-    throw Error(fmt::format("{} evaluated places given; give {}, one for each of places()",
-                            evaluated.rows(), places().size()));
-  }
+  check_evaluated(evaluated);
   if (all_inside()) return evaluated;
   Points result = points_;
   for (std::size_t i = 0; i < followers_.size(); ++i) {
@@ -141,16 +145,20 @@ Points Attachment::follow(Points evaluated) const {
 std::vector<Eigen::Matrix3d> Attachment::gradients(const Lattice& deformed) const {
   check_same_dims("deformed lattice", deformed.dims(), rest_.dims());
   std::vector<Eigen::Matrix3d> jacobians(places().size());
+  Points evaluated(static_cast<Eigen::Index>(places().size()), 3);
   on_ranges(jacobians.size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      jacobians[i] = jacobian_at(places()[i], deformed, family_);
+      const Oracle::Jet jet = jet_at(places()[i], deformed, family_);
+      jacobians[i] = jet.jacobian;
+      evaluated.row(static_cast<Eigen::Index>(i)) = jet.value;
     }
   });
-  return gradients(jacobians);
+  return gradients(jacobians, evaluated);
 }
 
-std::vector<Eigen::Matrix3d> Attachment::gradients(
-    const std::vector<Eigen::Matrix3d>& jacobians) const {
+std::vector<Eigen::Matrix3d> Attachment::gradients(const std::vector<Eigen::Matrix3d>& jacobians,
+                                                   const Points& evaluated) const {
+  check_evaluated(evaluated);
   if (jacobians.size() != places().size()) {
     throw Error(fmt::format("{} derivatives for {} places; give one for each place",
                             jacobians.size(), places().size()));
@@ -158,12 +166,18 @@ std::vector<Eigen::Matrix3d> Attachment::gradients(
   std::vector<Eigen::Matrix3d> result(at_.size(), Eigen::Matrix3d::Identity());
   on_ranges(places().size(), kGradientsAtOnce, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
+      const Embedded& place = places()[i];
       const Eigen::Index at = follower(i).row;
       Eigen::Matrix3d& gradient = result[static_cast<std::size_t>(at)];
       if (is_inside(at)) {
-        gradient = gradient_at(jacobian_at(places()[i], rest_, family_), jacobians[i]);
+        gradient = gradient_at(jet_at(place, rest_, family_).jacobian, jacobians[i]);
       } else {
-        gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+        const Point moved = evaluated.row(static_cast<Eigen::Index>(i));
+        gradient = follower_gradient({points_.row(at),
+                                      place.local,
+                                      family_.support(rest_, place.cell),
+                                      {moved, jacobians[i]}},
+                                     outside_);
       }
     }
   });

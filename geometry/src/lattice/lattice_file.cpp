@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
@@ -63,13 +64,16 @@ Point read_point(const Json& value, const std::string& name) {
   throw Error(fmt::format("lattice file: {} is not a point; give [x, y, z]", name));
 }
 
-Points read_points(const Json& value) {
+/// @param list  "points" or "rest"
+/// @param where  those of it are, for messages
+Points read_points(const Json& value, const char* list, const char* where = "") {
   if (!value.is_array()) {
-    throw Error("lattice file: 'points' is not a list; give [[x, y, z], ...]");
+    throw Error(fmt::format("lattice file: '{}' is not a list; give [[x, y, z], ...]", list));
   }
   Points points(static_cast<Eigen::Index>(value.size()), 3);
   for (std::size_t i = 0; i < value.size(); ++i) {
-    points.row(static_cast<Eigen::Index>(i)) = read_point(value[i], fmt::format("point {}", i));
+    points.row(static_cast<Eigen::Index>(i)) =
+        read_point(value[i], fmt::format("point {}{}", i, where));
   }
   return points;
 }
@@ -79,6 +83,29 @@ double read_inner(const Json& object) {
   if (found == object.end()) return 0.0;
   if (found->is_number()) return found->get<double>();
   throw Error("lattice file: 'inner' is not a number; give 0 (solid) or more, and less than 1");
+}
+
+std::optional<Family> read_family(const Json& object) {
+  const auto found = object.find("family");
+  if (found == object.end()) return std::nullopt;
+  try {
+    if (found->is_string()) return Family::parse(found->get<std::string>());
+  } catch (const UsageError&) {
+    // No family has that name.
+  }
+  throw Error(fmt::format("lattice file: unknown 'family'; give one of {}",
+                          fmt::join(Family::names(), ", ")));
+}
+
+std::optional<Lattice> read_rest(const Json& object, const Index3& dims) {
+  const auto found = object.find("rest");
+  if (found == object.end()) return std::nullopt;
+  Points points = read_points(*found, "rest", " at rest");
+  try {
+    return Lattice(dims, std::move(points));
+  } catch (const Error& error) {
+    throw Error(fmt::format("lattice file: 'rest': {}", error.what()));
+  }
 }
 
 Lattice read_shape(const Json& object, const Index3& dims) {
@@ -113,51 +140,72 @@ Json parse_json(const std::string& text) {
   }
 }
 
+std::string points_text(const Lattice& lattice) {
+  std::string text = "[";
+  const Points& points = lattice.points();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    text += fmt::format("{}\n[{}, {}, {}]", i == 0 ? "" : ",", points(i, 0), points(i, 1),
+                        points(i, 2));
+  }
+  return text + "\n]";
+}
+
 }  // namespace
 
-Lattice parse_lattice(const std::string& text) {
+LatticeFile parse_lattice_file(const std::string& text) {
   const Json object = parse_json(text);
   if (entry(object, "hwffd_lattice", "the version of the format, 1") != kVersion) {
     throw Error("lattice file: 'hwffd_lattice' is not 1, the version that this program reads");
   }
   const bool shaped = object.contains("shape");
   if (shaped) {
-    check_names(object, {"hwffd_lattice", "dims", "shape", "origin", "edges", "inner"});
-    return read_shape(object, read_dims(object));
+    check_names(object, {"hwffd_lattice", "dims", "shape", "origin", "edges", "inner", "family"});
+    return {read_shape(object, read_dims(object)), std::nullopt, read_family(object)};
   }
-  check_names(object, {"hwffd_lattice", "order", "dims", "points"});
+  check_names(object, {"hwffd_lattice", "order", "dims", "points", "rest", "family"});
   if (object.contains("order") && object["order"] != kOrder) {
     throw Error(
         fmt::format("lattice file: another 'order' of the points; sort them so that {}", kOrder));
   }
   const Index3 dims = read_dims(object);
-  return Lattice(dims, read_points(entry(object, "points", "[[x, y, z], ...], or a 'shape'")));
+  Lattice lattice(dims,
+                  read_points(entry(object, "points", "[[x, y, z], ...], or a 'shape'"), "points"));
+  return {std::move(lattice), read_rest(object, dims), read_family(object)};
 }
 
-Lattice read_lattice(const std::filesystem::path& path) {
+Lattice parse_lattice(const std::string& text) { return parse_lattice_file(text).lattice; }
+
+LatticeFile read_lattice_file(const std::filesystem::path& path) {
   const std::string text = read_file(path, kMostBytes);
   try {
-    return parse_lattice(text);
+    return parse_lattice_file(text);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 
+Lattice read_lattice(const std::filesystem::path& path) { return read_lattice_file(path).lattice; }
+
+std::string lattice_text(const LatticeFile& file) {
+  const Index3& dims = file.lattice.dims();
+  std::string text =
+      fmt::format("{{\n\"hwffd_lattice\": {},\n\"order\": \"{}\",\n\"dims\": [{}, {}, {}],\n",
+                  kVersion, kOrder, dims[0], dims[1], dims[2]);
+  if (file.family) text += fmt::format("\"family\": \"{}\",\n", file.family->name());
+  if (file.rest) text += fmt::format("\"rest\": {},\n", points_text(*file.rest));
+  return text + fmt::format("\"points\": {}\n}}\n", points_text(file.lattice));
+}
+
 std::string lattice_text(const Lattice& lattice) {
-  const Index3& dims = lattice.dims();
-  std::string text = fmt::format(
-      "{{\n\"hwffd_lattice\": {},\n\"order\": \"{}\",\n\"dims\": [{}, {}, {}],\n\"points\": [",
-      kVersion, kOrder, dims[0], dims[1], dims[2]);
-  const Points& points = lattice.points();
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    text += fmt::format("{}\n[{}, {}, {}]", i == 0 ? "" : ",", points(i, 0), points(i, 1),
-                        points(i, 2));
-  }
-  return text + "\n]\n}\n";
+  return lattice_text(LatticeFile{lattice, std::nullopt, std::nullopt});
+}
+
+void write_lattice(const std::filesystem::path& path, const LatticeFile& file) {
+  write_files({{path, lattice_text(file)}});
 }
 
 void write_lattice(const std::filesystem::path& path, const Lattice& lattice) {
-  write_files({{path, lattice_text(lattice)}});
+  write_lattice(path, LatticeFile{lattice, std::nullopt, std::nullopt});
 }
 
 }  // namespace hwffd

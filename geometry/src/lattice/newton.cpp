@@ -30,36 +30,6 @@ struct State {
   double residual;
 };
 
-/// What the second derivatives of eq. (1) add to those of half the squared distance.
-Eigen::Matrix3d curvature(const Support& support, const State& at) {
-  const Eigen::Matrix4d uniform = Oracle::uniform_bspline();
-  std::array<Eigen::Matrix<double, 4, 3>, 3> b;  // of an axis: the functions and two derivatives
-  for (int a = 0; a < 3; ++a) {
-    const double x = at.local[a];
-    Eigen::Matrix<double, 4, 3> powers;
-    powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
-    b[static_cast<std::size_t>(a)] = uniform * powers;
-  }
-  const Eigen::Matrix<double, 64, 1> along = support * at.difference;
-  const auto derivative = [&](const Index3& order) {
-    double sum = 0.0;
-    for (int l = 0; l < 4; ++l) {
-      for (int m = 0; m < 4; ++m) {
-        const double row = along.segment<4>(16 * l + 4 * m).dot(b[2].col(order[2]));
-        sum += b[0](l, order[0]) * b[1](m, order[1]) * row;
-      }
-    }
-    return sum;
-  };
-  const double st = derivative({1, 1, 0});
-  const double su = derivative({1, 0, 1});
-  const double tu = derivative({0, 1, 1});
-  Eigen::Matrix3d result;
-  result << derivative({2, 0, 0}), st, su, st, derivative({0, 2, 0}), tu, su, tu,
-      derivative({0, 0, 2});
-  return result;
-}
-
 /// A damped step towards the nearest point; coordinates that push against a face stay on it.
 Eigen::Vector3d step_within(const State& now, const Eigen::Matrix3d& curvature, double damping) {
   const Eigen::Vector3d slope = now.jet.jacobian.transpose() * now.difference;
@@ -80,6 +50,36 @@ Eigen::Vector3d step_within(const State& now, const Eigen::Matrix3d& curvature, 
 }
 
 }  // namespace
+
+Eigen::Matrix3d curvature(const Support& support, const Eigen::Vector3d& local,
+                          const Eigen::Vector3d& difference) {
+  const Eigen::Matrix4d uniform = Oracle::uniform_bspline();
+  std::array<Eigen::Matrix<double, 4, 3>, 3> b;  // of an axis: the functions and two derivatives
+  for (int a = 0; a < 3; ++a) {
+    const double x = local[a];
+    Eigen::Matrix<double, 4, 3> powers;
+    powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
+    b[static_cast<std::size_t>(a)] = uniform * powers;
+  }
+  const Eigen::Matrix<double, 64, 1> along = support * difference;
+  const auto derivative = [&](const Index3& order) {
+    double sum = 0.0;
+    for (int l = 0; l < 4; ++l) {
+      for (int m = 0; m < 4; ++m) {
+        const double row = along.segment<4>(16 * l + 4 * m).dot(b[2].col(order[2]));
+        sum += b[0](l, order[0]) * b[1](m, order[1]) * row;
+      }
+    }
+    return sum;
+  };
+  const double st = derivative({1, 1, 0});
+  const double su = derivative({1, 0, 1});
+  const double tu = derivative({0, 1, 1});
+  Eigen::Matrix3d result;
+  result << derivative({2, 0, 0}), st, su, st, derivative({0, 2, 0}), tu, su, tu,
+      derivative({0, 0, 2});
+  return result;
+}
 
 Attempt newton(const Oracle& oracle, const Support& support, const Point& point,
                const Eigen::Vector3d& start, double tolerance) {
@@ -113,7 +113,8 @@ Attempt nearest(const Oracle& oracle, const Support& support, const Point& point
   int iterations = 0;
   while (iterations < kSteps && damping < kLastDamping) {
     ++iterations;
-    const Eigen::Vector3d step = step_within(now, curvature(support, now), damping);
+    const Eigen::Vector3d step =
+        step_within(now, curvature(support, now.local, now.difference), damping);
     const Eigen::Vector3d target = kept(now.local + step, 0.0);
     const double length = (target - now.local).cwiseAbs().maxCoeff();
     const State next(oracle, support, point, target);

@@ -11,6 +11,11 @@ struct Attempt {
   int iterations = 0;                    ///< systems solved
 };
 
+/// What the second derivatives of eq. (1) add to those of half the squared distance from a point.
+/// @param difference  eq. (1) there, less the point
+Eigen::Matrix3d curvature(const Support& support, const Eigen::Vector3d& local,
+                          const Eigen::Vector3d& difference);
+
 /// Newton-Raphson on eq. (2) from a start: finds local coordinates of point in a cell. Damped: a
 /// step is halved until the residual falls, and kept within half a cell of the cell; it ends where
 /// no step helps. What it finds beyond the cell is moved to the nearest face.

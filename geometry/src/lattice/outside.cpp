@@ -36,4 +36,10 @@ double Outside::weight(double distance) const {
   return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
+double Outside::slope(double distance) const {
+  if (kind_ != Kind::kFade || distance >= width_) return 0.0;
+  const double x = distance / width_;
+  return -6.0 * x * (1.0 - x) / width_;
+}
+
 }  // namespace hwffd

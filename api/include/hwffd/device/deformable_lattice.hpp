@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,6 +64,27 @@ class DeformableLattice {
   /// bit, but part by part where the device can, without the room that an attachment takes.
   Points carry(const Eigen::Ref<const Points>& points,
                Attachment::Unsure unsure = Attachment::Unsure::kRefuse);
+
+  /// Rows `first` to `first + count - 1` of points, in double, wherever they are kept.
+  using ReadRows = std::function<Points(Eigen::Index first, Eigen::Index count)>;
+  /// Keeps rows from `first` on.
+  using WriteRows = std::function<void(Eigen::Index first, const Points& rows)>;
+  /// The same of `count` points that are read and written part by part, so that no more than a few
+  /// parts are in memory in double. Both functions are called on several threads at once, and may
+  /// be called again for the same rows; what they throw ends the call, as does Error.
+  void carry(Eigen::Index count, const ReadRows& read, const WriteRows& write,
+             Attachment::Unsure unsure = Attachment::Unsure::kRefuse);
+  /// How far points of the space at rest move, n x 3: carry() less the points.
+  Points displacements(const Eigen::Ref<const Points>& points,
+                       Attachment::Unsure unsure = Attachment::Unsure::kRefuse);
+  /// The points of the space at rest that the deformation takes to these, n x 3, in double. NaN
+  /// where there is none, or none was found. Where there are several, in a lattice that folds
+  /// space, one of them; inside the cells rather than outside.
+  /// @throws Error that names the row of a point that is not finite, and if the deformed lattice
+  ///   spans no volume
+  Points inverse(const Points& points) const;
+  /// bending_energy() of the deformation.
+  double bending_energy() const;
   /// The gradient of the deformation at attached points, in double (Attachment::gradients).
   /// @throws Error if they were attached to another lattice
   std::vector<Eigen::Matrix3d> gradients(const Attachment& attachment) const;
@@ -72,7 +94,8 @@ class DeformableLattice {
 
  private:
   void check_own(const Attachment& attachment) const;
-  Points carry_by_parts(const Eigen::Ref<const Points>& points, Attachment::Unsure unsure);
+  void carry_by_parts(Eigen::Index count, const ReadRows& read, const WriteRows& write,
+                      Attachment::Unsure unsure);
 
   Embedder embedder_;
   Lattice deformed_;

@@ -136,6 +136,7 @@ const std::vector<std::string>& device_kinds();
 
 /// The rows of the table, overlapped, that a kind of device has in this build: all for a model,
 /// the verilated ones with streams for the RTL, none for the reference.
+/// @throws UsageError for an unknown kind
 std::vector<std::string> device_rows(const std::string& kind);
 
 /// @throws UsageError for an unknown device, and for an organization, format or row that it does

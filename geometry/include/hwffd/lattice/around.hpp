@@ -15,20 +15,39 @@ Index3 usual_dims(const std::string& shape);
 /// Twice what rounding to binary32 can move a coordinate, in parts of it.
 constexpr double kBinary32Room = 0x1p-23;
 
-/// The upright lattice of a shape whose cells hold all points (Box, Cylinder, Sphere::around).
+/// How a shape lies around points.
+struct Fit {
+  /// Where the directions x, y (up) and z of an upright shape point: columns that span a volume. A
+  /// rotation, or any linear map.
+  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  /// Left free beyond the points along these directions, in their units; at least 0.
+  Point padding = Point::Zero();
+  /// Left free beyond that, in parts of the largest coordinate along x, y and z.
+  double room = kBinary32Room;
+};
+
+/// The frame whose y axis has a direction, turned there by the shortest way.
+/// @throws UsageError for a direction that is zero or not finite
+Eigen::Matrix3d frame_with_axis(const Eigen::Vector3d& direction);
+
+/// The corners of the box between two points: a region that a shape may hold instead of points.
+/// @throws UsageError unless they are finite and differ along x, y and z
+Points corners_of(const Point& low, const Point& high);
+
+/// The lattice of a shape whose cells hold all points (Box, Cylinder, Sphere::around), upright
+/// unless the fit says otherwise.
 /// @param points  n x 3, n > 0
-/// @param room    beyond the points, in parts of the largest coordinate along each axis; by default
-///                so that they are inside as floats as well
-/// @throws UsageError for an unknown shape, Error for dims or points that the shape refuses
+/// @throws UsageError for an unknown shape or a fit that is none, Error for dims or points that the
+///   shape refuses
 Lattice lattice_around(const std::string& shape, const Points& points, const Index3& dims,
-                       double room = kBinary32Room);
+                       const Fit& fit = {});
 
 /// The same of a family, with the map at rest of the B-spline lattice that has as many cells.
 /// @param dims  points an axis; without them cells as usual_dims() has them
 ///   (few_points.hpp: 2 and 3 are some)
-/// @throws Error also for dims that the family cannot have
+/// @throws Error also for dims that the family cannot have, UsageError for a fit that is none
 Lattice lattice_around(const std::string& shape, const Points& points,
                        const std::optional<Index3>& dims, const Family& family,
-                       double room = kBinary32Room);
+                       const Fit& fit = {});
 
 }  // namespace hwffd

@@ -63,14 +63,16 @@ class Attachment {
   Points follow(Points evaluated) const;
 
   /// For every point the derivative of the map from the space at rest to the deformed one:
-  /// J_deformed J_rest^-1 for a point inside, the identity for one that stays. All NaN, unknown,
-  /// for points outside that follow, and inside where J_rest is singular to within 1e-9 (axes,
-  /// poles, centres).
+  /// J_deformed J_rest^-1 for a point inside, the identity for one that stays, that of what Outside
+  /// says for one that follows. All NaN, unknown, where J_rest is singular to within 1e-9 (axes,
+  /// poles, centres) and where the nearest place of a point outside jumps.
   /// @throws Error if the deformed lattice has other dimensions than the one at rest
   std::vector<Eigen::Matrix3d> gradients(const Lattice& deformed) const;
-  /// The same from J_deformed at each of places(), whoever computed it.
+  /// The same from J_deformed and the position at each of places(), whoever computed them.
+  /// @param evaluated  as for follow()
   /// @throws Error for another number of them
-  std::vector<Eigen::Matrix3d> gradients(const std::vector<Eigen::Matrix3d>& jacobians) const;
+  std::vector<Eigen::Matrix3d> gradients(const std::vector<Eigen::Matrix3d>& jacobians,
+                                         const Points& evaluated) const;
 
   const EmbeddingSummary& summary() const { return summary_; }
   /// Of a point, as Embedder gives it.
@@ -95,6 +97,7 @@ class Attachment {
   void embed(const Embedder& embedder);
   void find_places();
   void check_converged() const;
+  void check_evaluated(const Points& evaluated) const;
   /// Of the points outside, in their order; none if they stay.
   std::vector<NearestPlace::Result> nearest_places() const;
 

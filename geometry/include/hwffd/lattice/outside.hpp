@@ -27,6 +27,8 @@ class Outside {
   /// and its slope are continuous.
   /// @param distance from the lattice, at least 0
   double weight(double distance) const;
+  /// Its derivative.
+  double slope(double distance) const;
 
  private:
   Outside(Kind kind, double width) : kind_(kind), width_(width) {}
