@@ -86,8 +86,6 @@ def tried(call, *arguments, **named):
     except hwffd.Error as error:
         text = str(error)
         assert text and "\n" not in text and len(text) < 1000, text
-    except TypeError as error:  # of pybind11, where an argument is no text, number or lattice
-        assert "incompatible" in str(error), error
     return None
 
 
@@ -167,5 +165,5 @@ def test_pickles(state):
         made = kind.__new__(kind)
         try:
             made.__setstate__(state)
-        except (hwffd.Error, TypeError, RuntimeError, IndexError, ValueError, OverflowError):
-            pass
+        except hwffd.Error as error:
+            assert "\n" not in str(error), error

@@ -1,11 +1,9 @@
-"""Lattices: how they are made, their control points, families, files, pickles and copies, exceptions.
+"""Lattices: how they are made, their control points, families, files, exceptions.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
-import copy
 import pathlib
-import pickle
 
 import hwffd
 import numpy as np
@@ -90,7 +88,7 @@ def test_files_take_paths(tmp_path):
     lattice.deform("bend:30")
     for path in tmp_path / "moved.json", str(tmp_path / "again.json"):
         lattice.write(path)
-        np.testing.assert_array_equal(hwffd.Lattice.read(path).rest, lattice.points)
+        np.testing.assert_array_equal(hwffd.Lattice.read(path).points, lattice.points)
     lattice.write(path=tmp_path / "rest.json", rest=True)
     np.testing.assert_array_equal(hwffd.Lattice.read(tmp_path / "rest.json").rest, lattice.rest)
     for path in pathlib.Path("no-such-file.json"), tmp_path:
@@ -98,29 +96,9 @@ def test_files_take_paths(tmp_path):
             hwffd.Lattice.read(path)
 
 
-@pytest.mark.parametrize("twin", [copy.copy, copy.deepcopy,
-                                  lambda x: pickle.loads(pickle.dumps(x))])
-def test_copies_are_equal_and_apart(twin):
-    lattice = hwffd.Lattice.around("cylinder", CORNERS, family="clamped")
-    lattice.deform("bend:30")
-    lattice.set_device("model", "cg3", "fx18")
-    lattice.set_outside("fade:0.5")
-    points = 1.5 * POINTS
-    moved = hwffd.deform(lattice, points)
-    embedding = lattice.embed(points)
-    other = twin(lattice)
-    assert repr(other) == repr(lattice)
-    np.testing.assert_array_equal(hwffd.deform(other, points), moved)
-    other.deform("twist:20")
-    np.testing.assert_array_equal(hwffd.deform(lattice, points), moved)
-    kept = twin(embedding)
-    assert repr(kept) == repr(embedding)
-    np.testing.assert_array_equal(kept.deform(lattice), moved)
-
-
 def test_exceptions_are_one_tree():
     assert issubclass(hwffd.UsageError, hwffd.Error)
-    assert issubclass(hwffd.UsageError, ValueError)
+    assert issubclass(hwffd.UsageError, ValueError) and issubclass(hwffd.UsageError, TypeError)
     assert issubclass(hwffd.Error, RuntimeError)
     assert hwffd.Error.__module__ == "hwffd"
     lattice = hwffd.Lattice.around("box", CORNERS)

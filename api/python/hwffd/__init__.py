@@ -8,9 +8,13 @@ double precision (docs/python.md).
 SPDX-License-Identifier: Apache-2.0
 """
 
-from hwffd import _rtl  # noqa: F401  pylint: disable=unused-import
-from hwffd._core import (Embedding, Error, Lattice, UsageError, __version__, deform, devices,
-                         families, set_threads, shapes, threads)
+from hwffd import _main_interpreter  # noqa: F401  pylint: disable=unused-import  # before the others
+from hwffd import _copies, _core, _refusals, _rtl  # noqa: F401  pylint: disable=unused-import
+from hwffd._core import Embedding, Error, Lattice, UsageError, __version__
+
+deform, devices, families, set_threads, shapes, threads = map(
+    _refusals.refusing, (_core.deform, _core.devices, _core.families, _core.set_threads, _core.shapes,
+                         _core.threads))
 
 __all__ = ["Embedding", "Error", "Lattice", "UsageError", "__version__", "deform", "devices",
            "families", "set_threads", "shapes", "threads"]
@@ -18,4 +22,7 @@ __all__ = ["Embedding", "Error", "Lattice", "UsageError", "__version__", "deform
 for _public in (Embedding, Error, Lattice, UsageError, deform, devices, families, set_threads,
                 shapes, threads):
     _public.__module__ = __name__
+for _public in Embedding, Lattice:
+    _copies.keep(_public)
+    _refusals.refuse_in(_public)
 del _public

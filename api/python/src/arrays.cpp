@@ -1,7 +1,6 @@
 #include "arrays.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,8 +23,22 @@ Shape shape_of(const py::array& array) { return {array.shape(), array.shape() + 
 
 bool is_float32(const py::dtype& type) { return type.kind() == 'f' && type.itemsize() == 4; }
 
+/// Whether it is an array with a mask, which would be lost, or a list or tuple of some.
+bool is_masked(const py::handle& object) {
+  // Where nobody has loaded it, there are none.
+  const auto modules = py::reinterpret_borrow<py::dict>(PyImport_GetModuleDict());
+  if (!modules.contains("numpy.ma")) return false;
+  const py::object kind = modules["numpy.ma"].attr("MaskedArray");
+  if (py::isinstance(object, kind)) return true;
+  if (!py::isinstance<py::list>(object) && !py::isinstance<py::tuple>(object)) return false;
+  const auto items = py::reinterpret_borrow<py::sequence>(object);
+  return std::any_of(items.begin(), items.end(),
+                     [&](const py::handle& item) { return py::isinstance(item, kind); });
+}
+
 /// What NumPy makes of an object, if that is numbers.
 py::array numbers(const py::handle& object, const char* name) {
+  refuse_masked(object, name);
   auto array = py::array::ensure(object);
   if (!array) {
     PyErr_Clear();
@@ -39,22 +52,34 @@ py::array numbers(const py::handle& object, const char* name) {
   return array;
 }
 
-/// The array, if its numbers are doubles one behind the other; a copy where they are not.
-py::array_t<double> packed(const py::array& array) {
-  const auto found = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+/// The array, if its numbers are of that type and one behind the other; a copy where they are not.
+template <typename Number>
+py::array packed(const py::array& array) {
+  const auto found = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!found) throw py::error_already_set();
   return found;
 }
 
-/// An array with the points for its numbers.
-py::array owning(Points points, const Shape& shape) {
-  auto owned = std::make_unique<Points>(std::move(points));
-  const double* data = owned->data();
-  const py::capsule owner(owned.release(), [](void* of) { delete static_cast<Points*>(of); });
-  return py::array_t<double>(shape, data, owner);
+template <typename Number>
+Points rows_of(const void* numbers, Eigen::Index first, Eigen::Index count) {
+  using Rows = Eigen::Matrix<Number, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  return Eigen::Map<const Rows>(static_cast<const Number*>(numbers) + 3 * first, count, 3)
+      .template cast<double>();
+}
+
+template <typename Number>
+void put_rows(void* numbers, Eigen::Index first, const Points& rows) {
+  using Rows = Eigen::Matrix<Number, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  Eigen::Map<Rows>(static_cast<Number*>(numbers) + 3 * first, rows.rows(), 3) = rows.cast<Number>();
 }
 
 }  // namespace
+
+void refuse_masked(const py::handle& object, const char* name) {
+  if (!is_masked(object)) return;
+  throw UsageError(std::string(name) +
+                   ": a masked array; give one without a mask, as filled(value) makes it");
+}
 
 Shape grid_shape(const Index3& dims) { return {dims[0], dims[1], dims[2], 3}; }
 
@@ -76,7 +101,13 @@ Read read_points(const py::handle& array, const char* name) {
     throw UsageError(std::string(name) + ": shape " + text_of(shape_of(read)) +
                      "; give (..., 3), x, y and z last");
   }
-  return {packed(read), shape_of(read), is_float32(read.dtype())};
+  const bool is_float = is_float32(read.dtype());
+  return {is_float ? packed<float>(read) : packed<double>(read), shape_of(read), is_float};
+}
+
+Points Read::rows(Eigen::Index first, Eigen::Index count) const {
+  return is_float ? rows_of<float>(packed.data(), first, count)
+                  : rows_of<double>(packed.data(), first, count);
 }
 
 Points read_rows(const py::handle& array, const char* name, Eigen::Index rows) {
@@ -95,36 +126,50 @@ Points read_control_points(const py::handle& array, const Index3& dims) {
                    " or " + text_of(flat));
 }
 
-Target::Target(const py::object& out, Shape shape, bool is_float) : shape_(std::move(shape)) {
-  if (out.is_none()) {
-    if (is_float) array_ = py::array(py::dtype::of<float>(), shape_);
-    return;
-  }
+Target::Target(const py::object& out, Shape shape, bool is_float)
+    : is_float_(is_float), shape_(std::move(shape)) {
+  if (out.is_none()) return;
   if (!py::isinstance<py::array>(out)) {
     throw UsageError("out: no array of NumPy; give one of float32 or float64");
   }
-  array_ = py::reinterpret_borrow<py::array>(out);
-  const py::dtype type = array_->dtype();
+  refuse_masked(out, "out");
+  out_ = py::reinterpret_borrow<py::array>(out);
+  const py::dtype type = out_->dtype();
   if (!type.equal(py::dtype::of<float>()) && !type.equal(py::dtype::of<double>())) {
     throw UsageError("out: numbers of " + std::string(py::str(type)) + "; give float32 or float64");
   }
-  if (shape_of(*array_) != shape_) {
-    throw UsageError("out: shape " + text_of(shape_of(*array_)) + "; give " + text_of(shape_));
+  if (shape_of(*out_) != shape_) {
+    throw UsageError("out: shape " + text_of(shape_of(*out_)) + "; give " + text_of(shape_));
   }
-  if (!array_->writeable()) throw UsageError("out: a read-only array; give one to write to");
+  if (!out_->writeable()) throw UsageError("out: a read-only array; give one to write to");
+  is_float_ = is_float32(type);
 }
 
-py::array Target::take(Points points) const {
-  if (!array_) return owning(std::move(points), shape_);
-  const auto row = is_float32(array_->dtype()) ? beyond_float(points) : std::nullopt;
-  if (row) {
-    throw Error("point " + std::to_string(*row) +
+void Target::open() {
+  room_ = py::array(is_float_ ? py::dtype::of<float>() : py::dtype::of<double>(), shape_);
+  numbers_ = room_.mutable_data();
+}
+
+void Target::write(Eigen::Index first, const Points& rows) {
+  if (!is_float_) return put_rows<double>(numbers_, first, rows);
+  if (const auto row = beyond_float(rows)) {
+    throw Error("point " + std::to_string(first + *row) +
                 " is beyond what float32 holds; give points or out of float64");
   }
-  // With a base, if only None, NumPy takes the numbers where they are.
-  const py::array_t<double> from(shape_, points.data(), py::none());
-  array_->attr("__setitem__")(py::ellipsis(), from);
-  return *array_;
+  put_rows<float>(numbers_, first, rows);
+}
+
+py::array Target::take() const {
+  if (!out_) return room_;
+  out_->attr("__setitem__")(py::ellipsis(), room_);
+  return *out_;
+}
+
+py::array Target::take(Points points) {
+  if (!out_ && !is_float_) return owning(std::move(points), shape_);
+  open();
+  write(0, points);
+  return take();
 }
 
 py::array new_array(const Shape& shape, const double* data) {

@@ -2,7 +2,9 @@
 
 #include <pybind11/numpy.h>
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hwffd/lattice/lattice.hpp"
@@ -16,17 +18,22 @@ using Shape = std::vector<py::ssize_t>;
 
 /// Points out of Python and how they came.
 struct Read {
-  py::array_t<double> packed;  ///< the caller's own array where that is
-  Shape shape;                 ///< (..., 3)
-  bool is_float;               ///< float32, so that results are
+  py::array packed;  ///< of float if they were, else of double; the caller's own where it is that
+  Shape shape;       ///< (..., 3)
+  bool is_float;     ///< float32, so that results are
 
-  /// n x 3, of `packed`.
-  Eigen::Map<const Points> points() const { return {packed.data(), packed.size() / 3, 3}; }
+  Eigen::Index count() const { return packed.size() / 3; }
+  /// Some of them, in double. Needs no lock of the interpreter.
+  Points rows(Eigen::Index first, Eigen::Index count) const;
+  Points points() const { return rows(0, count()); }
 };
+
+/// Throws UsageError for an array with a mask, which would be lost, and for a list of such.
+void refuse_masked(const py::handle& object, const char* name);
 
 /// An array (..., 3), or what NumPy makes one of, of floats or integers, with any strides.
 /// @param name  of the argument, for messages
-/// @throws UsageError for another shape or kind of numbers
+/// @throws UsageError for another shape or kind of numbers, and for masked arrays
 Read read_points(const py::handle& array, const char* name);
 
 /// The same of as many rows as there are points.
@@ -45,17 +52,44 @@ class Target {
   /// @throws UsageError for anything else
   Target(const py::object& out, Shape shape, bool is_float);
 
-  /// The array with the points in it, as many as it has room for.
+  /// Makes room for write().
+  void open();
+  /// Keeps rows from `first` on. Several threads may, each its own rows; needs no lock of the
+  /// interpreter.
+  /// @throws Error if a float32 cannot hold a number
+  void write(Eigen::Index first, const Points& rows);
+  /// The array with the rows that were written.
+  py::array take() const;
+  /// The array with these points, as many as it has room for.
   /// @throws Error, before anything is written, if a float32 cannot hold a number
-  py::array take(Points points) const;
+  py::array take(Points points);
 
  private:
+  bool is_float_;
   Shape shape_;
-  std::optional<py::array> array_;  ///< none: a new one is made of the points
+  std::optional<py::array> out_;  ///< the caller's
+  py::array room_;                ///< packed
+  void* numbers_ = nullptr;       ///< of room_
 };
 
 /// A new array of doubles, that NumPy refuses to write to if it is a copy of what a lattice has.
 py::array new_array(const Shape& shape, const double* data);
+
+/// An array with numbers, of a matrix or vector, for its own.
+template <typename Numbers>
+py::array owning(Numbers numbers, const Shape& shape) {
+  using Number = typename Numbers::value_type;
+  auto owned = std::make_unique<Numbers>(std::move(numbers));
+  const Number* data = owned->data();
+  const py::capsule owner(owned.release(), [](void* of) { delete static_cast<Numbers*>(of); });
+  return py::array_t<Number>(shape, data, owner);
+}
+/// In one row.
+template <typename Number>
+py::array owning(std::vector<Number> numbers) {
+  const auto size = static_cast<py::ssize_t>(numbers.size());
+  return owning(std::move(numbers), {size});
+}
 py::array read_only(py::array array);
 
 /// (ns, nt, nu, 3)

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cstdint>
+#include <limits>
 
 #include "arrays.hpp"
 #include "hwffd/error.hpp"
@@ -9,6 +10,7 @@
 #include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/lattice/weights.hpp"
 #include "lattice.hpp"
+#include "warning.hpp"
 
 namespace hwffd::python {
 namespace {
@@ -67,13 +69,11 @@ void warn_of_stayers(const EmbeddingSummary& summary, const std::string& outside
     text = std::to_string(summary.not_converged) + " of " + std::to_string(summary.points) +
            " points could neither be embedded nor proved to be outside, and stayed";
   }
-  if (!text.empty() && PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
-    throw py::error_already_set();
-  }
+  if (!text.empty()) warn(text);
 }
 
 py::array deform_embedded(const PyEmbedding& embedding, PyLattice& lattice, const py::object& out) {
-  const Target target(out, embedding.shape, embedding.is_float);
+  Target target(out, embedding.shape, embedding.is_float);
   py::array to = target.take(
       lattice.alone([&](DeformableLattice& of) { return of.carry(*embedding.attachment); }));
   warn_of_stayers(embedding.attachment->summary(), embedding.outside);
@@ -82,16 +82,20 @@ py::array deform_embedded(const PyEmbedding& embedding, PyLattice& lattice, cons
 
 py::array deform_points(PyLattice& lattice, const py::object& points, const py::object& out) {
   const Read read = read_points(points, "points");
-  const Target target(out, read.shape, read.is_float);
+  Target target(out, read.shape, read.is_float);
+  target.open();
   EmbeddingSummary summary;
   std::string outside;
-  Points carried = lattice.alone([&](DeformableLattice& of) {
-    Points there = of.carry(read.points(), Attachment::Unsure::kStay);
+  lattice.alone([&](DeformableLattice& of) {
+    of.carry(
+        read.count(),
+        [&](Eigen::Index first, Eigen::Index count) { return read.rows(first, count); },
+        [&](Eigen::Index first, const Points& rows) { target.write(first, rows); },
+        Attachment::Unsure::kStay);
     summary = of.summary();
     outside = lattice.outside;
-    return there;
   });
-  py::array to = target.take(std::move(carried));
+  py::array to = target.take();
   warn_of_stayers(summary, outside);
   return to;
 }
@@ -135,8 +139,15 @@ py::array normals(const PyEmbedding& embedding, const PyLattice& lattice, const 
                   const py::object& out) {
   const Points read = read_rows(at_rest, "normals", embedding.attachment->size());
   check_coordinates("normals", read);
-  const Target target(out, embedding.shape, embedding.is_float);
+  Target target(out, embedding.shape, embedding.is_float);
   return target.take(carried_normals(gradients(embedding, lattice), read));
+}
+
+/// Numbers as 32 bits, as SciPy keeps them beside other such indices without a copy; as they are
+/// where one is too large.
+py::array narrow(std::vector<std::int64_t> numbers) {
+  if (numbers.back() > std::numeric_limits<std::int32_t>::max()) return owning(std::move(numbers));
+  return owning(std::vector<std::int32_t>(numbers.begin(), numbers.end()));
 }
 
 /// (values, columns, starts), as SciPy takes them.
@@ -146,10 +157,8 @@ py::tuple csr(const PyEmbedding& embedding) {
     const Unlocked unlocked;
     rows = weights_of(*embedding.attachment);
   }
-  const auto array = [](const auto& numbers) {
-    return py::array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-  };
-  return py::make_tuple(array(rows.values), array(rows.columns), array(rows.starts));
+  return py::make_tuple(owning(std::move(rows.values)), owning(std::move(rows.columns)),
+                        narrow(std::move(rows.starts)));
 }
 
 py::object weights(const PyEmbedding& embedding) {
@@ -182,8 +191,15 @@ py::tuple state_of_embedding(const PyEmbedding& embedding) {
                         new_array(embedding.shape, of.points().data()), embedding.is_float);
 }
 
+/// @param state  that, or an embedding, whose points the new one shares
 PyEmbedding embedding_from(const py::tuple& state) {
-  if (state.size() != 5) throw Error("this pickle holds no embedding; pickle one again");
+  if (state.size() == 1 && py::isinstance<PyEmbedding>(state[0])) {
+    return state[0].cast<const PyEmbedding&>();
+  }
+  if (state.size() != 5 || !py::isinstance<py::str>(state[1]) ||
+      !py::isinstance<py::str>(state[2]) || !py::isinstance<py::bool_>(state[4])) {
+    throw Error("this pickle holds no embedding; pickle one again");
+  }
   const Read rest = read_points(state[0], "control points");
   const Read points = read_points(state[3], "points");
   const auto family = Family::parse(state[1].cast<std::string>());
@@ -221,10 +237,6 @@ void bind_places(py::class_<PyEmbedding>& type) {
           },
           "cells, local, residual, inside")
       .def(py::pickle(&state_of_embedding, &embedding_from))
-      .def("__copy__", [](const PyEmbedding& of) { return of; })
-      .def(
-          "__deepcopy__", [](const PyEmbedding& of, const py::dict&) { return of; },
-          py::arg("memo"))
       .def("__repr__", [](const PyEmbedding& of) {
         const EmbeddingSummary& summary = of.attachment->summary();
         return "<hwffd.Embedding of " + std::to_string(summary.points) + " points, " +

@@ -9,9 +9,10 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
 #include "hwffd/lattice/shape.hpp"
@@ -24,39 +25,46 @@ using Holder = std::unique_ptr<PyLattice>;
 using Cells = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 Holder made(const Lattice& rest, const Family& family) {
-  return std::make_unique<PyLattice>(DeformableLattice(rest, family));
+  return std::make_unique<PyLattice>(DeformableLattice(whole(rest, family), family));
 }
 
-Holder from_points(const Index3& dims, const py::object& points, const std::string& family) {
-  Lattice::check_dims(dims);
+constexpr const char* kDims = "(ns, nt, nu)";
+
+Holder from_points(const py::object& numbers, const py::object& points,
+                   const std::string& family_name) {
+  const Index3 dims = read_integers(numbers, "dims", kDims);
+  const Family family = Family::parse(family_name);
+  whole_dims(dims, family);
   const Points read = read_control_points(points, dims);
   const Unlocked unlocked;
-  return made(Lattice(dims, read), Family::parse(family));
+  return made(Lattice(dims, read), family);
 }
 
-Holder of_grid(const py::object& control_points, const std::string& family) {
+Holder of_grid(const py::object& control_points, const std::string& family_name) {
   const Read read = read_points(control_points, "control points");
   const Index3 dims = dims_of_grid(read.shape);
-  const Unlocked unlocked;
-  return made(Lattice(dims, read.points()), Family::parse(family));
-}
-
-Holder around(const std::string& shape, const py::object& points, const std::optional<Index3>& dims,
-              const std::string& family_name) {
-  const Points read = read_points(points, "points").points();
-  const Unlocked unlocked;
   const Family family = Family::parse(family_name);
-  return made(lattice_around(shape, read, dims, family), family);
+  whole_dims(dims, family);
+  const Unlocked unlocked;
+  return made(Lattice(dims, read.points()), family);
 }
 
-Holder read(const std::filesystem::path& path, const std::string& family) {
+Holder read(const std::filesystem::path& path, const std::optional<std::string>& family_name) {
   const Unlocked unlocked;
-  return made(read_lattice(path), Family::parse(family));
+  const LatticeFile file = read_lattice_file(path);
+  const Family family = family_name ? Family::parse(*family_name) : file.family.value_or(Family());
+  DeformableLattice lattice(whole(file.rest.value_or(file.lattice), family), family);
+  if (file.rest) lattice.move(whole(file.lattice, family).points());
+  return std::make_unique<PyLattice>(std::move(lattice));
 }
 
 void write(const PyLattice& lattice, const std::filesystem::path& path, bool rest) {
-  lattice.alone(
-      [&](const DeformableLattice& of) { write_lattice(path, rest ? of.rest() : of.deformed()); });
+  lattice.alone([&](const DeformableLattice& of) {
+    LatticeFile file{rest ? of.rest() : of.deformed(), std::nullopt, std::nullopt};
+    if (!rest && of.deformed().points() != of.rest().points()) file.rest = of.rest();
+    if (of.family().kind() != Family().kind()) file.family = of.family();
+    write_lattice(path, file);
+  });
 }
 
 /// A copy of control points that NumPy refuses to write to: what was written there would be lost.
@@ -64,12 +72,29 @@ py::array control_points(const PyLattice& lattice, bool rest, bool flat) {
   const Lattice points =
       lattice.alone([&](const DeformableLattice& of) { return rest ? of.rest() : of.deformed(); });
   const Shape shape = flat ? Shape{points.points().rows(), 3} : grid_shape(points.dims());
-  return read_only(new_array(shape, points.points().data()));
+  const py::object kind = py::module_::import("hwffd._control_points").attr("ControlPoints");
+  return read_only(new_array(shape, points.points().data()).attr("view")(kind));
+}
+
+/// Control points as they come, with 2 or 3 along an axis where the lattice may have been made so.
+Points read_moved(const py::object& points, const Index3& dims, const Family& family) {
+  const Read read = read_points(points, "control points");
+  if (read.shape.size() == 4 && read.shape != grid_shape(dims)) {
+    const Index3 few = dims_of_grid(read.shape);
+    const bool is_few = std::any_of(few.begin(), few.end(), [](int n) {
+      return n >= Lattice::kFewestPoints && n < Lattice::kMinPoints;
+    });
+    if (family.takes_few() && is_few && whole_dims(few, family) == dims) {
+      return whole(Lattice(few, read.points()), family).points();
+    }
+  }
+  return read_control_points(points, dims);
 }
 
 void set_control_points(PyLattice& lattice, const py::object& points) {
-  const Index3 dims = lattice.alone([](const DeformableLattice& of) { return of.rest().dims(); });
-  const Points read = read_control_points(points, dims);
+  const auto [dims, family] = lattice.alone(
+      [](const DeformableLattice& of) { return std::pair(of.rest().dims(), of.family()); });
+  const Points read = read_moved(points, dims, family);
   lattice.alone([&](DeformableLattice& of) { of.move(read); });
 }
 
@@ -86,6 +111,7 @@ Grid grid_of_places(const std::array<double, 3>& first, const std::array<double,
 /// Numbers of cells, n x 3, of any kind of integer: NumPy's own conversion cuts off fractions and
 /// high bits without a word.
 Cells whole_numbers(const py::object& numbers) {
+  refuse_masked(numbers, "cells");
   const auto cells = py::array::ensure(numbers);
   if (!cells) PyErr_Clear();
   const char kind = cells ? cells.dtype().kind() : '-';
@@ -117,21 +143,30 @@ py::array evaluate(PyLattice& lattice, const py::object& numbers, const py::obje
     vertex.cell = {cells(i, 0), cells(i, 1), cells(i, 2)};
     vertex.local = places.row(i);
   }
-  const Target target(out, {cells.rows(), 3}, false);
+  Target target(out, {cells.rows(), 3}, false);
   return target.take(
       lattice.alone([&](DeformableLattice& of) { return of.evaluate(std::move(vertices)); }));
 }
 
-py::array evaluate_grid(PyLattice& lattice, const std::array<double, 3>& first,
-                        const std::array<double, 3>& last, const std::array<int, 3>& counts,
-                        const py::object& out) {
-  const Grid grid = grid_of_places(first, last, counts);
-  const Target target(out, {counts[2], counts[1], counts[0], 3}, false);
+py::array evaluate_grid(PyLattice& lattice, const py::object& first, const py::object& last,
+                        const py::object& numbers, const py::object& out) {
+  const Index3 counts = read_integers(numbers, "counts", "(cs, ct, cu)");
+  const Grid grid = grid_of_places(read_numbers(first, "first", "(s, t, u)"),
+                                   read_numbers(last, "last", "(s, t, u)"), counts);
+  Target target(out, {counts[2], counts[1], counts[0], 3}, false);
   return target.take(lattice.alone([&](DeformableLattice& of) { return of.evaluate_grid(grid); }));
+}
+
+/// Why the package with the simulated hardware is not used, if it is there.
+void check_rtl() {
+  if (!device_rows("rtl").empty()) return;
+  const auto problem = py::module_::import("hwffd._rtl").attr("PROBLEM").cast<std::string>();
+  if (!problem.empty()) throw UsageError("device rtl: " + problem);
 }
 
 void set_device(PyLattice& lattice, const std::string& device, const std::string& org,
                 const std::string& format, int pages, int axis_points) {
+  if (device == "rtl") check_rtl();
   lattice.alone([&](DeformableLattice& of) {
     of.set_device({device, org, format, pages, axis_points});
   });
@@ -156,14 +191,27 @@ py::tuple state_of_lattice(const PyLattice& lattice) {
                         choice.org, choice.format, choice.pages, choice.axis_points);
 }
 
-Holder lattice_from(const py::tuple& state) {
-  if (state.size() != 9) throw Error("this pickle holds no lattice; pickle one again");
+/// Of what __setstate__ has of a pickle.
+Holder lattice_from_pickle(const py::tuple& state) {
   Holder lattice = of_grid(state[0], state[2].cast<std::string>());
   set_control_points(*lattice, state[1]);
   set_outside(*lattice, state[3].cast<std::string>());
   set_device(*lattice, state[4].cast<std::string>(), state[5].cast<std::string>(),
              state[6].cast<std::string>(), state[7].cast<int>(), state[8].cast<int>());
   return lattice;
+}
+
+/// @param state  that, or a lattice, of which the new one is a copy
+Holder lattice_from(const py::tuple& state) {
+  if (state.size() == 1 && py::isinstance<PyLattice>(state[0])) {
+    return lattice_from_pickle(state_of_lattice(state[0].cast<const PyLattice&>()));
+  }
+  try {
+    if (state.size() == 9) return lattice_from_pickle(state);
+  } catch (const py::cast_error&) {
+    // A text or a number is something else.
+  }
+  throw Error("this pickle holds no lattice; pickle one again");
 }
 
 template <typename Get>
@@ -174,29 +222,18 @@ auto getter(const Get& get) {
 void bind_making(py::class_<PyLattice>& type) {
   type.def(py::init(&from_points), py::arg("dims"), py::arg("points"), py::kw_only(),
            py::arg("family") = "bspline",
-           "A lattice from control points.\n\ndims: (ns, nt, nu), 4 to 64 each. points: (ns, nt, "
-           "nu, 3) or (ns*nt*nu, 3), point (i, j, k) in row (i*nt + j)*nu + k.")
+           "A lattice from control points.\n\ndims: (ns, nt, nu), 4 to 64 each, and 2 or 3 in the "
+           "families bernstein, catmull-rom and linear, of which four points and more are made. "
+           "points: (ns, nt, nu, 3) or (ns*nt*nu, 3), point (i, j, k) in row (i*nt + j)*nu + k.")
       .def_static("of", &of_grid, py::arg("control_points"), py::kw_only(),
                   py::arg("family") = "bspline", "A lattice from control points (ns, nt, nu, 3).")
-      .def_static("around", &around, py::arg("shape"), py::arg("points"),
-                  py::arg("dims") = py::none(), py::kw_only(), py::arg("family") = "bspline",
-                  (shape_list(" or ") +
-                   " that holds points (..., 3), also as float32. dims: (ns, nt, nu); None: what "
-                   "suits the shape.")
-                      .c_str())
-      .def_static("read", &read, py::arg("path"), py::kw_only(), py::arg("family") = "bspline",
-                  "A lattice file (docs/lattice.md section 3).")
+      .def_static("read", &read, py::arg("path"), py::kw_only(), py::arg("family") = py::none(),
+                  "A lattice file (docs/lattice.md section 3), with its points at rest if it has "
+                  "some. family: None, that which the file names, or bspline.")
       .def("write", &write, py::arg("path"), py::kw_only(), py::arg("rest") = false,
-           "Writes the control points, as deformed or at rest, as a lattice file.")
-      .def(py::pickle(&state_of_lattice, &lattice_from))
-      .def("__copy__",
-           [](const PyLattice& lattice) { return lattice_from(state_of_lattice(lattice)); })
-      .def(
-          "__deepcopy__",
-          [](const PyLattice& lattice, const py::dict&) {
-            return lattice_from(state_of_lattice(lattice));
-          },
-          py::arg("memo"));
+           "Writes a lattice file that read() makes the same lattice of: control points, those at "
+           "rest if they differ, and the family; rest=True: of the lattice at rest.")
+      .def(py::pickle(&state_of_lattice, &lattice_from));
 }
 
 void bind_properties(py::class_<PyLattice>& type) {
@@ -242,12 +279,23 @@ void bind_properties(py::class_<PyLattice>& type) {
 
 }  // namespace
 
+void check_made(const py::handle& object, const char* kind, const char* cure) {
+  auto* const instance = reinterpret_cast<py::detail::instance*>(object.ptr());
+  for (auto& value : py::detail::values_and_holders(instance)) {
+    if (value.holder_constructed()) return;
+  }
+  throw UsageError(std::string(kind) + ": an object that __new__ alone has made; make it by " +
+                   cure);
+}
+
 void bind_lattice(py::module_& module) {
   py::class_<PyLattice> type(
       module, "Lattice",
       "Control points at rest and deformed, and the device that evaluates them. Several threads "
       "may use one: they wait for each other.");
   bind_making(type);
+  bind_around(type);
+  bind_space(type);
   bind_properties(type);
   type.def(
           "deform",

@@ -3,7 +3,6 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -41,11 +40,19 @@ class PyLattice {
   std::string outside = "keep";
 
  private:
-  mutable std::timed_mutex mutex_;
+  mutable OwnedMutex mutex_;
   DeformableLattice lattice_;
 };
 
+/// Throws UsageError for an object that `__new__` alone has made, which has nothing to use.
+/// @param kind  the class, and how its objects are made, for the message
+void check_made(const py::handle& object, const char* kind, const char* cure);
+
 void bind_lattice(py::module_& module);
+/// Lattice.around.
+void bind_around(py::class_<PyLattice>& type);
+/// What a lattice does to space: displacements, the inverse, the bending energy.
+void bind_space(py::class_<PyLattice>& type);
 void bind_embedding(py::module_& module);
 
 /// The points embedded in the lattice at rest; those that can neither be embedded nor excluded
@@ -53,3 +60,27 @@ void bind_embedding(py::module_& module);
 PyEmbedding embed(const PyLattice& lattice, const py::object& points);
 
 }  // namespace hwffd::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<hwffd::python::PyLattice> : type_caster_base<hwffd::python::PyLattice> {
+  bool load(handle object, bool convert) {
+    if (isinstance<hwffd::python::PyLattice>(object)) {
+      hwffd::python::check_made(object, "Lattice", "Lattice.of, around or read");
+    }
+    return type_caster_base<hwffd::python::PyLattice>::load(object, convert);
+  }
+};
+
+template <>
+struct type_caster<hwffd::python::PyEmbedding> : type_caster_base<hwffd::python::PyEmbedding> {
+  bool load(handle object, bool convert) {
+    if (isinstance<hwffd::python::PyEmbedding>(object)) {
+      hwffd::python::check_made(object, "Embedding", "embed of a lattice");
+    }
+    return type_caster_base<hwffd::python::PyEmbedding>::load(object, convert);
+  }
+};
+
+}  // namespace pybind11::detail

@@ -2,14 +2,15 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 
+#include "hwffd/error.hpp"
 #include "hwffd/on_threads.hpp"
+#include "visit.hpp"
 
 namespace hwffd::python {
-
-namespace py = pybind11;
 
 /// While it lives, other threads of Python run, and Ctrl-C ends the work of this one: a Watch looks
 /// for signals.
@@ -19,24 +20,63 @@ class Unlocked {
 
  private:
   static void check_signals() {
+    check_interpreter();
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
 
-  py::gil_scoped_release released_;
+  Visit visit_;
   Watch watch_;
+};
+
+/// A mutex that knows of which process the thread is that has it.
+class OwnedMutex {
+ public:
+  void lock() {
+    mutex_.lock();
+    take();
+  }
+  template <typename Duration>
+  bool try_lock_for(const Duration& duration) {
+    const bool locked = mutex_.try_lock_for(duration);
+    if (locked) take();
+    return locked;
+  }
+  void unlock() {
+    owner_ = kNobody;
+    mutex_.unlock();
+  }
+
+  /// Whether a thread has it that this process was forked without.
+  bool orphaned() const { return owner_ != kNobody && owner_ != fork_count(); }
+
+ private:
+  static constexpr unsigned kNobody = ~0U;
+
+  void take() { owner_ = fork_count(); }
+
+  std::timed_mutex mutex_;
+  std::atomic<unsigned> owner_{kNobody};
 };
 
 /// A mutex that is waited for without the interpreter's lock, and no longer than until Ctrl-C.
 class Turn {
  public:
-  explicit Turn(std::timed_mutex& mutex) : lock_(mutex, std::defer_lock) {
-    while (!lock_.try_lock_for(std::chrono::milliseconds(50))) Watch::look();
+  /// @throws Error if no thread of this process will ever unlock it
+  explicit Turn(OwnedMutex& mutex) : lock_(mutex, std::defer_lock) {
+    while (!lock_.try_lock_for(std::chrono::milliseconds(50))) {
+      if (mutex.orphaned()) {
+        throw Error(
+            "another thread was using this lattice when the process was forked; make the lattice "
+            "again in the child, or start children by spawn");
+      }
+      Watch::look();
+    }
   }
 
  private:
   Unlocked unlocked_;
-  std::unique_lock<std::timed_mutex> lock_;
+  std::unique_lock<OwnedMutex> lock_;
 };
 
 }  // namespace hwffd::python
