@@ -9,6 +9,7 @@ import pathlib
 import subprocess
 import sys
 import zipfile
+from pathlib import PurePosixPath
 
 import pytest
 
@@ -72,31 +73,82 @@ def test_it_has_the_package_and_its_libraries(wheel):
         assert library in libraries
     assert not [name for name in names if name.endswith((".hpp", ".cmake", ".cpp", ".pc", ".in"))]
     assert len(names) < 40
+    for name in {PurePosixPath(name).name.split(".so")[0].split("-")[0] for name in names if ".so" in name}:
+        assert sum(PurePosixPath(other).name.startswith(f"{name}.") or f"{name}-" in other
+                   for other in names) == 1, f"{name}: {names}"
 
 
-def test_the_simulated_hardware_is_a_package(wheel, tmp_path):
-    """As pip install ./api/python/rtl makes it, of the library of this build."""
-    package = tmp_path / "packages" / "hwffd_rtl"
-    run("mkdir", "-p", package)
-    run("cp", ROOT / "api" / "python" / "rtl" / "hwffd_rtl" / "__init__.py", package)
-    (library,) = (TOOLS.parents[1] / "api").glob("libhwffd_rtl.so.[0-9]")
-    run("cp", library, package)
-    run(sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", package.parent, wheel)
-    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    run(sys.executable, "-c", WITH_HARDWARE, cwd=tmp_path,
-        env={**clean, "PYTHONPATH": str(package.parent)})
-
-
-def test_it_is_used_in_a_new_environment(wheel, tmp_path):
-    run(sys.executable, "-m", "venv", tmp_path / "env")
-    python = tmp_path / "env" / "bin" / "python"
+@pytest.fixture(scope="module")
+def environment(wheel, tmp_path_factory):
+    """A new one with the wheel and the packages that it needs; a function that runs a program there."""
+    folder = tmp_path_factory.mktemp("environment")
+    run(sys.executable, "-m", "venv", folder / "env")
+    python = folder / "env" / "bin" / "python"
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", wheel)
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    said = run(python, "-c", USED, cwd=tmp_path, env=clean)
-    assert str(tmp_path / "env") in said
-    version = run(python.with_name("hwffd-warp"), "--version", cwd=tmp_path, env=clean)
-    assert version == said.split()[0] + "\n"
-    lacks = subprocess.run([python.with_name("hwffd-warp"), "in.nrrd", "box", "out.nrrd"], env=clean,
-                           cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert lacks.returncode == 1 and "in.nrrd: is not there" in lacks.stderr
-    run(python, ROOT / "examples" / "deform.py", cwd=tmp_path, env=clean)
+
+    def called(*words):
+        return run(python.with_name(words[0]) if words[0] != "python" else python, *words[1:], cwd=folder, env=clean)
+    return called
+
+
+@pytest.fixture(scope="module")
+def hardware(tmp_path_factory):
+    """The wheel that pip install ./api/python/rtl makes, of the library of this build."""
+    folder = tmp_path_factory.mktemp("rtl")
+    (library,) = (TOOLS.parents[1] / "api").glob("libhwffd_rtl.so.[0-9]")
+    run(TOOLS / "pip", "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", folder,
+        f"--config-settings=cmake.define.HWFFD_RTL_LIBRARY={library}", f"--config-settings=build-dir={folder}/build",
+        ROOT / "api" / "python" / "rtl")
+    (built,) = folder.glob("hwffd_rtl-*.whl")
+    return built
+
+
+def test_the_simulated_hardware_is_one_file(hardware):
+    version = (ROOT / "VERSION").read_text().strip()
+    assert hardware.name.startswith(f"hwffd_rtl-{version}-py3-none-")
+    names = [name for name in zipfile.ZipFile(hardware).namelist() if ".dist-info/" not in name]
+    assert sorted(names) == ["hwffd_rtl/__init__.py", f"hwffd_rtl/libhwffd_rtl.so.{version.split('.')[0]}"]
+
+
+def test_both_wheels_are_used_together(environment, hardware):
+    environment("pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", hardware)
+    try:
+        environment("python", "-W", "error", "-c", WITH_HARDWARE)
+    finally:
+        environment("pip", "uninstall", "--quiet", "--yes", "hwffd-rtl")
+
+
+@pytest.mark.parametrize("package, problem", [
+    ("library = 1", "the package hwffd-rtl is broken: module 'hwffd_rtl' has no attribute '__version__'"),
+    ("__version__ = '0.0.1'", "the package hwffd-rtl has version 0.0.1, this one "),
+    ("import no_such_module", "the package hwffd-rtl is broken: No module named 'no_such_module'"),
+    ("raise ValueError('two\\nlines')", "the package hwffd-rtl is broken: two lines"),
+    (None, "the package hwffd-rtl is broken: 0 libraries libhwffd_rtl.so* in "),
+    ("two", "the package hwffd-rtl is broken: 2 libraries libhwffd_rtl.so* in "),
+    ("empty", "the package hwffd-rtl is broken: ")])
+def test_a_broken_package_of_hardware_is_told_where_it_is_wanted(environment, tmp_path, package, problem):
+    folder = tmp_path / "hwffd_rtl"
+    folder.mkdir()
+    real = (ROOT / "api" / "python" / "rtl" / "hwffd_rtl" / "__init__.py").read_text()
+    for name in {"two": ("libhwffd_rtl.so.0", "libhwffd_rtl.so.0.2.0"), "empty": ("libhwffd_rtl.so.0",)}.get(package, ()):
+        (folder / name).touch()
+    (folder / "__init__.py").write_text(real if package in (None, "two", "empty") else package)
+    said = environment("python", "-W", "error", "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r})" + SCENE + """
+try:
+    lattice.set_device("rtl")
+except hwffd.UsageError as error:
+    print(error)
+""")
+    assert said.startswith(f"device rtl: {problem}") and said.count("\n") == 1, said
+
+
+def test_it_is_used_in_a_new_environment(environment):
+    said = environment("python", "-c", USED)
+    assert "site-packages" in said
+    assert environment("hwffd-warp", "--version") == said.split()[0] + "\n"
+    lacks = environment("python", "-c", "import subprocess, sys, pathlib; print(subprocess.run([pathlib.Path("
+                        "sys.executable).with_name('hwffd-warp'), 'in.nrrd', 'box', 'out.nrrd'], capture_output=True, "
+                        "text=True, check=False))")
+    assert "returncode=1" in lacks and "in.nrrd: is not there" in lacks
+    environment("python", ROOT / "examples" / "deform.py")

@@ -3,7 +3,22 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import contextlib
+import importlib.util
 
-with contextlib.suppress(ImportError):
-    __import__("hwffd_rtl")
+from hwffd._core import __version__
+
+
+def _load():
+    """Why the package that is installed cannot be used; "" where it can, or where none is installed."""
+    try:
+        if importlib.util.find_spec("hwffd_rtl") is None:
+            return ""
+        found = __import__("hwffd_rtl").__version__
+    except Exception as error:  # pylint: disable=broad-except  # whatever a broken package raises
+        return "the package hwffd-rtl is broken: " + " ".join(str(error).split())
+    if found != __version__:
+        return f"the package hwffd-rtl has version {found}, this one {__version__}; install both of the same"
+    return ""
+
+
+PROBLEM = _load()
