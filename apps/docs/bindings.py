@@ -9,6 +9,7 @@ import re
 _STRING = re.compile(r'"(?:\\.|[^"\\])*"')
 _CALL = re.compile(r'(?:\bmodule\.|\.|\btype\.)def(?:_\w+)?\(\s*(?:"(\w+)"|(py::init))')
 _CLASS = re.compile(r'py::class_<[^;{]*?\(\s*\w+,\s*"(\w+)"')
+_GIVEN = re.compile(r'\(py::class_<Py(\w+)>& type\)')  # in a file that adds to a class of another
 # Calls within docstrings, and the words that stand for what they give.
 _CALLS = {'shape_list(" or ")': '"A lattice of one of shapes()"'}
 
@@ -41,15 +42,16 @@ def _docstring(text, start):
 
 
 def docstrings(paths):
-    """{name: text}, methods and properties as "Class.name"; a file binds one class, or functions alone."""
+    """{name: text}, methods and properties as "Class.name"; a file binds or adds to one class, or functions alone."""
     found = {}
     for path in paths:
         text = path.read_text(encoding="utf-8")
         bound = _CLASS.search(text)
         if bound:
             found[bound.group(1)] = _docstring(text, text.rindex("(", 0, bound.end()) + 1)
+        owner = bound or _GIVEN.search(text)
         for match in _CALL.finditer(text):
             name = match.group(1) or "__init__"
-            key = f"{bound.group(1)}.{name}" if bound and not match.group(0).startswith("module") else name
+            key = f"{owner.group(1)}.{name}" if owner and not match.group(0).startswith("module") else name
             found[key] = _docstring(text, text.index("(", match.start()) + 1) or found.get(key, "")
     return found
