@@ -17,10 +17,12 @@ class DrawError(Exception):
 
 
 class Draw:
-    """Draws of one top; `random` is a random.Random. What is drawn has at most so many units of `size`."""
+    """Draws of one top; `random` is a random.Random. What is drawn has at most so many units of `size`, and
+    one of these formats, by number, or any."""
 
-    def __init__(self, space, top, random, units=UNITS):
+    def __init__(self, space, top, random, units=UNITS, formats=None):
         self.space, self.top, self.random, self.units = space, top, random, units
+        self.formats = space.formats if formats is None else {n: space.formats[n] for n in formats}
         self.parameters = space.parameters[top]
 
     def legal(self, **fixed):
@@ -78,7 +80,7 @@ class Draw:
         if one.form in ("product", "factored"):
             words += ["block"]
         word = self.random.choice(words)
-        number = self.random.choice([n for n, f in self.space.formats.items() if f.words == word])
+        number = self.random.choice([n for n, f in self.formats.items() if f.words == word])
         evaluators = [spaces.PIPELINED]
         if one.form != "nested":
             evaluators += [spaces.BSPLINE] + [spaces.POWERS if one.weighs_axes else spaces.ITERATIVE] * 2

@@ -41,8 +41,7 @@ class Campaign:
         self.space, self.sources = space.Space(), rtl.Sources()
         self.kinds = {texts.model_kind(row.organization, row.number_format, row.fma_latency, row.evaluator)
                       for row in configurations.read()}
-        self.space.formats = {number: one for number, one in self.space.formats.items()
-                              if any(one == kind[1] for kind in self.kinds)}
+        self.formats = sorted({kind[1].number for kind in self.kinds})
         self.results = self.clocks = self.legal = self.illegal = 0
 
     def _modelled(self, draw):
@@ -60,7 +59,7 @@ class Campaign:
     def one(self, seed):
         """Runs a number. Raises run.Failure, with the configuration in front."""
         chosen = random.Random(seed)
-        draw = space_draw.Draw(self.space, run.TOP, chosen)
+        draw = space_draw.Draw(self.space, run.TOP, chosen, formats=self.formats)
         folder = self.options.folder / str(seed)
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
