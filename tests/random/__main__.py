@@ -81,7 +81,9 @@ class Campaign:
             shutil.rmtree(folder)
 
     def _run(self, core, seed):
-        core.words(run.Stream(self.options.words, seed, self.options.parts))
+        # The larger a core, the slower it is simulated.
+        shorter = space_draw.size(self.space, core.configuration) // 24
+        core.words(run.Stream(self.options.words, seed, max(1, self.options.parts - int(shorter))))
         results, clocks = core.compare(core.simulate(seed))
         core.lint()
         self.results += results

@@ -84,7 +84,7 @@ std::vector<Part> stream(const WordCodec& codec, const Options& options) {
     switch (slow ? 1 + random.below(4) : random.below(5)) {
       case 0: {  // more small packets than the core holds
         Part part = of_packets({}, {0, 3});
-        for (int more = options.interval > 16 ? 52 : 160; more > 0; --more) {
+        for (int more = options.interval > 16 ? 44 : 60; more > 0; --more) {
           if (packets.has(model::kInterleavedFeature) && !packets.has(model::kResidentFeature) &&
               more > 12)
             continue;
