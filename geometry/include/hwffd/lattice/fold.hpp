@@ -39,8 +39,8 @@ constexpr int kFoldDepth = 6;
 /// everywhere next to the face.
 ///
 /// All threads look at cells (on_threads.hpp), each cell once and a part of one again for each time
-/// that it is halved; the answer does not depend on their number. A cell takes as long as embedding
-/// hundreds of points, so lattices of many points take seconds (docs/studies/embed.md).
+/// that it is halved; the answer does not depend on their number. Lattices of many
+/// points take seconds: docs/studies/embed.md has what a cell takes.
 ///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
