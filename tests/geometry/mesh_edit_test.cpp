@@ -191,6 +191,18 @@ TEST_F(MeshEdit, StlBinary) {
             std::vector<std::string>{"attributes of facets"});
 }
 
+/// A normal that is no vector is none, and stays.
+TEST_F(MeshEdit, BrokenNormals) {
+  const std::string obj = "v 0 0 0\nv 2 0 0\nv 0 2 0\nvn 1 nan 0\nvn inf 0 0\nf 1//1 2//2 3//1\n";
+  const std::string doubled =
+      "v 0 0 0\nv 4 0 0\nv 0 4 0\nvn 1 nan 0\nvn inf 0 0\nf 1//1 2//2 3//1\n";
+  const std::string stl =
+      "solid\nfacet normal 0 nan 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 2 0\n"
+      "endloop\nendfacet\nendsolid\n";
+  check({{"obj", obj, doubled, ""}});
+  EXPECT_EQ(moved({"stl", stl, "", ""}, Eigen::Matrix3d::Identity()), stl);
+}
+
 /// A normal that several corners share and that they do no more stands once for each direction,
 /// behind the one that was read.
 TEST_F(MeshEdit, NormalsThatPart) {

@@ -146,7 +146,9 @@ void FollowingNormals::follow_faces(Content& content, const Points& positions, d
   content.normals.rows = read_;
   for (Eigen::Index row = 0; row < read_.rows(); ++row) {
     const std::uint32_t c = class_[static_cast<std::size_t>(row)];
-    if (moved[c] && owners_[static_cast<std::size_t>(row)] != kNone) {
+    const bool is_none =
+        owners_[static_cast<std::size_t>(row)] == kNone || std::isnan(read_(row, 0));
+    if (moved[c] && !is_none) {
       content.normals.rows.row(row) = normal_of(sums[c], read_.row(row));
     }
   }
@@ -157,7 +159,7 @@ void FollowingNormals::follow(Content& content, const Points& positions,
   follow_faces(content, positions, sign);
   for (Eigen::Index row = 0; row < read_.rows(); ++row) {
     const std::uint32_t vertex = owners_[static_cast<std::size_t>(row)];
-    if (vertex == kNone) continue;
+    if (vertex == kNone || std::isnan(read_(row, 0))) continue;
     const Eigen::Matrix3d turn = sign * cofactor(known(gradients[vertex]));
     const Eigen::Vector3d read = read_.row(row).cast<double>().transpose();
     const Eigen::RowVector3f now = content.normals.rows.row(row);

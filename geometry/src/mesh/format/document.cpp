@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -51,6 +52,14 @@ void check_rows(const Values<N>& values, const char* what) {
   }
 }
 
+/// A normal with a number that is not finite is none.
+void forget_broken_normals(Content& content) {
+  for (Eigen::Index row = 0; row < content.normals.rows.rows(); ++row) {
+    if (content.normals.rows.row(row).allFinite()) continue;
+    content.normals.rows.row(row).setConstant(std::numeric_limits<float>::quiet_NaN());
+  }
+}
+
 /// What whoever moves a mesh relies on.
 void check(const Content& content) {
   check_positions(content.positions);
@@ -68,6 +77,7 @@ bool has_reader(const std::filesystem::path& path) {
 
 std::unique_ptr<Document> read_document(const std::filesystem::path& path, std::string bytes) {
   std::unique_ptr<Document> document = readers().at(extension_of(path))(path, std::move(bytes));
+  forget_broken_normals(document->content());
   check(document->content());
   return document;
 }

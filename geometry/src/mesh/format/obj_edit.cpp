@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -48,7 +49,9 @@ class ObjNormals {
  private:
   std::pair<std::uint32_t, std::uint32_t> place(std::uint32_t origin, std::uint32_t row) {
     const auto same = [&](std::uint32_t other) {
-      return edit_.normals.rows.row(other) == edit_.normals.rows.row(row);
+      const bool are_none =
+          std::isnan(edit_.normals.rows(other, 0)) && std::isnan(edit_.normals.rows(row, 0));
+      return are_none || edit_.normals.rows.row(other) == edit_.normals.rows.row(row);
     };
     if (same(origin)) return {origin, 0};
     std::vector<std::uint32_t>& further = further_[origin];

@@ -104,7 +104,7 @@ class PlyEditor {
     const std::string_view value = cursor_.take(type);
     const float now =
         edit_.normals.rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(axis));
-    if (static_cast<float>(cursor_.number(value, type)) == now) return;
+    if (static_cast<float>(cursor_.number(value, type)) == now || std::isnan(now)) return;
     copy_.replace(value, cursor_.bytes_of(now, type));
   }
 

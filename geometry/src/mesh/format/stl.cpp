@@ -327,11 +327,11 @@ class StlDocument : public Document {
       moves = moves || now[1 + c] != read[1 + c];
     }
     const Eigen::RowVector3d direction_now = direction(now);
-    if (!moves || read[0].isZero() || direction_now.isZero()) return now;
+    const bool has_normal = read[0].allFinite() && !read[0].isZero();
+    if (!moves || !has_normal || direction_now.isZero()) return now;
     const double side = read[0].dot(direction(read)) < 0 ? -1.0 : 1.0;
     const Eigen::RowVector3d normal = side * direction_now;
-    // Numbers whose change is rounding stay.
-    constexpr double kRounding = 0x1p-22;
+    constexpr double kRounding = 0x1p-22;  // a change that is no more stays away
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(normal[axis] - read[0][axis]) > kRounding) now[0][axis] = normal[axis];
     }
@@ -370,7 +370,7 @@ class StlDocument : public Document {
       for (std::size_t v = 0; v < 4; ++v) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const auto a = static_cast<Eigen::Index>(axis);
-          if (now[v][a] == read[v][a]) continue;
+          if (now[v][a] == read[v][a] || std::isnan(now[v][a])) continue;
           const auto value = static_cast<float>(now[v][a]);
           std::memcpy(at + 12 * v + 4 * axis, &value, sizeof(value));
         }

@@ -146,7 +146,7 @@ void Replacement::replace(std::string_view part, std::string_view with) {
 }
 
 void Replacement::replace_number(std::string_view part, double read, double now, bool is_single) {
-  if (read == now) return;
+  if (read == now || std::isnan(now)) return;
   std::string number;
   append_number(number, now, is_single);
   replace(part, number);

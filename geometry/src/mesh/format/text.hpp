@@ -80,7 +80,7 @@ class Replacement {
 
   /// Puts `with` in the place of this part, which lies behind all before it.
   void replace(std::string_view part, std::string_view with);
-  /// As above; a value that is the one that was read keeps its text.
+  /// As above; a value that is the one that was read keeps its text, and so does one that is none.
   void replace_number(std::string_view part, double read, double now, bool is_single);
   /// Puts `with` in at this place.
   void insert(std::size_t at, std::string_view with);
