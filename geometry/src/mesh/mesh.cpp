@@ -109,8 +109,9 @@ Points Mesh::rounded(const Points& positions) const {
                     "check the control points",
                     name_, i));
   }
-  if (!is_single()) return settled(positions, rest_);
-  return positions.cast<float>().cast<double>();
+  Points to = settled(positions, rest_);
+  if (!is_single()) return to;
+  return to.cast<float>().cast<double>();
 }
 
 void Mesh::move(Points positions, bool turned) {

@@ -104,8 +104,8 @@ class Mesh {
   /// Whether any part has normals that set_positions() turns.
   bool has_normals() const;
 
-  /// Moves the vertices, with all their duplicates. Values are rounded to binary32 if is_single(),
-  /// and else settled().
+  /// Moves the vertices, with all their duplicates. Values are settled(), and rounded to binary32 if
+  /// is_single().
   /// Normals of faces that moved become area-weighted means over the faces that shared a normal, so
   /// hard edges stay hard; faces are as they were read.
   /// @param positions vertex_count() x 3
