@@ -73,8 +73,8 @@ class Values:
         return sorted({end for part in self.parts for end in part.ends()})
 
     def beyond(self):
-        """Values next to those, and -1, that are in none of the sets."""
-        return sorted({value for part in self.parts for value in (-1, *part.beside()) if value not in self})
+        """Values next to those that are in none of the sets."""
+        return sorted({value for part in self.parts for value in part.beside() if value not in self})
 
 
 def of(*parts):
