@@ -69,7 +69,7 @@ void Mesh::weld() {
   Welded welded = hwffd::weld(std::move(content_->positions));
   positions_ = std::move(welded.positions);
   weld_ = std::move(welded.vertices);
-  if (!is_single()) rest_ = positions_;
+  rest_ = positions_;
   find_triangles();
   normals_ = std::make_unique<FollowingNormals>(*content_, weld_, positions_);
   tangents_ = std::make_unique<FollowingTangents>(*content_);

@@ -195,7 +195,7 @@ class Mesh {
   std::unique_ptr<Document> document_;  ///< none: no file, or one that Assimp reads
   std::unique_ptr<Content> content_;    ///< but for its positions; normals as they stand now
   Points positions_;
-  Points rest_;                      ///< as they were read; none if is_single()
+  Points rest_;                      ///< as they were read
   std::vector<std::uint32_t> weld_;  ///< vertex of the content -> welded vertex
   std::vector<Triangle> triangles_;
   std::unique_ptr<FollowingNormals> normals_;
