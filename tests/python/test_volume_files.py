@@ -141,7 +141,7 @@ def test_the_program_does_what_the_module_does(folder):
     assert done.stdout.startswith(f"lattice 8x6x5: {41 * 29 * 19} voxels, 0 outside it, ")
     volume = volumes.read(folder / "in.nrrd")
     lattice = hwffd.Lattice.read(folder / "rest.json")
-    lattice.control_points = hwffd.Lattice.read(folder / "moved.json").rest_points
+    lattice.control_points = hwffd.Lattice.read(folder / "moved.json").control_points
     lattice.set_device("reference")
     lattice.set_outside("clamp")
     expected = volumes.warp(volume, lattice, default=-5)

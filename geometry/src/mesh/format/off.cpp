@@ -82,7 +82,7 @@ class OffFile {
   }
 
  private:
-  static constexpr std::size_t kQuoted = 30;
+  static constexpr std::size_t kQuoted = 20;
 
   std::string_view next() {
     while (word_ == lines_.words().size()) {

@@ -41,7 +41,7 @@ struct PlyHeader {
 };
 
 /// Characters of a file in a message, which is one line.
-inline constexpr std::size_t kPlyQuoted = 30;
+inline constexpr std::size_t kPlyQuoted = 20;
 
 /// @throws Error, without the file's name, for what is no such header
 PlyHeader ply_header(const std::string& bytes);
