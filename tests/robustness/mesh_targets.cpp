@@ -51,7 +51,9 @@ void save(const Mesh& mesh, const std::string& name) {
   const std::string text = "another number of vertices in " + name;
   // Below a node's transform the numbers of a file are rounded, and equal places become unequal;
   // and places that only doubles tell apart are one in most formats.
-  if (mesh.edits(folder / name)) {
+  if (mesh.edits(folder / name) && name == "out.stl") {  // whose vertices have no numbers
+    expect(again.triangles().size() == mesh.triangles().size(), text.c_str());
+  } else if (mesh.edits(folder / name)) {
     expect(again.vertex_count_read() == mesh.vertex_count_read(), text.c_str());
   } else if (name != "out.stl" && mesh.is_single()) {
     expect(again.vertex_count() == mesh.vertex_count(), text.c_str());
