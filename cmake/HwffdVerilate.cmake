@@ -61,8 +61,7 @@ set(HWFFD_NATIVE_OPTIONS "-march=native")
 # Where HWFFD_COVERAGE is on, a model counts its lines, branches and toggles (tb/coverage/). Netlists do not.
 # A counter a bit makes so much C++ of a core that no optimizer gets through in a minute.
 #
-# What cannot happen ends a simulation (rtl/common/ffd_assert.vh), but of netlists; and of tops with
-# registers, whose own reset begins a clock late, when theirs hold anything.
+# What cannot happen ends a simulation (rtl/common/ffd_assert.vh), but of netlists.
 #
 # NETLIST says that the sources are gates or cells: not linted, since yosys writes what it likes; and
 # compiled for a short build, because an optimizer gains little on a hundred thousand lines without a
@@ -96,11 +95,7 @@ function(hwffd_verilate target)
     set(options -O0)
   else()
     set(control ${HWFFD_BENCH_CONTROL} ${ARG_CONTROL})
-    set(assertions -DFFD_ASSERTIONS)
-    if(ARG_TOP MATCHES "^(hwffd_axi|hwffd_wishbone|ffd_dma_.*)$")
-      set(assertions "")
-    endif()
-    list(APPEND flags -Wall ${assertions} ${verilate_folders} ${control})
+    list(APPEND flags -Wall -DFFD_ASSERTIONS ${verilate_folders} ${control})
     if(HWFFD_COVERAGE)
       list(APPEND flags --coverage-line --coverage-toggle)
       set(options -O0)

@@ -40,6 +40,7 @@ WAIVERS = "lint/hwffd.vlt"
 
 # What a simulator defines so that memories show reads whose word is undefined.
 SIMULATION = "FFD_SIMULATION"
+ASSERTIONS = "FFD_ASSERTIONS"
 
 
 def strip_comments(text):

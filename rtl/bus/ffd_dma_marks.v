@@ -64,7 +64,7 @@ module ffd_dma_marks #(
 
       assign marked_o = marked_q;
       wire unused_ok = &{1'b0, queue_ready};
-      `FFD_ASSERT("a burst ends, and too many are open", !(beat_i && last_i) || queue_ready)
+      `FFD_ASSERT(a_burst_ends_and_too_many_are_open, !(beat_i && last_i) || queue_ready)
     end
   endgenerate
 endmodule

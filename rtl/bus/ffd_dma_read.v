@@ -328,11 +328,8 @@ module ffd_dma_read #(
 
   wire unused_ok = &{1'b0, unused_offer, burst_address[3:0], fifo_ready, rooms[0], asked};
 
-  `FFD_ASSERT("a burst is asked, and too many are open",
+  `FFD_ASSERT(a_burst_is_asked_and_too_many_are_open,
               !(burst_valid && burst_ready) || queue_ready)
-
-  `FFD_ASSERT("there is more room than the FIFO has",
-              room_q <= FIFO_DEPTH[COUNT_W-1:0])
 endmodule
 
 `default_nettype wire

@@ -27,7 +27,6 @@
 // Model:      none (control only).  Test: tests/bus/dma.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
-`include "ffd_assert.vh"
 
 module ffd_dma_ring #(
   parameter DESCRIPTORS = 4,
@@ -245,9 +244,6 @@ module ffd_dma_ring #(
   end
 
   wire unused_ok = &{1'b0, queue_ready, fetched_word};
-
-  `FFD_ASSERT("a descriptor comes, and the queue is full",
-              !fetched_i || queue_ready || accept)
 endmodule
 
 `default_nettype wire

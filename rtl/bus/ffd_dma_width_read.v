@@ -60,7 +60,7 @@ module ffd_dma_width_read #(
       wire first_upper;
       wire last_upper;
       wire take = m_axi_rvalid && m_axi_rready && open;
-      `FFD_ASSERT("a burst is asked, and too many are open", !asked_i || queue_ready)
+      `FFD_ASSERT(a_burst_is_asked_and_too_many_are_open, !asked_i || queue_ready)
 
       ffd_stream_fifo #(
         .WIDTH(2),

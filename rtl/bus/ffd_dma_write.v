@@ -397,7 +397,7 @@ module ffd_dma_write #(
 
   wire unused_ok = &{1'b0, unused_ready, burst_address[3:0], bus_upper, sum[0], fifo_in};
 
-  `FFD_ASSERT("a burst is made, and too many are open",
+  `FFD_ASSERT(a_burst_is_made_and_too_many_are_open,
               !step || (lengths_ready && outstanding_ready))
 endmodule
 

@@ -54,7 +54,7 @@ module ffd_mem_sdp #(
   reg  [6:0] clocks_q = 7'd0;
   wire       rst      = !clocks_q[6];
   always @(posedge clk) if (rst) clocks_q <= clocks_q + 1'b1;
-  `FFD_ASSERT("a word is written beyond the last",
+  `FFD_ASSERT(a_word_is_written_beyond_the_last,
               !write_i || {{(32 - ADDRESS_W) {1'b0}}, write_address_i} < DEPTH)
 `endif
 

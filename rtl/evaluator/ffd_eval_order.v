@@ -147,7 +147,7 @@ module ffd_eval_order #(
         .m_word_data ({waiting_flags, waiting})
       );
       wire unused_ok = &{1'b0, waiting_ready};
-      `FFD_ASSERT("a determinant comes, and the queue is full",
+      `FFD_ASSERT(a_determinant_comes_and_the_queue_is_full,
                   !determinant_valid_i || waiting_ready)
     end else begin : gen_no_determinants
       assign waiting_valid = 1'b0;
@@ -198,11 +198,11 @@ module ffd_eval_order #(
   // Who counts vertices leaves room in all of them.
   wire unused_ok = &{1'b0, users_ready, results_ready, user};
 
-  `FFD_ASSERT("a result comes, and the queue is full",
+  `FFD_ASSERT(a_result_comes_and_the_queue_is_full,
               !(word_valid_i || own) || results_ready)
-  `FFD_ASSERT("a vertex comes, and the queue is full",
+  `FFD_ASSERT(a_vertex_comes_and_the_queue_is_full,
               !take_i || users_ready)
-  `FFD_ASSERT("a result comes of a vertex that did not",
+  `FFD_ASSERT(a_result_comes_of_a_vertex_that_did_not,
               !(word_valid_i || own) || user_valid)
 endmodule
 

@@ -225,8 +225,8 @@ module ffd_eval_stream #(
         .m_word_data ({column, exponent})
       );
       wire unused_ok = &{1'b0, sides_ready, side_valid};
-      `FFD_ASSERT("a vertex comes, and the queue is full", !entered_q || sides_ready)
-      `FFD_ASSERT("a sum comes of a vertex that did not", !sum_valid || side_valid)
+      `FFD_ASSERT(a_vertex_comes_and_the_queue_is_full, !entered_q || sides_ready)
+      `FFD_ASSERT(a_sum_comes_of_a_vertex_that_did_not, !sum_valid || side_valid)
     end else begin : gen_no_sides
       assign column   = 2'd0;
       assign exponent = `FFD_EXPONENT_W'd0;
@@ -374,7 +374,7 @@ module ffd_eval_stream #(
 
   wire unused_ok = &{1'b0, word_valid, sums};
 
-  `FFD_ASSERT("more vertices have left than came, or more are inside than may be",
+  `FFD_ASSERT(more_vertices_have_left_than_came_or_more_are_inside_than_may_be,
               inside_q >= FIRST && inside_q <= IN_FLIGHT[COUNT_W-1:0] + FIRST)
 endmodule
 

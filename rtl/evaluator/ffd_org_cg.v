@@ -382,7 +382,7 @@ module ffd_org_cg #(
   assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
 
-  `FFD_ASSERT("a set is filled, and none was free",
+  `FFD_ASSERT(a_set_is_filled_and_none_was_free,
               !ahead_last || filled_room)
 endmodule
 

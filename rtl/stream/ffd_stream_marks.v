@@ -116,10 +116,10 @@ module ffd_stream_marks #(
       end
 
       wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i};
-      `FFD_ASSERT("a packet ends, and the queue is full",
+      `FFD_ASSERT(a_packet_ends_and_the_queue_is_full,
                   !(valid_i && frame_i[`FFD_FRAME_FINISH] && frame_i[`FFD_FRAME_FINAL])
                   || queue_ready)
-      `FFD_ASSERT("a packet's last result comes before the packet has ended", !pop || known)
+      `FFD_ASSERT(a_packet_s_last_result_comes_before_the_packet_has_ended, !pop || known)
     end
   endgenerate
 endmodule

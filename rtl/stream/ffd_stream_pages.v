@@ -312,9 +312,9 @@ module ffd_stream_pages #(
 
   wire unused_ok = &{1'b0, has_fourth, size, data_i, number};
 
-  `FFD_ASSERT("a vertex leaves, and none is inside",
+  `FFD_ASSERT(a_vertex_leaves_and_none_is_inside,
               !leave_i || inside_q != {READERS_W{1'b0}})
-  `FFD_ASSERT("more vertices are inside than may be",
+  `FFD_ASSERT(more_vertices_are_inside_than_may_be,
               inside_q <= INSIDE[READERS_W-1:0])
 endmodule
 

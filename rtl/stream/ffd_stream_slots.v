@@ -44,8 +44,8 @@ module ffd_stream_slots #(
           used_q <= used_q + {{SLOT_W{1'b0}}, claim_i} - {{SLOT_W{1'b0}}, free_i};
         end
       end
-      `FFD_ASSERT("a slot is claimed, and none is free", !claim_i || used_q != ALL_SLOTS)
-      `FFD_ASSERT("a slot becomes free that none had", !free_i || used_q != {(SLOT_W + 1) {1'b0}})
+      `FFD_ASSERT(a_slot_is_claimed_and_none_is_free, !claim_i || used_q != ALL_SLOTS)
+      `FFD_ASSERT(a_slot_becomes_free_that_none_had, !free_i || used_q != {(SLOT_W + 1) {1'b0}})
     end else begin : gen_no_slots
       assign slot_o = {SLOT_W{1'b0}};
       assign free_o = 1'b1;

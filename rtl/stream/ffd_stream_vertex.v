@@ -213,9 +213,9 @@ module ffd_stream_vertex #(
 
   wire unused_ok = &{1'b0, queue_ready, numbers_i, facts, places_i};
 
-  `FFD_ASSERT("a vertex ends, and the queue is full",
+  `FFD_ASSERT(a_vertex_ends_and_the_queue_is_full,
               !whole_q || queue_ready)
-  `FFD_ASSERT("more vertices have left than came",
+  `FFD_ASSERT(more_vertices_have_left_than_came,
               !leave || waiting_q != {COUNT_W{1'b0}})
 endmodule
 

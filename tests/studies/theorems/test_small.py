@@ -93,7 +93,8 @@ def simulated(name, parameters, inputs, latency, folder):
 endmodule
 """)
     sources = [str(path) for part in ("number", "common") for path in sorted((ROOT / "rtl" / part).rglob("*.v"))]
-    subprocess.run(["iverilog", "-g2005", "-I", ROOT / "rtl" / "number", "-s", "bench", "-o", "run", "bench.v",
+    subprocess.run(["iverilog", "-g2005", "-I", ROOT / "rtl" / "common",
+                    "-I", ROOT / "rtl" / "number", "-s", "bench", "-o", "run", "bench.v",
                     *sources], cwd=folder, check=True, capture_output=True)
     said = subprocess.run(["vvp", "run"], cwd=folder, check=True, capture_output=True, text=True).stdout
     return [int(line, 16) for line in said.split()]
