@@ -280,7 +280,7 @@ module ffd_stream_functions #(
         assign entry = gen_copy[1].found;
 
         wire turned  = entry[3] != epoch_q && entry[2];  // still to change
-        wire own     = (entry[1] || turned) && !uniform_walk_q;
+        wire own     = (entry[1] || turned) && loaded_o && !uniform_walk_q;
         assign places_o[PLACE_W*a +: PLACE_W] = {!own, read_q & {SPAN_W{own}},
                                                  own ? entry[0] ^ turned : uniform_half_q};
       end
