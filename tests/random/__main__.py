@@ -1,6 +1,6 @@
 """make random: cores of random parameters on random packets.
 
-    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--parts P] [--keep]
+    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--parts P] [--found] [--keep]
 
 Each number from S on is a configuration: most are legal, and each of these is read by Verilator without a
 warning, built in Icarus, whose values may be X, and run on a stream of packets of every kind, good and bad,
@@ -13,6 +13,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
+import csv
 import pathlib
 import random
 import resource
@@ -29,6 +30,7 @@ import rtl  # noqa: E402  pylint: disable=wrong-import-position
 import run  # noqa: E402  pylint: disable=wrong-import-position
 import space  # noqa: E402  pylint: disable=wrong-import-position
 import space_draw  # noqa: E402  pylint: disable=wrong-import-position
+from progress import Progress  # noqa: E402  pylint: disable=wrong-import-position
 
 ILLEGAL = 0.2  # share of the configurations
 
@@ -60,25 +62,26 @@ class Campaign:
         """Runs a number. Raises run.Failure, with the configuration in front."""
         chosen = random.Random(seed)
         draw = space_draw.Draw(self.space, run.TOP, chosen, formats=self.formats)
-        folder = self.options.folder / str(seed)
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
         if chosen.random() < ILLEGAL:
             parameters = list(draw.parameters.values())
             rules = self.space.rules_of(run.TOP)
             bad = chosen.choice([*parameters, *rules])
             configuration = (draw.breaking(bad) if bad in rules
                              else draw.beyond(bad, chosen.choice(bad.beyond())))
-            self._told(configuration, lambda: run.refused(self.sources, configuration, bad.guard, folder))
+            names = set(bad.names) if bad in rules else {bad.name}
+            others = [rule.guard for rule in rules if names & set(rule.names)]
+            self._told(configuration, seed, lambda folder: run.refused(self.sources, configuration, bad.guard, others,
+                                                                       folder))
             self.illegal += 1
         else:
-            configuration = self._modelled(draw)
-            core = run.Legal(self.space, self.sources, configuration, folder,
-                             lambda organization: self._has_model(configuration, organization))
-            self._told(configuration, lambda: self._run(core, seed))
-            self.legal += 1
-        if not self.options.keep:
-            shutil.rmtree(folder)
+            self.legal_one(self._modelled(draw), seed)
+
+    def legal_one(self, configuration, seed):
+        """Runs a legal configuration on the stream of that number. Raises run.Failure as above."""
+        self._told(configuration, seed, lambda folder: self._run(run.Legal(
+            self.space, self.sources, configuration, folder,
+            lambda organization: self._has_model(configuration, organization)), seed))
+        self.legal += 1
 
     def _run(self, core, seed):
         # The larger a core, the slower it is simulated.
@@ -89,12 +92,25 @@ class Campaign:
         self.results += results
         self.clocks += clocks
 
-    @staticmethod
-    def _told(configuration, body):
+    def _told(self, configuration, seed, body):
+        folder = self.options.folder / str(seed)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
         try:
-            body()
+            body(folder)
         except run.Failure as failure:
             raise run.Failure(f"{run.text(configuration)}: {failure}") from failure
+        if not self.options.keep:
+            shutil.rmtree(folder)
+
+
+def known():
+    """(seed, configuration) of each row of found.csv."""
+    with open(pathlib.Path(__file__).with_name("found.csv"), encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            row.pop("shown")
+            numbers = {name: int(value) for name, value in row.items()}
+            yield numbers.pop("SEED"), numbers
 
 
 def seed_of_sources():
@@ -110,17 +126,26 @@ def main():
     parser.add_argument("--seed", type=int, help="the first number; one of the sources unless given")
     parser.add_argument("--count", type=int, default=1, help="how many")
     parser.add_argument("--parts", type=int, default=3, help="of a stream, about")
+    parser.add_argument("--found", action="store_true", help="those of found.csv, which have failed once, too")
     parser.add_argument("--keep", action="store_true", help="what was made of those that did not fail, too")
     options = parser.parse_args()
     options.words, options.folder = options.words.resolve(), options.folder.resolve()
     first = seed_of_sources() if options.seed is None else options.seed
-    campaign, failed = Campaign(options), 0
-    for seed in range(first, first + options.count):
+    campaign, failed, progress = Campaign(options), 0, Progress()
+    again = list(known()) if options.found else []
+    tried = [(seed, lambda seed=seed, one=one: campaign.legal_one(one, seed), "tests/random --found")
+             for seed, one in again]
+    tried += [(seed, lambda seed=seed: campaign.one(seed), f"make random SEED={seed} N=1")
+              for seed in range(first, first + options.count)]
+    for done, (seed, one, command) in enumerate(tried):
+        progress.step(done, len(tried), f"number {seed}, {failed} failed")
         try:
-            campaign.one(seed)
+            one()
         except run.Failure as failure:
             failed += 1
-            print(f"random: {seed}: {failure}; again: make random SEED={seed} N=1", flush=True)
+            progress.end()
+            print(f"random: {seed}: {failure}; again: {command}", flush=True)
+    progress.end()
     print(f"random: {campaign.legal} configurations ran, {campaign.illegal} were refused, {failed} failed; "
           f"{campaign.results} results in {campaign.clocks} clocks compared, "
           f"{resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime:.0f} processor seconds")

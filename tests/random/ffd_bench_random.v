@@ -9,7 +9,8 @@
 // docs/interface.md is told as `broken RULE clock N`.
 //
 // Parameters: those of hwffd_stream; BEATS, how many there are; SEED of the pauses; PATIENCE, clocks
-//             without a beat or a result in a core that is not idle.
+//             without a beat or a result in a core that is not idle: one unit in the paper's schedule
+//             takes some 7,000 for a vertex with its derivatives.
 // Test:       tests/random.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,7 +30,7 @@ module ffd_bench_random #(
   parameter HARDENED  = 0,
   parameter BEATS     = 1,
   parameter SEED      = 1,
-  parameter PATIENCE  = 4000
+  parameter PATIENCE  = 40000
 );
   localparam STUCK = 300;  // clocks without a beat in, after which a late sink begins
   localparam TAIL  = 64;   // clocks in which no result may come any more

@@ -93,7 +93,7 @@ class Legal:
     def simulate(self, seed):
         """In Icarus. What the bench tells, or Failure."""
         beats = len(self._lines("beats.hex"))
-        process(["iverilog", "-g2005", "-o", "bench.vvp", "-s", BENCH, f"-D{rtl.SIMULATION}",
+        process(["iverilog", "-g2005", "-o", "bench.vvp", "-s", BENCH, f"-D{rtl.SIMULATION}", f"-D{rtl.ASSERTIONS}",
                  *(f"-P{BENCH}.{name}={value}" for name, value in
                    {**self.configuration, "BEATS": beats, "SEED": seed}.items()),
                  *(f"-I{folder}" for folder in self.sources.includes), *self.sources.needed(TOP), *BENCHES],
@@ -137,22 +137,28 @@ def _difference(wanted, found):
     return ""
 
 
-def refused(sources, configuration, guard, folder):
-    """Failure unless each tool refuses it at a guard of that name."""
+def refused(sources, configuration, guard, others, folder):
+    """Failure unless each tool refuses it at a guard of that name. yosys tells of the first that it meets, and
+    that may be one of these others."""
     assignments = [f"{name}={value}" for name, value in configuration.items()]
     files = sources.needed(TOP)
-    chparams = "".join(f" -chparam {name} {value}" for name, value in configuration.items())
+    top = f"; hierarchy -check -top {TOP}"
+    top += "".join(f" -chparam {name} {value}" for name, value in configuration.items())
+    if min(configuration.values()) < 0:  # which yosys does not take for a parameter of its top
+        parameters = ", ".join(f".{name}({value})" for name, value in configuration.items())
+        (folder / "top.v").write_text(f"module top;\n  {TOP} #({parameters}) u_core ();\nendmodule\n")
+        top = "top.v; hierarchy -check -top top"
     headers = " ".join(f"-I {name}" for name in sources.includes)
     commands = {
         "icarus": [word for word in rtl.icarus(sources, TOP, files, assignments) if word != "-Wall"],
         "verilator": [*(word for word in rtl.verilator(sources, TOP, files, assignments) if word != "-Wall"),
                       "-Wno-fatal", "-Wno-lint"],
-        "yosys": ["yosys", "-Q", "-T", "-q", "-p", f"read_verilog {headers} {' '.join(files)}; "
-                  f"hierarchy -check -top {TOP}{chparams}"],
+        "yosys": ["yosys", "-Q", "-T", "-q", "-p", f"read_verilog {headers} {' '.join(files)} {top}"],
     }
     for tool, command in commands.items():
         status, said = rtl.run(["timeout", str(LIMIT), *command], folder)
         met = sorted(set(_GUARD.findall(said)))
-        if status == 0 or not any(re.fullmatch(guard, one) for one in met):
+        wanted = [guard, *others] if tool == "yosys" else [guard]
+        if status == 0 or not any(re.fullmatch(pattern, one) for pattern in wanted for one in met):
             raise Failure(f"{tool} does not refuse it by {guard}: "
                           + (f"exit status {status}, guards {' '.join(met) or 'none'}"))
