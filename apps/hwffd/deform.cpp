@@ -166,11 +166,13 @@ int run(const Options& options, const StageOptions& stage_options) {
     folds.push_back({at_rest, check_folds(stage.deformed, kFoldDepth, stage.family)});
   }
   const Mask mask(geometry, options.groups, options.mask);
-  const Deformer deformer(geometry.positions(), geometry.triangles(), rest, outside);
-
+  const auto triangles = [&geometry]() -> const Deformer::Triangles& {
+    return geometry.triangles();
+  };
+  auto deformer = std::make_optional<Deformer>(geometry.positions(), triangles, rest, outside);
   std::optional<Deformer> some;  // of a mesh without normals, whose faces alone may turn
   if (geometry.is_mesh() && !geometry.mesh().has_normals()) {
-    some.emplace(some_of(geometry.positions()), std::vector<Mesh::Triangle>{}, rest, outside);
+    some.emplace(some_of(geometry.positions()), nullptr, rest, outside);
   }
 
   const int frames = options.keyframes;
@@ -186,10 +188,12 @@ int run(const Options& options, const StageOptions& stage_options) {
       deformed.push_back(between(stage.rest, stage.deformed, fraction));
     }
     const bool turns = geometry.is_mesh() && (!some || may_mirror(*some, deformed));
-    result = deformer.deform(deformed, *device,
-                             turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
+    result = deformer->deform(deformed, *device,
+                              turns ? Deformer::Gradients::kAll : Deformer::Gradients::kNone);
+    if (frame == frames) deformer.reset();  // a large part of the memory
     mask.apply(result.positions, result.gradients);
     geometry.move(result.positions, result.gradients);
+    result.positions.resize(0, 3);
     losses = geometry.write(outputs[static_cast<std::size_t>(frame)]);
   }
   const DeformReport report{geometry, *device, stages, folds, result, outputs};

@@ -32,8 +32,9 @@ Geometry Geometry::read(const std::string& name) {
   return geometry;
 }
 
-std::vector<Mesh::Triangle> Geometry::triangles() const {
-  return is_mesh() ? mesh_->triangles() : std::vector<Mesh::Triangle>{};
+const std::vector<Mesh::Triangle>& Geometry::triangles() const {
+  static const std::vector<Mesh::Triangle> none;
+  return is_mesh() ? mesh_->triangles() : none;
 }
 
 void Geometry::move(const Points& positions, const std::vector<Eigen::Matrix3d>& gradients) {

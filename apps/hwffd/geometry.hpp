@@ -22,7 +22,7 @@ class Geometry {
   const Mesh& mesh() const { return *mesh_; }
   const Points& positions() const { return is_mesh() ? mesh_->positions() : points_; }
   /// Of the mesh; none for points.
-  std::vector<Mesh::Triangle> triangles() const;
+  const std::vector<Mesh::Triangle>& triangles() const;
 
   /// Moves a mesh's vertices and turns its normals, or the points (Mesh::set_positions).
   /// @param gradients  of a mesh; if empty normals come from its faces

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <system_error>
 
 #include "hwffd/error.hpp"
 
@@ -19,6 +21,9 @@ std::string read_bytes(const std::filesystem::path& path, std::size_t most) {
   in.open(path, std::ios::binary);
   in.exceptions(std::ios::badbit);  // no longer of the end
   std::string bytes;
+  std::error_code none;  // of what has no size, such as a pipe
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (!none) bytes.reserve(std::min<std::uintmax_t>(size, most) + kChunk);
   while (in && bytes.size() <= most) {
     const std::size_t before = bytes.size();
     bytes.resize(before + kChunk);

@@ -31,7 +31,7 @@ Lattice moved(const Lattice& lattice, const char* text) {
 TEST(Deformer, OneStageIsTheLatticeItself) {
   const Points points = cloud();
   const Lattice rest = box(points);
-  const Deformer deformer(points, {}, {Deformer::Rest{rest}}, Outside::parse("keep"));
+  const Deformer deformer(points, nullptr, {Deformer::Rest{rest}}, Outside::parse("keep"));
   const std::unique_ptr<Device> device = make_device({"reference", "", ""});
   const Deformer::Result still = deformer.deform({rest}, *device);
   EXPECT_LT((still.positions - points).cwiseAbs().maxCoeff(), 1e-12);
@@ -49,12 +49,12 @@ TEST(Deformer, StagesComposeInOrder) {
   const std::unique_ptr<Device> device = make_device({"reference", "", ""});
   const Outside outside = Outside::parse("clamp");
   const Points between =
-      Deformer(points, {}, {Deformer::Rest{first}}, outside).deform({bent}, *device).positions;
+      Deformer(points, nullptr, {Deformer::Rest{first}}, outside).deform({bent}, *device).positions;
   const Lattice second = box((Points(2, 3) << -2, -2, -2, 3, 3, 3).finished());
   const Lattice twisted = moved(second, "twist:50");
   const Points separate =
-      Deformer(between, {}, {Deformer::Rest{second}}, outside).deform({twisted}, *device).positions;
-  const Deformer both(points, {}, {Deformer::Rest{first}, Deformer::Rest{second}}, outside);
+      Deformer(between, nullptr, {Deformer::Rest{second}}, outside).deform({twisted}, *device).positions;
+  const Deformer both(points, nullptr, {Deformer::Rest{first}, Deformer::Rest{second}}, outside);
   const Deformer::Result result = both.deform({bent, twisted}, *device);
   EXPECT_EQ(result.positions, separate);
   EXPECT_EQ(result.summaries.size(), 2u);
@@ -66,7 +66,7 @@ TEST(Deformer, StagesComposeInOrder) {
     ahead.col(axis).array() += h;
     behind.col(axis).array() -= h;
     const auto at = [&](const Points& p) {
-      return Deformer(p, {}, {Deformer::Rest{first}, Deformer::Rest{second}}, outside)
+      return Deformer(p, nullptr, {Deformer::Rest{first}, Deformer::Rest{second}}, outside)
           .deform({bent, twisted}, *device)
           .positions;
     };
@@ -83,7 +83,7 @@ TEST(Deformer, StagesComposeInOrder) {
 TEST(Deformer, GradientsAreOfTheDevice) {
   const Points points = cloud();
   const Lattice rest = box(points);
-  const Deformer deformer(points, {}, {Deformer::Rest{rest}}, Outside::parse("keep"));
+  const Deformer deformer(points, nullptr, {Deformer::Rest{rest}}, Outside::parse("keep"));
   const std::vector<Lattice> bent{moved(rest, "bend:40")};
   const Deformer::Result exact = deformer.deform(bent, *make_device({"reference", "", ""}));
   for (const auto& [format, step] : {std::pair{"fp32", 1e-5}, std::pair{"fx18", 2e-3}}) {
@@ -105,8 +105,10 @@ TEST(Deformer, CountsEdgesThatTear) {
   const Points points = (Points(3, 3) << 0.5, 0.5, 0.5, 0.6, 0.5, 0.5, 1.5, 0.5, 0.5).finished();
   const Lattice unit = box((Points(2, 3) << 0, 0, 0, 1, 1, 1).finished());
   const std::unique_ptr<Device> device = make_device({"reference", "", ""});
+  const Deformer::Triangles triangles{{0, 1, 2}};
+  const auto one_triangle = [&]() -> const Deformer::Triangles& { return triangles; };
   const auto torn = [&](const char* outside) {
-    return Deformer(points, {{0, 1, 2}}, {Deformer::Rest{unit}}, Outside::parse(outside))
+    return Deformer(points, one_triangle, {Deformer::Rest{unit}}, Outside::parse(outside))
         .deform({moved(unit, "shear:0.5")}, *device)
         .torn_edges;
   };
@@ -120,8 +122,8 @@ TEST(Deformer, RefusesLatticesThatDoNotFit) {
   const Lattice rest = box(points);
   const Outside keep = Outside::parse("keep");
   const std::unique_ptr<Device> device = make_device({"reference", "", ""});
-  EXPECT_THROW(Deformer(points, {}, {}, keep), Error);
-  const Deformer deformer(points, {}, {Deformer::Rest{rest}}, keep);
+  EXPECT_THROW(Deformer(points, nullptr, {}, keep), Error);
+  const Deformer deformer(points, nullptr, {Deformer::Rest{rest}}, keep);
   EXPECT_THROW(deformer.deform({}, *device), Error);
   EXPECT_THROW(deformer.deform({rest, rest}, *device), Error);
   EXPECT_THROW(deformer.deform({lattice_around("box", points, {4, 5, 5})}, *device), Error);

@@ -13,6 +13,9 @@ namespace hwffd::python {
 
 /// Points that stay attached, as Python has them: never changed, so many may share one.
 struct PyEmbedding {
+  static constexpr const char* kName = "Embedding";
+  static constexpr const char* kMadeBy = "embed of a lattice";
+
   std::shared_ptr<const Attachment> attachment;
   std::vector<py::ssize_t> shape;  ///< of the points, (..., 3)
   bool is_float = false;           ///< whether they were float32
@@ -22,6 +25,9 @@ struct PyEmbedding {
 /// A lattice of Python: one thread at a time uses it, others wait.
 class PyLattice {
  public:
+  static constexpr const char* kName = "Lattice";
+  static constexpr const char* kMadeBy = "Lattice.of, around or read";
+
   explicit PyLattice(DeformableLattice lattice) : lattice_(std::move(lattice)) {}
 
   /// What f(lattice) gives, without the interpreter's lock and with nobody else at work.
@@ -63,24 +69,21 @@ PyEmbedding embed(const PyLattice& lattice, const py::object& points);
 
 namespace pybind11::detail {
 
-template <>
-struct type_caster<hwffd::python::PyLattice> : type_caster_base<hwffd::python::PyLattice> {
+/// Of a class whose objects `__new__` alone may have made, which are refused.
+template <typename Object>
+struct caster_of_made : type_caster_base<Object> {
   bool load(handle object, bool convert) {
-    if (isinstance<hwffd::python::PyLattice>(object)) {
-      hwffd::python::check_made(object, "Lattice", "Lattice.of, around or read");
+    if (isinstance<Object>(object)) {
+      hwffd::python::check_made(object, Object::kName, Object::kMadeBy);
     }
-    return type_caster_base<hwffd::python::PyLattice>::load(object, convert);
+    return type_caster_base<Object>::load(object, convert);
   }
 };
 
 template <>
-struct type_caster<hwffd::python::PyEmbedding> : type_caster_base<hwffd::python::PyEmbedding> {
-  bool load(handle object, bool convert) {
-    if (isinstance<hwffd::python::PyEmbedding>(object)) {
-      hwffd::python::check_made(object, "Embedding", "embed of a lattice");
-    }
-    return type_caster_base<hwffd::python::PyEmbedding>::load(object, convert);
-  }
-};
+struct type_caster<hwffd::python::PyLattice> : caster_of_made<hwffd::python::PyLattice> {};
+
+template <>
+struct type_caster<hwffd::python::PyEmbedding> : caster_of_made<hwffd::python::PyEmbedding> {};
 
 }  // namespace pybind11::detail

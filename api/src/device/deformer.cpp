@@ -26,7 +26,7 @@ void check_dims(const Lattice& rest, const Lattice& deformed) {
 
 }  // namespace
 
-Deformer::Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
+Deformer::Deformer(const Points& points, std::function<const Triangles&()> triangles,
                    std::vector<Rest> rest, Outside outside)
     : triangles_(std::move(triangles)),
       rest_(std::move(rest)),
@@ -63,7 +63,9 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
       }
     }
     result.summaries.push_back(attachment.summary());
-    result.torn_edges += attachment.torn_edges(triangles_);
+    const bool all_inside =
+        attachment.summary().inside == static_cast<std::size_t>(attachment.size());
+    if (triangles_ && !all_inside) result.torn_edges += attachment.torn_edges(triangles_());
   }
   return result;
 }

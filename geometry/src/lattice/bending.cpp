@@ -9,6 +9,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/on_threads.hpp"
 #include "hwffd/oracle/oracle.hpp"
+#include "newton.hpp"
 #include "same_dims.hpp"
 
 namespace hwffd {
@@ -30,12 +31,10 @@ Weighted bspline_at_gauss() {
   const Eigen::Vector4d weights(18 - root, 18 + root, 18 + root, 18 - root);
   Weighted result;
   for (int g = 0; g < 4; ++g) {
-    const double x = (1 + places[g]) / 2;
-    Eigen::Matrix<double, 4, 3> powers;  // and their derivatives
-    powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
+    const Eigen::Matrix<double, 4, 3> functions = uniform_functions((1 + places[g]) / 2);
     for (int order = 0; order < 3; ++order) {
       result[static_cast<std::size_t>(order)].row(g) =
-          std::sqrt(weights[g] / 72) * (Oracle::uniform_bspline() * powers.col(order)).transpose();
+          std::sqrt(weights[g] / 72) * functions.col(order).transpose();
     }
   }
   return result;

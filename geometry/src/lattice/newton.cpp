@@ -51,16 +51,16 @@ Eigen::Vector3d step_within(const State& now, const Eigen::Matrix3d& curvature, 
 
 }  // namespace
 
+Eigen::Matrix<double, 4, 3> uniform_functions(double x) {
+  Eigen::Matrix<double, 4, 3> powers;
+  powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
+  return Oracle::uniform_bspline() * powers;
+}
+
 Eigen::Matrix3d curvature(const Support& support, const Eigen::Vector3d& local,
                           const Eigen::Vector3d& difference) {
-  const Eigen::Matrix4d uniform = Oracle::uniform_bspline();
   std::array<Eigen::Matrix<double, 4, 3>, 3> b;  // of an axis: the functions and two derivatives
-  for (int a = 0; a < 3; ++a) {
-    const double x = local[a];
-    Eigen::Matrix<double, 4, 3> powers;
-    powers << 1, 0, 0, x, 1, 0, x * x, 2 * x, 2, x * x * x, 3 * x * x, 6 * x;
-    b[static_cast<std::size_t>(a)] = uniform * powers;
-  }
+  for (int a = 0; a < 3; ++a) b[static_cast<std::size_t>(a)] = uniform_functions(local[a]);
   const Eigen::Matrix<double, 64, 1> along = support * difference;
   const auto derivative = [&](const Index3& order) {
     double sum = 0.0;

@@ -11,6 +11,9 @@ struct Attempt {
   int iterations = 0;                    ///< systems solved
 };
 
+/// The uniform B-spline's four functions at a place in a cell, and their first two derivatives.
+Eigen::Matrix<double, 4, 3> uniform_functions(double x);
+
 /// What the second derivatives of eq. (1) add to those of half the squared distance from a point.
 /// @param difference  eq. (1) there, less the point
 Eigen::Matrix3d curvature(const Support& support, const Eigen::Vector3d& local,

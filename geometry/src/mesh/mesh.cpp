@@ -69,15 +69,14 @@ void Mesh::weld() {
   Welded welded = hwffd::weld(std::move(content_->positions));
   positions_ = std::move(welded.positions);
   weld_ = std::move(welded.vertices);
-  rest_ = positions_;
-  find_triangles();
   normals_ = std::make_unique<FollowingNormals>(*content_, weld_, positions_);
   tangents_ = std::make_unique<FollowingTangents>(*content_);
 }
 
-void Mesh::find_triangles() {
-  triangles_.clear();
-  triangles_.reserve(content_->corners.size() / 3);
+const std::vector<Mesh::Triangle>& Mesh::triangles() const {
+  if (triangles_) return *triangles_;
+  triangles_.emplace();
+  triangles_->reserve(content_->corners.size() / 3);
   for (std::size_t f = 0; f < content_->face_count(); ++f) {
     const std::size_t begin = content_->face_begin(f);
     const std::size_t corners = content_->face_end(f) - begin;
@@ -86,9 +85,10 @@ void Mesh::find_triangles() {
       return weld_[content_->corners[begin + (turned_ && c > 0 ? corners - c : c)]];
     };
     for (std::size_t c = 2; c < corners; ++c) {
-      triangles_.push_back({vertex(0), vertex(c - 1), vertex(c)});
+      triangles_->push_back({vertex(0), vertex(c - 1), vertex(c)});
     }
   }
+  return *triangles_;
 }
 
 const std::vector<std::string>& Mesh::unfollowed() const { return content_->unfollowed; }
@@ -109,16 +109,19 @@ Points Mesh::rounded(const Points& positions) const {
                     "check the control points",
                     name_, i));
   }
-  Points to = settled(positions, rest_);
-  if (!is_single()) return to;
-  return to.cast<float>().cast<double>();
+  Points to = settled(positions, rest());
+  if (is_single()) to = to.cast<float>().cast<double>();
+  return to;
 }
 
+const Points& Mesh::rest() const { return rest_.rows() == 0 ? positions_ : rest_; }
+
 void Mesh::move(Points positions, bool turned) {
+  if (rest_.rows() == 0) rest_ = std::move(positions_);
   positions_ = std::move(positions);
   if (turned == turned_) return;
   turned_ = turned;
-  find_triangles();
+  triangles_.reset();
   if (!scene_) return;
   each_part(*scene_->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
 }
@@ -178,6 +181,6 @@ const std::vector<std::uint32_t>& Mesh::welded() const { return made().welded; }
 
 const std::vector<std::uint32_t>& Mesh::numbers() const { return made().numbers; }
 
-Points Mesh::smooth_normals() const { return hwffd::smooth_normals(positions_, triangles_); }
+Points Mesh::smooth_normals() const { return hwffd::smooth_normals(positions_, triangles()); }
 
 }  // namespace hwffd

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "hwffd/device/device.hpp"
@@ -33,11 +35,14 @@ class Deformer {
     Family family = {};
   };
 
+  /// Indices of points, three a triangle.
+  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
   /// @param points     n x 3
-  /// @param triangles  indices of points, for torn_edges; may be empty
+  /// @param triangles  whose edges may tear (torn_edges), called in deform() where one can; or none
   /// @param rest       one a stage
   /// @throws Error if there is no stage, or what Attachment throws
-  Deformer(const Points& points, std::vector<std::array<std::uint32_t, 3>> triangles,
+  Deformer(const Points& points, std::function<const Triangles&()> triangles,
            std::vector<Rest> rest, Outside outside);
 
   /// @param deformed  the lattices of the stages, deformed, of the same dimensions
@@ -47,7 +52,7 @@ class Deformer {
                 Gradients gradients = Gradients::kAll) const;
 
  private:
-  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::function<const Triangles&()> triangles_;
   std::vector<Rest> rest_;
   Outside outside_;
   Attachment first_;  ///< of the first stage, whose points never change

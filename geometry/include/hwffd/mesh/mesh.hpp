@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -130,7 +131,7 @@ class Mesh {
 
   /// Triangles in welded indices. Polygons are fans from their first corner; points and lines
   /// are left out; a triangle that welding made degenerate stays.
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Triangle>& triangles() const;
 
   /// Unit normals of the welded vertices, vertex_count() x 3, smooth over all edges, weighted by
   /// area; (0, 1, 0) where the faces give no direction.
@@ -183,8 +184,8 @@ class Mesh {
   void weld();
   /// @throws Error for what set_positions() refuses
   Points rounded(const Points& positions) const;
+  const Points& rest() const;
   void move(Points positions, bool turned);
-  void find_triangles();
   /// What of this mesh another, which was written of it and read again, does not hold.
   std::vector<std::string> lost_in(const Mesh& written) const;
   Scene& made() const;
@@ -195,9 +196,9 @@ class Mesh {
   std::unique_ptr<Document> document_;  ///< none: no file, or one that Assimp reads
   std::unique_ptr<Content> content_;    ///< but for its positions; normals as they stand now
   Points positions_;
-  Points rest_;                      ///< as they were read
+  Points rest_;                      ///< as they were read, once they have moved
   std::vector<std::uint32_t> weld_;  ///< vertex of the content -> welded vertex
-  std::vector<Triangle> triangles_;
+  mutable std::optional<std::vector<Triangle>> triangles_;  ///< once they are asked for
   std::unique_ptr<FollowingNormals> normals_;
   std::unique_ptr<FollowingTangents> tangents_;
   mutable std::unique_ptr<Scene> scene_;

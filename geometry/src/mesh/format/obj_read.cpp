@@ -58,7 +58,7 @@ class ObjReader {
       if (!is_off) extras_.insert("smoothing groups");
       return;
     }
-    extras_.insert("statement " + excerpt(keyword, kQuoted));
+    extras_.insert("statement " + excerpt(keyword, kNamed));
   }
 
   void take_vertex(const LineReader& lines) {
@@ -183,7 +183,7 @@ class ObjReader {
     companions_.push_back(path);
     for (MtlMaterial& material : read_mtl(read_file(path))) {
       for (const std::string& extra : material.extras) {
-        extras_.insert("statement " + excerpt(extra, kQuoted) + " of materials");
+        extras_.insert("statement " + excerpt(extra, kNamed) + " of materials");
       }
       library_.push_back(std::move(material));
     }
@@ -251,7 +251,7 @@ class ObjReader {
     }
   }
 
-  static constexpr std::size_t kQuoted = 30;  // characters of the file in a message
+  static constexpr std::size_t kNamed = 30;  // characters of a statement in a warning
   static constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
   fs::path folder_;

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 
-#include "hwffd/excerpt.hpp"
 #include "mesh/read_scene.hpp"
 
 namespace hwffd {
 namespace {
-
-constexpr std::size_t kQuoted = 20;  // characters of the file in a message, which is one line
 
 ObjVector vector_in(const LineReader& lines, const char* what) {
   const std::vector<std::string_view>& words = lines.words();
@@ -53,12 +50,12 @@ ObjCorner obj_corner(const LineReader& lines, std::string_view word) {
     if (n == 2) corner.normal = number;
     const bool is_good = number.empty() ? n > 0 : read_whole(number, corner.numbers[n]);
     if (!is_good || (!number.empty() && corner.numbers[n] == 0)) {
-      refuse_line(lines, "'" + excerpt(word, kQuoted) + "' is no corner of a face");
+      refuse_line(lines, in_quotes(word) + " is no corner of a face");
     }
     if (end == rest.size()) return corner;
     rest.remove_prefix(end + 1);
   }
-  refuse_line(lines, "'" + excerpt(word, kQuoted) + "' is no corner of a face");
+  refuse_line(lines, in_quotes(word) + " is no corner of a face");
 }
 
 bool is_obj_element(std::string_view word) { return word == "f" || word == "l" || word == "p"; }

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/extension.hpp"
 #include "mesh/format/document.hpp"
 #include "mesh/format/mtl.hpp"
@@ -68,22 +67,12 @@ class OffFile {
   static std::uint64_t whole(std::string_view word) {
     std::uint64_t value = 0;
     if (!read_whole(word, value)) {
-      throw not_a_mesh("'" + excerpt(word, kQuoted) + "' is not a number of vertices or faces");
+      throw not_a_mesh(in_quotes(word) + " is not a number of vertices or faces");
     }
     return value;
   }
 
-  static TextNumber number(std::string_view word) {
-    TextNumber number;
-    if (!read_number(word, number)) {
-      throw not_a_mesh("'" + excerpt(word, kQuoted) + "' is not a number");
-    }
-    return number;
-  }
-
  private:
-  static constexpr std::size_t kQuoted = 20;
-
   std::string_view next() {
     while (word_ == lines_.words().size()) {
       if (!lines_.next()) throw not_a_mesh("the file ends before its data");
@@ -140,7 +129,7 @@ class OffDocument : public Document {
     std::size_t row = 0;
     OffFile file(bytes_);
     const auto put = [&](std::string_view word, double now, bool is_single) {
-      const double number = OffFile::number(word).value;
+      const double number = number_in(word).value;
       text.replace_number(word, is_single ? static_cast<float>(number) : number, now, is_single);
     };
     file.walk(
@@ -207,13 +196,11 @@ class OffDocument : public Document {
     finish(std::move(colours), std::move(textures));
   }
 
-  static float single(std::string_view word) {
-    return static_cast<float>(OffFile::number(word).value);
-  }
+  static float single(std::string_view word) { return static_cast<float>(number_in(word).value); }
 
   void read_vertex(const OffWords& words, const OffHeader& header, Eigen::Index row) {
     for (int axis = 0; axis < 3; ++axis) {
-      const TextNumber number = OffFile::number(words[static_cast<std::size_t>(axis)]);
+      const TextNumber number = number_in(words[static_cast<std::size_t>(axis)]);
       content_.positions(row, axis) = number.value;
       content_.is_single = content_.is_single && number.is_single();
       if (header.has_normals) {

@@ -9,14 +9,11 @@
 #include <map>
 
 #include "hwffd/error.hpp"
-#include "hwffd/excerpt.hpp"
 #include "mesh/format/text.hpp"
 #include "mesh/read_scene.hpp"
 
 namespace hwffd {
 namespace {
-
-std::string shown(std::string_view text) { return "'" + excerpt(text, kPlyQuoted) + "'"; }
 
 PlyType type_of(const std::string& name) {
   using Kind = PlyType::Kind;
@@ -34,14 +31,14 @@ PlyType type_of(const std::string& name) {
       {"float", {Kind::kFloat, 4}},     {"float32", {Kind::kFloat, 4}},
       {"double", {Kind::kFloat, 8}},    {"float64", {Kind::kFloat, 8}}};
   const auto found = kTypes.find(name);
-  if (found == kTypes.end()) throw not_a_mesh("unknown type " + shown(name) + " in the header");
+  if (found == kTypes.end()) throw not_a_mesh("unknown type " + in_quotes(name) + " in the header");
   return {found->second.kind, found->second.size, name};
 }
 
 std::uint64_t count_in(std::string_view word) {
   std::uint64_t count = 0;
   if (!read_whole(word, count)) {
-    throw not_a_mesh(shown(word) + " is not a number of rows or corners");
+    throw not_a_mesh(in_quotes(word) + " is not a number of rows or corners");
   }
   return count;
 }
@@ -83,7 +80,7 @@ PlyHeader::Format format_in(const std::string& name) {
   if (name == "ascii") return PlyHeader::Format::kText;
   if (name == "binary_little_endian") return PlyHeader::Format::kLittle;
   if (name == "binary_big_endian") return PlyHeader::Format::kBig;
-  throw not_a_mesh("unknown format " + shown(name));
+  throw not_a_mesh("unknown format " + in_quotes(name));
 }
 
 /// Takes a line of the header; comments and what is unknown are passed over.
@@ -212,8 +209,7 @@ void PlyCursor::skip(const PlyProperty& property) {
 
 double PlyCursor::number(std::string_view value, const PlyType& type) const {
   if (is_text()) {
-    TextNumber number;
-    if (!read_number(value, number)) throw not_a_mesh(shown(value) + " is not a number");
+    const TextNumber number = number_in(value);
     const bool is_single = !type.is_integer() && type.size == sizeof(float);
     return is_single ? static_cast<float>(number.value) : number.value;
   }

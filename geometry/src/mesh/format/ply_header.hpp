@@ -40,9 +40,6 @@ struct PlyHeader {
   std::size_t end = 0;  ///< where the data begin
 };
 
-/// Characters of a file in a message, which is one line.
-inline constexpr std::size_t kPlyQuoted = 20;
-
 /// @throws Error, without the file's name, for what is no such header
 PlyHeader ply_header(const std::string& bytes);
 

@@ -8,6 +8,7 @@
 
 #include "hwffd/excerpt.hpp"
 #include "mesh/format/ply.hpp"
+#include "mesh/format/text.hpp"
 #include "mesh/read_scene.hpp"
 
 namespace hwffd {
@@ -80,7 +81,7 @@ class PlyReader {
     bool has_vertices = false;
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty() && element.rows > 0) {
-        throw not_a_mesh("element '" + excerpt(element.name, kPlyQuoted) + "' has no properties");
+        throw not_a_mesh("element " + in_quotes(element.name) + " has no properties");
       }
       if (element.name == "vertex" && !has_vertices) {
         read_vertices(element);
@@ -90,7 +91,7 @@ class PlyReader {
       } else if (element.name == "tristrips") {
         read_strips(element);
       } else {
-        content_.extras.push_back("element " + excerpt(element.name, kPlyQuoted));
+        content_.extras.push_back("element " + excerpt(element.name, kQuoted));
         read_rows(
             element, [&](const PlyProperty& property) { cursor_.skip(property); }, [] {});
       }
@@ -109,7 +110,7 @@ class PlyReader {
 
   void add_extra(const PlyProperty& property, const PlyElement& element) {
     content_.extras.push_back(
-        fmt::format("property {} of {}", excerpt(property.name, kPlyQuoted), element.name));
+        fmt::format("property {} of {}", excerpt(property.name, kQuoted), element.name));
   }
 
   void read_vertices(const PlyElement& element) {

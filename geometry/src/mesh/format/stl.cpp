@@ -7,7 +7,6 @@
 #include <cstring>
 #include <utility>
 
-#include "hwffd/excerpt.hpp"
 #include "hwffd/mesh/extension.hpp"
 #include "mesh/format/document.hpp"
 #include "mesh/format/text.hpp"
@@ -51,14 +50,12 @@ class StlText {
         expect("endfacet");
         facet(words);
       } else {
-        throw not_a_mesh("'" + excerpt(word_, kQuoted) + "' where a facet should begin");
+        throw not_a_mesh(in_quotes(word_) + " where a facet should begin");
       }
     }
   }
 
  private:
-  static constexpr std::size_t kQuoted = 30;
-
   bool next() {
     while (at_ == lines_.words().size()) {
       if (!lines_.next()) return false;
@@ -82,7 +79,7 @@ class StlText {
   void expect(const char* keyword) {
     if (!next()) throw not_a_mesh("the file ends in a facet");
     if (lower_case(word_) == keyword) return;
-    throw not_a_mesh("'" + excerpt(word_, kQuoted) + "' where '" + keyword + "' should stand");
+    throw not_a_mesh(in_quotes(word_) + " where '" + keyword + "' should stand");
   }
 
   LineReader lines_;
@@ -196,14 +193,6 @@ class StlDocument : public Document {
         });
     if (!content_.is_single) return;
     for (double& value : corners_) value = static_cast<float>(value);
-  }
-
-  static TextNumber number_in(std::string_view word) {
-    TextNumber number;
-    if (!read_number(word, number)) {
-      throw not_a_mesh("'" + excerpt(word, 30) + "' is not a number");
-    }
-    return number;
   }
 
   void read_binary() {

@@ -8,6 +8,9 @@
 #include <iterator>
 #include <limits>
 
+#include "hwffd/excerpt.hpp"
+#include "mesh/read_scene.hpp"
+
 namespace hwffd {
 namespace {
 
@@ -70,6 +73,14 @@ bool read_whole(std::string_view word, T& value) {
 template bool read_whole(std::string_view word, std::int64_t& value);
 template bool read_whole(std::string_view word, std::uint64_t& value);
 
+std::string in_quotes(std::string_view text) { return "'" + excerpt(text, kQuoted) + "'"; }
+
+TextNumber number_in(std::string_view word) {
+  TextNumber number;
+  if (!read_number(word, number)) throw not_a_mesh(in_quotes(word) + " is not a number");
+  return number;
+}
+
 std::string lower_case(std::string_view word) {
   std::string text(word);
   for (char& c : text) {
@@ -91,6 +102,11 @@ LineReader::LineReader(std::string_view text, Continuation continuation)
 
 bool LineReader::at_ending() const { return at_ == text_.size() || is_ending(text_[at_]); }
 
+bool LineReader::at_continuation() const {
+  return continuation_ == Continuation::kBackslash && at_ + 1 < text_.size() &&
+         text_[at_] == '\\' && is_ending(text_[at_ + 1]);
+}
+
 void LineReader::take_ending() {
   const std::size_t size = text_.compare(at_, 2, "\r\n") == 0 ? 2 : at_ < text_.size() ? 1 : 0;
   ending_ = text_.substr(at_, size);
@@ -106,9 +122,7 @@ bool LineReader::next() {
   while (true) {
     if (at_ending()) break;
     const char c = text_[at_];
-    const bool goes_on = c == '\\' && continuation_ == Continuation::kBackslash &&
-                         at_ + 1 < text_.size() && is_ending(text_[at_ + 1]);
-    if (goes_on && !is_comment) {
+    if (at_continuation() && !is_comment) {
       ++at_;
       take_ending();
     } else if (is_comment || is_blank(c)) {
@@ -119,10 +133,7 @@ bool LineReader::next() {
       const std::size_t begin = at_;
       const bool is_number = c == '+' || c == '-' || c == '.' || (c >= '0' && c <= '9');
       while (!at_ending() && !is_blank(text_[at_])) {
-        if (is_number && text_[at_] == '#') break;
-        const bool breaks = text_[at_] == '\\' && continuation_ == Continuation::kBackslash &&
-                            at_ + 1 < text_.size() && is_ending(text_[at_ + 1]);
-        if (breaks) break;
+        if ((is_number && text_[at_] == '#') || at_continuation()) break;
         ++at_;
       }
       words_.push_back(text_.substr(begin, at_ - begin));

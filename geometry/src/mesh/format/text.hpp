@@ -29,6 +29,16 @@ bool read_number(std::string_view word, TextNumber& number);
 template <typename T>
 bool read_whole(std::string_view word, T& value);
 
+/// What a message quotes of a file: short enough for one line with the rest of it.
+inline constexpr std::size_t kQuoted = 20;
+
+/// The beginning of a text from a file, in quotation marks.
+std::string in_quotes(std::string_view text);
+
+/// Reads a number as read_number() does.
+/// @throws Error for what is none
+TextNumber number_in(std::string_view word);
+
 /// The word with A to Z as a to z.
 std::string lower_case(std::string_view word);
 
@@ -62,6 +72,7 @@ class LineReader {
 
  private:
   bool at_ending() const;
+  bool at_continuation() const;
   void take_ending();
 
   std::string_view text_;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "mesh/format/text.hpp"
+
 namespace hwffd::gltf {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -40,8 +40,7 @@ std::size_t JsonText::end_of_value(std::size_t at) const {
 }
 
 JsonText::Span JsonText::root() const {
-  const bool has_mark = text_.substr(0, kByteOrderMark.size()) == kByteOrderMark;
-  const std::size_t begin = skip_blanks(has_mark ? kByteOrderMark.size() : 0);
+  const std::size_t begin = skip_blanks(text_begin(text_));
   return {begin, end_of_value(begin)};
 }
 
