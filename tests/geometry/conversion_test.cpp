@@ -87,6 +87,7 @@ struct Bound {
   const char* format;
   double difference;  ///< the bounds of both families, docs/numerics.md section 8
 };
+void PrintTo(const Bound& bound, std::ostream* out) { *out << bound.format; }
 
 class ConvertedModel : public ::testing::TestWithParam<Bound> {};
 

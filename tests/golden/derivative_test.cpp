@@ -133,6 +133,7 @@ struct RowBounds {
   double difference;   ///< of dq from central differences
   double determinant;  ///< of the word of det J
 };
+void PrintTo(const RowBounds& bounds, std::ostream* out) { *out << bounds.name; }
 
 class DerivativeOfRow : public ::testing::TestWithParam<RowBounds> {};
 

@@ -98,6 +98,7 @@ struct Pair {
   const char* row;
   const char* powers;
 };
+void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
 
 class PowersAndPolynomials : public ::testing::TestWithParam<Pair> {};
 

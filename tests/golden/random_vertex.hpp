@@ -76,5 +76,6 @@ struct Bound {
   const char* family;
   double error;
 };
+inline void PrintTo(const Bound& bound, std::ostream* out) { *out << bound.name(); }
 
 }  // namespace hwffd

@@ -22,6 +22,7 @@ struct Case {
   const char* name;
   double factor;
 };
+void PrintTo(const Case& tried, std::ostream* out) { *out << tried.name; }
 
 class WordBound : public ::testing::TestWithParam<Case> {};
 

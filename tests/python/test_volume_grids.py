@@ -52,7 +52,7 @@ def test_grids_that_are_refused():
     for first, last, counts, text in (
             ((0, 0, 0), (1.01, 2, 3), (3, 3, 3), "not within the 1 x 2 x 3 cells"),
             ((-0.1, 0, 0), (1, 2, 3), (3, 3, 3), "in no lattice"),
-            ((0, 0, np.nan), (1, 2, 3), (3, 3, 3), "in no lattice"),
+            ((0, 0, np.nan), (1, 2, 3), (3, 3, 3), "three finite numbers"),
             ((0, 0, 0), (1, 2, 3), (3, 0, 3), "1 to 65535 vertices")):
         with pytest.raises(hwffd.Error, match=text) as caught:
             lattice.evaluate_grid(first, last, counts)

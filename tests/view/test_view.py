@@ -149,7 +149,7 @@ class View(ProgramTest):
     def test_a_point_that_is_dragged_takes_the_mesh_along(self):
         before = self.open("--lattice", "rest.json", "-o", "moved.json")
         title = self.screen.do("getwindowname", self.window)
-        self.assertRegex(title, r"\Asolid\.obj - model basic-fp32-overlapped - \d+ frames/s\Z")
+        self.assertRegex(title, r"\Asolid\.obj - reference - \d+ frames/s\Z")
         point = leftmost_control_point(before)
         after = self.drag(1, point, (60, 40))
         self.assertNotEqual(before, after)
@@ -166,8 +166,8 @@ class View(ProgramTest):
         self.assertEqual(self.close(), ("wrote moved.json\n" * 2, ""))
 
     def test_the_view_turns_and_zooms_and_the_lattice_stays(self):
-        before = self.open("--lattice", "rest.json", "--device", "reference")
-        self.assertIn(" - reference - ", self.screen.do("getwindowname", self.window))
+        before = self.open("--lattice", "rest.json", "--device", "model")
+        self.assertIn(" - model basic-fp32-overlapped - ", self.screen.do("getwindowname", self.window))
         turned = self.drag(3, (500, 400), (80, 30))
         self.assertNotEqual(before, turned)
         self.screen.do("click", 4)

@@ -138,6 +138,7 @@ struct Hang {
   unsigned code;
   tb::Throttle tb::AxiThrottles::*channel;
 };
+void PrintTo(const Hang& hang, std::ostream* out) { *out << hang.name; }
 
 /// The memory is as new; so is the core.
 void expect_next(AxiRun& run) {

@@ -27,6 +27,7 @@ struct Port {
   const char* name;
   MadeCore (*make)(std::uint64_t seed);
 };
+void PrintTo(const Port& port, std::ostream* out) { *out << port.name; }
 
 /// Counts the clocks in which a read is open and no data comes.
 class ReadCounter final : public cores::AxiCore {

@@ -52,6 +52,7 @@ struct Flaw {
   AxiRule rule;
   std::function<void(Trace&)> plant;
 };
+void PrintTo(const Flaw& flaw, std::ostream* out) { *out << flaw.name; }
 
 /// A pin that has another value in some clocks.
 template <class Side, class Pins, class Value>

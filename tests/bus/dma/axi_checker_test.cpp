@@ -52,6 +52,7 @@ struct Flaw {
   AxiRule rule;
   std::function<void(Cycles&)> plant;
 };
+void PrintTo(const Flaw& flaw, std::ostream* out) { *out << flaw.name; }
 
 const Flaw kFlaws[] = {
     {"ArFalls", AxiRule::kStable,

@@ -49,6 +49,7 @@ struct Case {
   DmaSize size;
   std::uint64_t packet_beats;
 };
+void PrintTo(const Case& tried, std::ostream* out) { *out << tried.name; }
 class FullBandwidth : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(, FullBandwidth,
                          testing::Values(Case{"LongPackets", dma_sizes()[0], 1000},

@@ -12,12 +12,11 @@
 #include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/model/seam_bound.hpp"
+#include "named.hpp"
 #include "report.hpp"
 #include "timeline.hpp"
 
 namespace hwffd {
-
-inline void PrintTo(const Configuration& row, std::ostream* out) { *out << row.name; }
 
 namespace organizations {
 namespace {
@@ -25,17 +24,7 @@ namespace {
 const Effort kLittle{161, 900, 1};
 
 std::vector<Configuration> built_rows() {
-  std::vector<Configuration> built;
-  for (const Configuration& row : configurations()) {
-    if (cores::has_evaluator_core(row)) built.push_back(row);
-  }
-  return built;
-}
-
-std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return test::rows_where([](const Configuration& row) { return cores::has_evaluator_core(row); });
 }
 
 class EachRow : public ::testing::TestWithParam<Configuration> {};
@@ -63,7 +52,7 @@ TEST_P(EachRow, ClocksBetweenTheProbes) {
   EXPECT_EQ(static_cast<double>(measured.vertex.final_accumulation), last_accumulation(row));
 }
 
-INSTANTIATE_TEST_SUITE_P(, EachRow, ::testing::ValuesIn(built_rows()), name_of);
+INSTANTIATE_TEST_SUITE_P(, EachRow, ::testing::ValuesIn(built_rows()), test::by_name);
 
 /// tree8 of fx18 at both schedules.
 Comparison small_comparison() {

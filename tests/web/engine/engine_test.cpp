@@ -14,6 +14,7 @@
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/model/schedule.hpp"
+#include "named.hpp"
 #include "row_texts.hpp"
 
 namespace hwffd::web {
@@ -50,17 +51,7 @@ std::string error_of(const std::function<void()>& f) {
 }
 
 std::vector<Configuration> built_rows() {
-  std::vector<Configuration> rows;
-  for (const Configuration& row : configurations()) {
-    if (cores::has_stream_core(row)) rows.push_back(row);
-  }
-  return rows;
-}
-
-std::string name_of(const ::testing::TestParamInfo<Configuration>& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return test::rows_where([](const Configuration& row) { return cores::has_stream_core(row); });
 }
 
 class EachCore : public ::testing::TestWithParam<Configuration> {};
@@ -195,7 +186,7 @@ TEST_P(EachCore, PortsAreRecorded) {
   EXPECT_EQ(shown.ports.at("m_axis_tready"), "1");
 }
 
-INSTANTIATE_TEST_SUITE_P(, EachCore, ::testing::ValuesIn(built_rows()), name_of);
+INSTANTIATE_TEST_SUITE_P(, EachCore, ::testing::ValuesIn(built_rows()), test::by_name);
 
 Configuration any_row() { return built_rows().front(); }
 
