@@ -308,3 +308,7 @@ def test_old_verilator(install, programs, version, status):
     programs(bin__dpkg_query=HERE.format(ALL), bin__verilator=f"echo 'Verilator {version}'")
     found, messages, _ = install()
     assert (found, "or newer needed" in messages[0]) == (status, bool(status))
+
+
+def test_fresh_knows_every_target(checkout):
+    assert checkout.script("fresh", "no-target") == (2, "", "fresh: not known here: no-target\n")
