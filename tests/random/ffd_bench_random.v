@@ -1,4 +1,4 @@
-// ffd_bench_random: any packets through hwffd_stream with any parameters, with real X
+// ffd_bench_random: any packets through hwffd_stream_bus with any parameters, with real X
 //
 // Beats come from beats.hex, each with what its part of the stream asks for: to begin in an idle core,
 // and how the source offers and the sink takes beats (words.cpp). A result is a line of results.txt; an
@@ -8,7 +8,7 @@
 // What of the outputs is X and must be known, ffd_bench_known tells; what breaks a rule of
 // docs/interface.md is told as `broken RULE clock N`.
 //
-// Parameters: those of hwffd_stream; BEATS, how many there are; SEED of the pauses; PATIENCE, clocks
+// Parameters: those of hwffd_stream_bus; BEATS, how many there are; SEED of the pauses; PATIENCE, clocks
 //             without a beat or a result in a core that is not idle: one unit in the paper's schedule
 //             takes some 7,000 for a vertex with its derivatives.
 // Test:       tests/random.
@@ -21,16 +21,17 @@
 
 module ffd_bench_random #(
   `include "ffd_row_parameters.vh"
-  parameter AXIS      = 16,
-  parameter PAGES     = 2,
-  parameter IN_FLIGHT = 0,
-  parameter WAITING   = 16,
-  parameter FEATURES  = `FFD_FEATURES,
-  parameter SPANS     = 1,
-  parameter HARDENED  = 0,
-  parameter BEATS     = 1,
-  parameter SEED      = 1,
-  parameter PATIENCE  = 40000
+  parameter AXIS       = 16,
+  parameter PAGES      = 2,
+  parameter IN_FLIGHT  = 0,
+  parameter WAITING    = 16,
+  parameter FEATURES   = `FFD_FEATURES,
+  parameter SPANS      = 1,
+  parameter HARDENED   = 0,
+  parameter DATA_WIDTH = 128,
+  parameter BEATS      = 1,
+  parameter SEED       = 1,
+  parameter PATIENCE   = 40000
 );
   localparam STUCK = 300;  // clocks without a beat in, after which a late sink begins
   localparam TAIL  = 64;   // clocks in which no result may come any more
@@ -53,7 +54,46 @@ module ffd_bench_random #(
   wire         idle;
   wire         upset;
 
-  hwffd_stream #(
+  wire                    in_valid, in_ready, in_last;
+  wire [DATA_WIDTH-1:0]   in_data;
+  wire [DATA_WIDTH/8-1:0] in_keep;
+  wire                    out_valid, out_ready, out_last, out_user;
+  wire [DATA_WIDTH-1:0]   out_data;
+  wire [DATA_WIDTH/8-1:0] out_keep;
+
+  ffd_bench_units_to #(
+    .WIDTH(DATA_WIDTH)
+  ) u_to (
+    .clk    (aclk),
+    .s_valid(s_valid),
+    .s_ready(s_ready),
+    .s_unit (s_beat[127:0]),
+    .s_last (s_beat[128]),
+    .m_valid(in_valid),
+    .m_ready(in_ready),
+    .m_data (in_data),
+    .m_keep (in_keep),
+    .m_last (in_last)
+  );
+
+  ffd_bench_units_from #(
+    .WIDTH(DATA_WIDTH)
+  ) u_from (
+    .clk    (aclk),
+    .s_valid(out_valid),
+    .s_ready(out_ready),
+    .s_data (out_data),
+    .s_keep (out_keep),
+    .s_last (out_last),
+    .s_user (out_user),
+    .m_valid(m_valid),
+    .m_ready(m_ready),
+    .m_unit (m_data),
+    .m_last (m_last),
+    .m_user (m_user)
+  );
+
+  hwffd_stream_bus #(
     `include "ffd_row_arguments.vh"
     .AXIS           (AXIS),
     .PAGES          (PAGES),
@@ -61,19 +101,22 @@ module ffd_bench_random #(
     .WAITING        (WAITING),
     .FEATURES       (FEATURES),
     .SPANS          (SPANS),
-    .HARDENED       (HARDENED)
+    .HARDENED       (HARDENED),
+    .DATA_WIDTH     (DATA_WIDTH)
   ) u_core (
     .aclk          (aclk),
     .aresetn       (aresetn),
-    .s_axis_tvalid (s_valid),
-    .s_axis_tready (s_ready),
-    .s_axis_tdata  (s_beat[127:0]),
-    .s_axis_tlast  (s_beat[128]),
-    .m_axis_tvalid (m_valid),
-    .m_axis_tready (m_ready),
-    .m_axis_tdata  (m_data),
-    .m_axis_tlast  (m_last),
-    .m_axis_tuser  (m_user),
+    .s_axis_tvalid (in_valid),
+    .s_axis_tready (in_ready),
+    .s_axis_tdata  (in_data),
+    .s_axis_tkeep  (in_keep),
+    .s_axis_tlast  (in_last),
+    .m_axis_tvalid (out_valid),
+    .m_axis_tready (out_ready),
+    .m_axis_tdata  (out_data),
+    .m_axis_tkeep  (out_keep),
+    .m_axis_tlast  (out_last),
+    .m_axis_tuser  (out_user),
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
@@ -87,7 +130,7 @@ module ffd_bench_random #(
   wire m_told = watched && m_valid;
   wire e_told = watched && events != 0;
   ffd_bench_known #(7, "tready, tvalid, vertex_o, wait_o or idle_o") k_control(
-      aclk, watched, {s_ready, m_valid, vertex, waits, idle});
+      aclk, watched, {in_ready, out_valid, vertex, waits, idle});
   ffd_bench_known #(1, "upset_o")               k_upset (aclk, watched, upset);
   ffd_bench_known #(`FFD_EVENTS, "event_o")     k_event (aclk, watched, events);
   ffd_bench_known #(130, "tdata, tlast, tuser") k_result(aclk, m_told, {m_user, m_last, m_data});
