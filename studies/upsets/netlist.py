@@ -17,8 +17,7 @@ import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "scripts"))
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 
 import configurations  # noqa: E402  pylint: disable=wrong-import-position
 import rtl  # noqa: E402  pylint: disable=wrong-import-position
@@ -27,7 +26,7 @@ REGISTERS, MEMORIES, ADDRESS, BIT = "upset_register", "upset_memory", "upset_add
 HERE = "upset_here"  # of a memory
 # Verilator gives inputs of more bits than that as words, whatever there is: as C++ wants them.
 WIDE = 96
-PARTS = {path.stem for path in (ROOT / "rtl" / "common").glob("*.v")}  # modules that others are made of
+PARTS = {path.stem for path in (rtl.ROOT / "rtl" / "common").glob("*.v")}  # modules that others are made of
 
 
 class NetlistError(Exception):
@@ -35,7 +34,7 @@ class NetlistError(Exception):
 
 
 def _yosys(steps):
-    done = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=ROOT, check=False,
+    done = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=rtl.ROOT, check=False,
                           capture_output=True, text=True)
     if done.returncode:
         raise NetlistError(f"yosys: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
@@ -45,10 +44,10 @@ def flat(top, parameters, out):
     """(The tree of modules, the flat design) as JSON has them: registers are $dff, memories $mem_v2, and
     nothing is optimized away but what nobody reads."""
     sources = rtl.Sources()
-    own = pathlib.Path(__file__).with_name("ffd_mem_sdp.v").relative_to(ROOT)
-    files = [own if pathlib.Path(path).name == own.name else pathlib.Path(path).relative_to(ROOT)
+    own = pathlib.Path("studies/upsets/ffd_mem_sdp.v")
+    files = [own if pathlib.Path(path).name == own.name else pathlib.Path(path).relative_to(rtl.ROOT)
              for path in sources.needed(top)]
-    folders = " ".join(f"-I {pathlib.Path(folder).relative_to(ROOT)}" for folder in sources.includes)
+    folders = " ".join(f"-I {pathlib.Path(folder).relative_to(rtl.ROOT)}" for folder in sources.includes)
     given = "".join(f" -chparam {name} {value}" for name, value in parameters.items())
     tree = out.with_suffix(".tree")
     _yosys([f"read_verilog {folders} -D {rtl.SIMULATION} {' '.join(map(str, files))}",
@@ -166,7 +165,8 @@ class Design:
 
 def write(top, parameters, out):
     """Writes OUT.v and OUT.json. Raises NetlistError."""
-    out = pathlib.Path(out)
+    out = pathlib.Path(out).resolve()
+    out = rtl.without_blanks(out.parent) / out.name
     scratch = out.with_suffix(".flat.json")
     modules, design = flat(top, parameters, scratch)
     module = Design(design["modules"][top], Tree(modules, top))
