@@ -52,8 +52,9 @@ TEST(Deformer, StagesComposeInOrder) {
       Deformer(points, nullptr, {Deformer::Rest{first}}, outside).deform({bent}, *device).positions;
   const Lattice second = box((Points(2, 3) << -2, -2, -2, 3, 3, 3).finished());
   const Lattice twisted = moved(second, "twist:50");
-  const Points separate =
-      Deformer(between, nullptr, {Deformer::Rest{second}}, outside).deform({twisted}, *device).positions;
+  const Points separate = Deformer(between, nullptr, {Deformer::Rest{second}}, outside)
+                              .deform({twisted}, *device)
+                              .positions;
   const Deformer both(points, nullptr, {Deformer::Rest{first}, Deformer::Rest{second}}, outside);
   const Deformer::Result result = both.deform({bent, twisted}, *device);
   EXPECT_EQ(result.positions, separate);

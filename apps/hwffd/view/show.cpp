@@ -39,7 +39,8 @@ class FrameRate {
 }  // namespace
 
 void show(Scene scene, Device& device, const std::function<void(const Lattice&)>& save) {
-  const Deformer deformer(scene.mesh.positions(), nullptr, {{scene.rest, scene.family}}, scene.outside);
+  const Deformer deformer(scene.mesh.positions(), nullptr, {{scene.rest, scene.family}},
+                          scene.outside);
   const Orbit orbit(scene.deformed.points(), Point(0.35, 0.3, 1), kAspect);
   Controls controls(LatticeDrag(scene.deformed), orbit, kWidth, kHeight, save);
   const std::string title = scene.mesh.name() + " - " + device.name();

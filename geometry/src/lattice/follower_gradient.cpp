@@ -10,7 +10,7 @@
 namespace hwffd {
 namespace {
 
-constexpr double kHeld = 1e-6;           // cosine of the angle to a face, beyond which it holds
+constexpr double kHeld = 1e-6;       // cosine of the angle to a face, beyond which it holds
 constexpr double kFlatPivot = 1e-9;  // of the largest pivot
 
 /// Local coordinates that stay as they are when the point moves: at a face, with the point beyond.

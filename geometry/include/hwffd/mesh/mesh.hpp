@@ -105,10 +105,9 @@ class Mesh {
   /// Whether any part has normals that set_positions() turns.
   bool has_normals() const;
 
-  /// Moves the vertices, with all their duplicates. Values are settled(), and rounded to binary32 if
-  /// is_single().
-  /// Normals of faces that moved become area-weighted means over the faces that shared a normal, so
-  /// hard edges stay hard; faces are as they were read.
+  /// Moves the vertices, with all their duplicates. Values are settled(), and rounded to binary32
+  /// if is_single(). Normals of faces that moved become area-weighted means over the faces that
+  /// shared a normal, so hard edges stay hard; faces are as they were read.
   /// @param positions vertex_count() x 3
   /// @throws Error if the number of rows differs or a value is not a finite binary32 number; the
   ///   mesh is then unchanged.
