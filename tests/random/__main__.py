@@ -1,6 +1,7 @@
 """make random: cores of random parameters on random packets.
 
-    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--parts P] [--found] [--keep]
+    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--seconds T] [--parts P] [--found]
+                                          [--keep]
 
 Each number from S on is a configuration: most are legal, and each of these is read by Verilator without a
 warning, built in Icarus, whose values may be X, and run on a stream of packets of every kind, good and bad,
@@ -119,12 +120,17 @@ def seed_of_sources():
     return int(digest.of(*(path.read_text(encoding="utf-8") for path in sources))[:8], 16)
 
 
+def processor_seconds():
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
 def main():
     parser = argparse.ArgumentParser(prog="random", description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--words", type=pathlib.Path, required=True, metavar="PROGRAM", help="hwffd-random-words")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "random")
     parser.add_argument("--seed", type=int, help="the first number; one of the sources unless given")
     parser.add_argument("--count", type=int, default=1, help="how many")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="of processors, after which no more begin")
     parser.add_argument("--parts", type=int, default=3, help="of a stream, about")
     parser.add_argument("--found", action="store_true", help="those of found.csv, which have failed once, too")
     parser.add_argument("--keep", action="store_true", help="what was made of those that did not fail, too")
@@ -138,6 +144,8 @@ def main():
     tried += [(seed, lambda seed=seed: campaign.one(seed), f"make random SEED={seed} N=1")
               for seed in range(first, first + options.count)]
     for done, (seed, one, command) in enumerate(tried):
+        if processor_seconds() > options.seconds:
+            break
         progress.step(done, len(tried), f"number {seed}, {failed} failed")
         try:
             one()
@@ -148,7 +156,7 @@ def main():
     progress.end()
     print(f"random: {campaign.legal} configurations ran, {campaign.illegal} were refused, {failed} failed; "
           f"{campaign.results} results in {campaign.clocks} clocks compared, "
-          f"{resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime:.0f} processor seconds")
+          f"{processor_seconds():.0f} processor seconds")
     return 1 if failed else 0
 
 

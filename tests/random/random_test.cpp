@@ -10,11 +10,11 @@
 namespace hwffd::test {
 namespace {
 
-// From the seed that is given, or from one that the sources of the core are the reason for. A soak
-// has more of them.
+// From the seed that is given, or from one that the sources of the core are the reason for; as many
+// as begin in two minutes of a processor. A soak has more of them.
 TEST(Random, Configurations) {
   const std::uint64_t seed = tb::seed_from_environment(0);
-  const int count = std::getenv("HWFFD_SOAK") != nullptr ? 100 : 14;
+  const char* const count = std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120";
   const std::string command =
       fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --found --count {}{}", HWFFD_PYTHON,
                   HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
