@@ -40,6 +40,7 @@ WAIVERS = "lint/hwffd.vlt"
 
 # What a simulator defines so that memories show reads whose word is undefined.
 SIMULATION = "FFD_SIMULATION"
+# And so that it ends where something happens that cannot happen.
 ASSERTIONS = "FFD_ASSERTIONS"
 
 

@@ -14,12 +14,12 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
-import csv
 import pathlib
 import random
 import resource
 import shutil
 import sys
+from functools import partial
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(ROOT / "scripts"))
@@ -31,6 +31,7 @@ import rtl  # noqa: E402  pylint: disable=wrong-import-position
 import run  # noqa: E402  pylint: disable=wrong-import-position
 import space  # noqa: E402  pylint: disable=wrong-import-position
 import space_draw  # noqa: E402  pylint: disable=wrong-import-position
+import tables  # noqa: E402  pylint: disable=wrong-import-position
 from progress import Progress  # noqa: E402  pylint: disable=wrong-import-position
 
 ILLEGAL = 0.2  # share of the configurations
@@ -105,13 +106,10 @@ class Campaign:
             shutil.rmtree(folder)
 
 
-def known():
+def known(parameters):
     """(seed, configuration) of each row of found.csv."""
-    with open(pathlib.Path(__file__).with_name("found.csv"), encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            row.pop("shown")
-            numbers = {name: int(value) for name, value in row.items()}
-            yield numbers.pop("SEED"), numbers
+    for _, cells in tables.read(pathlib.Path(__file__).with_name("found.csv"), ("SEED", *parameters, "shown")):
+        yield int(cells["SEED"]), {name: int(cells[name]) for name in parameters}
 
 
 def seed_of_sources():
@@ -138,10 +136,12 @@ def main():
     options.words, options.folder = options.words.resolve(), options.folder.resolve()
     first = seed_of_sources() if options.seed is None else options.seed
     campaign, failed, progress = Campaign(options), 0, Progress()
-    again = list(known()) if options.found else []
-    tried = [(seed, lambda seed=seed, one=one: campaign.legal_one(one, seed), "tests/random --found")
-             for seed, one in again]
-    tried += [(seed, lambda seed=seed: campaign.one(seed), f"make random SEED={seed} N=1")
+    tried = []
+    if options.found:
+        again = f"tests/random --words {options.words} --found --count 0"
+        tried += [(seed, partial(campaign.legal_one, one, seed), again)
+                  for seed, one in known(campaign.space.parameters[run.TOP])]
+    tried += [(seed, partial(campaign.one, seed), f"make random SEED={seed} N=1")
               for seed in range(first, first + options.count)]
     for done, (seed, one, command) in enumerate(tried):
         if processor_seconds() > options.seconds:

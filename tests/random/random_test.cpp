@@ -14,9 +14,10 @@ namespace {
 // as begin in two minutes of a processor. A soak has more of them.
 TEST(Random, Configurations) {
   const std::uint64_t seed = tb::seed_from_environment(0);
-  const char* const count = std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120";
+  const char* const count =
+      std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120 --found";
   const std::string command =
-      fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --found --count {}{}", HWFFD_PYTHON,
+      fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --count {}{}", HWFFD_PYTHON,
                   HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
                   seed == 0 ? "" : fmt::format(" --seed {}", seed));
   ASSERT_EQ(std::system(command.c_str()), 0) << command;

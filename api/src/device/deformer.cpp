@@ -63,9 +63,9 @@ Deformer::Result Deformer::deform(const std::vector<Lattice>& deformed, Device& 
       }
     }
     result.summaries.push_back(attachment.summary());
-    const bool all_inside =
-        attachment.summary().inside == static_cast<std::size_t>(attachment.size());
-    if (triangles_ && !all_inside) result.torn_edges += attachment.torn_edges(triangles_());
+    if (triangles_ && attachment.may_tear()) {
+      result.torn_edges += attachment.torn_edges(triangles_());
+    }
   }
   return result;
 }

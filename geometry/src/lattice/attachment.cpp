@@ -186,7 +186,7 @@ std::vector<Eigen::Matrix3d> Attachment::gradients(const std::vector<Eigen::Matr
 
 std::size_t Attachment::torn_edges(
     const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
-  if (outside_.kind() != Outside::Kind::kKeep) return 0;
+  if (!may_tear()) return 0;
   const auto inside = [&](std::uint32_t row) { return is_inside(static_cast<Eigen::Index>(row)); };
   std::set<std::pair<std::uint32_t, std::uint32_t>> torn;
   for (const auto& triangle : triangles) {

@@ -53,6 +53,8 @@ class Attachment {
   bool is_inside(Eigen::Index row) const {
     return found_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
   }
+  /// Whether some points follow the lattice and others stay, so that an edge between them tears.
+  bool may_tear() const { return outside_.kind() == Outside::Kind::kKeep && !all_inside(); }
   /// The points as they were attached, n x 3.
   const Points& points() const { return points_; }
 
