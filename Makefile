@@ -16,8 +16,8 @@ ifneq ($(TIER),$(filter $(TIERS),$(firstword $(TIER))))
   $(error TIER=$(TIER): one of $(TIERS))
 endif
 
-# Installs the sets of scripts/packages.txt that a command needs.
-INSTALL = @scripts/install
+# Installs the sets of tools/packages.txt that a command needs.
+INSTALL = @tools/install
 # All that can be configured is said each time, so that nothing is as an earlier command has left it; the
 # generator of a build that is there stays.
 SELECTED  = $(call selected,)
@@ -26,7 +26,7 @@ COVERAGE  = OFF
 CONFIGURE = @cmake -S . -B $(BUILD) $(if $(wildcard $(BUILD)/CMakeCache.txt),,-G Ninja) --log-level=NOTICE \
   -DHWFFD_TIER=$(TIER) -DHWFFD_TRACE=$(if $(tracing),ON,OFF) -DHWFFD_COVERAGE=$(COVERAGE) $(SELECTED)
 COMPILE   = @cmake --build $(BUILD) -j $(JOBS)
-RUN_TESTS = scripts/run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
+RUN_TESTS = tools/run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
             --output-junit reports/tests.xml --test-output-size-passed 65536 -j $(JOBS)
 
 # Variables of `make sim` and `make synth`, handed on as --model X and so on. Only those given on
@@ -106,18 +106,18 @@ help:
 
 # The rows that it runs: those of tier sim, unless it is asked for others.
 sim: TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given,FORMAT),$$(test \
-  -n "$$(scripts/configurations.py list --tier sim --format "$$HWFFD_GIVEN_FORMAT" 2>/dev/null)" \
+  -n "$$(tools/configurations.py list --tier sim --format "$$HWFFD_GIVEN_FORMAT" 2>/dev/null)" \
   && echo sim || echo test),sim)))
 sim:
 	$(INSTALL) build
 	$(call numbers,SEED)
 	@case "$$HWFFD_GIVEN_STREAM" in ''|interleaved|resident|dma) ;; *) \
 	  echo "make: STREAM=$$HWFFD_GIVEN_STREAM: one of interleaved, resident, dma" >&2; exit 2 ;; esac
-	@scripts/configurations.py list --tier $(TIER) --top $(if $(filter dma,$(call given,STREAM)),axi,stream) \
+	@tools/configurations.py list --tier $(TIER) --top $(if $(filter dma,$(call given,STREAM)),axi,stream) \
 	  $(call arguments,org:ORG format:FORMAT schedule:SCHEDULE) >/dev/null
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-sim
-	@$(STUDY) --quiet $(if $(filter dma,$(call given,STREAM)),dma,sim) -- $(BUILD)/apps/hwffd-sim $(SIM_ARGUMENTS)
+	@$(STUDY) --quiet $(if $(filter dma,$(call given,STREAM)),dma,sim) -- $(BUILD)/tb/hwffd-sim $(SIM_ARGUMENTS)
 
 # One file, build/web/index.html, and its test in a browser, which measures it.
 web:
@@ -130,60 +130,60 @@ web:
 	@$(STUDY) web -- $(BUILD)/venv/bin/python -B -m pytest --quiet tests/web/test_page.py \
 	  --argument=$(BUILD)/web/index.html
 
-# A study measures and writes its report; scripts/figures stamps, prints and draws it.
-STUDY = scripts/figures measure
+# A study measures and writes its report; tools/figures stamps, prints and draws it.
+STUDY = tools/figures measure
 
 # Only the rows selected are verilated. The names are checked before they reach CMake.
 organizations: SELECTED = $(call selected,ORG N FORMAT)
 organizations:
 	$(INSTALL) build yosys figures
-	@scripts/configurations.py list $(call arguments,$(ORGANIZATIONS_OPTIONS)) >/dev/null
+	@tools/configurations.py list $(call arguments,$(ORGANIZATIONS_OPTIONS)) >/dev/null
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-organizations
-	@$(STUDY) organizations,timelines -- $(BUILD)/studies/hwffd-organizations
+	@$(STUDY) organizations,timelines -- $(BUILD)/lab/hwffd-organizations
 
 # The same selection, of one format; ORG= and N= narrow it.
 bfp: SELECTED = $(filter-out -DHWFFD_FORMAT=%,$(call selected,ORG N)) -DHWFFD_FORMAT=bfp32
 bfp:
 	$(INSTALL) build figures
-	@scripts/configurations.py list --format bfp32 $(call arguments,org:ORG n:N) >/dev/null
+	@tools/configurations.py list --format bfp32 $(call arguments,org:ORG n:N) >/dev/null
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-bfp
-	@$(STUDY) bfp -- $(BUILD)/studies/hwffd-bfp
+	@$(STUDY) bfp -- $(BUILD)/lab/hwffd-bfp
 
 streams words tangents embed:
 	$(INSTALL) build figures
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-$@
-	@$(STUDY) $@ -- $(BUILD)/studies/hwffd-$@
+	@$(STUDY) $@ -- $(BUILD)/lab/hwffd-$@
 
 # Programs of others are its peers: as many cores each, in one run.
 compare:
 	$(INSTALL) build compare
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-compare hwffd_python
-	@$(STUDY) compare,bench -- $(BUILD)/venv/bin/python -B studies/compare
+	@$(STUDY) compare,bench -- $(BUILD)/venv/bin/python -B lab/compare
 
 # Netlists are kept in build/energy/, since to map them takes as long as the rest.
 energy:
 	$(INSTALL) build energy figures
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-energy-words
-	@$(STUDY) energy -- $(BUILD)/venv/bin/python -B studies/energy
+	@$(STUDY) energy -- $(BUILD)/venv/bin/python -B lab/energy
 
 # Netlists and C++ of small rows, each compiled once.
 engines:
 	$(INSTALL) build engines figures
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd_engines
-	@$(STUDY) engines,unknowns -- $(BUILD)/venv/bin/python -B studies/engines
+	@$(STUDY) engines,unknowns -- $(BUILD)/venv/bin/python -B lab/engines
 
 # What Coq has accepted is kept in build/bounds/.
 bounds:
 	$(INSTALL) build bounds figures
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-bounds
-	@$(STUDY) bounds -- python3 -B studies/bounds
+	@$(STUDY) bounds -- python3 -B lab/bounds
 
 # The simulated hardware in it is that of tier sim, unless TIER= says more. That PREFIX can be written is known first.
 hwffd plates mass-spring: TIER = sim
@@ -218,19 +218,19 @@ glapi:
 CELLS = $(if $(filter-out osu018,$(call given,TARGET)),,cells)
 synth:
 	$(INSTALL) engine $(CELLS)
-	@$(STUDY) --quiet synth -- scripts/synth -j $(JOBS) $(SYNTH_ARGUMENTS) $(AGAIN_ARGUMENT)
+	@$(STUDY) --quiet synth -- tools/synth -j $(JOBS) $(SYNTH_ARGUMENTS) $(AGAIN_ARGUMENT)
 
 synth-check:
 	$(INSTALL) engine $(CELLS)
-	@scripts/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+	@tools/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 synth-baseline:
 	$(INSTALL) engine cells
-	@scripts/synth_baseline write -j $(JOBS)
+	@tools/synth_baseline write -j $(JOBS)
 
 structure:
 	$(INSTALL) engine figures
-	@$(STUDY) structure -- scripts/structure -j $(JOBS)
+	@$(STUDY) structure -- tools/structure -j $(JOBS)
 
 # The texts as a site, with what `make web` has made.
 docs:
@@ -240,32 +240,32 @@ docs:
 # Everything that is drawn or filled in from reports.
 figures:
 	$(INSTALL) figures
-	@scripts/figures
+	@tools/figures
 
 pnr:
 	$(INSTALL) route
-	@$(STUDY) --quiet pnr,synth -- scripts/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT) $(AGAIN_ARGUMENT)
+	@$(STUDY) --quiet pnr,synth -- tools/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT) $(AGAIN_ARGUMENT)
 
 boards:
 	$(INSTALL) route
-	@$(STUDY) --quiet boards -- scripts/boards -j $(JOBS) $(call arguments,board:BOARD)
+	@$(STUDY) --quiet boards -- tools/boards -j $(JOBS) $(call arguments,board:BOARD)
 
 # PROFILE= of these or a site's own; WORK= which reports, SEEDS= of the soak.
-PROFILES = studies/workflow/profiles
+PROFILES = lab/workflow/profiles
 profile  = $(if $(call given,PROFILE),$(if $(wildcard $(PROFILES)/$(call given,PROFILE)),$(PROFILES)/)"$$HWFFD_GIVEN_PROFILE",$(PROFILES)/local)
 
 workflow:
 	$(INSTALL) build route figures workflow
 	$(call numbers,SEEDS)
 	$(CONFIGURE)
-	@$(BUILD)/venv/bin/snakemake --snakefile studies/workflow/Snakefile --directory $(BUILD) \
+	@$(BUILD)/venv/bin/snakemake --snakefile lab/workflow/Snakefile --directory $(BUILD) \
 	  --workflow-profile synth/profiles/default --profile $(profile) \
 	  $(if $(call given,JOBS),--cores $(JOBS) --jobs $(JOBS)) --config "root=$(CURDIR)" \
 	  $(if $(call given,WORK),"work=$$HWFFD_GIVEN_WORK") $(if $(call given,SEEDS),"soak_seeds=$$HWFFD_GIVEN_SEEDS")
 
 formal:
 	$(INSTALL) engine
-	@$(STUDY) --quiet formal -- scripts/formal -j $(JOBS) $(call arguments,only:ONLY)
+	@$(STUDY) --quiet formal -- tools/formal -j $(JOBS) $(call arguments,only:ONLY)
 
 test: override TIER = test
 test:
@@ -290,8 +290,8 @@ coverage:
 	$(INSTALL) test coverage
 	$(call numbers,SHARE)
 	$(CONFIGURE)
-	$(COMPILE) --target hwffd_tests
-	@$(STUDY) coverage -- build/venv/bin/python -B studies/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
+	$(COMPILE) --target hwffd_tests_test
+	@$(STUDY) coverage -- build/venv/bin/python -B lab/rtl_coverage -j $(JOBS) --share $(or $(call given,SHARE),1)
 
 # The test programs in a column of a table.
 programs_of = $(sort $(notdir $(shell tail -n +2 $1 | cut -d, -f$2)))
@@ -301,8 +301,8 @@ mutants:
 	$(INSTALL) build engine
 	$(call numbers,MUTANTS)
 	$(CONFIGURE)
-	$(COMPILE) --target $(foreach column,3 9,$(call programs_of,studies/mutants/subjects.csv,$(column)))
-	@$(STUDY) mutants -- python3 -B studies/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS)) $(AGAIN_ARGUMENT)
+	$(COMPILE) --target $(foreach column,3 9,$(call programs_of,lab/mutants/subjects.csv,$(column)))
+	@$(STUDY) mutants -- python3 -B lab/mutants -j $(JOBS) $(addprefix --mutants ,$(call given,MUTANTS)) $(AGAIN_ARGUMENT)
 
 # FLIPS= of each core in registers, and as many in memories.
 upsets:
@@ -310,12 +310,12 @@ upsets:
 	$(call numbers,FLIPS)
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd_upsets_programs
-	@$(STUDY) upsets -- python3 -B studies/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
+	@$(STUDY) upsets -- python3 -B lab/upsets -j $(JOBS) $(addprefix --flips ,$(call given,FLIPS))
 
 # NIGHTLY=1 proves the fused unit too, ten minutes. Answers are kept by the digest of the question.
 theorems:
 	$(INSTALL) theorems figures
-	@$(STUDY) theorems -- $(BUILD)/venv/bin/python -B studies/theorems -j $(JOBS) $(if $(filter-out 0,$(call given,NIGHTLY)),--nightly)
+	@$(STUDY) theorems -- $(BUILD)/venv/bin/python -B lab/theorems -j $(JOBS) $(if $(filter-out 0,$(call given,NIGHTLY)),--nightly)
 
 # N= cases of each unit and latency: 100000000 nightly.
 testfloat:
@@ -323,7 +323,7 @@ testfloat:
 	$(call numbers,N)
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-testfloat
-	@$(STUDY) testfloat -- $(BUILD)/studies/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
+	@$(STUDY) testfloat -- $(BUILD)/lab/testfloat/hwffd-testfloat --cases $(or $(call given,N),1000000)
 
 random:
 	$(INSTALL) build engines
@@ -337,13 +337,13 @@ soak:
 	$(INSTALL) build engines
 	$(call numbers,HOURS)
 	$(CONFIGURE)
-	$(COMPILE) --target $(call programs_of,studies/soak/traffic.csv,2)
-	@$(STUDY) soak -- python3 -B studies/soak -j $(JOBS) $(addprefix --hours ,$(call given,HOURS))
+	$(COMPILE) --target $(call programs_of,lab/soak/traffic.csv,2)
+	@$(STUDY) soak -- python3 -B lab/soak -j $(JOBS) $(addprefix --hours ,$(call given,HOURS))
 
 lint:
 	$(INSTALL) build lint
 	$(CONFIGURE)
-	@scripts/lint -j $(JOBS)
+	@tools/lint -j $(JOBS)
 
 clean:
 	@rm -rf build build-trace build-coverage

@@ -5,10 +5,11 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/hwffd)
 
 install(TARGETS hwffd EXPORT hwffd_core LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/hwffd
-  ${CMAKE_SOURCE_DIR}/golden/include/hwffd
-  ${CMAKE_SOURCE_DIR}/geometry/include/hwffd
-  ${CMAKE_SOURCE_DIR}/driver/include/hwffd
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  ${hwffd_SOURCE_DIR}/golden/include/hwffd
+  ${hwffd_SOURCE_DIR}/geometry/include/hwffd
+  ${hwffd_SOURCE_DIR}/cores/include/hwffd
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  PATTERN cores EXCLUDE)  # interfaces of simulated cores
 
 set(components core)
 if(NOT HWFFD_LIBRARY_ONLY)

@@ -21,21 +21,21 @@ foreach(column ORG N FORMAT)
     list(APPEND HWFFD_SELECTION --${option} ${HWFFD_${column}})
   endif()
 endforeach()
-set(HWFFD_GENERATED_DIR ${CMAKE_BINARY_DIR}/generated)
+set(HWFFD_GENERATED_DIR ${hwffd_BINARY_DIR}/generated)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 set(table ${HWFFD_RTL_DIR}/configurations.csv)
-set(script ${CMAKE_SOURCE_DIR}/scripts/configurations.py)
+set(script ${hwffd_SOURCE_DIR}/tools/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
   ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
   ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/bus/registers.csv
-  ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${CMAKE_SOURCE_DIR}/VERSION)
+  ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${hwffd_SOURCE_DIR}/VERSION)
 foreach(module configurations configuration_texts core_file formats formulas made module_header
     organizations organization_rtl register_rtl register_texts registers rtl stream_words tables
     version)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-    ${CMAKE_SOURCE_DIR}/scripts/${module}.py)
+    ${hwffd_SOURCE_DIR}/tools/${module}.py)
 endforeach()
 
 function(hwffd_generate)
@@ -45,7 +45,7 @@ function(hwffd_generate)
   endif()
 endfunction()
 
-execute_process(COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/scripts/made.py write
+execute_process(COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tools/made.py write
   RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a table is broken; see the line above")

@@ -1,6 +1,6 @@
 # Cores as yosys writes them in C++ (CXXRTL), as ordinary build steps.
 
-set(cxxrtl_include ${CMAKE_BINARY_DIR}/cxxrtl/include)
+set(cxxrtl_include ${hwffd_BINARY_DIR}/cxxrtl/include)
 hwffd_of_yosys(include ${cxxrtl_include} /backends/cxxrtl/cxxrtl.h)
 
 # hwffd_cxxrtl(<library> <row> <source> [<planted>])
@@ -8,10 +8,10 @@ hwffd_of_yosys(include ${cxxrtl_include} /backends/cxxrtl/cxxrtl.h)
 # Makes the static library of `hwffd_stream` of a row. The source is compiled with the macros
 # HWFFD_CXXRTL_HEADER and HWFFD_ROW. A planted file is taken for that of rtl/ of its name.
 function(hwffd_cxxrtl library row source)
-  set(made ${CMAKE_BINARY_DIR}/cxxrtl/${library}.cc)
+  set(made ${hwffd_BINARY_DIR}/cxxrtl/${library}.cc)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
-    OUTPUT ${made} ${CMAKE_BINARY_DIR}/cxxrtl/${library}.h
+    OUTPUT ${made} ${hwffd_BINARY_DIR}/cxxrtl/${library}.h
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/cxxrtl.py ${row} ${made} --planted ${ARGN}
     DEPENDS hwffd_of_yosys ${cxxrtl_include}/backends/cxxrtl/cxxrtl.h ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
             ${netlist_scripts}/cxxrtl.py ${netlist_scripts}/rtl.py
@@ -19,7 +19,7 @@ function(hwffd_cxxrtl library row source)
     VERBATIM)
   add_library(${library} STATIC EXCLUDE_FROM_ALL ${made} ${source})
   set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
-  target_include_directories(${library} SYSTEM PRIVATE ${cxxrtl_include} ${CMAKE_BINARY_DIR}/cxxrtl)
+  target_include_directories(${library} SYSTEM PRIVATE ${cxxrtl_include} ${hwffd_BINARY_DIR}/cxxrtl)
   target_compile_definitions(${library} PRIVATE
     HWFFD_CXXRTL_HEADER="${library}.h" HWFFD_ROW="${row}")
   target_compile_options(${library} PRIVATE -w -g0 -O1)

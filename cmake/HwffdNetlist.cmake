@@ -1,10 +1,10 @@
 # Netlists as ordinary build steps: a row of the table through yosys, and what comes out through
 # Verilator, with models of the target's cells. yosys is wanted by the steps, not while CMake configures.
 
-set(netlist_scripts ${CMAKE_SOURCE_DIR}/scripts)
-file(GLOB netlist_steps CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.ys
-     ${CMAKE_SOURCE_DIR}/synth/*/*.v ${CMAKE_SOURCE_DIR}/synth/*/*.map
-     ${CMAKE_SOURCE_DIR}/synth/*/*.txt)
+set(netlist_scripts ${hwffd_SOURCE_DIR}/tools)
+file(GLOB netlist_steps CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/synth/*.ys
+     ${hwffd_SOURCE_DIR}/synth/*/*.v ${hwffd_SOURCE_DIR}/synth/*/*.map
+     ${hwffd_SOURCE_DIR}/synth/*/*.txt)
 
 # hwffd_of_yosys(<name> <copy> [<file>])
 #
@@ -27,9 +27,9 @@ foreach(cells ecp5,ecp5 gw5a,gowin)
   string(REPLACE , ";" fields ${cells})
   list(GET fields 0 target)
   list(GET fields 1 folder)
-  set(copy ${CMAKE_BINARY_DIR}/netlists/cells/${target}.v)
+  set(copy ${hwffd_BINARY_DIR}/netlists/cells/${target}.v)
   hwffd_of_yosys(${folder}/cells_sim.v ${copy})
-  file(GLOB netlist_cells_${target} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tb/cells/${target}/*.v)
+  file(GLOB netlist_cells_${target} CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/tb/cells/${target}/*.v)
   set(netlist_library_${target} LIBRARY ${copy} AFTER hwffd_of_yosys)
 endforeach()
 
@@ -47,14 +47,14 @@ function(hwffd_netlist id target)
     string(REGEX REPLACE "_${ARGV2}$" "" row ${id})
     set(name ${HWFFD_CONFIGURATION_NAME_${row}}+${ARGV2})
   endif()
-  set(netlist ${CMAKE_BINARY_DIR}/netlists/${id}_${target}.v)
+  set(netlist ${hwffd_BINARY_DIR}/netlists/${id}_${target}.v)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${netlist}
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist.py
             ${name} ${target} ${netlist}
     DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
-            ${HWFFD_RTL_DIR}/organizations.csv ${CMAKE_SOURCE_DIR}/synth/variants.csv ${netlist_steps}
+            ${HWFFD_RTL_DIR}/organizations.csv ${hwffd_SOURCE_DIR}/synth/variants.csv ${netlist_steps}
             ${netlist_scripts}/netlist.py ${netlist_scripts}/synthesis.py ${netlist_scripts}/rtl.py
     COMMENT "Synthesizing the netlist of ${id} for ${target}"
     VERBATIM)
@@ -68,8 +68,8 @@ function(hwffd_faulty_netlist id)
   if(TARGET ${id}_fault_netlist)
     return()
   endif()
-  set(good ${CMAKE_BINARY_DIR}/netlists/${id}_ecp5.v)
-  set(faulty ${CMAKE_BINARY_DIR}/netlists/${id}_fault.v)
+  set(good ${hwffd_BINARY_DIR}/netlists/${id}_ecp5.v)
+  set(faulty ${hwffd_BINARY_DIR}/netlists/${id}_fault.v)
   add_custom_command(
     OUTPUT ${faulty}
     COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist_fault.py ${good} ${faulty}

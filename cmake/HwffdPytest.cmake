@@ -7,7 +7,7 @@ function(hwffd_pytest set suite)
   list(TRANSFORM pytest_ARGUMENTS PREPEND --argument=)
   foreach(name IN LISTS pytest_UNPARSED_ARGUMENTS)
     add_test(NAME ${suite}.${name}
-      COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_SOURCE_DIR}/tests/in_venv.py ${set}
+      COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
               -m pytest ${CMAKE_CURRENT_SOURCE_DIR}/test_${name}.py ${pytest_ARGUMENTS})
     set_tests_properties(${suite}.${name} PROPERTIES LABELS test TIMEOUT 600)
   endforeach()

@@ -51,8 +51,8 @@ class Checkout:
         return done.returncode, done.stdout, done.stderr
 
     def script(self, name, *words, **more):
-        """The same of one of scripts/."""
-        return self.run(sys.executable, "-B", ROOT / "scripts" / name, *words, **more)
+        """The same of one of tools/."""
+        return self.run(sys.executable, "-B", ROOT / "tools" / name, *words, **more)
 
     def git(self, *words):
         subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",

@@ -1,9 +1,9 @@
-"""Runs a test's program by the interpreter of build/venv. Where scripts/install has not installed
+"""Runs a test's program by the interpreter of build/venv. Where tools/install has not installed
 what it needs, the test is skipped if it has SKIP_RETURN_CODE, and fails otherwise.
 
     in_venv.py SET PROGRAM ARGUMENT...
 
-SET is that of scripts/packages.txt which the test wants.
+SET is that of tools/packages.txt which the test wants.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -19,7 +19,7 @@ SKIPPED = 77
 def main():
     wanted, *program = sys.argv[1:]
     if not (VENV / f"requirements-{wanted}.txt").is_file():
-        print(f"skipped: packages are missing in build/venv: run scripts/install {wanted}")
+        print(f"skipped: packages are missing in build/venv: run tools/install {wanted}")
         return SKIPPED
     python = str(VENV / "bin" / "python")
     sys.stdout.flush()

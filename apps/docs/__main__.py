@@ -75,7 +75,7 @@ def main():
     build = options.build.resolve()
     source = (options.source or build / "docs-source").resolve()
     if not importlib.util.find_spec("mkdocs"):
-        print("docs: mkdocs not found: run scripts/install docs", file=sys.stderr)
+        print("docs: mkdocs not found: run tools/install docs", file=sys.stderr)
         return 1
     try:
         if not options.source:

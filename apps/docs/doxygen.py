@@ -59,7 +59,7 @@ def run(root, output):
     try:
         done = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True, check=False)
     except FileNotFoundError as error:
-        raise DoxygenError("doxygen not found: run scripts/install docs") from error
+        raise DoxygenError("doxygen not found: run tools/install docs") from error
     if done.returncode != 0:
         raise DoxygenError(f"doxygen failed: {done.stderr.strip().splitlines()[-1]}")
     return output / "xml"

@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "studies"), str(ROOT / "apps" / "web")]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab"), str(ROOT / "apps" / "web")]
 
 PAGE = ROOT / "apps" / "web" / "page"
 THREE = pathlib.Path("/usr/share/javascript/three")

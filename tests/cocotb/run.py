@@ -9,7 +9,7 @@ import sys
 from cocotb.runner import get_results, get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts"))
+sys.path.insert(0, str(HERE.parents[1] / "tools"))
 
 import rtl  # noqa: E402
 

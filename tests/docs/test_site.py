@@ -121,7 +121,7 @@ def site(tmp_path_factory):
     """make docs in a folder of its own."""
     for program in ("doxygen", "dot"):
         if not shutil.which(program):
-            pytest.skip(f"no {program}: run scripts/install docs")
+            pytest.skip(f"no {program}: run tools/install docs")
     build = tmp_path_factory.mktemp("site")
     done = subprocess.run([sys.executable, "-B", ROOT / "apps" / "docs", "--build", build], text=True, check=False,
                           capture_output=True)

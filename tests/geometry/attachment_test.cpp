@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "embed/samples.hpp"
 #include "errors.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/closure.hpp"
@@ -18,6 +17,7 @@
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
 #include "same_bits.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {
@@ -79,7 +79,7 @@ Lattice unit_box() { return Box(Point::Zero(), kUnit).lattice({5, 4, 4}); }
 
 /// The points when the lattice they are attached to is deformed.
 Points followed(const Attachment& attachment, const Lattice& deformed) {
-  return attachment.follow(embed::points_at(Embedder(deformed), attachment.places()));
+  return attachment.follow(test::points_at(Embedder(deformed), attachment.places()));
 }
 
 Attachment attached(const Lattice& rest, const Points& points, const char* outside) {
@@ -146,7 +146,7 @@ struct AcrossFaces {
     const Index3 cells = lattice.cells();
     std::vector<Point> in;
     std::vector<Point> out;
-    for (Embedded at : embed::known_places(lattice, 600, 4)) {
+    for (Embedded at : test::known_places(lattice, 600, 4)) {
       for (std::size_t f = 0; f < 6; ++f) {
         const std::size_t axis = f / 2;
         const int end = static_cast<int>(f % 2);
@@ -187,7 +187,7 @@ class AttachmentKind : public testing::TestWithParam<std::string> {};
 
 /// The displacement is continuous across the faces with clamp and fade; with keep it jumps.
 TEST_P(AttachmentKind, DisplacementIsContinuousAcrossFaces) {
-  const Lattice rest = embed::sample_lattice(GetParam(), embed::corners());
+  const Lattice rest = test::sample_lattice(GetParam(), test::corners());
   const Lattice deformed = Deformation::parse("bend:50").apply(rest);
   const double size = Embedder(rest).size();
   const AcrossFaces pairs(rest, 1e-7 * size);
@@ -209,7 +209,7 @@ TEST_P(AttachmentKind, DisplacementIsContinuousAcrossFaces) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, AttachmentKind, testing::ValuesIn(embed::lattice_kinds()),
+INSTANTIATE_TEST_SUITE_P(, AttachmentKind, testing::ValuesIn(test::lattice_kinds()),
                          test::by_name);
 
 TEST(Attachment, TornEdgesAreCountedOnce) {

@@ -10,9 +10,6 @@
 #include <cstdio>
 #include <random>
 
-#include "embed/report.hpp"
-#include "embed/samples.hpp"
-#include "embed/study.hpp"
 #include "errors.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
@@ -21,6 +18,7 @@
 #include "hwffd/lattice/sphere.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "named.hpp"
+#include "sample_lattices.hpp"
 #include "uniform.hpp"
 
 namespace hwffd {
@@ -32,13 +30,13 @@ constexpr std::size_t kPoints = 10000;
 const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
 
 Embedder around_corners(const std::string& kind) {
-  return Embedder(embed::sample_lattice(kind, embed::corners()));
+  return Embedder(test::sample_lattice(kind, test::corners()));
 }
 
 /// Embeds points of known places: all must be inside and come back.
 EmbeddingSummary expect_back(const Embedder& embedder, std::size_t count, std::uint64_t seed) {
-  const auto places = embed::known_places(embedder.lattice(), count, seed);
-  const Points points = embed::points_at(embedder, places);
+  const auto places = test::known_places(embedder.lattice(), count, seed);
+  const Points points = test::points_at(embedder, places);
   const std::vector<Embedding> found = embedder.embed(points);
   EXPECT_EQ(found.size(), count);
   double worst = 0.0;
@@ -76,7 +74,7 @@ TEST_P(EmbedderKind, MeshesAreEmbedded) {
       continue;
     }
     const Points points = Mesh::load(path).positions();
-    const Embedder embedder(embed::sample_lattice(GetParam(), points));
+    const Embedder embedder(test::sample_lattice(GetParam(), points));
     const EmbeddingSummary summary = summarize(embedder.embed(points));
     EXPECT_EQ(summary.not_converged, 0u) << name;
     EXPECT_EQ(summary.inside + summary.outside, static_cast<std::size_t>(points.rows())) << name;
@@ -90,7 +88,7 @@ TEST_P(EmbedderKind, MeshesAreEmbedded) {
   if (meshes == 0) GTEST_SKIP() << "no cat.3ds, horse.3ds or bunny.obj; package glmark2-data";
 }
 
-INSTANTIATE_TEST_SUITE_P(, EmbedderKind, testing::ValuesIn(embed::lattice_kinds()), test::by_name);
+INSTANTIATE_TEST_SUITE_P(, EmbedderKind, testing::ValuesIn(test::lattice_kinds()), test::by_name);
 
 /// Coarse, stretched and far away: three cells around, one along each other axis it allows.
 TEST(Embedder, ExtremeLatticesComeBack) {
@@ -130,7 +128,7 @@ TEST(Embedder, FindsWhatPlainNewtonMisses) {
   const Lattice lattice = crooked_cell();
   const Embedder embedder(lattice);
   expect_back(embedder, 3000, 7);
-  const Points points = embed::points_at(embedder, embed::known_places(lattice, 3000, 7));
+  const Points points = test::points_at(embedder, test::known_places(lattice, 3000, 7));
   int missed = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     if (plain_newton(lattice, Point(points.row(i))) == 0) ++missed;
@@ -205,18 +203,6 @@ TEST(Embedder, Summary) {
   EXPECT_EQ(summarize({}).mean_iterations, 0.0);
 }
 
-TEST(EmbedReport, RowsAndFields) {
-  const std::vector<embed::Row> rows = embed::by_construction(50, 3);
-  ASSERT_EQ(rows.size(), embed::lattice_kinds().size());
-  const std::string json = embed::json_report(rows, 12.5);
-  for (const char* const field :
-       {"\"mesh\": \"by construction\"", "\"lattice\": \"sphere\"", "\"points\": 50",
-        "\"inside\": 50", "\"not_converged\": 0",
-        "\"max_residual_relative\": ", "\"newton_mean_iterations\": ", "\"folds\": \"proved"}) {
-    expect_part(json, field);
-  }
-}
-
 /// Points within `reach` sizes of the lattice's middle that are outside.
 Points points_outside(const Embedder& embedder, int count, double reach, std::uint64_t seed) {
   const Points& control = embedder.lattice().points();
@@ -241,7 +227,7 @@ Points sampled(const Embedder& embedder, int n) {
       grid.push_back({cell, Eigen::Vector3d(i, j, k) / (n - 1), true});
     }
   }
-  return embed::points_at(embedder, grid);
+  return test::points_at(embedder, grid);
 }
 
 struct Case {
@@ -252,13 +238,13 @@ struct Case {
 std::vector<Case> cases() {
   Eigen::Matrix3d slanted;
   slanted << 1, 0.6, 0, 0, 1, 0.3, 0.2, 0, 2;
-  return {{"box", embed::sample_lattice("box", embed::corners())},
+  return {{"box", test::sample_lattice("box", test::corners())},
           {"slanted", Box(Point(1, 2, 3), slanted).lattice({4, 5, 6})},
-          {"cylinder", embed::sample_lattice("cylinder", embed::corners())},
+          {"cylinder", test::sample_lattice("cylinder", test::corners())},
           {"tube", Cylinder(Point::Zero(), slanted, 0.6).lattice({4, 4, 9})},
-          {"sphere", embed::sample_lattice("sphere", embed::corners())},
+          {"sphere", test::sample_lattice("sphere", test::corners())},
           {"shell", Sphere(Point::Ones(), kUnit, 0.5).lattice({4, 6, 8})},
-          {"custom", embed::sample_lattice("custom", embed::corners())}};
+          {"custom", test::sample_lattice("custom", test::corners())}};
 }
 
 /// The place is one of the lattice, and no sampled one is nearer.
@@ -341,7 +327,7 @@ TEST(NearestPlace, ClampedAxesEndWhereBsplinesClose) {
 /// poles.
 TEST(NearestPlace, NeighboursHaveNeighbouringPlaces) {
   for (const char* const kind : {"box", "cylinder", "sphere"}) {
-    const Embedder embedder(embed::sample_lattice(kind, embed::corners()));
+    const Embedder embedder(test::sample_lattice(kind, test::corners()));
     const NearestPlace nearest(embedder.lattice());
     const double step = 1e-6 * embedder.size();
     const Points points = points_outside(embedder, 400, 0.8, 7);
@@ -363,7 +349,7 @@ TEST(NearestPlace, SearchIsBounded) {
   EXPECT_NEAR(inside.distance, 0.5, 1e-3);
   EXPECT_LT(inside.parts, 2500);
   double parts = 0.0;
-  const Embedder embedder(embed::sample_lattice("sphere", embed::corners()));
+  const Embedder embedder(test::sample_lattice("sphere", test::corners()));
   const NearestPlace sphere(embedder.lattice());
   const Points points = points_outside(embedder, 200, 0.7, 6);
   for (Eigen::Index i = 0; i < points.rows(); ++i) parts += sphere.find(Point(points.row(i))).parts;

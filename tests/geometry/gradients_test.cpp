@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "embed/samples.hpp"
 #include "errors.hpp"
 #include "hwffd/lattice/attachment.hpp"
 #include "hwffd/lattice/box.hpp"
@@ -15,6 +14,7 @@
 #include "hwffd/lattice/outside.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "named.hpp"
+#include "sample_lattices.hpp"
 #include "uniform.hpp"
 
 namespace hwffd {
@@ -26,7 +26,7 @@ Lattice unit_box() { return Box(Point::Zero(), kUnit).lattice({5, 4, 4}); }
 
 /// The points when the lattice they are attached to is deformed.
 Points followed(const Attachment& attachment, const Lattice& deformed) {
-  return attachment.follow(embed::points_at(Embedder(deformed), attachment.places()));
+  return attachment.follow(test::points_at(Embedder(deformed), attachment.places()));
 }
 
 Attachment attached(const Lattice& rest, const Points& points, const std::string& outside) {
@@ -43,11 +43,11 @@ Points four_points() {
 class GradientsKind : public testing::TestWithParam<std::string> {};
 
 TEST_P(GradientsKind, InsideAgainstCentralDifferences) {
-  const Lattice rest = embed::sample_lattice(GetParam(), embed::corners());
+  const Lattice rest = test::sample_lattice(GetParam(), test::corners());
   const Lattice deformed = Deformation::parse("bend:50").apply(rest);
   const Embedder embedder(rest);
   const double step = 1e-5 * embedder.size();
-  const Points points = embed::points_at(embedder, embed::known_places(rest, 300, 9));
+  const Points points = test::points_at(embedder, test::known_places(rest, 300, 9));
   const Attachment attachment = attached(rest, points, "clamp");
   const std::vector<Eigen::Matrix3d> gradients = attachment.gradients(deformed);
   std::array<Points, 6> shifted;
@@ -88,7 +88,7 @@ TEST_P(GradientsKind, InsideAgainstCentralDifferences) {
 
 /// Where points outside follow, too; there the cells that are compared with end.
 TEST_P(GradientsKind, OutsideAgainstCentralDifferences) {
-  const Lattice rest = embed::sample_lattice(GetParam(), embed::corners());
+  const Lattice rest = test::sample_lattice(GetParam(), test::corners());
   const Lattice deformed = Deformation::parse("bend:50").apply(rest);
   const Embedder embedder(rest);
   const double size = embedder.size();
@@ -131,7 +131,7 @@ TEST_P(GradientsKind, OutsideAgainstCentralDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, GradientsKind, testing::ValuesIn(embed::lattice_kinds()), test::by_name);
+INSTANTIATE_TEST_SUITE_P(, GradientsKind, testing::ValuesIn(test::lattice_kinds()), test::by_name);
 
 TEST(Gradients, OfPointsOutside) {
   const Points points = four_points();

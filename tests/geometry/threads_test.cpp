@@ -8,13 +8,13 @@
 #include <thread>
 
 #include "cube.hpp"
-#include "embed/samples.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/lattice_evaluator.hpp"
 #include "hwffd/lattice/weights.hpp"
 #include "hwffd/on_threads.hpp"
 #include "same_bits.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {
@@ -133,7 +133,7 @@ TEST_F(Threads, BitsDoNotDependOnTheirNumber) {
     set_thread_count(threads);
     const Attachment attachment(rest, points.topRows(500), Outside::parse("clamp"));
     const Oracle::Coefficients bspline = Oracle::uniform_bspline();
-    std::vector<Embedded> places = embed::known_places(rest, kPoints, 1);
+    std::vector<Embedded> places = test::known_places(rest, kPoints, 1);
     std::vector<Points> results{
         evaluate_in(deformed, places, {bspline, bspline, bspline}),
         attachment.follow(evaluate_in(deformed, attachment.places(), {bspline, bspline, bspline})),

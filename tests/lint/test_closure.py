@@ -1,4 +1,4 @@
-"""scripts/closure.py finds the package that scripts/packages.txt lacks: with stand-ins for apt, dpkg and ninja.
+"""tools/closure.py finds the package that tools/packages.txt lacks: with stand-ins for apt, dpkg and ninja.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -33,7 +33,7 @@ def check(checkout, monkeypatch):
     (checkout.root / "bin" / "sh").symlink_to("/bin/sh")
 
     def checked(table):
-        checkout.put({"scripts/packages.txt": table})
+        checkout.put({"tools/packages.txt": table})
         return closure.check(checkout.root, checkout.root / "build")[1]
     return checked
 
@@ -46,12 +46,12 @@ def test_a_package_that_is_missing_is_named(check):
 
 
 def test_sets_of_the_project():
-    found = closure.sets((ROOT / "scripts" / "packages.txt").read_text())
+    found = closure.sets((ROOT / "tools" / "packages.txt").read_text())
     build = [row[0] for row in closure.rows_of(found, "build")]
     assert "verilator" in build and "yosys" not in build
     assert set(build) < {row[0] for row in closure.rows_of(found, "test")}
     wanted = {word for line in (ROOT / "Makefile").read_text().splitlines() if line.startswith("\t$(INSTALL)")
               for word in line.replace("$(CELLS)", "cells").split()[1:]}
     assert wanted <= set(found)
-    for path in (ROOT / "scripts").glob("requirements-*.txt"):
+    for path in (ROOT / "tools").glob("requirements-*.txt"):
         assert path.stem.removeprefix("requirements-") in found

@@ -1,4 +1,4 @@
-"""The Makefile hands hwffd-sim what was asked for, and scripts/install asks for what is missing;
+"""The Makefile hands hwffd-sim what was asked for, and tools/install asks for what is missing;
 both against stand-ins for the programs that they start.
 
 SPDX-License-Identifier: Apache-2.0
@@ -35,12 +35,12 @@ def run(checkout):
 def make(checkout, programs, run):
     """(exit status, lines that are printed, complaints)"""
     checkout.copy("Makefile")
-    checkout.put({"scripts/run_tests": '#!/bin/sh\nshift\nexec "$@"\n'}, 0o755)
+    checkout.put({"tools/run_tests": '#!/bin/sh\nshift\nexec "$@"\n'}, 0o755)
     programs(scripts__install='echo "install $*"', scripts__lint="exit 0", scripts__figures="""
 [ "$1" != measure ] && { echo figures; exit; }
 while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
     programs(**{f"bin__{tool}": f'echo "{tool} $*"' for tool in ("cmake", "ctest")},
-             **{"scripts__configurations.py": "exit 0"})
+             **{"tools__configurations.py": "exit 0"})
     for build in ("build", "build-trace"):
         programs(**{f"{build}__apps__hwffd_sim": f"echo {build}; {SHOW}; " + 'exit "${STATUS:-0}"'})
 
@@ -104,7 +104,7 @@ def test_tests_end_with_ctest(make, target, label):
 
 @pytest.mark.parametrize("name", ("words", "embed", "tangents"))
 def test_a_study_builds_one_program_and_runs_it(make, programs, name):
-    programs(**{f"build__studies__hwffd_{name}": f'echo "{name}<$*>"'})
+    programs(**{f"build__lab__hwffd_{name}": f'echo "{name}<$*>"'})
     lines = make(name)[1]
     assert lines[-2].endswith(f" --target hwffd-{name}")
     assert lines[-1] == f"{name}<>"
@@ -114,11 +114,11 @@ def test_compare_builds_its_program_and_runs_it_beside_others(make, programs):
     programs(build__venv__bin__python='echo "python<$*>"')
     lines = make("compare")[1]
     assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
-    assert lines[-1] == "python<-B studies/compare>"
+    assert lines[-1] == "python<-B lab/compare>"
 
 
 def test_bfp_selects_rows_of_its_format(make, programs):
-    programs(**{"scripts__configurations.py": ":", "build__studies__hwffd_bfp": 'echo "bfp<$*>"'})
+    programs(**{"tools__configurations.py": ":", "build__lab__hwffd_bfp": 'echo "bfp<$*>"'})
     lines = make("bfp", "ORG=basic", "FORMAT=fx18")[1]
     assert {"-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"} <= set(lines[-3].split())
     assert "-DHWFFD_FORMAT=fx18" not in lines[-3]
@@ -141,13 +141,13 @@ def test_synth(make, programs):
 
 def test_workflow(make, programs, checkout):
     programs(build__venv__bin__snakemake=SHOW)
-    (checkout.root / "studies" / "workflow" / "profiles" / "slurm").mkdir(parents=True)
-    start = ("<--snakefile><studies/workflow/Snakefile><--directory><build><--workflow-profile>"
+    (checkout.root / "lab" / "workflow" / "profiles" / "slurm").mkdir(parents=True)
+    start = ("<--snakefile><lab/workflow/Snakefile><--directory><build><--workflow-profile>"
              "<synth/profiles/default><--profile>")
     config = f"<--config><root={checkout.root}>"
-    assert make("workflow", PROFILE="slurm")[1][-1] == f"{start}<studies/workflow/profiles/local>{config}"
+    assert make("workflow", PROFILE="slurm")[1][-1] == f"{start}<lab/workflow/profiles/local>{config}"
     assert make("workflow", "PROFILE=slurm", "WORK=soak pnr", "SEEDS=3", "JOBS=9")[1][-1] == (
-        f"{start}<studies/workflow/profiles/slurm><--cores><9><--jobs><9>{config}<work=soak pnr><soak_seeds=3>")
+        f"{start}<lab/workflow/profiles/slurm><--cores><9><--jobs><9>{config}<work=soak pnr><soak_seeds=3>")
     assert make("workflow", "PROFILE=ours $HOME;'", "WORK=")[1][-1] == f"{start}<ours $HOME;'>{config}"
 
 
@@ -172,9 +172,9 @@ def test_a_wrong_word_is_refused_before_anything_is_built(make, words, complaint
     ("FORMAT=fp16", "FORMAT=fp16: unknown here: one of fp32"), ("ORG=foo", "ORG=foo: unknown here: one of basic"),
     ("SCHEDULE=x", "SCHEDULE=x: unknown here: one of paper, overlapped")))
 def test_a_row_that_is_not_there_is_refused_before_anything_is_built(make, checkout, word, complaint):
-    checkout.copy("rtl", "scripts/configurations.py")
-    for script in (ROOT / "scripts").glob("*.py"):
-        checkout.copy(f"scripts/{script.name}")
+    checkout.copy("rtl", "tools/configurations.py")
+    for script in (ROOT / "tools").glob("*.py"):
+        checkout.copy(f"tools/{script.name}")
     checkout.copy("VERSION")
     status, lines, errors = make("sim", word)
     assert status == 2 and complaint in errors
@@ -182,8 +182,8 @@ def test_a_row_that_is_not_there_is_refused_before_anything_is_built(make, check
 
 
 def test_what_an_earlier_command_configured_does_not_stay(make, programs):
-    programs(**{"scripts__configurations.py": ":", "build__studies__hwffd_organizations": "exit 0",
-                "build__studies__hwffd_words": "exit 0"})
+    programs(**{"tools__configurations.py": ":", "build__lab__hwffd_organizations": "exit 0",
+                "build__lab__hwffd_words": "exit 0"})
 
     def configured(*words):
         (line,) = (line for line in make(*words)[1] if line.startswith("cmake -S"))
@@ -207,9 +207,9 @@ HERE, ALL = "printf 'installed:lib-here{}'; exit 1", " installed:lib-gone instal
 @pytest.fixture
 def install(checkout, programs, run):
     """(exit status, lines of messages, apt-get's command lines)"""
-    checkout.copy("scripts/install")
-    checkout.put({"scripts/python_env": '#!/bin/sh\necho "python $*" >&2\n'}, 0o755)
-    checkout.put({"scripts/packages.txt":
+    checkout.copy("tools/install")
+    checkout.put({"tools/python_env": '#!/bin/sh\necho "python $*" >&2\n'}, 0o755)
+    checkout.put({"tools/packages.txt":
                   "# comment\n\n[build] libraries # of C++\nshell sh\n[other]\nlib-other -\n"
                   "[libraries]\nlib-here -\nlib-gone -\ndata-gone - optional\n"})
     programs(bin__verilator="echo 'Verilator 5.006 2023-01-22 rev (Debian 5.006-3)'",
@@ -217,7 +217,7 @@ def install(checkout, programs, run):
 
     def installed(*sets, **variables):
         checkout.put({"apt.log": ""})
-        status, _, errors = run("scripts/install", *(sets or ("build",)), **variables)
+        status, _, errors = run("tools/install", *(sets or ("build",)), **variables)
         return status, errors.splitlines(), checkout.text("apt.log").splitlines()
     return installed
 
@@ -240,9 +240,9 @@ def test_installs_what_is_missing(install):
     assert (status, len(asked)) == (0, 2)
     for line, end in zip(asked, ("update", "install .*--no-install-recommends lib-gone data-gone")):
         assert re.search(f"^noninteractive .* {end}$", line)
-    assert "scripts/install: installing 1 Debian packages (2 MB to fetch): lib-gone data-gone" in messages
+    assert "tools/install: installing 1 Debian packages (2 MB to fetch): lib-gone data-gone" in messages
     assert [line for line in messages if "%" in line][-2:] == [
-        "scripts/install: 40 % installed", "scripts/install: 80 % installed"]
+        "tools/install: 40 % installed", "tools/install: 80 % installed"]
     assert len(messages) < 12
 
 
@@ -271,7 +271,7 @@ def test_no_install(install, programs):
 
 
 def test_no_install_ends_where_a_program_is_missing(install, checkout):
-    checkout.put({"scripts/packages.txt": "[build]\ntool tool-that-is-not-there\n"})
+    checkout.put({"tools/packages.txt": "[build]\ntool tool-that-is-not-there\n"})
     status, (message,), asked = install(HWFFD_NO_INSTALL="1")
     assert (status, asked) == (1, [])
     assert message.endswith("not found: tool-that-is-not-there; to install: apt-get install --no-install-recommends tool")

@@ -1,4 +1,4 @@
-"""scripts/configurations.py: what it reads, writes and refuses.
+"""tools/configurations.py: what it reads, writes and refuses.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -109,7 +109,7 @@ def test_only_the_interrupt_is_left_out(sta):
 def test_nextpnr_constrains_the_clock(checkout, command, name, flip_flop, mhz):
     tool = shutil.which(command[0]) or shutil.which(command[0], path=ROOT / "build/venv/bin")
     if not tool:
-        pytest.skip(f"no {command[0]}: run scripts/install route")
+        pytest.skip(f"no {command[0]}: run tools/install route")
     checkout.put({"top.v": "module top (input aclk, input d, output reg q);\n"
                            "  always @(posedge aclk) q <= d;\nendmodule\n"})
     checkout.copy(f"synth/constraints/{name}")  # a router from PyPI sees the folder it runs in

@@ -1,4 +1,4 @@
-"""scripts/formal on a small copy of the tree: what it proves, refutes, refuses, keeps and reports.
+"""tools/formal on a small copy of the tree: what it proves, refutes, refuses, keeps and reports.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -14,7 +14,7 @@ import pytest
 import rtl
 from rtl import ROOT
 
-SOURCE, HARNESSED = "rtl/stream/ffd_stream_count.v", "tests/formal/formal_count.v"
+SOURCE, HARNESSED = "rtl/stream/ffd_stream_count.v", "lab/formal/formal_count.v"
 COUNTER = """\
 `default_nettype none
 module ffd_stream_count (
@@ -69,7 +69,7 @@ def table(checkout):
     def put(*rows):
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows([proofs.COLUMNS, *rows])
-        checkout.put({"tests/formal/properties.csv": text.getvalue()})
+        checkout.put({"lab/formal/properties.csv": text.getvalue()})
     put(GOOD)
     return put
 
@@ -180,7 +180,7 @@ def test_harnesses_that_are_refused(checkout, table, refused):
     table(row(name="other"))
     refused("the harness has not exactly one assertion of this name")
     table(row(harness="formal_other"))
-    refused("no harness tests/formal/formal_other.v")
+    refused("no harness lab/formal/formal_other.v")
     table(GOOD)
     checkout.put({HARNESSED: HARNESS.replace(
         "wire [3:0] count;", "wire [3:0] count;\n  (* hierconn *) wire \\u_dut.none_q ;"
@@ -202,20 +202,20 @@ def test_tables_that_are_refused(table, refused, rows, word):
 
 
 def test_another_head_and_bad_requests(checkout, table, formal, refused):
-    checkout.put({"tests/formal/properties.csv": "module,name\n"})
+    checkout.put({"lab/formal/properties.csv": "module,name\n"})
     refused("the first line must be module,name,harness")
     table(GOOD)
     assert formal("--only", "x*")[0] == formal("--limit", "x")[0] == 2
 
 
 SOURCES = rtl.Sources(ROOT)
-SHARED = "".join(path.read_text() for path in (ROOT / "tests/formal").glob("properties_*.v"))
+SHARED = "".join(path.read_text() for path in (ROOT / "lab/formal").glob("properties_*.v"))
 
 
-@pytest.mark.parametrize("one", proofs.read(ROOT / "tests/formal/properties.csv"),
+@pytest.mark.parametrize("one", proofs.read(ROOT / "lab/formal/properties.csv"),
                          ids=lambda one: one.full_name)
 def test_rows_of_this_tree(one):
     assert one.module in SOURCES.files
     assert SOURCES.files[one.file].read_text().count(one.original) == 1
-    text = (ROOT / "tests/formal" / f"{one.harness}.v").read_text() + SHARED
+    text = (ROOT / "lab/formal" / f"{one.harness}.v").read_text() + SHARED
     assert re.search(rf"\b{re.escape(one.name.split('.')[-1])}: assert", text)

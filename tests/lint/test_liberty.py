@@ -1,4 +1,4 @@
-"""scripts/liberty.py reads the cells of a library, and agrees with yosys on those of OSU 0.18 um.
+"""tools/liberty.py reads the cells of a library, and agrees with yosys on those of OSU 0.18 um.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -97,16 +97,16 @@ REACHED = (
         stream_words.HEADER: "kStatusClamped = 1U << 18;"}),
     (registers.TABLE, (("value,3:0,rw,0", "value,4:0,rw,5"),), {
         "rtl/bus/ffd_bus_registers.v": "ring_log2_size_o <= 5'h5;",
-        "driver/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
+        "cores/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
         "docs/registers.md": "| 4:0 | `value` | rw | 0x5 |"}),
     (registers.TABLE, ((",no_lattice,4,", ",without_lattice,4,"),), {
         "rtl/stream/ffd_events.vh": "`define FFD_EVENT_WITHOUT_LATTICE      4\n",
         "golden/include/hwffd/stream/events.hpp": "  kWithoutLattice = 4,\n",
-        "driver/include/hwffd/registers.h": "HWFFD_ERROR_STATUS_WITHOUT_LATTICE_SHIFT 4\n",
+        "cores/include/hwffd/registers.h": "HWFFD_ERROR_STATUS_WITHOUT_LATTICE_SHIFT 4\n",
         "docs/registers.md": "| 4 | `without_lattice` |"}),
     (version.FILE, ((str(version.read(ROOT)), "3.41.59"),), {
         version.HEADER: '#define HWFFD_VERSION "3.41.59"\n',
-        "driver/include/hwffd/registers.h": "HWFFD_VERSION_MAJOR_RESET 0x3u",
+        "cores/include/hwffd/registers.h": "HWFFD_VERSION_MAJOR_RESET 0x3u",
         "rtl/bus/ffd_bus_registers.v": "{16'h3, 8'h29, 8'h3b}",
         "docs/registers.md": "| `minor` | const | 0x29 |",
         core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"'}),
@@ -242,7 +242,7 @@ def test_a_new_source_is_listed(tree, write):
     ("rtl/bus/ffd_bus_parameters.vh", "AXIS  ", "AXES  "), ("rtl/hwffd.f", "number/ffd_num_add.v\n", "")))
 def test_a_parameter_or_a_file_more_makes_the_core_file_stale(tree, check, name, old, new):
     replace(tree, name, (old, new))
-    assert (f"made.py: {core_file.NAME}: not what it is made from says: run scripts/made.py write"
+    assert (f"made.py: {core_file.NAME}: not what it is made from says: run tools/made.py write"
             in check()[2])
 
 
@@ -283,6 +283,6 @@ def test_cmake_reads_the_version_and_no_other_place_says_it():
     assert re.search(r"(?m)^project\(hwffd VERSION \$\{HWFFD_VERSION\}", text)
     number = re.escape(str(version.read(ROOT)))
     for pattern in ("CMakeLists.txt", "*/CMakeLists.txt", "cmake/*.cmake", "api/**/*.[ch]pp",
-                    "apps/**/*.[ch]pp", "scripts/*.py", "rtl/bus/registers.csv"):
+                    "apps/**/*.[ch]pp", "tools/*.py", "rtl/bus/registers.csv"):
         for path in ROOT.glob(pattern):
             assert not re.search(rf"\b{number}\b", path.read_text()), path

@@ -1,4 +1,4 @@
-"""scripts/mapped.py counts what yosys counts, and finds the depth that `ltp` finds; by hand where
+"""tools/mapped.py counts what yosys counts, and finds the depth that `ltp` finds; by hand where
 there is no such command: carry chains, memories, registers inside multipliers, hierarchies.
 
 SPDX-License-Identifier: Apache-2.0

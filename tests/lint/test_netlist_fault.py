@@ -1,4 +1,4 @@
-"""scripts/netlist_fault.py: one LUT of the unit is inverted, nothing else; where there is none it
+"""tools/netlist_fault.py: one LUT of the unit is inverted, nothing else; where there is none it
 says so.
 
 SPDX-License-Identifier: Apache-2.0

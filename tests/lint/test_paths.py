@@ -1,4 +1,4 @@
-"""scripts/paths.py finds a combinational path wherever it hides, and none where a register cuts it;
+"""tools/paths.py finds a combinational path wherever it hides, and none where a register cuts it;
 the modules behind AXI4-Lite have none, nor has the DMA engine on its buses.
 
 SPDX-License-Identifier: Apache-2.0

@@ -1,4 +1,4 @@
-"""scripts/pnr with stand-ins for yosys and the router: what is routed, kept, reported and refused;
+"""tools/pnr with stand-ins for yosys and the router: what is routed, kept, reported and refused;
 and the real table of clocks.
 
 SPDX-License-Identifier: Apache-2.0

@@ -1,4 +1,4 @@
-"""scripts/run_tests names what was skipped, before ctest's closing lines: with a stand-in for ctest.
+"""tools/run_tests names what was skipped, before ctest's closing lines: with a stand-in for ctest.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -32,11 +32,11 @@ def run(checkout):
 
 
 PASSED = ("golden.a", "run", "[       OK ] a (1 ms)")
-WHOLE = ("theorems.small", "notrun", "skipped: packages are missing in build/venv: run scripts/install theorems")
+WHOLE = ("theorems.small", "notrun", "skipped: packages are missing in build/venv: run tools/install theorems")
 IN_PYTEST = ("energy.power", "run", "SKIPPED [2] tests/x.py:178: no iverilog\n3 passed, 2 skipped in 1 s")
 IN_UNITTEST = ("hwffd.install", "run", "test_a (x.Programs.test_a) ... skipped 'no models of glmark2'\nOK (skipped=1)")
-BROWSER = ("web.page", "notrun", "skipped: chromium is not there: scripts/install web")
-ROUTE = ("lint.constraints", "run", "SKIPPED [1] tests/lint/test_constraints.py:112: no nextpnr-ecp5: run scripts/install route")
+BROWSER = ("web.page", "notrun", "skipped: chromium is not there: tools/install web")
+ROUTE = ("lint.constraints", "run", "SKIPPED [1] tests/lint/test_constraints.py:112: no nextpnr-ecp5: run tools/install route")
 SENSELESS = ("axi.Axi.A/fx18", "notrun", "[ RUN      ] Axi.A\n/x/a_test.cpp:95: Skipped\nits evaluator is slower\n\n[  SKIPPED ] Axi.A")
 NO_MESH = ("geometry.Mesh.A", "notrun", "/x/a_test.cpp:95: Skipped\npackage glmark2-data is not installed\n[  SKIPPED ] Mesh.A")
 
@@ -51,10 +51,10 @@ def test_skips_are_named(run):
     assert lines == [
         "Skipped: 5 tests, and parts of others, 3. ctest counts them as passed:",
         "  2 that make no sense for their configuration: its evaluator is slower",
-        "  theorems.small: packages are missing in build/venv: run scripts/install theorems",
+        "  theorems.small: packages are missing in build/venv: run tools/install theorems",
         "  energy.power, 2 of its parts: no iverilog",
         "  hwffd.install, 1 of its parts: no models of glmark2",
-        "  web.page: chromium is not there: scripts/install web (make web runs it)",
+        "  web.page: chromium is not there: tools/install web (make web runs it)",
         "  geometry.Mesh.A: package glmark2-data is not installed"]
 
 

@@ -1,4 +1,4 @@
-"""The description of the legal space (scripts/space.py) and the RTL say the same: parameters and defaults
+"""The description of the legal space (tools/space.py) and the RTL say the same: parameters and defaults
 of each top; a guard of the name that the description gives it for each value next to a range and for each
 rule; and no guard for what is legal. Of the cases a part is tried, another one whenever the RTL changes; the test
 lint.space_whole tries all.

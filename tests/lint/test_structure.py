@@ -13,7 +13,7 @@ import pytest
 from rtl import ROOT
 
 structure = ModuleType("structure")
-SourceFileLoader("structure", str(ROOT / "scripts" / "structure")).exec_module(structure)
+SourceFileLoader("structure", str(ROOT / "tools" / "structure")).exec_module(structure)
 
 
 def cells(**numbers):
@@ -75,7 +75,7 @@ def test_a_row_of_the_table(checkout, monkeypatch):
     for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
         assert modules[module]["instances"] == number
     assert modules["ffd_num_step"]["folder"] == "number"
-    # What scripts/operators.py counts: nine steps, two products of weights, three terms.
+    # What tools/operators.py counts: nine steps, two products of weights, three terms.
     assert modules["ffd_org_select"]["dsp"] == 14
 
 

@@ -1,4 +1,4 @@
-"""scripts/synth on a small copy of the tree: what it runs, refuses, keeps and reports. Faults in
+"""tools/synth on a small copy of the tree: what it runs, refuses, keeps and reports. Faults in
 the RTL meet yosys itself; where only the bookkeeping is of interest, a stand-in takes its place.
 
 SPDX-License-Identifier: Apache-2.0
@@ -135,7 +135,7 @@ class Tree:
         return {**os.environ, "PATH": self.path, "HWFFD_OSU018": self.library}
 
     def command(self, *words):
-        return [sys.executable, "-B", ROOT / "scripts" / "synth", "--root", self.root, *words]
+        return [sys.executable, "-B", ROOT / "tools" / "synth", "--root", self.root, *words]
 
     def synth(self, *words):
         status, out, errors = self.run(*self.command(*words), env=self.environment)
@@ -159,7 +159,7 @@ class Tree:
 
     def keys(self):
         """The results that are wanted of the tree as it is."""
-        return set(self.run(sys.executable, "-B", "-c", LIST, ROOT / "scripts", self.root,
+        return set(self.run(sys.executable, "-B", "-c", LIST, ROOT / "tools", self.root,
                             env=self.environment)[1].split())
 
 
@@ -318,7 +318,7 @@ def test_missing_tools_are_one_line(tree):
     assert tree.synth("--target", "generic")[0] == 0
     assert tree.report()["wanted"] == 26
     for message in ("no /nowhere.lib: install Debian's qflow-tech-osu018",
-                    "sta not found: install Debian's opensta", "yosys not found: run scripts/"):
+                    "sta not found: install Debian's opensta", "yosys not found: run tools/"):
         status, lines, (error,) = tree.synth("--target", "osu018")
         assert (status, lines) == (1, [])
         assert error.startswith(f"synth: {message}")

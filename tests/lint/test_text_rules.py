@@ -1,4 +1,4 @@
-"""Each text rule of scripts/lint catches what is planted in a small copy of the tree, and only
+"""Each text rule of tools/lint catches what is planted in a small copy of the tree, and only
 that; what it must let pass, passes.
 
 SPDX-License-Identifier: Apache-2.0
@@ -152,7 +152,7 @@ PLANTED = [
     ("reason", "bare", inserted(f"  // {MARK}")),
     ("reason", "one word", inserted(f"  // {MARK}: later")),
     ("reason", "in C++", {"golden/src/x.cpp": f"// {MARK} speed\n"}),
-    ("reason", "in a script", {"scripts/x": "# FIX" "ME\n"}),
+    ("reason", "in a script", {"tools/x": "# FIX" "ME\n"}),
     ("trailing-blank", "RTL", inserted("  wire y; ")),
     ("trailing-blank", "C++", {"tb/x.hpp": "#pragma once \n"}),
     ("trailing-blank", "no newline at the end", {"tests/x.cpp": "int x;"}),
@@ -180,12 +180,12 @@ PLANTED = [
     ("one-way", "the library includes the bench",
      {"tb/include/hwffd/tb/bench.hpp": "", "api/src/x.cpp": '#include "hwffd/tb/bench.hpp"\n'}),
     ("one-way", "a folder without include/",
-     {"apps/picture/png.hpp": "", "studies/words/x.cpp": '#include "picture/png.hpp"\n'}),
+     {"apps/picture/png.hpp": "", "lab/words/x.cpp": '#include "picture/png.hpp"\n'}),
     ("long-function", "C++", {"tests/x.cpp": f"int f(\n  int x) {{\n{lines(58)}}}\n"}),
     ("long-function", "a member",
      {"api/x.hpp": f"namespace x {{\nclass X : Y {{\n  X() : x(0) {{\n{lines(59)}  }}\n}};\n}}\n"}),
     ("long-function", "Python",
-     {"scripts/x.py": f"class X:\n  def f():\n{lines(60, '    x = {}')}\n"}),
+     {"tools/x.py": f"class X:\n  def f():\n{lines(60, '    x = {}')}\n"}),
     ("long-function", "CMake",
      {"cmake/x.cmake": f"function(x)\n{lines(60, '  x({})')}endfunction()\n"}),
     ("long-function", "Verilog", inserted(
@@ -196,7 +196,7 @@ PLANTED = [
      {"api/x.cpp": "int y;\n" + lines(6),
       "tb/x.cpp": lines(6, "  int  x{0};  // {0}\n") + "int z;\n"}),
     ("equal-lines", "Python",
-     {"scripts/x.py": lines(6, "x = {}"), "tests/y.py": lines(6, "x = {}")}),
+     {"tools/x.py": lines(6, "x = {}"), "tests/y.py": lines(6, "x = {}")}),
     ("equal-lines", "CMake",
      {"api/CMakeLists.txt": lines(6, "x({})"), "cmake/y.cmake": lines(6, "x({})")}),
     ("equal-lines", "Verilog",

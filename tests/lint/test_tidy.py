@@ -1,4 +1,4 @@
-"""scripts/tidy.py: clang-tidy hears planted faults, in what a commit or the working tree changes, in
+"""tools/tidy.py: clang-tidy hears planted faults, in what a commit or the working tree changes, in
 headers through a source that includes them, and says what it could not look at.
 
 SPDX-License-Identifier: Apache-2.0

@@ -1,4 +1,4 @@
-"""scripts/timing.py: netlists as OpenSTA reads them, and what is taken from its output. Where
+"""tools/timing.py: netlists as OpenSTA reads them, and what is taken from its output. Where
 OpenSTA and the library are, a small design is timed and compared with sums by hand.
 
 SPDX-License-Identifier: Apache-2.0

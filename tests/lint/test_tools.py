@@ -1,4 +1,4 @@
-"""scripts/lint hands every module and every configuration to each tool, and hears what it says:
+"""tools/lint hands every module and every configuration to each tool, and hears what it says:
 faults planted in a small copy of the tree are reported under the right tool and subject.
 
 SPDX-License-Identifier: Apache-2.0
@@ -114,7 +114,7 @@ def tree_of_modules():
 
 @pytest.fixture
 def lint(checkout):
-    """(exit status, lines) of scripts/lint, these files changed since the last commit."""
+    """(exit status, lines) of tools/lint, these files changed since the last commit."""
     def linted(files):
         entry = {"directory": str(checkout.root), "file": str(checkout.root / "golden/src/x.cpp"),
                  "command": "c++ -c golden/src/x.cpp"}

@@ -22,7 +22,7 @@ import sys
 from functools import partial
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "scripts"))
+sys.path.insert(1, str(ROOT / "tools"))
 
 import configuration_texts as texts  # noqa: E402  pylint: disable=wrong-import-position
 import configurations  # noqa: E402  pylint: disable=wrong-import-position

@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 BENCH = "ffd_bench_random"
 TOP = "hwffd_stream_bus"
 BENCHES = (*(HERE / f"{name}.v" for name in (BENCH, "ffd_bench_units_to", "ffd_bench_units_from")),
-           HERE.parents[1] / "studies" / "engines" / "ffd_bench_known.v")
+           HERE.parents[1] / "tb" / "rtl" / "ffd_bench_known.v")
 EVENTS = 15
 LIMIT = 600  # seconds of a process: one that hangs has failed
 _TOLD = re.compile(r"^(?:unknown|broken) .*$", re.MULTILINE)

@@ -50,7 +50,7 @@ def program(name):
     """Where a program is; without it the tests are skipped."""
     found = shutil.which(name)
     if not found:
-        pytest.exit(f"skipped: {name} is not there: scripts/install web", returncode=77)
+        pytest.exit(f"skipped: {name} is not there: tools/install web", returncode=77)
     return found
 
 

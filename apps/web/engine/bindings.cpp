@@ -82,7 +82,7 @@ Json json_of(hwffd::web::Engine& engine) {
 
 Json json_of(const hwffd::web::Snapshot& shown) {
   Json lanes = Json::array();
-  for (const hwffd::organizations::Lane& lane : shown.lanes) {
+  for (const hwffd::cores::Lane& lane : shown.lanes) {
     Json spans = Json::array();
     for (const auto& span : lane.spans) spans.push_back({span.begin, span.end, span.vertex});
     lanes.push_back({{"name", lane.name}, {"spans", std::move(spans)}});

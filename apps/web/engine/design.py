@@ -16,7 +16,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[2] / "scripts"))
+sys.path.insert(0, str(HERE.parents[2] / "tools"))
 
 # pylint: disable=wrong-import-position
 import configurations  # noqa: E402

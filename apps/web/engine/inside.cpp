@@ -29,16 +29,16 @@ std::vector<std::string> parts_of(const std::string& busy) {
   return parts;
 }
 
-bool holds(const organizations::Lane& lane, std::uint64_t clock) {
+bool holds(const cores::Lane& lane, std::uint64_t clock) {
   return std::any_of(lane.spans.begin(), lane.spans.end(),
                      [&](const auto& span) { return span.begin <= clock && clock < span.end; });
 }
 
 /// What of a lane lies in some clocks, counted from the first of them.
-organizations::Lane within(const organizations::Lane& lane, std::uint64_t begin, std::uint64_t end,
+cores::Lane within(const cores::Lane& lane, std::uint64_t begin, std::uint64_t end,
                            const std::vector<std::size_t>& vertices) {
-  organizations::Lane cut{lane.name, {}};
-  for (const organizations::Lane::Span& span : lane.spans) {
+  cores::Lane cut{lane.name, {}};
+  for (const cores::Lane::Span& span : lane.spans) {
     const std::uint64_t from = std::max(span.begin, begin);
     const std::uint64_t to = std::min(span.end, end);
     if (from >= to) continue;
@@ -82,7 +82,7 @@ void Inside::begin(Traffic traffic) {
 }
 
 void Inside::look_at_former(std::uint64_t clock) {
-  std::deque<organizations::Lane::Span>& spans = forming_->spans;
+  std::deque<cores::Lane::Span>& spans = forming_->spans;
   while (!spans.empty() && spans.front().end + kTimeline < clock) spans.pop_front();
   if (forming_->signal.value() == 0) return;
   if (spans.empty() || spans.back().end != clock)
@@ -138,8 +138,8 @@ Snapshot Inside::snapshot() const {
   shown.vertices = vertices_;
   shown.mismatches = mismatches_;
   shown.ports = recorder_.values();
-  const organizations::Units units{design_of(row_).evaluators, read_latency_of(row_)};
-  std::vector<organizations::Lane> lanes = organizations::lanes_of(row_, units, probes_.schedule());
+  const cores::Units units{design_of(row_).evaluators, read_latency_of(row_)};
+  std::vector<cores::Lane> lanes = cores::lanes_of(row_, units, probes_.schedule());
   if (forming_) {
     lanes.insert(lanes.begin(),
                  {"coefficients of a cell", {forming_->spans.begin(), forming_->spans.end()}});
@@ -148,14 +148,14 @@ Snapshot Inside::snapshot() const {
   for (const Light& light : lights_) {
     bool on = light.on;
     for (const std::string& words : light.lanes) {
-      for (const organizations::Lane& lane : lanes) {
+      for (const cores::Lane& lane : lanes) {
         on = on || (lane.name.find(words) != std::string::npos && holds(lane, last));
       }
     }
     shown.busy.push_back(on ? 1 : 0);
   }
   shown.first_clock = shown.clock > kTimeline ? shown.clock - kTimeline : 0;
-  for (const organizations::Lane& lane : lanes) {
+  for (const cores::Lane& lane : lanes) {
     shown.lanes.push_back(within(lane, shown.first_clock, shown.clock, traffic_.vertices));
   }
   return shown;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "design.hpp"
-#include "organizations/lanes.hpp"
+#include "hwffd/cores/lanes.hpp"
 #include "port_recorder.hpp"
 #include "running_core.hpp"
 #include "schedule_probes.hpp"
@@ -31,7 +31,7 @@ struct Snapshot {
   std::uint64_t vertices = 0;              ///< that have come back
   std::uint64_t mismatches = 0;            ///< words of these
   std::uint64_t first_clock = 0;           ///< of the timeline
-  std::vector<organizations::Lane> lanes;  ///< with clocks from that one on
+  std::vector<cores::Lane> lanes;  ///< with clocks from that one on
   std::map<std::string, std::string> ports;
 };
 
@@ -69,7 +69,7 @@ class Inside {
   /// Clocks in which the coefficients of a cell were formed.
   struct Forming {
     cores::Signal signal;
-    std::deque<organizations::Lane::Span> spans{};
+    std::deque<cores::Lane::Span> spans{};
   };
 
   void clock();

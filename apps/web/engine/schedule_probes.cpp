@@ -85,14 +85,14 @@ void ScheduleProbes::sample(std::uint64_t clock) {
   if (end_ == 0) begin_ = clock;
   end_ = clock + 1;
   begin_ = std::max(begin_, end_ > kKept ? end_ - kKept : 0);
-  const auto of_entry = [](const organizations::Entry& entry) { return entry.clock; };
+  const auto of_entry = [](const cores::Entry& entry) { return entry.clock; };
   for (Sequencer& sequencer : sequencers_) forget(sequencer.starts, begin_, of_entry);
   forget(steps_, begin_, of_entry);
   forget(sums_, begin_, [](std::uint64_t at) { return at; });
 }
 
-organizations::Schedule ScheduleProbes::schedule() const {
-  organizations::Schedule schedule;
+cores::Schedule ScheduleProbes::schedule() const {
+  cores::Schedule schedule;
   schedule.polynomials = listed(sequencers_.front().starts);
   if (sequencers_.size() > 1) schedule.combinations = listed(sequencers_.back().starts);
   schedule.steps = listed(steps_);

@@ -6,7 +6,7 @@
 
 #include "hwffd/cores/signal.hpp"
 #include "hwffd/model/configuration.hpp"
-#include "organizations/lanes.hpp"
+#include "hwffd/cores/lanes.hpp"
 #include "signal_table.hpp"
 
 namespace hwffd::web {
@@ -27,10 +27,10 @@ class ScheduleProbes {
   /// Vertices that have entered.
   std::size_t entered() const { return sequencers_.back().entered; }
 
-  organizations::Schedule schedule() const;
+  cores::Schedule schedule() const;
 
  private:
-  using Entries = std::deque<organizations::Entry>;
+  using Entries = std::deque<cores::Entry>;
 
   /// A counter of steps, which takes in vertices.
   struct Sequencer {

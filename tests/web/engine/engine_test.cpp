@@ -110,7 +110,7 @@ TEST_P(EachCore, TheInsideGoesOnClockByClock) {
   EXPECT_NE(std::count(shown.busy.begin(), shown.busy.end(), 1), 0);
   EXPECT_EQ(shown.clock - shown.first_clock, Inside::kTimeline);
   ASSERT_FALSE(shown.lanes.empty());
-  for (const organizations::Lane& lane : shown.lanes) {
+  for (const cores::Lane& lane : shown.lanes) {
     EXPECT_FALSE(lane.spans.empty()) << lane.name;
     for (const auto& span : lane.spans) {
       EXPECT_LT(span.begin, span.end) << lane.name;
@@ -127,8 +127,8 @@ TEST_P(EachCore, TheTimelineShowsTheInterval) {
   prepare(engine, GetParam(), "");
   engine.deform();
   engine.inside().run(3000);
-  const std::vector<organizations::Lane> lanes = engine.inside().snapshot().lanes;
-  const std::vector<organizations::Lane::Span>& spans = lanes.back().spans;
+  const std::vector<cores::Lane> lanes = engine.inside().snapshot().lanes;
+  const std::vector<cores::Lane::Span>& spans = lanes.back().spans;
   ASSERT_GT(spans.size(), 1U);
   for (std::size_t i = 1; i < spans.size(); ++i) EXPECT_LE(spans[i - 1].begin, spans[i].begin);
   std::set<std::size_t> vertices;

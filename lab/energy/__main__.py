@@ -1,0 +1,113 @@
+"""make energy: what a vertex costs in an evaluator of standard cells, by the toggles of its nets.
+
+    python lab/energy [--row ROW ...] [--words PROGRAM] [--output FOLDER]
+
+Each row is mapped to a netlist (kept in FOLDER/energy/), which Icarus Verilog simulates with a delay
+in each cell. Its results are compared with the bit-true model; what its nets did in some clocks goes
+to OpenSTA. Writes FOLDER/reports/energy.json. The exit status is 1 where a result is wrong, a net was
+not counted or a tool fails.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "tools"))
+
+import activity  # noqa: E402  pylint: disable=wrong-import-position
+import configurations  # noqa: E402  pylint: disable=wrong-import-position
+import flat  # noqa: E402  pylint: disable=wrong-import-position
+import liberty  # noqa: E402  pylint: disable=wrong-import-position
+import library  # noqa: E402  pylint: disable=wrong-import-position
+import one_row  # noqa: E402  pylint: disable=wrong-import-position
+import power  # noqa: E402  pylint: disable=wrong-import-position
+import simulation  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+
+DEVICE = "OSU 0.18 um standard cells"
+# Vertices in front, until the evaluator is full, and of whole periods in which it takes them: cg1
+# takes three in 192 clocks.
+ROWS = {
+    "affine64-fx17-overlapped": simulation.Run(first=2, vertices=6),
+    "cg1-fx18-overlapped": simulation.Run(first=3, vertices=7),
+    "basic-fx18-overlapped": simulation.Run(first=2, vertices=6),
+    "affine4-fx17-overlapped": simulation.Run(first=24, vertices=41),
+    "affine3-fx17-overlapped": simulation.Run(first=32, vertices=49),
+}
+USUAL = tuple(ROWS)[:3]  # the others take minutes, each to be mapped and to be simulated
+
+
+def show(what):
+    print(f"energy: {what}", file=sys.stderr, flush=True)
+
+
+def words(options, name, run, folder):
+    """Vertices for the bench, and the results that the model has for them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    simulation.command([options.words, "--row", name, "--folder", folder,
+                        "--vertices", run.vertices], folder, "words.log")
+
+
+def measure(options, work, name):
+    """One row."""
+    run, folder = ROWS[name], options.output.resolve() / "energy" / name
+    head, kinds = library.read(liberty.path().read_text(encoding="utf-8", errors="replace"))
+    show(f"{name}: netlist")
+    mapped = flat.subject(name)
+    path = flat.made(work, mapped, folder.parent)
+    netlist = flat.read(path.read_text(encoding="utf-8"), kinds)
+    words(options, name, run, folder)
+    models, copy, verilog = (folder / file for file in ("cells.v", "cells.lib", "toggles.v"))
+    models.write_text(library.models(kinds), encoding="utf-8")
+    show(f"{name}: simulation of {len(netlist.cells):,} cells")
+    compared, found = simulation.simulate(work, mapped.row, run, [path, models], folder)
+    if found.clocks(simulation.PERIOD_PS) != mapped.row.interval * run.counted:
+        raise one_row.EnergyError(f"{name} was not full: {found.clocks(simulation.PERIOD_PS)} clocks for "
+                          f"{run.counted} vertices")
+    copy.write_text(library.copy(head, kinds), encoding="utf-8")
+    verilog.write_text(flat.with_toggles(netlist), encoding="utf-8")
+    show(f"{name}: power")
+    powers = [power.run(netlist, toggles, (copy, verilog), folder)
+              for toggles in one_row.counts(netlist, kinds, found)]
+    return {"name": name, "what": f"ffd_org_select {name}", "device": DEVICE,
+            "compared": compared, "mismatches": 0,
+            **one_row.report(netlist, kinds, found, powers, run)}
+
+
+def work_on(options):
+    work = synthesis.Synthesis(ROOT)
+    synthesis.require([flat.subject(name) for name in options.row])
+    rows = [measure(options, work, name) for name in options.row]
+    report = {"yosys": work.version, "sta": work.sta_version, "period_ns": power.PERIOD_NS,
+              "volts": library.VOLTS, "rows": rows}
+    path = options.output / "reports" / "energy.json"
+    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    print(f"wrote {path}")
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="energy", description=__doc__.split("\n\n")[0])
+    parser.add_argument("--row", action="append", choices=ROWS, help=f"one or several; {', '.join(USUAL)} unless given")
+    parser.add_argument("--words", type=pathlib.Path,
+                        default=ROOT / "build" / "lab" / "hwffd-energy-words")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
+                        help="folder for netlists and reports")
+    options = parser.parse_args()
+    options.row = options.row or list(USUAL)
+    options.words = options.words.resolve()
+    try:
+        work_on(options)
+    except (one_row.EnergyError, activity.ActivityError, flat.NetlistError, library.LibraryError,
+            liberty.LibertyError, power.PowerError, simulation.SimulationError,
+            synthesis.engine.EngineError, configurations.TableError, OSError) as error:
+        print(f"energy: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

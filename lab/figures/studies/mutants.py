@@ -1,0 +1,76 @@
+"""make mutants: single changes of the RTL, and whether the tests see them.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import collections
+import csv
+import re
+
+from figures.expressions import shown
+from figures.table import Table
+
+VERDICTS = ("total", "killed", "equivalent", "undecided", "survived")
+HEADS = ["mutants", "killed", "equivalent", "undecided", "survived", "killed, %"]
+
+
+def _subjects(reports):
+    lines = (reports.root / "lab" / "mutants" / "subjects.csv").read_text(encoding="utf-8").splitlines()
+    return {row["name"]: row for row in csv.DictReader(lines)}
+
+
+def _sums(reports, field):
+    sums = collections.defaultdict(collections.Counter)
+    for row in reports.rows("mutants"):
+        sums[row[field]].update({verdict: row[verdict] for verdict in VERDICTS})
+    return sums
+
+
+def _cells(found):
+    asked = found["total"] - found["equivalent"]
+    return [*(shown(found[verdict], ",") for verdict in VERDICTS),
+            shown(100 * found["killed"] / asked, ".1f") if asked else "-"]
+
+
+def subjects(reports):
+    """Each subject and its aim."""
+    aims = _subjects(reports)
+    return Table(["subject", "aim, %", *HEADS],
+                 [[f"`{name}`", aims[name]["aim"], *_cells(found)]
+                  for name, found in _sums(reports, "subject").items()])
+
+
+def modules(reports):
+    """Each module, of all subjects together."""
+    return Table(["module", *HEADS], [[f"`{module}`", *_cells(found)]
+                                      for module, found in sorted(_sums(reports, "module").items())])
+
+
+def left(reports):
+    """Each mutant that counts as survived."""
+    lines = [[row["subject"], f"`{row['module']}`", one["verdict"],
+              f"`{re.sub(r' -src .*', '', one['change'])}`"]
+             for row in reports.rows("mutants") for one in row["survivors"]]
+    return Table(["subject", "module", "verdict", "change"], lines or [["-", "-", "-", "none"]])
+
+
+def missing(reports):
+    wanted = set(_subjects(reports)) - {row["subject"] for row in reports.rows("mutants")}
+    return ", ".join(sorted(wanted))
+
+
+def _of(verdict):
+    return lambda reports: reports.get("mutants")[verdict]
+
+
+TABLES = {"subjects": subjects, "modules": modules, "left": left}
+def _below(reports):
+    """The subjects that are below their aim, with what they reach."""
+    aims = _subjects(reports)
+    cells = {name: _cells(found)[-1] for name, found in _sums(reports, "subject").items()}
+    return ", ".join(f"{name} {percent} %" for name, percent in cells.items()
+                     if percent != "-" and float(percent) < float(aims[name]["aim"]))
+
+
+FIGURES = {"below": _below, "subjects": lambda reports: len(_subjects(reports)), **{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
+           "modules": lambda reports: len({row["module"] for row in reports.rows("mutants")})}

@@ -1,0 +1,168 @@
+"""make mutants: single changes of the RTL, and whether the tests see them.
+
+    python lab/mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
+                           [--again] [--report FILE] [-j JOBS]
+
+Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
+run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
+change something, and it has survived; or neither is known in time. Late tests, which take minutes, run
+with those alone that are not proved. Of a subject whose design and tests are those of the committed
+report its rows stand. Writes the report. The exit status is 1 where a subject falls short of its aim, to
+which what is undecided counts as survived. A sample is as small as the table says, proofs have less time,
+and the aim is of all of it.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import collections
+import csv
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "tools"))
+
+import aiger  # noqa: E402  pylint: disable=wrong-import-position
+import built  # noqa: E402  pylint: disable=wrong-import-position
+import campaign  # noqa: E402  pylint: disable=wrong-import-position
+import digest  # noqa: E402  pylint: disable=wrong-import-position
+import equivalence  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
+import kept  # noqa: E402  pylint: disable=wrong-import-position
+import netlist  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+from known import Known  # noqa: E402  pylint: disable=wrong-import-position
+
+TABLE = pathlib.Path(__file__).with_name("subjects.csv")
+VERDICTS = ("killed", "equivalent", "undecided", "survived")
+SURVIVORS = ("undecided", "survived")
+SAMPLE_AIM = 95
+LIMIT, SAMPLE_LIMIT = 60, 6  # seconds of a proof
+
+
+def subjects(only):
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    unknown = set(only) - {row["name"] for row in rows}
+    if unknown:
+        raise built.MutantError(f"no subject is called {', '.join(sorted(unknown))}")
+    return [row for row in rows if not only or row["name"] in only]
+
+
+def numbers(chosen, column, total):
+    """How many mutants of each subject: those of the table, or of `total` as large a part."""
+    table = [int(subject[column]) for subject in chosen]
+    return [max(1, round(number * total / sum(table))) for number in table] if total else table
+
+
+def key(subject, top, folder):
+    """What the verdicts of a subject depend on: its design, what that is made for, its tests, and how they
+    are found."""
+    tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
+    return digest.of(netlist.text(folder), *map(digest.lines, equivalence.domain(top)),
+                     *(subject[field] for field in ("tests", "modules", "mutants", "late")), *map(digest.cpp, tests),
+                     digest.statements(aiger, campaign, equivalence, netlist))
+
+
+def measure(options, subject, number, known):
+    """The rows of a subject: those that are known, or so many mutants and their verdicts."""
+    model = built.model(options.build, subject["library"])
+    folder = options.build / "mutants" / f"{subject['name']}-{number}"
+    folder.mkdir(parents=True, exist_ok=True)
+    of_design = netlist.read(ROOT, model, folder)
+    same = key(subject, model.top, folder)
+    print(f"mutants: {subject['name']}: {model.top}{', as in docs/reports' if known.rows(same) else ''}",
+          file=sys.stderr, flush=True)
+    if known.rows(same):
+        return known.rows(same)
+    seed = of_design if options.seed is None else options.seed
+    mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
+    program, mutants = campaign.program(options.build, subject, model, mutants, folder)
+    netlisted = folder / f"{model.top}.sv"
+    tested = Known(folder / "passed.json", netlisted, options.build / subject["program"], text=subject["tests"])
+    unseen = campaign.unseen(program, subject["tests"], range(1, len(mutants) + 1), tested, options.jobs)
+    how = [pathlib.Path(module.__file__) for module in (aiger, equivalence)]
+    judged = Known(folder / "verdicts.json", netlisted, *how, *equivalence.domain(model.top))
+    limit = SAMPLE_LIMIT if options.sample else LIMIT
+    verdicts = judged.of(unseen, lambda place: equivalence.verdict(ROOT, model, mutants[place - 1],
+                                                                   folder / str(place), limit),
+                         options.jobs, "proof")
+    if subject["late"] and not options.sample:
+        verdicts = after_late_tests(options, subject, folder, verdicts)
+    return rows({"subject": subject["name"], "key": same, "seed": seed}, mutants,
+                {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)})
+
+
+def after_late_tests(options, subject, folder, verdicts):
+    """The verdicts, without those of mutants that the late tests kill."""
+    left = [place for place, verdict in verdicts.items() if verdict in SURVIVORS]
+    if not left:
+        return verdicts
+    program = campaign.late(options.build, subject, folder)
+    unseen = campaign.unseen(program, "*", left, Known(folder / "late.json", program), options.jobs)
+    return {place: verdict for place, verdict in verdicts.items() if place not in left or place in unseen}
+
+
+def rows(subject, mutants, verdicts):
+    """A row for each module of the subject."""
+    counts, names = collections.defaultdict(collections.Counter), collections.defaultdict(list)
+    for number, verdict in verdicts.items():
+        module = netlist.module(mutants[number - 1])
+        counts[module][verdict] += 1
+        if verdict in SURVIVORS:
+            names[module].append({"number": number, "verdict": verdict,
+                                  "change": mutants[number - 1]})
+    return [{**subject, "module": module, "total": sum(found.values()),
+             **{verdict: found[verdict] for verdict in VERDICTS},
+             "survivors": names[module]} for module, found in sorted(counts.items())]
+
+
+def score(found):
+    """Percent of the mutants that are not equivalent."""
+    asked = sum(row["total"] - row["equivalent"] for row in found)
+    return 100.0 * sum(row["killed"] for row in found) / asked if asked else 0.0
+
+
+def work_on(options):
+    found, faults = [], []
+    column = "sample" if options.sample else "mutants"
+    chosen = [subject for subject in subjects(options.only) if subject[column] != "0"]
+    others = options.sample or options.mutants or options.seed is not None
+    known = kept.Kept(ROOT, "mutants", again=options.again or others)
+    for subject, number in zip(chosen, numbers(chosen, column, options.mutants)):
+        mine = measure(options, subject, number, known)
+        found += mine
+        if score(mine) < float(subject["aim"]) and not options.sample:
+            faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
+    if options.sample and score(found) < SAMPLE_AIM:
+        faults.append(f"{score(found):.1f} % of the sample killed, need {SAMPLE_AIM}")
+    total = {verdict: sum(row[verdict] for row in found)
+             for verdict in ("total", *VERDICTS)}
+    report = {**total, "killed_percent": round(score(found), 2), "short": faults, "rows": found}
+    path = options.report or options.build / "reports" / "mutants.json"
+    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
+          f"{total['undecided']} undecided, {total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="mutants", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME", help="subjects; all unless given")
+    asked = parser.add_mutually_exclusive_group()
+    asked.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
+    asked.add_argument("--sample", action="store_true", help="so few that make test has time for them")
+    parser.add_argument("--seed", type=int, help="of their choice; from each design")
+    parser.add_argument("--again", action="store_true", help="also what the committed report has of these sources")
+    parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
+    options = parser.parse_args()
+    options.build = options.build.resolve()
+    return front.measured(parser.prog, lambda: work_on(options), (built.MutantError,))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,70 @@
+"""Certificates of forms, with the theory that ties them to programs of the core.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import fractions
+import json
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import dyadic
+import gappa
+import rows
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+pytestmark = pytest.mark.needs("gappa", "coqc")
+
+WEIGHTS = {"weights": "bspline", "weight": 1e-4, "word": 1, "error": 2.7e-4, "distance": 6e-4, "reached": 6e-4,
+           "pair": 6.3e-4, "bend": 0.0, "coordinates": 1, "all": True}
+FACTS = {"weights": [{**WEIGHTS, "format": "fx16"},
+                     {**WEIGHTS, "format": "bfp32", "error": 2e-9, "distance": 0.0, "pair": 0.0},
+                     {**WEIGHTS, "format": "fx16", "weights": "centred", "distance": 0.0, "pair": 0.0},
+                     {**WEIGHTS, "format": "fp32-fused", "error": 2e-7, "distance": 0.0, "pair": 0.0}],
+         "forms": [{"form": form, "format": name, "error": 1e-9} for form, name in (
+             ("factored", "fx16"), ("product", "fx16"), ("product", "bfp32"), ("factored", "bfp32"),
+             ("nested", "fx16"), ("tree", "fp32-fused"))]}
+
+
+@pytest.fixture(name="theory", scope="module")
+def _theory(tmp_path_factory):
+    return gappa.Theory(tmp_path_factory.mktemp("coq"))
+
+
+COMPOSED = [row for row in rows.all_rows(FACTS) if not row.form.startswith("weights")]
+
+
+@pytest.mark.parametrize("row", COMPOSED, ids=rows.Row.certificate)
+def test_a_form_is_certified(theory, row):
+    result = row.prove(theory)
+    assert result["checked_by"] == "gappa+coq" and result["smaller_refused"]
+    assert rows.faults(result) == []
+
+
+def test_a_theorem_with_a_smaller_bound_is_refused(theory):
+    row = COMPOSED[0]
+    script, bound = row.script[0], dyadic.above(gappa.found(row.script[0](None), row.name))
+    smaller = dyadic.above(bound.value() * fractions.Fraction(98, 100))
+    text = gappa.coq_of(script(bound), row.theorem(smaller))
+    assert "Coq refuses" in theory.accepts("planted", text)
+
+
+def test_a_theorem_from_the_words_on_with_another_rounding_is_refused(theory):
+    row = next(row for row in COMPOSED if not row.hypothesis)
+    assert row.prove(theory)["smaller_refused"]
+    bound = rows.least(row.script[0], row.name)
+    text = gappa.coq_of(row.script[0](bound), row.theorem(bound))
+    planted = text.replace("horner_weight (half_up (-14))", "horner_weight (half_up (-13))")
+    assert planted != text
+    assert "Coq refuses" in theory.accepts("planted", planted)
+
+
+def test_the_program_fails_where_nothing_was_measured(tmp_path):
+    facts = tmp_path / "facts.json"
+    facts.write_text(json.dumps({"weights": [], "forms": []}))
+    done = subprocess.run([sys.executable, "-B", ROOT / "lab" / "bounds", "--facts", facts, "--build", tmp_path],
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 1 and "nothing was measured" in done.stderr

@@ -1,0 +1,123 @@
+"""Counts of a few places written by hand: what is made of them, and what is refused.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(ROOT / "lab" / "rtl_coverage"), str(ROOT / "tools")]
+
+import annotated  # noqa: E402  pylint: disable=wrong-import-position
+import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
+import cpp  # noqa: E402  pylint: disable=wrong-import-position
+import exclusions  # noqa: E402  pylint: disable=wrong-import-position
+import report as reporting  # noqa: E402  pylint: disable=wrong-import-position
+
+SOURCE = ["module ffd_a;", "wire w;", "always @*", "if (x)", "y = 1;", "endmodule"]
+WIDE = """v_line/ffd_a\t3\t1\tblock\t3\t7
+v_branch/ffd_a\t4\t2\tif\t4-5\t0
+v_branch/ffd_a\t4\t3\telse\t\t7
+v_toggle/ffd_a\t2\t1\tw[0]\t\t3
+v_toggle/ffd_a\t2\t1\tw[1]\t\t1
+"""
+NARROW = "v_branch/ffd_a__W8\t4\t2\tif\t4-5\t3\n"
+
+
+def read(folder, *texts):
+    paths = [folder / f"{number}.tsv" for number in range(len(texts))]
+    for path, text in zip(paths, texts):
+        path.write_text(text)
+    return counting.read(paths)
+
+
+def rows(counts, left_out=frozenset(), wanted=("ffd_a",)):
+    return reporting.rows(wanted, counts, left_out)
+
+
+def test_a_place_is_run_if_any_parameters_run_it(tmp_path):
+    assert rows(read(tmp_path, WIDE))[0]["branch"] == 50
+    row = rows(read(tmp_path, WIDE, NARROW))[0]
+    assert (row["line"], row["branch"], row["toggle"]) == (100, 100, 50)
+    assert row["missed_places"] == ["toggle 2 w[1]"]
+
+
+def test_a_bit_must_rise_and_fall(tmp_path):
+    fallen = "v_toggle/ffd_a__W8\t2\t1\tw[1]\t\t2\n"
+    assert rows(read(tmp_path, WIDE, fallen))[0]["toggle"] == 100
+    assert rows(read(tmp_path, WIDE, fallen.replace("\t2\n", "\t1\n")))[0]["toggle"] == 50
+
+
+def test_lines_of_a_branch_are_lines(tmp_path):
+    row = rows(read(tmp_path, WIDE))[0]
+    assert (row["lines"], row["line"]) == (3, 66.67)  # line 4 is of `else`, too
+    assert "line 5" in row["missed_places"]
+
+
+def test_a_line_of_a_template_is_one_line():
+    def line(count, *branches):
+        return {"line_number": 7, "count": count, "branches": [{"count": one} for one in branches]}
+    assert cpp.merged([line(0, 0, 0), line(5, 5, 0), line(3, 0, 3)]) == {7: (True, [True, True])}
+    assert cpp.merged([line(2, 2, 0), line(2, 2, 0, 0)]) == {7: (True, [True, False, False])}
+    assert cpp.merged([line(0), line(0)]) == {7: (False, [])}
+    skipped = {**line(0, 0, 0), "gcovr/excluded": True}
+    assert not cpp.merged([skipped])
+
+
+def test_what_falls_short_is_named(tmp_path):
+    report = {"rows": rows(read(tmp_path, WIDE), wanted=("ffd_a", "ffd_b")),
+              "cpp": [{"folder": "golden", "line": 95.0, "branch": 89.9}]}
+    assert reporting.faults(report) == [
+        "ffd_a: line 66.67 %, need 100", "ffd_a: branch 50.0 %, need 100", "ffd_a: toggle 50.0 %, need 99",
+        "ffd_b: no program has it", "golden/: branch 89.9 %, need 90"]
+
+
+def test_exclusions_leave_out_what_they_name_and_must_be_needed(tmp_path):
+    counts = read(tmp_path, WIDE)
+    reasons = [{"module": "ffd_a", "kind": "toggle", "what": "w[1]", "reason": "always 0"},
+               {"module": "ffd_a", "kind": "branch", "what": "if (x)", "reason": "x is 0 here"},
+               {"module": "ffd_a", "kind": "line", "what": "y = 1;", "reason": "x is 0 here"}]
+    left_out = exclusions.excluded(reasons, counts, {"ffd_a": SOURCE})
+    row = rows(counts, left_out)[0]
+    assert (row["line"], row["branch"], row["toggle"], row["excluded"]) == (100, 100, 100, 3)
+    idle = [{**reasons[0], "what": "w[0]"}]
+    with pytest.raises(counting.CoverageError, match="take the row out"):
+        exclusions.excluded(idle, counts, {"ffd_a": SOURCE})
+
+
+def test_exclusions_of_several_bits_and_of_a_module(tmp_path):
+    counts = read(tmp_path, WIDE.replace("w[0]\t\t3", "w[0]\t\t2"))
+    bits = {"module": "ffd_a", "kind": "toggle", "what": "w[0-1]", "reason": "always 0"}
+    assert {place.what for place in exclusions.excluded([bits], counts, {})} == {"w[0]", "w[1]"}
+    with pytest.raises(counting.CoverageError, match="take the row out"):
+        exclusions.excluded([{**bits, "what": "w[2-9]"}], counts, {})
+    module = {"module": "ffd_b", "kind": "module", "what": "all", "reason": "for boards of others"}
+    assert exclusions.unneeded([module], counts) == {"ffd_b"}
+    assert exclusions.excluded([module], counts, {}) == set()
+    with pytest.raises(counting.CoverageError, match="a program has it"):
+        exclusions.unneeded([{**module, "module": "ffd_a"}], counts)
+
+
+def test_exclusions_need_a_reason(tmp_path):
+    path = tmp_path / "exclusions.csv"
+    path.write_text("module,kind,what,reason\nffd_a,toggle,w,\n")
+    with pytest.raises(counting.CoverageError, match="exclusions.csv:2"):
+        exclusions.read(path)
+
+
+def test_nothing_counted_is_an_error(tmp_path):
+    with pytest.raises(counting.CoverageError, match="nothing was counted"):
+        read(tmp_path, "")
+    with pytest.raises(counting.CoverageError, match="not a count"):
+        read(tmp_path, "v_line/ffd_a\t3\n")
+
+
+def test_annotated_source_shows_what_was_missed(tmp_path):
+    counts = read(tmp_path, WIDE)
+    text = annotated.text(SOURCE, counting.modules(counts)["ffd_a"], counts, frozenset())
+    assert "           7  always @*\n" in text
+    assert "           0  y = 1;\n" in text
+    assert "MISSED toggle w[1]\n" in text and "w[0]" not in text

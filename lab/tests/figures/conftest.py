@@ -1,0 +1,16 @@
+"""Reports of a small checkout for the tests of lab/figures.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pytest
+from figures.reports import COMMITTED, Reports
+
+
+@pytest.fixture
+def reports(checkout):
+    """The reports of a folder, with these written into it first."""
+    def of(folder=COMMITTED, **contents):
+        checkout.put({f"{folder}/{name}.json": content for name, content in contents.items()})
+        return Reports(checkout.root, folder)
+    return of

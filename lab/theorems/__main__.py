@@ -1,0 +1,87 @@
+"""make theorems: the arithmetic units against what they should compute, for all operands.
+
+    python lab/theorems [--only NAME ...] [--nightly | --quick] [-j JOBS] [--build FOLDER]
+
+Each theorem is a unit of rtl/ at every width and latency, an independent specification of it, and a
+planted bug. Writes FOLDER/reports/theorems.json. The exit status is 1 where a theorem is open or its
+planted bug is not refuted.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import fnmatch
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "tools"))
+
+import fixed  # noqa: E402  pylint: disable=wrong-import-position
+import floating  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
+import lemmas  # noqa: E402  pylint: disable=wrong-import-position
+import powers  # noqa: E402  pylint: disable=wrong-import-position
+import prove  # noqa: E402  pylint: disable=wrong-import-position
+import seams  # noqa: E402  pylint: disable=wrong-import-position
+import solve  # noqa: E402  pylint: disable=wrong-import-position
+import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+import words  # noqa: E402  pylint: disable=wrong-import-position
+
+EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS, *seams.THEOREMS,
+              *floating.THEOREMS)
+
+
+def chosen(options):
+    """The theorems that are asked for. Raises TheoremError."""
+    found = [one for one in EVERYTHING
+             if any(fnmatch.fnmatchcase(one.name, pattern) for pattern in options.only or ["*"])
+             and (one.quick or not options.quick) and (options.nightly or options.only or not one.nightly)]
+    if not found:
+        raise prove.TheoremError("0 theorems were asked for: no name matches")
+    return found
+
+
+def complaint(row):
+    """What is wrong with a row; '' if nothing."""
+    if row["result"] != prove.PROVED:
+        return f"open: {'; '.join(row['left'])}"
+    return "" if row["negative_control"] == prove.REFUTED else "the planted bug is not refuted"
+
+
+def work_on(options):
+    """What does not hold, a line each."""
+    prover = prove.Prover(options.build / "theorems", options.jobs, lambda text: print(text, file=sys.stderr, flush=True))
+    rows, faults = [], []
+    for one in chosen(options):
+        row = prover.row(one)
+        rows.append(row)
+        print(f"{row['name']:20s} {row['result']:8s} planted bug {row['negative_control']:12s} "
+              f"{row['cases']:5d} cases {row['seconds']:8.1f} s", flush=True)
+        if complaint(row):
+            faults.append(f"{row['name']}: {complaint(row)}")
+    report = {"solvers": solve.versions(), "theorems": len(rows),
+              "proved": sum(row["result"] == prove.PROVED for row in rows),
+              "refuted": sum(row["negative_control"] == prove.REFUTED for row in rows), "rows": rows}
+    path = options.build / "reports" / "theorems.json"
+    synthesis.write(path, json.dumps(report, indent=1) + "\n")
+    print(f"theorems: {report['proved']} of {len(rows)} proved, {report['refuted']} planted bugs refuted\n"
+          f"wrote {path}")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="theorems", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--only", action="append", metavar="NAME", help="theorems, as patterns; all unless given")
+    parser.add_argument("--quick", action="store_true", help="those that take seconds")
+    parser.add_argument("--nightly", action="store_true", help="those that take long too")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="solvers side by side")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    options = parser.parse_args()
+    options.build = options.build.resolve()
+    return front.measured(parser.prog, lambda: work_on(options), (prove.TheoremError,))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,104 @@
+"""make upsets: single bits of registers and memories flip while traffic runs, and what becomes of each.
+
+    python lab/upsets [--programs FOLDER] [--designs FOLDER] [--output FOLDER] [--core NAME ...]
+                          [--flips N] [--seed N] [-j JOBS] [--part FILE | --join FILE ...]
+
+Each core of CORES runs N times with a flip in a register and N times with one in a memory, at a bit and
+a clock that are as likely as any other. Writes FOLDER/reports/upsets.json. The exit status is 1 where
+nothing was flipped, a run failed, or a hardened core hangs for good or writes where it may not. What
+HARDENED costs in LUTs stands in the report, too. A part is both cores of a top; joined, the parts of all
+tops are the report.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(1, str(ROOT / "tools"))
+
+import cost  # noqa: E402  pylint: disable=wrong-import-position
+import counted  # noqa: E402  pylint: disable=wrong-import-position
+import front  # noqa: E402  pylint: disable=wrong-import-position
+import parts  # noqa: E402  pylint: disable=wrong-import-position
+from cores import CORES, KINDS  # noqa: E402  pylint: disable=wrong-import-position
+
+ROW = "basic-fx18-overlapped"
+FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
+
+
+def flipped(options):
+    """(rows, modules) of the report."""
+    rows, modules = [], []
+    for name in options.core:
+        top, hardened = CORES[name]
+        for kind in KINDS:
+            print(f"upsets: {name}: {options.flips} flips in {kind}", file=sys.stderr, flush=True)
+            run = counted.Run(options.programs / f"hwffd-upsets-{name}", ROW,
+                              options.designs / f"{name}.json", kind,
+                              options.output / "upsets" / f"{name}-{kind}.csv")
+            flips = counted.flips(run, options.flips, options.seed, options.jobs)
+            what = {"top": top, "hardened": hardened, "bits": kind}
+            rows.append({**what, "of": flips.bits(kind), "clocks": flips.clocks,
+                         **counted.row(flips.lines)})
+            modules += [{**what, "module": module, **counted.row(lines)}
+                        for module, lines in counted.by_module(flips.lines)]
+    return rows, modules
+
+
+def faults(rows):
+    """What does not hold, a line each."""
+    return [f"{row['top']}, hardened, {row['bits']}: {row[outcome]} flips end in {outcome}"
+            for row in rows if row["hardened"] for outcome in counted.FORBIDDEN if row[outcome]]
+
+
+def measured(options):
+    """The report of the cores that are asked for."""
+    rows, modules = flipped(options)
+    print("upsets: what HARDENED costs", file=sys.stderr, flush=True)
+    prices = cost.rows(ROW, list(dict.fromkeys(CORES[name][0] for name in options.core)), options.jobs)
+    return {"row": ROW, "seed": options.seed, "rows": rows, "modules": modules, "cost": prices}
+
+
+def joined(paths):
+    """The report of parts that have every core once. Raises PartError."""
+    found = parts.read(paths, ("row", "seed", "rows", "modules", "cost"))
+    rows = parts.rows(found)
+    have = [(row["top"], row["hardened"], row["bits"]) for row in rows]
+    if sorted(have) != sorted((*core, kind) for core in CORES.values() for kind in KINDS):
+        raise parts.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: measure a "
+                              f"part of each top, {' and '.join(CORES)}")
+    parts.same(rows, "flips")
+    return {"row": parts.same(found, "row"), "seed": parts.same(found, "seed"), "rows": rows,
+            "modules": parts.rows(found, "modules"), "cost": parts.rows(found, "cost")}
+
+
+def work_on(options):
+    report = joined(options.join) if options.join else measured(options)
+    path = options.part or options.output / "reports" / "upsets.json"
+    parts.write(path, report)
+    print(f"wrote {path}")
+    return [] if options.part else faults(report["rows"])
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="upsets", description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "lab" / "upsets")
+    parser.add_argument("--designs", type=pathlib.Path, default=ROOT / "build" / "upsets")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--core", action="append", choices=CORES, help="one or several; all unless given")
+    parser.add_argument("--flips", type=int, default=FLIPS, help="of each core and kind of bits")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
+    parts.add_options(parser)
+    options = parser.parse_args()
+    options.core = options.core or list(CORES)
+    for name in ("programs", "designs", "output"):
+        setattr(options, name, getattr(options, name).resolve())
+    return front.measured(parser.prog, lambda: work_on(options), (counted.UpsetError, parts.PartError))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
