@@ -1,8 +1,7 @@
 """Keys of results: what a result depends on, in sixteen digits. Equal keys mean equal results.
 
 Comments, blanks and the folders of files change nothing: Verilog counts as the tokens that are left
-of it after preprocessing, C++ as its tokens, Python as its statements, other texts as their lines
-without comments.
+of it after preprocessing, Python as its statements, other texts as their lines without comments.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -15,10 +14,7 @@ import re
 
 import rtl
 
-_COMMENT = re.compile(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
-_INCLUDE = re.compile(r"^\s*#\s*(?:include\b.*|pragma once)$", re.MULTILINE)
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\w+|[^\w\s"]+')
-_SYMBOL = re.compile(r'"(?:\\.|[^"\\])*"|\w+|[^\w\s]')
 
 
 def of(*parts):
@@ -36,13 +32,6 @@ def tokens(files, folders, *defined):
     status, text = rtl.run(["verilator", "-E", "-P", *(f"-D{name}" for name in defined),
                             *(f"-I{folder}" for folder in folders), *files])
     return of(str(status), *_TOKEN.findall(text)) if status == 0 else of(str(status), text)
-
-
-@functools.lru_cache(maxsize=None)
-def cpp(path):
-    """Of C++, without comments and what it includes."""
-    text = _INCLUDE.sub("", pathlib.Path(path).read_text(encoding="utf-8"))
-    return of(*_SYMBOL.findall(_COMMENT.sub(lambda match: match.group(1) or " ", text)))
 
 
 @functools.lru_cache(maxsize=None)

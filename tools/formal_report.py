@@ -6,8 +6,9 @@ SPDX-License-Identifier: Apache-2.0
 import json
 
 import proofs
-import rendered
 import synthesis
+from figures.studies import formal as tables
+from results import Results
 
 NOT_RUN = "not run"
 
@@ -24,7 +25,6 @@ def collect(work, everything, verdicts, failed):
                 failed = {**failed, one: str(error)}
         row = {
             "module": one.module, "name": one.name, "statement": one.statement,
-            "key": None if one in failed else work.key(one),
             "result": NOT_RUN, "negative_control": NOT_RUN, "seconds": None,
             "harness": f"lab/formal/{one.harness}.v", "parameters": one.parameters,
             "method": one.method, "lemmas": one.lemmas.split(),
@@ -48,5 +48,5 @@ def write(work, everything, verdicts, failed, folder):
     shown = collect(work, everything, verdicts, failed)
     synthesis.write(folder / "formal.json", json.dumps({
         "tool": work.version, "limit_seconds": work.limit, "properties": shown}, indent=1) + "\n")
-    synthesis.write(folder / "formal.md", rendered.document(work.root, "formal"))
+    synthesis.write(folder / "formal.md", tables.document(Results(work.root)))
     return shown

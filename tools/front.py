@@ -24,10 +24,6 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("--root", type=pathlib.Path, default=rtl.ROOT, help="checkout to look at")
         self.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
 
-    def add_again(self):
-        self.add_argument("--again", action="store_true",
-                          help="measure also what the committed report has of these sources")
-
     def error(self, message):
         print(f"{self.prog}: {message}", file=sys.stderr)
         sys.exit(2)

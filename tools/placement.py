@@ -15,7 +15,6 @@ from dataclasses import dataclass
 
 import chips
 import digest
-import kept
 import nextpnr
 import scan_chain
 import synthesis
@@ -126,7 +125,6 @@ class Placement:
     def __init__(self, work):
         self.work, self.root = work, work.root
         self.folder = self.root / "build" / "pnr"
-        self.kept = kept.Kept(self.root, "pnr", again=work.again)
         self.key = functools.lru_cache(maxsize=None)(self._key)
 
     @functools.cached_property
@@ -210,11 +208,10 @@ class Placement:
         return self.folder / f"{subject.name}.{self.key(subject)}.bitstream"
 
     def is_packed(self, subject):
-        """Whether there is or was a bitstream; None where none is made."""
+        """Whether there is a bitstream; None where none is made."""
         if subject.name not in self.packed:
             return None
-        kept_row = self.kept.get(self.key(subject)) or {}
-        return self.bitstream(subject).is_file() or kept_row.get("bitstream", False)
+        return self.bitstream(subject).is_file()
 
     def remarks(self, subject):
         """Fields that only some rows have: whether there is a bitstream, where these are made, and
@@ -230,9 +227,7 @@ class Placement:
 
     def results(self, subject):
         """Clock and critical path of all seeds that are there, in order."""
-        there = any(self.folder.glob(f"{subject.name}.*.report"))
-        if not there and (isinstance(subject, Measure) or not self.kept
-                          or not self.work.is_elaborated(subject)):
+        if not any(self.folder.glob(f"{subject.name}.*.report")):
             return []
         try:
             return [result for result in self._seeds(subject) if result is not None]
@@ -240,21 +235,13 @@ class Placement:
             return []
 
     def _seeds(self, subject):
-        """A result or None for each seed. Of a kept row only the slowest has its path: the others
-        are not committed."""
-        row = self.kept.get(self.key(subject)) or {"seeds": []}
-        clocks = {one["seed"]: one["fmax_mhz"] for one in row["seeds"]}
-
+        """A result or None for each seed."""
         def result(seed, path):
-            if path.is_file():
-                report = json.loads(path.read_text())
-                clock, path = round(nextpnr.clock(report), 2), nextpnr.path_in_words(report)
-            elif seed in clocks:
-                clock = clocks[seed]
-                path = row["critical_path"] if clock == min(clocks.values()) else ""
-            else:
+            if not path.is_file():
                 return None
-            return {"seed": seed, "fmax_mhz": clock, "critical_path": path}
+            report = json.loads(path.read_text())
+            return {"seed": seed, "fmax_mhz": round(nextpnr.clock(report), 2),
+                    "critical_path": nextpnr.path_in_words(report)}
 
         return [result(*one) for one in zip(DEVICES[subject.target].seeds, self.files(subject))]
 

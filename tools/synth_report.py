@@ -6,8 +6,9 @@ SPDX-License-Identifier: Apache-2.0
 import json
 
 import placement
-import rendered
+import synth_tables
 import synthesis
+from results import Results
 
 FIELDS = ("lut", "lutram", "ff", "dsp", "bram", "cells", "area_um2", "depth", "power_mw",
           "critical_path", "kinds")
@@ -37,7 +38,7 @@ def collect(work, found):
                 "subject": subject, "name": row.name, "variant": variant, "meaning": meaning,
                 "org": row.org, "n": row.n,
                 "format": row.format, "schedule": row.schedule, "target": subject.target,
-                "top": subject.top, "key": work.key(subject), **{field: result.get(field) for field in FIELDS},
+                "top": subject.top, **{field: result.get(field) for field in FIELDS},
                 **clock(place, subject, result), "flat": subject.flat, "seconds": result.get("seconds"),
             })
     return shown
@@ -54,5 +55,5 @@ def write(work, found, failed, folder):
                     f'{{\n  "yosys": {json.dumps(work.version)},\n'
                     f'  "sta": {json.dumps(work.sta_version)},\n  "wanted": {len(found)},\n'
                     f'  "failed": {broken},\n  "rows": [\n{text}\n  ]\n}}\n')
-    synthesis.write(folder / "synth.md", rendered.document(work.root, "synth"))
+    synthesis.write(folder / "synth.md", synth_tables.document(Results(work.root)))
     return shown

@@ -14,7 +14,6 @@ import configurations
 import digest
 import elaboration
 import engine
-import kept
 import liberty
 import mapped
 import rtl
@@ -197,11 +196,10 @@ def require(wanted):
 
 class Synthesis:
     """The subjects of one checkout. Results lie in build/synth/; the name of each has its key, so
-    that one that is there is good. Those of the committed report count too, but `again`."""
+    that one that is there is good."""
 
-    def __init__(self, root, again=False):
-        self.root, self.again = pathlib.Path(root), again
-        self.kept = kept.Kept(root, "synth", again=again)
+    def __init__(self, root):
+        self.root = pathlib.Path(root)
         self.folder = self.root / "build" / "synth"
         self.sources = rtl.Sources(self.root)
         self.version = rtl.run(["yosys", "-V"])[1].strip()
@@ -286,18 +284,12 @@ class Synthesis:
 
     def result(self, subject):
         """The counts, if these sources have been mapped; else None."""
-        there = any(self.folder.glob(f"{subject.name}.*.json"))
-        if not there and not (self.kept and self.is_elaborated(subject)):
+        if not any(self.folder.glob(f"{subject.name}.*.json")):  # its key takes an elaboration
             return None
         try:
             return json.loads(self.file(subject).read_text())
         except FileNotFoundError:
-            return self.kept.get(self.key(subject))
-
-    def is_elaborated(self, subject):
-        """Whether its key is at hand: to elaborate all that nobody asks for takes minutes."""
-        return self._elaborations.has(self._elaborated(
-            subject.top, subject.target, self._steps(subject)))
+            return None
 
     def effort(self, subject):
         """The seconds that it took with other sources, or a guess."""

@@ -3,7 +3,7 @@
     bundle.py [--engine DIR | --worker FILE] [--plates FILE] [--output FILE]
 
 Scripts are joined by esbuild, with three.js of the package libjs-three; the engine's WebAssembly goes in as gzip in
-base64. Reports come from docs/reports/.
+base64. Figures come from the newest of docs/results/.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -18,7 +18,10 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab"), str(ROOT / "apps" / "web")]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "apps" / "web")]
+
+import figures_data  # noqa: E402  pylint: disable=wrong-import-position
+import results  # noqa: E402  pylint: disable=wrong-import-position
 
 PAGE = ROOT / "apps" / "web" / "page"
 THREE = pathlib.Path("/usr/share/javascript/three")
@@ -73,10 +76,8 @@ def licences(packages):
 
 def data(packages):
     """What the page reads as JSON, by name."""
-    import figures_data  # pylint: disable=import-outside-toplevel
-    from figures.reports import Reports  # pylint: disable=import-outside-toplevel
-    reports = Reports(ROOT)
-    return {"organizations": figures_data.organizations(reports), "pareto": figures_data.pareto(reports),
+    released = results.released(ROOT)
+    return {"organizations": figures_data.organizations(released), "pareto": figures_data.pareto(released),
             "licences": licences(packages)}
 
 

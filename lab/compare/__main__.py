@@ -30,7 +30,7 @@ import configurations  # noqa: E402  pylint: disable=wrong-import-position
 import joined  # noqa: E402  pylint: disable=wrong-import-position
 import peers  # noqa: E402  pylint: disable=wrong-import-position
 import routed  # noqa: E402  pylint: disable=wrong-import-position
-from figures.reports import Missing, Reports, RequestError  # noqa: E402  pylint: disable=wrong-import-position
+from results import Missing, RequestError, Results, released  # noqa: E402  pylint: disable=wrong-import-position
 
 
 @contextlib.contextmanager
@@ -71,7 +71,9 @@ def arrays(options):
 
 
 def work(options):
-    reports = Reports(ROOT)
+    # Clocks and sizes are of the release that is being measured, or of the last.
+    folder = os.environ.get("HWFFD_RESULTS")
+    reports = Results(ROOT, folder) if folder else released(ROOT)
     with pinned():
         measured = own(options, reports)
         rows = peers.rows(peers.Scene.read(options.output / "compare"), show)

@@ -1,110 +1,121 @@
-"""The command tools/figures.
+"""make figures and what studies print: tables, pictures and the blocks of the texts.
+
+    python -B lab/figures [write [--version VERSION] | check | run NAME,... -- COMMAND | show NAME,...]
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
 import importlib
+import json
 import pathlib
+import signal
+import subprocess
 import sys
 
-from figures import check, measure, sources
-from figures.catalogue import CHARTS
-from figures.reports import COMMITTED, FRESH, Missing, Reports, RequestError
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab")]
+
+import results  # noqa: E402
+import text_blocks  # noqa: E402
+import venv_packages  # noqa: E402
+from figures.modules import CHARTS, MODULES  # noqa: E402
+from report_modules import printed  # noqa: E402
 
 
-def draw(root, source, target, names=None):
-    """Every picture whose reports are in `source`, into `target`; the files written."""
-    reports, written = Reports(root, source), []
+def draw(reports, folder, names=None):
+    """Every picture whose reports are there, or those of these reports; the files written."""
+    written = []
     for name, needed in CHARTS.items():
         if (names is None or set(names) & set(needed)) and all(map(reports.has, needed)):
-            written += importlib.import_module(f"figures.charts.{name}").draw(
-                reports, root / target)
+            written += importlib.import_module(f"figures.charts.{name}").draw(reports, folder)
     return written
 
 
-def fill(root):
-    """Puts the figures into every text; (texts changed, what is wrong, what no report says yet)."""
-    reports, changed, wrong, unmeasured = Reports(root), [], [], []
-    for path in check.texts(root):
-        before, after, faults, missing = check.examine(root, path, reports)
-        wrong += faults
-        unmeasured += missing
-        if after != before:
-            path.write_text(after, encoding="utf-8")
-            changed.append(path)
-    return changed, wrong, unmeasured
-
-
-def do_all(options):
-    """Pictures and figures in texts from the committed reports, pictures of fresh ones beside
-    them.
-    """
-    shown = draw(options.root, COMMITTED, "docs")
-    draw(options.root, FRESH, FRESH)
-    print(f"drew {len(shown)} pictures in docs/")
-    return do_fill(options)
-
-
-def do_fill(options):
-    changed, wrong, unmeasured = fill(options.root)
-    for line in [*wrong, *unmeasured]:
+def write(options):
+    """The pictures in docs/ of a release, and the blocks of all texts."""
+    released = results.released(options.root, options.version, MODULES)
+    print(f"drew {len(draw(released, options.root / 'docs'))} pictures in docs/")
+    blocks = text_blocks.Blocks(options.root, MODULES)
+    changed, wrong = blocks.write(options.version)
+    for line in wrong:
         print(f"figures: {line}", file=sys.stderr)
-    print(f"filled {len(check.texts(options.root))} texts, {len(changed)} changed")
+    print(f"wrote the blocks of {len(blocks.texts())} texts, {len(changed)} changed")
     return 1 if wrong else 0
 
 
-def do_check(options):
-    _, wrong, stale = check.check(options.root)
-    for line in [*wrong, *stale]:
+def check(options):
+    """Whether texts are what the results of the versions say that they name, and folders are of one commit."""
+    count, wrong = text_blocks.Blocks(options.root, MODULES).check()
+    wrong += text_blocks.releases(options.root)
+    for line in wrong:
         print(line)
-    print(f"figures: {len(wrong)} wrong, {len(stale)} to be measured")
-    return 1 if wrong or (stale and options.strict) else 0
+    print(f"figures: {count} texts, {len(wrong)} wrong")
+    return 1 if wrong else 0
 
 
-def do_adopt(options):
-    for name in options.names:
-        written = measure.adopt(options.root, name, options.part)
-        print(f"wrote {written.relative_to(options.root)}")
+def show(options):
+    """Prints reports of build/reports and draws them there."""
+    fresh = results.Results(options.root, modules=MODULES)
+    for name in options.names.split(","):
+        sys.stdout.write(printed(MODULES[name], fresh).rstrip("\n") + "\n\n")
+    sys.stdout.flush()
+    try:
+        drawn = draw(fresh, fresh.folder, options.names.split(","))
+        if drawn:
+            print("drew " + ", ".join(str(path.relative_to(options.root)) for path in drawn))
+    except ImportError as error:
+        print(f"no pictures: {error}: run tools/install figures", file=sys.stderr)
     return 0
 
 
-def do_measure(options):
+def run(options):
+    """Runs a command that measures, finishes the reports that it has written, and shows them. Its exit status."""
+    fresh = results.Results(options.root, modules=MODULES)
     names = options.names.split(",")
-    status, changed = measure.run(options.root, names, options.command)
+    before = {name: _written(fresh.path(name)) for name in names}
+    status = _ended(options.command)
+    changed = [name for name in names if _written(fresh.path(name)) not in (None, before[name])]
+    for name in changed:
+        if hasattr(MODULES[name], "finished"):
+            text = json.dumps(MODULES[name].finished(fresh)) + "\n"
+            fresh.path(name).write_text(text, encoding="utf-8")
     if changed and options.show:
-        measure.show(options.root, changed)
-        try:
-            written = draw(options.root, FRESH, FRESH, changed)
-            if written:
-                print("drew " + ", ".join(str(path.relative_to(options.root)) for path in written))
-        except ImportError as error:
-            print(f"no pictures: {error}: run tools/install figures", file=sys.stderr)
+        options.names = ",".join(changed)
+        show(options)
     return status
 
 
+def _written(path):
+    return path.stat().st_mtime_ns if path.is_file() else None
+
+
+def _ended(command):
+    """Its exit status. An interrupt is the command's to answer, which has its own order to restore: a
+    terminal interrupts both, what ends this program is passed on, and then the command is awaited."""
+    with subprocess.Popen(command) as process:
+        signal.signal(signal.SIGINT, lambda *_: None)
+        signal.signal(signal.SIGTERM, lambda *_: process.terminate())
+        status = process.wait()
+    return status if status >= 0 else 128 - status  # as a shell has it
+
+
 def main(arguments=None):
-    parser = argparse.ArgumentParser(
-        prog="figures", description="Draws what studies have measured and fills it into texts; "
-        "without a command all of it, from docs/reports/.")
+    parser = argparse.ArgumentParser(prog="figures", description="Tables and pictures of what has been measured, "
+                                     "and the blocks of the texts; without a command it writes these.")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to work on")
-    parser.set_defaults(do=do_all)
+    parser.set_defaults(do=write, version="")
     commands = parser.add_subparsers(title="commands")
-    commands.add_parser("fill", help="the texts only").set_defaults(do=do_fill)
-    checking = commands.add_parser("check", help="whether texts are what their reports say")
-    checking.add_argument("--strict", action="store_true", help="a stale report is a fault too")
-    checking.set_defaults(do=do_check)
-    adopting = commands.add_parser("adopt", help="takes build/reports/NAME.json into docs/reports/")
-    adopting.add_argument("names", nargs="+", metavar="NAME")
-    adopting.add_argument("--part", action="store_true", help="also where rows are missing")
-    adopting.set_defaults(do=do_adopt)
-    measuring = commands.add_parser("measure", help="runs a study, stamps and prints its report")
-    measuring.add_argument("--quiet", dest="show", action="store_false",
-                           help="neither prints nor draws")
-    measuring.add_argument("names", metavar="NAME,...", help="then -- and the command to run")
-    measuring.set_defaults(do=do_measure)
+    writing = commands.add_parser("write", help="pictures in docs/ and the blocks of the texts")
+    writing.add_argument("--version", default="", help="makes all blocks and pictures those of this release")
+    writing.set_defaults(do=write)
+    commands.add_parser("check", help="whether texts are what the results say").set_defaults(do=check)
+    showing = commands.add_parser("show", help="prints and draws reports of build/reports")
+    running = commands.add_parser("run", help="runs a study and shows its reports")
+    running.add_argument("--quiet", dest="show", action="store_false", help="neither prints nor draws")
+    for one, do in ((showing, show), (running, run)):
+        one.add_argument("names", metavar="NAME,...", help="of reports; of run then -- and the command")
+        one.set_defaults(do=do)
     words = list(sys.argv[1:] if arguments is None else arguments)
     at = words.index("--") if "--" in words else len(words)
     options = parser.parse_args(words[:at])
@@ -114,12 +125,11 @@ def main(arguments=None):
         return options.do(options)
     except KeyboardInterrupt:
         return 130
-    except Missing as missing:
-        print(f"figures: there is no report yet: {missing}", file=sys.stderr)
-    except (RequestError, sources.SourceError, OSError) as error:
+    except (results.Missing, results.RequestError, OSError) as error:
         print(f"figures: {error}", file=sys.stderr)
     return 1
 
 
 if __name__ == "__main__":
+    venv_packages.enter("requirements-figures.txt")
     sys.exit(main())

@@ -1,13 +1,12 @@
 """make mutants: single changes of the RTL, and whether the tests see them.
 
     python lab/mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
-                           [--again] [--report FILE] [-j JOBS]
+                           [--report FILE] [-j JOBS]
 
 Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
 run that `make test` has. What they do not see is proved to change nothing; or SAT finds that it can
 change something, and it has survived; or neither is known in time. Late tests, which take minutes, run
-with those alone that are not proved. Of a subject whose design and tests are those of the committed
-report its rows stand. Writes the report. The exit status is 1 where a subject falls short of its aim, to
+with those alone that are not proved. Writes the report. The exit status is 1 where a subject falls short of its aim, to
 which what is undecided counts as survived. A sample is as small as the table says, proofs have less time,
 and the aim is of all of it.
 
@@ -27,10 +26,8 @@ sys.path.insert(1, str(ROOT / "tools"))
 import aiger  # noqa: E402  pylint: disable=wrong-import-position
 import built  # noqa: E402  pylint: disable=wrong-import-position
 import campaign  # noqa: E402  pylint: disable=wrong-import-position
-import digest  # noqa: E402  pylint: disable=wrong-import-position
 import equivalence  # noqa: E402  pylint: disable=wrong-import-position
 import front  # noqa: E402  pylint: disable=wrong-import-position
-import kept  # noqa: E402  pylint: disable=wrong-import-position
 import netlist  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 from known import Known  # noqa: E402  pylint: disable=wrong-import-position
@@ -57,26 +54,13 @@ def numbers(chosen, column, total):
     return [max(1, round(number * total / sum(table))) for number in table] if total else table
 
 
-def key(subject, top, folder):
-    """What the verdicts of a subject depend on: its design, what that is made for, its tests, and how they
-    are found."""
-    tests = sorted((ROOT / subject["program"]).parent.rglob("*.?pp"))
-    return digest.of(netlist.text(folder), *map(digest.lines, equivalence.domain(top)),
-                     *(subject[field] for field in ("tests", "modules", "mutants", "late")), *map(digest.cpp, tests),
-                     digest.statements(aiger, campaign, equivalence, netlist))
-
-
-def measure(options, subject, number, known):
-    """The rows of a subject: those that are known, or so many mutants and their verdicts."""
+def measure(options, subject, number):
+    """The rows of a subject: so many mutants and their verdicts."""
     model = built.model(options.build, subject["library"])
     folder = options.build / "mutants" / f"{subject['name']}-{number}"
     folder.mkdir(parents=True, exist_ok=True)
     of_design = netlist.read(ROOT, model, folder)
-    same = key(subject, model.top, folder)
-    print(f"mutants: {subject['name']}: {model.top}{', as in docs/reports' if known.rows(same) else ''}",
-          file=sys.stderr, flush=True)
-    if known.rows(same):
-        return known.rows(same)
+    print(f"mutants: {subject['name']}: {model.top}", file=sys.stderr, flush=True)
     seed = of_design if options.seed is None else options.seed
     mutants = netlist.listed(ROOT, folder, number, seed, subject["modules"])
     program, mutants = campaign.program(options.build, subject, model, mutants, folder)
@@ -91,7 +75,7 @@ def measure(options, subject, number, known):
                          options.jobs, "proof")
     if subject["late"] and not options.sample:
         verdicts = after_late_tests(options, subject, folder, verdicts)
-    return rows({"subject": subject["name"], "key": same, "seed": seed}, mutants,
+    return rows({"subject": subject["name"], "seed": seed}, mutants,
                 {place: verdicts.get(place, "killed") for place in range(1, len(mutants) + 1)})
 
 
@@ -129,10 +113,8 @@ def work_on(options):
     found, faults = [], []
     column = "sample" if options.sample else "mutants"
     chosen = [subject for subject in subjects(options.only) if subject[column] != "0"]
-    others = options.sample or options.mutants or options.seed is not None
-    known = kept.Kept(ROOT, "mutants", again=options.again or others)
     for subject, number in zip(chosen, numbers(chosen, column, options.mutants)):
-        mine = measure(options, subject, number, known)
+        mine = measure(options, subject, number)
         found += mine
         if score(mine) < float(subject["aim"]) and not options.sample:
             faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
@@ -156,7 +138,6 @@ def main():
     asked.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
     asked.add_argument("--sample", action="store_true", help="so few that make test has time for them")
     parser.add_argument("--seed", type=int, help="of their choice; from each design")
-    parser.add_argument("--again", action="store_true", help="also what the committed report has of these sources")
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()

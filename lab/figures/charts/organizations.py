@@ -8,7 +8,7 @@ from matplotlib import pyplot
 
 from figures.charts import BLUE, GREEN, RED, save
 from figures.charts.labels import Labels
-from figures.studies.organizations import rows
+from organization_tables import rows
 from organizations import label
 
 

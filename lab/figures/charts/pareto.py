@@ -9,7 +9,7 @@ from matplotlib import pyplot
 
 from figures.charts import BLUE, LIGHT, save
 from figures.charts.labels import Labels
-from figures.studies.throughput import CORE, front, throughputs
+from throughput import CORE, throughputs, unbeaten
 
 TARGET = "ecp5"
 
@@ -25,7 +25,7 @@ def panels(reports):
 
 
 def panel(axes, title, axis, found):
-    best = front(found)
+    best = unbeaten(found)
     axes.loglog()
     axes.scatter([one.size for one in found], [one.rate for one in found], s=16, color=LIGHT)
     axes.plot([one.size for one in best], [one.rate for one in best], "o-", color=BLUE,

@@ -8,7 +8,7 @@ from matplotlib import pyplot
 from matplotlib.patches import FancyBboxPatch, Rectangle
 
 from figures.charts import save
-from figures.studies.structure import FIELDS
+from structure_tables import FIELDS
 
 # Folder of rtl/ -> colour of its modules: box, ink.
 COLOURS = {

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table, listing
+from text_table import Table, listing, shown
 
 
 def errors(reports):

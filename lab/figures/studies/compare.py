@@ -3,9 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.reports import RequestError
-from figures.table import Table
+from results import RequestError
+from text_table import Table, shown
 
 MILLION = 1e6
 FLOAT, DOUBLE = "LatticeEvaluator<float>", "LatticeEvaluator<double>"

@@ -3,9 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.reports import RequestError
-from figures.table import Table
+from results import RequestError
+from text_table import Table, shown
 
 ROWS = 3  # of a report that is whole
 

@@ -7,8 +7,7 @@ import collections
 import csv
 import re
 
-from figures.expressions import shown
-from figures.table import Table
+from text_table import Table, shown
 
 VERDICTS = ("total", "killed", "equivalent", "undecided", "survived")
 HEADS = ["mutants", "killed", "equivalent", "undecided", "survived", "killed, %"]

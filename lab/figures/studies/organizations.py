@@ -5,23 +5,12 @@ SPDX-License-Identifier: Apache-2.0
 
 import configurations
 import organizations
-from figures.expressions import shown
-from figures.reports import RequestError
-from figures.studies import throughput
-from figures.table import Table
+import throughput
+from organization_tables import is_plain, rows
+from results import RequestError
+from text_table import Table, shown
 
 FORMATS = ("fp32", "fx18", "fx32")
-
-
-def is_plain(row):
-    """A row that differs from the others of its format by organization, N and schedule only."""
-    return len(row["name"].split("-")) == 3
-
-
-def rows(reports, **wanted):
-    """Rows as measured: without the tree of 64 units, which is `parallel`, under its second name."""
-    return [row for row in reports.rows("organizations", **wanted)
-            if not organizations.is_second_name(row)]
 
 
 def first(found, **wanted):

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.table import listing
+from text_table import listing
 
 COLUMNS = ("traffic | `traffic`", "seeds | seeds", "tests | tests", "failed | failed",
            "results counted | results", "clocks counted | clocks")

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.table import Table
+from text_table import Table
 
 
 def lattices(rows):

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from text_table import Table, shown
 
 UNITS = {"add": "`ffd_fp_add`", "mul": "`ffd_fp_mul`", "fma": "`ffd_fp_fma`"}
 

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from text_table import Table, shown
 
 PROVED, REFUTED = "proved", "refuted"
 # Proved by `make theorems NIGHTLY=1` only; a report without them is whole.

@@ -16,8 +16,10 @@ sys.path.insert(0, str(STUDY))
 
 import joined  # noqa: E402  pylint: disable=wrong-import-position
 import routed  # noqa: E402  pylint: disable=wrong-import-position
-from figures import catalogue, markers  # noqa: E402  pylint: disable=wrong-import-position
-from figures.reports import COMMITTED, Reports, RequestError  # noqa: E402  pylint: disable=wrong-import-position
+import text_blocks  # noqa: E402  pylint: disable=wrong-import-position
+from figures.modules import MODULES, missing  # noqa: E402  pylint: disable=wrong-import-position
+from report_modules import printed  # noqa: E402  pylint: disable=wrong-import-position
+from results import FRESH, RequestError, Results  # noqa: E402  pylint: disable=wrong-import-position
 
 MEASURED = {"vertices": 100, "vector_units": "AVX2", "cores": [], "software": [
     {"what": what, "sorted": is_sorted, "vertices_per_s": rate * (2 if is_sorted else 1),
@@ -60,9 +62,9 @@ REPORTS = {
 @pytest.fixture
 def reports(checkout):
     def of(**changed):
-        checkout.put({f"{COMMITTED}/{name}.json": content
+        checkout.put({f"{FRESH}/{name}.json": content
                       for name, content in {**REPORTS, **changed}.items()})
-        return Reports(checkout.root)
+        return Results(checkout.root, modules=MODULES)
     return of
 
 
@@ -147,7 +149,7 @@ def test_the_processor_says_its_name(tmp_path):
 
 def test_table_and_figures(reports, whole):
     data = reports(compare=whole)
-    lines = markers.table(data, "compare.programs").rows
+    lines = text_blocks.table(data, "compare.programs").rows
     assert [line[0] for line in lines] == [
         "`LatticeEvaluator<float>`", "`LatticeEvaluator<double>`",
         "`device model basic-fx18-overlapped`", "peer 1.0 `call`",
@@ -159,13 +161,13 @@ def test_table_and_figures(reports, whole):
     assert data.figure("compare", "float_sorted_reached") is True
     assert data.figure("compare", "core_name") == "factored3-fx18-overlapped"
     assert data.figure("compare", "times_peer_random") == 5
-    assert "AVX2" in catalogue.printed(data, "compare")
-    assert catalogue.missing(data, "compare") == ""
+    assert "AVX2" in printed(MODULES["compare"], data)
+    assert missing(data, "compare") == ""
 
 
 def test_standard_cells_have_an_energy_and_no_clock(reports, whole):
     cells = {"rows": [{"name": "cg1-fx18-overlapped", "device": "cells", "energy_nj_per_vertex": 250.04}]}
-    lines = markers.table(reports(compare=whole, energy=cells), "compare.programs").rows
+    lines = text_blocks.table(reports(compare=whole, energy=cells), "compare.programs").rows
     assert len(lines) == 8
     assert lines[-1] == ["`ffd_org_select` cg1-fx18-overlapped", "cells", *["-"] * 5, "250.0", "-"]
 
@@ -177,13 +179,13 @@ def test_a_clock_with_a_remark_is_no_fastest_core(reports, whole):
             row["remark"] = "no delays"
     data = reports(compare=marked)
     assert data.figure("compare", "core_name") == "basic-fx18-overlapped"
-    assert "(1) no delays" in catalogue.printed(data, "compare")
+    assert "(1) no delays" in printed(MODULES["compare"], data)
 
 
 def test_without_a_kind_it_is_not_whole(reports, whole):
     part = {**whole, "rows": [row for row in whole["rows"] if row["kind"] != "peer"]}
     data = reports(compare=part)
-    assert catalogue.missing(data, "compare") == "rows of kind peer"
+    assert missing(data, "compare") == "rows of kind peer"
     with pytest.raises(RequestError, match="no rows of kind peer"):
         data.figure("compare", "peer_random")
 

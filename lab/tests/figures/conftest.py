@@ -4,13 +4,14 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pytest
-from figures.reports import COMMITTED, Reports
+from figures.modules import MODULES
+from results import FRESH, Results
 
 
 @pytest.fixture
 def reports(checkout):
     """The reports of a folder, with these written into it first."""
-    def of(folder=COMMITTED, **contents):
+    def of(folder=FRESH, **contents):
         checkout.put({f"{folder}/{name}.json": content for name, content in contents.items()})
-        return Reports(checkout.root, folder)
+        return Results(checkout.root, folder, MODULES)
     return of

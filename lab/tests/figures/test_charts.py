@@ -7,11 +7,10 @@ import importlib
 import xml.etree.ElementTree
 
 import pytest
-import samples
-from figures.catalogue import CHARTS
+import report_samples as samples
 from figures.charts import timeline
 from figures.charts.labels import Labels
-from figures.reports import FRESH
+from figures.modules import CHARTS
 from matplotlib import pyplot
 from rtl import ROOT
 
@@ -44,7 +43,7 @@ def drawn(name, reports, folder):
 
 
 def test_every_picture_has_its_words_and_the_same_bytes_again(reports, tmp_path):
-    found = reports(FRESH, **REPORTS)
+    found = reports(**REPORTS)
     first, second = ([path for name in CHARTS for path in drawn(name, found, tmp_path / folder)]
                      for folder in ("first", "second"))
     assert [path.name for path in first] == list(WORDS)

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.table import Table
+from text_table import Table, shown
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS = "hwffd_stream_bus"  # that core on streams of other widths
@@ -237,4 +236,4 @@ def missing(reports):
 
 TABLES = {"organizations": organizations, "cores": cores, "systems": systems, "prices": prices,
           "generality": generality, "matrix": matrix, "critical_paths": critical_paths}
-FIGURES = {"rows": lambda reports: len(reports.rows("synth")), "older": lambda reports: reports.older("synth")}
+FIGURES = {"rows": lambda reports: len(reports.rows("synth"))}

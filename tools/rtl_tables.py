@@ -12,8 +12,8 @@ import registers as registers_table
 import rtl
 import space
 import space_values as values
-from figures.reports import RequestError
-from figures.table import Table
+from results import RequestError
+from text_table import Table
 
 
 def _meanings(top, names, lines):

@@ -6,11 +6,26 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from dataclasses import dataclass
 
-from figures.expressions import shown
-from figures.reports import lookup
+from results import RequestError, lookup
 
 _NUMBER = re.compile(r"[-+]?[\d,]*\.?\d+(?:e[-+]\d+)?(?: ?%|(?:[ /+]+| of )[\d,.]+)*")
 _NOTHING = ("", "-")
+
+
+def shown(value, form=""):
+    """A figure as text."""
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    try:
+        if form:
+            return format(value, form)
+    except ValueError as error:
+        raise RequestError(f"'{form}' does not write {value!r}: {error}") from error
+    if isinstance(value, float):
+        return f"{value:,.0f}" if abs(value) >= 100 else f"{value:.3g}"
+    return f"{value:,}" if isinstance(value, int) else str(value)
 
 
 @dataclass

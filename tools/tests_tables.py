@@ -1,5 +1,4 @@
-"""make test: how many tests there are of what, and the steps that take longest. What is committed
-keeps the seconds: they are meant as those of one machine.
+"""make test: how many tests there are of what, how many were skipped, and the steps that take longest.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -7,17 +6,15 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import xml.etree.ElementTree
 
-from figures.reports import FRESH, RequestError
-from figures.table import listing
+from results import RequestError
+from text_table import listing
 
 LONGEST = 10
 
 
-def collect(root):
-    """Makes the report of what ctest wrote, by suite: the part of a test's name before a dot."""
-    source, target = (root / FRESH / f"tests.{suffix}" for suffix in ("xml", "json"))
-    if not source.is_file():
-        return
+def collect(source, skipped):
+    """Writes beside the XML of ctest the report by suite, which is the part of a test's name before a dot. Of
+    them so many were skipped: ctest itself does not know those that say so in their output."""
     try:
         cases = [{"name": case.get("name"), "seconds": float(case.get("time")), "status": case.get("status")}
                  for case in xml.etree.ElementTree.parse(source).iter("testcase")]
@@ -29,13 +26,12 @@ def collect(root):
         suite["tests"] += 1
         suite["seconds"] = round(suite["seconds"] + case["seconds"], 1)
     longest = sorted(cases, key=lambda case: -case["seconds"])[:LONGEST]
-    target.write_text(json.dumps({
+    source.with_suffix(".json").write_text(json.dumps({
         "tests": len(cases), "failed": sum(case["status"] == "fail" for case in cases),
-        "skipped": sum(case["status"] not in ("run", "fail") for case in cases),
+        "skipped": skipped,
         "suites": [{"suite": name, **suite} for name, suite in sorted(suites.items())],
         "longest": [{"name": case["name"], "seconds": round(case["seconds"], 1)}
-                    for case in longest]}), encoding="utf-8")
-    source.unlink()
+                    for case in longest]}) + "\n", encoding="utf-8")
 
 
 def suites(reports):

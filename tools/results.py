@@ -1,28 +1,27 @@
-"""Reports of one folder, each read once.
+"""Reports of one folder, each read once: those of a release, docs/results/VERSION, which the laboratory has
+measured on one commit, or those that commands have just written, build/reports.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
 import json
 import pathlib
+import re
 
-from figures.catalogue import REPORTS, module
-
-COMMITTED, FRESH = "docs/reports", "build/reports"
+RELEASED, FRESH = "docs/results", "build/reports"
+RELEASE = "release.json"  # of a release: its version, commit and studies
+# The field with the rows of a report, where it is not `rows`.
+ROWS = {"bfp": "errors", "boards": "boards", "dma": "runs", "formal": "properties", "glapi": "commands",
+        "plates": "plates", "sim": "runs", "structure": "designs", "tests": "suites"}
+_VERSION = re.compile(r"\d+\.\d+\.\d+")
 
 
 class Missing(Exception):
-    """A figure that no report has; its text is the command that makes it."""
+    """A figure that no report has, in one line."""
 
 
 class RequestError(Exception):
     """A request that no report can answer, in one line."""
-
-
-def command(name, wanted=()):
-    """The command that makes the rows in question."""
-    words = [f"{key.upper()}={wanted[key]}" for key in REPORTS[name].selectors if key in wanted]
-    return " ".join([REPORTS[name].command, *words])
 
 
 def read(path):
@@ -60,54 +59,61 @@ def is_wanted(row, wanted):
     return True
 
 
-class Reports:
-    """Those in one folder of a checkout."""
+def versions(root):
+    """Those that have results, the newest last."""
+    found = [path.name for path in (pathlib.Path(root) / RELEASED).glob("*") if _VERSION.fullmatch(path.name)]
+    return sorted(found, key=lambda name: [int(part) for part in name.split(".")])
 
-    def __init__(self, root, folder=COMMITTED):
+
+def released(root, version="", modules=()):
+    """The results of a version, or of the newest. Raises RequestError where there are none."""
+    known = versions(root)
+    if not known or version and version not in known:
+        raise RequestError(f"{version or RELEASED} has no results: " + (
+            f"one of {', '.join(known)}, or make results" if known else "make results"))
+    return Results(root, f"{RELEASED}/{version or known[-1]}", modules)
+
+
+class Results:
+    """Those of one folder of a checkout. `modules` has by name what makes tables and figures of a report,
+    for texts (text_blocks.py)."""
+
+    def __init__(self, root, folder=FRESH, modules=()):
         self.root = pathlib.Path(root)
         self.folder = self.root / folder
         self.fresh = folder == FRESH
+        self.modules = dict(modules)
         self._read = {}
 
     def path(self, name):
-        """Where a report lies: fresh ones under the name that their command gives them."""
-        file = REPORTS[name].written if self.fresh and REPORTS[name].written else name
-        return self.folder / f"{file}.json"
+        """Where a report lies."""
+        return self.folder / f"{name}.json"
 
     def has(self, name):
         return self.path(name).is_file()
 
     def get(self, name):
         """A whole report. Raises Missing and RequestError."""
-        if name not in REPORTS:
-            raise RequestError(f"no report '{name}': one of {', '.join(REPORTS)}")
         if not self.has(name):
-            raise Missing(command(name))
+            raise Missing(f"{self.path(name).relative_to(self.root)} is not there")
         if name not in self._read:
             self._read[name] = read(self.path(name))
         return self._read[name]
 
     def rows(self, name, /, **wanted):
-        """Its rows, those that are as wanted; fields may be given as KEY! to exclude."""
-        if name not in REPORTS:
-            found = getattr(module(name), "rows", lambda _: [])(self) if module(name) else []
-        else:
-            found = self.get(name).get(REPORTS[name].rows)
+        """Its rows, those that are as wanted; fields may be given as KEY! to exclude. A module without a
+        report may have rows of its own."""
+        own = getattr(self.modules.get(name), "rows", None)
+        found = own(self) if own and not self.has(name) else self.get(name).get(ROWS.get(name, "rows"))
         if not isinstance(found, list) or not found:
             raise RequestError(f"{name} has no rows")
         return [row for row in found if is_wanted(row, wanted)]
 
-    def older(self, name):
-        """How many rows were kept beside a part that was measured anew (measure.with_older)."""
-        return sum(bool(row.get("older")) for row in self.get(name).get(REPORTS[name].rows) or [])
-
     def figure(self, name, field):
         """A field at the top of a report, or a figure that follows from it."""
-        derived = getattr(module(name), "FIGURES", {}) if module(name) else {}
+        derived = getattr(self.modules.get(name), "FIGURES", {})
         if field in derived:
             return derived[field](self)
-        if name not in REPORTS:
-            raise RequestError(f"{name} has no {field}")
         try:
             return lookup(self.get(name), field)
         except KeyError:

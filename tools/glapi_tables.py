@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.table import listing
+from text_table import listing
 
 
 def commands(reports):

@@ -7,29 +7,14 @@ SPDX-License-Identifier: Apache-2.0
 import re
 import shlex
 
-from figures.reports import Missing, RequestError, command, lookup
+from results import Missing, RequestError, lookup
+from text_table import shown
 
 _TERM = re.compile(r"""(?:(?P<function>sum|max|min|count)\()?
                        (?P<report>\w+)\.(?P<field>\w+(?:\.\w+)*)
                        (?:\[(?P<wanted>(?:"[^"]*"|[^\]"])*)\])?
                        (?P<closed>\))?""", re.VERBOSE)
 _FUNCTIONS = {"sum": sum, "max": max, "min": min, "count": len}
-
-
-def shown(value, form=""):
-    """A figure as text."""
-    if value is None:
-        return "-"
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    try:
-        if form:
-            return format(value, form)
-    except ValueError as error:
-        raise RequestError(f"'{form}' does not write {value!r}: {error}") from error
-    if isinstance(value, float):
-        return f"{value:,.0f}" if abs(value) >= 100 else f"{value:.3g}"
-    return f"{value:,}" if isinstance(value, int) else str(value)
 
 
 def pairs(words):
@@ -47,7 +32,8 @@ def _rows(reports, report, field, wanted):
     """The field of every row that is as wanted. Raises Missing where none is."""
     rows = reports.rows(report, **wanted)
     if not rows:
-        raise Missing(command(report, wanted))
+        words = " ".join(f"{key}={value}" for key, value in wanted.items())
+        raise Missing(f"{report}.json has no row {words}")
     try:
         return [lookup(row, field) for row in rows]
     except KeyError:

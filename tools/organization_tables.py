@@ -3,18 +3,33 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from figures.expressions import shown
-from figures.studies.bounds import sharpest
-from figures.studies.organizations import is_plain, rows
-from figures.table import Table
-from organizations import known, label
+from organizations import is_second_name, known, label
+from text_table import Table, shown
 
-OLDER = " \u2020"
 EVALUATOR, CORE = "ffd_org_select", "hwffd_stream"
 
 
 def _by_name(reports, name, top):
     return {row["name"]: row for row in reports.rows(name, target="ecp5", top=top)}
+
+
+def rows(reports, **wanted):
+    """Rows as measured: without the tree of 64 units, which is `parallel`, under its second name."""
+    return [row for row in reports.rows("organizations", **wanted) if not is_second_name(row)]
+
+
+def is_plain(row):
+    """A row that differs from the others of its format by organization, N and schedule only."""
+    return len(row["name"].split("-")) == 3
+
+
+def _bounds(reports):
+    """(form, format) -> the smallest bound that is proved."""
+    found = {}
+    for row in reports.rows("bounds") if reports.has("bounds") else ():
+        key = row["form"], row["format"]
+        found[key] = min(row["bound"], found.get(key, row["bound"]))
+    return found
 
 
 def _luts(area):
@@ -24,9 +39,9 @@ def _luts(area):
 def organizations(reports, *names):
     """Organizations in fx18, overlapped, on ECP5, all or those named: the whole core, its clock where
     it has been routed, what the evaluator is of it, and the bound that is proved of its errors beside the
-    largest of a sample. A dagger marks a row measured with older RTL.
+    largest of a sample.
     """
-    bounds = sharpest(reports) if reports.has("bounds") else {}
+    bounds = _bounds(reports)
     cores, clocks = (_by_name(reports, name, CORE) for name in ("synth", "pnr"))
     evaluators, lines = _by_name(reports, "synth", EVALUATOR), []
     for row in rows(reports, format="fx18", schedule="overlapped"):
@@ -36,12 +51,11 @@ def organizations(reports, *names):
         core, evaluator = (found.get(row["name"], {}) for found in (cores, evaluators))
         routed = clocks.get(row["name"], {})
         clock, interval = routed.get("fmax_mhz"), row["interval_overlapped"]
-        older = any(found.get("older") for found in (core, evaluator, routed))
         lines.append([
-            f"`{name}`" + OLDER * older, shown(interval, "g"), shown(core.get("dsp")), _luts(core),
+            f"`{name}`", shown(interval, "g"), shown(core.get("dsp")), _luts(core),
             _luts(evaluator), shown(clock, ".1f"),
             shown(clock / interval if clock else None, ".2f"),
-            shown(bounds.get((known()[row["org"]].form, row["format"]), {}).get("bound"), ".1e"),
+            shown(bounds.get((known()[row["org"]].form, row["format"])), ".1e"),
             shown(row["max_error"], ".1e")])
     return Table(["organization", "cycles per vertex", "multipliers", "LUT", "of these, evaluator",
                   "MHz", "million vertices per second", "error, proved bound", "error, sample"], lines)

@@ -7,8 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 from dataclasses import dataclass
 
 import organizations
-from figures.expressions import shown
-from figures.table import Table
+from text_table import Table, shown
 
 # What a target counts first, and the unit of that.
 SIZES = (("lut", "LUTs"), ("area_um2", "um2"), ("cells", "cells"))
@@ -97,7 +96,7 @@ def by_row(reports):
     return found
 
 
-def front(found):
+def unbeaten(found):
     """Those that no other beats, by size."""
     best = [one for one in found if not any(other.beats(one) for other in found)]
     return sorted(best, key=lambda one: one.size)

@@ -1,0 +1,30 @@
+"""By the name of a report what makes its tables, of the product's commands and of the laboratory; and the pictures.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import importlib
+
+import report_modules
+
+STUDIES = ("bench", "bfp", "boards", "bounds", "compare", "coverage", "dma", "embed", "energy", "engines", "formal",
+           "mutants", "organizations", "plates", "sim", "soak", "streams", "tangents", "testfloat", "theorems",
+           "timelines", "unknowns", "upsets", "words")
+MODULES = {**report_modules.MODULES,
+           **{name: importlib.import_module(f"figures.studies.{name}") for name in STUDIES}}
+# Pictures, a module of charts/ each, and the reports that each is drawn from.
+CHARTS = {
+    "organizations": ("organizations",),
+    "pareto": ("organizations", "synth"),
+    "timeline": ("timelines",),
+    "words": ("words",),
+    "streams": ("streams",),
+    "structure": ("structure",),
+    "compare": ("compare",),
+    "tutorial": (),
+}
+
+
+def missing(reports, name):
+    """What a report lacks to be whole, '' if nothing."""
+    return getattr(MODULES.get(name), "missing", lambda _: "")(reports)

@@ -1,0 +1,47 @@
+"""Running a study and showing its report: its exit status, what is printed, what stays.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import sys
+
+import pytest
+from rtl import ROOT
+
+WRITE = """import json, pathlib, sys
+path = pathlib.Path("build/reports/plates.json")
+path.parent.mkdir(parents=True, exist_ok=True)
+path.write_text(json.dumps({report!r}))
+sys.exit({status})
+"""
+PLATES = {"plates": [{"file": f"plate{i}.png", "vertices": 1000 + i, "mismatches": 0} for i in range(10)]}
+
+
+@pytest.fixture
+def study(checkout):
+    """Exit status and what is printed of a program that writes a report and ends so."""
+    def run(*options, report=PLATES, status=0):
+        checkout.put({"program.py": WRITE.format(report=report, status=status)
+                      if report else f"import sys; sys.exit({status})"})
+        status, out, errors = checkout.run(
+            sys.executable, "-B", ROOT / "lab" / "figures", "--root", checkout.root, "run", *options, "plates", "--",
+            sys.executable, "program.py")
+        return status, out + errors
+    return run
+
+
+def test_a_report_is_printed(study):
+    status, text = study()
+    assert status == 0 and "plate9.png" in text
+
+
+def test_a_run_that_fails_prints_what_it_wrote(study):
+    status, text = study(status=3)
+    assert status == 3 and "plate9.png" in text
+
+
+def test_nothing_is_printed_where_it_is_asked_not_to_be_or_nothing_was_written(checkout, study):
+    assert study("--quiet") == (0, "")
+    before = checkout.text("build/reports/plates.json")
+    assert study(report=None, status=2) == (2, "")
+    assert checkout.text("build/reports/plates.json") == before
