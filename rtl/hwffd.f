@@ -131,17 +131,16 @@ number/float/ffd_fp_shift_left.v
 number/float/ffd_fp_shift_right.v
 number/float/ffd_fp_stage.v
 number/float/ffd_fp_unpack.v
-stream/ffd_stream_beside.v
 stream/ffd_stream_buffers.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
 stream/ffd_stream_expand.v
 stream/ffd_stream_framer.v
-stream/ffd_stream_front.v
 stream/ffd_stream_functions.v
 stream/ffd_stream_grid.v
 stream/ffd_stream_header.v
+stream/ffd_stream_ingress.v
 stream/ffd_stream_intake.v
 stream/ffd_stream_locate.v
 stream/ffd_stream_marks.v
@@ -150,6 +149,7 @@ stream/ffd_stream_pages.v
 stream/ffd_stream_place.v
 stream/ffd_stream_readers.v
 stream/ffd_stream_resident.v
+stream/ffd_stream_sideband.v
 stream/ffd_stream_slots.v
 stream/ffd_stream_sums.v
 stream/ffd_stream_units_in.v

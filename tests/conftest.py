@@ -4,6 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -85,4 +86,37 @@ def call(capsys):
         status = main([str(word) for word in words])
         said = capsys.readouterr()
         return status, said.out.splitlines(), said.err.splitlines()
+    return called
+
+
+@pytest.fixture
+def programs(checkout):
+    """Writes programs of the shell; those in bin/ come first in PATH."""
+    def put(**bodies):
+        for name, body in bodies.items():
+            checkout.put({name.replace("__", "/").replace("_", "-"): f"#!/bin/sh\n{body}\n"}, 0o755)
+    return put
+
+
+@pytest.fixture
+def run(checkout):
+    """Nothing of a make that may be running this test, nor of its caller's choices."""
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("MAKE", "MFLAGS", "HWFFD_"))}
+    environment["PATH"] = f"{checkout.root}/bin:{environment['PATH']}"
+    return lambda *command, **variables: checkout.run(*command, env={**environment, **variables})
+
+
+@pytest.fixture
+def make(checkout, programs, run):
+    """(exit status, lines that are printed, complaints)"""
+    checkout.copy("Makefile", "tools/options.mk")
+    checkout.put({"tools/run_tests": '#!/bin/sh\nshift\nexec "$@"\n'}, 0o755)
+    programs(tools__install='echo "install $*"', tools__lint="exit 0")
+    programs(**{f"bin__{tool}": f'echo "{tool} $*"' for tool in ("cmake", "ctest")},
+             **{"tools__configurations.py": "exit 0"})
+
+    def called(*words, **variables):
+        status, out, errors = run("make", *words, **variables)
+        return status, out.splitlines(), errors
     return called

@@ -68,7 +68,7 @@ def used(root, build, rows):
              if line.strip().startswith("/usr/")}
     files |= set(_LIBRARY.findall(_said("ninja", "-C", build, "-t", "commands")))
     words = {command for _, command, *_ in rows if command != "-"} | set(PROGRAMS)
-    for folder in ("scripts", "studies", "tests", "apps"):
+    for folder in ("tools", "tests", "apps"):
         for path in (root / folder).rglob("*"):
             if path.suffix in ("", ".py") and path.is_file() and path.name != APART:
                 words |= set(_WHICH.findall(path.read_text(encoding="utf-8", errors="replace")))

@@ -11,9 +11,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import csv
+import dataclasses
 import pathlib
 import re
-from dataclasses import dataclass
 
 import digest
 import engine
@@ -34,7 +34,7 @@ class ProofError(Exception):
     """A table or a property that makes no sense, in one line."""
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Property:
     """A row of the table."""
 
@@ -237,6 +237,39 @@ class Proofs:
     def effort(self, one):
         """The seconds that it took with other sources."""
         return max(map(engine.seconds, self.folder.glob(f"{one.full_name}.*.seconds")), default=0)
+
+
+def changed_since(proofs, everything, commit):
+    """The properties whose row, harness or modules under proof differ from those of a commit. Raises ProofError."""
+    def git(*words):
+        status, said = rtl.run(["git", "-C", str(proofs.root), *words])
+        if status:
+            raise ProofError(f"commit '{commit}': {said.strip().splitlines()[-1] if said.strip() else 'unknown to git'}")
+        return said
+
+    said = git("diff", "--name-status", commit, "--", "rtl", str(pathlib.Path(TABLE).parent))
+    different = {pathlib.Path(line.split("\t")[-1]).name for line in said.splitlines() if not line.startswith("R100")}
+    rows = None
+    if pathlib.Path(TABLE).name in different:
+        rows = set(map(tuple, csv.reader(git("show", f"{commit}:{TABLE}").splitlines())))
+
+    def read(path):
+        """Its name, and those of all that it includes."""
+        names, texts = {path.name}, [path.read_text()]
+        for text in texts:
+            for name in re.findall(r'^\s*`include "([^"]+)"', text, re.MULTILINE):
+                if name not in names:
+                    names.add(name)
+                    texts += [(folder / name).read_text() for folder in map(pathlib.Path, proofs.sources.includes)
+                              if (folder / name).is_file()]
+        return names
+
+    def touched(one):
+        needed, harness = proofs.sources_of(one)
+        return (rows is not None and dataclasses.astuple(one) not in rows) or any(
+            read(path) & different for path in (*needed.values(), *harness))
+
+    return [one for one in everything if touched(one)]
 
 
 def decided(one, said):

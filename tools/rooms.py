@@ -1,4 +1,7 @@
-"""The folders of C++ and which of them may include headers of which: arrows run one way only.
+"""The rooms of the project: arrows between them run one way only.
+
+Of C++ a table says which may include headers of which. The laboratory may use all of the product; the product stands
+without it, and so no file names it but texts, which may link, and those of MAY_NAME.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -9,18 +12,31 @@ import re
 ROOMS = {
     "golden": (),
     "geometry": ("golden",),
-    "driver": ("golden",),
     "cores": ("golden",),
-    "api": ("golden", "geometry", "driver", "cores"),
-    "tb": ("golden", "driver", "cores"),
-    "program": ("golden", "geometry"),
-    "studies": ("golden", "geometry", "driver", "cores", "api", "tb", "program"),
-    "apps": ("golden", "geometry", "driver", "cores", "api", "tb", "program", "studies"),
-    "examples": ("golden", "geometry", "driver", "cores", "api", "program", "apps"),
+    "api": ("golden", "geometry", "cores"),
+    "apps": ("golden", "geometry", "cores", "api"),
+    "tb": ("golden", "geometry", "cores", "api", "apps"),
+    "examples": ("golden", "geometry", "cores", "api", "apps"),
 }
-TESTS = "tests"  # may include all
+LABORATORY = "lab"
+# What calls it, and the checks of this.
+MAY_NAME = ("Makefile", ".ci/run", "tools/rooms.py", "tests/lint/test_text_rules.py", "tests/lint/test_commands.py")
+
+_NAMED = re.compile(rf"""(?<![\w/.-]){LABORATORY}/|["'/]{LABORATORY}["'/]|\b(?:from|import) {LABORATORY}\b""")
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+
+
+def of_product(tree):
+    """The files that must not name the laboratory."""
+    return [path for path in tree.all if path.suffix != ".md" and tree.name(path) not in MAY_NAME
+            and not tree.name(path).startswith((f"{LABORATORY}/", "docs/results/"))]
+
+
+def laboratory(tree, path):
+    for number, line in tree.lines(path):
+        if _NAMED.search(line):
+            yield number, f"names {LABORATORY}/, which the product must stand without"
 
 
 def headers(tree):

@@ -8,14 +8,11 @@ import re
 
 import links
 import rooms
-import sizes
 from rtl import WAIVERS, line_of, read_file_list, read_include_folders, strip_comments
 
 WIDTH = 100
 OPERATORS = tuple("+-*/%&|^~<>=!?:")
-CPP_FOLDERS = (*rooms.ROOMS, rooms.TESTS)
 CPP_SUFFIXES = (".cpp", ".hpp", ".h", ".c")
-TEXT_FOLDERS = CPP_FOLDERS + ("rtl", "scripts", "cmake", "synth", "docs", ".ci")
 TEXT_SUFFIXES = CPP_SUFFIXES + (
     ".v", ".vh", ".vlt", ".f", ".py", ".sh", ".cmake", ".csv", ".md", ".txt", ".json", ".ys",
     ".sdc", ".xdc", ".lpf", ".pcf",
@@ -43,6 +40,10 @@ CONDITION = re.compile(r"\b(if|while|case[xz]?)\s*\(")
 FORMAT_DIRECTIVE = re.compile(r"`(ifn?def|elsif)\s+\w*FORMAT\w*")
 
 
+# Folders at the top that are not the project's.
+_OTHERS = re.compile(r"build|\.(?!ci$)")
+
+
 class Tree:
     """The files of a checkout, read once."""
 
@@ -52,14 +53,15 @@ class Tree:
         rtl = self.root / "rtl"
         self.verilog = sorted(rtl.rglob("*.v")) + sorted(rtl.rglob("*.sv"))
         self.headers = sorted(rtl.rglob("*.vh")) + sorted(rtl.rglob("*.svh"))
-        self.cpp = self._find(CPP_FOLDERS, CPP_SUFFIXES)
-        self.all = self._find(TEXT_FOLDERS, TEXT_SUFFIXES) + self._scripts()
+        self.folders = sorted(path.name for path in self.root.iterdir() if path.is_dir() and not _OTHERS.match(path.name))
+        self.cpp = self._find(CPP_SUFFIXES)
+        self.all = self._find(TEXT_SUFFIXES) + self._scripts()
         self.markdown = [path for path in self.all if path.suffix == ".md"]
 
-    def _find(self, folders, suffixes):
+    def _find(self, suffixes):
         return [
             path
-            for folder in folders
+            for folder in self.folders
             for path in sorted((self.root / folder).rglob("*"))
             if path.suffix in suffixes and path.is_file() and "__pycache__" not in path.parts
         ]
@@ -260,12 +262,11 @@ PER_FILE = {
     "trailing-blank": (lambda tree: tree.all, trailing_blanks),
     "link": (lambda tree: tree.markdown, links.dead_links),
     "section": (lambda tree: tree.all, links.missing_sections),
-    "long-function": (sizes.files, sizes.long_function),
+    "laboratory": (rooms.of_product, rooms.laboratory),
 }
 # Those that want a Python package.
 PARSED = ("generate-arm",)
-WHOLE_TREE = {"file-list": file_list, "empty-waivers": empty_waivers, "one-way": rooms.arrows,
-              "equal-lines": sizes.equal_lines}
+WHOLE_TREE = {"file-list": file_list, "empty-waivers": empty_waivers, "one-way": rooms.arrows}
 
 
 def check(root, parsed=True):

@@ -75,11 +75,11 @@ void hwffd_set_threads(size_t count) { set_thread_count(count); }
 const char* hwffd_error(void) { return last_error.c_str(); }
 
 hwffd_lattice* hwffd_lattice_new(const int dims[3], const double* points) {
-  return made<hwffd_lattice>([&] { return checked_lattice(dims, points); });
+  return new_handle<hwffd_lattice>([&] { return checked_lattice(dims, points); });
 }
 
 hwffd_lattice* hwffd_lattice_read(const char* path) {
-  return made<hwffd_lattice>([&] {
+  return new_handle<hwffd_lattice>([&] {
     need(path, "path");
     return read_lattice(path);
   });
@@ -87,7 +87,7 @@ hwffd_lattice* hwffd_lattice_read(const char* path) {
 
 hwffd_lattice* hwffd_lattice_around(const char* shape, const int dims[3], const double* points,
                                     size_t n) {
-  return made<hwffd_lattice>([&] {
+  return new_handle<hwffd_lattice>([&] {
     need(shape, "shape");
     need(points, "points", n);
     const Index3 counts = dims == nullptr ? usual_dims(shape) : Index3{dims[0], dims[1], dims[2]};

@@ -45,7 +45,7 @@ Points vectors(const hwffd_view* view, const char* name, const hwffd_attached* a
 extern "C" {
 
 hwffd_attached* hwffd_attach(const hwffd_lattice* lattice, const hwffd_view* points) {
-  return made<hwffd_attached>([&] {
+  return new_handle<hwffd_attached>([&] {
     need(lattice, "lattice");
     return lattice->attach(read_view(points, "points"));
   });

@@ -39,7 +39,7 @@ int guarded(Body body) {
 
 /// A new Handle of what make() gives, or null and hwffd_error().
 template <typename Handle, typename Make>
-Handle* made(Make make) {
+Handle* new_handle(Make make) {
   std::unique_ptr<Handle> handle;
   guarded([&] { handle.reset(new Handle{make()}); });
   return handle.release();

@@ -44,7 +44,7 @@ def facts(options):
 def search(options, name):
     folder = options.build / "bounds" / name
     folder.mkdir(parents=True, exist_ok=True)
-    program = options.build / "lab" / "hwffd-bounds"
+    program = options.build / "lab" / "bounds" / "hwffd-bounds"
     if not program.exists():
         raise gappa.BoundsError(f"{program} is not there: make bounds builds it")
     form = rows.searched(options.form)

@@ -38,7 +38,7 @@ class FloatSums {
           next.push_back(after);
         }
       }
-      best = kept(next);
+      best = pruned(next);
     }
     return best.front();
   }
@@ -57,7 +57,7 @@ class FloatSums {
     return static_cast<double>(after) - static_cast<double>(before) - exact_[i] * p;
   }
 
-  static std::vector<PartialSum> kept(std::vector<PartialSum>& all) {
+  static std::vector<PartialSum> pruned(std::vector<PartialSum>& all) {
     const auto count = std::min<std::size_t>(all.size(), kKept);
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
                       [](const auto& a, const auto& b) { return a.error > b.error; });
@@ -78,7 +78,7 @@ class FloatSums {
                      exact_[first + 1] * pair.point[first + 1];
         all.push_back(pair);
       }
-      return kept(all);
+      return pruned(all);
     }
     const auto low = tree(first, count / 2);
     const auto high = tree(first + count / 2, count / 2);
@@ -93,7 +93,7 @@ class FloatSums {
         all.push_back(both);
       }
     }
-    return kept(all);
+    return pruned(all);
   }
 
   const std::array<float, 64>& weight_;

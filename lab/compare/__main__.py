@@ -87,7 +87,7 @@ def work(options):
 def main():
     parser = argparse.ArgumentParser(prog="compare", description=__doc__.split("\n\n")[0])
     parser.add_argument("--program", type=pathlib.Path,
-                        default=ROOT / "build" / "lab" / "hwffd-compare")
+                        default=ROOT / "build" / "lab" / "compare" / "hwffd-compare")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
                         help="folder for reports")
     parser.add_argument("--points", type=int, default=10_000_000, help="of whole calls of libraries")

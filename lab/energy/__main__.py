@@ -23,7 +23,7 @@ import configurations  # noqa: E402  pylint: disable=wrong-import-position
 import flat  # noqa: E402  pylint: disable=wrong-import-position
 import liberty  # noqa: E402  pylint: disable=wrong-import-position
 import library  # noqa: E402  pylint: disable=wrong-import-position
-import one_row  # noqa: E402  pylint: disable=wrong-import-position
+import row_report  # noqa: E402  pylint: disable=wrong-import-position
 import power  # noqa: E402  pylint: disable=wrong-import-position
 import simulation  # noqa: E402  pylint: disable=wrong-import-position
 import synthesis  # noqa: E402  pylint: disable=wrong-import-position
@@ -66,16 +66,16 @@ def measure(options, work, name):
     show(f"{name}: simulation of {len(netlist.cells):,} cells")
     compared, found = simulation.simulate(work, mapped.row, run, [path, models], folder)
     if found.clocks(simulation.PERIOD_PS) != mapped.row.interval * run.counted:
-        raise one_row.EnergyError(f"{name} was not full: {found.clocks(simulation.PERIOD_PS)} clocks for "
+        raise row_report.EnergyError(f"{name} was not full: {found.clocks(simulation.PERIOD_PS)} clocks for "
                           f"{run.counted} vertices")
     copy.write_text(library.copy(head, kinds), encoding="utf-8")
     verilog.write_text(flat.with_toggles(netlist), encoding="utf-8")
     show(f"{name}: power")
     powers = [power.run(netlist, toggles, (copy, verilog), folder)
-              for toggles in one_row.counts(netlist, kinds, found)]
+              for toggles in row_report.counts(netlist, kinds, found)]
     return {"name": name, "what": f"ffd_org_select {name}", "device": DEVICE,
             "compared": compared, "mismatches": 0,
-            **one_row.report(netlist, kinds, found, powers, run)}
+            **row_report.report(netlist, kinds, found, powers, run)}
 
 
 def work_on(options):
@@ -93,7 +93,7 @@ def main():
     parser = argparse.ArgumentParser(prog="energy", description=__doc__.split("\n\n")[0])
     parser.add_argument("--row", action="append", choices=ROWS, help=f"one or several; {', '.join(USUAL)} unless given")
     parser.add_argument("--words", type=pathlib.Path,
-                        default=ROOT / "build" / "lab" / "hwffd-energy-words")
+                        default=ROOT / "build" / "lab" / "energy" / "hwffd-energy-words")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build",
                         help="folder for netlists and reports")
     options = parser.parse_args()
@@ -101,7 +101,7 @@ def main():
     options.words = options.words.resolve()
     try:
         work_on(options)
-    except (one_row.EnergyError, activity.ActivityError, flat.NetlistError, library.LibraryError,
+    except (row_report.EnergyError, activity.ActivityError, flat.NetlistError, library.LibraryError,
             liberty.LibertyError, power.PowerError, simulation.SimulationError,
             synthesis.engine.EngineError, configurations.TableError, OSError) as error:
         print(f"energy: {error}", file=sys.stderr)

@@ -43,7 +43,7 @@ def command(line, folder, log):
     return said
 
 
-def told(said):
+def result_of(said):
     """(clocks, what was unknown or broken). Raises SimulationError unless the bench came to its end."""
     end = _END.search(said)
     if not end:
@@ -61,7 +61,7 @@ def _key(bench, folder):
 
 
 def run(bench, folder):
-    """told() of the bench, whose files lie in the folder, and the seconds that it took."""
+    """result_of() of the bench, whose files lie in the folder, and the seconds that it took."""
     ended, key = folder / "ended.json", _key(bench, folder)
     kept = json.loads(ended.read_text(encoding="utf-8")) if ended.is_file() else {}
     if kept.get("key") != key:
@@ -70,7 +70,7 @@ def run(bench, folder):
         _simulate(bench, folder)
         kept = {"key": key, "seconds": time.monotonic() - begun}
         ended.write_text(json.dumps(kept), encoding="utf-8")
-    return *told((folder / "bench.log").read_text(encoding="utf-8")), kept["seconds"]
+    return *result_of((folder / "bench.log").read_text(encoding="utf-8")), kept["seconds"]
 
 
 def _simulate(bench, folder):
@@ -79,4 +79,4 @@ def _simulate(bench, folder):
              *(f"-P{bench.tops[0]}.{name}={value}" for name, value in bench.parameters.items()),
              *(f"-D{macro}" for macro in bench.macros),
              *(f"-I{include}" for include in bench.includes), *bench.files], folder, "icarus.log")
-    told(command(["vvp", "-n", "bench.vvp"], folder, "bench.log"))
+    result_of(command(["vvp", "-n", "bench.vvp"], folder, "bench.log"))

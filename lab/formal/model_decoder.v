@@ -124,18 +124,18 @@ module model_decoder #(
   (* hierconn *) wire        \u_dut.u_resident.gen_buffers.u_buffers.loaded_o ;
   (* hierconn *) wire        \u_dut.bank_busy , \u_dut.buffer_busy ;
   (* hierconn *) wire [1:0]  \u_dut.results_q , \u_dut.u_slots.gen_slots.slot_q ;
-  (* hierconn *) wire [2:0]  \u_dut.u_beside.moving_q , \u_dut.u_slots.gen_slots.used_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_sideband.moving_q , \u_dut.u_slots.gen_slots.used_q ;
   (* hierconn *) wire [11:0] \u_dut.cell_index ;
   (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.last_cell_o ;
   (* hierconn *) wire [11:0] \u_dut.u_resident.gen_buffers.u_buffers.new_last_cell_q ;
-  (* hierconn *) wire [14:0] \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
-  (* hierconn *) wire [14:0] \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
-  (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[0].data_q ;
-  (* hierconn *) wire [14:0] \u_dut.u_beside.u_place.gen_stage[1].data_q ;
-  (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[0].data_q ;
-  (* hierconn *) wire [7:0]  \u_dut.u_beside.u_page.gen_stage[1].data_q ;
-  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
-  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_sideband.u_taken.gen_stage[0].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_sideband.u_taken.gen_stage[1].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_sideband.u_place.gen_stage[0].data_q ;
+  (* hierconn *) wire [14:0] \u_dut.u_sideband.u_place.gen_stage[1].data_q ;
+  (* hierconn *) wire [7:0]  \u_dut.u_sideband.u_page.gen_stage[0].data_q ;
+  (* hierconn *) wire [7:0]  \u_dut.u_sideband.u_page.gen_stage[1].data_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_single.u_load.gen_stage[0].data_q ;
+  (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_single.u_load.gen_stage[1].data_q ;
   (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
   (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
   (* hierconn *) wire [50:0] \u_dut.u_vertex.known_q ;
@@ -147,14 +147,14 @@ module model_decoder #(
   (* hierconn *) wire [82:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
   wire [82:0] memory_0 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
   wire [82:0] memory_1 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
-  wire [14:0] taken_0  = \u_dut.u_beside.u_taken.gen_stage[0].data_q ;
-  wire [14:0] taken_1  = \u_dut.u_beside.u_taken.gen_stage[1].data_q ;
-  wire [14:0] place_0  = \u_dut.u_beside.u_place.gen_stage[0].data_q ;
-  wire [14:0] place_1  = \u_dut.u_beside.u_place.gen_stage[1].data_q ;
-  wire [7:0]  page_0   = \u_dut.u_beside.u_page.gen_stage[0].data_q ;
-  wire [7:0]  page_1   = \u_dut.u_beside.u_page.gen_stage[1].data_q ;
-  wire [2:0]  loads_0  = \u_dut.u_functions.gen_one.u_load.gen_stage[0].data_q ;
-  wire [2:0]  loads_1  = \u_dut.u_functions.gen_one.u_load.gen_stage[1].data_q ;
+  wire [14:0] taken_0  = \u_dut.u_sideband.u_taken.gen_stage[0].data_q ;
+  wire [14:0] taken_1  = \u_dut.u_sideband.u_taken.gen_stage[1].data_q ;
+  wire [14:0] place_0  = \u_dut.u_sideband.u_place.gen_stage[0].data_q ;
+  wire [14:0] place_1  = \u_dut.u_sideband.u_place.gen_stage[1].data_q ;
+  wire [7:0]  page_0   = \u_dut.u_sideband.u_page.gen_stage[0].data_q ;
+  wire [7:0]  page_1   = \u_dut.u_sideband.u_page.gen_stage[1].data_q ;
+  wire [2:0]  loads_0  = \u_dut.u_functions.gen_single.u_load.gen_stage[0].data_q ;
+  wire [2:0]  loads_1  = \u_dut.u_functions.gen_single.u_load.gen_stage[1].data_q ;
   wire [50:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
   wire [50:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
   wire [50:0] known    = \u_dut.u_vertex.known_q ;
@@ -317,7 +317,7 @@ module model_decoder #(
   wire stages = (kinds_0 & (kinds_0 - 4'd1)) == 0 && (kinds_1 & (kinds_1 - 4'd1)) == 0
              && (!finish_0 || vertex_0 || points_0) && (!finish_1 || vertex_1 || points_1)
              && (taken_0[13] || taken_0 == 0) && (taken_1[13] || taken_1 == 0)
-             && \u_dut.u_beside.moving_q [1:0] == {taken_1[13], taken_0[13]}
+             && \u_dut.u_sideband.moving_q [1:0] == {taken_1[13], taken_0[13]}
              && (!(vertex_1 || points_1) || finish_1 || (taken_0[13] ? points_0 : midst_i))
              && (!(vertex_0 || points_0) || finish_0 || midst_i)
              && (!midst_i || (of_known(newest) == begun_q

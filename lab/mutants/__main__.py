@@ -123,7 +123,7 @@ def work_on(options):
     total = {verdict: sum(row[verdict] for row in found)
              for verdict in ("total", *VERDICTS)}
     report = {**total, "killed_percent": round(score(found), 2), "short": faults, "rows": found}
-    path = options.report or options.build / "reports" / "mutants.json"
+    path = options.report or ROOT / "build" / "reports" / "mutants.json"
     synthesis.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
           f"{total['undecided']} undecided, {total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
@@ -132,13 +132,13 @@ def work_on(options):
 
 def main():
     parser = argparse.ArgumentParser(prog="mutants", description=__doc__.split("\n\n", maxsplit=1)[0])
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "lab")
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="subjects; all unless given")
     asked = parser.add_mutually_exclusive_group()
     asked.add_argument("--mutants", type=int, metavar="N", help="of all subjects together; as the table says")
     asked.add_argument("--sample", action="store_true", help="so few that make test has time for them")
     parser.add_argument("--seed", type=int, help="of their choice; from each design")
-    parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="FOLDER/reports/mutants.json")
+    parser.add_argument("--report", type=pathlib.Path, metavar="FILE", help="build/reports/mutants.json")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()
     options.build = options.build.resolve()

@@ -30,7 +30,7 @@ def _commands(build, target):
     answer = subprocess.run(["ninja", "-C", str(build), "-t", "commands", target], check=False,
                             capture_output=True, text=True)
     if answer.returncode:
-        raise MutantError(f"{build} has no {target}: make test builds it")
+        raise MutantError(f"{build} has no {target}: make -C lab mutants builds it")
     return answer.stdout.splitlines()
 
 

@@ -54,7 +54,7 @@ def one(turn, build, folder):
     settings = {"SEED": str(turn.seed), "HWFFD_SOAK": "1", "GTEST_OUTPUT": f"json:{report}"}
     program = build / turn.kind.program
     if not program.is_file():
-        raise SoakError(f"{program} is not there: make soak builds it")
+        raise SoakError(f"{program} is not there: make -C lab soak builds it")
     with log.open("w", encoding="utf-8") as output:
         try:
             status = subprocess.run([program, f"--gtest_filter={turn.kind.tests}"], stdout=output,

@@ -143,7 +143,7 @@ def left_fp32(unit, _):
     return [], every(out["word_o"].eq(word), out["saturated_o"].eq(0), out["nan_o"].eq(ieee.number(word).nan))
 
 
-def told(unit, p):
+def given_words(unit, p):
     """A coordinate in units of 2^-24 as a word."""
     given, out = unit.inputs["coordinate_i"], unit.outputs["word_o"]
     if not is_float(p["FORMAT"]):
@@ -213,5 +213,5 @@ THEOREMS = (
             tuple(Case("ffd_num_out", {"FORMAT": FP32, "LATENCY": latency}, latency, left_fp32) for latency in (0, 1))),
     Theorem("num.coordinate", "A coordinate in units of 2^-24 as a word, exact; in fixed point at most 0xBFFFFFFF.",
             "all formats", Bug("ffd_num_coordinate", "&coordinate_i[24:23]", "&coordinate_i[24:22]"),
-            tuple(Case("ffd_num_coordinate", {"FORMAT": form}, 0, told) for form in (8, FP32, *FORMATS))),
+            tuple(Case("ffd_num_coordinate", {"FORMAT": form}, 0, given_words) for form in (8, FP32, *FORMATS))),
 )

@@ -86,7 +86,7 @@ def work_on(options):
 def main():
     parser = argparse.ArgumentParser(prog="upsets", description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "lab" / "upsets")
-    parser.add_argument("--designs", type=pathlib.Path, default=ROOT / "build" / "upsets")
+    parser.add_argument("--designs", type=pathlib.Path, default=ROOT / "build" / "lab" / "product" / "upsets")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build")
     parser.add_argument("--core", action="append", choices=CORES, help="one or several; all unless given")
     parser.add_argument("--flips", type=int, default=FLIPS, help="of each core and kind of bits")

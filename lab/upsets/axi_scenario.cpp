@@ -77,7 +77,7 @@ class AxiBench {
       hung_ = !driver_.soft_reset(plan_.limit / kPoll);
       driver_.take_errors();
       driver_.take_interrupts();
-      told();
+      upset_reported();
     });
     open();
   }
@@ -125,12 +125,12 @@ class AxiBench {
     wrong_ = wrong_ || driver_.result_count() != count || changed() != changed_ ||
              !system_.interrupt() || driver_.take_interrupts() != HWFFD_IRQ_STATE_DONE_MASK;
     const CoreErrors errors = driver_.take_errors();
-    flagged_ = errors.status != 0 || errors.count != 0 || driver_.stopped() || told();
+    flagged_ = errors.status != 0 || errors.count != 0 || driver_.stopped() || upset_reported();
     compared_ += count;
   }
 
   /// Whether a hardened core tells of a flip. One that three copies have mended is none.
-  bool told() {
+  bool upset_reported() {
     const std::uint32_t limits = system_.read32(HWFFD_LIMITS2_OFFSET);
     if ((limits & HWFFD_LIMITS2_HARDENED_MASK) == 0) return false;
     const std::uint32_t found = system_.read32(HWFFD_UPSET_STATUS_OFFSET);

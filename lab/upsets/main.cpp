@@ -10,7 +10,7 @@
 #include "hwffd/error.hpp"
 #include "program.hpp"
 #include "scenario.hpp"
-#include "upset_made.hpp"
+#include "upset_bench.hpp"
 
 namespace {
 
@@ -30,10 +30,10 @@ struct Options {
 /// Clocks of the traffic; every result of it is the model's.
 std::uint64_t rehearse(Plan& plan) {
   Counter counter;
-  Made made(plan, counter);
-  made.scenario->run(counter);
+  Bench bench(plan, counter);
+  bench.scenario->run(counter);
   const std::size_t wanted = plan.first.results.size() + plan.second.results.size();
-  if (made.scenario->judge().outcome != Outcome::kNoEffect || made.scenario->compared() != wanted)
+  if (bench.scenario->judge().outcome != Outcome::kNoEffect || bench.scenario->compared() != wanted)
     throw Error("without a flip the results are not those of the model");
   return counter.clocks;
 }
@@ -68,9 +68,9 @@ void work(const Options& options) {
   const std::uint64_t clocks = rehearse(plan);
   plan.limit = 3 * clocks + 2000;
   Campaign campaign(chosen(options, design, clocks), options.jobs);
-  Made made(plan, campaign);
-  made.scenario->run(campaign);
-  if (campaign.struck()) campaign.report(made.scenario->judge());
+  Bench bench(plan, campaign);
+  bench.scenario->run(campaign);
+  if (campaign.struck()) campaign.report(bench.scenario->judge());
   write(options, design, clocks, campaign.upsets(), campaign.verdicts());
 }
 

@@ -77,7 +77,7 @@ module ffd_axil_voted #(
         ) u_slave (
           `include "ffd_axil_copy.vh"
         );
-      end else begin : gen_kept
+      end else begin : gen_plain
         (* keep_hierarchy = "yes", dont_touch = "yes", syn_hier = "hard" *)
         ffd_axil_slave #(
           .ADDRESS_W  (ADDRESS_W),
@@ -107,7 +107,7 @@ module ffd_axil_voted #(
   assign m_read_word    = all[SHAKES + 72 + ADDRESS_W - 2 +: ADDRESS_W - 2];
 
   generate
-    if (HARDENED == 0) begin : gen_one
+    if (HARDENED == 0) begin : gen_single
       assign all       = copies;
       assign again     = 1'b0;
       assign differs_o = 1'b0;

@@ -21,7 +21,7 @@ module ffd_bus_reset #(
   assign rst_o = !aresetn || reset_q;
 
   generate
-    if (HARDENED == 0) begin : gen_one
+    if (HARDENED == 0) begin : gen_single
       reg own_q;
       always @(posedge clk) own_q <= !aresetn;
       assign reset_q   = own_q;

@@ -43,7 +43,7 @@ module ffd_bus_stored #(
   assign clearing_o = clearing;
 
   generate
-    if (HARDENED == 0) begin : gen_one
+    if (HARDENED == 0) begin : gen_single
       reg [SLOT_W:0] count_q;
       always @(posedge clk) begin
         if (rst) count_q <= {(SLOT_W + 1) {1'b0}};

@@ -56,9 +56,9 @@ module ffd_dma_gate #(
 
   wire [127:0] given = {window_last_i, window_first_i};
   wire [255:0] copies;
-  wire [127:0] one    = copies[127:0];
+  wire [127:0] first    = copies[127:0];
   wire [127:0] other  = copies[255:128];
-  wire [127:0] window = (one & other) | (one & given) | (other & given);
+  wire [127:0] window = (first & other) | (first & given) | (other & given);
   genvar k;
   generate
     for (k = 0; k < 2; k = k + 1) begin : gen_window
@@ -77,7 +77,7 @@ module ffd_dma_gate #(
   reg  unlike_q;
   reg  locked_q;
   always @(posedge clk) begin
-    unlike_q <= (one != given || other != given) && locked_i && locked_q;
+    unlike_q <= (first != given || other != given) && locked_i && locked_q;
     locked_q <= locked_i;
   end
 

@@ -63,7 +63,7 @@ module ffd_dma_watch #(
       wire               write_open = addresses_q != {WRITE_W {1'b0}}
                                    && bursts_q != {WRITE_W {1'b0}};
       wire               asked      = arvalid_i && arready_i;
-      wire               told       = rvalid_i && rready_i && rlast_i && read_open;
+      wire               completed       = rvalid_i && rready_i && rlast_i && read_open;
       wire               addressed  = awvalid_i && awready_i;
       wire               written    = wvalid_i && wready_i && wlast_i;
       wire               answered   = bvalid_i && bready_i && write_open;
@@ -74,7 +74,7 @@ module ffd_dma_watch #(
           addresses_q <= {WRITE_W {1'b0}};
           bursts_q    <= {WRITE_W {1'b0}};
         end else begin
-          if (asked != told) reads_q <= asked ? reads_q + 1'b1 : reads_q - 1'b1;
+          if (asked != completed) reads_q <= asked ? reads_q + 1'b1 : reads_q - 1'b1;
           if (addressed != answered) begin
             addresses_q <= addressed ? addresses_q + 1'b1 : addresses_q - 1'b1;
           end

@@ -58,7 +58,7 @@ module ffd_wb_slave #(
   wire                 asked = s_wb_cyc && s_wb_stb;
   wire                 take  = asked && !held_q && !act_q && !s_wb_ack && !s_wb_err;
   wire                 error = write_q ? m_write_error : m_read_error;
-  wire                 told  = act_q && wanted_q && asked;
+  wire                 respond  = act_q && wanted_q && asked;
 
   // Something is asked or inside: the clock must not stop.
   assign m_awake = asked || held_q || act_q || s_wb_ack || s_wb_err;
@@ -79,8 +79,8 @@ module ffd_wb_slave #(
       act_q         <= held_q;
       m_write_valid <= held_q && write_q;
       m_read_valid  <= held_q && !write_q;
-      s_wb_ack      <= told && !error;
-      s_wb_err      <= told && error;
+      s_wb_ack      <= respond && !error;
+      s_wb_err      <= respond && error;
     end
   end
 

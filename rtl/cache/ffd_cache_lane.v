@@ -61,7 +61,7 @@ module ffd_cache_lane #(
     if (ROWS > 1) begin : gen_rows
       assign write_address = {write_place_i, write_row_i};
       assign read_address  = {read_place_i, read_row_i};
-    end else begin : gen_one_row
+    end else begin : gen_single_row
       assign write_address = write_place_i;
       assign read_address  = read_place_i;
       wire unused_rows = &{1'b0, write_row_i, read_row_i};

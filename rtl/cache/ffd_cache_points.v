@@ -105,7 +105,7 @@ module ffd_cache_points #(
         localparam BEYOND_W = `FFD_HIGH_W(AXIS);
         localparam LOW      = `FFD_AT_W(SLOTS, PAGES) + BEYOND_W * a;
         assign beyond[BEYOND_W-1:0] = read_source_i[LOW +: BEYOND_W];
-        if (BEYOND_W < 2) begin : gen_one
+        if (BEYOND_W < 2) begin : gen_single
           assign beyond[1] = 1'b0;
         end
       end else begin : gen_within
@@ -143,7 +143,7 @@ module ffd_cache_points #(
         assign write_place = {lattice_buffer_i, lattice_at_i[2 +: HIGH_W],
                               lattice_at_i[AXIS_W+2 +: HIGH_W],
                               lattice_at_i[2*AXIS_W+2 +: HIGH_W]};
-      end else begin : gen_one_place
+      end else begin : gen_single_place
         assign write_place = lattice_buffer_i;
       end
       assign write_bank  = {6'd0, lattice_at_i[1:0], lattice_at_i[AXIS_W +: 2],
@@ -273,7 +273,7 @@ module ffd_cache_points #(
         assign place[(2-a)*HIGH_W +: HIGH_W] = highs[which*HIGH_W +: HIGH_W];
       end
 
-      if (N == 1) begin : gen_one
+      if (N == 1) begin : gen_single
         assign here = 1'b1;
       end else begin : gen_several
         assign here = at[$clog2(N)-1:0] == OFFSET[$clog2(N)-1:0];
@@ -281,7 +281,7 @@ module ffd_cache_points #(
       if (ROWS > 1) begin : gen_rows
         assign write_row = at[5:6-ROW_W];
         assign read_row  = bank[5:6-ROW_W];
-      end else begin : gen_one_row
+      end else begin : gen_single_row
         assign write_row = 1'b0;
         assign read_row  = 1'b0;
       end

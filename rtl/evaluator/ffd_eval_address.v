@@ -22,7 +22,7 @@ module ffd_eval_address #(
   localparam SPAN_W = `FFD_SPAN_W(SPANS);
 
   generate
-    if (SPANS == 1) begin : gen_one
+    if (SPANS == 1) begin : gen_single
       assign address_o = {axis_i, place_i};
     end else begin : gen_spans
       localparam [31:0] NONE = 0;

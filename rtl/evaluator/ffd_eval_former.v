@@ -106,7 +106,7 @@ module ffd_eval_former #(
 
   wire       keep_next;
   wire       last_next;
-  wire       kept;
+  wire       store;
   wire [5:0] ask_step;  // whose coefficients are asked for
   wire [5:0] fetch_step;
   wire [5:0] near_step;
@@ -127,11 +127,11 @@ module ffd_eval_former #(
     .WIDTH  (2),
     .LATENCY(1),
     .RESET  (1)
-  ) u_kept (
+  ) u_store (
     .clk(clk),
     .rst(rst),
     .d_i({keep_next, last_next}),
-    .q_o({kept, drained})
+    .q_o({store, drained})
   );
   ffd_num_delay #(
     .WIDTH  (6),
@@ -196,7 +196,7 @@ module ffd_eval_former #(
         .READ_LATENCY(0)
       ) u_matrix (
         .clk            (clk),
-        .write_i        (kept && phase_q == POWERS && keep_step[3:2] == BANK),
+        .write_i        (store && phase_q == POWERS && keep_step[3:2] == BANK),
         .write_address_i(keep_step[1:0]),
         .write_data_i   (results),
         .read_i         (1'b1),
@@ -211,7 +211,7 @@ module ffd_eval_former #(
         .READ_LATENCY(0)
       ) u_rows (
         .clk            (clk),
-        .write_i        (kept && (phase_q == ALONG_U || phase_q == ALONG_T) &&
+        .write_i        (store && (phase_q == ALONG_U || phase_q == ALONG_T) &&
                          keep_step[5:4] == BANK),
         .write_address_i({phase_q == ALONG_T, keep_step[3:0]}),
         .write_data_i   (results),

@@ -281,8 +281,8 @@ module ffd_eval_serial #(
         .add_base_i   (add_base),
         .add_nothing_i(add_nothing),
         .add_half_i   (!add_upper || !add_of_s),
-        .add_kept_i   (add_upper && !add_base),
-        .kept_of_s_i  (add_of_s),
+        .add_shadow_i   (add_upper && !add_base),
+        .shadow_of_s_i  (add_of_s),
         .keep_i       (keep_phase[1:0] == 2'd0),
         .keep_of_s_i  (keep_phase[3:2] == BEHIND),
         .sum_o        (sums[c*SUM_W +: SUM_W])

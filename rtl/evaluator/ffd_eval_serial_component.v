@@ -40,8 +40,8 @@ module ffd_eval_serial_component #(
   input  wire                                add_base_i,
   input  wire                                add_nothing_i,  // a base that is left out
   input  wire                                add_half_i,     // with a base: it will be narrowed
-  input  wire                                add_kept_i,     // the last sum of t or s
-  input  wire                                kept_of_s_i,
+  input  wire                                add_shadow_i,     // the last sum of t or s
+  input  wire                                shadow_of_s_i,
   // A clock after the stage of sums.
   input  wire                                keep_i,
   input  wire                                keep_of_s_i,
@@ -97,8 +97,8 @@ module ffd_eval_serial_component #(
   wire [POINT_W-1:0] late_base;
   reg  [POINT_W-1:0] base_q;
   wire [SUM_W-1:0]   start;
-  wire [SUM_W-1:0]   kept;
-  reg  [SUM_W-1:0]   kept_q;
+  wire [SUM_W-1:0]   shadow;
+  reg  [SUM_W-1:0]   shadow_q;
   reg                half_q;
   reg                go_on_q;
 
@@ -116,23 +116,23 @@ module ffd_eval_serial_component #(
     .WIDTH       (SUM_W),
     .DEPTH       (2),
     .READ_LATENCY(0)
-  ) u_kept (
+  ) u_shadow (
     .clk            (clk),
     .write_i        (keep_i),
     .write_address_i(keep_of_s_i),
     .write_data_i   (sum_o),
     .read_i         (1'b1),
-    .read_address_i (kept_of_s_i),
-    .read_data_o    (kept)
+    .read_address_i (shadow_of_s_i),
+    .read_data_o    (shadow)
   );
 
   always @(posedge clk) begin
     if (!add_base_i || add_nothing_i) base_q <= {POINT_W{1'b0}};
     else base_q <= late_base;
-    if (!add_kept_i) kept_q <= {SUM_W{1'b0}};
-    else kept_q <= kept;
+    if (!add_shadow_i) shadow_q <= {SUM_W{1'b0}};
+    else shadow_q <= shadow;
     half_q  <= add_base_i && add_half_i;
-    go_on_q <= !add_base_i && !add_kept_i;
+    go_on_q <= !add_base_i && !add_shadow_i;
   end
 
   ffd_num_begin #(
@@ -148,7 +148,7 @@ module ffd_eval_serial_component #(
     .LATENCY(1)
   ) u_add (
     .clk  (clk),
-    .a_i  (start | kept_q | (sum_o & {SUM_W{go_on_q}})),
+    .a_i  (start | shadow_q | (sum_o & {SUM_W{go_on_q}})),
     .b_i  (term),
     .sum_o(sum_o)
   );

@@ -130,17 +130,17 @@ module ffd_num_in #(
         assign full = 1'b0;
       end
 
-      wire         front_up;
-      wire         front_flag;
-      wire [W-1:0] front_floor;
+      wire         p1_up;
+      wire         p1_flag;
+      wire [W-1:0] p1_floor;
       ffd_num_delay #(
         .WIDTH  (W + 2),
         .LATENCY(FRONT)
-      ) u_front (
+      ) u_ingress (
         .clk(clk),
         .rst(1'b0),
         .d_i({flagged | (full && !clear_i), up, floor[W-1], floor[W-2] | one, floor[W-3:0]}),
-        .q_o({front_flag, front_up, front_floor})
+        .q_o({p1_flag, p1_up, p1_floor})
       );
       ffd_num_delay #(
         .WIDTH  (W + 1),
@@ -148,7 +148,7 @@ module ffd_num_in #(
       ) u_behind (
         .clk(clk),
         .rst(1'b0),
-        .d_i({front_flag, front_floor + {{(W - 1) {1'b0}}, front_up}}),
+        .d_i({p1_flag, p1_floor + {{(W - 1) {1'b0}}, p1_up}}),
         .q_o(number_o)
       );
     end

@@ -269,11 +269,11 @@ module ffd_stream_decoder #(
     else if (take && vertex) changed_q <= 1'b0;
   end
 
-  ffd_stream_beside #(
+  ffd_stream_sideband #(
     .LATENCY(LATENCY),
     .AXIS   (AXIS),
     .PAGE_W (PAGE_W)
-  ) u_beside (
+  ) u_sideband (
     .clk             (clk),
     .rst             (rst),
     .take_i          (take),

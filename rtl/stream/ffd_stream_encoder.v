@@ -43,7 +43,7 @@ module ffd_stream_encoder #(
 );
   wire       blank = s_word_user[`FFD_USER_BLANK];
   wire [2:0] flags = s_word_flags & {3{!blank}};
-  wire [6:0] found = {flags[2], 3'd0, flags[1], 1'b0, flags[0]};
+  wire [6:0] raised = {flags[2], 3'd0, flags[1], 1'b0, flags[0]};
 
   // The words y and z are 0 beside a determinant, and where the blank word is.
   wire clear = blank ? `FFD_BLANK_IS_ZERO(FORMAT) : s_word_determinant;
@@ -72,7 +72,7 @@ module ffd_stream_encoder #(
   end
   always @(posedge clk) begin
     if (s_word_ready) begin
-      status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]} | found;
+      status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]} | raised;
       tag_q    <= s_word_user[`FFD_USER_TAG];
       last_q   <= s_word_user[`FFD_USER_LAST] && s_word_final;
     end

@@ -96,23 +96,23 @@ module ffd_stream_expand #(
                     && (opcode == OPCODE_VERTICES || (of_page && !s_beat_data[19]));
   wire [127:0] grid_header = {32'd0, s_beat_data[95:17], 1'b1, s_beat_data[15:8],
                               PAGES != 0 ? OPCODE_OF_PAGE : OPCODE_VERTICES};
-  wire [127:0] made_header = grid ? grid_header
+  wire [127:0] new_header = grid ? grid_header
                            : {s_beat_data[127:19], s_beat_data[18] && !pairs, s_beat_data[17:0]};
 
   // ---- a pair of vertices
 
   wire [63:0] half  = rest_q ? rest_data_q : s_beat_data[63:0];
   wire        alone = s_beat_last && &s_beat_data[127:64];  // the second one is empty
-  wire        one   = take && state_q == PAIRS;
+  wire        take_pair   = take && state_q == PAIRS;
   wire        other = rest_q && free;
 
   always @(posedge clk) begin
     if (rst) rest_q <= 1'b0;
-    else rest_q <= (one && !alone) || (rest_q && !free);
+    else rest_q <= (take_pair && !alone) || (rest_q && !free);
   end
   always @(posedge clk) begin
-    if (one) rest_data_q <= s_beat_data[127:64];
-    if (one) rest_last_q <= s_beat_last;
+    if (take_pair) rest_data_q <= s_beat_data[127:64];
+    if (take_pair) rest_last_q <= s_beat_last;
   end
 
   // ---- a grid
@@ -177,7 +177,7 @@ module ffd_stream_expand #(
 
   reg  [15:0] tag_q;
   wire        of_grid  = state_q == WALK;
-  wire        vertex   = one || other || walk;
+  wire        vertex   = take_pair || other || walk;
   wire [17:0] in_cell  = of_grid ? grid_cells
                        : {2'd0, half[62:59], 2'd0, half[58:55], 2'd0, half[54:51]};
   wire [31:0] few      = {1'b0, in_cell[16], in_cell[10], in_cell[4],
@@ -202,7 +202,7 @@ module ffd_stream_expand #(
     if (free) begin
       vertex_q <= vertex;
       second_q <= rest_q;
-      data_q   <= vertex ? vertex_data : header ? made_header : s_beat_data;
+      data_q   <= vertex ? vertex_data : header ? new_header : s_beat_data;
       last_q   <= rest_q ? rest_last_q : of_grid ? walk_last : state_q == CLOSE
                || (state_q == PAIRS ? alone : s_beat_last);
       as_q     <= rest_q || state_q == PAIRS ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)

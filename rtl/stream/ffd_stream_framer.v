@@ -96,12 +96,12 @@ module ffd_stream_framer #(
   reg  number_last;  // of them, points or spans: the number is that of the last
   wire top;
   wire own          = INTERLEAVED != 0 && own_q;
-  wire one          = every_q ? last_i : number_last;  // it is the last
+  wire final_item          = every_q ? last_i : number_last;  // it is the last
   wire vertex       = vertex_q && !no_grid && as != `FFD_AS_SHORT && !behind;
   wire vertex_done  = (vertex && !own) || (points_q && top);
-  wire point_done   = point_q && (part_q ? one : top);
-  wire functions    = top && (!spans_q || one);
-  wire payload_done = (function_q && functions) || point_done || (vertex_done && one);
+  wire point_done   = point_q && (part_q ? final_item : top);
+  wire functions    = top && (!spans_q || final_item);
+  wire payload_done = (function_q && functions) || point_done || (vertex_done && final_item);
 
   always @(posedge clk) begin
     if (rst) header_q <= 1'b1;
@@ -115,7 +115,7 @@ module ffd_stream_framer #(
                                          : function_q && !functions);
       point_q    <= !last_i && (header_q ? good_lattice || (is_part && !none)
                                          : point_q && !point_done);
-      vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !one);
+      vertex_q   <= !last_i && (header_q ? of_vertices && !none : vertex_done && !final_item);
       points_q   <= !last_i && ((vertex_q && own) || (points_q && own && !top));
       done       <= !last_i && (payload_done || (done && behind));
     end
@@ -209,7 +209,7 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_VERTEX]   = vertex;
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
-  assign frame_o[`FFD_FRAME_FINAL]    = one || (last_i && !(spans_q && function_q));
+  assign frame_o[`FFD_FRAME_FINAL]    = final_item || (last_i && !(spans_q && function_q));
   assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done && !no_grid)
                                      || (header_q && !of_page && !refused && (last_i || nothing));

@@ -106,7 +106,7 @@ module ffd_stream_functions #(
   endgenerate
 
   generate
-    if (SPANS == 1) begin : gen_one
+    if (SPANS == 1) begin : gen_single
       wire [1:0] axis  = index[5:4];
       wire [5:0] shift = index[8] ? derivative_shift_q : shift_q;
       assign function_shift = shift[2*axis +: 2];
@@ -261,7 +261,7 @@ module ffd_stream_functions #(
 
         genvar copy;
         for (copy = 0; copy < 2; copy = copy + 1) begin : gen_copy
-          wire [ENTRY_W-1:0] found;
+          wire [ENTRY_W-1:0] read;
           ffd_mem_sdp #(
             .WIDTH       (ENTRY_W),
             .DEPTH       (1 << SPAN_W),
@@ -273,11 +273,11 @@ module ffd_stream_functions #(
             .write_data_i   (changed),
             .read_i         (1'b1),
             .read_address_i (copy == 0 ? edit : read_q),
-            .read_data_o    (found)
+            .read_data_o    (read)
           );
         end
-        assign old   = gen_copy[0].found;
-        assign entry = gen_copy[1].found;
+        assign old   = gen_copy[0].read;
+        assign entry = gen_copy[1].read;
 
         wire turned  = entry[3] != epoch_q && entry[2];  // still to change
         wire own     = (entry[1] || turned) && loaded_o && !uniform_walk_q;

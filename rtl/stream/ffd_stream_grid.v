@@ -122,8 +122,8 @@ module ffd_stream_grid #(
       // From nothing to the end of the doublings, then to the end, then back.
       wire             starts = first || ending || again;
       wire             steps  = goes || (doubling && left_q[COUNT_W-1]);
-      wire [SUM_W-1:0] kept   = sum_q & {SUM_W{!first && !again && !(doubling && begins)}};
-      wire [SUM_W-1:0] from   = doubling ? {kept[SUM_W-2:0], 1'b0} : kept;
+      wire [SUM_W-1:0] base   = sum_q & {SUM_W{!first && !again && !(doubling && begins)}};
+      wire [SUM_W-1:0] from   = doubling ? {base[SUM_W-2:0], 1'b0} : base;
       wire [SUM_W-1:0] more   = starts ? {3'd0, start_q}
                               : {{(SUM_W - STEP_W) {step_q[STEP_W-1]}}, step_q} & {SUM_W{steps}};
       always @(posedge clk) begin

@@ -116,7 +116,7 @@ module ffd_stream_pages #(
   reg                 wants_fourth_q;
   reg  [PAGE_W-1:0]   page_q;
   reg  [PAGES-1:0]    loaded_q;
-  reg                 found_q;    // the page is loaded
+  reg                 hit_q;      // the page is loaded
   reg  [FACTS_W-1:0]  facts_q;
   reg  [READERS_W-1:0] reader_q;
   wire [FACTS_W-1:0]  facts;
@@ -142,7 +142,7 @@ module ffd_stream_pages #(
       large_q        <= LARGE != 0 && newer && data_i[19];
       wants_fourth_q <= FOURTH != 0 && newer && data_i[17];
       page_q         <= page;
-      found_q        <= loaded_q[page] && !beyond;
+      hit_q        <= loaded_q[page] && !beyond;
       facts_q        <= facts;
       reader_q       <= reader;
     end
@@ -153,16 +153,16 @@ module ffd_stream_pages #(
   wire [COUNT_W-1:0]    size;
   assign {has_fourth, exponent_o, size, tops_o} = facts_q;
   assign page_o   = page_q;
-  assign loaded_o = found_q;
+  assign loaded_o = hit_q;
   assign large_o  = large_q;
   assign fourth_o = wants_fourth_q;
 
   // ---- the second clock: what is wrong with it
 
   wire determinant = data_i[73:72] == `FFD_RESULTS_DETERMINANT;
-  wire bad_points  = !found_q || many_q || place_end_q > {{(20 - COUNT_W) {1'b0}}, size}
+  wire bad_points  = !hit_q || many_q || place_end_q > {{(20 - COUNT_W) {1'b0}}, size}
                   || (BLOCK && exponent != exponent_o);
-  wire bad_fourth  = wants_fourth_q && !(found_q && has_fourth && !(vertices_q && determinant));
+  wire bad_fourth  = wants_fourth_q && !(hit_q && has_fourth && !(vertices_q && determinant));
   reg  [`FFD_PAGE_W-1:0] verdict;
   always @* begin
     verdict = {`FFD_PAGE_W{1'b0}};
@@ -179,7 +179,7 @@ module ffd_stream_pages #(
   reg  [READERS_W-1:0] inside_q;
   reg  [READERS_W-1:0] age_q;
   wire                 refused = |verdict_o;
-  wire                 free    = !found_q || inside_q == {READERS_W{1'b0}} || age_q > inside_q;
+  wire                 free    = !hit_q || inside_q == {READERS_W{1'b0}} || age_q > inside_q;
   wire                 located;
   reg                  ready_q;
   always @(posedge clk) begin
@@ -302,7 +302,7 @@ module ffd_stream_pages #(
     .READ_LATENCY(0)
   ) u_readers (
     .clk            (clk),
-    .write_i        (whole || (finish_i && of_page_i && found_q)),
+    .write_i        (whole || (finish_i && of_page_i && hit_q)),
     .write_address_i(page_q),
     .write_data_i   ({came_q[READERS_W-1] ^ whole, came_q[READERS_W-2:0]}),
     .read_i         (1'b1),

@@ -74,7 +74,7 @@ module hwffd_stream #(
   localparam READ_W       = SOURCE_W + 1 + HARDENED;
 
   wire clk = aclk, rst = !aresetn;
-  wire                     front_idle;
+  wire                     ingress_idle;
   wire                     slot_free;
   wire                     rooms;
   wire                     in_valid;
@@ -90,12 +90,12 @@ module hwffd_stream #(
   wire                     lattice_loaded;
   wire [PLACE_W-1:0]       last_cell;
 
-  ffd_stream_front #(
+  ffd_stream_ingress #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
     .AXIS    (AXIS),
     .SPANS   (SPANS)
-  ) u_front (
+  ) u_ingress (
     .clk          (clk),
     .rst          (rst),
     .s_beat_valid (s_axis_tvalid),
@@ -116,7 +116,7 @@ module hwffd_stream #(
     .rooms_i      (rooms),
     .loaded_i     (lattice_loaded),
     .last_cell_i  (last_cell),
-    .idle_o       (front_idle)
+    .idle_o       (ingress_idle)
   );
 
   wire [4*POINT_W-1:0]              numbers;
@@ -254,13 +254,13 @@ module hwffd_stream #(
 
   // Points that no packet has written have any parity, and so have those that one is writing: of a
   // lattice that is not loaded, and of a vertex that is cut short.
-  wire [READ_W-2:0] found_source;
+  wire [READ_W-2:0] checked_source;
   generate
-    if (HARDENED != 0) begin : gen_found
-      assign found_source = {vertex_source, vertex_user[`FFD_USER_UNLOADED]
+    if (HARDENED != 0) begin : gen_checked
+      assign checked_source = {vertex_source, vertex_user[`FFD_USER_UNLOADED]
                                             || vertex_user[`FFD_USER_TRUNCATED]};
     end else begin : gen_source
-      assign found_source = vertex_source;
+      assign checked_source = vertex_source;
     end
   endgenerate
 
@@ -275,7 +275,7 @@ module hwffd_stream #(
     .rst             (rst),
     .s_vertex_valid  (vertex_valid),
     .s_vertex_ready  (vertex_ready),
-    .s_vertex_source (found_source),
+    .s_vertex_source (checked_source),
     .s_vertex_bank   (vertex_bank),
     .s_vertex_results(vertex_results),
     .s_vertex_user   (vertex_user),
@@ -405,7 +405,7 @@ module hwffd_stream #(
   assign vertex_o = retire_q;
 
   assign wait_o    = {forming, decoder_wait};
-  assign idle_o    = front_idle && decoder_idle && encoder_idle;
+  assign idle_o    = ingress_idle && decoder_idle && encoder_idle;
   wire unused_ok = &{1'b0, part_fourth};
 endmodule
 

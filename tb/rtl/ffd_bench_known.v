@@ -3,7 +3,7 @@
 // Only the first time, as `unknown NAME clock N`; clocks are counted from the first edge on.
 //
 // Parameters: WIDTH of the value; its NAME.
-// Test:       lab/tests/engines.
+// Test:       tests/random.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

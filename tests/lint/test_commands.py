@@ -4,7 +4,6 @@ both against stand-ins for the programs that they start.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import os
 import re
 
 import pytest
@@ -14,45 +13,11 @@ SHOW = """for word; do printf '<%s>' "$word"; done"""
 
 
 @pytest.fixture
-def programs(checkout):
-    """Writes programs of the shell; those in bin/ come first in PATH."""
-    def put(**bodies):
-        for name, body in bodies.items():
-            checkout.put({name.replace("__", "/").replace("_", "-"): f"#!/bin/sh\n{body}\n"}, 0o755)
-    return put
-
-
-@pytest.fixture
-def run(checkout):
-    """Nothing of a make that may be running this test, nor of its caller's choices."""
-    environment = {name: value for name, value in os.environ.items()
-                   if not name.startswith(("MAKE", "MFLAGS", "HWFFD_"))}
-    environment["PATH"] = f"{checkout.root}/bin:{environment['PATH']}"
-    return lambda *command, **variables: checkout.run(*command, env={**environment, **variables})
-
-
-@pytest.fixture
-def make(checkout, programs, run):
-    """(exit status, lines that are printed, complaints)"""
-    checkout.copy("Makefile")
-    checkout.put({"tools/run_tests": '#!/bin/sh\nshift\nexec "$@"\n'}, 0o755)
-    programs(scripts__install='echo "install $*"', scripts__lint="exit 0", scripts__figures="""
-[ "$1" != measure ] && { echo figures; exit; }
-while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
-    programs(**{f"bin__{tool}": f'echo "{tool} $*"' for tool in ("cmake", "ctest")},
-             **{"tools__configurations.py": "exit 0"})
-    for build in ("build", "build-trace"):
-        programs(**{f"{build}__apps__hwffd_sim": f"echo {build}; {SHOW}; " + 'exit "${STATUS:-0}"'})
-
-    def called(*words, **variables):
-        status, out, errors = run("make", *words, **variables)
-        return status, out.splitlines(), errors
-    return called
-
-
-@pytest.fixture
-def sim(make):
+def sim(make, programs):
     """What hwffd-sim is given."""
+    for build in ("build", "build-trace"):
+        programs(**{f"{build}__tb__hwffd_sim": f"echo {build}; {SHOW}; " + 'exit "${STATUS:-0}"'})
+
     def given(*words, **variables):
         lines = make("sim", *words, **variables)[1]
         return lines[-1] if "<" in lines[-1] else ""
@@ -74,6 +39,7 @@ def test_only_the_command_line_counts(sim):
 
 @pytest.mark.parametrize("value, words, build, on", (
     ("1", "<--trace>", "build-trace", "ON"), ("0", "", "build", "OFF"), ("", "", "build", "OFF")))
+@pytest.mark.usefixtures("sim")
 def test_trace(make, value, words, build, on):
     _, lines, _ = make("sim", f"TRACE={value}")
     assert lines[-1] == (words or build)
@@ -90,6 +56,7 @@ def test_values_survive(sim, value):
 
 
 @pytest.mark.parametrize("status", ("1", "2"))
+@pytest.mark.usefixtures("sim")
 def test_exit_status_is_shown(make, status):
     found, _, errors = make("sim", STATUS=status)
     assert found == 2
@@ -102,32 +69,8 @@ def test_tests_end_with_ctest(make, target, label):
     assert last.startswith("ctest ") and last.endswith(f" -L {label}")
 
 
-@pytest.mark.parametrize("name", ("words", "embed", "tangents"))
-def test_a_study_builds_one_program_and_runs_it(make, programs, name):
-    programs(**{f"build__lab__hwffd_{name}": f'echo "{name}<$*>"'})
-    lines = make(name)[1]
-    assert lines[-2].endswith(f" --target hwffd-{name}")
-    assert lines[-1] == f"{name}<>"
-
-
-def test_compare_builds_its_program_and_runs_it_beside_others(make, programs):
-    programs(build__venv__bin__python='echo "python<$*>"')
-    lines = make("compare")[1]
-    assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
-    assert lines[-1] == "python<-B lab/compare>"
-
-
-def test_bfp_selects_rows_of_its_format(make, programs):
-    programs(**{"tools__configurations.py": ":", "build__lab__hwffd_bfp": 'echo "bfp<$*>"'})
-    lines = make("bfp", "ORG=basic", "FORMAT=fx18")[1]
-    assert {"-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"} <= set(lines[-3].split())
-    assert "-DHWFFD_FORMAT=fx18" not in lines[-3]
-    assert lines[-2].endswith(" --target hwffd-bfp")
-    assert lines[-1] == "bfp<>"
-
-
 def test_synth(make, programs):
-    programs(scripts__synth=SHOW)
+    programs(tools__synth=SHOW)
 
     def synth(*words, **variables):
         return make("synth", "JOBS=3", *words, **variables)[1]
@@ -139,29 +82,15 @@ def test_synth(make, programs):
     assert synth("ORG=$HOME;'")[1:] == ["<-j><3><--org><$HOME;'>"]
 
 
-def test_workflow(make, programs, checkout):
-    programs(build__venv__bin__snakemake=SHOW)
-    (checkout.root / "lab" / "workflow" / "profiles" / "slurm").mkdir(parents=True)
-    start = ("<--snakefile><lab/workflow/Snakefile><--directory><build><--workflow-profile>"
-             "<synth/profiles/default><--profile>")
-    config = f"<--config><root={checkout.root}>"
-    assert make("workflow", PROFILE="slurm")[1][-1] == f"{start}<lab/workflow/profiles/local>{config}"
-    assert make("workflow", "PROFILE=slurm", "WORK=soak pnr", "SEEDS=3", "JOBS=9")[1][-1] == (
-        f"{start}<lab/workflow/profiles/slurm><--cores><9><--jobs><9>{config}<work=soak pnr><soak_seeds=3>")
-    assert make("workflow", "PROFILE=ours $HOME;'", "WORK=")[1][-1] == f"{start}<ours $HOME;'>{config}"
-
-
-def test_figures_structure_and_help(make, programs):
-    programs(scripts__structure=f"printf structure; {SHOW}; echo")
+def test_structure_and_help(make, programs):
+    programs(tools__structure=f"printf structure; {SHOW}; echo")
     assert make("structure", "JOBS=3")[1][1:] == ["structure<-j><3>"]
-    assert make("figures")[1][1:] == ["figures"]
     assert any("make test-all" in line for line in make()[1])
 
 
 @pytest.mark.parametrize("words, complaint", (
     (("sim", "STREAM=q"), "STREAM=q: one of"), (("sim", "SEED=x"), "SEED=x: a number"),
-    (("soak", "HOURS=1h"), "HOURS=1h: a number"), (("upsets", "FLIPS=1.2.3"), "FLIPS=1.2.3: a number"),
-    (("words", "TIER=none"), "TIER=none: one of"), (("hwffd", "PREFIX=/dev/null/x"), "PREFIX=/dev/null/x: cannot be written")))
+    (("random", "N=1.2.3"), "N=1.2.3: a number"), (("lint", "TIER=none"), "TIER=none: one of"), (("hwffd", "PREFIX=/dev/null/x"), "PREFIX=/dev/null/x: cannot be written")))
 def test_a_wrong_word_is_refused_before_anything_is_built(make, words, complaint):
     status, lines, errors = make(*words)
     assert status == 2 and complaint in errors
@@ -181,24 +110,24 @@ def test_a_row_that_is_not_there_is_refused_before_anything_is_built(make, check
     assert not any(line.startswith("cmake") for line in lines)
 
 
-def test_what_an_earlier_command_configured_does_not_stay(make, programs):
-    programs(**{"tools__configurations.py": ":", "build__lab__hwffd_organizations": "exit 0",
-                "build__lab__hwffd_words": "exit 0"})
-
-    def configured(*words):
-        (line,) = (line for line in make(*words)[1] if line.startswith("cmake -S"))
-        return {word for word in line.split() if word.startswith("-DHWFFD")}
-
-    selected = configured("organizations", "ORG=basic", "N=1", "FORMAT=fx18")
-    plain = configured("words", "ORG=basic")
-    assert selected - plain == {"-DHWFFD_ORG=basic", "-DHWFFD_N=1", "-DHWFFD_FORMAT=fx18"}
-    assert {word.split("=")[0] for word in selected} == {word.split("=")[0] for word in plain}
-
-
 def test_the_generator_of_a_build_stays(make, checkout):
     assert " -G Ninja " in make("lint")[1][1]
     checkout.put({"build/CMakeCache.txt": ""})
     assert " -G " not in make("lint")[1][1]
+
+
+@pytest.mark.parametrize("command", ("mutants", "bounds", "results"))
+def test_what_has_moved_is_said(make, checkout, command):
+    checkout.put({"lab/Makefile": ""})
+    status, lines, errors = make(command)
+    assert (status, lines) == (2, []) and errors.startswith(f"make: {command} has moved: make -C lab {command}\n")
+
+
+@pytest.mark.parametrize("command", ("mutants", "organizations"))
+def test_without_the_laboratory_its_commands_are_refused(make, command):
+    status, lines, errors = make(command)
+    assert (status, lines) == (2, [])
+    assert errors.startswith(f"make: {command}: a command of the laboratory, and lab/ is not here\n")
 
 
 HERE, ALL = "printf 'installed:lib-here{}'; exit 1", " installed:lib-gone installed:data-gone "

@@ -14,7 +14,7 @@ from rtl import ROOT
 
 README = (ROOT / "README.md").read_text()
 (VERILOG,) = re.findall(r"^```verilog\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
-HELP_LINES, HELP_GROUPS = 7, 6
+HELP_LINES = 48
 
 AROUND = """module readme (
   input wire clk, input wire rst,
@@ -45,18 +45,16 @@ def test_verilog_is_the_row_that_it_says():
     assert {**defaults, **given, **wanted} == {**defaults, **given}
 
 
-def test_groups_of_help():
+def test_help_fits_on_a_screen():
     text = subprocess.run(["make", "--no-print-directory", "help"], cwd=ROOT, text=True,
-                          stdout=subprocess.PIPE, check=True).stdout.partition("\n\n")[0]
-    groups = re.split(r"^(?=\S)", text, flags=re.MULTILINE)[1:]
-    assert len(groups) == HELP_GROUPS
-    for group in groups:
-        assert len(group.splitlines()) - 1 <= HELP_LINES, group
+                          stdout=subprocess.PIPE, check=True).stdout
+    assert len(text.splitlines()) <= HELP_LINES
 
 
 def test_help_names_every_target():
     makefile = (ROOT / "Makefile").read_text()
     phony = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE).group(1).split()
+    phony += re.search(r"^FORWARDED = (.*)$", makefile, re.MULTILINE).group(1).split()
     documented = set(re.findall(r"`make ([a-z-]+)`", (ROOT / "docs" / "commands.md").read_text()))
     wanted = set(phony) - {"help"}
     assert set(re.findall(r"^\t@echo '  make ([a-z-]+)", makefile, re.MULTILINE)) == wanted

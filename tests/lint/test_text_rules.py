@@ -89,11 +89,6 @@ MARK = "TO" "DO"
 LIST = f"// list\nevaluator/{NAME}.v\n"
 
 
-def lines(count, form="int x{};"):
-    """So many lines, no two of them equal."""
-    return "".join(form.format(number) + "\n" for number in range(count))
-
-
 def replaced(old, new):
     assert old in CLEAN, old
     return {FILE: CLEAN.replace(old, new, 1)}
@@ -180,27 +175,11 @@ PLANTED = [
     ("one-way", "the library includes the bench",
      {"tb/include/hwffd/tb/bench.hpp": "", "api/src/x.cpp": '#include "hwffd/tb/bench.hpp"\n'}),
     ("one-way", "a folder without include/",
-     {"apps/picture/png.hpp": "", "lab/words/x.cpp": '#include "picture/png.hpp"\n'}),
-    ("long-function", "C++", {"tests/x.cpp": f"int f(\n  int x) {{\n{lines(58)}}}\n"}),
-    ("long-function", "a member",
-     {"api/x.hpp": f"namespace x {{\nclass X : Y {{\n  X() : x(0) {{\n{lines(59)}  }}\n}};\n}}\n"}),
-    ("long-function", "Python",
-     {"tools/x.py": f"class X:\n  def f():\n{lines(60, '    x = {}')}\n"}),
-    ("long-function", "CMake",
-     {"cmake/x.cmake": f"function(x)\n{lines(60, '  x({})')}endfunction()\n"}),
-    ("long-function", "Verilog", inserted(
-        f"  function f;\n    input x;\n    begin\n{lines(60, '  f = {};')}    end\n  endfunction")),
-    ("equal-lines", "two files", {"api/x.cpp": lines(6), "tests/y.cpp": lines(6)}),
-    ("equal-lines", "one file", {"api/x.cpp": lines(6) + "int y;\n" + lines(6)}),
-    ("equal-lines", "between other lines, comments and blanks",
-     {"api/x.cpp": "int y;\n" + lines(6),
-      "tb/x.cpp": lines(6, "  int  x{0};  // {0}\n") + "int z;\n"}),
-    ("equal-lines", "Python",
-     {"tools/x.py": lines(6, "x = {}"), "tests/y.py": lines(6, "x = {}")}),
-    ("equal-lines", "CMake",
-     {"api/CMakeLists.txt": lines(6, "x({})"), "cmake/y.cmake": lines(6, "x({})")}),
-    ("equal-lines", "Verilog",
-     inserted(lines(6, "  wire x{} = 1;") + "  wire y = 1;\n" + lines(6, "  wire x{} = 1;")[:-1])),
+     {"apps/picture/png.hpp": "", "api/src/x.cpp": '#include "picture/png.hpp"\n'}),
+    ("laboratory", "C++", {"tb/x.cpp": '#include "lab/words/study.hpp"\n'}),
+    ("laboratory", "CMake", {"tests/CMakeLists.txt": "add_subdirectory(../lab/tests)\n"}),
+    ("laboratory", "Python", {"tools/x.py": "from lab import figures\n"}),
+    ("laboratory", "a path in Python", {"apps/x.py": 'ROOT / "lab"\n'}),
 ]
 
 # what must pass -> files
@@ -223,19 +202,9 @@ PASSES = {
          "tb/src/x.cpp": '#include "hwffd/cores/core.hpp"\n'},
     "an anonymous begin in always":
         inserted("  always @* begin\n    if (N > 1) begin\n    end\n  end"),
-    "a long function that is generated":
-        {"driver/x.h": f"/* Made from x by y */\nint f(\n  int x) {{\n{lines(500)}}}\n"},
-    "60 lines of a function, and long data and namespaces":
-        {"tests/x.cpp": f"namespace x {{\nvoid f(int x) {{\n{lines(58)}}}\n"
-                        f"const char* y = \"(){{\";\nX z[] = {{\n{lines(61, 'w{},')}}};\n}}\n"},
-    "five equal lines": {"api/x.cpp": lines(5), "tests/y.cpp": lines(5)},
-    "equal comments and brackets":
-        {"api/x.cpp": lines(9, "// {}") + "}\n" * 7, "tests/y.cpp": lines(9, "// {}") + "}\n" * 7},
-    "equal includes":
-        {"api/x.cpp": lines(7, "#include <{}>"), "api/y.cpp": lines(7, "#include <{}>")},
-    "equal ports and connections":
-        {"tests/x.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),"),
-         "tests/y.v": lines(7, "  input wire x{},") + lines(7, "    .x{}(y),")},
+    "texts that link to the laboratory, and what is in it":
+        {"docs/x.md": "[words](../lab/docs/words.md)\n", "lab/docs/words.md": "# Words\n", "lab/x.py": "import lab.words\n"},
+    "words like it": {"tools/x.py": "label/ = collab/x\n"},
     "a waiver of time units": {"rtl/lint/hwffd.vlt": WAIVERS + 'lint_off -rule TIMESCALEMOD -file "*.v"\n'},
     "the same line many times": {"api/x.cpp": "x(y,\n" * 11},
 }

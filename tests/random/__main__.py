@@ -1,6 +1,6 @@
 """make random: cores of random parameters on random packets.
 
-    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--seconds T] [--parts P] [--found]
+    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--seconds T] [--parts P] [--regressions]
                                           [--keep]
 
 Each number from S on is a configuration: most are legal, and each of these is read by Verilator without a
@@ -72,7 +72,7 @@ class Campaign:
                              else draw.beyond(bad, chosen.choice(bad.beyond())))
             names = set(bad.names) if bad in rules else {bad.name}
             others = [rule.guard for rule in rules if names & set(rule.names)]
-            self._told(configuration, seed, lambda folder: run.refused(self.sources, configuration, bad.guard, others,
+            self._report(configuration, seed, lambda folder: run.refused(self.sources, configuration, bad.guard, others,
                                                                        folder))
             self.illegal += 1
         else:
@@ -80,7 +80,7 @@ class Campaign:
 
     def legal_one(self, configuration, seed):
         """Runs a legal configuration on the stream of that number. Raises run.Failure as above."""
-        self._told(configuration, seed, lambda folder: self._run(run.Legal(
+        self._report(configuration, seed, lambda folder: self._run(run.Legal(
             self.space, self.sources, configuration, folder,
             lambda organization: self._has_model(configuration, organization)), seed))
         self.legal += 1
@@ -94,7 +94,7 @@ class Campaign:
         self.results += results
         self.clocks += clocks
 
-    def _told(self, configuration, seed, body):
+    def _report(self, configuration, seed, body):
         folder = self.options.folder / str(seed)
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
@@ -107,8 +107,8 @@ class Campaign:
 
 
 def known(parameters):
-    """(seed, configuration) of each row of found.csv."""
-    for _, cells in tables.read(pathlib.Path(__file__).with_name("found.csv"), ("SEED", *parameters, "shown")):
+    """(seed, configuration) of each row of regressions.csv."""
+    for _, cells in tables.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
         yield int(cells["SEED"]), {name: int(cells[name]) for name in parameters}
 
 
@@ -130,15 +130,15 @@ def main():
     parser.add_argument("--count", type=int, default=1, help="how many")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="of processors, after which no more begin")
     parser.add_argument("--parts", type=int, default=3, help="of a stream, about")
-    parser.add_argument("--found", action="store_true", help="those of found.csv, which have failed once, too")
+    parser.add_argument("--regressions", action="store_true", help="those of regressions.csv, which have failed once, too")
     parser.add_argument("--keep", action="store_true", help="what was made of those that did not fail, too")
     options = parser.parse_args()
     options.words, options.folder = options.words.resolve(), options.folder.resolve()
     first = seed_of_sources() if options.seed is None else options.seed
     campaign, failed, progress = Campaign(options), 0, Progress()
     tried = []
-    if options.found:
-        again = f"tests/random --words {options.words} --found --count 0"
+    if options.regressions:
+        again = f"tests/random --words {options.words} --regressions --count 0"
         tried += [(seed, partial(campaign.legal_one, one, seed), again)
                   for seed, one in known(campaign.space.parameters[run.TOP])]
     tried += [(seed, partial(campaign.one, seed), f"make random SEED={seed} N=1")

@@ -15,7 +15,7 @@ namespace {
 TEST(Random, Configurations) {
   const std::uint64_t seed = tb::seed_from_environment(0);
   const char* const count =
-      std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120 --found";
+      std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120 --regressions";
   const std::string command =
       fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --count {}{}", HWFFD_PYTHON,
                   HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,

@@ -24,7 +24,7 @@ namespace {
 using Holder = std::unique_ptr<PyLattice>;
 using Cells = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-Holder made(const Lattice& rest, const Family& family) {
+Holder held(const Lattice& rest, const Family& family) {
   return std::make_unique<PyLattice>(DeformableLattice(whole(rest, family), family));
 }
 
@@ -37,7 +37,7 @@ Holder from_points(const py::object& numbers, const py::object& points,
   whole_dims(dims, family);
   const Points read = read_control_points(points, dims);
   const Unlocked unlocked;
-  return made(Lattice(dims, read), family);
+  return held(Lattice(dims, read), family);
 }
 
 Holder of_grid(const py::object& control_points, const std::string& family_name) {
@@ -46,7 +46,7 @@ Holder of_grid(const py::object& control_points, const std::string& family_name)
   const Family family = Family::parse(family_name);
   whole_dims(dims, family);
   const Unlocked unlocked;
-  return made(Lattice(dims, read.points()), family);
+  return held(Lattice(dims, read.points()), family);
 }
 
 Holder read(const std::filesystem::path& path, const std::optional<std::string>& family_name) {

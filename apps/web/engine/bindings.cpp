@@ -74,7 +74,7 @@ Json json_of(hwffd::web::Engine& engine) {
   Json ports = Json::array();
   for (const hwffd::web::Port& port : hwffd::web::ports()) {
     ports.push_back({{"name", port.name},
-                     {"width", engine.inside().signals().one(port.signal).width},
+                     {"width", engine.inside().signals().only(port.signal).width},
                      {"description", port.description}});
   }
   return {{"core", engine.row().name}, {"blocks", std::move(blocks)}, {"ports", std::move(ports)}};

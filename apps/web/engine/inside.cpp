@@ -55,7 +55,7 @@ Inside::Inside(RunningCore& core, const Configuration& row)
       signals_(core.core().signals()),
       probes_(signals_, row),
       recorder_(signals_) {
-  if (keeps_cell(row)) forming_ = Forming{signals_.one("hwffd_stream:forming")};
+  if (keeps_cell(row)) forming_ = Forming{signals_.only("hwffd_stream:forming")};
   for (const Block& block : design_of(row).blocks) {
     Light light;
     for (const std::string& part : parts_of(block.busy)) {

@@ -48,7 +48,7 @@ std::string identifier(std::size_t number) {
 void PortRecorder::watch(const std::vector<std::string>& names) {
   std::vector<Watched> watched;
   for (const std::string& name : names) {
-    watched.push_back({name, signals_.one(port(name).signal)});
+    watched.push_back({name, signals_.only(port(name).signal)});
   }
   watched_ = std::move(watched);
   samples_.clear();

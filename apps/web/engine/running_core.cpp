@@ -59,7 +59,7 @@ RunningCore::RunningCore(const Configuration& row)
     : name_(row.name),
       core_(cores::make_stream_core(row, kSeed)),
       loop_(*core_),
-      stuck_(SignalTable(core_->signals()).one("u_encoder:words_q")) {
+      stuck_(SignalTable(core_->signals()).only("u_encoder:words_q")) {
   reset();
 }
 

@@ -59,7 +59,7 @@ ScheduleProbes::ScheduleProbes(const SignalTable& signals, const Configuration& 
   });
   for (const std::string& instance : instances) {
     sequencers_.push_back(
-        {signals.one(instance + ":step_valid_o"), signals.one(instance + ":step_first_o")});
+        {signals.only(instance + ":step_valid_o"), signals.only(instance + ":step_first_o")});
   }
   if (sequencers_.empty()) throw Error("core: built without probes; use cores/rtl/ffd_bench.vlt");
   sequencers_.back().contexts = contexts_of(row);

@@ -16,7 +16,7 @@ class SignalTable {
   /// All of that name, of which there may be several or none.
   std::vector<cores::Signal> find(const std::string& name) const;
   /// The one of that name. Throws Error where there is none.
-  cores::Signal one(const std::string& name) const;
+  cores::Signal only(const std::string& name) const;
   const std::vector<cores::Signal>& all() const { return signals_; }
 
  private:

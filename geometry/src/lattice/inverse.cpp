@@ -44,7 +44,7 @@ class InverseSearch {
     tolerance_ = kInverseTolerance * rest.size() + kCoordinateRounding * largest;
   }
 
-  Points found() {
+  Points places() {
     Reached now = reached(at_);
     for (int step = 0; step < kInverseSteps && !done(now); ++step) {
       const Points next = stepped(now);
@@ -141,7 +141,7 @@ Points inverse_of(const Embedder& rest, const Lattice& deformed, const Outside& 
   const Points others = points(rows, Eigen::all);
   result(rows, Eigen::all) = outside.kind() == Outside::Kind::kKeep
                                  ? stayers(rest, others)
-                                 : InverseSearch(rest, deformed, outside, others).found();
+                                 : InverseSearch(rest, deformed, outside, others).places();
   return result;
 }
 

@@ -13,7 +13,7 @@ constexpr double kFirstDamping = 1e-3;
 constexpr double kLastDamping = 1e9;
 constexpr double kLeastStep = 1e-8;  // in cells
 
-Eigen::Vector3d kept(const Eigen::Vector3d& local, double margin) {
+Eigen::Vector3d clamped(const Eigen::Vector3d& local, double margin) {
   return local.cwiseMax(-margin).cwiseMin(1.0 + margin);
 }
 
@@ -95,13 +95,13 @@ Attempt newton(const Oracle& oracle, const Support& support, const Point& point,
     bool better = false;
     double part = 1.0;
     for (int h = 0; h < kHalvings && !better; ++h, part /= 2) {
-      const State next = at(kept(now.local + part * step, kMargin));
+      const State next = at(clamped(now.local + part * step, kMargin));
       better = next.residual < now.residual;
       if (better) now = next;
     }
     if (!better) break;
   }
-  const Eigen::Vector3d inside = kept(now.local, 0.0);
+  const Eigen::Vector3d inside = clamped(now.local, 0.0);
   const double residual = inside == now.local ? now.residual : at(inside).residual;
   return {inside, residual, iterations};
 }
@@ -115,7 +115,7 @@ Attempt nearest(const Oracle& oracle, const Support& support, const Point& point
     ++iterations;
     const Eigen::Vector3d step =
         step_within(now, curvature(support, now.local, now.difference), damping);
-    const Eigen::Vector3d target = kept(now.local + step, 0.0);
+    const Eigen::Vector3d target = clamped(now.local + step, 0.0);
     const double length = (target - now.local).cwiseAbs().maxCoeff();
     const State next(oracle, support, point, target);
     const bool better = next.residual < now.residual;

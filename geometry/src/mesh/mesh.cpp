@@ -145,7 +145,7 @@ void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matri
   update_scene();
 }
 
-Mesh::Scene& Mesh::made() const {
+Mesh::Scene& Mesh::edited() const {
   if (scene_) return *scene_;
   auto scene = std::make_unique<Scene>();
   scene->made = scene_of(*content_, weld_.size(), [&](std::uint32_t vertex) -> Eigen::RowVector3d {
@@ -173,13 +173,13 @@ void Mesh::update_scene() const {
   });
 }
 
-aiScene& Mesh::made_scene() const { return *made().made.scene; }
+aiScene& Mesh::made_scene() const { return *edited().made.scene; }
 
 const aiScene& Mesh::scene() const { return made_scene(); }
 
-const std::vector<std::uint32_t>& Mesh::welded() const { return made().welded; }
+const std::vector<std::uint32_t>& Mesh::welded() const { return edited().welded; }
 
-const std::vector<std::uint32_t>& Mesh::numbers() const { return made().numbers; }
+const std::vector<std::uint32_t>& Mesh::numbers() const { return edited().numbers; }
 
 Points Mesh::smooth_normals() const { return hwffd::smooth_normals(positions_, triangles()); }
 

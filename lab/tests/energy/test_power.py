@@ -15,7 +15,7 @@ sys.path[:0] = [str(ROOT / "lab" / "energy"), str(ROOT / "tools")]
 import activity  # noqa: E402  pylint: disable=wrong-import-position
 import flat  # noqa: E402  pylint: disable=wrong-import-position
 import library  # noqa: E402  pylint: disable=wrong-import-position
-import one_row  # noqa: E402  pylint: disable=wrong-import-position
+import row_report  # noqa: E402  pylint: disable=wrong-import-position
 import power  # noqa: E402  pylint: disable=wrong-import-position
 import simulation  # noqa: E402  pylint: disable=wrong-import-position
 
@@ -219,7 +219,7 @@ def test_the_energy_is_what_the_library_adds_up_to(cells, netlist, nets, tmp_pat
     (tmp_path / "cells.lib").write_text(library.copy(head, kinds))
     (tmp_path / "toggles.v").write_text(flat.with_toggles(netlist))
     files = (tmp_path / "cells.lib", tmp_path / "toggles.v")
-    for toggles, (nand, register) in zip(one_row.counts(netlist, kinds, nets), ((6, 3), (4, 3), (0, 0))):
+    for toggles, (nand, register) in zip(row_report.counts(netlist, kinds, nets), ((6, 3), (4, 3), (0, 0))):
         found = power.run(netlist, toggles, files, tmp_path)
         inside = nand * (0.03 + 0.04) + register * (0.04 + 0.03) + CLOCKS * 0.06
         driven = CHARGE * (nand * 0.01 + register * (0.01 + 0.02))

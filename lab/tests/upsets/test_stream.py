@@ -27,7 +27,7 @@ def test_memories_are_struck_too(campaign):
     # The count of vertices inside, which never comes back to 0; how many vertices a packet still has; a
     # coordinate, while it is a vertex's and while it is nobody's.
     ("u_evaluator.inside_q[3]@400", "hang_cleared"),
-    ("u_front.u_framer.count_q[27]@421", "flagged"),
+    ("u_ingress.u_framer.count_q[27]@421", "flagged"),
     ("u_decoder.u_vertex.coordinates_q[8]@372", "silent"),
     ("u_decoder.u_vertex.coordinates_q[8]@0", "no_effect")))
 def test_a_planted_flip_is_what_it_is(campaign, bit, outcome):
@@ -37,7 +37,7 @@ def test_a_planted_flip_is_what_it_is(campaign, bit, outcome):
 
 def test_what_cannot_be_flipped_is_an_error(campaign):
     with pytest.raises(counted.UpsetError, match="no such bit"):
-        campaign(only=("u_front.nothing_q@3",))
+        campaign(only=("u_ingress.nothing_q@3",))
     with pytest.raises(counted.UpsetError, match="0 flips"):
         campaign(0)
     with pytest.raises(counted.UpsetError, match="was not made"):

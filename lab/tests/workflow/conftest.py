@@ -33,7 +33,7 @@ CMAKE = """#!{python}
 import csv, pathlib, shutil, sys
 print(*sys.argv[1:], file=open("{root}/built", "a"))
 for row in csv.DictReader(open("{root}/lab/soak/traffic.csv")):
-    path = pathlib.Path("{root}/build", row["program"])
+    path = pathlib.Path("{root}/build/lab", row["program"])
     path.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy("{root}/program", path)
 """

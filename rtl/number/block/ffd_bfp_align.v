@@ -95,7 +95,7 @@ module ffd_bfp_align #(
   ffd_num_delay #(
     .WIDTH  (FLAGS_W + DISTANCE_W + 6 + 32),
     .LATENCY(LATENCY / 4)
-  ) u_parts (
+  ) u_decoded (
     .clk(clk),
     .rst(1'b0),
     .d_i({flagged_i, named && (nan || !sign), named && (nan || sign), distance, fixed_i, none,

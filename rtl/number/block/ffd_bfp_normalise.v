@@ -30,14 +30,14 @@ module ffd_bfp_normalise #(
   localparam VALUE_W = 2 * W + 6;
   localparam COUNT_W = $clog2(VALUE_W);
   localparam FIELD_W = `FFD_EXPONENT_W + 2;
-  localparam KEPT_W  = 26;  // significand, guard, sticky
-  localparam NEAR_W  = KEPT_W + 3;
+  localparam HEAD_W  = 26;  // significand, guard, sticky
+  localparam NEAR_W  = HEAD_W + 3;
   localparam CLASS_W = 4;   // {minus, plus, saturated, sign}
 
   localparam [FIELD_W-1:0] TOP      = 135;  // field of a leading one at the top, less exponent_i
   localparam [FIELD_W-1:0] LARGEST  = 254;
   localparam [FIELD_W-1:0] ONE      = 1;
-  localparam [FIELD_W-1:0] FARTHEST = KEPT_W;
+  localparam [FIELD_W-1:0] FARTHEST = HEAD_W;
 
   // Registers behind each step; the last has one before any other.
   localparam FIRST  = LATENCY / 6;
@@ -143,12 +143,12 @@ module ffd_bfp_normalise #(
   // ---- at the top; subnormals, infinities, rounding
 
   wire [NEAR_W-1:0]  top     = p2_near << p2_zeros;
-  wire [KEPT_W-1:0]  p2_kept = {top[NEAR_W-1 -: KEPT_W-1], |top[NEAR_W-KEPT_W:0]};
+  wire [HEAD_W-1:0]  p2_head = {top[NEAR_W-1 -: HEAD_W-1], |top[NEAR_W-HEAD_W:0]};
   wire               below   = p2_field[FIELD_W-1] || p2_field == {FIELD_W{1'b0}};
   wire [FIELD_W-1:0] down    = ONE - p2_field;
   wire [4:0]         amount  = !below ? 5'd0 : down > FARTHEST ? FARTHEST[4:0] : down[4:0];
 
-  wire [KEPT_W-1:0]  p3_kept;
+  wire [HEAD_W-1:0]  p3_head;
   wire [FIELD_W-1:0] p3_field;
   wire [4:0]         p3_amount;
   wire               p3_below;
@@ -156,23 +156,23 @@ module ffd_bfp_normalise #(
   wire [CLASS_W-1:0] p3_class;
 
   ffd_num_delay #(
-    .WIDTH  (KEPT_W + FIELD_W + 5 + 2 + CLASS_W),
+    .WIDTH  (HEAD_W + FIELD_W + 5 + 2 + CLASS_W),
     .LATENCY(FOURTH)
   ) u_amount (
     .clk(clk),
     .rst(1'b0),
-    .d_i({p2_kept, p2_field, amount, below, p2_none, p2_class}),
-    .q_o({p3_kept, p3_field, p3_amount, p3_below, p3_none, p3_class})
+    .d_i({p2_head, p2_field, amount, below, p2_none, p2_class}),
+    .q_o({p3_head, p3_field, p3_amount, p3_below, p3_none, p3_class})
   );
 
-  wire [KEPT_W-1:0] shifted;
+  wire [HEAD_W-1:0] shifted;
   wire              sticky;
 
   ffd_fp_shift_right #(
-    .WIDTH   (KEPT_W),
+    .WIDTH   (HEAD_W),
     .AMOUNT_W(5)
   ) u_subnormal (
-    .x_i     (p3_kept),
+    .x_i     (p3_head),
     .amount_i(p3_amount),
     .y_o     (shifted),
     .sticky_o(sticky)
@@ -188,14 +188,14 @@ module ffd_bfp_normalise #(
 
   wire              p4_sign;
   wire [7:0]        p4_exponent;
-  wire [KEPT_W-1:0] p4_significand;
+  wire [HEAD_W-1:0] p4_significand;
   wire              p4_sticky;
   wire              p4_infinite;
   wire              p4_nan;
   wire              p4_saturated;
 
   ffd_num_delay #(
-    .WIDTH  (1 + 8 + KEPT_W + 4),
+    .WIDTH  (1 + 8 + HEAD_W + 4),
     .LATENCY(FIFTH)
   ) u_shifted (
     .clk(clk),
@@ -213,7 +213,7 @@ module ffd_bfp_normalise #(
   ) u_round (
     .sign_i       (p4_sign),
     .exponent_i   (p4_exponent),
-    .significand_i(p4_significand[KEPT_W-1:2]),
+    .significand_i(p4_significand[HEAD_W-1:2]),
     .guard_i      (p4_significand[1]),
     .sticky_i     (p4_significand[0] || p4_sticky),
     .infinite_i   (p4_infinite),

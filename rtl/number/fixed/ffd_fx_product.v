@@ -109,7 +109,7 @@ module ffd_fx_product #(
       ffd_num_delay #(
         .WIDTH  (PART_W + 1 + 2 * W),
         .LATENCY(BEHIND - 1)
-      ) u_parts (
+      ) u_partial (
         .clk(clk),
         .rst(1'b0),
         .d_i({{low_high[PART_W-1], low_high} + {high_low[PART_W-1], high_low},

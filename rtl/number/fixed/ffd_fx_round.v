@@ -56,12 +56,12 @@ module ffd_fx_round #(
   endgenerate
 
   // In range where all bits from the output's sign upward agree.
-  wire [KEEP_W-1:0]     kept = total[TOTAL_W-1:DROP];
-  wire [KEEP_W-OUT_W:0] high = kept[KEEP_W-1:OUT_W-1];
-  wire                  sign = kept[KEEP_W-1];
+  wire [KEEP_W-1:0]     shifted = total[TOTAL_W-1:DROP];
+  wire [KEEP_W-OUT_W:0] high = shifted[KEEP_W-1:OUT_W-1];
+  wire                  sign = shifted[KEEP_W-1];
 
   assign saturated_o = high != {(KEEP_W - OUT_W + 1) {sign}};
-  assign value_o     = saturated_o ? {sign, {(OUT_W - 1) {!sign}}} : kept[OUT_W-1:0];
+  assign value_o     = saturated_o ? {sign, {(OUT_W - 1) {!sign}}} : shifted[OUT_W-1:0];
 endmodule
 
 `default_nettype wire

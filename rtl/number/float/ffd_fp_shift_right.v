@@ -24,15 +24,15 @@ module ffd_fp_shift_right #(
 );
   integer i;
   integer k;
-  reg [WIDTH-1:0] kept;  // the bits that step k leaves behind
+  reg [WIDTH-1:0] dropped;  // the bits that step k leaves behind
   always @* begin
     y_o      = x_i;
     sticky_o = 1'b0;
-    kept     = {WIDTH{1'b0}};
+    dropped     = {WIDTH{1'b0}};
     for (i = 0; i < AMOUNT_W; i = i + 1) begin
       k        = LARGE_FIRST != 0 ? AMOUNT_W - 1 - i : i;
-      kept     = y_o & ~({WIDTH{1'b1}} << (1 << k));
-      sticky_o = sticky_o | (amount_i[k] & (|kept));
+      dropped     = y_o & ~({WIDTH{1'b1}} << (1 << k));
+      sticky_o = sticky_o | (amount_i[k] & (|dropped));
       y_o      = amount_i[k] ? y_o >> (1 << k) : y_o;
     end
   end

@@ -81,7 +81,7 @@ class Hardened {
 };
 
 /// In how many of these runs UPSET_STATUS has the bit after the flip, which it has alone.
-std::uint64_t told(const std::string& module, const char* name, unsigned bit, std::uint32_t mask) {
+std::uint64_t flips_reported(const std::string& module, const char* name, unsigned bit, std::uint32_t mask) {
   std::uint64_t found = 0;
   for (std::uint64_t clock = 0; clock < kMoments; clock += 7) {
     SCOPED_TRACE(testing::Message() << name << " " << clock << " clocks after the start");
@@ -104,11 +104,11 @@ std::uint64_t told(const std::string& module, const char* name, unsigned bit, st
 }
 
 TEST(AxiHardened, AnAddressThatFlipsBehindItsCheckIsRefused) {
-  EXPECT_GT(told("u_write.u_address", "next_q", 39, HWFFD_UPSET_STATUS_WINDOW_MASK), 0U);
+  EXPECT_GT(flips_reported("u_write.u_address", "next_q", 39, HWFFD_UPSET_STATUS_WINDOW_MASK), 0U);
 }
 
 TEST(AxiHardened, ABurstOfTooFewOrTooManyBeatsIsCompleted) {
-  EXPECT_GT(told("u_write", "left_q", 7, HWFFD_UPSET_STATUS_BURST_MASK), 0U);
+  EXPECT_GT(flips_reported("u_write", "left_q", 7, HWFFD_UPSET_STATUS_BURST_MASK), 0U);
 }
 
 TEST(AxiHardened, AWindowThatFlipsIsOutvoted) {

@@ -187,7 +187,7 @@ class Mesh {
   void move(Points positions, bool turned);
   /// What of this mesh another, which was written of it and read again, does not hold.
   std::vector<std::string> lost_in(const Mesh& written) const;
-  Scene& made() const;
+  Scene& edited() const;
   aiScene& made_scene() const;
   void update_scene() const;
 

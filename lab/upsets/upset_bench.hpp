@@ -11,8 +11,8 @@
 namespace hwffd::upsets {
 
 /// A core in its bench.
-struct Made {
-  Made(const Plan& plan, Trigger& trigger)
+struct Bench {
+  Bench(const Plan& plan, Trigger& trigger)
       : core(plan.seed, trigger), scenario(make_scenario(core, plan)) {}
 #if HWFFD_UPSET_AXI
   UpsetAxiCore<HWFFD_UPSET_CLASS> core;

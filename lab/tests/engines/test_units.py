@@ -95,10 +95,10 @@ def test_bits_beside_a_valid_are_watched_while_it_is_1():
 
 
 def test_a_bench_that_did_not_end_says_nothing():
-    assert icarus.told("unknown a clock 3\nbroken b clock 4\nclocks 9 beats 1\n") == (
+    assert icarus.result_of("unknown a clock 3\nbroken b clock 4\nclocks 9 beats 1\n") == (
         9, ["unknown a clock 3", "broken b clock 4"])
     with pytest.raises(icarus.SimulationError, match="did not end"):
-        icarus.told("unknown a clock 3\n")
+        icarus.result_of("unknown a clock 3\n")
 
 
 @pytest.mark.parametrize("name", planted.CHANGES)

@@ -1,4 +1,4 @@
-"""tools/formal on a small copy of the tree: what it proves, refutes, refuses, keeps and reports.
+"""make -C lab formal on a small copy of the tree: what it proves, refutes, refuses, keeps and reports.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -8,16 +8,16 @@ hwffd_of_yosys(include ${cxxrtl_include} /backends/cxxrtl/cxxrtl.h)
 # Makes the static library of `hwffd_stream` of a row. The source is compiled with the macros
 # HWFFD_CXXRTL_HEADER and HWFFD_ROW. A planted file is taken for that of rtl/ of its name.
 function(hwffd_cxxrtl library row source)
-  set(made ${hwffd_BINARY_DIR}/cxxrtl/${library}.cc)
+  set(source_of_row ${hwffd_BINARY_DIR}/cxxrtl/${library}.cc)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
-    OUTPUT ${made} ${hwffd_BINARY_DIR}/cxxrtl/${library}.h
-    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/cxxrtl.py ${row} ${made} --planted ${ARGN}
+    OUTPUT ${source_of_row} ${hwffd_BINARY_DIR}/cxxrtl/${library}.h
+    COMMAND ${Python3_EXECUTABLE} -B ${HWFFD_LAB_DIR}/engines/cxxrtl.py ${row} ${source_of_row} --planted ${ARGN}
     DEPENDS hwffd_of_yosys ${cxxrtl_include}/backends/cxxrtl/cxxrtl.h ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
-            ${netlist_scripts}/cxxrtl.py ${netlist_scripts}/rtl.py
+            ${HWFFD_LAB_DIR}/engines/cxxrtl.py ${netlist_scripts}/rtl.py
     COMMENT "Writing ${row} as C++"
     VERBATIM)
-  add_library(${library} STATIC EXCLUDE_FROM_ALL ${made} ${source})
+  add_library(${library} STATIC EXCLUDE_FROM_ALL ${source_of_row} ${source})
   set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${library} SYSTEM PRIVATE ${cxxrtl_include} ${hwffd_BINARY_DIR}/cxxrtl)
   target_compile_definitions(${library} PRIVATE

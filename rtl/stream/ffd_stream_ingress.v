@@ -1,4 +1,4 @@
-// ffd_stream_front: what stands in front of the decoder
+// ffd_stream_ingress: what stands in front of the decoder
 //
 // Beats of the stream become framed beats that the decoder takes: ffd_stream_expand, in a core with
 // grids or packed vertices, ffd_stream_framer and ffd_stream_intake.
@@ -14,7 +14,7 @@
 `include "ffd_num.vh"
 `include "ffd_stream.vh"
 
-module ffd_stream_front #(
+module ffd_stream_ingress #(
   parameter FORMAT   = 18,
   parameter FEATURES = `FFD_FEATURES,
   parameter AXIS     = 16,

@@ -1,4 +1,4 @@
-// ffd_stream_beside: what goes beside the numbers of a beat
+// ffd_stream_sideband: what goes beside the numbers of a beat
 //
 // While the words of a beat are converted, where they go is delayed: to which function of the
 // coefficients, to which point of which page, into which slot, or that they are a vertex. So are
@@ -13,7 +13,7 @@
 `default_nettype none
 `include "ffd_stream.vh"
 
-module ffd_stream_beside #(
+module ffd_stream_sideband #(
   parameter LATENCY = 1,
   parameter AXIS    = 16,
   parameter PAGE_W  = 1
@@ -52,7 +52,7 @@ module ffd_stream_beside #(
   wire [`FFD_PAGE_W-1:0] verdict = verdict_i & {`FFD_PAGE_W{of_page}};
   wire                   stunted = of_page && verdict_i == {`FFD_PAGE_W{1'b0}}
                                 && (last_i || empty_i);
-  wire [7:0] found = {frame_i[`FFD_FRAME_SPAN], verdict[`FFD_PAGE_FOURTH],
+  wire [7:0] raised = {frame_i[`FFD_FRAME_SPAN], verdict[`FFD_PAGE_FOURTH],
                       verdict[`FFD_PAGE_POINTS], verdict[`FFD_PAGE_BEYOND],
                       of_page ? verdict[`FFD_PAGE_SIZE] : frame_i[`FFD_FRAME_SIZE],
                       frame_i[`FFD_FRAME_LONG],
@@ -76,7 +76,7 @@ module ffd_stream_beside #(
   ) u_taken (
     .clk(clk),
     .rst(rst),
-    .d_i({15{take_i}} & {frame_i[`FFD_FRAME_REFUSED], 1'b1, kinds, found}),
+    .d_i({15{take_i}} & {frame_i[`FFD_FRAME_REFUSED], 1'b1, kinds, raised}),
     .q_o({refused, taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
   );
 

@@ -11,6 +11,8 @@ import pathlib
 import subprocess
 import sys
 
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
 import configurations
 import rtl
 import synthesis

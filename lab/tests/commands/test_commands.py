@@ -1,0 +1,88 @@
+"""The laboratory's Makefile hands its programs what was asked for, against stand-ins for the programs that it starts.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pytest
+
+SHOW = """for word; do printf '<%s>' "$word"; done"""
+
+
+@pytest.fixture
+def lab(make, checkout, programs):
+    """The same as `make`, of the laboratory."""
+    checkout.copy("lab/Makefile")
+    programs(tools__figures="""
+[ "$1" != measure ] && { echo figures; exit; }
+while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
+    return lambda *words, **variables: make("--no-print-directory", "-C", "lab", *words, **variables)
+
+
+@pytest.mark.parametrize("name", ("words", "embed", "tangents"))
+def test_a_study_builds_one_program_and_runs_it(lab, programs, name):
+    programs(**{f"build__lab__{name}__hwffd_{name}": f'echo "{name}<$*>"'})
+    lines = lab(name)[1]
+    assert lines[-2].endswith(f" --target hwffd-{name}")
+    assert lines[-1] == f"{name}<>"
+
+
+def test_compare_builds_its_program_and_runs_it_beside_others(lab, programs):
+    programs(build__venv__bin__python='echo "python<$*>"')
+    lines = lab("compare")[1]
+    assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
+    assert lines[-1] == "python<-B lab/compare>"
+
+
+def test_bfp_selects_rows_of_its_format(lab, programs):
+    programs(**{"tools__configurations.py": ":", "build__lab__bfp__hwffd_bfp": 'echo "bfp<$*>"'})
+    lines = lab("bfp", "ORG=basic", "FORMAT=fx18")[1]
+    assert {"-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"} <= set(lines[-3].split())
+    assert "-DHWFFD_FORMAT=fx18" not in lines[-3]
+    assert lines[-2].endswith(" --target hwffd-bfp")
+    assert lines[-1] == "bfp<>"
+
+
+def test_workflow(lab, programs, checkout):
+    programs(build__venv__bin__snakemake=SHOW)
+    (checkout.root / "lab" / "workflow" / "profiles" / "slurm").mkdir(parents=True)
+    start = ("<--snakefile><lab/workflow/Snakefile><--directory><build><--workflow-profile>"
+             "<synth/profiles/default><--profile>")
+    config = f"<--config><root={checkout.root}>"
+    assert lab("workflow", PROFILE="slurm")[1][-1] == f"{start}<lab/workflow/profiles/local>{config}"
+    assert lab("workflow", "PROFILE=slurm", "WORK=soak pnr", "SEEDS=3", "JOBS=9")[1][-1] == (
+        f"{start}<lab/workflow/profiles/slurm><--cores><9><--jobs><9>{config}<work=soak pnr><soak_seeds=3>")
+    assert lab("workflow", "PROFILE=ours $HOME;'", "WORK=")[1][-1] == f"{start}<ours $HOME;'>{config}"
+
+
+def test_what_an_earlier_command_configured_does_not_stay(lab, programs):
+    programs(**{"tools__configurations.py": ":", "build__lab__organizations__hwffd_organizations": "exit 0",
+                "build__lab__words__hwffd_words": "exit 0"})
+
+    def configured(*words):
+        (line,) = (line for line in lab(*words)[1] if line.startswith("cmake -S"))
+        return {word for word in line.split() if word.startswith("-DHWFFD")}
+
+    selected = configured("organizations", "ORG=basic", "N=1", "FORMAT=fx18")
+    plain = configured("words", "ORG=basic")
+    assert selected - plain == {"-DHWFFD_ORG=basic", "-DHWFFD_N=1", "-DHWFFD_FORMAT=fx18"}
+    assert {word.split("=")[0] for word in selected} == {word.split("=")[0] for word in plain}
+
+
+@pytest.mark.parametrize("words, complaint", (
+    (("soak", "HOURS=1h"), "HOURS=1h: a number"), (("upsets", "FLIPS=1.2.3"), "FLIPS=1.2.3: a number"),
+    (("words", "TIER=none"), "TIER=none: one of")))
+def test_a_wrong_word_is_refused_before_anything_is_built(lab, words, complaint):
+    status, lines, errors = lab(*words)
+    assert status == 2 and complaint in errors
+    assert not any(line.startswith("cmake") for line in lines)
+
+
+@pytest.mark.parametrize("command", ("words", "streams"))
+def test_the_root_hands_on(lab, make, programs, command):
+    programs(**{f"build__lab__{command}__hwffd_{command}": f"{SHOW}; echo {command}"})
+    assert lab(command) == make(command) and make(command)[1][-1] == command
+
+
+def test_figures_and_help(lab):
+    assert lab("figures")[1] == ["install figures", "figures"]
+    assert any("organizations" in line for line in lab()[1])
