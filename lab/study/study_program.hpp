@@ -25,7 +25,7 @@ struct Findings {
 };
 
 /// The program of a study, inside `run_study`: it measures and writes its reports to
-/// <output>/reports/NAME.json, from which tools/figures prints tables and draws. It ends with 1
+/// <output>/reports/NAME.json, from which lab/figures prints tables and draws. It ends with 1
 /// where something does not hold.
 class StudyProgram {
  public:

@@ -25,7 +25,6 @@ from rtl import ROOT
 
 HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 
-FEW = "--org", "basic", "--target", "generic"
 MODULE = """\
 `default_nettype none
 `include "ffd_num.vh"
@@ -154,7 +153,7 @@ class Tree:
         return [p.name for p in (self.root / "build").rglob("*")
                 if p.suffix in (".draft", ".netlist", ".v", ".tcl")]
 
-    def kept(self):
+    def results(self):
         return list((self.root / "build/synth").glob("*.json"))
 
     def keys(self):
@@ -336,20 +335,20 @@ def test_interrupted_run_goes_on_where_it_stopped(tree):
     tree.stand_in(slow=True)
     for number, ran in ((signal.SIGINT, 4), (signal.SIGTERM, 1)):
         interrupt(tree, number)
-        assert len(tree.kept()) == 3
+        assert len(tree.results()) == 3
         assert tree.drafts() == []
         assert len(tree.ran()) == ran
     tree.stand_in()
-    assert (tree.synth("--target", "generic")[0], len(tree.ran()), len(tree.kept())) == (0, 1, 4)
+    assert (tree.synth("--target", "generic")[0], len(tree.ran()), len(tree.results())) == (0, 1, 4)
 
 
 def interrupt(tree, number):
-    """A run of which three rows are kept and the fourth hangs."""
+    """A run that ends three rows; the fourth hangs."""
     tree.ran()
     process = subprocess.Popen(tree.command("--target", "generic", "-j", "2"), text=True,
                                env=tree.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     deadline = time.monotonic() + 60
-    while time.monotonic() < deadline and (len(tree.kept()) < 3 or not tree.log.exists()):
+    while time.monotonic() < deadline and (len(tree.results()) < 3 or not tree.log.exists()):
         time.sleep(0.1)
     time.sleep(0.3)
     process.send_signal(number)
@@ -376,25 +375,3 @@ def test_a_variant_has_the_parameters_of_its_row_and_its_own(tree):
     assert (one.name, one.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
                                        ("few", "only a few"))
     assert one.row.parameters == {**one.row.row.parameters, "FORMAT": 16, "FEATURES": 256}
-
-
-def committed(tree):
-    """The report of the last run, as it is committed."""
-    tree.put({"docs/reports/synth.json": tree.text("build/reports/synth.json")})
-    shutil.rmtree(tree.root / "build/synth")
-    tree.ran()
-
-
-def test_what_the_committed_report_has_is_not_mapped_again(tree):
-    tree.synth(*FEW)
-    before = tree.report()["rows"]
-    committed(tree)
-    assert (tree.synth(*FEW)[0], tree.ran(), tree.report()["rows"]) == (0, [], before)
-    assert (tree.synth(*FEW, "--again")[0], len(tree.ran())) == (0, len(before))
-
-
-def test_a_committed_row_of_other_sources_is_mapped(tree):
-    tree.synth(*FEW)
-    committed(tree)
-    tree.put(select(GOOD.replace("+", "-")))
-    assert tree.synth(*FEW)[0] == 0 < len(tree.ran()) == len(tree.report()["rows"])

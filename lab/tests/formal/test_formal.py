@@ -135,7 +135,7 @@ def test_a_module_of_the_harness_takes_the_place_of_its_namesake(checkout, table
 def test_a_report_that_came_with_the_checkout_proves_nothing(checkout, table, formal, report):
     table(GOOD)
     formal()
-    checkout.put({"docs/reports/formal.json": checkout.text("build/reports/formal.json")})
+    checkout.put({"docs/results/1.0.0/formal.json": checkout.text("build/reports/formal.json")})
     for unchanged in (1, 0):
         assert f"formal: 1 properties, {unchanged} of them unchanged" in formal()[1]
         assert report()[0]["result"] == "proved"
