@@ -68,6 +68,9 @@ class Elaborations:
             draft.replace(self._path(design))
         return found
 
+    def has(self, design):
+        return self._path(design).is_file()
+
     def key(self, design):
         path = self._path(design)
         return path.read_text(encoding="utf-8") if path.is_file() else self._elaborate(design)

@@ -3,7 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import os
+import pathlib
 import re
+
+import rooms
 
 _LINK = re.compile(r"\]\(([^()\s]+)\)")
 _HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
@@ -27,6 +31,12 @@ def anchors(text):
             for i in range(last + 1)}
 
 
+def _is_hidden(tree, file):
+    """Whether it would be in the laboratory, and that is not here."""
+    laboratory = tree.root / rooms.LABORATORY
+    return not laboratory.exists() and laboratory in pathlib.Path(os.path.abspath(file)).parents
+
+
 def dead_links(tree, path):
     """(line, message) for each link of a Markdown file to what is not there."""
     text = _without_code(tree.text(path))
@@ -36,9 +46,9 @@ def dead_links(tree, path):
             continue
         line = text.count("\n", 0, match.start()) + 1
         file = path.parent / target if target else path
-        if not file.exists():
+        if not file.exists() and not _is_hidden(tree, file):
             yield line, f"link to {target}, which is not there"
-        elif anchor and anchor not in anchors(tree.text(file)):
+        elif file.exists() and anchor and anchor not in anchors(tree.text(file)):
             yield line, f"link to {match.group(1)}: no such heading"
 
 

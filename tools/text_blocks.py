@@ -27,7 +27,7 @@ import text_expressions
 from results import Missing, RequestError
 from text_table import Table, cell
 
-PATTERNS = ("*.md", "docs/**/*.md", "synth/**/*.md", "examples/**/*.md", "tests/**/*.md", "lab/**/*.md")
+PATTERNS = ("*.md", "docs/**/*.md", "synth/**/*.md", "examples/**/*.md", "tests/**/*.md")
 CURE = "make figures"
 _BLOCK = re.compile(r"^(?P<open><!-- (?P<kind>results|sources)(?: (?P<version>[^\s:]+))?: (?P<what>[^\n]*?)"
                     r"(?P<lines>\n(?:[^\n]*\n)*?)?(?(lines)-->| -->))\n(?P<inside>(?:(?!<!--)[^\n]*\n)*?)"
@@ -120,13 +120,14 @@ class Blocks:
     """What the blocks of a checkout's texts should say. `modules` by name make the tables; with `partly`
     a block of a report that is not among them is not looked at."""
 
-    def __init__(self, root, modules, partly=False):
+    def __init__(self, root, modules, patterns=PATTERNS, partly=False):
         self.root, self.modules, self.partly = pathlib.Path(root), modules, partly
+        self.patterns = patterns
         self._releases = {}
 
     def texts(self):
         """Every text that may have blocks."""
-        return sorted({path for pattern in PATTERNS for path in self.root.glob(pattern)
+        return sorted({path for pattern in self.patterns for path in self.root.glob(pattern)
                        if path.name != "CHANGELOG.md"})
 
     def _release(self, version):

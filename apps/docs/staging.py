@@ -1,19 +1,23 @@
-"""The pages of the site as MkDocs takes them: the texts of the project at their places, without figure marks,
+"""The pages of the site as MkDocs takes them: the texts of the project at their places, without marks,
 and beside them the files that they link to.
 
 SPDX-License-Identifier: Apache-2.0
 """
 
+import os
+import pathlib
 import re
 import shutil
 
 from docs import flowchart
 
+# Folders with pages, and the pages.
+FOLDERS = ("docs", "synth")
 TEXTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/**/*.md", "synth/**/README.md")
 
 _FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 _OWN_LINES = re.compile(r"^<!--.*?-->\n", re.MULTILINE | re.DOTALL)
-_IN_A_LINE = re.compile(r"<!--(?:=.*?|/)-->", re.DOTALL)
+_WORDS = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^()\s#:]+)(?:#[\w-]*)?\)")
 _LINK = re.compile(r"\]\(([^()\s#:]+)(?:#[\w-]*)?\)")
 
 
@@ -22,9 +26,22 @@ class PageError(Exception):
 
 
 def without_comments(text):
-    """Marks of figures and commands are comments, which readers of the site have no use for."""
+    """Marks of blocks and commands are comments, which readers of the site have no use for."""
     parts = _FENCED.split(text)
-    parts[::2] = [_IN_A_LINE.sub("", _OWN_LINES.sub("", part)) for part in parts[::2]]
+    parts[::2] = [_OWN_LINES.sub("", part) for part in parts[::2]]
+    return "".join(parts)
+
+
+def without_outside(root, path, text):
+    """A link to a text that is no page of the site becomes its words."""
+    def words(match):
+        file = pathlib.Path(os.path.abspath(path.parent / match[2]))
+        inside = file.relative_to(root).parts if root in file.parents else ()
+        outside = len(inside) > 1 and inside[0] not in FOLDERS and (file.suffix == ".md" or not file.is_file())
+        return match[1] if outside else match[0]
+
+    parts = _FENCED.split(text)
+    parts[::2] = [_WORDS.sub(words, part) for part in parts[::2]]
     return "".join(parts)
 
 
@@ -49,7 +66,8 @@ def stage(root, target):
         place = target / path.relative_to(root)
         place.parent.mkdir(parents=True, exist_ok=True)
         try:
-            text = flowchart.drawn(without_comments(path.read_text(encoding="utf-8")), place)
+            text = without_outside(root, path, path.read_text(encoding="utf-8"))
+            text = flowchart.drawn(without_comments(text), place)
         except flowchart.FlowchartError as error:
             raise PageError(f"{path.relative_to(root)}: {error}") from error
         place.write_text(text, encoding="utf-8")

@@ -17,7 +17,7 @@ import whole
 SMALLER = fractions.Fraction(98, 100)  # of an error that is reached: a bound that has to be refused
 ROUNDOFF = 1e-14  # of what the search computes in double, relative
 
-# What a proof takes for granted, if anything, in the words of docs/studies/bounds.md.
+# What a proof takes for granted, if anything, in the words of lab/docs/bounds.md.
 COORDINATES, PAIRS, TRIPLES = "coordinates", "pairs", "triples"
 
 

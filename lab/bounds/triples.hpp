@@ -28,7 +28,7 @@ struct TripleBound {
 
 /// The largest sum of 64 errors of products of weights over all triples of coordinates, the three
 /// axes alike, to within `tolerance` of itself and the size of the boxes. To first order in the
-/// errors; what is left out is added (docs/studies/bounds.md). B-splines only.
+/// errors; what is left out is added (lab/docs/bounds.md). B-splines only.
 TripleBound bound_triples(std::vector<ErrorBox> boxes, double tolerance);
 
 }  // namespace hwffd::certified

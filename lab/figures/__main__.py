@@ -19,7 +19,7 @@ sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab")]
 import results  # noqa: E402
 import text_blocks  # noqa: E402
 import venv_packages  # noqa: E402
-from figures.modules import CHARTS, MODULES  # noqa: E402
+from figures.modules import CHARTS, MODULES, TEXTS  # noqa: E402
 from report_modules import printed  # noqa: E402
 
 
@@ -36,7 +36,7 @@ def write(options):
     """The pictures in docs/ of a release, and the blocks of all texts."""
     released = results.released(options.root, options.version, MODULES)
     print(f"drew {len(draw(released, options.root / 'docs'))} pictures in docs/")
-    blocks = text_blocks.Blocks(options.root, MODULES)
+    blocks = text_blocks.Blocks(options.root, MODULES, TEXTS)
     changed, wrong = blocks.write(options.version)
     for line in wrong:
         print(f"figures: {line}", file=sys.stderr)
@@ -46,7 +46,7 @@ def write(options):
 
 def check(options):
     """Whether texts are what the results of the versions say that they name, and folders are of one commit."""
-    count, wrong = text_blocks.Blocks(options.root, MODULES).check()
+    count, wrong = text_blocks.Blocks(options.root, MODULES, TEXTS).check()
     wrong += text_blocks.releases(options.root)
     for line in wrong:
         print(line)

@@ -6,7 +6,7 @@
 
 namespace hwffd::organizations {
 
-/// organizations.json: one object a row of the table of configurations (docs/verification.md).
+/// organizations.json: one object a row of the table of configurations (lab/docs/organizations.md).
 std::string json_report(const Comparison& comparison);
 
 /// Lines for what is wrong: a bit that differs from the model, a seam that cracks, a formula that

@@ -8,7 +8,7 @@
 
 namespace hwffd::streams {
 
-/// docs/verification.md has the fields.
+/// lab/docs/README.md has the fields.
 std::string json_report(const std::vector<Row>& rows, const std::vector<PagesRow>& pages = {});
 /// A line for each row whose count differs from its prediction or whose results differ from the
 /// model; empty if all is well.

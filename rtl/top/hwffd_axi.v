@@ -15,7 +15,7 @@
 //             (0010: normal, not cacheable, not bufferable); ADDRESS_WIDTH 32 to 64, an address
 //             beyond being outside of every window; DATA_WIDTH 64, 128 or 256; ID_WIDTH 1 to 16
 //             and ID, what the master drives on *id. SECURE_ONLY as in ffd_axil_slave. HARDENED 0,
-//             or 1: bits that flip do no more than docs/studies/upsets.md says.
+//             or 1: bits that flip do no more than docs/assurance.md says.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

@@ -35,8 +35,8 @@ namespace detail { int inner(); }
 
 
 def test_comments_are_taken_out_but_not_of_code():
-    text = "a <!--= x -->1<!--/--> b `<!-- c -->`\n<!-- figures: t\nmore -->\n| a |\n<!-- end figures -->\n\n```markdown\n<!-- kept -->\n```\n"
-    assert staging.without_comments(text) == "a 1 b `<!-- c -->`\n| a |\n\n```markdown\n<!-- kept -->\n```\n"
+    text = "a `<!-- c -->`\n<!-- results 1.0.0: t\nmore -->\n| a |\n<!-- end results -->\n\n```markdown\n<!-- kept -->\n```\n"
+    assert staging.without_comments(text) == "a `<!-- c -->`\n| a |\n\n```markdown\n<!-- kept -->\n```\n"
 
 
 def test_linked_files_come_along(checkout):
@@ -47,6 +47,13 @@ def test_linked_files_come_along(checkout):
     found = {str(path.relative_to(checkout.root / "build" / "source"))
              for path in (checkout.root / "build" / "source").rglob("*") if path.is_file()}
     assert found == {"docs/a.md", "docs/b.md", "docs/p.svg", "rtl/t.csv"}
+
+
+def test_a_text_that_is_no_page_is_named_without_a_link(checkout):
+    checkout.put({"docs/a.md": "[x](../other/x.md#y) [t](../rtl/t.csv) [n](../other/n.csv) [b](b.md) [d](no.md)\n",
+                  "docs/b.md": "", "rtl/t.csv": "1\n"})
+    staging.stage(checkout.root, checkout.root / "build" / "source")
+    assert checkout.text("build/source/docs/a.md") == "x [t](../rtl/t.csv) n [b](b.md) [d](no.md)\n"
 
 
 def test_flowchart(tmp_path):
@@ -131,7 +138,7 @@ def site(tmp_path_factory):
 
 def test_the_site_is_whole(site):
     home = (site / "docs" / "index.html").read_text()
-    assert "<!--=" not in home
+    assert "<!-- results" not in home
     for page in ("docs/reference/lattices.html", "docs/tutorial/10-bitstream.html", "docs/organizations/nested.html"):
         assert (site / "docs" / page).is_file()
     assert "Embedder" in (site / "docs" / "search" / "search_index.js").read_text()
@@ -145,7 +152,7 @@ def test_nothing_is_fetched_from_other_hosts(site):
 
 
 def test_dead_links_and_pages_that_no_menu_has_fail(site, tmp_path):
-    dead = ("docs/nowhere.md", "docs/limits.md#nowhere", "/rtl")
+    dead = ("docs/nowhere.md", "docs/assurance.md#nowhere", "/rtl")
     source = shutil.copytree(site / "docs-source", tmp_path / "source")
     page = source / "CHANGELOG.md"
     page.write_text(page.read_text() + "".join(f"\n[x]({link})\n" for link in dead))

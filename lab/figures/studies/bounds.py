@@ -102,4 +102,5 @@ def _kind(checked_by):
 
 TABLES = {"forms": forms, "weights": weights, "axes": axes, "certified": certified}
 FIGURES = {**{f"ratio_{form}": _largest(form) for form in FORMS}, "missed": _missed,
+           "hypotheses": lambda reports: sum(bool(row["hypothesis"]) for row in reports.rows("bounds")),
            "certified": _kind("gappa+coq"), "of": lambda reports: len(reports.rows("bounds"))}

@@ -1,4 +1,4 @@
-// The vertices that docs/studies/bounds.md sets beside proved bounds, at the read ports of the rows
+// The vertices that lab/docs/bounds.md sets beside proved bounds, at the read ports of the rows
 // of this build that compute such a form: RTL, model and report have the same bits.
 #include <gtest/gtest.h>
 

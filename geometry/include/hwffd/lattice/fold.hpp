@@ -40,7 +40,7 @@ constexpr int kFoldDepth = 6;
 ///
 /// All threads look at cells (on_threads.hpp), each cell once and a part of one again for each time
 /// that it is halved; the answer does not depend on their number. Lattices of many
-/// points take seconds: docs/studies/embed.md has what a cell takes.
+/// points take seconds: make embed says what a cell takes.
 ///
 /// One sign of det J proves that the map is invertible around every point. It does not see
 /// distant parts of a lattice that overlap.
