@@ -79,7 +79,7 @@ def test_only_what_is_missing_is_measured(tree):
     ('missing("soak")', 'absent("soak")', "name 'absent' is not defined"),
     ('rule soak:', 'rule soak', "SyntaxError")))
 def test_a_broken_rule_is_seen(tree, checkout, right, wrong, said):
-    checkout.copy("scripts", "lab/figures", "lab/workflow")
+    checkout.copy("tools", "lab/figures", "lab/workflow")
     text = tree.text("lab/workflow/Snakefile")
     assert right in text
     tree.put({"lab/workflow/Snakefile": text.replace(right, wrong, 1)})

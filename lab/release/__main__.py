@@ -1,0 +1,215 @@
+"""make results: all studies, one after the other, on one commit without local changes, for a release.
+
+    python lab/release [--root FOLDER] [--studies FILE]
+
+What a study has measured goes to build/results/COMMIT/NAME.json as soon as its command has ended; what is there is not
+measured again. When the last has ended all go to docs/results/VERSION/. The exit status is 1 where a study fails or its
+report is not whole, 2 where the request makes no sense.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import argparse
+import csv
+import json
+import os
+import pathlib
+import platform
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab")]
+
+import front  # noqa: E402
+import results  # noqa: E402
+import synthesis  # noqa: E402
+import version  # noqa: E402
+from figures.modules import MODULES, missing  # noqa: E402
+
+STUDIES = pathlib.Path(__file__).with_name("studies.csv")
+# Programs whose versions a result names, with the option that prints them.
+PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-ecp5": "--version", "nextpnr-ice40": "--version",
+            "sta": "-version", "gappa": "--version", "coqc": "--version", "g++": "--version", "cmake": "--version",
+            "python3": "--version"}
+
+
+def read(path):
+    """command -> [(name, report)] in the order of the table."""
+    found = {}
+    with path.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            found.setdefault(row["command"], []).append((row["name"], row["report"]))
+    return found
+
+
+def machine():
+    """What it ran on."""
+    text = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8") if os.path.exists("/proc/cpuinfo") else ""
+    name = re.search(r"^model name\s*:\s*(.*?)\s*$", text, re.MULTILINE)
+    return {"processor": name[1] if name else platform.machine(), "cores": len(os.sched_getaffinity(0)),
+            "memory_gb": round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9, 1),
+            "system": platform.platform()}
+
+
+def programs():
+    """The first line that each program says of itself, of those that are there."""
+    found = {}
+    for name, option in PROGRAMS.items():
+        if shutil.which(name):
+            done = subprocess.run([name, option], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+            found[name] = ((done.stdout + done.stderr).strip().splitlines() or [""])[0]
+    return found
+
+
+def text_of(report):
+    """JSON with a line for each row."""
+    parts = []
+    for key, value in report.items():
+        if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
+            text = "[\n" + ",\n".join("    " + json.dumps(row) for row in value) + "\n  ]"
+        else:
+            text = json.dumps(value)
+        parts.append(f"  {json.dumps(key)}: {text}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+class Release:
+    """The results of the commit at hand."""
+
+    def __init__(self, root, studies):
+        self.root, self.studies = root, studies
+        self.names = [name for found in studies.values() for name, _ in found]
+        self.commit = self.clean()
+        self.version = str(version.read(root))
+        self.folder = root / "build" / "results" / self.commit[:12]
+        self.target = root / results.RELEASED / self.version
+        self.known = {}
+        if self.target.exists():
+            of = results.read(self.target / results.RELEASE).get("commit", "several commits")
+            raise front.Request(f"{results.RELEASED}/{self.version} is there, of {of[:12]}; results of two commits are not "
+                                "mixed: raise VERSION, or remove that folder")
+
+    def git(self, *words):
+        done = subprocess.run(["git", "-C", self.root, *words], capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise front.Request(f"not a checkout of git: {done.stderr.strip().splitlines()[-1]}")
+        return done.stdout.rstrip("\n")
+
+    def clean(self):
+        """The commit. Raises front.Request where the tree is not what it says."""
+        changed = self.git("status", "--porcelain").splitlines()
+        if changed:
+            raise front.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
+                                if changed[1:] else f"the tree has a local change, {changed[0][3:]}: commit it first")
+        return self.git("rev-parse", "HEAD")
+
+    def path(self, name):
+        return self.folder / f"{name}.json"
+
+    def done(self, name):
+        """Whether it has been measured on this commit. Raises front.Request for what is of another."""
+        if not self.path(name).is_file():
+            return False
+        of = results.read(self.path(name)).get("commit")
+        if of != self.commit:
+            raise front.Request(f"{self.path(name).relative_to(self.root)} is of commit {str(of)[:12]}, not {self.commit[:12]}: "
+                                "remove it")
+        return True
+
+    def stamp(self):
+        """What every result names."""
+        if not self.known:
+            self.known = {"version": self.version, "commit": self.commit, "machine": machine(), "tools": programs()}
+        return self.known
+
+    def measure(self, command, found):
+        """Runs a command and takes its reports; what is wrong, '' if nothing."""
+        fresh = self.root / results.FRESH
+        for _, report in found:
+            (fresh / f"{report}.json").unlink(missing_ok=True)
+        log = self.folder / f"{found[0][0]}.log"
+        log.parent.mkdir(parents=True, exist_ok=True)
+        with log.open("w", encoding="utf-8") as file, subprocess.Popen(
+                ["bash", "-c", command], cwd=self.root, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
+                env={**os.environ, "HWFFD_RESULTS": str(self.folder.relative_to(self.root))}, start_new_session=True) as process:
+            try:
+                status = process.wait()
+            except BaseException:
+                os.killpg(process.pid, signal.SIGTERM)
+                raise
+        if self.clean() != self.commit:
+            raise front.Request(f"another commit is checked out since {command} began: its results are not taken")
+        said = f"see {log.relative_to(self.root)}"
+        taken = {}
+        for name, report in found:
+            path = fresh / f"{report}.json"
+            if not path.is_file():
+                return f"{command} ended with {status} and wrote no {report}.json: {said}"
+            taken[name] = results.read(path)
+            if status and not taken[name].get("short"):
+                return f"{command} ended with {status}: {said}"
+        for name, content in taken.items():
+            synthesis.write(self.path(name), text_of({**self.stamp(), **content}))
+        return ""
+
+    def lacking(self, name):
+        """What a result lacks to be whole, '' if nothing."""
+        absent = missing(results.Results(self.root, self.folder.relative_to(self.root), MODULES), name)
+        return f"{name}.json lacks {absent}" if absent else ""
+
+    def publish(self):
+        """All of them to docs/results/VERSION, whole or not at all."""
+        draft = self.target.with_name(f".{self.target.name}.draft")
+        shutil.rmtree(draft, ignore_errors=True)
+        draft.mkdir(parents=True)
+        for name in self.names:
+            shutil.copyfile(self.path(name), draft / f"{name}.json")
+        studies = {name: {"command": command} for command, found in self.studies.items() for name, _ in found}
+        (draft / results.RELEASE).write_text(json.dumps({**self.stamp(), "mixed": False, "studies": studies}, indent=1) + "\n",
+                                             encoding="utf-8")
+        os.replace(draft, self.target)
+
+
+def tell(text):
+    print(f"results: {text}", flush=True)
+
+
+def work(options, root):
+    release = Release(root, read(options.studies))
+    wrong, left = [], [(command, found) for command, found in release.studies.items()
+                       if not all([release.done(name) for name, _ in found])]
+    tell(f"{release.version}, commit {release.commit[:12]}: {len(release.studies) - len(left)} of {len(release.studies)} "
+         "commands have been run")
+    for number, (command, found) in enumerate(left, len(release.studies) - len(left) + 1):
+        tell(f"{number} of {len(release.studies)}: {command}")
+        start = time.monotonic()
+        complaint = release.measure(command, found) or next(filter(None, map(release.lacking, dict(found))), "")
+        tell(f"{command} took {time.monotonic() - start:.0f} s" + (f": {complaint}" if complaint else ""))
+        if complaint:
+            wrong.append(complaint)
+            for name, _ in found:
+                release.path(name).unlink(missing_ok=True)
+    for complaint in wrong:
+        print(f"results: {complaint}", file=sys.stderr)
+    if wrong:
+        return 1
+    release.publish()
+    tell(f"wrote {release.target.relative_to(root)}; the texts follow by lab/figures write --version {release.version}")
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="results", description="Measures all studies on one commit.")
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to measure")
+    parser.add_argument("--studies", type=pathlib.Path, default=STUDIES, help="table of studies")
+    options = parser.parse_args()
+    return front.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError,))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,149 @@
+"""make results on stand-ins for the studies: what it takes, refuses and goes on with.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import csv
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from rtl import ROOT
+
+TABLE = "name,report,command\na,a,sh study.sh a\nb,b,sh study.sh b c\nc,c,sh study.sh b c\n"
+STUDY = """#!/bin/sh
+echo "$@" >> build/ran
+mkdir -p build/reports
+[ "$1" != "$(cat build/hangs 2> /dev/null)" ] || sleep 60
+[ "$1" != "$(cat build/fails 2> /dev/null)" ] || exit 3
+for name; do echo '{"rows": [{"of": "'$name'"}]}' > build/reports/$name.json; done
+"""
+
+
+@pytest.fixture
+def tree(checkout):
+    """A commit with two commands of three results."""
+    checkout.put({"VERSION": "1.2.3\n", ".gitignore": "build\n", "studies.csv": TABLE, "study.sh": STUDY})
+    (checkout.root / "build").mkdir()
+    checkout.git("init", "--quiet")
+    checkout.commit()
+    return checkout
+
+
+def command(tree):
+    return [sys.executable, "-B", ROOT / "lab" / "release", "--root", tree.root, "--studies", tree.root / "studies.csv"]
+
+
+@pytest.fixture
+def measured(tree):
+    """(exit status, lines printed, complaints, what was run) of make results."""
+    def run():
+        status, out, errors = tree.run(*command(tree))
+        ran = tree.root / "build" / "ran"
+        words = ran.read_text().splitlines() if ran.is_file() else []
+        ran.unlink(missing_ok=True)
+        return status, out.splitlines(), errors.splitlines(), words
+    return run
+
+
+def head(tree):
+    return tree.run("git", "rev-parse", "HEAD")[1].strip()
+
+
+def test_all_are_of_one_commit_and_say_so(tree, measured):
+    status, out, errors, ran = measured()
+    assert (status, errors, ran) == (0, [], ["a", "b c"])
+    assert "results: 2 of 2: sh study.sh b c" in out
+    folder = tree.root / "docs" / "results" / "1.2.3"
+    assert sorted(path.name for path in folder.iterdir()) == ["a.json", "b.json", "c.json", "release.json"]
+    for name in "abc":
+        found = json.loads((folder / f"{name}.json").read_text())
+        assert (found["version"], found["commit"], found["rows"]) == ("1.2.3", head(tree), [{"of": name}])
+        assert found["machine"]["cores"] > 0 and "python3" in found["tools"]
+    release = json.loads((folder / "release.json").read_text())
+    assert (release["commit"], release["mixed"], list(release["studies"])) == (head(tree), False, ["a", "b", "c"])
+
+
+def test_what_is_measured_is_not_measured_again(tree, measured):
+    tree.put({"build/fails": "b"})
+    status, _, (error,), ran = measured()
+    assert (status, ran) == (1, ["a", "b c"])
+    assert re.search(r"sh study.sh b c ended with 3 and wrote no b.json: see build/results/\w{12}/b.log", error)
+    assert not (tree.root / "docs").exists()
+    tree.put({"build/fails": None})
+    assert measured()[::3] == (0, ["b c"])
+
+
+def test_a_change_is_refused(tree, measured):
+    tree.put({"new": "1"})
+    assert measured() == (2, [], ["results: the tree has a local change, new: commit it first"], [])
+    tree.put({"study.sh": STUDY + "\n"})
+    assert measured()[2] == ["results: the tree has local changes, study.sh and 1 more: commit them first"]
+
+
+def test_a_change_meanwhile_is_refused(tree, measured):
+    tree.put({"study.sh": STUDY + "touch new\n"})
+    tree.commit()
+    status, _, errors, ran = measured()
+    assert (status, errors, ran) == (2, ["results: the tree has a local change, new: commit it first"], ["a"])
+    assert list((tree.root / "build" / "results").rglob("*.json")) == []
+
+
+def test_commits_are_not_mixed(tree, measured):
+    measured()
+    before = head(tree)
+    tree.git("add", "--all")
+    tree.commit()
+    said = f"results: docs/results/1.2.3 is there, of {before[:12]}; results of two commits are not mixed: " \
+        "raise VERSION, or remove that folder"
+    assert measured() == (2, [], [said], [])
+    tree.put({"VERSION": "1.2.4\n"})
+    tree.commit()
+    old, new = (tree.root / "build" / "results" / name[:12] for name in (before, head(tree)))
+    new.mkdir()
+    (new / "a.json").write_bytes((old / "a.json").read_bytes())
+    said = f"results: build/results/{head(tree)[:12]}/a.json is of commit {before[:12]}, not {head(tree)[:12]}: remove it"
+    assert measured() == (2, [], [said], [])
+    (new / "a.json").unlink()
+    assert measured()[::3] == (0, ["a", "b c"])
+
+
+def test_an_interrupt_leaves_no_half_result(tree, measured):
+    tree.put({"build/hangs": "b"})
+    with subprocess.Popen(command(tree), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and "b c" not in (
+                tree.text("build/ran") if (tree.root / "build/ran").is_file() else ""):
+            time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+    assert (process.returncode, errors.count("\n")) == (130, 1)
+    assert [path.name for path in (tree.root / "build" / "results").rglob("*.json")] == ["a.json"]
+    assert not (tree.root / "docs").exists()
+    tree.put({"build/hangs": None, "build/ran": None})
+    assert measured()[::3] == (0, ["b c"])
+
+
+def test_aims_that_are_missed_are_results_too(tree, measured):
+    tree.put({"study.sh": STUDY.replace('{"rows"', '{"short": ["a"], "rows"') + "exit 1\n"})
+    tree.commit()
+    assert measured()[0] == 0
+
+
+def test_the_table_of_this_tree():
+    """Each command is one of the Makefiles', and each report has a module."""
+    from figures.modules import MODULES  # pylint: disable=import-outside-toplevel
+
+    with (ROOT / "lab" / "release" / "studies.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["name"] for row in rows} == set(MODULES) - {"results", "rtl"}
+    assert len({row["name"] for row in rows}) == len(rows)
+    for row in rows:
+        for one in row["command"].split(" && "):
+            laboratory, target = re.match(r"make (-C lab )?(\w+)", one).groups()
+            makefile = ROOT / ("lab/Makefile" if laboratory else "Makefile")
+            assert re.search(rf"\b{target}\b", makefile.read_text(encoding="utf-8")), one
