@@ -36,7 +36,7 @@ def write(options):
     """The pictures in docs/ of a release, and the blocks of all texts."""
     released = results.released(options.root, options.version, MODULES)
     print(f"drew {len(draw(released, options.root / 'docs'))} pictures in docs/")
-    blocks = text_blocks.Blocks(options.root, MODULES, TEXTS)
+    blocks = text_blocks.Blocks(options.root, MODULES, TEXTS, cure="make -C lab figures")
     changed, wrong = blocks.write(options.version)
     for line in wrong:
         print(f"figures: {line}", file=sys.stderr)
@@ -46,7 +46,7 @@ def write(options):
 
 def check(options):
     """Whether texts are what the results of the versions say that they name, and folders are of one commit."""
-    count, wrong = text_blocks.Blocks(options.root, MODULES, TEXTS).check()
+    count, wrong = text_blocks.Blocks(options.root, MODULES, TEXTS, cure="make -C lab figures").check()
     wrong += text_blocks.releases(options.root)
     for line in wrong:
         print(line)

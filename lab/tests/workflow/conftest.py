@@ -19,7 +19,7 @@ import stand_ins  # noqa: E402  pylint: disable=wrong-import-position
 WORKFLOW = ROOT / "lab" / "workflow"
 SNAKEMAKE = pathlib.Path(sys.executable).parent / "snakemake"
 SOURCES = ("rtl", "synth", "lab/mutants", "lab/soak", "lab/upsets", "tests/bus", "tests/evaluator",
-           "tests/system", "tests/unit", "tb", "driver")
+           "tests/system", "tests/unit", "tb", "cores")
 # A test program that passes, but for the seed that FAILS.
 PROGRAM = """#!{python}
 import json, os
