@@ -1,7 +1,7 @@
 """Programs of others that evaluate the same sum with uniform cubic B-splines, on one core.
 
 Each is given what it wants in the form it likes best, its results in arrays that are there already;
-only the evaluation is timed. All of them are of the package index (tools/requirements-compare.txt).
+only the evaluation is timed. All of them are of the package index (lab/requirements-compare.txt).
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -210,5 +210,5 @@ def test_the_peers_are_those_of_the_requirements():
     if importlib.util.find_spec("numpy") is None:
         pytest.skip("no numpy")
     import peers  # pylint: disable=import-outside-toplevel
-    wanted = (STUDY.parents[1] / "tools" / "requirements-compare.txt").read_text()
+    wanted = (STUDY.parent / "requirements-compare.txt").read_text()
     assert all(f"\n{peer.package}==" in wanted for peer in peers.PEERS)

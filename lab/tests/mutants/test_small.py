@@ -110,7 +110,7 @@ def test_a_design_with_nothing_to_change_is_an_error(root):
 
 
 def test_a_build_that_is_not_there_is_an_error(tmp_path):
-    with pytest.raises(built.MutantError, match="make test builds it"):
+    with pytest.raises(built.MutantError, match="make -C lab mutants builds it"):
         built.model(tmp_path, "libdma_small.a")
 
 

@@ -84,7 +84,7 @@ def test_a_part_that_cannot_be_measured_leaves_its_log(tree):
     status, said = tree.snakemake("local", work="mutants")
     assert status == 1 and "Error in rule mutants" in said
     log, = (tree.root / "build" / "workflow" / "mutants").glob("*.log")
-    assert "make test builds it" in log.read_text() and log.name.startswith(first.split(",", maxsplit=1)[0])
+    assert "make -C lab mutants builds it" in log.read_text() and log.name.startswith(first.split(",", maxsplit=1)[0])
     assert not (tree.root / "build" / "reports").exists()
 
 
