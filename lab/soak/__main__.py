@@ -104,7 +104,7 @@ def work_on(options):
         raise SoakError("nothing was run: --hours is 0 and the corpus is empty")
     report = {"hours": hours, "corpus": len(corpus.kept), "faults": sums.faults,
               "rows": list(sums.rows.values())}
-    path = ROOT / "build" / "reports" / "soak.json"
+    path = options.output / "reports" / "soak.json"
     parts.write(path, report)
     for row in report["rows"]:
         print(f"soak: {row['traffic']}: {row['seeds']} seeds, {row['tests']} tests, "
@@ -116,6 +116,7 @@ def work_on(options):
 def main():
     parser = argparse.ArgumentParser(prog="soak", description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "lab")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "build", help="folder for reports")
     parser.add_argument("--hours", type=float, default=1.0, help="0: the corpus alone")
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="kinds of traffic; all unless given")
     parser.add_argument("--corpus", type=pathlib.Path, default=HERE / "corpus.csv", metavar="FILE")
@@ -125,7 +126,7 @@ def main():
     options = parser.parse_args()
     if (options.seed is None) != (options.part is None):
         parser.error("--seed and --part go together")
-    options.build = options.build.resolve()
+    options.build, options.output = options.build.resolve(), options.output.resolve()
     return front.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError, parts.PartError))
 
 

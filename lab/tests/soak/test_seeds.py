@@ -32,14 +32,14 @@ def _build(tmp_path):
 
 
 def program(build, fails=-1, breaks=-1):
-    path = build / "tests" / "bus" / "dma" / "dma_test"
+    path = build / "product" / "tests" / "bus" / "dma" / "dma_test"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(PROGRAM.replace("FAILS", str(fails)).replace("BREAKS", str(breaks)))
     path.chmod(0o755)
 
 
 def call(build, *words):
-    done = subprocess.run([sys.executable, "-B", ROOT / "lab" / "soak", "--build", build, "--only", "dma",
+    done = subprocess.run([sys.executable, "-B", ROOT / "lab" / "soak", "--build", build, "--output", build, "--only", "dma",
                            "--corpus", build / "corpus.csv", *map(str, words)],
                           capture_output=True, text=True, check=False)
     report = build / "reports" / "soak.json"
@@ -91,7 +91,7 @@ def test_nothing_run_is_an_error(build):
 
 def test_a_program_that_is_not_there_is_an_error(build):
     done, _ = soak(build, 0.001)
-    assert done.returncode == 1 and "make soak builds it" in done.stderr
+    assert done.returncode == 1 and "make -C lab soak builds it" in done.stderr
 
 
 def test_parts_are_joined_to_what_one_run_reports(build):
