@@ -13,9 +13,9 @@ using Json = nlohmann::ordered_json;
 
 /// Starts or steps as entries, each of the vertex whose step it belongs to: entries are steps in
 /// their order, or whole shares of a vertex.
-std::vector<Entry> entries_of(const std::vector<std::uint64_t>& clocks,
-                              const tb::ScheduleRecorder& recorded) {
-  std::vector<Entry> entries;
+std::vector<cores::Entry> entries_of(const std::vector<std::uint64_t>& clocks,
+                                     const tb::ScheduleRecorder& recorded) {
+  std::vector<cores::Entry> entries;
   for (std::size_t i = 0; i < clocks.size(); ++i) {
     const std::size_t step = i * recorded.sources().size() / clocks.size();
     entries.push_back({clocks[i], recorded.sources()[step]});
@@ -23,8 +23,8 @@ std::vector<Entry> entries_of(const std::vector<std::uint64_t>& clocks,
   return entries;
 }
 
-Schedule schedule_of(const tb::ScheduleRecorder& recorded) {
-  Schedule schedule;
+cores::Schedule schedule_of(const tb::ScheduleRecorder& recorded) {
+  cores::Schedule schedule;
   schedule.polynomials = entries_of(recorded.polynomials().starts, recorded);
   if (const tb::ScheduleRecorder::Sequencer* generator = recorded.combinations()) {
     schedule.combinations = entries_of(generator->starts, recorded);
@@ -41,7 +41,7 @@ struct Window {
 };
 
 /// The first vertex and a little of what follows.
-Window window_of(const Row& row, const std::vector<Lane>& lanes) {
+Window window_of(const Row& row, const std::vector<cores::Lane>& lanes) {
   const std::uint64_t begin = lanes.front().spans.front().begin;
   const std::uint64_t end = row.measured.schedule.results().front();
   return {begin, end + std::max<std::uint64_t>(4, (end - begin) / 8)};
@@ -60,9 +60,9 @@ std::string timed_format(const Comparison& comparison, const std::string& org) {
 }
 
 /// What of a lane lies in a window, in clocks from its beginning.
-Json json_of(const Lane& lane, const Window& window) {
+Json json_of(const cores::Lane& lane, const Window& window) {
   Json spans = Json::array();
-  for (const Lane::Span& span : lane.spans) {
+  for (const cores::Lane::Span& span : lane.spans) {
     const std::uint64_t begin = std::max(span.begin, window.begin);
     const std::uint64_t end = std::min(span.end, window.end);
     if (begin >= end) continue;
@@ -73,7 +73,7 @@ Json json_of(const Lane& lane, const Window& window) {
 
 }  // namespace
 
-std::vector<Lane> lanes_of(const Row& row) {
+std::vector<cores::Lane> lanes_of(const Row& row) {
   const Configuration& c = *row.configuration;
   // Of ffd_bench_evaluator; a clock more where reads of several lanes meet.
   const int read_latency = hwffd::lanes(c) > 1 && folds(c) == 3 ? 3 : 2;
@@ -85,10 +85,10 @@ std::string timelines(const Comparison& comparison) {
   for (const Row& row : comparison.rows()) {
     const Configuration& c = *row.configuration;
     if (c.format != timed_format(comparison, c.org)) continue;
-    const std::vector<Lane> lanes = lanes_of(row);
+    const std::vector<cores::Lane> lanes = lanes_of(row);
     const Window window = window_of(row, lanes);
     Json drawn = Json::array();
-    for (const Lane& lane : lanes) drawn.push_back(json_of(lane, window));
+    for (const cores::Lane& lane : lanes) drawn.push_back(json_of(lane, window));
     list.push_back({{"name", c.name},
                     {"org", c.org},
                     {"n", c.n},

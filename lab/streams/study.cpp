@@ -38,14 +38,14 @@ std::vector<Scene> scenes_of(const std::vector<NamedMesh>& meshes,
 
 struct Job {
   const Scene* scene;
-  Arrangement arrangement;
+  tb::Arrangement arrangement;
   std::string order;
 };
 
 void count(Row& row, const Job& job, const std::vector<Embedded>& vertices,
            const Configuration& configuration) {
   const std::vector<Beat> beats =
-      packets(job.arrangement, job.scene->lattice, vertices, configuration.format);
+      tb::packets(job.arrangement, job.scene->lattice, vertices, configuration.format);
   const auto core = cores::make_stream_core(configuration, 1);
   tb::StreamBenchOptions options;
   options.test.name = "streams " + row.mesh + " " + row.arrangement;
@@ -65,7 +65,7 @@ Row run(const Job& job, const Configuration& configuration) {
   std::vector<Index3> cells;
   for (const Embedded& vertex : vertices) cells.push_back(vertex.cell);
   Row row{scene.mesh->name, vertices.size(), scene.points, job.arrangement.name(), job.order};
-  row.predicted = predicted_beats(job.arrangement, scene.lattice.dims(), cells);
+  row.predicted = tb::predicted_beats(job.arrangement, scene.lattice.dims(), cells);
   if (job.arrangement.is_built()) count(row, job, vertices, configuration);
   return row;
 }
@@ -77,7 +77,7 @@ std::vector<Row> study(const std::vector<NamedMesh>& meshes, const std::vector<i
   const std::vector<Scene> scenes = scenes_of(meshes, lattices);
   std::vector<Job> jobs;
   for (const Scene& scene : scenes) {
-    for (const Arrangement& arrangement : arrangements()) {
+    for (const tb::Arrangement& arrangement : tb::arrangements()) {
       for (const std::string& order : arrangement.orders)
         jobs.push_back({&scene, arrangement, order});
     }

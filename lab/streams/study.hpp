@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "hwffd/tb/arrangement.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "hwffd/model/configuration.hpp"
+#include "hwffd/tb/arrangement.hpp"
 
 namespace hwffd::streams {
 

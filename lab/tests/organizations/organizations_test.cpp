@@ -43,10 +43,10 @@ TEST_P(EachRow, ClocksBetweenTheProbes) {
   EXPECT_EQ(measured.seam_differences > 0, seam_bound(row) > 0);
   EXPECT_EQ(measured.interval, expected_interval(row));
   EXPECT_GT(measured.max_error, 0);
-  const std::vector<Lane> lanes = lanes_of({&row, measured, {}});
+  const std::vector<cores::Lane> lanes = lanes_of({&row, measured, {}});
   const auto side_by_side = static_cast<std::size_t>(hwffd::lanes(row));
   const std::size_t shown = (8 + side_by_side - 1) / side_by_side;  // by the first of them
-  for (const Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % shown, 0U) << lane.name;
+  for (const cores::Lane& lane : lanes) EXPECT_EQ(lane.spans.size() % shown, 0U) << lane.name;
   if (overlaps(row)) return;
   EXPECT_EQ(static_cast<double>(measured.vertex.clocks), paper_clocks(row));
   EXPECT_EQ(static_cast<double>(measured.vertex.final_accumulation), last_accumulation(row));

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "hwffd/tb/arrangement.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/stream/packed.hpp"
+#include "hwffd/tb/arrangement.hpp"
 #include "hwffd/tb/random.hpp"
 #include "order.hpp"
 #include "pages.hpp"
@@ -20,7 +20,7 @@
 namespace hwffd::streams {
 namespace {
 
-using Kind = Arrangement::Kind;
+using Kind = tb::Arrangement::Kind;
 
 constexpr std::uint64_t kCoefficients = 13;
 
@@ -89,7 +89,7 @@ TEST(Order, KeepsEveryVertexAndTheOrderWithinACell) {
 TEST(Predicted, ByHand) {
   const std::vector<Index3> cells{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}};
   const auto beats = [&](Kind kind, std::size_t kept) {
-    return predicted_beats({kind, kept, {}}, {4, 4, 5}, cells) - kCoefficients;
+    return tb::predicted_beats({kind, kept, {}}, {4, 4, 5}, cells) - kCoefficients;
   };
   EXPECT_EQ(beats(Kind::kInterleaved, 0), 1 + 3 * 49U);
   EXPECT_EQ(beats(Kind::kResident, 0), 1 + 80 + 1 + 3U);
@@ -109,7 +109,7 @@ TEST(Predicted, PackedVerticesAreTheSizeOfTheirPackets) {
       left -= some;
     }
     const std::vector<Index3> cells(count, Index3{0, 0, 0});
-    EXPECT_EQ(predicted_beats({Kind::kPacked, 0, {}}, {4, 4, 5}, cells), beats) << count;
+    EXPECT_EQ(tb::predicted_beats({Kind::kPacked, 0, {}}, {4, 4, 5}, cells), beats) << count;
   }
 }
 
@@ -119,13 +119,13 @@ TEST(Predicted, IsTheSizeOfThePackets) {
   std::size_t compared = 0;
   for (const int longest : {1, 5, 3000}) {
     const std::vector<Embedded> vertices = random_vertices(dims, 4000, longest);
-    for (const Arrangement& arrangement : arrangements()) {
+    for (const tb::Arrangement& arrangement : tb::arrangements()) {
       if (!arrangement.is_built()) {
-        EXPECT_THROW(packets(arrangement, lattice, vertices, "fx18"), std::invalid_argument);
+        EXPECT_THROW(tb::packets(arrangement, lattice, vertices, "fx18"), std::invalid_argument);
         continue;
       }
-      EXPECT_EQ(packets(arrangement, lattice, vertices, "fx18").size(),
-                predicted_beats(arrangement, dims, cells_of(vertices)))
+      EXPECT_EQ(tb::packets(arrangement, lattice, vertices, "fx18").size(),
+                tb::predicted_beats(arrangement, dims, cells_of(vertices)))
           << arrangement.name();
       ++compared;
     }
