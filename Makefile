@@ -19,8 +19,6 @@ SYNTH_OPTIONS := target:TARGET org:ORG n:N format:FORMAT set:SET
 $(call exported,prefix:PREFIX board:BOARD $(sort $(SIM_OPTIONS) $(SYNTH_OPTIONS)))
 SIM_ARGUMENTS   = $(call arguments,$(SIM_OPTIONS)) $(if $(tracing),--trace)
 SYNTH_ARGUMENTS = $(call arguments,$(SYNTH_OPTIONS))
-# What docs/reports/ has of these sources is not measured again, unless AGAIN=1 says so.
-AGAIN_ARGUMENT  = $(if $(filter-out 0,$(call given,AGAIN)),--again)
 
 # What measures and proves is lab/, with a Makefile of its own. What the paper's users call is called here too.
 FORWARDED = organizations words streams formal compare
@@ -93,6 +91,7 @@ web:
 	  --plates $(BUILD)/web/plates.json --output $(BUILD)/web/index.html
 	@$(BUILD)/venv/bin/python -B -m pytest --quiet tests/web/test_page.py \
 	  --argument=$(BUILD)/web/index.html
+	@tools/show_report web
 
 # The simulated hardware in it is that of tier sim, unless TIER= says more. That PREFIX can be written is known first.
 hwffd plates mass-spring: TIER = sim
@@ -122,12 +121,13 @@ glapi:
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd_rtl hwffd_gl_shared hwffd_python
 	@$(BUILD)/venv/bin/python tests/gl/glapi.py --output $(BUILD)
+	@tools/show_report glapi
 
 # Standard cells are one of the targets.
 CELLS = $(if $(filter-out osu018,$(call given,TARGET)),,cells)
 synth:
 	$(INSTALL) engine $(CELLS)
-	@tools/synth -j $(JOBS) $(SYNTH_ARGUMENTS) $(AGAIN_ARGUMENT)
+	@tools/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
 synth-check:
 	$(INSTALL) engine $(CELLS)
@@ -138,7 +138,7 @@ synth-baseline:
 	@tools/synth_baseline write -j $(JOBS)
 
 structure:
-	$(INSTALL) engine figures
+	$(INSTALL) engine
 	@tools/structure -j $(JOBS)
 
 # The texts as a site, with what `make web` has made.
@@ -148,7 +148,7 @@ docs:
 
 pnr:
 	$(INSTALL) route
-	@tools/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT) $(AGAIN_ARGUMENT)
+	@tools/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 boards:
 	$(INSTALL) route
