@@ -66,17 +66,16 @@ help:
 	@echo
 	@echo 'JOBS=$(JOBS) processes side by side. docs/commands.md has all variables.'
 
-# The rows that it runs: those of tier sim, unless it is asked for others.
-sim: TIER = $(or $(call given,TIER),$(if $(call given,ORG),test,$(if $(call given,FORMAT),$$(test \
-  -n "$$(tools/configurations.py list --tier sim --format "$$HWFFD_GIVEN_FORMAT" 2>/dev/null)" \
-  && echo sim || echo test),sim)))
+# The rows that it runs: those of the smallest tier that has what it is asked for.
+sim: TIER = $(or $(call given,TIER),$$(tools/configurations.py tier --top $(SIM_TOP) $(SIM_ROWS)))
+SIM_TOP  = $(if $(filter dma,$(call given,STREAM)),axi,stream)
+SIM_ROWS = $(call arguments,org:ORG format:FORMAT schedule:SCHEDULE)
 sim:
 	$(INSTALL) build
 	$(call numbers,SEED)
 	@case "$$HWFFD_GIVEN_STREAM" in ''|interleaved|resident|dma) ;; *) \
 	  echo "make: STREAM=$$HWFFD_GIVEN_STREAM: one of interleaved, resident, dma" >&2; exit 2 ;; esac
-	@tools/configurations.py list --tier $(TIER) --top $(if $(filter dma,$(call given,STREAM)),axi,stream) \
-	  $(call arguments,org:ORG format:FORMAT schedule:SCHEDULE) >/dev/null
+	@tools/configurations.py list --tier $(TIER) --top $(SIM_TOP) $(SIM_ROWS) >/dev/null
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-sim
 	@$(BUILD)/tb/hwffd-sim $(SIM_ARGUMENTS)

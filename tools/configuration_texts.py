@@ -6,13 +6,13 @@ SPDX-License-Identifier: Apache-2.0
 GENERATED = "Made from rtl/configurations.csv by tools/configurations.py; changes here are lost."
 
 
-def cmake_text(configurations, tiered, selected):
-    """All rows; the lists name those of a tier and those selected."""
+def cmake_text(configurations, tiered, streams, buses, selected):
+    """All rows; the lists name those of a tier, also with streams and with buses, and those selected."""
     lists = {
         "CONFIGURATION": configurations,
         "TIER": tiered,
-        "STREAM": [c for c in tiered if c.stream],
-        "AXI": [c for c in tiered if c.top == "axi"],
+        "STREAM": streams,
+        "AXI": buses,
         "SELECTED": selected,
     }
     lines = [f"# {GENERATED}"]
@@ -76,7 +76,7 @@ def _organization(o):
 def _configuration(c):
     return (f'      {{"{c.name}", "{c.org}", {c.n}, "{c.format}", "{c.schedule}", "{c.evaluator}",'
             f' {c.mul_latency}, {c.add_latency}, {c.fma_latency}, {c.convert_latency},'
-            f' "{c.tier}"}},')
+            f' "{c.tier}", "{c.stream_tier}"}},')
 
 
 def table_text(configurations, organizations):

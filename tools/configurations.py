@@ -2,8 +2,9 @@
 """The table of configurations, rtl/configurations.csv, for every program that needs it.
 
 One row is one build of the core: an organization, a number format, a schedule, the latencies of the
-units, the largest top and the smallest tier (sim, cover, test, all) in which it is verilated. This module is the one
-place that knows which parameter of the RTL each column sets and how its words are numbered.
+units, the largest top, the smallest tier (sim, cover, test, all) in which it is verilated at its read port and the
+smallest in which it is verilated with its streams, and its buses if it has them. This module is the one place that
+knows which parameter of the RTL each column sets and how its words are numbered.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -32,14 +33,16 @@ EVALUATORS = ("pipelined", "iterative", "bspline", "powers")
 TIERS = ("sim", "cover", "test", "all")
 # So does a top: the read port of the evaluator, the core with its streams, the core on its buses.
 TOPS = ("evaluator", "stream", "axi")
+NO_STREAMS = "none"  # the tier of the streams of a row that has none
 
 COLUMNS = (
     "name", "org", "n", "format", "schedule", "evaluator", "mul_latency", "add_latency",
-    "fma_latency", "convert_latency", "top", "tier",
+    "fma_latency", "convert_latency", "top", "tier", "stream_tier",
 )
 NUMBERS = {"n": range(1, 65), "mul_latency": range(1, 100), "add_latency": range(1, 100),
            "fma_latency": range(100), "convert_latency": range(100)}
-WORDS = {"schedule": SCHEDULES, "evaluator": EVALUATORS, "top": TOPS, "tier": TIERS}
+WORDS = {"schedule": SCHEDULES, "evaluator": EVALUATORS, "top": TOPS, "tier": TIERS,
+         "stream_tier": (*TIERS, NO_STREAMS)}
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,7 @@ class Configuration:
     convert_latency: int
     top: str
     tier: str
+    stream_tier: str
     organization: Organization
     number_format: formats.Format
 
@@ -66,8 +70,8 @@ class Configuration:
 
     @property
     def stream(self):
-        """Whether it is verilated with its streams."""
-        return self.top in TOPS[1:]
+        """Whether some tier has it with its streams."""
+        return self.top != TOPS[0]
 
     @property
     def wide(self):
@@ -119,6 +123,12 @@ def _read_row(fields, where, known, known_formats):
             organization.weighs_axes and number_format.words == "fixed"):
         raise TableError(f"{where}: evaluator is powers: wants fixed point and an organization that "
                          "takes the four weights of an axis at once")
+    if (fields["top"] == TOPS[0]) != (fields["stream_tier"] == NO_STREAMS):
+        raise TableError(f"{where}: stream_tier is {fields['stream_tier']}, top is {fields['top']}: it is "
+                         f"{NO_STREAMS} of a row that has no streams, and of no other")
+    if (*TIERS, NO_STREAMS).index(fields["stream_tier"]) < TIERS.index(fields["tier"]):
+        raise TableError(f"{where}: stream_tier is {fields['stream_tier']}, tier is {fields['tier']}: a row has "
+                         "its streams in no tier that lacks its read port")
     if fields["fma_latency"] > 0 and not number_format.fused:
         raise TableError(f"{where}: fma_latency is {fields['fma_latency']}, 0 wanted: there is no "
                          f"fused multiply-add in {fields['format']}")
@@ -146,10 +156,15 @@ def find(configurations, name):
     raise TableError(f"no configuration named '{name}'")
 
 
-def of_tier(configurations, tier):
-    """Those that are built in a tier: its own and those of the smaller ones."""
+def of_tier(configurations, tier, top=TOPS[0]):
+    """Those that are built with a top in a tier: its own and those of the smaller ones.
+
+    The tier `cover` has its rows with their streams, whatever the column says: what counts there is each line.
+    """
     built = TIERS[: TIERS.index(tier) + 1]
-    return [configuration for configuration in configurations if configuration.tier in built]
+    column = "tier" if top == TOPS[0] or tier == "cover" else "stream_tier"
+    tops = TOPS[TOPS.index(top):]
+    return [c for c in configurations if getattr(c, column) in built and c.top in tops]
 
 
 def select(configurations, org="", n="", fmt="", schedule=""):
@@ -172,9 +187,19 @@ def add_selection(parser):
 
 def listed(configurations, options):
     """Those of the command `list`. Raises TableError."""
-    tops = TOPS[TOPS.index(options.top):]
-    rows = [c for c in of_tier(configurations, options.tier) if c.top in tops]
+    rows = of_tier(configurations, options.tier, options.top)
     return select(rows, options.org, options.n, options.format, options.schedule)
+
+
+def smallest_tier(configurations, options):
+    """That which has a row of the command `tier`; all, if there is none. (`cover` is there to count lines.)"""
+    for options.tier in (tier for tier in TIERS if tier != "cover"):
+        try:
+            if listed(configurations, options):
+                return options.tier
+        except TableError:
+            pass
+    return TIERS[-1]
 
 
 def selected(configurations, options):
@@ -183,8 +208,7 @@ def selected(configurations, options):
 
 def generated(rows, tier, wanted):
     """file -> what a build of a tier has of the table and of the rows selected. Raises TableError."""
-    tiered = of_tier(rows, tier)
-    stream, axi = ([c for c in tiered if c.top in TOPS[TOPS.index(top):]] for top in TOPS[1:])
+    tiered, stream, axi = (of_tier(rows, tier, top) for top in TOPS)
     return {
         "configurations.cpp": texts.table_text(rows, organizations.read()),
         "models.cpp": texts.models_text(rows, organizations.read()),
@@ -192,7 +216,7 @@ def generated(rows, tier, wanted):
         "axi_core_factory.cpp": texts.factory_text(axi, "axi", "_axi"),
         "evaluator_core_factory.cpp": texts.factory_text(tiered, "evaluator", "_evaluator"),
         "selected_core_factory.cpp": texts.factory_text(wanted, "evaluator", "_evaluator"),
-        "configurations.cmake": texts.cmake_text(rows, tiered, wanted),
+        "configurations.cmake": texts.cmake_text(rows, tiered, stream, axi, wanted),
     }
 
 
@@ -201,6 +225,7 @@ def parser():
     made.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
     commands = made.add_subparsers(dest="command", required=True, metavar="COMMAND")
     listing = commands.add_parser("list", help="print the names of a tier (default: all)")
+    smallest = commands.add_parser("tier", help="print the smallest tier that has such rows")
     parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
     parameters.add_argument("name")
     styles = parameters.add_mutually_exclusive_group()
@@ -219,9 +244,11 @@ def parser():
     factory.add_argument("--suffix", default="", help="of the models' names, such as _netlist")
     for command in (listing, build):
         command.add_argument("--tier", choices=TIERS, default="all")
+    for command in (listing, smallest, build):
         add_selection(command)
-    listing.add_argument("--schedule", default="", help="these rows only")
-    listing.add_argument("--top", choices=TOPS, default=TOPS[0], help="rows with at least this top")
+    for command in (listing, smallest):
+        command.add_argument("--schedule", default="", help="these rows only")
+        command.add_argument("--top", choices=TOPS, default=TOPS[0], help="rows with at least this top")
     return made
 
 
@@ -232,6 +259,8 @@ def main(arguments=None):
         if options.command == "list":
             for configuration in listed(rows, options):
                 print(configuration.name)
+        elif options.command == "tier":
+            print(smallest_tier(rows, options))
         elif options.command == "parameters":
             assignments = find(rows, options.name).assignments()
             print(" ".join(options.prefix + word for word in assignments))

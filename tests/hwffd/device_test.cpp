@@ -297,6 +297,15 @@ TEST(Device, UnknownNamesAreListed) {
          "row basic-fx18-overlapped is in format fx18, not 'fp32'; leave the format out");
   expect({"model", "basic-fp32-paper", ""},
          "device model: no row 'basic-fp32-paper' here; hwffd info lists them");
+  const std::vector<std::string> built = device_rows("rtl");
+  for (const Configuration& row : configurations()) {
+    if (!overlaps(row) || row.stream_tier == std::string("none")) continue;
+    if (std::find(built.begin(), built.end(), row.name) != built.end()) continue;
+    expect({"rtl", row.name, ""}, std::string("row ") + row.name +
+                                      " is not among the simulated cores here: make hwffd TIER=" +
+                                      row.stream_tier + " builds it, or take device model");
+  }
+  EXPECT_NE(message({"rtl", "cg2", "fx18"}).find("no organization 'cg2' here"), std::string::npos);
   EXPECT_NE(message({"fpga", "basic", "fp32"}).find("model, rtl, reference"), std::string::npos);
   EXPECT_NE(message({"model", "cg9", "fp32"}).find("cg3, "), std::string::npos);
   EXPECT_NE(message({"rtl", "basic", "fx99"}).find("fx18"), std::string::npos);

@@ -10,7 +10,7 @@ import configurations
 import pytest
 
 HEADER = ",".join(configurations.COLUMNS)
-GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test"
+GOOD = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test,test"
 
 # what is wrong -> (table, line of the fault or None, word of the message)
 BAD = {
@@ -22,13 +22,16 @@ BAD = {
     "column too many": (f"{HEADER}\n{GOOD},x\n", 2, "columns"),
     "name twice": (f"{HEADER}\n{GOOD}\n{GOOD}\n", 3, "twice"),
     "affine in binary32": (f"{HEADER}\ngood-row,affine,64,fp32,overlapped,pipelined,2,1,0,1,stream,"
-                           "test\n", 2, "affine is exact in fixed point only"),
+                           "test,test\n", 2, "affine is exact in fixed point only"),
     "powers of one polynomial at a time": (
-        f"{HEADER}\ngood-row,tree,4,fx18,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
+        f"{HEADER}\ngood-row,tree,4,fx18,overlapped,powers,2,1,0,1,stream,test,test\n", 2, "powers"),
     "powers in sequence": (
-        f"{HEADER}\ngood-row,affine/64,1,fx17,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
+        f"{HEADER}\ngood-row,affine/64,1,fx17,overlapped,powers,2,1,0,1,stream,test,test\n", 2, "powers"),
     "powers in binary32": (
-        f"{HEADER}\ngood-row,factored,64,fp32,overlapped,powers,2,1,0,1,stream,test\n", 2, "powers"),
+        f"{HEADER}\ngood-row,factored,64,fp32,overlapped,powers,2,1,0,1,stream,test,test\n", 2, "powers"),
+    "streams of a row without": (f"{HEADER}\n{GOOD.replace('stream,test', 'evaluator,test')}\n", 2, "stream_tier"),
+    "no tier of streams": (f"{HEADER}\n{GOOD.replace('test,test', 'test,none')}\n", 2, "stream_tier"),
+    "streams in a tier that lacks the row": (f"{HEADER}\n{GOOD.replace('test,test', 'all,test')}\n", 2, "stream_tier"),
     "name twice after a blank line": (f"{HEADER}\n{GOOD}\n\n{GOOD}\n", 4, "twice"),
 }
 FIELDS = {
@@ -43,7 +46,8 @@ FIELDS = {
     "fma_latency": ("", "-1", "x", "3"),
     "convert_latency": ("", "-1", "0x1"),
     "top": ("", "1", "stream axi"),
-    "tier": ("", "test-all", "nightly"),
+    "tier": ("", "test-all", "nightly", "none"),
+    "stream_tier": ("", "test-all", "-"),
 }
 for column, values in FIELDS.items():
     for value in values:
@@ -51,9 +55,9 @@ for column, values in FIELDS.items():
         BAD[f"{column} '{value}'"] = (f"{HEADER}\n{','.join(fields.values())}\n", 2, column)
 ROWS = (
     f"{HEADER}\n"
-    "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim\n"
-    "good-row,tree,4,fx18,paper,iterative,5,4,0,3,axi,test\n"
-    "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all\n"
+    "small,basic,1,fp32,overlapped,pipelined,2,1,0,1,stream,sim,sim\n"
+    "good-row,tree,4,fx18,paper,iterative,5,4,0,3,axi,test,test\n"
+    "large,parallel,64,fx32,overlapped,pipelined,2,1,0,1,evaluator,all,none\n"
 )
 
 
@@ -98,6 +102,24 @@ def test_tiers_include_smaller_ones(script, tier, names):
     assert script("list", "--tier", tier, text=ROWS)[1] == names
 
 
+def test_streams_have_a_tier_of_their_own(script):
+    rows = ROWS.replace("axi,test,test", "axi,sim,all")
+    for top in ("stream", "axi"):
+        assert "good-row" not in script("list", "--tier", "test", "--top", top, text=rows)[1]
+        assert "good-row" in script("list", "--tier", "all", "--top", top, text=rows)[1]
+        # What counts lines has the streams of all its rows.
+        assert "good-row" in script("list", "--tier", "cover", "--top", top, text=rows)[1]
+    assert "good-row" in script("list", "--tier", "sim", text=rows)[1]
+
+
+@pytest.mark.parametrize("words, tier", (
+    ((), "sim"), (("--org", "tree"), "test"), (("--format", "fx18", "--schedule", "paper"), "test"),
+    (("--org", "tree", "--top", "axi"), "all"), (("--org", "none"), "all")))
+def test_smallest_tier(script, words, tier):
+    rows = ROWS.replace("paper,iterative,5,4,0,3,axi", "paper,iterative,5,4,0,3,stream")
+    assert script("tier", "--top", "stream", *words, text=rows) == (0, f"{tier}\n", "")
+
+
 def test_parameters(script):
     words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=0 "
              "CONVERT_LATENCY=3")
@@ -115,7 +137,7 @@ BUILT = {
         "set(HWFFD_STREAM_IDENTIFIERS small good_row)\n",
         "set(HWFFD_CONFIGURATION_PARAMETERS_good_row ORG=4 N=4 FORMAT=18 ", "nothing"),
     "configurations.cpp": (
-        '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test"},', '"large"', "V"),
+        '{"good-row", "tree", 4, "fx18", "paper", "iterative", 5, 4, 0, 3, "test", "test"},', '"large"', "V"),
     "models.cpp": ("EvaluatorModelOf<Fixed<18>, OrgTree>", "OrgBasic"),
     "stream_core_factory.cpp": ('#include "Vgood_row.h"', "large"),
     "axi_core_factory.cpp": ('#include "Vgood_row_axi.h"', "Vsmall"),

@@ -105,7 +105,28 @@ std::vector<std::string> distinct(const std::vector<std::string>& words) {
   return once;
 }
 
+/// The name of the row that an organization and a format mean; a row's own name stays.
+std::string name_of_row(const DeviceChoice& choice) {
+  return fmt::format("{}-{}-overlapped", as_in_names(choice.org),
+                     choice.format.empty() ? "fp32" : choice.format);
+}
+
+/// @throws UsageError for a row that could be simulated, but is not in this build
+void refuse_not_built(const DeviceChoice& choice) {
+  if (choice.device != "rtl") return;
+  const std::string name = name_of_row(choice);
+  for (const Configuration& row : configurations()) {
+    if (!overlaps(row) || (row.name != name && row.name != choice.org)) continue;
+    if (row.stream_tier == std::string("none")) continue;  // no build has it
+    throw UsageError(fmt::format(
+        "row {} is not among the simulated cores here: make hwffd TIER={} builds it, or take "
+        "device model",
+        row.name, row.stream_tier));
+  }
+}
+
 [[noreturn]] void refuse(const DeviceChoice& choice) {
+  refuse_not_built(choice);
   constexpr std::size_t kQuoted = 30;
   const std::string start = fmt::format("device {}: no", choice.device);
   const std::string org = excerpt(choice.org, kQuoted);
@@ -130,8 +151,7 @@ std::vector<std::string> distinct(const std::vector<std::string>& words) {
 
 /// The row of a model or of the RTL that is meant.
 const Configuration& row_of(const DeviceChoice& choice) {
-  const std::string name = fmt::format("{}-{}-overlapped", as_in_names(choice.org),
-                                       choice.format.empty() ? "fp32" : choice.format);
+  const std::string name = name_of_row(choice);
   for (const Configuration& row : configurations()) {
     if (!is_there(choice.device, row)) continue;
     if (row.name == name) return row;

@@ -8,16 +8,17 @@ namespace hwffd {
 /// One row of rtl/configurations.csv: one build of `hwffd_stream`.
 struct Configuration {
   const char* name;
-  const char* org;        ///< organization, e.g. "basic"
-  int n;                  ///< control points an organization takes in one clock
-  const char* format;     ///< "fp32", "bfp32", or "fx" and the width of a word, e.g. "fx18"
-  const char* schedule;   ///< "overlapped" or "paper"
-  const char* evaluator;  ///< "pipelined", "iterative", or wired in: "bspline", "powers"
-  int mul_latency;        ///< clocks of a multiplier
-  int add_latency;        ///< clocks of an adder
-  int fma_latency;        ///< clocks of a fused multiply-add; 0: multiply and add are separate
-  int convert_latency;    ///< clocks of a conversion between kinds of number
-  const char* tier;       ///< smallest tier that verilates it: "sim", "cover", "test" or "all"
+  const char* org;          ///< organization, e.g. "basic"
+  int n;                    ///< control points an organization takes in one clock
+  const char* format;       ///< "fp32", "bfp32", or "fx" and the width of a word, e.g. "fx18"
+  const char* schedule;     ///< "overlapped" or "paper"
+  const char* evaluator;    ///< "pipelined", "iterative", or wired in: "bspline", "powers"
+  int mul_latency;          ///< clocks of a multiplier
+  int add_latency;          ///< clocks of an adder
+  int fma_latency;          ///< clocks of a fused multiply-add; 0: multiply and add are separate
+  int convert_latency;      ///< clocks of a conversion between kinds of number
+  const char* tier;         ///< smallest tier that verilates it: "sim", "cover", "test" or "all"
+  const char* stream_tier;  ///< and smallest that has it with its streams, or "none"
 };
 
 /// Whether vertices follow each other before the one in front has ended; else the paper's schedule.
