@@ -67,7 +67,7 @@ help:
 	@echo 'JOBS=$(JOBS) processes side by side. docs/commands.md has all variables.'
 
 # The rows that it runs: those of the smallest tier that has what it is asked for.
-sim: TIER = $(or $(call given,TIER),$$(tools/configurations.py tier --top $(SIM_TOP) $(SIM_ROWS)))
+sim: TIER = $(or $(call given,TIER),$$(python3 -B -m tools.tables.configurations tier --top $(SIM_TOP) $(SIM_ROWS)))
 SIM_TOP  = $(if $(filter dma,$(call given,STREAM)),axi,stream)
 SIM_ROWS = $(call arguments,org:ORG format:FORMAT schedule:SCHEDULE)
 sim:
@@ -75,7 +75,7 @@ sim:
 	$(call numbers,SEED)
 	@case "$$HWFFD_GIVEN_STREAM" in ''|interleaved|resident|dma) ;; *) \
 	  echo "make: STREAM=$$HWFFD_GIVEN_STREAM: one of interleaved, resident, dma" >&2; exit 2 ;; esac
-	@tools/configurations.py list --tier $(TIER) --top $(SIM_TOP) $(SIM_ROWS) >/dev/null
+	@python3 -B -m tools.tables.configurations list --tier $(TIER) --top $(SIM_TOP) $(SIM_ROWS) >/dev/null
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-sim
 	@$(BUILD)/tb/hwffd-sim $(SIM_ARGUMENTS)
@@ -86,11 +86,11 @@ web:
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-web-engine hwffd-web-plates
 	@$(BUILD)/apps/hwffd-web-plates $(BUILD)/web/plates.json
-	@$(BUILD)/venv/bin/python -B apps/web/bundle.py --engine $(BUILD)/web/engine \
+	@$(BUILD)/venv/bin/python -B -m apps.web.bundle --engine $(BUILD)/web/engine \
 	  --plates $(BUILD)/web/plates.json --output $(BUILD)/web/index.html
 	@$(BUILD)/venv/bin/python -B -m pytest --quiet tests/web/test_page.py \
 	  --argument=$(BUILD)/web/index.html
-	@tools/show_report web
+	@python3 -B -m tools.reports.show web
 
 # The simulated hardware in it is that of tier sim, unless TIER= says more. That PREFIX can be written is known first.
 hwffd plates mass-spring: TIER = sim
@@ -119,39 +119,39 @@ glapi:
 	$(INSTALL) build module
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd_rtl hwffd_gl_shared hwffd_python
-	@$(BUILD)/venv/bin/python tests/gl/glapi.py --output $(BUILD)
-	@tools/show_report glapi
+	@env PYTHONPATH=$(BUILD)/api/python $(BUILD)/venv/bin/python -B tests/gl/glapi.py --output $(BUILD)
+	@python3 -B -m tools.reports.show glapi
 
 # Standard cells are one of the targets.
 CELLS = $(if $(filter-out osu018,$(call given,TARGET)),,cells)
 synth:
 	$(INSTALL) engine $(CELLS)
-	@tools/synth -j $(JOBS) $(SYNTH_ARGUMENTS)
+	@python3 -B -m tools.synth -j $(JOBS) $(SYNTH_ARGUMENTS)
 
 synth-check:
 	$(INSTALL) engine $(CELLS)
-	@tools/synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+	@python3 -B -m tools.synth.synth_baseline check -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 synth-baseline:
 	$(INSTALL) engine cells
-	@tools/synth_baseline write -j $(JOBS)
+	@python3 -B -m tools.synth.synth_baseline write -j $(JOBS)
 
 structure:
 	$(INSTALL) engine
-	@tools/structure -j $(JOBS)
+	@python3 -B -m tools.synth.structure -j $(JOBS)
 
 # The texts as a site, with what `make web` has made.
 docs:
 	$(INSTALL) docs
-	@$(BUILD)/venv/bin/python -B apps/docs
+	@$(BUILD)/venv/bin/python -B -m apps.docs
 
 pnr:
 	$(INSTALL) route
-	@tools/pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
+	@python3 -B -m tools.synth.pnr -j $(JOBS) $(call arguments,target:TARGET org:ORG n:N format:FORMAT)
 
 boards:
 	$(INSTALL) route
-	@tools/boards -j $(JOBS) $(call arguments,board:BOARD)
+	@python3 -B -m tools.synth.bitstreams -j $(JOBS) $(call arguments,board:BOARD)
 
 test: override TIER = test
 test:
@@ -172,13 +172,13 @@ random:
 	$(call numbers,N SEED)
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-random-words
-	@python3 -B tests/random --words $(BUILD)/tests/random/hwffd-random-words --folder $(BUILD)/random \
+	@python3 -B -m tests.random --words $(BUILD)/tests/random/hwffd-random-words --folder $(BUILD)/random \
 	  --count $(or $(call given,N),20) $(addprefix --seed ,$(call given,SEED))
 
 lint:
 	$(INSTALL) build lint
 	$(CONFIGURE)
-	@tools/lint -j $(JOBS)
+	@python3 -B -m tools.checks.lint -j $(JOBS)
 
 clean:
 	@rm -rf build build-trace

@@ -22,30 +22,27 @@ foreach(column ORG N FORMAT)
   endif()
 endforeach()
 set(HWFFD_GENERATED_DIR ${hwffd_BINARY_DIR}/generated)
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
+include(${CMAKE_CURRENT_LIST_DIR}/HwffdPython.cmake)
 
 set(table ${HWFFD_RTL_DIR}/configurations.csv)
-set(script ${hwffd_SOURCE_DIR}/tools/configurations.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
   ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
   ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/bus/registers.csv
   ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${hwffd_SOURCE_DIR}/VERSION)
-foreach(module configurations configuration_texts core_file formats formulas made module_header
-    organizations organization_rtl register_rtl register_texts registers rtl stream_words tables
-    version)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-    ${hwffd_SOURCE_DIR}/tools/${module}.py)
-endforeach()
+file(GLOB modules CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/tools/tables/*.py)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${modules}
+  ${hwffd_SOURCE_DIR}/tools/csv_table.py ${hwffd_SOURCE_DIR}/tools/rtl/module_header.py
+  ${hwffd_SOURCE_DIR}/tools/rtl/rtl_sources.py)
 
 function(hwffd_generate)
-  execute_process(COMMAND ${Python3_EXECUTABLE} -B ${script} ${ARGN} RESULT_VARIABLE failed)
+  execute_process(COMMAND ${HWFFD_PYTHON_TOOL} tools.tables.configurations ${ARGN} RESULT_VARIABLE failed)
   if(failed)
     message(FATAL_ERROR "the table of configurations is broken; see the line above")
   endif()
 endfunction()
 
-execute_process(COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tools/made.py write
+execute_process(COMMAND ${HWFFD_PYTHON_TOOL} tools.tables.generated_files write
   RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "a table is broken; see the line above")

@@ -1,7 +1,6 @@
 # Netlists as ordinary build steps: a row of the table through yosys, and what comes out through
 # Verilator, with models of the target's cells. yosys is wanted by the steps, not while CMake configures.
 
-set(netlist_scripts ${hwffd_SOURCE_DIR}/tools)
 file(GLOB netlist_steps CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/synth/*.ys
      ${hwffd_SOURCE_DIR}/synth/*/*.v ${hwffd_SOURCE_DIR}/synth/*/*.map
      ${hwffd_SOURCE_DIR}/synth/*/*.txt)
@@ -15,8 +14,8 @@ function(hwffd_of_yosys name copy)
   string(MAKE_C_IDENTIFIER of_yosys_${name} target)
   add_custom_command(
     OUTPUT ${copy}${ARGN}
-    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/of_yosys.py ${name} ${copy}
-    DEPENDS ${netlist_scripts}/of_yosys.py
+    COMMAND ${HWFFD_PYTHON_TOOL} tools.synth.yosys_files ${name} ${copy}
+    DEPENDS ${hwffd_SOURCE_DIR}/tools/synth/yosys_files.py
     VERBATIM)
   add_custom_target(${target} DEPENDS ${copy}${ARGN})
   add_dependencies(hwffd_of_yosys ${target})
@@ -51,11 +50,11 @@ function(hwffd_netlist id target)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${netlist}
-    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist.py
+    COMMAND ${HWFFD_PYTHON_TOOL} tools.synth.netlist
             ${name} ${target} ${netlist}
     DEPENDS ${HWFFD_RTL_SOURCES} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
             ${HWFFD_RTL_DIR}/organizations.csv ${hwffd_SOURCE_DIR}/synth/variants.csv ${netlist_steps}
-            ${netlist_scripts}/netlist.py ${netlist_scripts}/synthesis.py ${netlist_scripts}/rtl.py
+            ${hwffd_SOURCE_DIR}/tools/synth/netlist.py ${hwffd_SOURCE_DIR}/tools/synth/synthesis.py ${hwffd_SOURCE_DIR}/tools/rtl/rtl_sources.py
     COMMENT "Synthesizing the netlist of ${id} for ${target}"
     VERBATIM)
   hwffd_verilate_netlist(${id}_${target}_netlist ${target} ${netlist})
@@ -72,8 +71,8 @@ function(hwffd_faulty_netlist id)
   set(faulty ${hwffd_BINARY_DIR}/netlists/${id}_fault.v)
   add_custom_command(
     OUTPUT ${faulty}
-    COMMAND ${Python3_EXECUTABLE} -B ${netlist_scripts}/netlist_fault.py ${good} ${faulty}
-    DEPENDS ${good} ${netlist_scripts}/netlist_fault.py
+    COMMAND ${HWFFD_PYTHON_TOOL} tools.synth.netlist_fault ${good} ${faulty}
+    DEPENDS ${good} ${hwffd_SOURCE_DIR}/tools/synth/netlist_fault.py
     VERBATIM)
   hwffd_verilate_netlist(${id}_fault_netlist ecp5 ${faulty})
 endfunction()

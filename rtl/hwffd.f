@@ -1,7 +1,7 @@
 // Every source of the core and every folder with headers, one a line, relative to this folder:
 // `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
 // not matter, but for the first one, which is Verilator's.
-// Made by tools/made.py from what is there; changes here are lost.
+// Made by tools/tables/generated_files.py from what is there; changes here are lost.
 +incdir+bus
 +incdir+common
 +incdir+evaluator

@@ -1,5 +1,5 @@
 # One clock, ideal; inputs arrive with it and outputs are wanted by it. $library, $netlist and $top
-# are set by tools/timing.py, which also takes what is printed apart.
+# are set by tools/synth/timing.py, which also takes what is printed apart.
 # SPDX-License-Identifier: Apache-2.0
 read_liberty $library
 read_verilog $netlist

@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +14,9 @@ import sys
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+# What tests start finds the packages of the checkout.
+os.environ["PYTHONPATH"] = os.pathsep.join([str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])])
 
 
 class Checkout:
@@ -51,9 +55,10 @@ class Checkout:
                               check=False, capture_output=True, **more)
         return done.returncode, done.stdout, done.stderr
 
-    def script(self, name, *words, **more):
-        """The same of one of tools/."""
-        return self.run(sys.executable, "-B", ROOT / "tools" / name, *words, **more)
+    def module(self, name, *words, **more):
+        """The same of a module of the checkout that is a command."""
+        environment = {**(more.pop("env", None) or os.environ), "PYTHONPATH": str(ROOT)}
+        return self.run(sys.executable, "-B", "-m", name, *words, env=environment, **more)
 
     def git(self, *words):
         subprocess.run(["git", "-C", self.root, "-c", "user.name=x", "-c", "user.email=x@x.example",
@@ -89,12 +94,26 @@ def call(capsys):
     return called
 
 
+MODULE = """import subprocess, sys
+sys.exit(subprocess.run(["sh", "-c", {body!r}, "sh", *sys.argv[1:]]).returncode)
+"""
+
+
+def stand_in(name, body):
+    """{path: text} of a program of the shell, or of a module that runs this in the shell, with the packages around it."""
+    path = name.replace("__", "/")
+    if name == "tools__install" or not name.startswith(("tools__", "lab__")):
+        return {path.replace("_", "-"): f"#!/bin/sh\n{body}\n"}
+    folders = [path[:end.start()] for end in re.finditer("/|$", path)]
+    return {**{f"{folder}/__init__.py": "" for folder in folders}, f"{path}/__main__.py": MODULE.format(body=body)}
+
+
 @pytest.fixture
 def programs(checkout):
-    """Writes programs of the shell; those in bin/ come first in PATH."""
+    """Writes programs of the shell, and modules of tools and lab that run it; programs in bin/ come first in PATH."""
     def put(**bodies):
         for name, body in bodies.items():
-            checkout.put({name.replace("__", "/").replace("_", "-"): f"#!/bin/sh\n{body}\n"}, 0o755)
+            checkout.put(stand_in(name, body), 0o755)
     return put
 
 
@@ -111,10 +130,10 @@ def run(checkout):
 def make(checkout, programs, run):
     """(exit status, lines that are printed, complaints)"""
     checkout.copy("Makefile", "tools/options.mk")
-    checkout.put({"tools/run_tests": '#!/bin/sh\nshift\nexec "$@"\n'}, 0o755)
-    programs(tools__install='echo "install $*"', tools__lint="exit 0")
+    programs(tools__checks__run_tests='shift; exec "$@"')
+    programs(tools__install='echo "install $*"', tools__checks__lint="exit 0")
     programs(**{f"bin__{tool}": f'echo "{tool} $*"' for tool in ("cmake", "ctest")},
-             **{"tools__configurations.py": "exit 0"})
+             **{"tools__tables__configurations": "exit 0"})
 
     def called(*words, **variables):
         status, out, errors = run("make", *words, **variables)

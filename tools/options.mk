@@ -1,6 +1,8 @@
 # What the Makefiles of the product and of the laboratory share: variables of a command line as options of a
 # program, and how a build is configured and compiled.
 # SPDX-License-Identifier: Apache-2.0
+# Where Python finds the packages of the checkout: tools, and lab.
+export PYTHONPATH := $(CURDIR)$(if $(PYTHONPATH),:$(PYTHONPATH))
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 TIERS  = sim cover test all
 ifneq ($(TIER),$(filter $(TIERS),$(firstword $(TIER))))
@@ -37,5 +39,5 @@ numbers = @$(foreach v,$1,$(if $(call given,$v),case "$$HWFFD_GIVEN_$v" in (''|*
   echo "make: $v=$$HWFFD_GIVEN_$v: a number is wanted" >&2; exit 2 ;; esac;)) :
 
 # How tests run: make's last lines are ctest's.
-RUN_TESTS = tools/run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
+RUN_TESTS = python3 -B -m tools.checks.run_tests $(BUILD)/reports/tests.xml ctest --test-dir $(BUILD) --no-tests=error --output-on-failure \
             --output-junit reports/tests.xml --test-output-size-passed 65536 -j $(JOBS)

@@ -7,7 +7,7 @@ import os
 import pathlib
 import sys
 
-from rtl import ROOT
+from tools.project_root import ROOT
 
 FOLDER = ROOT / "build" / "venv"
 
@@ -16,4 +16,4 @@ def enter(requirements):
     """Starts the program again by the interpreter of build/venv, where that has these packages."""
     if (FOLDER / requirements).is_file() and pathlib.Path(sys.prefix) != FOLDER:
         python = str(FOLDER / "bin" / "python")
-        os.execv(python, [python, "-B", *sys.argv])
+        os.execv(python, [python, *sys.orig_argv[1:]])

@@ -1,6 +1,6 @@
 """make docs: the site of the project's texts, with search and the reference of its libraries.
 
-    python apps/docs [--build FOLDER] [--source FOLDER]
+    python3 -m apps.docs [--build FOLDER] [--source FOLDER]
 
 Writes FOLDER/docs/index.html. A link to a page, file or heading that is not there fails the build.
 
@@ -15,10 +15,9 @@ import shutil
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "apps"))
+from apps.docs import doxygen, python_reference, reference, staging
 
-from docs import doxygen, python_reference, reference, staging  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 HERE = ROOT / "apps" / "docs"
 LIVE = "---\nhide: [navigation, toc]\n---\n# The live page\n\nThe simulated hardware in the browser: drag a control point, and the mesh follows.\n\n"

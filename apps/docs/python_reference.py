@@ -7,7 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 import ast
 import inspect
 
-from docs.bindings import docstrings
+from apps.docs.bindings import docstrings
 
 PACKAGE = "api/python/hwffd"
 _HEAD = """# Python

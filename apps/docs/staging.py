@@ -9,7 +9,7 @@ import pathlib
 import re
 import shutil
 
-from docs import flowchart
+from apps.docs import flowchart
 
 # Folders with pages, and the pages.
 FOLDERS = ("docs", "synth")

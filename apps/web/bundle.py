@@ -1,6 +1,6 @@
 """Makes the live page one file, build/web/index.html, that opens from any server and without one.
 
-    bundle.py [--engine DIR | --worker FILE] [--plates FILE] [--output FILE]
+    python3 -m apps.web.bundle [--engine DIR | --worker FILE] [--plates FILE] [--output FILE]
 
 Scripts are joined by esbuild, with three.js of the package libjs-three; the engine's WebAssembly goes in as gzip in
 base64. Figures come from the newest of docs/results/.
@@ -17,11 +17,10 @@ import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "apps" / "web")]
+from apps.web import figures_data
+from tools.reports import results
 
-import figures_data  # noqa: E402  pylint: disable=wrong-import-position
-import results  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 PAGE = ROOT / "apps" / "web" / "page"
 THREE = pathlib.Path("/usr/share/javascript/three")
@@ -145,7 +144,7 @@ def main(words=None):
         if len(text) > MOST_BYTES:
             raise BundleError(f"the page has {len(text):,} bytes, and is to have {MOST_BYTES:,} at most")
     except BundleError as error:
-        print(f"bundle.py: {error}", file=sys.stderr)
+        print(f"bundle: {error}", file=sys.stderr)
         return 1
     options.output.parent.mkdir(parents=True, exist_ok=True)
     options.output.write_bytes(text)

@@ -3,8 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import organization_tables
-from throughput import CORE, throughputs
+from tools.reports import organization_tables
+from tools.reports.throughput import CORE, throughputs
 
 TARGET = "ecp5"
 

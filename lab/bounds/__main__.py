@@ -1,6 +1,6 @@
 """make bounds: bounds of the errors of weights and of every form, proved, beside errors that are reached.
 
-    python lab/bounds [--build FOLDER] [--facts FILE ...] [--form FORM] [--format FORMAT] [--no-coq]
+    python3 -m lab.bounds [--build FOLDER] [--facts FILE ...] [--form FORM] [--format FORMAT] [--no-coq]
 
 Gappa proves each bound from the operations of the core, Coq checks its proof and ties it to the
 program of the form. What the proofs take of the weights (their largest errors over every coordinate)
@@ -17,14 +17,10 @@ import pathlib
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.bounds import gappa, rows, weights
+from tools import command_line, whole_file
 
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import gappa  # noqa: E402  pylint: disable=wrong-import-position
-import rows  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
-import weights  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def facts(options):
@@ -75,7 +71,7 @@ def work_on(options):
               f"{result['witness']:.4g}, {result['checked_by']}", file=sys.stderr, flush=True)
     report = {"rows": proved, "axes": found["weights"], "witnesses": found["forms"]}
     path = options.build / "reports" / "bounds.json"
-    synthesis.write(path, json.dumps(report, indent=1) + "\n")
+    whole_file.write(path, json.dumps(report, indent=1) + "\n")
     print(f"bounds: {len(proved)} proved\nwrote {path}")
     return faults
 
@@ -90,7 +86,7 @@ def main():
     parser.add_argument("--no-coq", action="store_true", help="Gappa alone")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    return front.measured(parser.prog, lambda: work_on(options), (gappa.BoundsError, KeyError))
+    return command_line.measured(parser.prog, lambda: work_on(options), (gappa.BoundsError, KeyError))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ SPDX-License-Identifier: Apache-2.0
 import fractions
 from dataclasses import dataclass
 
-import dyadic
+from lab.bounds import dyadic
 
 CONTRACTED = ("a + given*(g*g*g) + half*(g*g + g) + last", ("e", "a"))
 FORMULAS = {

@@ -7,8 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 
 import fractions
 
-import dyadic
-from weights import Script
+from lab.bounds import dyadic
+from lab.bounds.weights import Script
 
 PIECES = 4
 GUARD = 3  # digits of a power behind those of a weight

@@ -7,12 +7,7 @@ import fractions
 import re
 from dataclasses import dataclass
 
-import dyadic
-import forms
-import gappa
-import powers
-import weights
-import whole
+from lab.bounds import dyadic, forms, gappa, powers, weights, whole
 
 SMALLER = fractions.Fraction(98, 100)  # of an error that is reached: a bound that has to be refused
 ROUNDOFF = 1e-14  # of what the search computes in double, relative

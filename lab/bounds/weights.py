@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import fractions
 from dataclasses import dataclass
 
-import dyadic
+from lab.bounds import dyadic
 
 F = fractions.Fraction
 PIECES = 4  # of [0, 1], of which Gappa takes each by itself: more would gain 4 % and double a proof

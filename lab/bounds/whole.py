@@ -8,9 +8,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import fractions
 
-import dyadic
-import forms
-import weights
+from lab.bounds import dyadic, forms, weights
 
 FAMILY = "bspline"
 

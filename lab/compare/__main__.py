@@ -1,6 +1,6 @@
 """make compare: what evaluates equation (1), on one core of this processor and in hardware.
 
-    python lab/compare [--program PROGRAM] [--output FOLDER]
+    python3 -m lab.compare [--program PROGRAM] [--output FOLDER]
 
 First hwffd-compare makes the scene, times the project's own programs and counts clocks in the RTL of those
 cores that have been routed, and the programs of others follow, all on one processor core, into
@@ -24,13 +24,11 @@ for _variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS"
     os.environ[_variable] = "1"
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[1:1] = [str(ROOT / "lab"), str(ROOT / "tools")]
 
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import joined  # noqa: E402  pylint: disable=wrong-import-position
-import peers  # noqa: E402  pylint: disable=wrong-import-position
-import routed  # noqa: E402  pylint: disable=wrong-import-position
-from results import Missing, RequestError, Results, released  # noqa: E402  pylint: disable=wrong-import-position
+from lab.compare import joined, peers, routed
+from tools import project_root
+from tools.reports.results import Missing, RequestError, Results, released
+from tools.tables import configurations
 
 
 @contextlib.contextmanager
@@ -62,11 +60,17 @@ def own(options, reports):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def with_module():
+    """The environment, in which the module hwffd is that of the build."""
+    more = project_root.environment()
+    return {**more, "PYTHONPATH": os.pathsep.join([str(ROOT / "build" / "api" / "python"), more["PYTHONPATH"]])}
+
+
 def arrays(options):
     """Whole calls of libraries, in processes of their own."""
-    command = [sys.executable, "-B", str(pathlib.Path(__file__).with_name("arrays")),
+    command = [sys.executable, "-B", "-m", "lab.compare.arrays",
                "--points", str(options.points), "--output", str(options.output)]
-    if subprocess.run(command, check=False).returncode:
+    if subprocess.run(command, check=False, env=with_module()).returncode:
         raise joined.CompareError("no figures of whole calls; see the line above")
 
 

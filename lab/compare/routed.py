@@ -4,7 +4,7 @@ reach after place and route.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import netlist
+from tools.synth import netlist
 
 CORE, SYSTEM = "hwffd_stream", "hwffd_axi"
 # By how much clocks of vertices in any order may differ from those of sorted ones, in an

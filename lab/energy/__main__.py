@@ -1,6 +1,6 @@
 """make energy: what a vertex costs in an evaluator of standard cells, by the toggles of its nets.
 
-    python lab/energy [--row ROW ...] [--words PROGRAM] [--output FOLDER]
+    python3 -m lab.energy [--row ROW ...] [--words PROGRAM] [--output FOLDER]
 
 Each row is mapped to a netlist (kept in FOLDER/energy/), which Icarus Verilog simulates with a delay
 in each cell. Its results are compared with the bit-true model; what its nets did in some clocks goes
@@ -15,18 +15,12 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.energy import activity, flat, library, power, row_report, simulation
+from tools import whole_file
+from tools.synth import liberty, synthesis
+from tools.tables import configurations
 
-import activity  # noqa: E402  pylint: disable=wrong-import-position
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import flat  # noqa: E402  pylint: disable=wrong-import-position
-import liberty  # noqa: E402  pylint: disable=wrong-import-position
-import library  # noqa: E402  pylint: disable=wrong-import-position
-import row_report  # noqa: E402  pylint: disable=wrong-import-position
-import power  # noqa: E402  pylint: disable=wrong-import-position
-import simulation  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 DEVICE = "OSU 0.18 um standard cells"
 # Vertices in front, until the evaluator is full, and of whole periods in which it takes them: cg1
@@ -85,7 +79,7 @@ def work_on(options):
     report = {"yosys": work.version, "sta": work.sta_version, "period_ns": power.PERIOD_NS,
               "volts": library.VOLTS, "rows": rows}
     path = options.output / "reports" / "energy.json"
-    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    whole_file.write(path, json.dumps(report, indent=2) + "\n")
     print(f"wrote {path}")
 
 

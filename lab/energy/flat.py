@@ -10,12 +10,11 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from dataclasses import dataclass
 
-import configurations
-import digest
-import liberty
-import library
-import rtl
-import synthesis
+from lab.energy import library
+from tools.project_root import ROOT
+from tools.rtl import digest, rtl_sources
+from tools.synth import liberty, synthesis
+from tools.tables import configurations
 
 MODULE = "ffd_energy_netlist"  # its name, in place of that of the organization
 SOURCE_W = 8  # of ffd_bench_evaluator
@@ -43,7 +42,7 @@ def steps(work, mapped, out):
     """The steps of yosys, to be run in the root."""
     script = [f"{step} -chparam SOURCE_W {SOURCE_W}" if step.startswith("hierarchy ") else step
               for step in work.script(mapped)]
-    return [*script, *rtl.FLATTEN, "splitnets",
+    return [*script, *rtl_sources.FLATTEN, "splitnets",
             "opt_clean -purge", "rename -hide w:* c:*", "rename -enumerate -pattern n% w:*",
             "rename -enumerate -pattern c% c:*", f"rename -top {MODULE}", "check -assert",
             f'write_verilog -noattr "{out}"']
@@ -61,8 +60,8 @@ def made(work, mapped, folder):
         return path
     folder.mkdir(parents=True, exist_ok=True)
     draft, log = path.with_suffix(".draft"), path.with_suffix(".log")
-    status, said = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))],
-                           rtl.ROOT)
+    status, said = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))],
+                                   ROOT)
     log.write_text(said, encoding="utf-8")
     if status:
         raise NetlistError(f"yosys ended with {status}: see {log}")

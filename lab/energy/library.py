@@ -1,4 +1,4 @@
-"""The cells of the liberty file (tools/liberty.py) as the simulator and OpenSTA want them here.
+"""The cells of the liberty file (tools/synth/liberty.py) as the simulator and OpenSTA want them here.
 
 The simulator gets a model of each cell, its function with a delay. OpenSTA gets a copy of the library
 that lets toggles be given cell by cell: Debian's (2.0.17, of 2019) takes activities of input ports

@@ -9,10 +9,9 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from dataclasses import dataclass
 
-import flat
-import library
-import rtl
-import timing
+from lab.energy import flat, library
+from tools.rtl import rtl_sources
+from tools.synth import timing
 
 PERIOD_NS = timing.PERIOD_NS
 CLOCK = "clk"
@@ -74,7 +73,7 @@ def run(netlist, toggles, files, folder):
     """The Power for some toggles."""
     path = folder / "power.tcl"
     path.write_text(script(netlist, toggles, files), encoding="utf-8")
-    status, said = rtl.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)])
+    status, said = rtl_sources.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)])
     if status:
         raise PowerError(f"{timing.PROGRAM} ended with {status}")
     return parse(said)

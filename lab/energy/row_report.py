@@ -3,9 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import flat
-import power
-import simulation
+from lab.energy import flat, power, simulation
 
 
 class EnergyError(Exception):

@@ -7,9 +7,8 @@ import pathlib
 import re
 from dataclasses import dataclass
 
-import activity
-import power
-import rtl
+from lab.energy import activity, power
+from tools.rtl import rtl_sources
 
 HERE = pathlib.Path(__file__).resolve().parent
 BENCH = "ffd_bench_energy"
@@ -36,7 +35,7 @@ class Run:
 
 def command(command_line, folder, log):
     """Raises SimulationError where a program fails."""
-    status, said = rtl.run(list(map(str, command_line)), folder)
+    status, said = rtl_sources.run(list(map(str, command_line)), folder)
     (folder / log).write_text(said, encoding="utf-8")
     if status:
         raise SimulationError(f"{command_line[0]} ended with {status}: see {folder / log}")

@@ -1,6 +1,6 @@
 """make engines: the recorded commands through engines that share no line of code, and what X does there.
 
-    python lab/engines [--row ROW ...] [--beats N] [--programs FOLDER] [--output FOLDER]
+    python3 -m lab.engines [--row ROW ...] [--beats N] [--programs FOLDER] [--output FOLDER]
 
 Verilator, Icarus Verilog, yosys' CXXRTL and the mapped netlist of an ECP5 are given the same beats,
 and must answer as the bit-true model does. In Icarus everything is X before reset: in hwffd_stream,
@@ -16,19 +16,11 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.engines import answers, axi, icarus, measured, planted, registers, streams
+from tools import command_line, whole_file
+from tools.tables import configurations
 
-import answers  # noqa: E402  pylint: disable=wrong-import-position
-import axi  # noqa: E402  pylint: disable=wrong-import-position
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import icarus  # noqa: E402  pylint: disable=wrong-import-position
-import measured  # noqa: E402  pylint: disable=wrong-import-position
-import planted  # noqa: E402  pylint: disable=wrong-import-position
-import registers  # noqa: E402  pylint: disable=wrong-import-position
-import streams  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # One of each format, of few cells. Programs with a fault are built of the first.
 ROWS = ("basic-fx18-overlapped", "basic-fx32-overlapped", "affine64-fx17-overlapped",
@@ -60,7 +52,7 @@ def work_on(options):
     found = reports(options)
     for name, report in (("engines", found.engines), ("unknowns", found.unknowns)):
         path = options.output / "reports" / f"{name}.json"
-        synthesis.write(path, json.dumps(report, indent=2) + "\n")
+        whole_file.write(path, json.dumps(report, indent=2) + "\n")
         print(f"wrote {path}")
     return measured.faults(found.engines, found.unknowns)
 
@@ -75,7 +67,7 @@ def main():
     options = parser.parse_args()
     options.row = options.row or list(ROWS)
     options.programs, options.output = options.programs.resolve(), options.output.resolve()
-    return front.measured(parser.prog, lambda: work_on(options), FAULTS)
+    return command_line.measured(parser.prog, lambda: work_on(options), FAULTS)
 
 
 if __name__ == "__main__":

@@ -12,9 +12,9 @@ function(hwffd_cxxrtl library row source)
   file(GLOB headers CONFIGURE_DEPENDS ${HWFFD_RTL_DIR}/*/*.vh)
   add_custom_command(
     OUTPUT ${source_of_row} ${hwffd_BINARY_DIR}/cxxrtl/${library}.h
-    COMMAND ${Python3_EXECUTABLE} -B ${HWFFD_LAB_DIR}/engines/cxxrtl.py ${row} ${source_of_row} --planted ${ARGN}
+    COMMAND ${HWFFD_PYTHON_TOOL} lab.engines.cxxrtl ${row} ${source_of_row} --planted ${ARGN}
     DEPENDS hwffd_of_yosys ${cxxrtl_include}/backends/cxxrtl/cxxrtl.h ${HWFFD_RTL_SOURCES} ${ARGN} ${headers} ${HWFFD_RTL_DIR}/configurations.csv
-            ${HWFFD_LAB_DIR}/engines/cxxrtl.py ${netlist_scripts}/rtl.py
+            ${HWFFD_LAB_DIR}/engines/cxxrtl.py ${hwffd_SOURCE_DIR}/tools/rtl/rtl_sources.py
     COMMENT "Writing ${row} as C++"
     VERBATIM)
   add_library(${library} STATIC EXCLUDE_FROM_ALL ${source_of_row} ${source})

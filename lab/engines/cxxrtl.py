@@ -11,17 +11,16 @@ import pathlib
 import subprocess
 import sys
 
-sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-
-import configurations
-import rtl
-import synthesis
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+from tools.synth import synthesis
+from tools.tables import configurations
 
 
 def steps(row, out, planted=()):
     """The steps of yosys, to be run in the root. planted: sources in place of those of their names."""
     own = {pathlib.Path(path).name: path for path in planted}
-    sources = rtl.Sources()
+    sources = rtl_sources.Sources()
     files = [own.get(pathlib.Path(path).name, path) for path in sources.needed(synthesis.CORE)]
     folders = " ".join(f"-I {folder}" for folder in sources.includes)
     parameters = "".join(f" -chparam {name} {value}" for name, value in row.parameters.items())
@@ -41,10 +40,10 @@ def main():
         row = configurations.find(configurations.read(), options.name)
         options.out.parent.mkdir(parents=True, exist_ok=True)
         commands = "; ".join(steps(row, options.out.resolve(), options.planted))
-        return subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", commands], cwd=rtl.ROOT,
+        return subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", commands], cwd=ROOT,
                               check=False).returncode
     except (configurations.TableError, OSError) as error:
-        print(f"cxxrtl.py: {error}", file=sys.stderr)
+        print(f"cxxrtl: {error}", file=sys.stderr)
         return 1
 
 

@@ -12,8 +12,7 @@ import re
 import time
 from dataclasses import dataclass
 
-import digest
-import rtl
+from tools.rtl import digest, rtl_sources
 
 _END = re.compile(r"^clocks (\d+)\b", re.MULTILINE)
 _FOUND = re.compile(r"^(?:unknown|broken) .*$", re.MULTILINE)
@@ -36,7 +35,7 @@ class Bench:
 
 def command(line, folder, log):
     """What a program says. Raises SimulationError where it fails."""
-    status, said = rtl.run(list(map(str, line)), folder)
+    status, said = rtl_sources.run(list(map(str, line)), folder)
     (folder / log).write_text(said, encoding="utf-8")
     if status:
         raise SimulationError(f"{line[0]} ended with {status}: see {folder / log}")

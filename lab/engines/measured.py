@@ -6,15 +6,14 @@ SPDX-License-Identifier: Apache-2.0
 import sys
 from dataclasses import dataclass, field
 
-import planted
-import streams
+from lab.engines import planted, streams
 
 ICARUS = "icarus"
 # What Icarus simulates besides the sources of hwffd_stream: what of a core, and how.
 OTHERS = {"gates": (streams.TOP, streams.simulate_gates),
           "buses": (streams.AXI_TOP, streams.simulate_in_memory)}
 ECP5 = "ecp5"
-LUT = "lut"  # the fault of its netlist, tools/netlist_fault.py
+LUT = "lut"  # the fault of its netlist, tools/synth/netlist_fault.py
 
 
 def show(what):

@@ -1,7 +1,7 @@
 """Copies of sources with a line changed: faults, which what must find them has to find, and memories
 whose undefined words are X.
 
-    planted.py NAME FOLDER
+    python3 -m lab.engines.planted NAME FOLDER
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -65,7 +65,7 @@ def main():
     try:
         copy(options.name, options.folder)
     except (PlantError, OSError) as error:
-        print(f"planted.py: {error}", file=sys.stderr)
+        print(f"planted: {error}", file=sys.stderr)
         return 1
     return 0
 

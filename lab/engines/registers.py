@@ -7,7 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import re
 
-import rtl
+from tools.rtl import rtl_sources
 
 RESET = "aresetn"  # 0 while it lasts
 RESETS = ("rst", RESET)  # of the modules below a top
@@ -83,7 +83,7 @@ def cleared(free, held, data=()):
 def find(sources, top, parameters, folder):
     """cleared() of a top with its parameters. Raises RegisterError."""
     files = [folder / f"{name}.json" for name in ("tree", "free", "held")]
-    status, said = rtl.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
+    status, said = rtl_sources.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
     if status:
         raise RegisterError(f"yosys: {said.strip().splitlines()[-1]}")
     tree, free, held = (json.loads(path.read_text(encoding="utf-8"))["modules"] for path in files)

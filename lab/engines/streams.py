@@ -8,10 +8,7 @@ import shutil
 import time
 from dataclasses import dataclass
 
-import answers
-import axi
-import icarus
-import unknown
+from lab.engines import answers, axi, icarus, unknown
 
 TOP, BENCH = "hwffd_stream", "ffd_bench_stream"
 AXI_TOP, AXI_BENCH = "hwffd_axi", "ffd_bench_axi"

@@ -10,11 +10,10 @@ import pathlib
 import re
 from dataclasses import dataclass
 
-import icarus
-import netlist
-import planted
-import registers
-import rtl
+from lab.engines import icarus, planted, registers
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+from tools.synth import netlist
 
 HERE = pathlib.Path(__file__).resolve().parent
 WATCH = "ffd_bench_registers"
@@ -62,7 +61,7 @@ class Subject:
 
 def in_sources(subject):
     """The Unknown of the sources. The registers are those of sources without a fault."""
-    sources = rtl.Sources()
+    sources = rtl_sources.Sources()
     found = registers.find(sources, subject.top, subject.row.parameters, subject.folder)
     watch = subject.folder / f"{WATCH}.v"
     bench = subject.bench
@@ -71,7 +70,7 @@ def in_sources(subject):
     copies = subject.copies()
     files = [copies.get(pathlib.Path(path).name, path) for path in sources.needed(subject.top)]
     return subject.simulate((WATCH,), (*files, watch), sources.includes,
-                            sum(map(len, found.values())), (rtl.SIMULATION,))
+                            sum(map(len, found.values())), (rtl_sources.SIMULATION,))
 
 
 def in_gates(subject):
@@ -82,5 +81,5 @@ def in_gates(subject):
         read = re.sub(rf"\S+/{re.escape(name)}\b", str(copy), read)
     steps = "; ".join([read, *mapping[:-1], "dffunmap", "opt_expr", "simplemap", "opt_clean -purge",
                        mapping[-1]])
-    icarus.command(["yosys", "-Q", "-T", "-qq", "-p", steps], rtl.ROOT, subject.folder / "yosys.log")
-    return subject.simulate((), (out,), rtl.Sources().includes, macros=(NETLIST,))
+    icarus.command(["yosys", "-Q", "-T", "-qq", "-p", steps], ROOT, subject.folder / "yosys.log")
+    return subject.simulate((), (out,), rtl_sources.Sources().includes, macros=(NETLIST,))

@@ -4,7 +4,7 @@
     studies/     a module a report: its tables, the figures that follow from it, what is printed
     charts/      a module a picture, the only ones that need matplotlib and pandas
 
-tools/results.py reads reports, tools/text_blocks.py writes and checks the blocks.
+tools/reports/results.py reads reports, tools/reports/text_blocks.py writes and checks the blocks.
 
 SPDX-License-Identifier: Apache-2.0
 """

@@ -1,6 +1,6 @@
 """make figures and what studies print: tables, pictures and the blocks of the texts.
 
-    python -B lab/figures [write [--version VERSION] | check | run NAME,... -- COMMAND | show NAME,...]
+    python3 -m lab.figures [write [--version VERSION] | check | run NAME,... -- COMMAND | show NAME,...]
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -13,14 +13,12 @@ import signal
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab")]
+from lab.figures.modules import CHARTS, MODULES, TEXTS
+from tools import venv_packages
+from tools.reports import results, text_blocks
+from tools.reports.report_modules import printed
 
-import results  # noqa: E402
-import text_blocks  # noqa: E402
-import venv_packages  # noqa: E402
-from figures.modules import CHARTS, MODULES, TEXTS  # noqa: E402
-from report_modules import printed  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def draw(reports, folder, names=None):
@@ -28,7 +26,7 @@ def draw(reports, folder, names=None):
     written = []
     for name, needed in CHARTS.items():
         if (names is None or set(names) & set(needed)) and all(map(reports.has, needed)):
-            written += importlib.import_module(f"figures.charts.{name}").draw(reports, folder)
+            written += importlib.import_module(f"lab.figures.charts.{name}").draw(reports, folder)
     return written
 
 

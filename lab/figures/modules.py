@@ -5,14 +5,13 @@ SPDX-License-Identifier: Apache-2.0
 
 import importlib
 
-import report_modules
-import text_blocks
+from tools.reports import report_modules, text_blocks
 
 STUDIES = ("bench", "bfp", "boards", "bounds", "compare", "coverage", "dma", "embed", "energy", "engines", "formal",
            "mutants", "organizations", "plates", "sim", "soak", "streams", "tangents", "testfloat", "theorems",
            "timelines", "unknowns", "upsets", "words")
 MODULES = {**report_modules.MODULES,
-           **{name: importlib.import_module(f"figures.studies.{name}") for name in STUDIES}}
+           **{name: importlib.import_module(f"lab.figures.studies.{name}") for name in STUDIES}}
 # The texts of the product and of the laboratory.
 TEXTS = (*text_blocks.PATTERNS, "lab/**/*.md")
 # Pictures, a module of charts/ each, and the reports that each is drawn from.

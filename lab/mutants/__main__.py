@@ -1,6 +1,6 @@
 """make mutants: single changes of the RTL, and whether the tests see them.
 
-    python lab/mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
+    python3 -m lab.mutants [--build FOLDER] [--only NAME ...] [--mutants N | --sample] [--seed N]
                            [--report FILE] [-j JOBS]
 
 Of each subject (subjects.csv) yosys changes the netlist in so many places, one at a time, and the tests
@@ -20,17 +20,11 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.mutants import aiger, built, campaign, equivalence, netlist
+from lab.mutants.known import Known
+from tools import command_line, whole_file
 
-import aiger  # noqa: E402  pylint: disable=wrong-import-position
-import built  # noqa: E402  pylint: disable=wrong-import-position
-import campaign  # noqa: E402  pylint: disable=wrong-import-position
-import equivalence  # noqa: E402  pylint: disable=wrong-import-position
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import netlist  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
-from known import Known  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 TABLE = pathlib.Path(__file__).with_name("subjects.csv")
 VERDICTS = ("killed", "equivalent", "undecided", "survived")
@@ -124,7 +118,7 @@ def work_on(options):
              for verdict in ("total", *VERDICTS)}
     report = {**total, "killed_percent": round(score(found), 2), "short": faults, "rows": found}
     path = options.report or ROOT / "build" / "reports" / "mutants.json"
-    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    whole_file.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
           f"{total['undecided']} undecided, {total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
     return faults
@@ -142,7 +136,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    return front.measured(parser.prog, lambda: work_on(options), (built.MutantError,))
+    return command_line.measured(parser.prog, lambda: work_on(options), (built.MutantError,))
 
 
 if __name__ == "__main__":

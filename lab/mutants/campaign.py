@@ -9,8 +9,8 @@ import pathlib
 import subprocess
 import sys
 
-from built import MutantError, link
-from netlist import write
+from lab.mutants.built import MutantError, link
+from lab.mutants.netlist import write
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LEAST, TIMES = 10, 5  # a run may take so many seconds, or so many times what the tests take without a mutant

@@ -8,8 +8,8 @@ import pathlib
 import re
 import subprocess
 
-import aiger
-from netlist import base, yosys
+from lab.mutants import aiger
+from lab.mutants.netlist import base, yosys
 
 # What a memory holds and a multiplier gives stays the same as long as nothing differs that goes in, so a
 # proof may cut them.

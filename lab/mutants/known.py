@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import hashlib
 import json
 
-import pool
+from tools import job_pool
 
 
 class Known:
@@ -24,6 +24,6 @@ class Known:
             self.known[str(number)] = done.result()
             self.path.write_text(json.dumps({"key": self.key, "answers": self.known}))
 
-        pool.run(work, [number for number in numbers if str(number) not in self.known], jobs, ended,
-                 name=lambda number: f"{what} {number}")
+        job_pool.run(work, [number for number in numbers if str(number) not in self.known], jobs, ended,
+                     name=lambda number: f"{what} {number}")
         return {number: self.known[str(number)] for number in numbers}

@@ -15,8 +15,8 @@ import pathlib
 import re
 import subprocess
 
-import rtl
-from built import MutantError
+from lab.mutants.built import MutantError
+from tools.rtl import rtl_sources
 
 CHOICE = "mutant"
 FOR_ONE = 4  # times as many are listed where only some of the modules are asked for
@@ -50,7 +50,7 @@ def _read(root, model, folder):
     values = " ".join(f"-set {name} {value}" for name, value in model.parameters)
     return [f"read_verilog -defer {folders} {' '.join(sources)}",
             *([f"chparam {values} {model.top}"] if values else []),
-            f"hierarchy -check -top {model.top}", "proc", *rtl.FLATTEN, "opt"]
+            f"hierarchy -check -top {model.top}", "proc", *rtl_sources.FLATTEN, "opt"]
 
 
 def yosys(root, path, steps, limit=None):

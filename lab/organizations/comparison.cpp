@@ -108,8 +108,8 @@ Comparison compare(const std::vector<const Configuration*>& rows,
         const Configuration& row = *rows[order[i]];
         const auto count = operators.find(row.name);
         if (count == operators.end()) {
-          throw Error(
-              fmt::format("{}: its operators are not counted: run tools/operators.py", row.name));
+          throw Error(fmt::format(
+              "{}: its operators are not counted: run python3 -m tools.synth.operators", row.name));
         }
         measured[order[i]] = Row{&row, measure(row, share_of(effort, row)), count->second};
       },

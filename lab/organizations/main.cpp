@@ -37,7 +37,7 @@ int carry_out(StudyProgram& program) {
   program.number("--seam-values", seam_values,
                  "components of shared vertices of every row; slow rows: a tenth", 1, 10'000'000);
   program.seed(seed, "vertices and registers");
-  program.app().add_option("--operators", operators, "what tools/operators.py wrote");
+  program.app().add_option("--operators", operators, "what tools/synth/operators.py wrote");
   return program.run([&] {
     if ((vertices - 41) % 120 != 0) {
       throw UsageError("--vertices: expected 41 and a multiple of 120");

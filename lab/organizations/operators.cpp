@@ -27,7 +27,7 @@ std::map<std::string, OperatorCount> read_operators(const std::filesystem::path&
     }
     return counts;
   } catch (const nlohmann::json::exception&) {
-    throw Error(fmt::format("{}: not a count of operators: run tools/operators.py {}",
+    throw Error(fmt::format("{}: not a count of operators: run python3 -m tools.synth.operators {}",
                             file.string(), file.string()));
   }
 }

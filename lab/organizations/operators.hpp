@@ -16,7 +16,7 @@ struct Operators {
   int total() const { return mul + add + 2 * fma; }
 };
 
-/// What tools/operators.py counts in the elaborated design of a row.
+/// What tools/synth/operators.py counts in the elaborated design of a row.
 struct OperatorCount {
   Operators built;
   Operators drawn;     ///< of the form as the paper draws it

@@ -1,6 +1,6 @@
 """make results: all studies, one after the other, on one commit without local changes, for a release.
 
-    python lab/release [--root FOLDER] [--studies FILE]
+    python3 -m lab.release [--root FOLDER] [--studies FILE]
 
 What a study has measured goes to build/results/COMMIT/NAME.json as soon as its command has ended; what is there is not
 measured again. When the last has ended all go to docs/results/VERSION/. The exit status is 1 where a study fails or its
@@ -22,14 +22,12 @@ import subprocess
 import sys
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "lab")]
+from lab.figures.modules import MODULES, missing
+from tools import command_line, whole_file
+from tools.reports import results
+from tools.tables import version
 
-import front  # noqa: E402
-import results  # noqa: E402
-import synthesis  # noqa: E402
-import version  # noqa: E402
-from figures.modules import MODULES, missing  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 STUDIES = pathlib.Path(__file__).with_name("studies.csv")
 # Programs whose versions a result names, with the option that prints them.
@@ -91,21 +89,21 @@ class Release:
         self.known = {}
         if self.target.exists():
             of = results.read(self.target / results.RELEASE).get("commit", "several commits")
-            raise front.Request(f"{results.RELEASED}/{self.version} is there, of {of[:12]}; results of two commits are not "
-                                "mixed: raise VERSION, or remove that folder")
+            raise command_line.Request(f"{results.RELEASED}/{self.version} is there, of {of[:12]}; results of two commits are not "
+                                       "mixed: raise VERSION, or remove that folder")
 
     def git(self, *words):
         done = subprocess.run(["git", "-C", self.root, *words], capture_output=True, text=True, check=False)
         if done.returncode:
-            raise front.Request(f"not a checkout of git: {done.stderr.strip().splitlines()[-1]}")
+            raise command_line.Request(f"not a checkout of git: {done.stderr.strip().splitlines()[-1]}")
         return done.stdout.rstrip("\n")
 
     def clean(self):
         """The commit. Raises front.Request where the tree is not what it says."""
         changed = self.git("status", "--porcelain").splitlines()
         if changed:
-            raise front.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
-                                if changed[1:] else f"the tree has a local change, {changed[0][3:]}: commit it first")
+            raise command_line.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
+                                       if changed[1:] else f"the tree has a local change, {changed[0][3:]}: commit it first")
         return self.git("rev-parse", "HEAD")
 
     def path(self, name):
@@ -117,8 +115,8 @@ class Release:
             return False
         of = results.read(self.path(name)).get("commit")
         if of != self.commit:
-            raise front.Request(f"{self.path(name).relative_to(self.root)} is of commit {str(of)[:12]}, not {self.commit[:12]}: "
-                                "remove it")
+            raise command_line.Request(f"{self.path(name).relative_to(self.root)} is of commit {str(of)[:12]}, not {self.commit[:12]}: "
+                                       "remove it")
         return True
 
     def stamp(self):
@@ -143,7 +141,7 @@ class Release:
                 os.killpg(process.pid, signal.SIGTERM)
                 raise
         if self.clean() != self.commit:
-            raise front.Request(f"another commit is checked out since {command} began: its results are not taken")
+            raise command_line.Request(f"another commit is checked out since {command} began: its results are not taken")
         said = f"see {log.relative_to(self.root)}"
         taken = {}
         for name, report in found:
@@ -154,7 +152,7 @@ class Release:
             if status and not taken[name].get("short"):
                 return f"{command} ended with {status}: {said}"
         for name, content in taken.items():
-            synthesis.write(self.path(name), text_of({**self.stamp(), **content}))
+            whole_file.write(self.path(name), text_of({**self.stamp(), **content}))
         return ""
 
     def lacking(self, name):
@@ -208,7 +206,7 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to measure")
     parser.add_argument("--studies", type=pathlib.Path, default=STUDIES, help="table of studies")
     options = parser.parse_args()
-    return front.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError,))
+    return command_line.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError,))
 
 
 if __name__ == "__main__":

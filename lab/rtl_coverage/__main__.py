@@ -1,6 +1,6 @@
 """make coverage: which lines, branches and bits of the RTL the tests run, and which lines of the C++.
 
-    python lab/rtl_coverage [--build FOLDER] [-j JOBS] [--share N] [--only PATTERN]
+    python3 -m lab.rtl_coverage [--build FOLDER] [-j JOBS] [--share N] [--only PATTERN]
 
 Runs the test programs of a build whose models count. Writes build/reports/coverage.json, and each
 module's source with counts into FOLDER/coverage/annotated/. The exit status is 1 where a module falls
@@ -15,25 +15,18 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.rtl_coverage import annotated, counts as counting, cpp, exclusions, programs, report as reporting
+from tools import command_line, whole_file
 
-import annotated  # noqa: E402  pylint: disable=wrong-import-position
-import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
-import cpp  # noqa: E402  pylint: disable=wrong-import-position
-import exclusions  # noqa: E402  pylint: disable=wrong-import-position
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import programs  # noqa: E402  pylint: disable=wrong-import-position
-import report as reporting  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def annotate(folder, sources, counts, left_out):
     folder.mkdir(parents=True, exist_ok=True)
     for module, places in counting.modules(counts).items():
         if module in sources:
-            synthesis.write(folder / f"{module}.v",
-                            annotated.text(sources[module], places, counts, left_out))
+            whole_file.write(folder / f"{module}.v",
+                             annotated.text(sources[module], places, counts, left_out))
 
 
 def work_on(options):
@@ -56,7 +49,7 @@ def work_on(options):
               "rows": reporting.rows(wanted, counts, left_out), "cpp": cpp.rows(ROOT, build)}
     report["short"] = reporting.faults(report)
     path = ROOT / "build" / "reports" / "coverage.json"
-    synthesis.write(path, json.dumps(report, indent=2) + "\n")
+    whole_file.write(path, json.dumps(report, indent=2) + "\n")
     print(f"wrote {path.relative_to(ROOT)}")
     return report["short"]
 
@@ -69,7 +62,7 @@ def main():
                         help="run one of N parts of each program's tests")
     parser.add_argument("--only", default="*", metavar="PATTERN", help="programs of these names")
     options = parser.parse_args()
-    return front.measured(parser.prog, lambda: work_on(options), (counting.CoverageError,))
+    return command_line.measured(parser.prog, lambda: work_on(options), (counting.CoverageError,))
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import json
 import subprocess
 import sys
 
-from counts import CoverageError
+from lab.rtl_coverage.counts import CoverageError
 
 FOLDERS = ("api", "cores", "geometry", "golden")
 

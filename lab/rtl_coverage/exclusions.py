@@ -10,7 +10,7 @@ SPDX-License-Identifier: Apache-2.0
 import csv
 import re
 
-from counts import KINDS, CoverageError
+from lab.rtl_coverage.counts import KINDS, CoverageError
 
 FIELDS = ["module", "kind", "what", "reason"]
 MODULE = "module"

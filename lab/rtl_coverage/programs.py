@@ -9,9 +9,8 @@ import pathlib
 import subprocess
 import sys
 
-import pool
-from counts import CoverageError
-
+from lab.rtl_coverage.counts import CoverageError
+from tools import job_pool
 
 # It reads probes of rows beyond the tier `cover`, whose models are not built here.
 LEFT_OUT = {"organizations_test"}
@@ -76,7 +75,7 @@ def run(programs, build, folder, jobs, share):
             print(f"coverage: {program.name} fails: see {paths[program].with_suffix('.log')}",
                   file=sys.stderr)
 
-    pool.run(work, programs, jobs, ended, name=lambda program: program.name)
+    job_pool.run(work, programs, jobs, ended, name=lambda program: program.name)
     if failed:
         raise CoverageError(f"{len(failed)} of {len(programs)} programs fail")
     return [path for path in paths.values() if path.exists()]

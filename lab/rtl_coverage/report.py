@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from counts import KINDS, modules
+from lab.rtl_coverage.counts import KINDS, modules
 
 # Percent of each module; of C++ in each folder.
 LEAST = {"line": 100.0, "branch": 100.0, "toggle": 99.0}

@@ -1,8 +1,8 @@
 """make soak: random traffic with seeds that no test has had, for so many hours.
 
-    python lab/soak [--build FOLDER] [--hours H] [--only NAME ...] [--corpus FILE] [-j JOBS]
-    python lab/soak [--build FOLDER] --seed N --part FILE [--only NAME ...] [-j JOBS]
-    python lab/soak [--build FOLDER] --join FILE ... [--corpus FILE]
+    python3 -m lab.soak [--build FOLDER] [--hours H] [--only NAME ...] [--corpus FILE] [-j JOBS]
+    python3 -m lab.soak [--build FOLDER] --seed N --part FILE [--only NAME ...] [-j JOBS]
+    python3 -m lab.soak [--build FOLDER] --join FILE ... [--corpus FILE]
 
 Runs tests that take their traffic from a seed (traffic.csv), one seed after the other, each with all
 kinds, to the end of the seed in which the time is over; first the seeds of the corpus, those that once found a fault. A seed that finds one is added to
@@ -19,15 +19,13 @@ import pathlib
 import sys
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.soak import seeds
+from lab.soak.corpus import Corpus, Kept, traffic
+from lab.soak.runs import Round, SoakError, Sums, one
+from tools import command_line, job_pool
+from tools.synth import report_parts
 
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import parts  # noqa: E402  pylint: disable=wrong-import-position
-import pool  # noqa: E402  pylint: disable=wrong-import-position
-import seeds  # noqa: E402  pylint: disable=wrong-import-position
-from corpus import Corpus, Kept, traffic  # noqa: E402  pylint: disable=wrong-import-position
-from runs import Round, SoakError, Sums, one  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -45,8 +43,8 @@ def run(options, rounds, sums, keep):
                   file=sys.stderr, flush=True)
             keep(Kept(found.round.kind.name, found.round.seed, test))
 
-    pool.run(lambda turn: one(turn, options.build, folder), rounds, options.jobs, ended,
-             name=lambda turn: f"{turn.kind.name}, seed {turn.seed}")
+    job_pool.run(lambda turn: one(turn, options.build, folder), rounds, options.jobs, ended,
+                 name=lambda turn: f"{turn.kind.name}, seed {turn.seed}")
 
 
 def soak(options, kinds, corpus, sums):
@@ -71,23 +69,23 @@ def write_part(options, kinds):
     """One seed. What fails is for who joins."""
     sums, found, start = Sums(), [], time.monotonic()
     run(options, [Round(kind, options.seed) for kind in kinds.values()], sums, found.append)
-    parts.write(options.part, {"seed": options.seed, "hours": hours_since(start), "rows": list(sums.rows.values()),
-                               "found": [dataclasses.asdict(fault) for fault in found]})
+    report_parts.write(options.part, {"seed": options.seed, "hours": hours_since(start), "rows": list(sums.rows.values()),
+                                      "found": [dataclasses.asdict(fault) for fault in found]})
     return 0
 
 
 def join(options, kinds, corpus, sums):
     """Adds up parts, which have a seed each: how many hours they took."""
-    found = parts.read(options.join, ("seed", "hours", "rows", "found"))
+    found = report_parts.read(options.join, ("seed", "hours", "rows", "found"))
     had = sorted(part["seed"] for part in found)
     if len(set(had)) != len(had):
-        raise parts.PartError(f"a seed is in two parts: {' '.join(map(str, had))}")
-    for row in parts.rows(found):
+        raise report_parts.PartError(f"a seed is in two parts: {' '.join(map(str, had))}")
+    for row in report_parts.rows(found):
         sums.add_row(row)
     short = [name for name in kinds if sums.rows.get(name, {"seeds": 0})["seeds"] != len(had)]
     if short:
-        raise parts.PartError(f"not every part has {', '.join(short)}: measure parts with the same --only")
-    for fault in parts.rows(found, "found"):
+        raise report_parts.PartError(f"not every part has {', '.join(short)}: measure parts with the same --only")
+    for fault in report_parts.rows(found, "found"):
         corpus.keep(Kept(**fault))
     seeds.had(options.build, had[-1])
     return round(sum(part["hours"] for part in found), 3)
@@ -105,7 +103,7 @@ def work_on(options):
     report = {"hours": hours, "corpus": len(corpus.kept), "faults": sums.faults,
               "rows": list(sums.rows.values())}
     path = options.output / "reports" / "soak.json"
-    parts.write(path, report)
+    report_parts.write(path, report)
     for row in report["rows"]:
         print(f"soak: {row['traffic']}: {row['seeds']} seeds, {row['tests']} tests, "
               f"{row['failed']} failed, {row['results']} results in {row['clocks']} clocks counted")
@@ -122,12 +120,12 @@ def main():
     parser.add_argument("--corpus", type=pathlib.Path, default=HERE / "corpus.csv", metavar="FILE")
     parser.add_argument("--seed", type=int, metavar="N", help="of a part")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
-    parts.add_options(parser)
+    report_parts.add_options(parser)
     options = parser.parse_args()
     if (options.seed is None) != (options.part is None):
         parser.error("--seed and --part go together")
     options.build, options.output = options.build.resolve(), options.output.resolve()
-    return front.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError, parts.PartError))
+    return command_line.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError, report_parts.PartError))
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import csv
 import pathlib
 from dataclasses import astuple, dataclass, fields
 
-from runs import Kind, SoakError
+from lab.soak.runs import Kind, SoakError
 
 
 @dataclass(frozen=True)

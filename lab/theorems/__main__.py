@@ -1,6 +1,6 @@
 """make theorems: the arithmetic units against what they should compute, for all operands.
 
-    python lab/theorems [--only NAME ...] [--nightly | --quick] [-j JOBS] [--build FOLDER]
+    python3 -m lab.theorems [--only NAME ...] [--nightly | --quick] [-j JOBS] [--build FOLDER]
 
 Each theorem is a unit of rtl/ at every width and latency, an independent specification of it, and a
 planted bug. Writes FOLDER/reports/theorems.json. The exit status is 1 where a theorem is open or its
@@ -15,19 +15,10 @@ import json
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.theorems import fixed, floating, lemmas, powers, prove, seams, solve, words
+from tools import command_line, whole_file
 
-import fixed  # noqa: E402  pylint: disable=wrong-import-position
-import floating  # noqa: E402  pylint: disable=wrong-import-position
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import lemmas  # noqa: E402  pylint: disable=wrong-import-position
-import powers  # noqa: E402  pylint: disable=wrong-import-position
-import prove  # noqa: E402  pylint: disable=wrong-import-position
-import seams  # noqa: E402  pylint: disable=wrong-import-position
-import solve  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
-import words  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS, *seams.THEOREMS,
               *floating.THEOREMS)
@@ -65,7 +56,7 @@ def work_on(options):
               "proved": sum(row["result"] == prove.PROVED for row in rows),
               "refuted": sum(row["negative_control"] == prove.REFUTED for row in rows), "rows": rows}
     path = options.build / "reports" / "theorems.json"
-    synthesis.write(path, json.dumps(report, indent=1) + "\n")
+    whole_file.write(path, json.dumps(report, indent=1) + "\n")
     print(f"theorems: {report['proved']} of {len(rows)} proved, {report['refuted']} planted bugs refuted\n"
           f"wrote {path}")
     return faults
@@ -80,7 +71,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    return front.measured(parser.prog, lambda: work_on(options), (prove.TheoremError,))
+    return command_line.measured(parser.prog, lambda: work_on(options), (prove.TheoremError,))
 
 
 if __name__ == "__main__":

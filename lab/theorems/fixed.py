@@ -5,9 +5,9 @@ Each is compared with docs/numerics.md sections 3 and 10, in words so wide that 
 SPDX-License-Identifier: Apache-2.0
 """
 
-from netlist import Bug
-from prove import Case, Theorem, shared
-from terms import concat, const, either, every, ite, implies
+from lab.theorems.netlist import Bug
+from lab.theorems.prove import Case, Theorem, shared
+from lab.theorems.terms import concat, const, either, every, implies, ite
 
 FIXED, BLOCK = range(8, 33), range(72, 100)
 FORMATS = (*FIXED, *BLOCK)

@@ -9,7 +9,7 @@ SPDX-License-Identifier: Apache-2.0
 
 from dataclasses import dataclass
 
-from terms import concat, const, either, every, ite
+from lab.theorems.terms import concat, const, either, every, ite
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,8 @@ any word that has this; here it is proved of the products themselves.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import terms
-from prove import Lemma
+from lab.theorems import terms
+from lab.theorems.prove import Lemma
 
 
 def _script(names, assumed, claimed):

@@ -12,8 +12,8 @@ import pathlib
 import subprocess
 from dataclasses import dataclass
 
-import rtl
-import terms
+from lab.theorems import terms
+from tools.rtl import rtl_sources
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What holds words, by unit: its outputs are inputs of the unit, any words.
@@ -53,7 +53,7 @@ def _sources(bug, folder):
     if place is None:
         raise TheoremError(f"the planted bug is in {bug.module}, which is not read")
     try:
-        text = rtl.changed(files[place].read_text(encoding="utf-8"), bug.original, bug.mutant, bug.module)
+        text = rtl_sources.changed(files[place].read_text(encoding="utf-8"), bug.original, bug.mutant, bug.module)
     except ValueError as error:
         raise TheoremError(str(error)) from error
     files[place] = folder / f"{bug.module}.v"

@@ -6,10 +6,10 @@ is lost.
 SPDX-License-Identifier: Apache-2.0
 """
 
-from fixed import FIXED, half_up, product
-from netlist import Bug
-from prove import Case, Theorem
-from terms import const, every, ite
+from lab.theorems.fixed import FIXED, half_up, product
+from lab.theorems.netlist import Bug
+from lab.theorems.prove import Case, Theorem
+from lab.theorems.terms import const, every, ite
 
 GUARD = 3     # bits of a power behind a unit
 BEHIND = 6    # bits behind a unit of what a weight is made of

@@ -14,10 +14,8 @@ from concurrent import futures
 from dataclasses import dataclass, field
 from typing import Callable
 
-import netlist
-import solve
-import terms
-from netlist import TheoremError
+from lab.theorems import netlist, solve, terms
+from lab.theorems.netlist import TheoremError
 
 PROVED, REFUTED, OPEN = "proved", "refuted", "open"
 SMALL = 16  # questions that a solver is given at once

@@ -9,12 +9,12 @@ SPDX-License-Identifier: Apache-2.0
 import struct
 from fractions import Fraction
 
-import terms
-from fixed import FIXED, FORMATS, width
-from netlist import Bug
-from prove import Case, Theorem
-from terms import concat, const, every, implies, ite
-from words import FP32, ONE32
+from lab.theorems import terms
+from lab.theorems.fixed import FIXED, FORMATS, width
+from lab.theorems.netlist import Bug
+from lab.theorems.prove import Case, Theorem
+from lab.theorems.terms import concat, const, every, implies, ite
+from lab.theorems.words import FP32, ONE32
 
 FILE = "u_file."  # the coefficients of ffd_eval_poly_pipelined, as any words
 

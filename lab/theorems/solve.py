@@ -1,4 +1,4 @@
-"""Runs a solver on scripts, in a process of its own: `python solve.py SOLVER SCRIPT...`.
+"""Runs a solver on scripts, in a process of its own: `python3 -m lab.theorems.solve SOLVER SCRIPT...`.
 
 Prints a line for each: unsat, sat with a word for each variable, or unknown.
 
@@ -6,11 +6,12 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
 import subprocess
 import sys
 import time
 from importlib import metadata
+
+from tools import project_root
 
 
 def _bitwuzla(path):
@@ -57,8 +58,9 @@ def versions():
 def run(solver, paths, limit):
     """For each script (unsat, sat, unknown or what went wrong, words of a counterexample, seconds of
     processor); the limit, in seconds of the clock, is of them together."""
-    command = [sys.executable, "-B", pathlib.Path(__file__), solver, *paths]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    command = [sys.executable, "-B", "-m", "lab.theorems.solve", solver, *paths]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          env=project_root.environment()) as process:
         try:
             out, said = process.communicate(timeout=limit)
             fault = f"error: {(said.strip().splitlines() or ['nothing said'])[-1]}"

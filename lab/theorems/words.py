@@ -3,12 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-
-import ieee
-from fixed import BLOCK, FIXED, FORMATS, flags, half_up, saturated, total, width
-from netlist import Bug
-from prove import Case, Theorem
-from terms import concat, const, either, every, ite
+from lab.theorems import ieee
+from lab.theorems.fixed import BLOCK, FIXED, FORMATS, flags, half_up, saturated, total, width
+from lab.theorems.netlist import Bug
+from lab.theorems.prove import Case, Theorem
+from lab.theorems.terms import concat, const, either, every, ite
 
 FP32 = 0
 COORDINATE, COEFFICIENT, POINT = 0, 1, 2
@@ -151,8 +150,6 @@ def given_words(unit, p):
         return [], out.eq(ite(given >= (3 << 23), largest, given.zext(32) << 7))
     exact = ite(given.bit(24), given & ~const(1, 25), given)
     return [], out.eq(ieee.rounded(const(0, 1), exact, const(-24, 10)))
-
-
 
 
 def _in():

@@ -1,6 +1,6 @@
 """make upsets: single bits of registers and memories flip while traffic runs, and what becomes of each.
 
-    python lab/upsets [--programs FOLDER] [--designs FOLDER] [--output FOLDER] [--core NAME ...]
+    python3 -m lab.upsets [--programs FOLDER] [--designs FOLDER] [--output FOLDER] [--core NAME ...]
                           [--flips N] [--seed N] [-j JOBS] [--part FILE | --join FILE ...]
 
 Each core of CORES runs N times with a flip in a register and N times with one in a memory, at a bit and
@@ -16,14 +16,12 @@ import argparse
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from lab.upsets import cost, counted
+from lab.upsets.cores import CORES, KINDS
+from tools import command_line
+from tools.synth import report_parts
 
-import cost  # noqa: E402  pylint: disable=wrong-import-position
-import counted  # noqa: E402  pylint: disable=wrong-import-position
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import parts  # noqa: E402  pylint: disable=wrong-import-position
-from cores import CORES, KINDS  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 ROW = "basic-fx18-overlapped"
 FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is
@@ -64,21 +62,21 @@ def measured(options):
 
 def joined(paths):
     """The report of parts that have every core once. Raises PartError."""
-    found = parts.read(paths, ("row", "seed", "rows", "modules", "cost"))
-    rows = parts.rows(found)
+    found = report_parts.read(paths, ("row", "seed", "rows", "modules", "cost"))
+    rows = report_parts.rows(found)
     have = [(row["top"], row["hardened"], row["bits"]) for row in rows]
     if sorted(have) != sorted((*core, kind) for core in CORES.values() for kind in KINDS):
-        raise parts.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: measure a "
-                              f"part of each top, {' and '.join(CORES)}")
-    parts.same(rows, "flips")
-    return {"row": parts.same(found, "row"), "seed": parts.same(found, "seed"), "rows": rows,
-            "modules": parts.rows(found, "modules"), "cost": parts.rows(found, "cost")}
+        raise report_parts.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: measure a "
+                                     f"part of each top, {' and '.join(CORES)}")
+    report_parts.same(rows, "flips")
+    return {"row": report_parts.same(found, "row"), "seed": report_parts.same(found, "seed"), "rows": rows,
+            "modules": report_parts.rows(found, "modules"), "cost": report_parts.rows(found, "cost")}
 
 
 def work_on(options):
     report = joined(options.join) if options.join else measured(options)
     path = options.part or options.output / "reports" / "upsets.json"
-    parts.write(path, report)
+    report_parts.write(path, report)
     print(f"wrote {path}")
     return [] if options.part else faults(report["rows"])
 
@@ -92,12 +90,12 @@ def main():
     parser.add_argument("--flips", type=int, default=FLIPS, help="of each core and kind of bits")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
-    parts.add_options(parser)
+    report_parts.add_options(parser)
     options = parser.parse_args()
     options.core = options.core or list(CORES)
     for name in ("programs", "designs", "output"):
         setattr(options, name, getattr(options, name).resolve())
-    return front.measured(parser.prog, lambda: work_on(options), (counted.UpsetError, parts.PartError))
+    return command_line.measured(parser.prog, lambda: work_on(options), (counted.UpsetError, report_parts.PartError))
 
 
 if __name__ == "__main__":

@@ -7,12 +7,11 @@ import concurrent.futures
 import json
 import tempfile
 
-import configurations
-import counted
-import mapped
-import rtl
-import synthesis
-import variants
+from lab.upsets import counted
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+from tools.synth import mapped_netlist, synthesis, variants
+from tools.tables import configurations
 
 TARGET = "ecp5"
 
@@ -25,14 +24,14 @@ def subject(row, top, hardened):
 def counts(work, one):
     """{field: number} of a core. Raises UpsetError."""
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        status, said = rtl.run(["yosys", "-Q", "-T", "-q", "-p",
-                                "; ".join([*work.script(one), f"json -o {out.name} *"])], work.root)
+        status, said = rtl_sources.run(["yosys", "-Q", "-T", "-q", "-p",
+                                        "; ".join([*work.script(one), f"json -o {out.name} *"])], work.root)
         if status:
             raise counted.UpsetError(f"yosys, {one}: {(said.strip().splitlines() or ['failed'])[-1]}")
-        return mapped.count(TARGET, json.load(out), one.top)
+        return mapped_netlist.count(TARGET, json.load(out), one.top)
 
 
-def rows(row_name, tops, jobs, root=rtl.ROOT):
+def rows(row_name, tops, jobs, root=ROOT):
     """A line for each top, plain and hardened, with the row's own parameters."""
     work = synthesis.Synthesis(root)
     row = configurations.find(configurations.read(), row_name)

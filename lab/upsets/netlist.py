@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A core of which every bit of state can be flipped: its flat netlist with an input a bit.
 
-    netlist.py TOP ROW OUT.v [--parameter NAME=VALUE ...]
+    python3 -m lab.upsets.netlist TOP ROW OUT.v [--parameter NAME=VALUE ...]
 
 yosys reads and flattens the sources. Each bit of a register is then an exclusive or with its bit of
 `upset_register`; a bit of `upset_memory` chooses the memory whose word `upset_address` has its bit
@@ -17,16 +17,15 @@ import re
 import subprocess
 import sys
 
-sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import rtl  # noqa: E402  pylint: disable=wrong-import-position
+from tools.project_root import ROOT, without_blanks
+from tools.rtl import rtl_sources
+from tools.tables import configurations
 
 REGISTERS, MEMORIES, ADDRESS, BIT = "upset_register", "upset_memory", "upset_address", "upset_bit"
 HERE = "upset_here"  # of a memory
 # Verilator gives inputs of more bits than that as words, whatever there is: as C++ wants them.
 WIDE = 96
-PARTS = {path.stem for path in (rtl.ROOT / "rtl" / "common").glob("*.v")}  # modules that others are made of
+PARTS = {path.stem for path in (ROOT / "rtl" / "common").glob("*.v")}  # modules that others are made of
 
 
 class NetlistError(Exception):
@@ -34,7 +33,7 @@ class NetlistError(Exception):
 
 
 def _yosys(steps):
-    done = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=rtl.ROOT, check=False,
+    done = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=ROOT, check=False,
                           capture_output=True, text=True)
     if done.returncode:
         raise NetlistError(f"yosys: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
@@ -43,16 +42,16 @@ def _yosys(steps):
 def flat(top, parameters, out):
     """(The tree of modules, the flat design) as JSON has them: registers are $dff, memories $mem_v2, and
     nothing is optimized away but what nobody reads."""
-    sources = rtl.Sources()
+    sources = rtl_sources.Sources()
     own = pathlib.Path("lab/upsets/ffd_mem_sdp.v")
-    files = [own if pathlib.Path(path).name == own.name else pathlib.Path(path).relative_to(rtl.ROOT)
+    files = [own if pathlib.Path(path).name == own.name else pathlib.Path(path).relative_to(ROOT)
              for path in sources.needed(top)]
-    folders = " ".join(f"-I {pathlib.Path(folder).relative_to(rtl.ROOT)}" for folder in sources.includes)
+    folders = " ".join(f"-I {pathlib.Path(folder).relative_to(ROOT)}" for folder in sources.includes)
     given = "".join(f" -chparam {name} {value}" for name, value in parameters.items())
     tree = out.with_suffix(".tree")
-    _yosys([f"read_verilog {folders} -D {rtl.SIMULATION} {' '.join(map(str, files))}",
+    _yosys([f"read_verilog {folders} -D {rtl_sources.SIMULATION} {' '.join(map(str, files))}",
             f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", f"write_json {tree}",
-            *rtl.FLATTEN, "opt_clean", "memory_collect", "opt_clean", f"write_json {out}"])
+            *rtl_sources.FLATTEN, "opt_clean", "memory_collect", "opt_clean", f"write_json {out}"])
     found = [json.loads(path.read_text(encoding="utf-8")) for path in (tree, out)]
     tree.unlink()
     return found[0]["modules"], found[1]
@@ -166,7 +165,7 @@ class Design:
 def write(top, parameters, out):
     """Writes OUT.v and OUT.json. Raises NetlistError."""
     out = pathlib.Path(out).resolve()
-    out = rtl.without_blanks(out.parent) / out.name
+    out = without_blanks(out.parent) / out.name
     scratch = out.with_suffix(".flat.json")
     modules, design = flat(top, parameters, scratch)
     module = Design(design["modules"][top], Tree(modules, top))
@@ -194,7 +193,7 @@ def main():
         options.out.parent.mkdir(parents=True, exist_ok=True)
         write(options.top, {**row.parameters, **more}, options.out.resolve())
     except (NetlistError, configurations.TableError, OSError, ValueError) as error:
-        print(f"netlist.py: {error}", file=sys.stderr)
+        print(f"netlist: {error}", file=sys.stderr)
         return 1
     return 0
 

@@ -1,6 +1,6 @@
 // ffd_bus_registers: the registers of rtl/bus/registers.csv, from words to the hardware
 //
-// Made from rtl/bus/registers.csv by tools/registers.py; changes here are lost.
+// Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
 //
 // Registers, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
 // a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it

@@ -5,7 +5,7 @@
 // affine/3 (N 64), 12 affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N
 // 32), 16 affine/4 (N 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 19 jacobian/3x3 (N 64), 20
 // jet/3 (N 64), 21 scan/4 (N 16).
-// Made from rtl/organizations.csv by tools/made.py; changes here are lost.
+// Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.

@@ -1,5 +1,5 @@
 // What kind an organization is, by its number.
-// Made from rtl/organizations.csv by tools/made.py; changes here are lost.
+// Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_ORGANIZATIONS_VH
 `define FFD_ORGANIZATIONS_VH

@@ -1,4 +1,4 @@
-// Made from rtl/bus/registers.csv by tools/registers.py; changes here are lost.
+// Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
 // Events of the core and of its buses: bits of ERROR_STATUS (docs/registers.md).
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_EVENTS_VH

@@ -1,4 +1,4 @@
-// Made from rtl/stream/fields.csv by tools/made.py; changes here are lost.
+// Made from rtl/stream/fields.csv by tools/tables/generated_files.py; changes here are lost.
 // Fields of the stream's inner words, bit or range of bits.
 // SPDX-License-Identifier: Apache-2.0
 `ifndef FFD_FIELDS_VH

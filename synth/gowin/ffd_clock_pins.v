@@ -1,4 +1,4 @@
-// ffd_clock_pins: the chain of registers of `make pnr` (tools/scan_chain.py) on a Gowin GW2A.
+// ffd_clock_pins: the chain of registers of `make pnr` (tools/synth/scan_chain.py) on a Gowin GW2A.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

@@ -1,4 +1,4 @@
-// ffd_clock_pins: the chain of registers of `make pnr` (tools/scan_chain.py) on a CrossLink-NX, clocked
+// ffd_clock_pins: the chain of registers of `make pnr` (tools/synth/scan_chain.py) on a CrossLink-NX, clocked
 // by the oscillator of the chip: the router takes no clock from a pin.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

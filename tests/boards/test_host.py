@@ -13,12 +13,11 @@ import time
 import tty
 
 import pytest
-from rtl import ROOT
+
+from synth.boards import host
+from tools.project_root import ROOT
 
 HOST = ROOT / "synth" / "boards" / "host.py"
-sys.path.insert(0, str(HOST.parent))
-
-import host  # noqa: E402
 
 LAST = 1 << 31
 

@@ -8,18 +8,17 @@ import sys
 
 from cocotb.runner import get_results, get_runner
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "tools"))
+from tools.rtl import rtl_sources
 
-import rtl  # noqa: E402
+HERE = pathlib.Path(__file__).resolve().parent
 
 
 def main(vectors, folder):
-    sources = rtl.Sources()
+    sources = rtl_sources.Sources()
     files = [*sources.files.values(), HERE / "hwffd_axi_ids.v"]
     runner = get_runner("icarus")
     runner.build(verilog_sources=files, includes=sources.includes,
-                 defines={rtl.SIMULATION: 1},
+                 defines={rtl_sources.SIMULATION: 1},
                  hdl_toplevel="hwffd_axi_ids", build_args=["-g2005"], build_dir=folder, always=True)
     results = runner.test(hdl_toplevel="hwffd_axi_ids", test_module="test_hwffd_axi",
                           test_dir=HERE, build_dir=folder, extra_env={"VECTORS": vectors},

@@ -9,14 +9,14 @@ SPDX-License-Identifier: Apache-2.0
 import re
 from dataclasses import dataclass
 
-from docs import staging
+from apps.docs import staging
 
 _BLOCK = re.compile(r"(?P<mark>^<!-- (?:run by|not run): [^>]*? -->\n\n?)?"
                     r"(?:^```(?P<language>\w*)\n(?P<fenced>.*?)^```$|(?P<indented>(?:^    [^\n]*\n)+))",
                     re.MULTILINE | re.DOTALL)
 _MARK = re.compile(r"<!-- (run by|not run): (.*?) -->", re.DOTALL)
-_COMMAND = re.compile(r" *(?:[A-Z_]+=\S+ )*(?:hwffd|make|ctest|fusesoc|verilator|cmake|pip|git|head|gtkwave|iceprog|openFPGALoader"
-                      r"|(?:build|scripts|tests|synth)/\S+) ")
+_COMMAND = re.compile(r" *(?:[A-Z_]+=\S+ )*(?:hwffd|make|python3 -m|ctest|fusesoc|verilator|cmake|pip|git|head|gtkwave|iceprog|openFPGALoader"
+                      r"|(?:build|tools|tests|synth)/\S+) ")
 SHOWN = ("", "text", "markdown", "mermaid", "yaml")  # languages of what is no command and no code
 
 

@@ -18,8 +18,9 @@ import tempfile
 import blocks
 import pytest
 import SimpleITK
-from docs import staging
-from rtl import ROOT
+
+from apps.docs import staging
+from tools.project_root import ROOT
 
 BLOCKS = blocks.of_project(ROOT)
 MODELS = pathlib.Path("/usr/share/glmark2/models")

@@ -10,8 +10,9 @@ import subprocess
 import sys
 
 import pytest
-from docs import bindings, doxygen, flowchart, python_reference, reference, staging
-from rtl import ROOT
+
+from apps.docs import bindings, doxygen, flowchart, python_reference, reference, staging
+from tools.project_root import ROOT
 
 HEADER = """#pragma once
 namespace hwffd {
@@ -130,7 +131,7 @@ def site(tmp_path_factory):
         if not shutil.which(program):
             pytest.skip(f"no {program}: run tools/install docs")
     build = tmp_path_factory.mktemp("site")
-    done = subprocess.run([sys.executable, "-B", ROOT / "apps" / "docs", "--build", build], text=True, check=False,
+    done = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", build], text=True, check=False,
                           capture_output=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return build
@@ -157,7 +158,7 @@ def test_dead_links_and_pages_that_no_menu_has_fail(site, tmp_path):
     page = source / "CHANGELOG.md"
     page.write_text(page.read_text() + "".join(f"\n[x]({link})\n" for link in dead))
     (source / "docs" / "unlisted.md").write_text("# Unlisted\n")
-    done = subprocess.run([sys.executable, "-B", ROOT / "apps" / "docs", "--build", tmp_path, "--source", source],
+    done = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", tmp_path, "--source", source],
                           text=True, check=False, capture_output=True)
     assert done.returncode == 1
     for link in dead:

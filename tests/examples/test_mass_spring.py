@@ -5,13 +5,10 @@ Called with the path of the program.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import re
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program import ProgramTest, size_of, vertices  # noqa: E402
+from tests.support.program import ProgramTest, size_of, vertices
 
 FRAMES = 9
 PYRAMID = """v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 2 0

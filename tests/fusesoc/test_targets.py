@@ -12,9 +12,10 @@ import shutil
 import subprocess
 import sys
 
-import configurations
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.tables import configurations
 
 FUSESOC = pathlib.Path(sys.executable).parent / "fusesoc"
 BUILT = ROOT / "build" / "fusesoc"

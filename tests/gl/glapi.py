@@ -4,7 +4,7 @@ error tables; with --output a report of them all.
 
     glapi.py [--output FOLDER] [CLASS...]
 
-Wants the library and the Python module in build/, or in HWFFD_BUILD.
+Wants the library in build/, or in HWFFD_BUILD, and the Python module of the same in PYTHONPATH.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -14,18 +14,13 @@ import pathlib
 import sys
 import unittest
 
-sys.dont_write_bytecode = True
-
-import opengl  # noqa: E402
-
-sys.path.insert(0, str(opengl.BUILD / "api" / "python"))
-
-import test_errors  # noqa: E402
-import test_maps  # noqa: E402
-import test_names  # noqa: E402
-import test_planar  # noqa: E402
-import test_volumes  # noqa: E402
-from report import REPORT  # noqa: E402
+import opengl
+import test_errors
+import test_maps
+import test_names
+import test_planar
+import test_volumes
+from report import REPORT
 
 CLASSES = {name: value for module in (test_maps, test_planar, test_volumes, test_errors, test_names)
            for name, value in vars(module).items() if isinstance(value, type)

@@ -6,12 +6,9 @@ SPDX-License-Identifier: Apache-2.0
 import base64
 import itertools
 import json
-import pathlib
 import struct
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program import ProgramTest  # noqa: E402
+from tests.support.program import ProgramTest
 
 # A tetrahedron and two loose triangles, with texture coordinates, groups and a material.
 MESH = """mtllib solid.mtl

@@ -14,8 +14,8 @@ import re
 import subprocess
 import unittest
 
-from command import FLAT, MESH, CommandTest, triangle_in_gltf
-from program import FAILURE, PROGRAM, USAGE, vertices
+from tests.hwffd.command import FLAT, MESH, CommandTest, triangle_in_gltf
+from tests.support.program import FAILURE, PROGRAM, USAGE, vertices
 
 
 class Command(CommandTest):

@@ -13,7 +13,7 @@ import math
 import struct
 import unittest
 
-from command import CommandTest
+from tests.hwffd.command import CommandTest
 
 
 class Gltf(CommandTest):

@@ -8,8 +8,8 @@ SPDX-License-Identifier: Apache-2.0
 
 import unittest
 
-from command import CommandTest
-from program import FAILURE, USAGE
+from tests.hwffd.command import CommandTest
+from tests.support.program import FAILURE, USAGE
 
 LONGEST_MESSAGE = 200
 

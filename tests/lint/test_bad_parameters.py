@@ -15,12 +15,13 @@ import pathlib
 import re
 import tempfile
 
-import organizations
 import pytest
-import rtl
-from rtl import ROOT
 
-SOURCES = rtl.Sources()
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+from tools.tables import organizations
+
+SOURCES = rtl_sources.Sources()
 TABLE = ROOT / "tests" / "lint" / "bad_parameters.csv"
 TOP = "bad_parameters_top"
 TOOLS = ("verilator", "icarus", "yosys")
@@ -36,11 +37,11 @@ def elaborate(module, assignments):
         top.write_text(f"module {TOP};\n  {module}{parameters} u_dut ();\nendmodule\n")
         files = SOURCES.needed(module) + [str(top)]
         # Open ports are no fault here, and warnings about them would hide what is looked for.
-        verilator = [word for word in rtl.verilator(SOURCES, TOP, files) if word != "-Wall"]
+        verilator = [word for word in rtl_sources.verilator(SOURCES, TOP, files) if word != "-Wall"]
         return {
-            "verilator": rtl.run(verilator + ["-Wno-fatal", "-Wno-lint"]),
-            "icarus": rtl.run([w for w in rtl.icarus(SOURCES, TOP, files) if w != "-Wall"]),
-            "yosys": rtl.run(yosys_hierarchy(files)),
+            "verilator": rtl_sources.run(verilator + ["-Wno-fatal", "-Wno-lint"]),
+            "icarus": rtl_sources.run([w for w in rtl_sources.icarus(SOURCES, TOP, files) if w != "-Wall"]),
+            "yosys": rtl_sources.run(yosys_hierarchy(files)),
         }
 
 
@@ -54,7 +55,7 @@ def yosys_hierarchy(files):
 def guards_of_sources():
     """The name of every guard in the RTL."""
     return {guard for path in SOURCES.files.values()
-            for guard in GUARD.findall(rtl.strip_comments(path.read_text()))}
+            for guard in GUARD.findall(rtl_sources.strip_comments(path.read_text()))}
 
 
 # What no organization takes, where it has the parameter: N above 64, an unknown schedule or folding.

@@ -6,11 +6,11 @@ SPDX-License-Identifier: Apache-2.0
 
 import re
 
-import baseline
-import configurations
 import pytest
-import rtl
-import synthesis
+
+from tools.rtl import rtl_sources
+from tools.synth import baseline, synthesis
+from tools.tables import configurations
 
 ADDER, LUTS = synthesis.Unit("add", 1), {"lut": 500, "lutram": 0, "ff": 32, "dsp": 0, "bram": 0}
 SUBJECTS = [synthesis.Subject(ADDER, "ffd_fp_add", target) for target in synthesis.UNIT_TARGETS]
@@ -82,7 +82,7 @@ def tree(checkout):
 @pytest.fixture
 def run(tree):
     def called(command, *words):
-        status, out, errors = tree.script("synth_baseline", command, "--root", tree.root, *words)
+        status, out, errors = tree.module("tools.synth.synth_baseline", command, "--root", tree.root, *words)
         return status, out.splitlines(), errors.splitlines()
     return called
 
@@ -91,7 +91,7 @@ def run(tree):
 def renewed(tree):
     """The baseline of another yosys says nothing here."""
     path = tree.root / "synth" / "baseline.csv"
-    version = rtl.run(["yosys", "-V"])[1].strip()
+    version = rtl_sources.run(["yosys", "-V"])[1].strip()
     if baseline.read(path)[0] != version:
         work = synthesis.Synthesis(tree.root)
         wanted = [subject for subject in synthesis.subjects(configurations.read(

@@ -7,7 +7,8 @@ left of both after equal registers and equal operators have been merged is one a
 import subprocess
 
 import pytest
-import rtl
+
+from tools.project_root import ROOT
 
 OWN = "synth/ecp5/ffd_fx_block.v"
 CELL = "tb/cells/ecp5/MULT18X18D.v"
@@ -31,7 +32,7 @@ def equal(own, *parameters):
              "opt -full; simplemap t:$dff; opt_merge; opt_clean; wreduce; opt -full; opt_merge; "
              "opt -full; select -assert-count 1 t:*; select -assert-count 1 t:$assert; "
              "sat -prove-asserts -verify joined")
-    done = subprocess.run(["yosys", "-Q", "-T", "-p", steps], cwd=rtl.ROOT, text=True,
+    done = subprocess.run(["yosys", "-Q", "-T", "-p", steps], cwd=ROOT, text=True,
                           capture_output=True, check=False)
     left_over = "select -assert-count 1 t:*" in done.stderr or "Assertion failed" in done.stderr
     assert done.returncode == 0 or left_over, done.stdout[-2000:] + done.stderr
@@ -41,11 +42,11 @@ def equal(own, *parameters):
 @pytest.mark.parametrize("width", (3, 12, 18))
 @pytest.mark.parametrize("before, behind", ((0, 0), (0, 1), (1, 1), (2, 1), (1, 2), (2, 3)))
 def test_a_block_of_ecp5_is_the_module_of_the_rtl(width, before, behind):
-    assert equal(rtl.ROOT / OWN, width, before, behind)
+    assert equal(ROOT / OWN, width, before, behind)
 
 
 def test_wider_products_are_left_to_the_synthesis():
-    assert equal(rtl.ROOT / OWN, 20, 1, 1)
+    assert equal(ROOT / OWN, 20, 1, 1)
 
 
 @pytest.mark.parametrize("right, wrong", (
@@ -55,7 +56,7 @@ def test_wider_products_are_left_to_the_synthesis():
     (".P17(block_p[17])", ".P17(block_p[16])"),
     ("BEFORE - 1 : BEFORE", "BEFORE : BEFORE")))
 def test_faults_are_found(tmp_path, right, wrong):
-    text = (rtl.ROOT / OWN).read_text()
+    text = (ROOT / OWN).read_text()
     assert text.count(right) == 1
     faulty = tmp_path / "ffd_fx_block.v"
     faulty.write_text(text.replace(right, wrong))

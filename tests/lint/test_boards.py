@@ -1,4 +1,4 @@
-"""tools/boards with stand-ins for yosys, routers and packers: what they are given, what is
+"""tools.synth.bitstreams with stand-ins for yosys, routers and packers: what they are given, what is
 reported, refused and failed; and the pins and rates of the real table.
 
 SPDX-License-Identifier: Apache-2.0
@@ -9,10 +9,11 @@ import os
 import re
 import sys
 
-import boards
-import configurations
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.synth import boards
+from tools.tables import configurations
 
 STAND_IN = """\
 #!{python}
@@ -63,8 +64,7 @@ def stand_in(checkout):
 def run(checkout, stand_in):
     def called(*words, path="", seed="1"):
         path = path or f"{checkout.root}/bin{os.pathsep}{os.environ['PATH']}"
-        status, out, errors = checkout.script(
-            "boards", "--root", checkout.root, *words, *(["--seed", seed] if seed else []),
+        status, out, errors = checkout.module("tools.synth.bitstreams", "--root", checkout.root, *words, *(["--seed", seed] if seed else []),
             env={**os.environ, "PATH": path})
         return status, [line for line in out.splitlines() if not re.match(
             r"\[\d+/\d+\] |boards: \d+ rows", line)], errors.splitlines()

@@ -5,9 +5,11 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import re
+import shutil
 
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
 
 SHOW = """for word; do printf '<%s>' "$word"; done"""
 
@@ -83,7 +85,7 @@ def test_synth(make, programs):
 
 
 def test_structure_and_help(make, programs):
-    programs(tools__structure=f"printf structure; {SHOW}; echo")
+    programs(tools__synth__structure=f"printf structure; {SHOW}; echo")
     assert make("structure", "JOBS=3")[1][1:] == ["structure<-j><3>"]
     assert any("make test-all" in line for line in make()[1])
 
@@ -101,10 +103,10 @@ def test_a_wrong_word_is_refused_before_anything_is_built(make, words, complaint
     ("FORMAT=fp16", "FORMAT=fp16: unknown here: one of fp32"), ("ORG=foo", "ORG=foo: unknown here: one of basic"),
     ("SCHEDULE=x", "SCHEDULE=x: unknown here: one of paper, overlapped")))
 def test_a_row_that_is_not_there_is_refused_before_anything_is_built(make, checkout, word, complaint):
-    checkout.copy("rtl", "tools/configurations.py")
-    for script in (ROOT / "tools").glob("*.py"):
-        checkout.copy(f"tools/{script.name}")
-    checkout.copy("VERSION")
+    shutil.rmtree(checkout.root / "tools" / "tables")
+    checkout.copy("rtl", "VERSION", "tools/tables", "tools/rtl")
+    for module in (ROOT / "tools").glob("*.py"):
+        checkout.copy(f"tools/{module.name}")
     status, lines, errors = make("sim", word)
     assert status == 2 and complaint in errors
     assert not any(line.startswith("cmake") for line in lines)
@@ -240,4 +242,4 @@ def test_old_verilator(install, programs, version, status):
 
 
 def test_fresh_knows_every_target(checkout):
-    assert checkout.script("fresh", "no-target") == (2, "", "fresh: not known here: no-target\n")
+    assert checkout.module("tools.checks.fresh_machine", "no-target") == (2, "", "fresh: not known here: no-target\n")

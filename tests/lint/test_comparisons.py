@@ -9,7 +9,8 @@ SPDX-License-Identifier: Apache-2.0
 import subprocess
 
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
 
 # Targets, and where yosys has their cells.
 CELLS = {"ecp5": "ecp5", "gatemate": "gatemate", "gowin": "gowin", "gw5a": "gowin", "hx8k": "ice40",

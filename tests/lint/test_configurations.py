@@ -1,4 +1,4 @@
-"""tools/configurations.py: what it reads, writes and refuses.
+"""tools/tables/configurations.py: what it reads, writes and refuses.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -6,7 +6,8 @@ SPDX-License-Identifier: Apache-2.0
 import os
 import re
 
-import configurations
+from tools.tables import configurations
+
 import pytest
 
 HEADER = ",".join(configurations.COLUMNS)
@@ -68,7 +69,7 @@ def script(checkout):
         if text is not None:
             checkout.put({"table.csv": text})
         table = checkout.root / "table.csv"
-        return checkout.script("configurations.py", "--table", table, *arguments)
+        return checkout.module("tools.tables.configurations", "--table", table, *arguments)
     return run
 
 
@@ -169,7 +170,7 @@ def test_selection(script):
     assert script("list", "--n", "4", "--format", "fx18", text=ROWS)[1] == "good-row\n"
     status, _, error = script("list", "--n", "3")
     assert status == 1
-    assert re.search(r"^configurations.py: N=3: unknown here: one of [0-9, ]+\n$", error)
+    assert re.search(r"^configurations: N=3: unknown here: one of [0-9, ]+\n$", error)
 
 
 def test_the_factory_has_the_rows_asked_for(checkout, script):

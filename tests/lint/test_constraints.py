@@ -6,14 +6,14 @@ SPDX-License-Identifier: Apache-2.0
 import re
 import shutil
 
-import liberty
-import module_header
 import pytest
-import rtl
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.rtl import module_header, rtl_sources
+from tools.synth import liberty
 
 FOLDER = ROOT / "synth" / "constraints"
-TOPS = [module_header.read(rtl.Sources(), top) for top in ("hwffd_stream", "hwffd_axi")]
+TOPS = [module_header.read(rtl_sources.Sources(), top) for top in ("hwffd_stream", "hwffd_axi")]
 XDC = {"set", "create_clock", "set_input_delay", "set_output_delay", "set_false_path"}
 
 STA = """\
@@ -78,7 +78,7 @@ def sta(checkout):
             "top.sdc": re.sub(without, "", (FOLDER / "osu018.sdc").read_text()),
             "run.tcl": STA.format(liberty=liberty.PATH, netlist="top.v", top=top.name,
                                   period=period, ends=ends, sdc="top.sdc")})
-        return rtl.run(["sta", "-no_splash", "-exit", "run.tcl"], checkout.root)[1]
+        return rtl_sources.run(["sta", "-no_splash", "-exit", "run.tcl"], checkout.root)[1]
     return run
 
 
@@ -113,12 +113,12 @@ def test_nextpnr_constrains_the_clock(checkout, command, name, flip_flop, mhz):
     checkout.put({"top.v": "module top (input aclk, input d, output reg q);\n"
                            "  always @(posedge aclk) q <= d;\nendmodule\n"})
     checkout.copy(f"synth/constraints/{name}")  # a router from PyPI sees the folder it runs in
-    status, output = rtl.run(["yosys", "-q", "-p", f"read_verilog top.v; {flip_flop} -top top "
-                              "-json top.json"], checkout.root)
+    status, output = rtl_sources.run(["yosys", "-q", "-p", f"read_verilog top.v; {flip_flop} -top top "
+                                      "-json top.json"], checkout.root)
     assert status == 0, output
     kind = name.split(".")[1]
-    status, output = rtl.run([tool, *command[1:], "--json", "top.json", f"--{kind}",
-                              f"synth/constraints/{name}", f"--{kind}-allow-unconstrained"],
-                             checkout.root)
+    status, output = rtl_sources.run([tool, *command[1:], "--json", "top.json", f"--{kind}",
+                                      f"synth/constraints/{name}", f"--{kind}-allow-unconstrained"],
+                                     checkout.root)
     assert status == 0, output
     assert re.findall(r"constraining clock net 'aclk' to ([\d.]+) MHz", output) == [mhz]

@@ -9,7 +9,8 @@ import re
 from collections import Counter
 
 import pytest
-import rtl
+
+from tools.rtl import rtl_sources
 
 WIDTH = 8
 ATTRIBUTE = re.compile(r"\(\*(?!\)).*?\*\)")
@@ -20,13 +21,13 @@ TARGETS = {"ecp5": ("synth_ecp5 -nowidelut", "TRELLIS_FF"), "ice40": ("synth_ice
 def registers(folder, module, parameters, target, words):
     """How many flip-flops of that kind a target's flow makes of it, with or without its attributes."""
     script, cell = TARGETS[target]
-    sources, files = rtl.Sources(), []
-    for path in map(rtl.pathlib.Path, sources.needed(module)):
+    sources, files = rtl_sources.Sources(), []
+    for path in map(rtl_sources.pathlib.Path, sources.needed(module)):
         text = path.read_text()
         files.append(folder / path.name)
         files[-1].write_text(text if words else ATTRIBUTE.sub("", text))
     netlist = folder / "netlist.json"
-    status, said = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join([
+    status, said = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join([
         "read_verilog " + "".join(f"-I {path} " for path in sources.includes) + " ".join(map(str, files)),
         f"hierarchy -check -top {module}" + "".join(f" -chparam {word}" for word in parameters),
         f"{script} -top {module}", "setattr -mod -unset keep_hierarchy *",

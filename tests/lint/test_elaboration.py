@@ -5,7 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import elaboration
+from tools.rtl import elaboration
 
 TOP = """\
 module top #(parameter WIDE = 0) (input clk, input [3:0] a, output reg [3:0] q);
@@ -71,5 +71,5 @@ def test_a_design_is_elaborated_once(tmp_path, monkeypatch):
     design = elaboration.Design(f"read_verilog {' '.join(FILES)}", "hierarchy -top top", "sources")
     found.prepare([design, design], 2)
     first = found.key(design)
-    monkeypatch.setattr(elaboration.rtl, "run", None)
+    monkeypatch.setattr(elaboration.rtl_sources, "run", None)
     assert found.key(design) == first != "sources"

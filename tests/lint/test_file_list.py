@@ -8,8 +8,9 @@ import shutil
 import subprocess
 
 import pytest
-import rtl
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
 
 USER = """{unit}
 module user_top (input wire clk, input wire rst, output wire idle);
@@ -69,8 +70,8 @@ def test_icarus_takes_what_file_list_prints(checkout, folder, unit):
 
 def test_what_file_list_prints_is_the_list():
     said = subprocess.run([ROOT / "rtl" / "file_list"], cwd="/", text=True, stdout=subprocess.PIPE, check=True)
-    wanted = [f"+incdir+{ROOT}/rtl/{name}" for name in rtl.read_include_folders(ROOT / "rtl" / "hwffd.f")]
-    wanted += [f"{ROOT}/rtl/{name}" for name in rtl.read_file_list(ROOT / "rtl" / "hwffd.f")]
+    wanted = [f"+incdir+{ROOT}/rtl/{name}" for name in rtl_sources.read_include_folders(ROOT / "rtl" / "hwffd.f")]
+    wanted += [f"{ROOT}/rtl/{name}" for name in rtl_sources.read_file_list(ROOT / "rtl" / "hwffd.f")]
     assert len(wanted) > 100
     assert said.stdout.splitlines() == wanted
 

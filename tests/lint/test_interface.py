@@ -6,12 +6,9 @@ SPDX-License-Identifier: Apache-2.0
 
 import re
 
-import module_header
-import register_texts
-import registers
-import rtl
-import stream_words
-from rtl import ROOT
+from tools.project_root import ROOT
+from tools.rtl import module_header, rtl_sources
+from tools.tables import register_texts, registers, stream_words
 
 PAGE = (ROOT / "docs" / "interface.md").read_text()
 LAST_OF_STREAM, FIRST_OF_DMA, FIRST_TIMEOUT, FIRST_NEWER = "saturated", "dma_zero", "timeout_ar", "page_points"
@@ -31,7 +28,7 @@ def names():
 def test_every_event_has_a_row():
     of_all = names()
     stream = of_all[:of_all.index(FIRST_OF_DMA)] + of_all[of_all.index(FIRST_NEWER):]
-    ports = {port.name: port.width for port in module_header.read(rtl.Sources(), "hwffd_stream").ports}
+    ports = {port.name: port.width for port in module_header.read(rtl_sources.Sources(), "hwffd_stream").ports}
     assert stream[of_all.index(LAST_OF_STREAM)] == LAST_OF_STREAM
     assert rows("5. Bad input", "bit") == [str(bit) for bit in range(len(stream))]
     assert ports["event_o"] == len(stream)

@@ -1,4 +1,4 @@
-"""tools/liberty.py reads the cells of a library, and agrees with yosys on those of OSU 0.18 um.
+"""tools/synth/liberty.py reads the cells of a library, and agrees with yosys on those of OSU 0.18 um.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -6,9 +6,10 @@ SPDX-License-Identifier: Apache-2.0
 import pathlib
 import re
 
-import liberty
 import pytest
-import rtl
+
+from tools.rtl import rtl_sources
+from tools.synth import liberty
 
 TEXT = """\
 library(small) {
@@ -55,7 +56,7 @@ def test_areas_are_those_that_yosys_reads(tmp_path):
     cells, source = liberty.cells(), tmp_path / "top.v"
     source.write_text("module top;\n" + "".join(f"  {name} u_{name} ();\n" for name in cells)
                       + "endmodule\n")
-    status, output = rtl.run(["yosys", "-Q", "-T", "-p", (
+    status, output = rtl_sources.run(["yosys", "-Q", "-T", "-p", (
         f"read_liberty -lib {liberty.PATH}; read_verilog {source}; "
         f"hierarchy -check -top top; stat -liberty {liberty.PATH}")])
     assert status == 0, output

@@ -8,7 +8,8 @@ import json
 from collections import Counter
 
 import pytest
-import rtl
+
+from tools.rtl import rtl_sources
 
 MEMORY = "ffd_mem_sdp"
 
@@ -17,8 +18,8 @@ MEMORY = "ffd_mem_sdp"
 def test_a_registered_read_is_block_memory_and_nothing_else(tmp_path, width, depth, blocks):
     """A block of ECP5 has 512 words of 36 bits."""
     netlist = tmp_path / "netlist.json"
-    status, output = rtl.run(["yosys", "-Q", "-T", "-p", "; ".join([
-        "read_verilog -nosynthesis " + " ".join(rtl.Sources().needed(MEMORY)),
+    status, output = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join([
+        "read_verilog -nosynthesis " + " ".join(rtl_sources.Sources().needed(MEMORY)),
         f"hierarchy -check -top {MEMORY} -chparam WIDTH {width} -chparam DEPTH {depth}",
         f"synth_ecp5 -top {MEMORY} -json {netlist}"])])
     assert status == 0, output[-2000:]

@@ -10,7 +10,8 @@ import random
 import subprocess
 
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
 
 SCRIPT, MAP = ROOT / "synth/gw5a.ys", ROOT / "synth/gw5a/multiplier.map"
 MODEL = ROOT / "tb/cells/gw5a/MULTALU27X18.v"

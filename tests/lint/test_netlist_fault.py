@@ -1,4 +1,4 @@
-"""tools/netlist_fault.py: one LUT of the unit is inverted, nothing else; where there is none it
+"""tools/synth/netlist_fault.py: one LUT of the unit is inverted, nothing else; where there is none it
 says so.
 
 SPDX-License-Identifier: Apache-2.0
@@ -20,7 +20,7 @@ def spoil(checkout):
     """Exit status, complaints, the copy or None."""
     def spoiled(text):
         checkout.put({"good.v": text})
-        status, _, errors = checkout.script("netlist_fault.py", "good.v", "fault.v")
+        status, _, errors = checkout.module("tools.synth.netlist_fault", "good.v", "fault.v")
         return status, errors.splitlines(), (
             checkout.text("fault.v") if (checkout.root / "fault.v").exists() else None)
     return spoiled

@@ -6,7 +6,8 @@ SPDX-License-Identifier: Apache-2.0
 import json
 import re
 
-import operators
+from tools.synth import operators
+
 import pytest
 
 STATISTICS = """
@@ -92,7 +93,7 @@ COUNTED = (
 
 @pytest.mark.parametrize("org, name, built, drawn, evaluators", COUNTED)
 def test_known_organizations(checkout, org, name, built, drawn, evaluators):
-    status, _, errors = checkout.script("operators.py", "out", "--org", org, "--format", name.split("-")[1])
+    status, _, errors = checkout.module("tools.synth.operators", "out", "--org", org, "--format", name.split("-")[1])
     assert (status, errors) == (0, "")
     assert json.loads(checkout.text("out"))[name] == {
         "operators": dict(zip(operators.KINDS, (*built, 0))),
@@ -100,6 +101,6 @@ def test_known_organizations(checkout, org, name, built, drawn, evaluators):
 
 
 def test_unknown_rows_are_one_line(checkout):
-    status, _, errors = checkout.script("operators.py", "unused", "--org", "none")
+    status, _, errors = checkout.module("tools.synth.operators", "unused", "--org", "none")
     assert status == 1
-    assert re.search(r"^operators.py: ORG=none: unknown here: one of basic, .*\n$", errors)
+    assert re.search(r"^operators: ORG=none: unknown here: one of basic, .*\n$", errors)

@@ -3,12 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import configurations
-import organization_rtl
-import organizations
 import pytest
-from rtl import ROOT
-from tables import TableError
+
+from tools.csv_table import TableError
+from tools.project_root import ROOT
+from tools.tables import configurations, organization_rtl, organizations
 
 HEADER = ",".join(organizations.COLUMNS)
 # Software reads these in CONFIG.org: a core of any version has them.

@@ -1,4 +1,4 @@
-"""tools/pnr with stand-ins for yosys and the router: what is routed, kept, reported and refused;
+"""tools.synth.pnr with stand-ins for yosys and the router: what is routed, kept, reported and refused;
 and the real table of clocks.
 
 SPDX-License-Identifier: Apache-2.0
@@ -9,12 +9,11 @@ import os
 import re
 import sys
 
-import configurations
-import nextpnr
-import placement
 import pytest
-import synthesis
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.synth import nextpnr, placement, synthesis
+from tools.tables import configurations
 
 # A clock by seed; the measure is routed at 100, 101 and 102 MHz.
 STAND_IN = """\
@@ -108,8 +107,7 @@ def pnr(tree, stand_in):
     """Exit status, complaints, programs that ran."""
     def run(*words):
         tree.put({"ran": ""})
-        status, _, errors = tree.script(
-            "pnr", "--root", tree.root, "-j1", *words,
+        status, _, errors = tree.module("tools.synth.pnr", "--root", tree.root, "-j1", *words,
             env={**os.environ, "PATH": f"{tree.root}/bin{os.pathsep}{os.environ['PATH']}"})
         return status, errors.splitlines(), [json.loads(line)[0]
                                              for line in tree.text("ran").splitlines()]

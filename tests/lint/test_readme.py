@@ -7,10 +7,9 @@ SPDX-License-Identifier: Apache-2.0
 import re
 import subprocess
 
-import configurations
-import module_header
-import rtl
-from rtl import ROOT
+from tools.project_root import ROOT
+from tools.rtl import module_header, rtl_sources
+from tools.tables import configurations
 
 README = (ROOT / "README.md").read_text()
 (VERILOG,) = re.findall(r"^```verilog\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
@@ -40,7 +39,7 @@ def test_verilog_elaborates(checkout):
 def test_verilog_is_the_row_that_it_says():
     (row,) = set(re.findall(r"the row\s+`([\w-]+)`", README))
     given = {name: int(value) for name, value in re.findall(r"\.([A-Z_]+)\((\d+)\)", VERILOG)}
-    defaults = module_header.read(rtl.Sources(), "hwffd_stream").parameters
+    defaults = module_header.read(rtl_sources.Sources(), "hwffd_stream").parameters
     wanted = configurations.find(configurations.read(), row).parameters
     assert {**defaults, **given, **wanted} == {**defaults, **given}
 

@@ -4,14 +4,11 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pytest
-import report_modules
-import report_samples as samples
-import synth_tables
-import tests_tables
-import text_blocks
-import throughput
-from results import Results
-from text_table import Table
+
+from tests.support import report_samples as samples
+from tools.reports import report_modules, synth_tables, tests_tables, text_blocks, throughput
+from tools.reports.results import Results
+from tools.reports.text_table import Table
 
 
 @pytest.fixture
@@ -140,8 +137,8 @@ def test_what_ctest_wrote(checkout, reports):
 def test_reports_that_are_shown(checkout, reports):
     reports(glapi={"calls": 3, "failed_checks": 0, "commands": [
         {"command": "glX", "cases": 12, "compared": 4, "failed": 0}]})
-    status, out, errors = checkout.script("show_report", "--root", checkout.root, "glapi")
+    status, out, errors = checkout.module("tools.reports.show", "--root", checkout.root, "glapi")
     assert (status, errors) == (0, "")
     assert out.startswith("3 calls checked by their values") and "glX" in out
-    status, out, errors = checkout.script("show_report", "--root", checkout.root, "web")
+    status, out, errors = checkout.module("tools.reports.show", "--root", checkout.root, "web")
     assert (status, out, errors) == (1, "", "show_report: build/reports/web.json is not there\n")

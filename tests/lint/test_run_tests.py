@@ -1,4 +1,4 @@
-"""tools/run_tests names what was skipped, before ctest's closing lines: with a stand-in for ctest.
+"""tools.checks.run_tests names what was skipped, before ctest's closing lines: with a stand-in for ctest.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -23,7 +23,7 @@ def run(checkout):
         checkout.put({"tests.xml.given": f"<testsuite>{text}</testsuite>"})
         checkout.put({"ctest": CTEST}, 0o755)
         environment = {"PATH": "/usr/bin:/bin", **variables}
-        status, out, errors = checkout.script("run_tests", "tests.xml", "./ctest", env=environment)
+        status, out, errors = checkout.module("tools.checks.run_tests", "tests.xml", "./ctest", env=environment)
         assert errors == ""
         assert out.endswith(CLOSING) and out.startswith("1/4 Test #1: a ... Passed\n")
         assert out.endswith(checkout.text("tests.closing"))

@@ -5,15 +5,12 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import sys
-from importlib.machinery import SourceFileLoader
-from types import ModuleType
 
-import hierarchy
 import pytest
-from rtl import ROOT
 
-structure = ModuleType("structure")
-SourceFileLoader("structure", str(ROOT / "tools" / "structure")).exec_module(structure)
+from tools.project_root import ROOT
+from tools.synth import hierarchy, structure
+
 
 
 def cells(**numbers):
@@ -75,10 +72,10 @@ def test_a_row_of_the_table(checkout, monkeypatch):
     for module, number in (("ffd_eval_poly", 3), ("ffd_num_step", 9)):
         assert modules[module]["instances"] == number
     assert modules["ffd_num_step"]["folder"] == "number"
-    # What tools/operators.py counts: nine steps, two products of weights, three terms.
+    # What tools/synth/operators.py counts: nine steps, two products of weights, three terms.
     assert modules["ffd_org_select"]["dsp"] == 14
 
 
 def test_a_fault_is_one_line(checkout):
-    status, _, errors = checkout.script("structure", "--root", checkout.root)
+    status, _, errors = checkout.module("tools.synth.structure", "--root", checkout.root)
     assert (status, errors.count("\n")) == (1, 1)

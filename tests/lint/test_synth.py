@@ -1,4 +1,4 @@
-"""tools/synth on a small copy of the tree: what it runs, refuses, keeps and reports. Faults in
+"""tools.synth on a small copy of the tree: what it runs, refuses, keeps and reports. Faults in
 the RTL meet yosys itself; where only the bookkeeping is of interest, a stand-in takes its place.
 
 SPDX-License-Identifier: Apache-2.0
@@ -13,15 +13,12 @@ import subprocess
 import sys
 import time
 
-import configurations
-import liberty
 import pytest
-import selection
-import synthesis
-import tables
-import timing
-import variants
-from rtl import ROOT
+
+from tools import csv_table
+from tools.project_root import ROOT
+from tools.synth import liberty, selection, synthesis, timing, variants
+from tools.tables import configurations
 
 HAS_CELLS = liberty.PATH.is_file() and shutil.which(timing.PROGRAM)
 
@@ -78,9 +75,8 @@ open(re.search(r"json -o (\\S+)", script).group(1), "w").write(json.dumps({{"mod
 """
 LIST = """
 import pathlib, sys
-sys.path.insert(0, sys.argv[1])
-import synthesis
-root = pathlib.Path(sys.argv[2])
+from tools.synth import synthesis
+root = pathlib.Path(sys.argv[1])
 work = synthesis.Synthesis(root)
 print(*(work.file(subject).name for subject in synthesis.of_checkout(root)))
 """
@@ -134,7 +130,7 @@ class Tree:
         return {**os.environ, "PATH": self.path, "HWFFD_OSU018": self.library}
 
     def command(self, *words):
-        return [sys.executable, "-B", ROOT / "tools" / "synth", "--root", self.root, *words]
+        return [sys.executable, "-B", "-m", "tools.synth", "--root", self.root, *words]
 
     def synth(self, *words):
         status, out, errors = self.run(*self.command(*words), env=self.environment)
@@ -158,7 +154,7 @@ class Tree:
 
     def keys(self):
         """The results that are wanted of the tree as it is."""
-        return set(self.run(sys.executable, "-B", "-c", LIST, ROOT / "tools", self.root,
+        return set(self.run(sys.executable, "-B", "-c", LIST, self.root,
                             env=self.environment)[1].split())
 
 
@@ -364,7 +360,7 @@ def interrupt(tree, number):
     ("basic-fx18-overlapped,more,hwffd_stream,A=1,-\n" * 2, "is there twice")))
 def test_variants_that_make_no_sense(tree, line, wrong):
     tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n" + line + "\n"})
-    with pytest.raises(tables.TableError, match=wrong):
+    with pytest.raises(csv_table.TableError, match=wrong):
         synthesis.of_checkout(tree.root)
 
 

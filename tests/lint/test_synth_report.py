@@ -3,11 +3,10 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import configurations
-import nextpnr
 import pytest
-import synth_report
-import synthesis
+
+from tools.synth import nextpnr, synth_report, synthesis
+from tools.tables import configurations
 
 CLOCK = {"fmax_mhz": 90.0, "fmax_share": 0.6, "routed": True, "seeds": []}
 

@@ -3,11 +3,9 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import chips
-import configurations
-import placement
-import synthesis
-from rtl import ROOT
+from tools.project_root import ROOT
+from tools.synth import chips, placement, synthesis
+from tools.tables import configurations
 
 
 def test_rows_of_this_tree():

@@ -4,11 +4,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pytest
-import report_modules
-import results
-import text_blocks
-import text_expressions
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.reports import report_modules, results, text_blocks, text_expressions
 
 RUNS = {"model": "cat.3ds", "runs": [
     {"org": "basic", "format": "fp32", "deform": "twist:90", "max_error": 1.5994e-07, "checked": 7340,
@@ -143,7 +141,7 @@ def test_a_text_that_differs_is_named_and_written(checkout, blocks):
     checkout.put({"README.md": text.replace("{}", "1.61e-07")})
     count, (line,) = blocks.check()
     assert count == 1
-    assert line == "README.md:6: not what the results say: 'at most 1.61e-07', 'at most 1.60e-07' wanted: tools/write_blocks"
+    assert line == "README.md:6: not what the results say: 'at most 1.61e-07', 'at most 1.60e-07' wanted: tools.write_blocks"
     assert blocks.write() == ([checkout.root / "README.md"], [])
     assert checkout.text("README.md") == text.replace("{}", "1.60e-07")
     assert blocks.check() == (1, [])
@@ -178,12 +176,12 @@ def test_without_results():
 
 
 def test_the_gate(checkout, blocks):
-    """tools/lint --text says what is wrong with texts and with releases."""
+    """python3 -m tools.checks.lint --text says what is wrong with texts and with releases."""
     checkout.link("rtl", "geometry")
     checkout.copy("VERSION")
     checkout.put({"README.md": "# t\n\n<!-- results 1.2.0: synth.cores -->\n<!-- end results -->\n",
                   "docs/results/1.0.0/release.json": {**RELEASE, "commit": "abd"}})
-    status, out, errors = checkout.script("lint", "--text", "--root", ".")
+    status, out, errors = checkout.module("tools.checks.lint", "--text", "--root", ".")
     assert (status, errors) == (1, "")
     assert "README.md:3: 1.2.0 has no results: one of 1.0.0, or make results" in out
     assert "sim.json is of another commit than abd" in out

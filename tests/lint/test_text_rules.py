@@ -1,4 +1,4 @@
-"""Each text rule of tools/lint catches what is planted in a small copy of the tree, and only
+"""Each text rule of tools.checks.lint catches what is planted in a small copy of the tree, and only
 that; what it must let pass, passes.
 
 SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 import re
 
 import pytest
-import text_rules
+
+from tools.checks import text_rules
 
 NAME = "ffd_org_sample"
 FILE = f"rtl/evaluator/{NAME}.v"
@@ -241,6 +242,6 @@ def test_clean_sources_pass(tree, files):
     (inserted("\twire y;"), 1, r"lint: \d+ checks, 1 warning")))
 def test_command(tree, files, status, last):
     """The command's last line and exit status."""
-    found, out, _ = tree(files).script("lint", "--text", "--root", ".")
+    found, out, _ = tree(files).module("tools.checks.lint", "--text", "--root", ".")
     assert found == status
     assert re.fullmatch(last, out.splitlines()[-1])

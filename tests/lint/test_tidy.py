@@ -1,4 +1,4 @@
-"""tools/tidy.py: clang-tidy hears planted faults, in what a commit or the working tree changes, in
+"""tools/checks/clang_tidy.py: clang-tidy hears planted faults, in what a commit or the working tree changes, in
 headers through a source that includes them, and says what it could not look at.
 
 SPDX-License-Identifier: Apache-2.0
@@ -7,7 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 import re
 
 import pytest
-import tidy
+
+from tools.checks import clang_tidy
 
 FAULT = "inline int* {name}() {{ return 0; }}\n"  # nullptr
 CLEAN = {
@@ -22,7 +23,7 @@ HEADER = "golden/include/hwffd/x.hpp"
 @pytest.fixture
 def tree(checkout):
     checkout.copy(".clang-tidy")
-    checkout.put({**CLEAN, ".gitignore": "build/\n", tidy.COMMANDS: [
+    checkout.put({**CLEAN, ".gitignore": "build/\n", clang_tidy.COMMANDS: [
         {"directory": str(checkout.root), "file": str(checkout.root / name),
          "command": f"c++ -std=c++17 -Werror -I{checkout.root}/golden/include -c {name}"}
         for name in CLEAN if name.endswith(".cpp")]})
@@ -34,7 +35,7 @@ def tree(checkout):
 @pytest.fixture
 def changed(tree):
     def found():
-        files = tidy.changed(tree.root, ("golden", "tests"))
+        files = clang_tidy.changed(tree.root, ("golden", "tests"))
         return None if files is None else [str(path.relative_to(tree.root)) for path in files]
     return found
 
@@ -44,7 +45,7 @@ def findings(tree):
     """Of these files, or of all."""
     def found(*names):
         lines = []
-        for check in tidy.checks(tree.root, [tree.root / name for name in names] or None):
+        for check in clang_tidy.checks(tree.root, [tree.root / name for name in names] or None):
             check.run()
             lines += check.findings + [check.left_out] * bool(check.left_out)
         return lines
@@ -56,7 +57,7 @@ def program(tree):
     """Its status, lines and complaints; of its lines those that do not tell how far it is, which come
     every few seconds."""
     def run():
-        status, out, errors = tree.script("tidy.py", "--root", tree.root)
+        status, out, errors = tree.module("tools.checks.clang_tidy", "--root", tree.root)
         return status, [line for line in out.splitlines() if not line.startswith("[")], errors
     return run
 
@@ -118,8 +119,8 @@ def test_in_one_of_several_sources_compiled_as_one(tree, program):
     sources = [name for name in CLEAN if name.endswith(".cpp")]
     tree.put({
         together: "".join(f'#include "{tree.root / name}"\n' for name in sources),
-        tidy.COMMANDS: [{"directory": str(tree.root), "file": together,
-                         "command": f"c++ -std=c++17 -I{tree.root}/golden/include -c {together}"}]})
+        clang_tidy.COMMANDS: [{"directory": str(tree.root), "file": together,
+                               "command": f"c++ -std=c++17 -I{tree.root}/golden/include -c {together}"}]})
     assert program() == (0, ["tidy: 2 files, 0 findings"], "")
     tree.put({"golden/src/x.cpp": FAULT.format(name="x")})
     status, (line, _), _ = program()
@@ -127,7 +128,7 @@ def test_in_one_of_several_sources_compiled_as_one(tree, program):
 
 
 def test_without_compile_commands(tree, program):
-    tree.put({tidy.COMMANDS: None})
+    tree.put({clang_tidy.COMMANDS: None})
     status, lines, message = program()
     assert (status, lines) == (1, [])
     assert re.search(r"\Atidy: no build/compile_commands.json, .*make lint.*\n\Z", message)

@@ -1,4 +1,4 @@
-"""tools/timing.py: netlists as OpenSTA reads them, and what is taken from its output. Where
+"""tools/synth/timing.py: netlists as OpenSTA reads them, and what is taken from its output. Where
 OpenSTA and the library are, a small design is timed and compared with sums by hand.
 
 SPDX-License-Identifier: Apache-2.0
@@ -6,11 +6,11 @@ SPDX-License-Identifier: Apache-2.0
 
 import shutil
 
-import liberty
 import pytest
-import rtl
-import timing
-from rtl import ROOT
+
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+from tools.synth import liberty, timing
 
 CELLS = {"INVX1": ("logic", {}), "DFFPOSX1": ("register", {})}
 REPORT = """\
@@ -85,7 +85,7 @@ def measure(folder, *inverters):
     netlist, steps = folder / "n.v", folder / "s.tcl"
     netlist.write_text(timing.verilog(chain(*inverters), "top"))
     steps.write_text(timing.script(netlist, "top", ROOT / "synth" / "osu018.tcl"))
-    return timing.parse(rtl.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(steps)])[1])
+    return timing.parse(rtl_sources.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(steps)])[1])
 
 
 @OPEN_STA

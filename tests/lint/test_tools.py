@@ -1,4 +1,4 @@
-"""tools/lint hands every module and every configuration to each tool, and hears what it says:
+"""tools.checks.lint hands every module and every configuration to each tool, and hears what it says:
 faults planted in a small copy of the tree are reported under the right tool and subject.
 
 SPDX-License-Identifier: Apache-2.0
@@ -6,9 +6,10 @@ SPDX-License-Identifier: Apache-2.0
 
 import re
 
-import configurations
 import pytest
-import tidy
+
+from tools.checks import clang_tidy
+from tools.tables import configurations
 
 MODULE = """\
 // SPDX-License-Identifier: Apache-2.0
@@ -114,17 +115,17 @@ def tree_of_modules():
 
 @pytest.fixture
 def lint(checkout):
-    """(exit status, lines) of tools/lint, these files changed since the last commit."""
+    """(exit status, lines) of tools.checks.lint, these files changed since the last commit."""
     def linted(files):
         entry = {"directory": str(checkout.root), "file": str(checkout.root / "golden/src/x.cpp"),
                  "command": "c++ -c golden/src/x.cpp"}
-        checkout.put({**CLEAN, tidy.COMMANDS: [entry]})
+        checkout.put({**CLEAN, clang_tidy.COMMANDS: [entry]})
         checkout.copy(".clang-format", ".clang-tidy")
         checkout.git("init", "--quiet")
         for _ in ("parent", "empty"):
             checkout.commit()
         checkout.put(files)
-        status, out, errors = checkout.script("lint", "--root", ".")
+        status, out, errors = checkout.module("tools.checks.lint", "--root", ".")
         return status, (out + errors).splitlines()
     return linted
 

@@ -4,7 +4,7 @@ was there last, and unknown before anything was.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import rtl
+from tools.rtl import rtl_sources
 
 MODULE = "ffd_dma_width_write"
 LOW, HIGH = "a" * 32, "b" * 32
@@ -46,7 +46,7 @@ endmodule
 def test_bytes_without_a_strobe_are_what_was_there_last(checkout):
     halves = "\n".join(f"    half({upper}, {last}, 128'h{data});" for upper, last, data in HALVES)
     checkout.put({"bench.v": BENCH.format(halves=halves)})
-    files = rtl.Sources().needed(MODULE)
+    files = rtl_sources.Sources().needed(MODULE)
     assert checkout.run("iverilog", "-g2005", "-o", "bench.vvp", "bench.v", *files) == (0, "", "")
     status, said, _ = checkout.run("vvp", "-n", "bench.vvp")
     assert status == 0

@@ -7,12 +7,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import json
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program import FAILURE, USAGE, ProgramTest, size_of  # noqa: E402
+from tests.support.program import FAILURE, USAGE, ProgramTest, size_of
 
 WIDTH = 160
 

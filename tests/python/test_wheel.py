@@ -88,8 +88,9 @@ def environment(wheel, tmp_path_factory):
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", wheel)
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
 
-    def called(*words):
-        return run(python.with_name(words[0]) if words[0] != "python" else python, *words[1:], cwd=folder, env=clean)
+    def called(*words, **variables):
+        return run(python.with_name(words[0]) if words[0] != "python" else python, *words[1:], cwd=folder,
+                   env={**clean, **variables})
     return called
 
 
@@ -135,12 +136,12 @@ def test_a_broken_package_of_hardware_is_told_where_it_is_wanted(environment, tm
     for name in {"two": ("libhwffd_rtl.so.0", "libhwffd_rtl.so.0.2.0"), "empty": ("libhwffd_rtl.so.0",)}.get(package, ()):
         (folder / name).touch()
     (folder / "__init__.py").write_text(real if package in (None, "two", "empty") else package)
-    said = environment("python", "-W", "error", "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r})" + SCENE + """
+    said = environment("python", "-W", "error", "-c", SCENE + """
 try:
     lattice.set_device("rtl")
 except hwffd.UsageError as error:
     print(error)
-""")
+""", PYTHONPATH=str(tmp_path))
     assert said.startswith(f"device rtl: {problem}") and said.count("\n") == 1, said
 
 

@@ -1,6 +1,6 @@
 """make random: cores of random parameters on random packets.
 
-    python tests/random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--seconds T] [--parts P] [--regressions]
+    python3 -m tests.random --words PROGRAM [--folder FOLDER] [--seed S] [--count N] [--seconds T] [--parts P] [--regressions]
                                           [--keep]
 
 Each number from S on is a configuration: most are legal, and each of these is read by Verilator without a
@@ -21,18 +21,13 @@ import shutil
 import sys
 from functools import partial
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(1, str(ROOT / "tools"))
+from tests.random import run
+from tools import csv_table
+from tools.progress import Progress
+from tools.rtl import digest, rtl_sources
+from tools.tables import configuration_texts as texts, configurations, parameter_draws, parameter_space
 
-import configuration_texts as texts  # noqa: E402  pylint: disable=wrong-import-position
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import digest  # noqa: E402  pylint: disable=wrong-import-position
-import rtl  # noqa: E402  pylint: disable=wrong-import-position
-import run  # noqa: E402  pylint: disable=wrong-import-position
-import space  # noqa: E402  pylint: disable=wrong-import-position
-import space_draw  # noqa: E402  pylint: disable=wrong-import-position
-import tables  # noqa: E402  pylint: disable=wrong-import-position
-from progress import Progress  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 ILLEGAL = 0.2  # share of the configurations
 
@@ -42,7 +37,7 @@ class Campaign:
 
     def __init__(self, options):
         self.options = options
-        self.space, self.sources = space.Space(), rtl.Sources()
+        self.space, self.sources = parameter_space.Space(), rtl_sources.Sources()
         self.kinds = {texts.model_kind(row.organization, row.number_format, row.fma_latency, row.evaluator)
                       for row in configurations.read()}
         self.formats = sorted({kind[1].number for kind in self.kinds})
@@ -56,14 +51,14 @@ class Campaign:
                 return drawn
 
     def _has_model(self, p, organization):
-        return (organization.weighs_axes or p["EVALUATOR"] != space.POWERS) and texts.model_kind(
+        return (organization.weighs_axes or p["EVALUATOR"] != parameter_space.POWERS) and texts.model_kind(
             organization, self.space.formats[p["FORMAT"]], p["FMA_LATENCY"],
             configurations.EVALUATORS[p["EVALUATOR"]]) in self.kinds
 
     def one(self, seed):
         """Runs a number. Raises run.Failure, with the configuration in front."""
         chosen = random.Random(seed)
-        draw = space_draw.Draw(self.space, run.TOP, chosen, formats=self.formats)
+        draw = parameter_draws.Draw(self.space, run.TOP, chosen, formats=self.formats)
         if chosen.random() < ILLEGAL:
             parameters = list(draw.parameters.values())
             rules = self.space.rules_of(run.TOP)
@@ -87,7 +82,7 @@ class Campaign:
 
     def _run(self, core, seed):
         # The larger a core, the slower it is simulated.
-        shorter = space_draw.size(self.space, core.configuration) // 24
+        shorter = parameter_draws.size(self.space, core.configuration) // 24
         core.words(run.Stream(self.options.words, seed, max(1, self.options.parts - int(shorter))))
         results, clocks = core.compare(core.simulate(seed))
         core.lint()
@@ -108,7 +103,7 @@ class Campaign:
 
 def known(parameters):
     """(seed, configuration) of each row of regressions.csv."""
-    for _, cells in tables.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
+    for _, cells in csv_table.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
         yield int(cells["SEED"]), {name: int(cells[name]) for name in parameters}
 
 

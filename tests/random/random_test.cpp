@@ -17,8 +17,8 @@ TEST(Random, Configurations) {
   const char* const count =
       std::getenv("HWFFD_SOAK") != nullptr ? "100" : "14 --seconds 120 --regressions";
   const std::string command =
-      fmt::format("'{}' -B '{}' --words '{}' --folder '{}' --count {}{}", HWFFD_PYTHON,
-                  HWFFD_RANDOM, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
+      fmt::format("PYTHONPATH='{}' '{}' -B -m tests.random --words '{}' --folder '{}' --count {}{}",
+                  HWFFD_SOURCE_DIR, HWFFD_PYTHON, HWFFD_RANDOM_WORDS, HWFFD_RANDOM_FOLDER, count,
                   seed == 0 ? "" : fmt::format(" --seed {}", seed));
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }

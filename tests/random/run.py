@@ -9,8 +9,8 @@ import re
 import subprocess
 from dataclasses import dataclass
 
-import rtl
-from configurations import EVALUATORS, SCHEDULES
+from tools.rtl import rtl_sources
+from tools.tables.configurations import EVALUATORS, SCHEDULES
 
 HERE = pathlib.Path(__file__).resolve().parent
 BENCH = "ffd_bench_random"
@@ -34,7 +34,7 @@ def text(configuration):
 def process(command, folder, what):
     """What a program prints; Failure where it fails."""
     try:
-        status, said = rtl.run(["timeout", str(LIMIT), *map(str, command)], folder)
+        status, said = rtl_sources.run(["timeout", str(LIMIT), *map(str, command)], folder)
     except subprocess.SubprocessError as error:
         raise Failure(f"{what}: {error}") from error
     if status:
@@ -87,14 +87,14 @@ class Legal:
 
     def lint(self):
         """Without a warning."""
-        process([word for word in rtl.verilator(
+        process([word for word in rtl_sources.verilator(
             self.sources, TOP, self.sources.needed(TOP), [f"{n}={v}" for n, v in self.configuration.items()])],
             self.folder, "verilator")
 
     def simulate(self, seed):
         """In Icarus. What the bench tells, or Failure."""
         beats = len(self._lines("beats.hex"))
-        process(["iverilog", "-g2005", "-o", "bench.vvp", "-s", BENCH, f"-D{rtl.SIMULATION}", f"-D{rtl.ASSERTIONS}",
+        process(["iverilog", "-g2005", "-o", "bench.vvp", "-s", BENCH, f"-D{rtl_sources.SIMULATION}", f"-D{rtl_sources.ASSERTIONS}",
                  *(f"-P{BENCH}.{name}={value}" for name, value in
                    {**self.configuration, "BEATS": beats, "SEED": seed}.items()),
                  *(f"-I{folder}" for folder in self.sources.includes), *self.sources.needed(TOP), *BENCHES],
@@ -151,13 +151,13 @@ def refused(sources, configuration, guard, others, folder):
         top = "top.v; hierarchy -check -top top"
     headers = " ".join(f"-I {name}" for name in sources.includes)
     commands = {
-        "icarus": [word for word in rtl.icarus(sources, TOP, files, assignments) if word != "-Wall"],
-        "verilator": [*(word for word in rtl.verilator(sources, TOP, files, assignments) if word != "-Wall"),
+        "icarus": [word for word in rtl_sources.icarus(sources, TOP, files, assignments) if word != "-Wall"],
+        "verilator": [*(word for word in rtl_sources.verilator(sources, TOP, files, assignments) if word != "-Wall"),
                       "-Wno-fatal", "-Wno-lint"],
         "yosys": ["yosys", "-Q", "-T", "-q", "-p", f"read_verilog {headers} {' '.join(files)} {top}"],
     }
     for tool, command in commands.items():
-        status, said = rtl.run(["timeout", str(LIMIT), *command], folder)
+        status, said = rtl_sources.run(["timeout", str(LIMIT), *command], folder)
         met = sorted(set(_GUARD.findall(said)))
         wanted = [guard, *others] if tool == "yosys" else [guard]
         if status == 0 or not any(re.fullmatch(pattern, one) for pattern in wanted for one in met):

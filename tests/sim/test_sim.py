@@ -8,13 +8,10 @@ SPDX-License-Identifier: Apache-2.0
 
 import json
 import os
-import pathlib
 import re
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program import FAILURE, USAGE, ProgramTest, size_of, vertices  # noqa: E402
+from tests.support.program import FAILURE, USAGE, ProgramTest, size_of, vertices
 
 # Options that are refused -> exit status, words of the message. Files are those of `make_files`.
 REFUSED = {

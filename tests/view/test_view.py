@@ -13,12 +13,10 @@ import re
 import signal
 import struct
 import subprocess
-import sys
 import time
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program import PROGRAM, ProgramTest  # noqa: E402
+from tests.support.program import PROGRAM, ProgramTest
 
 PATIENCE = 60  # seconds
 

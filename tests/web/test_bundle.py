@@ -15,7 +15,7 @@ from browser import ROOT, program, stub_page
 
 
 def bundle(*words):
-    done = subprocess.run([sys.executable, "-B", ROOT / "apps/web/bundle.py", *words],
+    done = subprocess.run([sys.executable, "-B", "-m", "apps.web.bundle", *words],
                           capture_output=True, text=True, check=False)
     return done.returncode, done.stderr
 

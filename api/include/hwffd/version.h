@@ -1,4 +1,4 @@
-/* Made from VERSION by tools/registers.py; changes here are lost.
+/* Made from VERSION by tools/tables/registers.py; changes here are lost.
  * The version of library and core that this header belongs to; hwffd_version() and
  * the register VERSION have those that run.
  * SPDX-License-Identifier: Apache-2.0 */

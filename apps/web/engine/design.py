@@ -1,7 +1,7 @@
 #!/usr/bin/env -S python3 -B
 """Makes what the live page knows of its cores' designs: drawings, blocks, ports.
 
-    design.py FOLDER C++-FILE ROW...
+    python3 -m apps.web.engine.design FOLDER C++-FILE ROW...
 
 Elaborates each row, keeps of blocks.csv what it has, and writes drawings.js into the folder and the
 same blocks, with ports.csv, as C++.
@@ -15,14 +15,11 @@ import sys
 from collections import Counter
 from dataclasses import dataclass
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[2] / "tools"))
+from apps.web.engine import drawing, elaborated
+from tools import csv_table
+from tools.tables import configurations
 
-# pylint: disable=wrong-import-position
-import configurations  # noqa: E402
-import drawing  # noqa: E402
-import elaborated  # noqa: E402
-import tables  # noqa: E402
+HERE = pathlib.Path(__file__).resolve().parent
 
 COLUMNS = ("id", "group", "module", "title", "from", "busy")
 GENERATED = "Made by apps/web/engine/design.py from tables and elaborated designs; changes here are lost."
@@ -51,7 +48,7 @@ def _sources(text, there):
 
 def blocks_of(tree):
     """The blocks that a design has."""
-    rows = [fields for _, fields in tables.read(HERE / "blocks.csv", COLUMNS)
+    rows = [fields for _, fields in csv_table.read(HERE / "blocks.csv", COLUMNS)
             if tree.counts[fields["module"]] > 0]
     there = [fields["id"] for fields in rows]
     share = Counter(fields["module"] for fields in rows)
@@ -83,7 +80,7 @@ def cpp_text(designs):
         lines.append("      }},")
     lines += ["  };", "  return all;", "}", "", "const std::vector<Port>& ports() {",
               "  static const std::vector<Port> all = {"]
-    for _, fields in tables.read(HERE / "ports.csv", ("name", "signal", "description")):
+    for _, fields in csv_table.read(HERE / "ports.csv", ("name", "signal", "description")):
         lines.append(f"      {{{_strings(*fields.values())}}},")
     lines += ["  };", "  return all;", "}", "", "}  // namespace hwffd::web"]
     return "\n".join(lines) + "\n"
@@ -101,8 +98,8 @@ def main(arguments):
         (pathlib.Path(folder) / "drawings.js").write_text(
             f"self.HWFFD_DRAWINGS = {json.dumps(drawings)};\n", encoding="utf-8")
         pathlib.Path(cpp).write_text(cpp_text(designs), encoding="utf-8")
-    except (tables.TableError, elaborated.ElaborationError, OSError) as error:
-        print(f"design.py: {error}", file=sys.stderr)
+    except (csv_table.TableError, elaborated.ElaborationError, OSError) as error:
+        print(f"design: {error}", file=sys.stderr)
         return 1
     return 0
 

@@ -1,4 +1,4 @@
-/* Made from rtl/bus/registers.csv by tools/registers.py; changes here are lost.
+/* Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
  * Registers, and how to use them: docs/registers.md.
  * SPDX-License-Identifier: Apache-2.0 */
 #ifndef HWFFD_REGISTERS_H

@@ -1,6 +1,6 @@
 """Of make compare: ten million points through a lattice, from array to array, by libraries of Python.
 
-    python lab/compare/arrays [--points N] [--threads N ...] [--output FOLDER]
+    python3 -m lab.compare.arrays [--points N] [--threads N ...] [--output FOLDER]
 
 Each library and number of threads is a process of its own, whose largest memory is measured, too.
 Writes FOLDER/reports/bench.json. The exit status is 1 where a library fails or is wrong.
@@ -17,15 +17,12 @@ import subprocess
 import sys
 import time
 
+from tools import command_line, whole_file
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 THREADS_OF_LIBRARIES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS",
                         "VTK_SMP_MAX_THREADS")
 RUNS = 3  # behind one that is not counted
-
-sys.path[1:1] = [str(ROOT / "tools"), str(ROOT / "build" / "api" / "python")]
-
-import front  # noqa: E402  pylint: disable=wrong-import-position
-import synthesis  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class BenchError(Exception):
@@ -34,8 +31,8 @@ class BenchError(Exception):
 
 def measured(number, points, threads):
     """What a library does, measured in this process. Raises BenchError."""
-    import libraries
-    from scene import CHECKED, Scene
+    from lab.compare.arrays import libraries
+    from lab.compare.arrays.scene import CHECKED, Scene
     library = libraries.LIBRARIES[number]
     deform = library.prepare(Scene.random(min(points, CHECKED)), threads)
     deform()
@@ -58,7 +55,7 @@ def row(number, points, threads):
     """The same in a process of its own, which has so many processors. Raises BenchError."""
     processors = sorted(os.sched_getaffinity(0))[-threads:]
     done = subprocess.run(
-        [sys.executable, "-B", __file__, "--library", str(number), "--points", str(points),
+        [sys.executable, "-B", "-m", "lab.compare.arrays", "--library", str(number), "--points", str(points),
          "--threads", str(threads)], capture_output=True, text=True, check=False,
         env={**os.environ, **dict.fromkeys(THREADS_OF_LIBRARIES, str(threads))},
         preexec_fn=lambda: os.sched_setaffinity(0, processors))
@@ -69,7 +66,7 @@ def row(number, points, threads):
 
 def measure(options):
     """Every library with each number of threads."""
-    import libraries
+    from lab.compare.arrays import libraries
     rows = []
     for threads in options.threads:
         for number, library in enumerate(libraries.LIBRARIES):
@@ -77,7 +74,7 @@ def measure(options):
                   flush=True)
             rows.append(row(number, options.points, threads))
     path = options.output / "reports" / "bench.json"
-    synthesis.write(path, json.dumps({"rows": rows}, indent=2) + "\n")
+    whole_file.write(path, json.dumps({"rows": rows}, indent=2) + "\n")
     print(f"wrote {path}")
 
 
@@ -100,7 +97,7 @@ def main():
                         help="folder for reports")
     parser.add_argument("--library", type=int, help="measure this one here and print its row")
     options = parser.parse_args()
-    return front.ended(parser.prog, lambda: work_on(options, processors), (BenchError, ImportError))
+    return command_line.ended(parser.prog, lambda: work_on(options, processors), (BenchError, ImportError))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from scene import DIMS, Scene
+from lab.compare.arrays.scene import DIMS, Scene
 
 POINTS_OF_A_CALL = 1 << 18
 

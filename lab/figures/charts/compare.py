@@ -6,8 +6,8 @@ SPDX-License-Identifier: Apache-2.0
 from matplotlib import pyplot
 from matplotlib.lines import Line2D
 
-from figures.charts import BLACK, BLUE, GREEN, PURPLE, RED, save
-from figures.studies.compare import KINDS, name, pairs
+from lab.figures.charts import BLACK, BLUE, GREEN, PURPLE, RED, save
+from lab.figures.studies.compare import KINDS, name, pairs
 
 COLOURS = dict(zip(KINDS, (BLUE, PURPLE, RED, GREEN, BLACK)))
 MEANINGS = dict(zip(KINDS, ("hwffd on one core", "its bit-true model", "other programs, one core",

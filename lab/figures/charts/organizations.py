@@ -6,10 +6,10 @@ SPDX-License-Identifier: Apache-2.0
 import pandas
 from matplotlib import pyplot
 
-from figures.charts import BLUE, GREEN, RED, save
-from figures.charts.labels import Labels
-from organization_tables import rows
-from organizations import label
+from lab.figures.charts import BLUE, GREEN, RED, save
+from lab.figures.charts.labels import Labels
+from tools.reports.organization_tables import rows
+from tools.tables.organizations import label
 
 
 def table(reports):

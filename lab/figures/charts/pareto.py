@@ -7,9 +7,9 @@ import dataclasses
 
 from matplotlib import pyplot
 
-from figures.charts import BLUE, LIGHT, save
-from figures.charts.labels import Labels
-from throughput import CORE, throughputs, unbeaten
+from lab.figures.charts import BLUE, LIGHT, save
+from lab.figures.charts.labels import Labels
+from tools.reports.throughput import CORE, throughputs, unbeaten
 
 TARGET = "ecp5"
 

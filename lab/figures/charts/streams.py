@@ -7,7 +7,7 @@ import pandas
 from matplotlib import pyplot
 from matplotlib.ticker import NullLocator, ScalarFormatter
 
-from figures.charts import BLACK, BLUE, GREEN, GREY, PURPLE, RED, TEAL, save
+from lab.figures.charts import BLACK, BLUE, GREEN, GREY, PURPLE, RED, TEAL, save
 
 COLOURS = {"interleaved": BLACK, "changed points": RED, "1 cell": PURPLE, "4 cells": BLUE,
            "16 cells": TEAL, "resident": GREEN, "packed": GREY}

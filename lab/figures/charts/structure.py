@@ -7,8 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 from matplotlib import pyplot
 from matplotlib.patches import FancyBboxPatch, Rectangle
 
-from figures.charts import save
-from structure_tables import FIELDS
+from lab.figures.charts import save
+from tools.reports.structure_tables import FIELDS
 
 # Folder of rtl/ -> colour of its modules: box, ink.
 COLOURS = {

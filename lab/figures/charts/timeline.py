@@ -4,12 +4,12 @@ organizations/ORGANIZATION.svg.
 SPDX-License-Identifier: Apache-2.0
 """
 
-import organizations
 import pandas
 from matplotlib import pyplot
 from matplotlib.ticker import MaxNLocator
 
-from figures.charts import save
+from lab.figures.charts import save
+from tools.tables import organizations
 
 COLOURS = ("#0060a8", "#e08000", "#2a8000", "#a03060")  # of vertices that follow each other
 SCHEDULES = ("paper", "overlapped")

@@ -6,7 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import numpy
 from matplotlib import pyplot
 
-from figures.charts import BLUE, GREEN, GREY, LIGHT, PURPLE, RED, save
+from lab.figures.charts import BLUE, GREEN, GREY, LIGHT, PURPLE, RED, save
 
 COLOURS = (BLUE, RED, GREEN, PURPLE)
 VERTEX = (2.5, 1.6)  # in two dimensions, in cells of control points

@@ -6,8 +6,8 @@ SPDX-License-Identifier: Apache-2.0
 import pandas
 from matplotlib import pyplot
 
-from figures.charts import BLACK, BLUE, GREEN, GREY, PURPLE, RED, save
-from figures.studies.words import HALF_PIXEL, PICTURE_WIDTH, is_fixed
+from lab.figures.charts import BLACK, BLUE, GREEN, GREY, PURPLE, RED, save
+from lab.figures.studies.words import HALF_PIXEL, PICTURE_WIDTH, is_fixed
 
 CURVES = (  # field, name, style
     ("bound", "bound, proved", {"alpha": 0.45}), ("max_error", "largest", {}),

@@ -1,4 +1,4 @@
-"""A module for each report of the laboratory, as tools/report_modules.py has those of the product's commands; and
+"""A module for each report of the laboratory, as tools/reports/report_modules.py has those of the product's commands; and
 
     finished(reports) the report with what other reports add to it, as its command leaves it
 

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import Table, shown
+from tools.reports.text_table import Table, shown
 
 FORMS = ("product", "factored", "affine", "powers", "nested", "sequence", "tree")
 # Of a form, what its ratio shall be at most.

@@ -3,8 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from results import RequestError
-from text_table import Table, shown
+from tools.reports.results import RequestError
+from tools.reports.text_table import Table, shown
 
 MILLION = 1e6
 FLOAT, DOUBLE = "LatticeEvaluator<float>", "LatticeEvaluator<double>"

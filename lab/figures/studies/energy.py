@@ -3,8 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from results import RequestError
-from text_table import Table, shown
+from tools.reports.results import RequestError
+from tools.reports.text_table import Table, shown
 
 ROWS = 3  # of a report that is whole
 

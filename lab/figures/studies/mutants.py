@@ -7,7 +7,7 @@ import collections
 import csv
 import re
 
-from text_table import Table, shown
+from tools.reports.text_table import Table, shown
 
 VERDICTS = ("total", "killed", "equivalent", "undecided", "survived")
 HEADS = ["mutants", "killed", "equivalent", "undecided", "survived", "killed, %"]

@@ -3,12 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import configurations
-import organizations
-import throughput
-from organization_tables import is_plain, rows
-from results import RequestError
-from text_table import Table, shown
+from tools.reports import throughput
+from tools.reports.organization_tables import is_plain, rows
+from tools.reports.results import RequestError
+from tools.reports.text_table import Table, shown
+from tools.tables import configurations, organizations
 
 FORMATS = ("fp32", "fx18", "fx32")
 

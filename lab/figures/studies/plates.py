@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import listing
+from tools.reports.text_table import listing
 
 
 def plates(reports):

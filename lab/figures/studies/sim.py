@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import Console, listing
+from tools.reports.text_table import Console, listing
 
 DEFAULT = {"model": "cat.3ds", "deform": {"twist:90", "random:1"}, "runs": 12}
 

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import Table, shown
+from tools.reports.text_table import Table, shown
 
 UNITS = {"add": "`ffd_fp_add`", "mul": "`ffd_fp_mul`", "fma": "`ffd_fp_fma`"}
 

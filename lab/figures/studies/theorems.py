@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import Table, shown
+from tools.reports.text_table import Table, shown
 
 PROVED, REFUTED = "proved", "refuted"
 # Proved by `make theorems NIGHTLY=1` only; a report without them is whole.

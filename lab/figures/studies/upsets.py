@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import Table, shown
+from tools.reports.text_table import Table, shown
 
 HEADS = {"no_effect": "no effect", "flagged": "flagged", "silent": "silent", "hang_cleared": "hang, reset helps",
          "hang_stuck": "hang, it does not", "outside_window": "write outside", "other": "other"}

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-from text_table import listing
+from tools.reports.text_table import listing
 
 PICTURE_WIDTH = 4096  # pixels that the points' range, [-1, 1), is drawn on
 HALF_PIXEL = 1 / PICTURE_WIDTH

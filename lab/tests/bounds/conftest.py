@@ -3,14 +3,9 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import shutil
-import sys
 
 import pytest
-
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "bounds"), str(ROOT / "tools")]
 
 
 def pytest_collection_modifyitems(items):

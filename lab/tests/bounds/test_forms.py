@@ -11,9 +11,7 @@ import sys
 
 import pytest
 
-import dyadic
-import gappa
-import rows
+from lab.bounds import dyadic, gappa, rows
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 pytestmark = pytest.mark.needs("gappa", "coqc")
@@ -65,6 +63,6 @@ def test_a_theorem_from_the_words_on_with_another_rounding_is_refused(theory):
 def test_the_program_fails_where_nothing_was_measured(tmp_path):
     facts = tmp_path / "facts.json"
     facts.write_text(json.dumps({"weights": [], "forms": []}))
-    done = subprocess.run([sys.executable, "-B", ROOT / "lab" / "bounds", "--facts", facts, "--build", tmp_path],
+    done = subprocess.run([sys.executable, "-B", "-m", "lab.bounds", "--facts", facts, "--build", tmp_path],
                           capture_output=True, text=True, check=False)
     assert done.returncode == 1 and "nothing was measured" in done.stderr

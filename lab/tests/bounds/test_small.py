@@ -7,11 +7,7 @@ import fractions
 
 import pytest
 
-import dyadic
-import forms
-import gappa
-import rows
-import weights
+from lab.bounds import dyadic, forms, gappa, rows, weights
 
 FX16 = weights.FORMATS["fx16"]
 NEEDS_GAPPA = pytest.mark.needs("gappa")

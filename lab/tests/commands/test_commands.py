@@ -12,7 +12,7 @@ SHOW = """for word; do printf '<%s>' "$word"; done"""
 def lab(make, checkout, programs):
     """The same as `make`, of the laboratory."""
     checkout.copy("lab/Makefile")
-    programs(tools__figures="""
+    programs(lab__figures="""
 [ "$1" != measure ] && { echo figures; exit; }
 while [ "$1" != -- ]; do shift; done; shift; exec "$@" """)
     return lambda *words, **variables: make("--no-print-directory", "-C", "lab", *words, **variables)
@@ -30,11 +30,11 @@ def test_compare_builds_its_program_and_runs_it_beside_others(lab, programs):
     programs(build__venv__bin__python='echo "python<$*>"')
     lines = lab("compare")[1]
     assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
-    assert lines[-1] == "python<-B lab/compare>"
+    assert lines[-1] == "python<-B -m lab.compare>"
 
 
 def test_bfp_selects_rows_of_its_format(lab, programs):
-    programs(**{"tools__configurations.py": ":", "build__lab__bfp__hwffd_bfp": 'echo "bfp<$*>"'})
+    programs(**{"tools__tables__configurations": ":", "build__lab__bfp__hwffd_bfp": 'echo "bfp<$*>"'})
     lines = lab("bfp", "ORG=basic", "FORMAT=fx18")[1]
     assert {"-DHWFFD_ORG=basic", "-DHWFFD_N=", "-DHWFFD_FORMAT=bfp32"} <= set(lines[-3].split())
     assert "-DHWFFD_FORMAT=fx18" not in lines[-3]
@@ -55,7 +55,7 @@ def test_workflow(lab, programs, checkout):
 
 
 def test_what_an_earlier_command_configured_does_not_stay(lab, programs):
-    programs(**{"tools__configurations.py": ":", "build__lab__organizations__hwffd_organizations": "exit 0",
+    programs(**{"tools__tables__configurations": ":", "build__lab__organizations__hwffd_organizations": "exit 0",
                 "build__lab__words__hwffd_words": "exit 0"})
 
     def configured(*words):

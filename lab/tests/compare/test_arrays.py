@@ -4,7 +4,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import dataclasses
-import importlib.util
+import importlib
 import json
 import pathlib
 import subprocess
@@ -13,21 +13,17 @@ import sys
 import numpy
 import pytest
 
+from lab.compare.arrays import libraries
+from lab.compare.arrays.scene import DIMS, Scene, evaluated, weights
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "lab" / "compare" / "arrays"
-sys.path[:0] = [str(FOLDER), str(ROOT / "build" / "api" / "python")]
-
-import libraries  # noqa: E402  pylint: disable=wrong-import-position
-from scene import DIMS, Scene, evaluated, weights  # noqa: E402  pylint: disable=wrong-import-position
 
 POINTS = 5000
 
 
 def program():
-    spec = importlib.util.spec_from_file_location("arrays", FOLDER / "__main__.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return importlib.import_module("lab.compare.arrays.__main__")
 
 
 def test_weights_sum_to_one_and_points_at_rest_stay():
@@ -57,7 +53,7 @@ def test_a_wrong_result_is_no_figure(monkeypatch):
 
 
 def test_a_row_is_a_process_and_says_why_there_is_none(tmp_path):
-    command = [sys.executable, "-B", FOLDER, "--output", tmp_path, "--points"]
+    command = [sys.executable, "-B", "-m", "lab.compare.arrays", "--output", tmp_path, "--points"]
     done = subprocess.run([*command, "0"], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert done.stderr.startswith("compare: --points from 1 up") and not list(tmp_path.iterdir())

@@ -11,15 +11,13 @@ import sys
 
 import pytest
 
-STUDY = pathlib.Path(__file__).resolve().parents[3] / "lab" / "compare"
-sys.path.insert(0, str(STUDY))
+from lab.compare import joined, routed
+from lab.figures.modules import MODULES, missing
+from tools.reports import text_blocks
+from tools.reports.report_modules import printed
+from tools.reports.results import FRESH, RequestError, Results
 
-import joined  # noqa: E402  pylint: disable=wrong-import-position
-import routed  # noqa: E402  pylint: disable=wrong-import-position
-import text_blocks  # noqa: E402  pylint: disable=wrong-import-position
-from figures.modules import MODULES, missing  # noqa: E402  pylint: disable=wrong-import-position
-from report_modules import printed  # noqa: E402  pylint: disable=wrong-import-position
-from results import FRESH, RequestError, Results  # noqa: E402  pylint: disable=wrong-import-position
+STUDY = pathlib.Path(__file__).resolve().parents[3] / "lab" / "compare"
 
 MEASURED = {"vertices": 100, "vector_units": "AVX2", "cores": [], "software": [
     {"what": what, "sorted": is_sorted, "vertices_per_s": rate * (2 if is_sorted else 1),
@@ -201,7 +199,7 @@ def programs_that(checkout):
     """`make compare` with another program in place of hwffd-compare."""
     def run(body):
         checkout.put({"program": f"#!/bin/sh\n{body}\n"}, 0o755)
-        return checkout.run(sys.executable, "-B", STUDY, "--program", checkout.root / "program",
+        return checkout.run(sys.executable, "-B", "-m", "lab.compare", "--program", checkout.root / "program",
                             "--output", checkout.root)
     return run
 
@@ -209,6 +207,6 @@ def programs_that(checkout):
 def test_the_peers_are_those_of_the_requirements():
     if importlib.util.find_spec("numpy") is None:
         pytest.skip("no numpy")
-    import peers  # pylint: disable=import-outside-toplevel
+    from lab.compare import peers  # pylint: disable=import-outside-toplevel
     wanted = (STUDY.parent / "requirements-compare.txt").read_text()
     assert all(f"\n{peer.package}==" in wanted for peer in peers.PEERS)

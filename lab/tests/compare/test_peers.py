@@ -4,17 +4,12 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import dataclasses
-import pathlib
-import sys
 
 import numpy
 import pytest
 
-COMPARE = pathlib.Path(__file__).resolve().parents[3] / "lab" / "compare"
-sys.path[:0] = [str(COMPARE), str(COMPARE / "arrays")]
-
-import peers  # noqa: E402  pylint: disable=wrong-import-position
-from scene import evaluated  # noqa: E402  pylint: disable=wrong-import-position
+from lab.compare import peers
+from lab.compare.arrays.scene import evaluated
 
 COUNT = 300
 

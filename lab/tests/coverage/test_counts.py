@@ -3,19 +3,9 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
-import sys
-
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "rtl_coverage"), str(ROOT / "tools")]
-
-import annotated  # noqa: E402  pylint: disable=wrong-import-position
-import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
-import cpp  # noqa: E402  pylint: disable=wrong-import-position
-import exclusions  # noqa: E402  pylint: disable=wrong-import-position
-import report as reporting  # noqa: E402  pylint: disable=wrong-import-position
+from lab.rtl_coverage import annotated, counts as counting, cpp, exclusions, report as reporting
 
 SOURCE = ["module ffd_a;", "wire w;", "always @*", "if (x)", "y = 1;", "endmodule"]
 WIDE = """v_line/ffd_a\t3\t1\tblock\t3\t7

@@ -6,12 +6,10 @@ SPDX-License-Identifier: Apache-2.0
 import os
 import pathlib
 import subprocess
-import sys
+
+from lab.rtl_coverage import counts as counting
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "rtl_coverage"), str(ROOT / "tools")]
-
-import counts as counting  # noqa: E402  pylint: disable=wrong-import-position
 
 SOURCE = """`default_nettype none
 module ffd_small (input wire clk, input wire [1:0] a, output reg [1:0] y, output reg [39:0] idle,

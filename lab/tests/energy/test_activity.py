@@ -3,14 +3,9 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
-import sys
-
 import pytest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "lab" / "energy"))
-
-import activity  # noqa: E402  pylint: disable=wrong-import-position
+from lab.energy import activity
 
 HEAD = """$timescale 1ps $end
 $scope module cells $end

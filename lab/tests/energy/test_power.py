@@ -3,21 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import pathlib
 import shutil
-import sys
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "energy"), str(ROOT / "tools")]
-
-import activity  # noqa: E402  pylint: disable=wrong-import-position
-import flat  # noqa: E402  pylint: disable=wrong-import-position
-import library  # noqa: E402  pylint: disable=wrong-import-position
-import row_report  # noqa: E402  pylint: disable=wrong-import-position
-import power  # noqa: E402  pylint: disable=wrong-import-position
-import simulation  # noqa: E402  pylint: disable=wrong-import-position
+from lab.energy import activity, flat, library, power, row_report, simulation
 
 HEAD = """library(few) {
   delay_model : table_lookup;

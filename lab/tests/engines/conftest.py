@@ -4,15 +4,11 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pathlib
-import sys
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "engines"), str(ROOT / "tools")]
-
-import configurations  # noqa: E402  pylint: disable=wrong-import-position
-import streams  # noqa: E402  pylint: disable=wrong-import-position
+from lab.engines import streams
+from tools.tables import configurations
 
 ROW = "basic-fx18-overlapped"
 

@@ -3,8 +3,7 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
-import planted
-import streams
+from lab.engines import planted, streams
 
 
 def test_no_x_comes_out_of_gates(recording):

@@ -7,8 +7,8 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import configurations
-import streams
+from lab.engines import streams
+from tools.tables import configurations
 
 FEW = 600  # beats
 ROWS = (

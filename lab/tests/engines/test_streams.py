@@ -5,8 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import planted
-import streams
+from lab.engines import planted, streams
 
 FEW = 600  # beats
 

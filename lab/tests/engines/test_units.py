@@ -7,13 +7,8 @@ import shutil
 
 import pytest
 
-import answers
-import axi
-import icarus
-import measured
-import planted
-import registers
-import rtl
+from lab.engines import answers, axi, icarus, measured, planted, registers
+from tools.rtl import rtl_sources
 
 BEATS = ("0_00000000_00000000_00000000_00000001", "1_00000004_00000003_00000002_00000001")
 SOURCE = """module {top} (input wire aclk, input wire aresetn, input wire d_i, output wire q_o);
@@ -79,11 +74,11 @@ def test_registers_that_reset_clears(tmp_path):
     (tmp_path / "rtl").mkdir()
     (tmp_path / "rtl" / "hwffd.f").write_text("top.v\n")
     (tmp_path / "rtl" / "top.v").write_text(SOURCE.format(top="top"))
-    sources = rtl.Sources(tmp_path)
+    sources = rtl_sources.Sources(tmp_path)
     assert registers.find(sources, "top", {}, tmp_path) == {"late_q": [None], "state_q": [0, 1]}
     (tmp_path / "rtl" / "top.v").write_text(SOURCE.format(top="top").replace("rst ? 2'd2 :", ""))
     with pytest.raises(registers.RegisterError, match="no registers"):
-        registers.find(rtl.Sources(tmp_path), "top", {}, tmp_path)
+        registers.find(rtl_sources.Sources(tmp_path), "top", {}, tmp_path)
 
 
 def test_bits_beside_a_valid_are_watched_while_it_is_1():

@@ -5,9 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import icarus
-import planted
-import streams
+from lab.engines import icarus, planted, streams
 
 FEW = 600  # beats
 BITS = {streams.simulate_in_memory: 2000, streams.simulate_with_x: 400}

@@ -4,8 +4,9 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pytest
-from figures.modules import MODULES
-from results import FRESH, Results
+
+from lab.figures.modules import MODULES
+from tools.reports.results import FRESH, Results
 
 
 @pytest.fixture

@@ -7,12 +7,13 @@ import importlib
 import xml.etree.ElementTree
 
 import pytest
-import report_samples as samples
-from figures.charts import timeline
-from figures.charts.labels import Labels
-from figures.modules import CHARTS
 from matplotlib import pyplot
-from rtl import ROOT
+
+from lab.figures.charts import timeline
+from lab.figures.charts.labels import Labels
+from lab.figures.modules import CHARTS
+from tests.support import report_samples as samples
+from tools.project_root import ROOT
 
 CORES = [{**row, "top": "hwffd_stream"} for row in samples.SYNTH["rows"]]
 REPORTS = {"organizations": samples.ORGANIZATIONS, "synth": {**samples.SYNTH, "rows": CORES}, "words": samples.WORDS,
@@ -39,7 +40,7 @@ WORDS = {
 
 
 def drawn(name, reports, folder):
-    return importlib.import_module(f"figures.charts.{name}").draw(reports, folder)
+    return importlib.import_module(f"lab.figures.charts.{name}").draw(reports, folder)
 
 
 def test_every_picture_has_its_words_and_the_same_bytes_again(reports, tmp_path):

@@ -6,7 +6,8 @@ SPDX-License-Identifier: Apache-2.0
 import sys
 
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
 
 WRITE = """import json, pathlib, sys
 path = pathlib.Path("build/reports/plates.json")
@@ -24,7 +25,7 @@ def study(checkout):
         checkout.put({"program.py": WRITE.format(report=report, status=status)
                       if report else f"import sys; sys.exit({status})"})
         status, out, errors = checkout.run(
-            sys.executable, "-B", ROOT / "lab" / "figures", "--root", checkout.root, "run", *options, "plates", "--",
+            sys.executable, "-B", "-m", "lab.figures", "--root", checkout.root, "run", *options, "plates", "--",
             sys.executable, "program.py")
         return status, out + errors
     return run

@@ -7,13 +7,13 @@ import copy
 import re
 
 import pytest
-import report_samples as samples
-import results
-import text_blocks
-from figures.modules import CHARTS, MODULES, TEXTS, missing
-from figures.studies import energy, organizations, streams, words
-from results import RequestError
-from rtl import ROOT
+
+from lab.figures.modules import CHARTS, MODULES, TEXTS, missing
+from lab.figures.studies import energy, organizations, streams, words
+from tests.support import report_samples as samples
+from tools.project_root import ROOT
+from tools.reports import results, text_blocks
+from tools.reports.results import RequestError
 
 
 def test_which_word_suffices(reports):

@@ -9,10 +9,11 @@ import json
 import re
 import shutil
 
-import proofs
 import pytest
-import rtl
-from rtl import ROOT
+
+from lab.formal import proofs
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
 
 SOURCE, HARNESSED = "rtl/stream/ffd_stream_count.v", "lab/formal/formal_count.v"
 COUNTER = """\
@@ -77,8 +78,7 @@ def table(checkout):
 @pytest.fixture
 def formal(checkout, table):
     def run(*words):
-        status, out, errors = checkout.script(
-            "formal", "--root", checkout.root, "-j1", "--limit", "10", *words)
+        status, out, errors = checkout.module("lab.formal", "--root", checkout.root, "-j1", "--limit", "10", *words)
         return status, out.splitlines(), errors.splitlines()
     return run
 
@@ -208,7 +208,7 @@ def test_another_head_and_bad_requests(checkout, table, formal, refused):
     assert formal("--only", "x*")[0] == formal("--limit", "x")[0] == 2
 
 
-SOURCES = rtl.Sources(ROOT)
+SOURCES = rtl_sources.Sources(ROOT)
 SHARED = "".join(path.read_text() for path in (ROOT / "lab/formal").glob("properties_*.v"))
 
 

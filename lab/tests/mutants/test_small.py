@@ -4,26 +4,17 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
-import importlib.util
 import pathlib
 import re
 import subprocess
-import sys
 
 import pytest
 
+from lab.mutants import __main__ as study
+from lab.mutants import aiger, built, campaign, equivalence, netlist
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "mutants"), str(ROOT / "tools")]
 
-import aiger  # noqa: E402  pylint: disable=wrong-import-position
-import built  # noqa: E402  pylint: disable=wrong-import-position
-import campaign  # noqa: E402  pylint: disable=wrong-import-position
-import equivalence  # noqa: E402  pylint: disable=wrong-import-position
-import netlist  # noqa: E402  pylint: disable=wrong-import-position
-
-_FILE = importlib.util.spec_from_file_location("study", ROOT / "lab" / "mutants" / "__main__.py")
-study = importlib.util.module_from_spec(_FILE)
-_FILE.loader.exec_module(study)
 
 COUNTER = """module counter #(parameter WIDTH = 4) (
   input wire clk, input wire rst, input wire up_i, output reg [WIDTH-1:0] count_o);

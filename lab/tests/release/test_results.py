@@ -12,7 +12,8 @@ import sys
 import time
 
 import pytest
-from rtl import ROOT
+
+from tools.project_root import ROOT
 
 TABLE = "name,report,command\na,a,sh study.sh a\nb,b,sh study.sh b c\nc,c,sh study.sh b c\n"
 STUDY = """#!/bin/sh
@@ -35,7 +36,7 @@ def tree(checkout):
 
 
 def command(tree):
-    return [sys.executable, "-B", ROOT / "lab" / "release", "--root", tree.root, "--studies", tree.root / "studies.csv"]
+    return [sys.executable, "-B", "-m", "lab.release", "--root", tree.root, "--studies", tree.root / "studies.csv"]
 
 
 @pytest.fixture
@@ -136,7 +137,7 @@ def test_aims_that_are_missed_are_results_too(tree, measured):
 
 def test_the_table_of_this_tree():
     """Each command is one of the Makefiles', and each report has a module."""
-    from figures.modules import MODULES  # pylint: disable=import-outside-toplevel
+    from lab.figures.modules import MODULES  # pylint: disable=import-outside-toplevel
 
     with (ROOT / "lab" / "release" / "studies.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

@@ -39,7 +39,7 @@ def program(build, fails=-1, breaks=-1):
 
 
 def call(build, *words):
-    done = subprocess.run([sys.executable, "-B", ROOT / "lab" / "soak", "--build", build, "--output", build, "--only", "dma",
+    done = subprocess.run([sys.executable, "-B", "-m", "lab.soak", "--build", build, "--output", build, "--only", "dma",
                            "--corpus", build / "corpus.csv", *map(str, words)],
                           capture_output=True, text=True, check=False)
     report = build / "reports" / "soak.json"

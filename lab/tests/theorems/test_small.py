@@ -8,22 +8,12 @@ import dataclasses
 import pathlib
 import random
 import subprocess
-import sys
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "theorems"), str(ROOT / "tools")]
+from lab.theorems import fixed, floating, ieee, lemmas, netlist, powers, prove, seams, terms
 
-import fixed  # noqa: E402  pylint: disable=wrong-import-position
-import floating  # noqa: E402  pylint: disable=wrong-import-position
-import ieee  # noqa: E402  pylint: disable=wrong-import-position
-import lemmas  # noqa: E402  pylint: disable=wrong-import-position
-import netlist  # noqa: E402  pylint: disable=wrong-import-position
-import powers  # noqa: E402  pylint: disable=wrong-import-position
-import prove  # noqa: E402  pylint: disable=wrong-import-position
-import seams  # noqa: E402  pylint: disable=wrong-import-position
-import terms  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 WORDS = 300
 UNITS = (("ffd_fp_add", {"LATENCY": 3}), ("ffd_fp_mul", {"LATENCY": 2}), ("ffd_fp_fma", {"LATENCY": 4}),

@@ -4,14 +4,10 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import pathlib
-import sys
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "lab" / "upsets"), str(ROOT / "tools")]
-
-import counted  # noqa: E402  pylint: disable=wrong-import-position
+from lab.upsets import counted
 
 ROW = "basic-fx18-overlapped"
 

@@ -5,7 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import counted
+from lab.upsets import counted
 
 HEAD = "# clocks 100 registers 8 memory_bits 64\n"
 COLUMNS = "clock,module,name,word,bit,outcome,recovered,restarted,outside_read\n"

@@ -25,7 +25,7 @@ def _study(checkout):
         report = checkout.root / "reports" / "upsets.json"
         report.unlink(missing_ok=True)
         status, _, errors = checkout.run(
-            sys.executable, "-B", ROOT / "lab" / "upsets", "--programs", "programs", "--output", ".", "--flips",
+            sys.executable, "-B", "-m", "lab.upsets", "--programs", "programs", "--output", ".", "--flips",
             "12", *words, env={**os.environ, "PATH": f"{checkout.root}/bin:{os.environ['PATH']}"})
         said = [line for line in errors.splitlines() if "flips in" not in line and "costs" not in line]
         return status, said, json.loads(report.read_text()) if report.exists() else None

@@ -9,7 +9,7 @@ import subprocess
 
 import pytest
 
-import netlist
+from lab.upsets import netlist
 
 pytestmark = pytest.mark.skipif(not shutil.which("yosys"), reason="no yosys")
 # Two registers, one of them in a module below, and the other loaded only once.

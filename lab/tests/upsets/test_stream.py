@@ -5,7 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-import counted
+from lab.upsets import counted
 
 FLIPS = 50
 

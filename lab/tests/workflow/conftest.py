@@ -8,13 +8,12 @@ import pathlib
 import re
 import sys
 
-import nextpnr
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.append(str(ROOT / "lab" / "tests" / "upsets"))
+from lab.tests.upsets import stand_ins
+from tools.synth import nextpnr
 
-import stand_ins  # noqa: E402  pylint: disable=wrong-import-position
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 WORKFLOW = ROOT / "lab" / "workflow"
 SNAKEMAKE = pathlib.Path(sys.executable).parent / "snakemake"

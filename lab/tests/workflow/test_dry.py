@@ -7,9 +7,9 @@ SPDX-License-Identifier: Apache-2.0
 import csv
 import re
 
-import placement
 import pytest
-import synthesis
+
+from tools.synth import placement, synthesis
 from conftest import WORKFLOW, counted
 
 PROFILES = ("kubernetes", "local", "slurm")

@@ -13,13 +13,12 @@ import xml.etree.ElementTree as xml
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-DESIGN = ROOT / "apps" / "web" / "engine" / "design.py"
 SVG = "{http://www.w3.org/2000/svg}"
 ROWS = ("factored3-fx18-overlapped", "cg1-fx18-overlapped")
 
 
 def run(folder, *rows):
-    done = subprocess.run([sys.executable, "-B", DESIGN, folder, folder / "design.cpp", *rows],
+    done = subprocess.run([sys.executable, "-B", "-m", "apps.web.engine.design", folder, folder / "design.cpp", *rows],
                           text=True, capture_output=True, check=False)
     return done.returncode, done.stdout, done.stderr
 

@@ -1,4 +1,4 @@
-// Made from rtl/bus/registers.csv by tools/registers.py; changes here are lost.
+// Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
 #pragma once
 
 namespace hwffd::event {

@@ -1,4 +1,4 @@
-// Made from rtl/formats.csv by tools/made.py; changes here are lost.
+// Made from rtl/formats.csv by tools/tables/generated_files.py; changes here are lost.
 #pragma once
 
 namespace hwffd {

@@ -1,4 +1,4 @@
-// Made from rtl/stream/fields.csv by tools/made.py; changes here are lost.
+// Made from rtl/stream/fields.csv by tools/tables/generated_files.py; changes here are lost.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,4 @@
+"""Programs of the product; those in Python are packages.
+
+SPDX-License-Identifier: Apache-2.0
+"""

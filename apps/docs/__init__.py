@@ -1,0 +1,4 @@
+"""The texts as a site.
+
+SPDX-License-Identifier: Apache-2.0
+"""

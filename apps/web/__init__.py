@@ -1,0 +1,4 @@
+"""The live page as one file.
+
+SPDX-License-Identifier: Apache-2.0
+"""

@@ -1,0 +1,79 @@
+"""Proves the properties of lab/formal/properties.csv, and that each proof finds a planted bug.
+
+Writes build/reports/formal.json and formal.md. What has been proved here before, of the same sources, is
+kept in build/formal/ and not proved again. The exit status is 1 if one is not proved or its planted bug
+is not found, 2 if the request makes no sense.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import fnmatch
+import shutil
+import sys
+
+from lab.figures.studies import formal as properties
+from lab.formal import proofs, report
+from tools import command_line
+from tools.project_root import ROOT
+from tools.synth import engine
+
+
+def run(proving, wanted, jobs):
+    """Proves what has no verdict yet: verdicts and complaints by property. Only clear verdicts are
+    kept; the others depend on how much time there was. Raises EngineError."""
+    files, failed = {}, {}
+    for one in wanted:
+        try:
+            files[one] = [] if proving.result(one) else proving.files(one)
+        except proofs.ProofError as error:
+            failed[one] = str(error)
+    said = engine.run(proving.root, "formal", files, jobs, (f"limit={proving.limit}",), "properties",
+                      "lab/formal/Snakefile")
+    failed.update((one, proofs.in_words(complaint)) for one, complaint in said.items())
+    verdicts = {one: proving.result(one) for one in files if one not in failed}
+    for one, verdict in verdicts.items():
+        if proofs.UNDECIDED in verdict.values():
+            for path in proving.files(one):
+                path.unlink()
+    return verdicts, failed
+
+
+def work(options, root):
+    for tool in ("yosys", "yosys-abc"):
+        if not shutil.which(tool):
+            raise engine.EngineError(f"{tool} not found: run tools/install engine")
+    everything = proofs.read(root / proofs.TABLE)
+    wanted = [one for one in everything
+              if fnmatch.fnmatchcase(one.full_name, options.only or "*")]
+    proving = proofs.Proofs(root, options.limit)
+    if options.since:
+        wanted = proofs.changed_since(proving, wanted, options.since)
+        if not wanted:
+            print(f"formal: nothing under proof has changed since {options.since}")
+            return 0
+    if not wanted:
+        raise command_line.Request(f"no property matches '{options.only}'")
+    lemmas = {(one.module, name) for one in wanted for name in one.lemmas.split()}
+    wanted = [one for one in everything if one in wanted or (one.module, one.name) in lemmas]
+    verdicts, failed = run(proving, wanted, options.jobs)
+    shown = report.write(proving, everything, verdicts, failed, root / "build" / "reports")
+    complaints = {(row["module"], row["name"]): (properties.complaint(row), row) for row in shown}
+    bad = 0
+    for one in wanted:
+        complaint, row = complaints[one.module, one.name]
+        if complaint:
+            bad += 1
+            print(f"formal: {one}: {complaint}" + (
+                "" if row["result"] == "error" else f": see {proving.log(one)}"), file=sys.stderr)
+    print(f"formal: {len(wanted) - bad} of {len(wanted)} properties proved, each with its planted"
+          " bug found")
+    print("wrote build/reports/formal.json and build/reports/formal.md")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    parser = command_line.Parser(prog="formal", description="Proves properties of the RTL.")
+    parser.add_argument("--only", help="a pattern of MODULE.NAME; lemmas that are needed come too")
+    parser.add_argument("--since", metavar="COMMIT", help="only what has changed since that commit")
+    parser.add_argument("--limit", type=int, default=600, help="seconds a proof may take")
+    sys.exit(command_line.run(parser, work, (proofs.ProofError, engine.EngineError)))

@@ -1,0 +1,4 @@
+"""The laboratory's tests.
+
+SPDX-License-Identifier: Apache-2.0
+"""

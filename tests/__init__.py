@@ -1,0 +1,4 @@
+"""The product's tests.
+
+SPDX-License-Identifier: Apache-2.0
+"""

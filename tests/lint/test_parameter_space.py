@@ -1,0 +1,123 @@
+"""The description of the legal space (tools/tables/parameter_space.py) and the RTL say the same: parameters and defaults
+of each top; a guard of the name that the description gives it for each value next to a range and for each
+rule; and no guard for what is legal. Of the cases a part is tried, another one whenever the RTL changes; the test
+lint.space_whole tries all.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import concurrent.futures
+import os
+import random
+import re
+
+import pytest
+
+from tools.rtl import digest, module_header, rtl_sources
+from tools.tables import parameter_draws, parameter_space as spaces
+
+SOURCES = rtl_sources.Sources()
+SPACE = spaces.Space()
+GUARD = re.compile(r"\bERROR_(\w+)")
+# Of tops that share parameters, the one whose parameters are tried.
+OWN = {"hwffd_stream": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream"}
+
+
+def guards(top, configuration):
+    """The guards that Icarus meets."""
+    parameters = [f"{name}={value}" for name, value in configuration.items()]
+    status, said = rtl_sources.run([word for word in rtl_sources.icarus(SOURCES, top, SOURCES.needed(top), parameters)
+                                    if word != "-Wall"])
+    found = sorted(set(GUARD.findall(said)))
+    assert found or status == 0, said
+    return found
+
+
+def cases():
+    """(what, top, configuration, guard or None) of everything that is tried, from one seed."""
+    found = []
+    for top, base in OWN.items():
+        draw = parameter_draws.Draw(SPACE, top, random.Random(top))
+        own = [one for name, one in SPACE.parameters[top].items()
+               if base is None or name not in SPACE.parameters[base]]
+        names = {one.name for one in own}
+        for one in own:
+            found += [(f"{one.name}={value}", top, draw.beyond(one, value), one.guard) for value in one.beyond()]
+            found += [(f"{one.name}={value}", top, draw.legal(**{one.name: value}), None)
+                      for value in parameter_draws.ends(one)]
+        found += [(rule.text, top, draw.breaking(rule), rule.guard) for rule in SPACE.rules_of(top)
+                  if base is None or (set(rule.names) | set(rule.needs)) & names]
+    return found
+
+
+def kinds(draw):
+    """ORG and EVALUATOR of what is built of other modules: a guard that one of them has another may lack."""
+    found = {}
+    for _ in range(1000):
+        drawn = draw.legal()
+        one = SPACE.organizations[drawn["ORG"]]
+        found.setdefault((one.module, one.in_turn, one.scan, drawn["EVALUATOR"]),
+                         {name: drawn[name] for name in ("ORG", "EVALUATOR")})
+    return found.values()
+
+
+def arithmetic_cases():
+    """Latencies that are none, and a fused one without binary32, in each kind."""
+    found = []
+    draw = parameter_draws.Draw(SPACE, "hwffd_stream", random.Random(1))
+    fused, = [rule for rule in SPACE.rules if rule.names == ("FORMAT", "FMA_LATENCY")]
+    for kind in kinds(draw):
+        for name in ("MUL_LATENCY", "ADD_LATENCY"):
+            one = draw.parameters[name]
+            found.append((f"{kind} {name}=0", draw.top, draw.beyond(one, 0, **kind), one.guard))
+        found.append((f"{kind} {fused.text}", draw.top, draw.breaking(fused, **kind), fused.guard))
+    return found
+
+
+def part(whole, share):
+    """One in `share`; which ones follows from the sources."""
+    first = int(digest.of(*(path.read_text() for _, path in sorted(SOURCES.files.items())))[:8], 16)
+    return whole[first % share::share]
+
+
+SHARE = int(os.environ.get("HWFFD_SPACE_SHARE", "8"))
+CASES = part(cases() + arithmetic_cases(), SHARE)
+
+
+@pytest.fixture(name="met", scope="module")
+def _met():
+    """What Icarus says of each case."""
+    with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
+        return list(pool.map(lambda case: guards(case[1], case[2]), CASES))
+
+
+@pytest.mark.parametrize("top", SPACE.parameters)
+def test_parameters_and_defaults(top):
+    defaults = module_header.read(SOURCES, top).parameters
+    assert set(defaults) == set(SPACE.parameters[top])
+    assert SPACE.faults(top, defaults) == []
+
+
+def test_every_guard_is_in_the_sources():
+    known = {guard for path in SOURCES.files.values()
+             for guard in GUARD.findall(rtl_sources.strip_comments(path.read_text()))}
+    patterns = {one.guard for top in SPACE.parameters.values() for one in top.values()}
+    patterns |= {rule.guard for rule in SPACE.rules}
+    assert len(patterns) > 40
+    assert [pattern for pattern in sorted(patterns)
+            if not any(re.fullmatch(pattern, guard) for guard in known)] == []
+
+
+@pytest.mark.parametrize("number", range(len(CASES)), ids=lambda number: f"{CASES[number][1]}: {CASES[number][0]}")
+def test_case(met, number):
+    _, _, configuration, guard = CASES[number]
+    if guard is None:
+        assert met[number] == [], configuration
+    else:
+        assert any(re.fullmatch(guard, one) for one in met[number]), (configuration, guard, met[number])
+
+
+def test_both_kinds_are_tried():
+    refused = sum(guard is not None for _, _, _, guard in CASES)
+    few_refused, few_legal = (80, 60) if SHARE == 1 else (0, 0)
+    assert refused > few_refused and len(CASES) - refused > few_legal

@@ -1,0 +1,85 @@
+"""Parameters, ports, registers and rows of the table of configurations, read off the RTL.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import dataclasses
+
+from tools.reports.results import RequestError
+from tools.reports.text_table import Table
+from tools.rtl import module_header, rtl_sources
+from tools.tables import (
+    configurations, parameter_space, parameter_values as values, register_texts, registers as registers_table,
+)
+
+
+def _meanings(top, names, lines):
+    """name -> meaning, of lines NAME: meaning or PREFIX*: meaning; every line must be of use."""
+    meanings = [[part.strip() for part in line.split(":", 1)] for line in lines]
+    if any(len(pair) != 2 for pair in meanings):
+        raise RequestError(f"{top}: each line is NAME: meaning")
+    found, used = {}, set()
+    for name in names:
+        for pattern, meaning in meanings:
+            if name == pattern or pattern[-1] == "*" and name.startswith(pattern[:-1]):
+                found.setdefault(name, meaning)
+                used.add(pattern)
+        if name not in found:
+            raise RequestError(f"{top}.{name} has no meaning")
+    for pattern, _ in meanings:
+        if pattern not in used:
+            raise RequestError(f"{top} has no {pattern}")
+    return found
+
+
+def _header(reports, top):
+    try:
+        return module_header.read(rtl_sources.Sources(reports.root), top)
+    except module_header.HeaderError as error:
+        raise RequestError(str(error)) from error
+
+
+def parameters(reports, top, lines=()):
+    header = _header(reports, top)
+    meaning = _meanings(top, header.parameters, lines)
+    known = _space(top)
+    return Table(["parameter", "default", "values", "meaning"], [
+        [f"`{name}`", str(value), str(known.parameters[top][name].values), meaning[name]]
+        for name, value in header.parameters.items()])
+
+
+def rules(reports, top):
+    """What binds parameters of a top to each other; the guard is the module that stops elaboration."""
+    _header(reports, top)
+    return Table(["rule", "of parameters"], [
+        [rule.text, values.listed(f"`{name}`" for name in rule.names)] for rule in _space(top).rules_of(top)])
+
+
+def _space(top):
+    known = parameter_space.Space()
+    if top not in known.parameters:
+        raise RequestError(f"{top}: no top of tools/tables/parameter_space.py: {', '.join(known.parameters)}")
+    return known
+
+
+def ports(reports, top, lines=()):
+    header = _header(reports, top)
+    meaning = _meanings(top, [port.name for port in header.ports], lines)
+    return Table(["port", "direction", "width", "meaning"], [
+        [f"`{port.name}`", port.direction, str(port.width), meaning[port.name]]
+        for port in header.ports])
+
+
+def registers(reports):
+    lines = register_texts.summary_lines(registers_table.read(reports.root))
+    heads, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return Table(heads, rows)
+
+
+def rows(reports):
+    """Those of the table of configurations, as a report would have them."""
+    table = configurations.read(reports.root / "rtl" / "configurations.csv")
+    return [dataclasses.asdict(row) for row in table]
+
+
+TABLES = {"parameters": parameters, "rules": rules, "ports": ports, "registers": registers}

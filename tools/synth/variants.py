@@ -1,0 +1,53 @@
+"""synth/variants.csv: cores with a parameter other than their row's, which say what a feature costs.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import re
+from dataclasses import dataclass
+
+from tools import csv_table
+from tools.tables import configurations
+
+COLUMNS = ("name", "variant", "top", "parameters", "meaning")
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A row of the table of configurations with other parameters; it stands where a row stands."""
+
+    row: configurations.Configuration
+    variant: str
+    more: tuple  # pairs of a parameter and its value
+    meaning: str
+
+    @property
+    def name(self):
+        return f"{self.row.name}+{self.variant}"
+
+    @property
+    def parameters(self):
+        return {**self.row.parameters, **dict(self.more)}
+
+    def __getattr__(self, field):
+        return getattr(self.row, field)
+
+
+def _parameters(text, where):
+    found = [re.fullmatch(r"([A-Z][A-Z0-9_]*)=([0-9]+)", word) for word in text.split()]
+    if not found or None in found:
+        raise csv_table.TableError(f"{where}: parameters are NAME=NUMBER, with spaces between")
+    return tuple((match[1], int(match[2])) for match in found)
+
+
+def read(path, rows, tops):
+    """[(variant, its top)] of rows of the table, in order. Raises TableError."""
+    found, known = {}, {row.name: row for row in rows}
+    for where, fields in csv_table.read(path, COLUMNS):
+        row = known[csv_table.word(fields, "name", where, known)]
+        variant = Variant(row, fields["variant"], _parameters(fields["parameters"], where),
+                          fields["meaning"])
+        one = (variant.name, csv_table.word(fields, "top", where, tops))
+        csv_table.unique(found, one, "variant", where)
+        found[one] = variant
+    return [(variant, top) for (_, top), variant in found.items()]

@@ -1,0 +1,125 @@
+"""The RTL that follows from the table of organizations: ffd_org_select, and what kind each of them is.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pathlib
+import textwrap
+
+from tools.tables import organizations
+
+TABLE = f"rtl/{organizations.TABLE}"
+SELECT = "rtl/evaluator/ffd_org_select.v"
+HEADER = "rtl/evaluator/ffd_organizations.vh"
+GENERATED = "by tools/tables/generated_files.py; changes here are lost."
+LATENCIES = """\
+  ffd_num_latencies #(
+    .FORMAT         (FORMAT),
+    .MUL_LATENCY    (MUL_LATENCY),
+    .ADD_LATENCY    (ADD_LATENCY),
+    .FMA_LATENCY    (FMA_LATENCY),
+    .CONVERT_LATENCY(CONVERT_LATENCY)
+  ) u_latencies ();
+"""
+
+
+def select_text(rtl):
+    """ffd_org_select: the organization numbered ORG, if N is one that it has."""
+    found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
+    first = found[0]
+    refused = [f"ORG == {one.number} && N != {one.n}" for one in found if one.n]
+    arms = []
+    for organization in found:
+        own = "".join(f"        .{name}({value}),\n"
+                      for name, value in organization.parameters.items())
+        opening = "if" if organization is first else "end else if"
+        label = organization.name.replace("/", "_by_")
+        arms.append(f"""    {opening} (ORG == {organization.number}) begin : gen_{label}
+      ffd_org_{organization.module} #(
+{own}        `include "ffd_org_arguments.vh"
+      ) u_org (
+        `include "ffd_org_connections.vh"
+      );
+""")
+    listing = ", ".join(f"{one.number} {one.name}" + (f" (N {one.n})" if one.n else "")
+                        for one in found)
+    numbers = textwrap.fill(f"ORG is {listing}.", 100, initial_indent="// ",
+                            subsequent_indent="// ")
+    refusals = " ||\n        ".join(refused)
+    return f"""// ffd_org_select: the organization numbered ORG
+//
+{numbers}
+// Made from rtl/{organizations.TABLE} {GENERATED}
+//
+// Ports, pipeline, parameters: those of every organization (docs/architecture.md).
+// Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
+// SPDX-License-Identifier: Apache-2.0
+`default_nettype none
+`include "ffd_num.vh"
+`include "ffd_eval.vh"
+
+module ffd_org_select #(
+  parameter ORG             = {first.number},
+  parameter FORMAT          = 18,
+  parameter N               = {first.n or 1},
+  parameter PORTS           = `FFD_ORG_PORTS(ORG),
+  `include "ffd_org_parameters.vh"
+) (
+  `include "ffd_org_ports.vh"
+);
+{LATENCIES}
+  generate
+    if ({refusals}) begin : gen_bad_n
+      ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
+    end
+{"".join(arms)}    end else begin : gen_bad_org
+      ERROR_ffd_org_select_org_is_unknown u_error ();
+    end
+  endgenerate
+endmodule
+
+`default_nettype wire
+"""
+
+
+def header_text(rtl):
+    """What other modules may ask of ORG."""
+    found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
+
+    def any_of(kind):
+        tests = [f"(ORG) == {one.number}" for one in found if kind(one)]
+        lines = (" || ".join(tests[i:i + 6]) for i in range(0, len(tests), 6))
+        return " || \\\n    ".join(lines)
+
+    ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
+    jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found
+                           if one.jacobian] + ["0"])
+    return f"""// What kind an organization is, by its number.
+// Made from rtl/{organizations.TABLE} {GENERATED}
+// SPDX-License-Identifier: Apache-2.0
+`ifndef FFD_ORGANIZATIONS_VH
+`define FFD_ORGANIZATIONS_VH
+
+// It takes the 64 points of a vertex in turn, N in a clock.
+`define FFD_ORG_IN_TURN(ORG) \\
+  ({any_of(lambda one: one.in_turn)})
+
+// It takes for granted that the functions of an axis sum to one.
+`define FFD_ORG_AFFINE(ORG) \\
+  ({any_of(lambda one: one.form == "affine")})
+
+// At how many ports it reads points.
+`define FFD_ORG_PORTS(ORG) ({ports}1)
+
+// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+`define FFD_ORG_JACOBIAN(ORG) \\
+  ({jacobian})
+
+`endif
+"""
+
+
+def outputs(root):
+    """path below root -> the text that it must have"""
+    rtl = pathlib.Path(root) / "rtl"
+    return {SELECT: select_text(rtl), HEADER: header_text(rtl)}
