@@ -49,11 +49,11 @@ FAULTS = {
                      "  always @(posedge z) q_o <= d_i;", "DCCA"),
 }
 TABLE = ",".join(configurations.COLUMNS) + """
-basic-fx18-paper,basic,1,fx18,paper,iterative,1,1,0,0,evaluator,all
-basic-fx18-overlapped,basic,1,fx18,overlapped,pipelined,2,1,0,1,evaluator,sim
-tree2-fx18-overlapped,tree,2,fx18,overlapped,pipelined,2,1,0,1,evaluator,test
-basic-fp32-overlapped,basic,1,fp32,overlapped,pipelined,4,4,0,1,evaluator,test
-basic-fx18-overlapped-bspline,basic,1,fx18,overlapped,bspline,2,1,0,1,evaluator,test
+basic-fx18-paper,basic,1,fx18,paper,iterative,1,1,0,0,evaluator,all,none
+basic-fx18-overlapped,basic,1,fx18,overlapped,pipelined,2,1,0,1,evaluator,sim,none
+tree2-fx18-overlapped,tree,2,fx18,overlapped,pipelined,2,1,0,1,evaluator,test,none
+basic-fp32-overlapped,basic,1,fp32,overlapped,pipelined,4,4,0,1,evaluator,test,none
+basic-fx18-overlapped-bspline,basic,1,fx18,overlapped,bspline,2,1,0,1,evaluator,test,none
 """
 STAND_IN = """\
 #!{python}

@@ -41,7 +41,7 @@ TOP_BODY = f"""\
   endgenerate
   wire unused_ok = &{{1'b0, 32'd0 + {USED_PARAMETERS}}};"""
 SAMPLE = "  assign q_o = d_i;"
-ROW = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test"
+ROW = "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test,test"
 TABLE = ",".join(configurations.COLUMNS) + f"\n{ROW}\n"
 
 
