@@ -100,8 +100,8 @@ VectorSum<F> add(const VectorSum<F>& a, const VectorSum<F>& b) {
   return {F::add(a[0], b[0]), F::add(a[1], b[1]), F::add(a[2], b[2])};
 }
 
-/// The sum of n = 1, 2, 4 .. 64 terms by adjacent pairs. Mirrors ffd_eval_tree: the odd term of
-/// each pair is added as it is multiplied, which matters where that is fused.
+/// The sum of n = 1, 2 or 4 terms by adjacent pairs. Mirrors ffd_eval_tree: the odd term of each
+/// pair is added as it is multiplied, which matters where that is fused.
 template <class F, int n>
 VectorSum<F> tree_sum(const Factors<F>* factors) {
   if constexpr (n == 1) {
@@ -113,17 +113,30 @@ VectorSum<F> tree_sum(const Factors<F>* factors) {
   }
 }
 
-/// The 64 terms `wanted` at a time, each so many by a tree, accumulated from +0 in the order of the
-/// banks. Mirrors ffd_eval_summation.
-template <class F, int n = 64>
-VectorSum<F> summation(const std::array<Factors<F>, 64>& factors, int wanted) {
-  if constexpr (n > 1) {
-    if (wanted != n) return summation<F, n / 2>(factors, wanted);
+/// The same of n = 4, 8 .. 64 terms. A loop: written out for each n, it takes a compiler minutes.
+template <class F>
+VectorSum<F> large_tree_sum(const Factors<F>* factors, int n) {
+  std::array<VectorSum<F>, 16> sums;
+  for (int i = 0; i < n / 4; ++i) sums[i] = tree_sum<F, 4>(factors + 4 * i);
+  for (int count = n / 8; count > 0; count /= 2) {
+    for (int i = 0; i < count; ++i) sums[i] = add<F>(sums[2 * i], sums[2 * i + 1]);
   }
-  if constexpr (n == 64) return tree_sum<F, 64>(factors.data());
+  return sums[0];
+}
+
+/// The 64 terms n at a time, each so many by a tree, accumulated from +0 in the order of the banks.
+/// Mirrors ffd_eval_summation.
+template <class F>
+VectorSum<F> summation(const std::array<Factors<F>, 64>& factors, int n) {
+  if (n == 64) return large_tree_sum<F>(factors.data(), 64);
   VectorSum<F> sum = zero_sum<F>();
+  if (n == 1) {
+    for (const Factors<F>& factor : factors) sum = mac<F>(sum, factor);
+    return sum;
+  }
   for (int index = 0; index < 64; index += n) {
-    sum = n == 1 ? mac<F>(sum, factors[index]) : add<F>(sum, tree_sum<F, n>(&factors[index]));
+    const Factors<F>* const some = &factors[index];
+    sum = add<F>(sum, n == 2 ? tree_sum<F, 2>(some) : large_tree_sum<F>(some, n));
   }
   return sum;
 }
