@@ -63,7 +63,7 @@ def own(options, reports):
 def with_module():
     """The environment, in which the module hwffd is that of the build."""
     more = project_root.environment()
-    return {**more, "PYTHONPATH": os.pathsep.join([str(ROOT / "build" / "api" / "python"), more["PYTHONPATH"]])}
+    return {**more, "PYTHONPATH": os.pathsep.join([str(ROOT / "build" / "lab" / "product" / "api" / "python"), more["PYTHONPATH"]])}
 
 
 def arrays(options):

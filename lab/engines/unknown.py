@@ -51,7 +51,7 @@ class Subject:
 
     def simulate(self, tops, files, includes, watched=0, macros=()):
         """The Unknown of files with the core, and that many bits watched by others than the bench."""
-        benches = [HERE / f"{name}.v" for name in (self.bench, "ffd_bench_known", "ffd_bench_memory")]
+        benches = [HERE / f"{self.bench}.v", ROOT / "tb" / "rtl" / "ffd_bench_known.v", HERE / "ffd_bench_memory.v"]
         clocks, names, seconds = icarus.run(icarus.Bench(
             (self.bench, *tops), {**self.row.parameters, **self.parameters}, (*files, *benches),
             tuple(includes), macros), self.folder)
