@@ -41,8 +41,11 @@ list(TRANSFORM verilate_folders PREPEND -I)
 # How models are compiled, and those that stay on this machine; so is what is timed beside them. Most of the time to
 # compile one would go into the question what a store may change, asked of functions with thousands of them: it is
 # answered after a few looks.
-set(HWFFD_MODEL_OPTIONS "-O1 -fno-tree-pta --param=sccvn-max-alias-queries-per-access=4 \
---param=dse-max-alias-queries-per-store=4")
+set(HWFFD_MODEL_OPTIONS "-O1")
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  string(APPEND HWFFD_MODEL_OPTIONS " -fno-tree-pta --param=sccvn-max-alias-queries-per-access=4"
+    " --param=dse-max-alias-queries-per-store=4")
+endif()
 set(HWFFD_NATIVE_OPTIONS "-march=native")
 
 # hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> [SOURCES <file>...]
