@@ -14,7 +14,7 @@
 namespace hwffd::tb {
 namespace {
 
-constexpr std::size_t kBeats = 1500;
+constexpr std::size_t kLoopbackBeats = 1500;
 
 class LoopbackMatrix : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
@@ -26,20 +26,20 @@ TEST_P(LoopbackMatrix, PassesWithAllCounts) {
     StreamBenchOptions options = throttled(source, sink, seed);
     options.probe_edges = true;
     StreamBench bench(core, options);
-    const auto beats = random_beats(kBeats, seed);
+    const auto beats = random_beats(kLoopbackBeats, seed);
     loop_back(bench, 3, beats);
     EXPECT_TRUE(bench.run());
     ASSERT_TRUE(bench.finish()) << bench.report();
 
-    EXPECT_EQ(bench.scoreboard().checked(), kBeats);
-    EXPECT_EQ(bench.scoreboard().expected(), kBeats);
+    EXPECT_EQ(bench.scoreboard().checked(), kLoopbackBeats);
+    EXPECT_EQ(bench.scoreboard().expected(), kLoopbackBeats);
     EXPECT_EQ(bench.checker().violations(), 0u);
     EXPECT_EQ(bench.results(), beats);
     const auto& in = bench.accept_clocks();
     const auto& out = bench.result_clocks();
-    ASSERT_EQ(in.size(), kBeats);
-    ASSERT_EQ(out.size(), kBeats);
-    for (std::size_t i = 0; i < kBeats; ++i) {
+    ASSERT_EQ(in.size(), kLoopbackBeats);
+    ASSERT_EQ(out.size(), kLoopbackBeats);
+    for (std::size_t i = 0; i < kLoopbackBeats; ++i) {
       ASSERT_GE(out[i], in[i] + latency) << "beat " << i;
       if (i == 0) continue;
       ASSERT_GT(in[i], in[i - 1]);

@@ -16,7 +16,7 @@ namespace hwffd {
 namespace {
 
 constexpr double kTiny = 1e-13;
-const Eigen::Matrix3d kEdges = Eigen::Vector3d(1, 2, 1.5).asDiagonal();
+const Eigen::Matrix3d kKindsEdges = Eigen::Vector3d(1, 2, 1.5).asDiagonal();
 
 Lattice deform(const std::string& text, const Lattice& lattice) {
   return Deformation::parse(text).apply(lattice);
@@ -28,11 +28,11 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-  return {{"box", Box(Point(1, 2, 3), kEdges).lattice({5, 6, 7})},
-          {"cylinder", Cylinder(Point(1, 2, 3), kEdges).lattice({5, 6, 11})},
-          {"tube", Cylinder(Point(1, 2, 3), kEdges, 0.4).lattice({4, 6, 9})},
-          {"sphere", Sphere(Point(1, 2, 3), kEdges).lattice({5, 8, 11})},
-          {"shell", Sphere(Point(1, 2, 3), kEdges, 0.4).lattice({4, 7, 10})}};
+  return {{"box", Box(Point(1, 2, 3), kKindsEdges).lattice({5, 6, 7})},
+          {"cylinder", Cylinder(Point(1, 2, 3), kKindsEdges).lattice({5, 6, 11})},
+          {"tube", Cylinder(Point(1, 2, 3), kKindsEdges, 0.4).lattice({4, 6, 9})},
+          {"sphere", Sphere(Point(1, 2, 3), kKindsEdges).lattice({5, 8, 11})},
+          {"shell", Sphere(Point(1, 2, 3), kKindsEdges, 0.4).lattice({4, 7, 10})}};
 }
 
 /// One of each kind but none, so mild that nothing should fold.
@@ -190,7 +190,7 @@ TEST(DeformationKinds, AxesOnlyChangeTheirNames) {
 
 /// Naming a repeated point or the point that it repeats is the same.
 TEST(DeformationKinds, RepeatedPointsMoveTogether) {
-  const Lattice tube = Cylinder(Point(1, 2, 3), kEdges, 0.4).lattice({4, 6, 9});
+  const Lattice tube = Cylinder(Point(1, 2, 3), kKindsEdges, 0.4).lattice({4, 6, 9});
   const Lattice moved = deform("move:3,2,1:0.1,0,0", tube);
   EXPECT_EQ(deform("move:3,2,7:0.1,0,0", tube).points(), moved.points());
   EXPECT_EQ(moved.point(3, 2, 7), moved.point(3, 2, 1));

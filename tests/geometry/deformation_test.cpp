@@ -13,18 +13,18 @@ namespace {
 
 using Kind = Deformation::Kind;
 
-constexpr double kTiny = 1e-13;
+constexpr double kDeformationTiny = 1e-13;
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
 /// 4 x 4 x 4 points from (0, 0, 0) to (3, 3, 3): the cell is [1, 2]^3.
-Lattice cube() { return Box(Point(1, 1, 1), Eigen::Matrix3d::Identity()).lattice({4, 4, 4}); }
+Lattice plain_cube() { return Box(Point(1, 1, 1), Eigen::Matrix3d::Identity()).lattice({4, 4, 4}); }
 
-Lattice deform(const std::string& text, const Lattice& lattice) {
+Lattice deformed_by(const std::string& text, const Lattice& lattice) {
   return Deformation::parse(text).apply(lattice);
 }
 
 void expect_point(const Point& got, const Point& expected) {
-  EXPECT_LT((got - expected).norm(), kTiny)
+  EXPECT_LT((got - expected).norm(), kDeformationTiny)
       << got.transpose() << " instead of " << expected.transpose();
 }
 
@@ -153,7 +153,7 @@ TEST(Deformation, UsageErrorsEndWithStatusTwo) {
 /// Section 6 of the paper: the top 4 corners turn by 90 degrees about the y axis through the
 /// centre, the other points are interpolated from the 8 corners.
 TEST(Deformation, TwistTurnsTheTopCorners) {
-  const Lattice twisted = deform("twist:90", cube());
+  const Lattice twisted = deformed_by("twist:90", plain_cube());
   expect_point(twisted.point(0, 3, 0), Point(0, 3, 3));
   expect_point(twisted.point(3, 3, 0), Point(0, 3, 0));
   expect_point(twisted.point(3, 3, 3), Point(3, 3, 0));
@@ -172,7 +172,7 @@ TEST(Deformation, TwistTurnsTheTopCorners) {
 TEST(Deformation, TwistInterpolatesTheCorners) {
   const Index3 dims{4, 6, 5};
   const Lattice start = Box(Point(-2, 0.5, 3), Eigen::Vector3d(2, 3, 5).asDiagonal()).lattice(dims);
-  const Lattice twisted = deform("twist:50", start);
+  const Lattice twisted = deformed_by("twist:50", start);
   for (const auto& [i, j, k] : places(dims)) {
     Point expected = Point::Zero();
     for (const auto& [x, y, z] : places({2, 2, 2})) {
@@ -196,7 +196,7 @@ TEST(Deformation, TwistInterpolatesTheCorners) {
 /// third, v from 1/3 to 2/3, and sees atan(2) - atan(1/2) = 36.87 of the 90 degrees. Uniform
 /// B-splines reproduce linear data, so the deformed points lie on the same chords.
 TEST(Deformation, CentralThirdSees36Point9Degrees) {
-  const Lattice twisted = deform("twist:90", cube());
+  const Lattice twisted = deformed_by("twist:90", plain_cube());
   const Support support = twisted.support({0, 0, 0});
   const auto arm = [&](double t) {
     const Point q = Oracle().evaluate(support, 1.0, t, 0.5);  // at rest on the line x = 2, z = 1.5
@@ -209,8 +209,8 @@ TEST(Deformation, CentralThirdSees36Point9Degrees) {
   EXPECT_NEAR(degrees(0.5), 45.0, 1e-10);
   EXPECT_NEAR(degrees(1.0), 63.434948823, 1e-8);
   EXPECT_NEAR(degrees(1.0) - degrees(0.0), 36.9, 0.05);
-  EXPECT_NEAR(arm(0.0).norm(), 0.5 * std::sqrt(5.0) / 3.0, kTiny);
-  EXPECT_NEAR(arm(0.5).norm(), 0.5 * std::sqrt(0.5), kTiny);
+  EXPECT_NEAR(arm(0.0).norm(), 0.5 * std::sqrt(5.0) / 3.0, kDeformationTiny);
+  EXPECT_NEAR(arm(0.5).norm(), 0.5 * std::sqrt(0.5), kDeformationTiny);
 }
 
 /// What the cells hold turns by the whole angle from their bottom to their top. Layers h apart draw
@@ -220,7 +220,7 @@ TEST(Deformation, HelixTurnsWhatTheCellsHold) {
     const Lattice start =
         Box(Point(1, 5, 1), Eigen::Vector3d(1, 3, 1).asDiagonal()).lattice({4, layers, 4});
     for (const double degrees : {90.0, -40.0, 300.0}) {
-      const Lattice turned = deform("helix:" + std::to_string(degrees), start);
+      const Lattice turned = deformed_by("helix:" + std::to_string(degrees), start);
       const double step = degrees / (layers - 3) / kDegreesPerRadian;
       const double radius = 0.5 * (2.0 + std::cos(step)) / 3.0;
       for (int face = 0; face < layers - 2; ++face) {
@@ -236,7 +236,7 @@ TEST(Deformation, HelixTurnsWhatTheCellsHold) {
 }
 
 TEST(Deformation, ShearLowersLeftAndLiftsRight) {
-  const Lattice sheared = deform("shear:0.5", cube());
+  const Lattice sheared = deformed_by("shear:0.5", plain_cube());
   for (const auto& [i, j, k] : places({4, 4, 4})) {
     const double lift = 1.5 * (2.0 * i / 3.0 - 1.0) * (1.0 - j / 3.0);
     expect_point(sheared.point(i, j, k), Point(i, j + lift, k));
@@ -246,7 +246,7 @@ TEST(Deformation, ShearLowersLeftAndLiftsRight) {
 }
 
 TEST(Deformation, BendMakesAnArc) {
-  const Lattice bent = deform("bend:90", cube());
+  const Lattice bent = deformed_by("bend:90", plain_cube());
   const double radius = 3.0 / (90.0 / kDegreesPerRadian);
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) expect_point(bent.point(i, 0, k), Point(i, 0, k));
@@ -254,14 +254,14 @@ TEST(Deformation, BendMakesAnArc) {
   // The top layer has turned by 90 degrees towards +x: its points lie on a vertical line.
   expect_point(bent.point(0, 3, 1), Point(1.5 + radius, radius + 1.5, 1));
   expect_point(bent.point(3, 3, 1), Point(1.5 + radius, radius - 1.5, 1));
-  const Lattice back = deform("bend:-90", cube());
+  const Lattice back = deformed_by("bend:-90", plain_cube());
   expect_point(back.point(3, 3, 1), Point(1.5 - radius, radius + 1.5, 1));
 }
 
 TEST(Deformation, RandomMovesEveryPointAlongItsOwnSpacing) {
   const Lattice start =
       Box(Point(0, 0, 0), Eigen::Vector3d(1, 10, 400).asDiagonal()).lattice({4, 5, 7});
-  const Points moved = deform("random:7", start).points() - start.points();
+  const Points moved = deformed_by("random:7", start).points() - start.points();
   const Eigen::RowVector3d spacing(1, 5, 100);
   const Points relative = moved.array().rowwise() / spacing.array();
   EXPECT_LE(relative.cwiseAbs().maxCoeff(), 0.3);
@@ -276,13 +276,14 @@ TEST(Deformation, RandomMovesEveryPointAlongItsOwnSpacing) {
 }
 
 TEST(Deformation, RandomRepeatsItsSeed) {
-  const Lattice start = cube();
-  EXPECT_EQ(deform("random:7", start).points(), deform("random:7", start).points());
-  EXPECT_NE(deform("random:7", start).points(), deform("random:8", start).points());
-  EXPECT_EQ(deform("random", start).points(), deform("random:1", start).points());
+  const Lattice start = plain_cube();
+  EXPECT_EQ(deformed_by("random:7", start).points(), deformed_by("random:7", start).points());
+  EXPECT_NE(deformed_by("random:7", start).points(), deformed_by("random:8", start).points());
+  EXPECT_EQ(deformed_by("random", start).points(), deformed_by("random:1", start).points());
   // mt19937_64 with its default seed 5489 first gives 14514284786278117030 (C++ standard's engine).
   const double unit = static_cast<double>(14514284786278117030ull >> 11) * 0x1p-53;
-  EXPECT_NEAR(deform("random:5489", start).point(0, 0, 0).x(), 0.3 * (2.0 * unit - 1.0), kTiny);
+  EXPECT_NEAR(deformed_by("random:5489", start).point(0, 0, 0).x(), 0.3 * (2.0 * unit - 1.0),
+              kDeformationTiny);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ namespace {
 constexpr double kBound = 1e-9;  // of the lattice's size
 constexpr std::size_t kPoints = 10000;
 
-const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
+const Eigen::Matrix3d kUnitBox = Eigen::Matrix3d::Identity();
 
 Embedder around_corners(const std::string& kind) {
   return Embedder(test::sample_lattice(kind, test::corners()));
@@ -95,16 +95,16 @@ TEST(Embedder, ExtremeLatticesComeBack) {
   Eigen::Matrix3d flat;
   flat << 100, 0, 0.3, 0, 0.1, 0, 0, 0, 1;
   const Point far(1e6, -1e6, 1e6);
-  expect_back(Embedder(Cylinder(Point::Zero(), kUnit).lattice({4, 4, 6})), 2000, 2);
-  expect_back(Embedder(Sphere(Point::Zero(), kUnit).lattice({4, 5, 6})), 2000, 3);
+  expect_back(Embedder(Cylinder(Point::Zero(), kUnitBox).lattice({4, 4, 6})), 2000, 2);
+  expect_back(Embedder(Sphere(Point::Zero(), kUnitBox).lattice({4, 5, 6})), 2000, 3);
   expect_back(Embedder(Sphere(Point::Zero(), flat).lattice({4, 6, 8})), 2000, 4);
-  expect_back(Embedder(Cylinder(far, kUnit, 0.9).lattice({5, 4, 16})), 2000, 5);
-  expect_back(Embedder(Sphere(far, kUnit, 0.1).lattice({16, 16, 16})), 2000, 6);
+  expect_back(Embedder(Cylinder(far, kUnitBox, 0.9).lattice({5, 4, 16})), 2000, 5);
+  expect_back(Embedder(Sphere(far, kUnitBox, 0.1).lattice({16, 16, 16})), 2000, 6);
 }
 
 /// A strongly bent cell in which Newton-Raphson from 0.5 alone does not find all points.
 Lattice crooked_cell() {
-  const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
+  const Lattice box = Box(Point::Zero(), kUnitBox).lattice({4, 4, 4});
   return Deformation::parse("bend:300").apply(Deformation::parse("twist:80").apply(box));
 }
 
@@ -137,7 +137,7 @@ TEST(Embedder, FindsWhatPlainNewtonMisses) {
 }
 
 TEST(Embedder, OutsideIsProvedAndNear) {
-  const Embedder ball(Sphere(Point(1, 2, 3), kUnit).lattice({4, 9, 16}));
+  const Embedder ball(Sphere(Point(1, 2, 3), kUnitBox).lattice({4, 9, 16}));
   for (int n = 0; n < 400; ++n) {
     const double angle = 0.7 * n;
     const double height = 2.0 * n / 400 - 1;
@@ -155,7 +155,7 @@ TEST(Embedder, OutsideIsProvedAndNear) {
 
 /// A hair outside the outer face, closer than anything but the tolerance tells apart.
 TEST(Embedder, DecidesClosePointsAtFaces) {
-  const Embedder tube(Cylinder(Point::Zero(), kUnit, 0.5).lattice({5, 5, 10}));
+  const Embedder tube(Cylinder(Point::Zero(), kUnitBox, 0.5).lattice({5, 5, 10}));
   const Embedded edge{{1, 1, 3}, {1.0, 1.0, 0.37}, true};
   const Point on = tube.point(edge);
   for (const double above : {1e-3, 1e-6, 1e-9, 1e-11}) {
@@ -243,7 +243,7 @@ std::vector<Case> cases() {
           {"cylinder", test::sample_lattice("cylinder", test::corners())},
           {"tube", Cylinder(Point::Zero(), slanted, 0.6).lattice({4, 4, 9})},
           {"sphere", test::sample_lattice("sphere", test::corners())},
-          {"shell", Sphere(Point::Ones(), kUnit, 0.5).lattice({4, 6, 8})},
+          {"shell", Sphere(Point::Ones(), kUnitBox, 0.5).lattice({4, 6, 8})},
           {"custom", test::sample_lattice("custom", test::corners())}};
 }
 
@@ -272,8 +272,8 @@ TEST(NearestPlace, NoSampledPlaceIsNearer) {
 /// Few cells, so curved that Newton's method from the middle of each face misses some places: the
 /// search of their parts finds them.
 TEST(NearestPlace, MiddlesOfFacesAreNotEnough) {
-  const Lattice box = Box(Point::Zero(), kUnit).lattice({4, 4, 4});
-  for (const Lattice& lattice : {Sphere(Point::Zero(), kUnit, 0.5).lattice({4, 5, 6}),
+  const Lattice box = Box(Point::Zero(), kUnitBox).lattice({4, 4, 4});
+  for (const Lattice& lattice : {Sphere(Point::Zero(), kUnitBox, 0.5).lattice({4, 5, 6}),
                                  Deformation::parse("twist:80").apply(box)}) {
     const Embedder embedder(lattice);
     const NearestPlace nearest(lattice);
@@ -291,11 +291,11 @@ TEST(NearestPlace, MiddlesOfFacesAreNotEnough) {
 
 /// Where the nearest place is known.
 TEST(NearestPlace, KnownPlaces) {
-  const NearestPlace box(Box(Point(0, 0, 0), kUnit).lattice({6, 5, 4}));
+  const NearestPlace box(Box(Point(0, 0, 0), kUnitBox).lattice({6, 5, 4}));
   EXPECT_EQ(box.find(Point(2, 0.25, -3)).point, Point(1, 0.25, 0));
   EXPECT_EQ(box.find(Point(2, 0.25, -3)).at.cell, (Index3{2, 0, 0}));
   EXPECT_EQ(box.find(Point(2, 0.25, -3)).at.local, Eigen::Vector3d(1, 0.5, 0));
-  const NearestPlace can(Cylinder(Point(5, 0, 0), kUnit).lattice({4, 6, 11}));
+  const NearestPlace can(Cylinder(Point(5, 0, 0), kUnitBox).lattice({4, 6, 11}));
   for (const double x : {4.2, 4.7, 5.0, 5.2, 5.6}) {
     for (const double z : {-0.5, 0.0, 0.3}) {
       const NearestPlace::Result found = can.find(Point(x, 3, z));
@@ -303,7 +303,7 @@ TEST(NearestPlace, KnownPlaces) {
     }
   }
   // Above the pole of a ball; the equator at u = 0 lies in the middle of a cell, touches the ball.
-  const NearestPlace ball(Sphere(Point(5, 0, 0), kUnit).lattice({4, 6, 11}));
+  const NearestPlace ball(Sphere(Point(5, 0, 0), kUnitBox).lattice({4, 6, 11}));
   EXPECT_NEAR(ball.find(Point(5, 7, 0)).distance, 6.0, 0.02);
   EXPECT_LT((ball.find(Point(5, 7, 0)).point - Point(5, 1, 0)).norm(), 0.02);
 }
@@ -344,7 +344,7 @@ TEST(NearestPlace, NeighboursHaveNeighbouringPlaces) {
 
 /// From the middle of a hollow all places of its wall are about as near: the search stays bounded.
 TEST(NearestPlace, SearchIsBounded) {
-  const NearestPlace tube(Cylinder(Point::Zero(), kUnit, 0.5).lattice({5, 6, 16}));
+  const NearestPlace tube(Cylinder(Point::Zero(), kUnitBox, 0.5).lattice({5, 6, 16}));
   const NearestPlace::Result inside = tube.find(Point(0, 0.5, 0));
   EXPECT_NEAR(inside.distance, 0.5, 1e-3);
   EXPECT_LT(inside.parts, 2500);

@@ -22,7 +22,7 @@
 namespace hwffd {
 namespace {
 
-constexpr double kTiny = 1e-13;
+constexpr double kFewPointsTiny = 1e-13;
 
 using Weights = std::array<double, 3>;
 
@@ -90,7 +90,7 @@ TEST_P(FewPoints, TheMapIsThatOfTheCurves) {
     for (const double s : {0.0, 0.2, 0.5, 0.9}) {
       for (const double t : {0.1, 0.5, 1.0}) {
         const Point at(s, t, 0.7);
-        EXPECT_LT((evaluated(more, family, at) - wanted(few, at, weights)).norm(), kTiny)
+        EXPECT_LT((evaluated(more, family, at) - wanted(few, at, weights)).norm(), kFewPointsTiny)
             << dims[0] << dims[1] << dims[2] << " at " << at.transpose();
       }
     }
@@ -101,7 +101,7 @@ TEST_P(FewPoints, ComeBack) {
   for (const Index3& dims : {Index3{2, 3, 4}, Index3{3, 7, 2}, Index3{2, 2, 2}}) {
     const Lattice few = moved(dims, family);
     const Lattice again = thinned(whole(few, family), dims, family);
-    EXPECT_LT((again.points() - few.points()).norm(), kTiny);
+    EXPECT_LT((again.points() - few.points()).norm(), kFewPointsTiny);
   }
   const Lattice enough = moved({4, 7, 4}, family);
   EXPECT_TRUE(same_bits(whole(enough, family).points(), enough.points()));
@@ -114,7 +114,7 @@ TEST_P(FewPoints, BoxesAtRestStayBoxes) {
     const Point corner = cube().row(row);
     const Embedding found = embedder.embed(corner);
     EXPECT_EQ(found.status, EmbeddingStatus::kInside);
-    EXPECT_LT((embedder.point(found.at) - corner).norm(), kTiny);
+    EXPECT_LT((embedder.point(found.at) - corner).norm(), kFewPointsTiny);
   }
   EXPECT_EQ(check_folds(rest, 4, family).verdict, FoldCheck::Verdict::kProved);
 }
@@ -142,7 +142,7 @@ TEST(FewPointsOf, FamiliesThatInterpolate) {
     const Lattice more = whole(few, family);
     for (const auto& [i, j, k] : places(few.dims())) {
       const Point at(i / 2.0, j, k / 2.0);
-      EXPECT_LT((evaluated(more, family, at) - few.point(i, j, k)).norm(), kTiny);
+      EXPECT_LT((evaluated(more, family, at) - few.point(i, j, k)).norm(), kFewPointsTiny);
     }
   }
 }

@@ -20,9 +20,9 @@
 namespace hwffd {
 namespace {
 
-const Eigen::Matrix3d kUnit = Eigen::Matrix3d::Identity();
+const Eigen::Matrix3d kUnitGradient = Eigen::Matrix3d::Identity();
 
-Lattice unit_box() { return Box(Point::Zero(), kUnit).lattice({5, 4, 4}); }
+Lattice unit_box() { return Box(Point::Zero(), kUnitGradient).lattice({5, 4, 4}); }
 
 /// The points when the lattice they are attached to is deformed.
 Points followed(const Attachment& attachment, const Lattice& deformed) {
@@ -137,14 +137,14 @@ TEST(Gradients, OfPointsOutside) {
   const Points points = four_points();
   const Lattice deformed = Deformation::parse("twist:30").apply(unit_box());
   const auto kept = attached(unit_box(), points, "keep").gradients(deformed);
-  EXPECT_EQ(kept[1], kUnit);
-  EXPECT_EQ(kept[2], kUnit);
+  EXPECT_EQ(kept[1], kUnitGradient);
+  EXPECT_EQ(kept[2], kUnitGradient);
   EXPECT_TRUE(kept[0].allFinite() && kept[3].allFinite());
-  EXPECT_NE(kept[0], kUnit);
+  EXPECT_NE(kept[0], kUnitGradient);
   const auto faded = attached(unit_box(), points, "fade:0.5").gradients(deformed);
-  EXPECT_EQ(faded[1], kUnit);
+  EXPECT_EQ(faded[1], kUnitGradient);
   EXPECT_TRUE(faded[2].allFinite());
-  EXPECT_NE(faded[2], kUnit);
+  EXPECT_NE(faded[2], kUnitGradient);
 }
 
 TEST(Gradients, FromDerivativesOfAnother) {

@@ -14,11 +14,11 @@ namespace {
 
 using MeshNames = MeshFiles;
 
-const char* const kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+const char* const kNamedTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
 
 TEST_F(MeshNames, Latin1BecomesUtf8) {
   folder.write("a.mtl", "newmtl gr\xfcn\nKd 0 1 0\nmap_Kd b\xe4r.png\n");
-  const Mesh mesh = load(std::string("mtllib a.mtl\ng t\xfcr\nusemtl gr\xfcn\n") + kTriangle);
+  const Mesh mesh = load(std::string("mtllib a.mtl\ng t\xfcr\nusemtl gr\xfcn\n") + kNamedTriangle);
   mesh.save(folder / "b.gltf");
   const nlohmann::json file = nlohmann::json::parse(read_text(folder / "b.gltf"));
   EXPECT_EQ(file["materials"].back()["name"], "gr\u00fcn");
@@ -41,7 +41,7 @@ TEST_F(MeshNames, LongNamesAreCut) {
   for (const std::string first : {"", "g"}) {
     const std::string latin = first + std::string(700, '\xfc');
     folder.write("a.mtl", "newmtl " + latin + "\nKd 0 1 0\n");
-    const Mesh mesh = load("mtllib a.mtl\nusemtl " + latin + "\n" + kTriangle);
+    const Mesh mesh = load("mtllib a.mtl\nusemtl " + latin + "\n" + kNamedTriangle);
     mesh.save(folder / "b.gltf");
     const nlohmann::json file = nlohmann::json::parse(read_text(folder / "b.gltf"));
     std::string wanted = first;
@@ -51,7 +51,7 @@ TEST_F(MeshNames, LongNamesAreCut) {
 }
 
 TEST_F(MeshNames, Utf8Stays) {
-  const Mesh mesh = load(std::string("g t\u00fcr \u6728\n") + kTriangle);
+  const Mesh mesh = load(std::string("g t\u00fcr \u6728\n") + kNamedTriangle);
   mesh.save(folder / "b.gltf");
   expect_part(read_text(folder / "b.gltf"), "\"t\u00fcr \u6728\"");
 }
@@ -66,8 +66,9 @@ TEST_F(MeshNames, TexturesAreFoundFromAnotherFolder) {
     std::filesystem::create_directory(folder / name);
   folder.write("in/skin/red.png", "x");
   folder.write("in/a.mtl", "newmtl red\nmap_Kd skin/red.png\nnewmtl far\nmap_Kd /abs/far.png\n");
-  const Mesh mesh = Mesh::load(folder.write(
-      "in/a.obj", std::string("mtllib a.mtl\nusemtl red\n") + kTriangle + "usemtl far\nf 1 3 2\n"));
+  const Mesh mesh =
+      Mesh::load(folder.write("in/a.obj", std::string("mtllib a.mtl\nusemtl red\n") +
+                                              kNamedTriangle + "usemtl far\nf 1 3 2\n"));
   mesh.save(folder / "in/b.obj");
   expect_part(read_text(folder / "in/b.obj"), "mtllib a.mtl\n");
   mesh.save(folder / "out/b.obj");
@@ -138,7 +139,7 @@ TEST_F(MeshNames, DroppedPropertiesOfPly) {
 }
 
 TEST_F(MeshNames, DroppedAnimationsAndCameras) {
-  load(kTriangle).save(folder / "a.gltf");
+  load(kNamedTriangle).save(folder / "a.gltf");
   nlohmann::json file = nlohmann::json::parse(read_text(folder / "a.gltf"));
   file["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
   file["nodes"].push_back({{"name", "eye"}, {"camera", 0}});
@@ -151,7 +152,7 @@ TEST_F(MeshNames, DroppedAnimationsAndCameras) {
 }
 
 TEST_F(MeshNames, ObjectNamesThatObjDrops) {
-  const Mesh mesh = load(std::string("o car\ng wheel\n") + kTriangle + "g wheel 2\nf 1 3 2\n");
+  const Mesh mesh = load(std::string("o car\ng wheel\n") + kNamedTriangle + "g wheel 2\nf 1 3 2\n");
   EXPECT_EQ(
       mesh.save(folder / "b.ply"),
       (std::vector<std::string>{"order of vertices", "part names", "names of empty objects"}));

@@ -170,15 +170,15 @@ TEST(Spans, ClampedEndsAreTheEndPoints) {
   }
 }
 
-/// Seams between cells that have length.
-struct Seams {
+/// SpanSeams between cells that have length.
+struct SpanSeams {
   int compared = 0;
   int cracked = 0;
   int sum_is_one = 0;
 };
 
 void count_seams(const std::vector<double>& knots, const std::vector<Blending>& spans,
-                 const std::string& format, bool fused, Seams& seams) {
+                 const std::string& format, bool fused, SpanSeams& seams) {
   const WordCodec codec(format);
   const std::vector<AxisWords> words = encode(spans, codec);
   for (std::size_t lower = 0; lower + 1 < spans.size(); ++lower) {
@@ -196,13 +196,13 @@ void count_seams(const std::vector<double>& knots, const std::vector<Blending>& 
 }
 
 TEST(Spans, SeamsAreWatertightInEveryFormat) {
-  Seams all;
+  SpanSeams all;
   for (const Format& format : kFormats) {
     for (const bool fused : {false, true}) {
       if (fused && format.words != Words::kFloat) continue;
       std::mt19937_64 random(3);
-      Seams seams;
-      Seams plain;
+      SpanSeams seams;
+      SpanSeams plain;
       for (int n = 0; n < kVectors; ++n) {
         const std::vector<double> knots = n < 10 ? clamped_knots(n + 1) : random_knots(random, 4);
         if (knots.size() < 8 || !(knots[knots.size() - 4] > knots[3])) continue;

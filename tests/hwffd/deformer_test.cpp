@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "embed/samples.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {

@@ -8,20 +8,20 @@
 #include <cmath>
 #include <limits>
 
-#include "embed/samples.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/lattice/embedder.hpp"
 #include "hwffd/model/configuration.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {
 
 struct Scene {
   Lattice lattice =
-      Deformation::parse("random:3").apply(lattice_around("box", embed::corners(), {6, 5, 7}));
-  std::vector<Embedded> vertices = embed::known_places(lattice, 500, 1);
+      Deformation::parse("random:3").apply(lattice_around("box", test::corners(), {6, 5, 7}));
+  std::vector<Embedded> vertices = test::known_places(lattice, 500, 1);
 };
 
 double largest(const Points& difference) { return difference.cwiseAbs().maxCoeff(); }

@@ -4,12 +4,12 @@
 
 #include "Vcg1_fx18_overlapped_3888.h"
 #include "device/stream_device.hpp"
-#include "embed/samples.hpp"
 #include "hwffd/cores/verilated_stream_core.hpp"
 #include "hwffd/device/deformable_lattice.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kRow = "cg1-fx18-overlapped";
 
 Lattice twisted(const Index3& dims) {
-  return Deformation::parse("twist:60").apply(lattice_around("box", embed::corners(), dims));
+  return Deformation::parse("twist:60").apply(lattice_around("box", test::corners(), dims));
 }
 
 /// From a place in the first cell to the last face, another way along t.
@@ -115,7 +115,7 @@ TEST(GridDevice, LargeLatticesHaveTheSameBits) {
 
 TEST(GridDevice, FamiliesAreEvaluatedAtTheirOwnCells) {
   for (const char* name : {"bspline", "clamped", "bernstein", "catmull-rom", "linear"}) {
-    DeformableLattice lattice(lattice_around("box", embed::corners(), {7, 4, 7}),
+    DeformableLattice lattice(lattice_around("box", test::corners(), {7, 4, 7}),
                               Family::parse(name));
     lattice.deform("twist:40");
     lattice.set_device({"reference"});

@@ -6,11 +6,11 @@
 
 #include "Vpages_cg1.h"
 #include "device/stream_device.hpp"
-#include "embed/samples.hpp"
 #include "hwffd/cores/verilated_stream_core.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "sample_lattices.hpp"
 
 namespace hwffd {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 /// Vertices all over a twisted lattice, in any order.
 struct Scene {
   Lattice lattice =
-      Deformation::parse("twist:60").apply(lattice_around("box", embed::corners(), {40, 9, 27}));
-  std::vector<Embedded> vertices = embed::known_places(lattice, 3000, 1);
+      Deformation::parse("twist:60").apply(lattice_around("box", test::corners(), {40, 9, 27}));
+  std::vector<Embedded> vertices = test::known_places(lattice, 3000, 1);
 };
 
 std::unique_ptr<Device> device_of(const std::string& format, int pages, int axis_points,
@@ -54,8 +54,8 @@ TEST(LargeLatticeDevice, OtherLatticesAndOtherPointsAreSeen) {
   const Scene scene;
   const Lattice moved = Deformation::parse("bend:40").apply(scene.lattice);
   const Lattice small =
-      Deformation::parse("random:2").apply(lattice_around("box", embed::corners(), {5, 6, 7}));
-  const auto places = embed::known_places(small, 300, 2);
+      Deformation::parse("random:2").apply(lattice_around("box", test::corners(), {5, 6, 7}));
+  const auto places = test::known_places(small, 300, 2);
   const auto device = device_of("fp32", 3, 16), fresh = device_of("fp32", 0, 16);
   for (int turn = 0; turn < 2; ++turn) {
     for (const Lattice* lattice : {&scene.lattice, &moved}) {
@@ -78,8 +78,8 @@ TEST(LargeLatticeDevice, RtlGivesTheBitsOfItsModel) {
   StreamDevice paged(
       "rtl", row,
       rtl_stream(std::make_unique<cores::VerilatedStreamCore<Vpages_cg1>>(1), row.name, store));
-  const Lattice four = lattice_around("box", embed::corners(), {24, 24, 16});
-  const auto places = embed::known_places(four, 40, 3);
+  const Lattice four = lattice_around("box", test::corners(), {24, 24, 16});
+  const auto places = test::known_places(four, 40, 3);
   const Points still = plain->evaluate(four, places);
   EXPECT_EQ(paged.evaluate(scene.lattice, scene.vertices), expected);
   EXPECT_EQ(paged.evaluate(four, places), still);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "embed/samples.hpp"
 #include "hwffd/lattice/box.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "sample_lattices.hpp"
 #include "weighted_sum.hpp"
 
 namespace hwffd::gl {
@@ -14,7 +14,7 @@ namespace {
 struct Scene {
   Lattice lattice = Deformation::parse("random:3")
                         .apply(Box({4, -3, 5}, Eigen::Matrix3d::Identity()).lattice({5, 6, 4}));
-  std::vector<Embedded> vertices = embed::known_places(lattice, 200, 1);
+  std::vector<Embedded> vertices = test::known_places(lattice, 200, 1);
 };
 
 /// The largest differences of values and of derivatives from the oracle's.

@@ -182,6 +182,7 @@ Configuration row_of(const Options& options, const std::string& org, int n) {
           1,
           options.fma,
           0,
+          "all",
           "all"};
 }
 

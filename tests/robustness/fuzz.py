@@ -5,7 +5,7 @@ refused with one printable line of at most 200 characters, or that ends the prog
 
     fuzz.py PROGRAM TARGET
 
-HWFFD_FUZZ_SEED chooses other inputs, HWFFD_FUZZ_INPUT one of them, HWFFD_FUZZ_TIMES more.
+HWFFD_FUZZ_SEED chooses other inputs, HWFFD_FUZZ_INPUT one of them, HWFFD_FUZZ_TIMES times as many: 0.1 is a tenth.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -189,7 +189,7 @@ def tried(program, target, seed, numbers):
 def main():
     program, target = sys.argv[1:]
     seed = int(os.environ.get("HWFFD_FUZZ_SEED", 1))
-    count = INPUTS.get(target, FEW) * int(os.environ.get("HWFFD_FUZZ_TIMES", 1))
+    count = max(FEW, int(INPUTS.get(target, FEW) * float(os.environ.get("HWFFD_FUZZ_TIMES", 1))))
     one = int(os.environ.get("HWFFD_FUZZ_INPUT", -1))
     numbers = range(count) if one < 0 else [one]
     valid, refused, failures = tried(program, target, seed, numbers)

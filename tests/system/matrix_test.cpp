@@ -11,7 +11,7 @@ namespace hwffd::test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 8;
-constexpr std::size_t kVertices = 5;
+constexpr std::size_t kMatrixVertices = 5;
 
 class Matrix : public ::testing::TestWithParam<std::tuple<Configuration, std::string>> {};
 
@@ -26,7 +26,7 @@ TEST_P(Matrix, EveryThrottleAndSeed) {
       for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
         SystemRun run(row, seed, source, sink);
         run.send_bspline();
-        run.send(interleaved_packet(make_stimulus(stimulus, run.codec(), kVertices, seed)));
+        run.send(interleaved_packet(make_stimulus(stimulus, run.codec(), kMatrixVertices, seed)));
         ASSERT_TRUE(run.run());
         checked += run.bench().scoreboard().checked();
         ++runs;
@@ -34,7 +34,7 @@ TEST_P(Matrix, EveryThrottleAndSeed) {
     }
   }
   EXPECT_EQ(runs, tb::throttle_names().size() * tb::throttle_names().size() * seeds);
-  EXPECT_EQ(checked, runs * kVertices);
+  EXPECT_EQ(checked, runs * kMatrixVertices);
   std::printf("%llu runs, %llu vertices compared\n", static_cast<unsigned long long>(runs),
               static_cast<unsigned long long>(checked));
 }

@@ -51,7 +51,7 @@ class Watch {
   std::uint64_t reads_ = 0, addresses_ = 0, bursts_ = 0;
 };
 
-const Transfer kTransfer{
+const Transfer kTimedTransfer{
     {{kPackets, 30}, {kPackets + 0x1000, 30}, {kPackets + 0x2000, 30}, {kPackets + 0x3000, 30}},
     40};
 
@@ -65,7 +65,7 @@ class Timeout : public testing::TestWithParam<std::tuple<Channel, DmaSize>> {
     bench.memory.set_throttles({});
     bench.checker.forget();
     bench.set_windows(kEverywhere, kEverywhere);
-    kTransfer.expect_next(bench);
+    kTimedTransfer.expect_next(bench);
   }
 };
 std::string channel_name(const testing::TestParamInfo<Timeout::ParamType>& info) {
@@ -88,7 +88,7 @@ TEST_P(Timeout, IsExactToTheClock) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << " for " << clocks);
       DmaBench bench(size(), after);
       bench.memory.set_throttles(shut(channel(), after, clocks));
-      kTransfer.start(bench, kArea);
+      kTimedTransfer.start(bench, kArea);
       Watch watch;
       unsigned expected = 0;
       for (int clock = 0; clock < 600; ++clock) {
@@ -113,7 +113,7 @@ TEST_P(Timeout, IsExactToTheClock) {
 TEST_P(Timeout, HoldsBothHalves) {
   DmaBench bench(size(), 5);
   bench.memory.set_throttles(shut(channel(), 25, kNever));
-  kTransfer.start(bench, kArea);
+  kTimedTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   EXPECT_EQ(bench.status.timeout, 1U << channel());
   EXPECT_TRUE(bench.run_until([&] { return bench.status.halted; }, 200));
@@ -132,7 +132,7 @@ TEST_P(Timeout, LetsASoftResetEnd) {
       SCOPED_TRACE(testing::Message() << "shut after " << after << ", reset after " << wait);
       DmaBench bench(size(), after + wait);
       bench.memory.set_throttles(shut(channel(), after, kNever));
-      kTransfer.start(bench, kArea);
+      kTimedTransfer.start(bench, kArea);
       bench.run(after + wait);
       bench.begin_soft_reset();
       ASSERT_TRUE(bench.end_soft_reset(2 * limit));
@@ -148,7 +148,7 @@ TEST_P(Timeout, LetsASoftResetEnd) {
 TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
   DmaBench bench(size(), 9);
   bench.memory.set_throttles(shut(channel(), 20, kNever));
-  kTransfer.start(bench, kArea);
+  kTimedTransfer.start(bench, kArea);
   bench.run(400);
   bench.begin_soft_reset();
   bench.forget_packets();
@@ -165,7 +165,7 @@ TEST_P(Timeout, IgnoresAnAnswerThatComesAfterAll) {
 TEST_P(Timeout, OfAChannelThatWokeUpIsForgotten) {
   DmaBench bench(size(), 3);
   bench.memory.set_throttles(shut(channel(), 25, kNever));
-  kTransfer.start(bench, kArea);
+  kTimedTransfer.start(bench, kArea);
   ASSERT_TRUE(bench.run_until([&] { return bench.status.timeout != 0; }, 1000));
   bench.memory.set_throttles({});
   bench.run(3);
