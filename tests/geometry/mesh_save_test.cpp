@@ -18,7 +18,7 @@ namespace {
 using MeshSave = MeshFiles;
 using Place = std::array<double, 3>;
 
-std::multiset<Place> places(const Mesh& mesh) {
+std::multiset<Place> places_of(const Mesh& mesh) {
   std::multiset<Place> result;
   for (Eigen::Index i = 0; i < mesh.positions().rows(); ++i) {
     result.insert({mesh.positions()(i, 0), mesh.positions()(i, 1), mesh.positions()(i, 2)});
@@ -52,7 +52,7 @@ TEST_F(MeshSave, RoundTripOfEveryFormat) {
       if (name == "a.dae") {
         EXPECT_LE(largest_error(got, mesh), ulp) << name;  // of the largest coordinate
       } else {
-        EXPECT_EQ(places(got), places(mesh)) << name;
+        EXPECT_EQ(places_of(got), places_of(mesh)) << name;
       }
     }
   }

@@ -273,7 +273,7 @@ TEST(RoundLattice, ClosesAround) {
                                  Cylinder(Point(1, 2, 3), kUnit).lattice({5, 4, 16}),
                                  Sphere(Point(-1, 0, 9), kUnit).lattice({4, 5, 9})}) {
     const Index3& dims = lattice.dims();
-    for (const auto& [i, j, k] : shape_places({dims[0], dims[1], 3})) {
+    for (const auto& [i, j, k] : places({dims[0], dims[1], 3})) {
       EXPECT_EQ(lattice.point(i, j, k), lattice.point(i, j, dims[2] - 3 + k));
       if (i == dims[0] - 1 && j == 2) {
         EXPECT_NE(lattice.point(i, j, k), lattice.point(i, j, k + 1));

@@ -15,7 +15,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = pathlib.Path(sys.executable).parent
-PARTS = ("api", "cmake", "cores", "docs", "driver", "geometry", "golden", "rtl", "scripts", "synth",
+PARTS = ("api", "cmake", "cores", "docs", "geometry", "golden", "rtl", "synth", "tools",
          "CMakeLists.txt", "LICENSE", "VERSION", "hwffd.core", "pyproject.toml")
 SCENE = """
 import hwffd, numpy as np
