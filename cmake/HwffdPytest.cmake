@@ -1,7 +1,8 @@
 # hwffd_pytest(<set> <suite> <name>... [ARGUMENTS <word>...])
 #
 # Each test_<name>.py of this folder is the test <suite>.<name>, by the pytest of build/venv; <set> is
-# that of tests/in_venv.py. The fixture `arguments` has the words.
+# that of tests/in_venv.py. The fixture `arguments` has the words. Where some are marked as `whole`, which are left out,
+# <suite>.<name>_whole of test-all has them all.
 function(hwffd_pytest set suite)
   cmake_parse_arguments(PARSE_ARGV 2 pytest "" "" ARGUMENTS)
   list(TRANSFORM pytest_ARGUMENTS PREPEND --argument=)
@@ -10,5 +11,12 @@ function(hwffd_pytest set suite)
       COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
               -m pytest ${CMAKE_CURRENT_SOURCE_DIR}/test_${name}.py ${pytest_ARGUMENTS})
     set_tests_properties(${suite}.${name} PROPERTIES LABELS test TIMEOUT 600)
+    file(STRINGS test_${name}.py marked REGEX "mark[.]whole")
+    if(marked)
+      add_test(NAME ${suite}.${name}_whole
+        COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
+                -m pytest ${CMAKE_CURRENT_SOURCE_DIR}/test_${name}.py ${pytest_ARGUMENTS})
+      set_tests_properties(${suite}.${name}_whole PROPERTIES LABELS all TIMEOUT 7200 ENVIRONMENT HWFFD_WHOLE=1)
+    endif()
   endforeach()
 endfunction()

@@ -73,6 +73,19 @@ def pytest_addoption(parser):
     parser.addoption("--argument", action="append", default=[])
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "whole: takes long; run with HWFFD_WHOLE=1, as test-all does")
+
+
+def pytest_collection_modifyitems(config, items):
+    """Tests that take long are left to test-all, unless they alone are asked for."""
+    late = [item for item in items if item.get_closest_marker("whole")]
+    if os.environ.get("HWFFD_WHOLE") or len(late) == len(items):
+        return
+    config.hook.pytest_deselected(items=late)
+    items[:] = [item for item in items if item not in late]
+
+
 @pytest.fixture(scope="session")
 def arguments(request):
     """What the test was called with."""

@@ -16,20 +16,20 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCheckExamples = R"(Examples:
   hwffd check rest.json
   hwffd check rest.json moved.json      (before and after a deformation)
 A lattice folds where det J changes its sign. "proved" holds of every point of its cells. Exit status:
 0 if all are proved, 1 if one is folded or undecided.)";
 
-struct Options {
+struct CheckOptions {
   std::vector<std::string> files;
   std::string family = Family().name();
   int depth = kFoldDepth;
   std::string report;
 };
 
-int run(const Options& options) {
+int run(const CheckOptions& options) {
   check_outputs({{"--json", options.report}});
   const Family family = Family::parse(options.family);
   Json lattices = Json::array();
@@ -60,7 +60,7 @@ int run(const Options& options) {
 }  // namespace
 
 Action add_check(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   app.add_option("lattices", options->files, "lattice files; volumes are compared with the first")
       ->required();
   app.add_option("--family", options->family,
@@ -69,7 +69,7 @@ Action add_check(CLI::App& app) {
   app.add_option("--depth", options->depth, "times a cell is halved at most (6)")
       ->check(CLI::Range(0, 12));
   app.add_option("--json", options->report, "report to write; - for standard output");
-  app.footer(kExamples);
+  app.footer(kCheckExamples);
   return [=] { return run(*options); };
 }
 

@@ -19,7 +19,7 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompletionExamples = R"(Examples:
   hwffd completion bash > ~/.local/share/bash-completion/completions/hwffd
   hwffd completion zsh > ~/.zfunc/_hwffd      (a folder of $fpath)
   hwffd completion fish > ~/.config/fish/completions/hwffd.fish
@@ -175,7 +175,7 @@ const std::map<std::string, Script> kShells{{"bash", bash}, {"zsh", zsh}, {"fish
 Action add_completion(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
   app.add_option("shell", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember(kShells));
-  app.footer(kExamples);
+  app.footer(kCompletionExamples);
   return [shell, &app] {
     write_standard_output(kShells.at(*shell)(*app.get_parent()));
     return 0;

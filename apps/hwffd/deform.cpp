@@ -25,7 +25,7 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kDeformExamples = R"(Examples:
   hwffd deform horse.3ds --lattice sphere --deform twist:90 -o out.ply
   hwffd deform cat.3ds --dims 4x8x4 --deform helix:90 --deform bend:30:yz -o cat.ply
   hwffd deform cat.3ds --dims 6x6x6 --deform bend:60 --deform taper:0.5 -o cat.obj
@@ -36,7 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   hwffd deform cat.3ds --deform twist:90 --keyframes 24 -o frame.ply   (frame-0000.ply ...)
   echo "0.5 0.5 0.5" | hwffd deform - --lattice lattice.json --deform to:moved.json)";
 
-struct Options {
+struct DeformOptions {
   std::string input;
   std::string output;
   std::string outside = "keep";
@@ -116,7 +116,7 @@ void warn_of(const DeformReport& report) {
 }
 
 /// The files to write, one a frame, checked before there is any work to lose.
-std::vector<std::string> outputs_of(const Options& options) {
+std::vector<std::string> outputs_of(const DeformOptions& options) {
   const bool points = names_points(options.input);
   const std::string output = options.output.empty() && points ? "-" : options.output;
   if (output.empty()) throw UsageError("--output: name the mesh to write, such as -o out.ply");
@@ -151,7 +151,7 @@ bool may_mirror(const Deformer& some, const std::vector<Lattice>& deformed) {
                       [](const Eigen::Matrix3d& gradient) { return gradient.determinant() > 0.0; });
 }
 
-int run(const Options& options, const StageOptions& stage_options) {
+int run(const DeformOptions& options, const StageOptions& stage_options) {
   const std::vector<std::string> outputs = outputs_of(options);
   const Outside outside = Outside::parse(options.outside);
   const std::unique_ptr<Device> device = make_device(options.device);
@@ -207,7 +207,7 @@ int run(const Options& options, const StageOptions& stage_options) {
 }  // namespace
 
 Action add_deform(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DeformOptions>();
   const auto stages = std::make_shared<StageOptions>(app);
   app.add_option("input", options->input,
                  "mesh file, name in glmark2's models, points as text (.xyz), - for points from "
@@ -235,7 +235,7 @@ Action add_deform(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, 9999));
   app.add_option("--json", options->report, "report to write; - for standard output");
-  app.footer(kExamples);
+  app.footer(kDeformExamples);
   return [=] { return run(*options, *stages); };
 }
 

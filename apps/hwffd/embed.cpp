@@ -16,13 +16,13 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kEmbedExamples = R"(Examples:
   hwffd embed horse.3ds --lattice sphere
   hwffd embed horse.3ds --lattice cage.json -o horse.txt
 One line a vertex is written: cell i j k, local s t u, the residual (distance of the point found from
 the vertex), and inside, outside or not-converged. Vertices are welded: equal positions count once.)";
 
-struct Options {
+struct EmbedOptions {
   std::string input;
   std::string output;
   std::string report;
@@ -50,7 +50,7 @@ std::string lines(const std::vector<Embedding>& embeddings) {
   return text;
 }
 
-int run(const Options& options, const StageOptions& stage_options) {
+int run(const EmbedOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: embed takes one lattice");
   if (!texts.front().deformations.empty()) {
@@ -92,7 +92,7 @@ int run(const Options& options, const StageOptions& stage_options) {
 }  // namespace
 
 Action add_embed(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EmbedOptions>();
   const auto stages = std::make_shared<StageOptions>(app);
   app.add_option("input", options->input, "mesh, points as text (.xyz), - for standard input")
       ->required();
@@ -100,7 +100,7 @@ Action add_embed(CLI::App& app) {
                  "text file for the places, one a line; - for standard output");
   app.add_option("--json", options->report, "report to write; - for standard output");
   add_check_folds(app, options->check_folds);
-  app.footer(kExamples);
+  app.footer(kEmbedExamples);
   return [=] { return run(*options, *stages); };
 }
 

@@ -19,12 +19,12 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kInfoExamples = R"(Examples:
   hwffd info               (devices, organizations and formats of this build)
   hwffd info horse.3ds
   hwffd info rest.json)";
 
-struct Options {
+struct InfoOptions {
   std::string file;
   std::string report;
 };
@@ -89,7 +89,7 @@ std::string text_of(const Json& info) {
   return text;
 }
 
-int run(const Options& options) {
+int run(const InfoOptions& options) {
   check_outputs({{"--json", options.report}});
   const bool lattice = extension_of(options.file) == ".json";
   const Json info = options.file.empty() ? build_info()
@@ -103,10 +103,10 @@ int run(const Options& options) {
 }  // namespace
 
 Action add_info(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoOptions>();
   app.add_option("file", options->file, "mesh, lattice file (.json), or points (.xyz, -)");
   app.add_option("--json", options->report, "report to write; - for standard output");
-  app.footer(kExamples);
+  app.footer(kInfoExamples);
   return [=] { return run(*options); };
 }
 

@@ -14,18 +14,18 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kLatticeExamples = R"(Examples:
   hwffd lattice --lattice cylinder --around horse.3ds -o rest.json
   hwffd lattice --lattice rest.json --deform twist:90 --deform taper:0.5 -o moved.json
   hwffd lattice --lattice box --region 0,0,0,1,2,1 --dims 4x6x4 -o box.json
 The file is described in docs/lattice.md section 3: n_s*n_t*n_u points, u running fastest.)";
 
-struct Options {
+struct LatticeOptions {
   std::string around;
   std::string output = "-";
 };
 
-int run(const Options& options, const StageOptions& stage_options) {
+int run(const LatticeOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: a file holds one lattice; give one");
   check_outputs({{"--output", options.output}});
@@ -46,12 +46,12 @@ int run(const Options& options, const StageOptions& stage_options) {
 }  // namespace
 
 Action add_lattice(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LatticeOptions>();
   const auto stages = std::make_shared<StageOptions>(app);
   app.add_option("--around", options->around,
                  "mesh or points that the shape holds (default: a cube from -1 to 1)");
   app.add_option("-o,--output", options->output, "lattice file to write (standard output)");
-  app.footer(kExamples);
+  app.footer(kLatticeExamples);
   return [=] { return run(*options, *stages); };
 }
 

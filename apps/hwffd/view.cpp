@@ -15,21 +15,21 @@
 namespace hwffd::command {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kViewExamples = R"(Examples:
   hwffd view cat.3ds
   hwffd view horse.3ds --lattice cylinder --deform twist:90 --device model --org parallel
   hwffd view cat.3ds --lattice rest.json --deform to:moved.json -o moved.json
 The left button drags a control point in the plane of the screen, another button turns the view, the
 wheel zooms. S saves the lattice, R makes it what it was at the beginning, Esc closes the window.)";
 
-struct Options {
+struct ViewOptions {
   std::string input;
   std::string output = "lattice.json";
   std::string outside = "keep";
   DeviceChoice device;
 };
 
-int run(const Options& options, const StageOptions& stage_options) {
+int run(const ViewOptions& options, const StageOptions& stage_options) {
   const std::vector<StageText> texts = stage_options.texts();
   if (texts.size() != 1) throw UsageError("--lattice: view takes one lattice");
   Mesh mesh = load_model(options.input);
@@ -54,14 +54,14 @@ int run(const Options& options, const StageOptions& stage_options) {
 }  // namespace
 
 Action add_view(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ViewOptions>();
   const auto stages = std::make_shared<StageOptions>(app);
   app.add_option("input", options->input, "mesh file, or a name in glmark2's models")->required();
   app.add_option("-o,--output", options->output, "file that S writes (lattice.json)");
   app.add_option("--outside", options->outside,
                  "vertices outside the lattice: keep (default), clamp, fade:WIDTH");
   add_device_options(app, options->device);
-  app.footer(kExamples);
+  app.footer(kViewExamples);
   return [=] { return run(*options, *stages); };
 }
 
