@@ -79,19 +79,19 @@ IN_MODULES = {
 # Faults in a tree: what -> (files, [(how a line of the report begins, a word in it)]).
 IN_TREES = {
     "a bad configuration":
-        ({"rtl/configurations.csv": TABLE + ROW.replace("good", "bad").replace(",2,", ",8,")},
+        ({"rtl/configurations.csv": TABLE + ROW.replace("good", "bad").replace("fx18", "fx32").replace(",2,", ",8,") + "\n"},
          [(f"{tool} hwffd_stream (bad-row):", "ERROR_hwffd_stream_latency")
           for tool in ("verilator", "icarus", "yosys")]),
     "a word of SystemVerilog as a name":
         ({"rtl/evaluator/ffd_org_sample.v":
             module("ffd_org_sample", "  wire [3:0] final = d_i;\n  assign q_o = final;")},
-         [(f"{tool} SystemVerilog hwffd_stream (good-row):", complaint) for tool, complaint in
+         [(f"{tool} SystemVerilog ffd_org_sample:", complaint) for tool, complaint in
           (("verilator", "keyword"), ("icarus", "error: invalid"), ("yosys", "TOK_FINAL"))]),
-    "such a word below no configuration, and unformatted C++":
+    "such a word in a module of no configuration, and unformatted C++":
         ({"rtl/evaluator/ffd_org_other.v":
             module("ffd_org_other", "  wire [3:0] cross = d_i;\n  assign q_o = cross;"),
           "golden/src/x.cpp": "int  x;\n"},
-         [("verilator -F hwffd.f hwffd_stream:", "cross"), ("clang-format:", "x.cpp:1")]),
+         [("verilator SystemVerilog ffd_org_other:", "cross"), ("clang-format:", "x.cpp:1")]),
     "a parameter that must not be given, and a pointer that is 0":
         ({"rtl/top/hwffd_stream.v": MODULE.format(
             name="hwffd_stream", parameters=TOP_PARAMETERS,
