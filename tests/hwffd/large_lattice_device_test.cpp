@@ -16,7 +16,7 @@ namespace hwffd {
 namespace {
 
 /// Vertices all over a twisted lattice, in any order.
-struct Scene {
+struct LargeScene {
   Lattice lattice =
       Deformation::parse("twist:60").apply(lattice_around("box", test::corners(), {40, 9, 27}));
   std::vector<Embedded> vertices = test::known_places(lattice, 3000, 1);
@@ -28,7 +28,7 @@ std::unique_ptr<Device> device_of(const std::string& format, int pages, int axis
 }
 
 TEST(LargeLatticeDevice, PagesGiveTheBitsOfOneLattice) {
-  const Scene scene;
+  const LargeScene scene;
   const Points exact = make_device({"reference"})->evaluate(scene.lattice, scene.vertices);
   for (const std::string format : {"fp32", "bfp32", "fx18"}) {
     // A core whose axis is long enough has it as one.
@@ -51,7 +51,7 @@ TEST(LargeLatticeDevice, PagesGiveTheBitsOfOneLattice) {
 }
 
 TEST(LargeLatticeDevice, OtherLatticesAndOtherPointsAreSeen) {
-  const Scene scene;
+  const LargeScene scene;
   const Lattice moved = Deformation::parse("bend:40").apply(scene.lattice);
   const Lattice small =
       Deformation::parse("random:2").apply(lattice_around("box", test::corners(), {5, 6, 7}));
@@ -68,7 +68,7 @@ TEST(LargeLatticeDevice, OtherLatticesAndOtherPointsAreSeen) {
 
 // The RTL without pages, and with four; fixed point has the same bits in every product form.
 TEST(LargeLatticeDevice, RtlGivesTheBitsOfItsModel) {
-  const Scene scene;
+  const LargeScene scene;
   const Points expected =
       device_of("fx18", 1, 64, "basic")->evaluate(scene.lattice, scene.vertices);
   const auto plain = make_device({"rtl", "basic", "fx18"});
@@ -90,10 +90,10 @@ TEST(LargeLatticeDevice, RtlGivesTheBitsOfItsModel) {
 }
 
 /// A model whose answer is spoilt.
-class SpoiltStream final : public CommandStream {
+class SpoiltPageStream final : public CommandStream {
  public:
-  SpoiltStream(const Configuration& row, const PointStore& store,
-               const std::function<void(std::vector<Beat>&)>& spoil)
+  SpoiltPageStream(const Configuration& row, const PointStore& store,
+                   const std::function<void(std::vector<Beat>&)>& spoil)
       : model_(model_stream(row, store)), spoil_(spoil) {}
 
   std::vector<Beat> run(const std::vector<Beat>& commands, std::size_t results,
@@ -112,11 +112,11 @@ class SpoiltStream final : public CommandStream {
 
 // After a fault the core has been reset, so its pages are loaded anew.
 TEST(LargeLatticeDevice, ResultsThatWereNotAskedForAreAFault) {
-  const Scene scene;
+  const LargeScene scene;
   const Configuration& row = find_configuration("basic-fp32-overlapped");
   std::function<void(std::vector<Beat>&)> spoil = [](auto&) {};
   StreamDevice device("spoilt", row,
-                      std::make_unique<SpoiltStream>(row, PointStore{16, 64}, spoil));
+                      std::make_unique<SpoiltPageStream>(row, PointStore{16, 64}, spoil));
   const Points good = device.evaluate(scene.lattice, scene.vertices);
   const std::function<void(std::vector<Beat>&)> spoilt[] = {
       [](auto& beats) { beats.pop_back(); },

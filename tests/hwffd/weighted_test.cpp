@@ -11,7 +11,7 @@
 namespace hwffd::gl {
 namespace {
 
-struct Scene {
+struct WeightedScene {
   Lattice lattice = Deformation::parse("random:3")
                         .apply(Box({4, -3, 5}, Eigen::Matrix3d::Identity()).lattice({5, 6, 4}));
   std::vector<Embedded> vertices = test::known_places(lattice, 200, 1);
@@ -24,7 +24,7 @@ struct Errors {
 };
 
 Errors errors_of(Device& device, const Device::Blending& blending) {
-  const Scene scene;
+  const WeightedScene scene;
   const Device::Tangents got = weighted_sums(device, scene.lattice, scene.vertices, blending, true);
   EXPECT_EQ(got.positions,
             weighted_sums(device, scene.lattice, scene.vertices, blending, false).positions);

@@ -14,7 +14,6 @@ using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
 namespace {
-constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 constexpr std::uint64_t kGuardBytes = 3 * kBeat;  // between two areas
 }  // namespace
 

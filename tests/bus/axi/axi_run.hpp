@@ -24,6 +24,7 @@ namespace hwffd::test {
 
 /// Where things lie in the memory of these tests. Windows fit them to the byte; the results are
 /// above 4 GB, no buffer begins at a border of 4 KB.
+inline constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
 inline constexpr DescriptorRing kRing{0x100200, 5};
 inline constexpr AddressWindow kBuffers{0x200F70, 0x3FFFFF};
 inline constexpr AddressWindow kReadWindow{kRing.base, kBuffers.limit};

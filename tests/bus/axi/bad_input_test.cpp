@@ -8,8 +8,6 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
-
 class AxiBadInput : public PerAxiConfiguration {
  protected:
   /// The packet as number 3 of a run, before a good one; then its errors and a good run.

@@ -7,8 +7,6 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint64_t kBeat = cores::kAxiBeatBytes;
-
 class AxiBusError : public PerAxiConfiguration {
  protected:
   /// A good packet, then one of `beats` beats in one burst; after it one that must not be sent.

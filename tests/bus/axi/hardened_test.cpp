@@ -81,7 +81,8 @@ class Hardened {
 };
 
 /// In how many of these runs UPSET_STATUS has the bit after the flip, which it has alone.
-std::uint64_t flips_reported(const std::string& module, const char* name, unsigned bit, std::uint32_t mask) {
+std::uint64_t flips_reported(const std::string& module, const char* name, unsigned bit,
+                             std::uint32_t mask) {
   std::uint64_t found = 0;
   for (std::uint64_t clock = 0; clock < kMoments; clock += 7) {
     SCOPED_TRACE(testing::Message() << name << " " << clock << " clocks after the start");
