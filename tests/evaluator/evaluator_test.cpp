@@ -14,6 +14,7 @@
 #include "hwffd/tb/evaluator_bench.hpp"
 #include "hwffd/tb/random.hpp"
 #include "named.hpp"
+#include "share.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -128,7 +129,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Scans);          // nor shares that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
-  const auto stimulus = draw(800, tb::seed_from_environment(1));
+  const auto stimulus = draw(share_of(800), tb::seed_from_environment(1));
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
   bench_.run(stimulus, tb::make_throttle("long_stall", 3), tb::make_throttle("sparse", 4));
   expect_no_mismatch(2 * stimulus.vertices.size());
@@ -136,7 +137,7 @@ TEST_P(Evaluator, BitsUnderRandomStalls) {
 
 // Each vertex with the derivative functions of one axis, or of none: the position.
 TEST_P(Evaluator, DerivativesUnderRandomStalls) {
-  auto stimulus = draw(800, tb::seed_from_environment(2));
+  auto stimulus = draw(share_of(800), tb::seed_from_environment(2));
   tb::Random random(5);
   for (auto& vertex : stimulus.vertices) vertex.derivative = static_cast<int>(random.below(4)) - 1;
   bench_.run(stimulus, tb::make_throttle("bernoulli", 1), tb::make_throttle("bursts", 2));
@@ -148,7 +149,7 @@ TEST_P(Evaluator, BitsOfAnyFunctions) {
   std::size_t vertices = 0;
   for (int part = 0; part < 4; ++part) {
     for (const int bank : {0, 1}) bench_.load(bank, any_functions(codec_, random));
-    auto stimulus = draw(200, random.bits());
+    auto stimulus = draw(share_of(200), random.bits());
     for (auto& vertex : stimulus.vertices)
       vertex.derivative = static_cast<int>(random.below(4)) - 1;
     bench_.run(stimulus);
@@ -256,7 +257,7 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
   std::size_t vertices = 0;
   for (const char* source : {"always", "gaps", "bursts"}) {
     for (const char* sink : {"bernoulli", "bursts", "long_stall"}) {
-      const auto stimulus = draw(400, vertices + 1, 37);
+      const auto stimulus = draw(share_of(400), vertices + 1, 37);
       bench_.run(stimulus, tb::make_throttle(source, 5), tb::make_throttle(sink, 6));
       vertices += stimulus.vertices.size();
     }
@@ -315,7 +316,7 @@ TEST_P(Scans, WhatEndsARun) {
 // Four results in one pass, among vertices that want one of them, all with the bits of a pass of
 // its own.
 TEST_P(GivesJacobian, BitsAmongOtherVertices) {
-  auto stimulus = draw(800, tb::seed_from_environment(2));
+  auto stimulus = draw(share_of(800), tb::seed_from_environment(2));
   tb::Random random(6);
   std::size_t whole = 0;
   for (auto& vertex : stimulus.vertices) {

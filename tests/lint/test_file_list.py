@@ -38,7 +38,11 @@ def verilated(checkout, *files):
                         "--top-module", "user_top", *map(str, files))
 
 
-@pytest.mark.parametrize("unit", UNITS)
+# make test takes a user's file with a time unit; test-all one without, and one with another, too.
+EACH_UNIT = [unit if unit == "timescale" else pytest.param(unit, marks=pytest.mark.whole) for unit in UNITS]
+
+
+@pytest.mark.parametrize("unit", EACH_UNIT)
 def test_a_users_time_unit_is_no_warning(checkout, folder, unit):
     checkout.put({"user.v": USER.format(unit=UNITS[unit])})
     sources = ("-F", folder / "hwffd.f")
@@ -59,7 +63,7 @@ def test_other_warnings_are_heard(checkout):
     assert status == 1 and "TIMESCALEMOD" in said and "other.v" in said and "ffd_" not in said
 
 
-@pytest.mark.parametrize("unit", UNITS)
+@pytest.mark.parametrize("unit", EACH_UNIT)
 def test_icarus_takes_what_file_list_prints(checkout, folder, unit):
     checkout.put({"user.v": USER.format(unit=UNITS[unit])})
     listed = subprocess.run([folder / "file_list"], cwd="/", text=True, stdout=subprocess.PIPE, check=True)

@@ -168,6 +168,7 @@ def test_a_bitstream_is_packed_of_the_fastest_seed(tree, pnr, report):
     assert report()["rows"] == [row]
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("line, router, packer", (
     ("cg1-fx16-overlapped+small,hwffd_stream,up5k", "nextpnr-ice40", "icepack"),
     ("cg1-fx18-overlapped+resident,hwffd_stream,gatemate", "yowasp-nextpnr-himbaechel-gatemate",
@@ -183,6 +184,7 @@ def test_every_family_packs_with_its_own_program(tree, pnr, report, line, router
     assert "--seed 3" in packed.read_text()
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("row, target, seeds", (
     ("cg3-fx18-overlapped", "gowin", 3), ("affine-fx17-overlapped+resident", "gw5a", 1)))
 def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, pnr, report, row,
@@ -201,6 +203,7 @@ def test_a_clock_that_the_router_does_not_know_has_a_remark_and_no_share(tree, p
     assert not any(row["routed"] and "remark" not in row for row in synth["rows"])
 
 
+@pytest.mark.whole
 def test_only_what_changed_is_routed_again(tree, pnr, stand_in):
     pnr()
     for more, ran in (("", 0), ("// a comment\n", 0), ("`default_nettype wire\n", 2 + 6)):

@@ -230,6 +230,7 @@ def test_what_is_no_verilog_is_refused(real):
     assert status == 1 and "syntax" in error
 
 
+@pytest.mark.whole
 def test_only_what_changed_runs_again(tree):
     everything = 4 * 4 + 2 + 8  # with two units on two targets
     for count in (everything, 0):
@@ -258,6 +259,7 @@ def test_only_what_changed_runs_again(tree):
     assert (tree.synth()[0], tree.ran()) == (0, [])
 
 
+@pytest.mark.whole
 def test_stale_results_are_not_reported(tree):
     tree.synth("--target", "ecp5")
     tree.put(select(GOOD.replace("+", "-")))
@@ -327,6 +329,7 @@ def test_bad_table_is_one_line(tree):
     assert status == 1 and "unknown org 'none'" in error
 
 
+@pytest.mark.whole
 def test_interrupted_run_goes_on_where_it_stopped(tree):
     tree.stand_in(slow=True)
     for number, ran in ((signal.SIGINT, 4), (signal.SIGTERM, 1)):

@@ -14,7 +14,8 @@
 namespace hwffd::test {
 namespace {
 
-constexpr std::size_t kValues = 60000;  // compared components, at least
+/// Compared components, at least.
+std::size_t model_values() { return share_of(60000); }
 
 /// The same in the RTL, where every bit is compared with the model's, too.
 std::size_t rtl_values() { return share_of(tb::seed_from_environment(6000, "HWFFD_SEAM_VALUES")); }
@@ -55,7 +56,7 @@ tb::SeamStimulus::Differences model_differences(const Configuration& row, std::u
   const bool derive = wanted != Results::kPosition;
   model.run(coefficients_packet(blending, WordCodec(row.format),
                                 derive ? Functions::kDerivativesToo : Functions::kBlending));
-  return differences(row, kValues, seed, wanted,
+  return differences(row, model_values(), seed, wanted,
                      [&](const std::vector<Beat>& packets) { return model.run(packets); });
 }
 
@@ -89,7 +90,7 @@ TEST_P(FloatSeam, PlainCoefficientsCrackInBinary32) {
   if (std::string(GetParam().evaluator) == "bspline") {
     EXPECT_EQ(differ.count, 0U);
   } else {
-    EXPECT_GT(differ.count, kValues / 10);
+    EXPECT_GT(differ.count, model_values() / 10);
   }
 }
 

@@ -1,8 +1,5 @@
 #include "system_run.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
 namespace hwffd::test {
 
 std::vector<Configuration> built_configurations() { return rows_where(cores::has_stream_core); }
@@ -11,12 +8,6 @@ std::vector<Configuration> built_configurations(const std::string& format) {
   return rows_where([&](const Configuration& row) {
     return cores::has_stream_core(row) && row.format == format;
   });
-}
-
-std::uint64_t share_of(std::uint64_t count) {
-  const std::uint64_t divisor = tb::seed_from_environment(1, "HWFFD_TEST_SHARE");
-  if (divisor == 0) throw std::invalid_argument("HWFFD_TEST_SHARE: a number from 1 up is wanted");
-  return std::max<std::uint64_t>(1, count / divisor);
 }
 
 SystemRun::SystemRun(const Configuration& row, std::uint64_t seed, const std::string& source,

@@ -12,6 +12,7 @@
 #include "hwffd/stream/blending.hpp"
 #include "hwffd/tb/stream_bench.hpp"
 #include "named.hpp"
+#include "share.hpp"
 #include "stimulus.hpp"
 
 namespace hwffd::test {
@@ -21,10 +22,6 @@ std::vector<Configuration> built_configurations();
 
 /// Those of one number format.
 std::vector<Configuration> built_configurations(const std::string& format);
-
-/// That share of a test's seeds or values, at least 1, which the environment variable
-/// HWFFD_TEST_SHARE asks for: 4 is a quarter. Without it all of them.
-std::uint64_t share_of(std::uint64_t count);
 
 /// A core of one configuration, its model and the bench between them.
 class SystemRun {
