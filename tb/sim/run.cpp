@@ -58,8 +58,8 @@ RunResult run(const Options& options, const Configuration& row, const Scene& sce
   const Normalization normalization = Normalization::of(deformed.lattice, codec);
   const bool dma = options.stream == kDmaStream;
   const std::vector<Beat> beats =
-      tb::packets(tb::find_arrangement(dma ? "resident" : options.stream),
-                       deformed.lattice, scene.vertices, row.format);
+      tb::packets(tb::find_arrangement(dma ? "resident" : options.stream), deformed.lattice,
+                  scene.vertices, row.format);
   const tb::TestIdentity test{
       fmt::format("sim {} {}", row.name, deformed.name), options.seed,
       fmt::format("make sim ORG={} FORMAT={} SCHEDULE={} STREAM={} DEFORM={} SEED={}", row.org,

@@ -209,8 +209,7 @@ TEST_P(AttachmentKind, DisplacementIsContinuousAcrossFaces) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, AttachmentKind, testing::ValuesIn(test::lattice_kinds()),
-                         test::by_name);
+INSTANTIATE_TEST_SUITE_P(, AttachmentKind, testing::ValuesIn(test::lattice_kinds()), test::by_name);
 
 TEST(Attachment, TornEdgesAreCountedOnce) {
   Points points(5, 3);

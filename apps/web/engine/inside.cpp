@@ -36,7 +36,7 @@ bool holds(const cores::Lane& lane, std::uint64_t clock) {
 
 /// What of a lane lies in some clocks, counted from the first of them.
 cores::Lane within(const cores::Lane& lane, std::uint64_t begin, std::uint64_t end,
-                           const std::vector<std::size_t>& vertices) {
+                   const std::vector<std::size_t>& vertices) {
   cores::Lane cut{lane.name, {}};
   for (const cores::Lane::Span& span : lane.spans) {
     const std::uint64_t from = std::max(span.begin, begin);

@@ -27,10 +27,10 @@ struct Traffic {
 /// A core in one of its clocks, and what its last clocks were.
 struct Snapshot {
   std::uint64_t clock = 0;
-  std::vector<std::uint8_t> busy;          ///< of each block of the row's design, 0 or 1
-  std::uint64_t vertices = 0;              ///< that have come back
-  std::uint64_t mismatches = 0;            ///< words of these
-  std::uint64_t first_clock = 0;           ///< of the timeline
+  std::vector<std::uint8_t> busy;  ///< of each block of the row's design, 0 or 1
+  std::uint64_t vertices = 0;      ///< that have come back
+  std::uint64_t mismatches = 0;    ///< words of these
+  std::uint64_t first_clock = 0;   ///< of the timeline
   std::vector<cores::Lane> lanes;  ///< with clocks from that one on
   std::map<std::string, std::string> ports;
 };

@@ -4,9 +4,9 @@
 #include <deque>
 #include <vector>
 
+#include "hwffd/cores/lanes.hpp"
 #include "hwffd/cores/signal.hpp"
 #include "hwffd/model/configuration.hpp"
-#include "hwffd/cores/lanes.hpp"
 #include "signal_table.hpp"
 
 namespace hwffd::web {

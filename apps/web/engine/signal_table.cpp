@@ -30,7 +30,8 @@ std::vector<cores::Signal> SignalTable::find(const std::string& name) const {
 cores::Signal SignalTable::only(const std::string& name) const {
   const std::vector<cores::Signal> found = find(name);
   if (!found.empty()) return found.front();
-  throw Error(fmt::format("signal {}: the core does not show it; name it in cores/rtl/ffd_page.vlt", name));
+  throw Error(
+      fmt::format("signal {}: the core does not show it; name it in cores/rtl/ffd_page.vlt", name));
 }
 
 }  // namespace hwffd::web
