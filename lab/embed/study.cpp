@@ -38,7 +38,8 @@ std::vector<Row> by_construction(std::size_t points, std::uint64_t seed) {
   for (const std::string& kind : test::lattice_kinds()) {
     const Embedder embedder(test::sample_lattice(kind, test::corners()));
     const std::vector<Embedded> places = test::known_places(embedder.lattice(), points, seed);
-    rows.push_back(measure("by construction", kind, embedder, test::points_at(embedder, places), true));
+    rows.push_back(
+        measure("by construction", kind, embedder, test::points_at(embedder, places), true));
   }
   return rows;
 }
