@@ -99,7 +99,7 @@ class Release:
         return done.stdout.rstrip("\n")
 
     def clean(self):
-        """The commit. Raises front.Request where the tree is not what it says."""
+        """The commit. Raises Request where the tree is not what it says."""
         changed = self.git("status", "--porcelain").splitlines()
         if changed:
             raise command_line.Request(f"the tree has local changes, {changed[0][3:]} and {len(changed) - 1} more: commit them first"
@@ -110,7 +110,7 @@ class Release:
         return self.folder / f"{name}.json"
 
     def done(self, name):
-        """Whether it has been measured on this commit. Raises front.Request for what is of another."""
+        """Whether it has been measured on this commit. Raises Request for what is of another."""
         if not self.path(name).is_file():
             return False
         of = results.read(self.path(name)).get("commit")
@@ -197,7 +197,7 @@ def work(options, root):
     if wrong:
         return 1
     release.publish()
-    tell(f"wrote {release.target.relative_to(root)}; the texts follow by lab/figures write --version {release.version}")
+    tell(f"wrote {release.target.relative_to(root)}; the texts follow by python3 -m lab.figures write --version {release.version}")
     return 0
 
 

@@ -141,4 +141,4 @@ def test_reports_that_are_shown(checkout, reports):
     assert (status, errors) == (0, "")
     assert out.startswith("3 calls checked by their values") and "glX" in out
     status, out, errors = checkout.module("tools.reports.show", "--root", checkout.root, "web")
-    assert (status, out, errors) == (1, "", "show_report: build/reports/web.json is not there\n")
+    assert (status, out, errors) == (1, "", "show: build/reports/web.json is not there\n")

@@ -141,7 +141,7 @@ def test_a_text_that_differs_is_named_and_written(checkout, blocks):
     checkout.put({"README.md": text.replace("{}", "1.61e-07")})
     count, (line,) = blocks.check()
     assert count == 1
-    assert line == "README.md:6: not what the results say: 'at most 1.61e-07', 'at most 1.60e-07' wanted: tools.write_blocks"
+    assert line == "README.md:6: not what the results say: 'at most 1.61e-07', 'at most 1.60e-07' wanted: python3 -m tools.reports.write_blocks"
     assert blocks.write() == ([checkout.root / "README.md"], [])
     assert checkout.text("README.md") == text.replace("{}", "1.60e-07")
     assert blocks.check() == (1, [])

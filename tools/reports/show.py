@@ -21,7 +21,7 @@ def main():
         for name in options.names:
             print(report_modules.printed(report_modules.MODULES[name], found).rstrip("\n") + "\n")
     except (results.Missing, results.RequestError) as error:
-        print(f"show_report: {error}", file=sys.stderr)
+        print(f"show: {error}", file=sys.stderr)
         return 1
     return 0
 

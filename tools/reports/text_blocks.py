@@ -27,7 +27,7 @@ from tools.reports.results import Missing, RequestError
 from tools.reports.text_table import Table, cell
 
 PATTERNS = ("*.md", "docs/**/*.md", "synth/**/*.md", "examples/**/*.md", "tests/**/*.md")
-CURE = "tools.write_blocks"
+CURE = "python3 -m tools.reports.write_blocks"
 _BLOCK = re.compile(r"^(?P<open><!-- (?P<kind>results|sources)(?: (?P<version>[^\s:]+))?: (?P<what>[^\n]*?)"
                     r"(?P<lines>\n(?:[^\n]*\n)*?)?(?(lines)-->| -->))\n(?P<inside>(?:(?!<!--)[^\n]*\n)*?)"
                     r"(?P<close><!-- end (?P=kind) -->)$", re.MULTILINE)

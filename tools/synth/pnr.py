@@ -17,7 +17,7 @@ from tools.synth import engine, nextpnr, placement, selection, synth_report, syn
 
 
 def chosen(aims, options):
-    """The aims asked for. Raises front.Request where there are none."""
+    """The aims asked for. Raises Request where there are none."""
     left = aims
     for name, (value, column) in selection.columns(options).items():
         known = list(dict.fromkeys(column(aim.subject) for aim in left))

@@ -29,7 +29,7 @@ def columns(options):
 
 
 def chosen(found, name, options):
-    """The subjects asked for, of the set `name`. Raises front.Request."""
+    """The subjects asked for, of the set `name`. Raises Request."""
     if name not in synthesis.SETS:
         raise command_line.Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
     left = synthesis.of_set(found, name)
