@@ -1,16 +1,19 @@
-# hwffd_pytest(<set> <suite> <name>... [ARGUMENTS <word>...])
+# hwffd_pytest(<set> <suite> <name>... [LABEL <label>] [ARGUMENTS <word>...])
 #
 # Each test_<name>.py of this folder is the test <suite>.<name>, by the pytest of build/venv; <set> is
-# that of tests/in_venv.py. The fixture `arguments` has the words. Where some are marked as `whole`, which are left out,
-# <suite>.<name>_whole of test-all has them all.
+# that of tests/in_venv.py. Its label is `test`, unless another is given. The fixture `arguments` has the words. Where
+# some are marked as `whole`, which are left out, <suite>.<name>_whole of test-all has them all.
 function(hwffd_pytest set suite)
-  cmake_parse_arguments(PARSE_ARGV 2 pytest "" "" ARGUMENTS)
+  cmake_parse_arguments(PARSE_ARGV 2 pytest "" LABEL ARGUMENTS)
+  if(NOT pytest_LABEL)
+    set(pytest_LABEL test)
+  endif()
   list(TRANSFORM pytest_ARGUMENTS PREPEND --argument=)
   foreach(name IN LISTS pytest_UNPARSED_ARGUMENTS)
     add_test(NAME ${suite}.${name}
       COMMAND ${Python3_EXECUTABLE} -B ${hwffd_SOURCE_DIR}/tests/in_venv.py ${set}
               -m pytest ${CMAKE_CURRENT_SOURCE_DIR}/test_${name}.py ${pytest_ARGUMENTS})
-    set_tests_properties(${suite}.${name} PROPERTIES LABELS test TIMEOUT 600)
+    set_tests_properties(${suite}.${name} PROPERTIES LABELS ${pytest_LABEL} TIMEOUT 600)
     file(STRINGS test_${name}.py marked REGEX "mark[.]whole")
     if(marked)
       add_test(NAME ${suite}.${name}_whole

@@ -13,10 +13,12 @@ import sys
 
 import pytest
 
+from tools.project_root import environment
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 # What tests start finds the packages of the checkout.
-os.environ["PYTHONPATH"] = os.pathsep.join([str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])])
+os.environ.update(environment())
 
 
 class Checkout:

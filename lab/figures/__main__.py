@@ -14,9 +14,8 @@ import subprocess
 import sys
 
 from lab.figures.modules import CHARTS, MODULES, TEXTS
-from tools import venv_packages
-from tools.reports import results, text_blocks
-from tools.reports.report_modules import printed
+from tools import venv_packages, whole_file
+from tools.reports import report_modules, results, text_blocks
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -55,11 +54,10 @@ def check(options):
 def show(options):
     """Prints reports of build/reports and draws them there."""
     fresh = results.Results(options.root, modules=MODULES)
-    for name in options.names.split(","):
-        sys.stdout.write(printed(MODULES[name], fresh).rstrip("\n") + "\n\n")
-    sys.stdout.flush()
+    names = options.names.split(",")
+    report_modules.show(fresh, names)
     try:
-        drawn = draw(fresh, fresh.folder, options.names.split(","))
+        drawn = draw(fresh, fresh.folder, names)
         if drawn:
             print("drew " + ", ".join(str(path.relative_to(options.root)) for path in drawn))
     except ImportError as error:
@@ -76,8 +74,7 @@ def run(options):
     changed = [name for name in names if _written(fresh.path(name)) not in (None, before[name])]
     for name in changed:
         if hasattr(MODULES[name], "finished"):
-            text = json.dumps(MODULES[name].finished(fresh)) + "\n"
-            fresh.path(name).write_text(text, encoding="utf-8")
+            whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
     if changed and options.show:
         options.names = ",".join(changed)
         show(options)

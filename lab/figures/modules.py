@@ -4,12 +4,11 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import importlib
+import pathlib
 
 from tools.reports import report_modules, text_blocks
 
-STUDIES = ("bench", "bfp", "boards", "bounds", "compare", "coverage", "dma", "embed", "energy", "engines", "formal",
-           "mutants", "organizations", "plates", "sim", "soak", "streams", "tangents", "testfloat", "theorems",
-           "timelines", "unknowns", "upsets", "words")
+STUDIES = sorted(path.stem for path in pathlib.Path(__file__).parent.glob("studies/[a-z]*.py"))
 MODULES = {**report_modules.MODULES,
            **{name: importlib.import_module(f"lab.figures.studies.{name}") for name in STUDIES}}
 # The texts of the product and of the laboratory.

@@ -10,7 +10,6 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import argparse
-import csv
 import json
 import os
 import pathlib
@@ -23,7 +22,7 @@ import sys
 import time
 
 from lab.figures.modules import MODULES, missing
-from tools import command_line, whole_file
+from tools import command_line, csv_table, whole_file
 from tools.reports import results
 from tools.tables import version
 
@@ -37,11 +36,10 @@ PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-
 
 
 def read(path):
-    """command -> [(name, report)] in the order of the table."""
+    """command -> [(name, report)] in the order of the table. Raises TableError."""
     found = {}
-    with path.open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            found.setdefault(row["command"], []).append((row["name"], row["report"]))
+    for _, row in csv_table.read(path, ("name", "report", "command")):
+        found.setdefault(row["command"], []).append((row["name"], row["report"]))
     return found
 
 
@@ -206,7 +204,7 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to measure")
     parser.add_argument("--studies", type=pathlib.Path, default=STUDIES, help="table of studies")
     options = parser.parse_args()
-    return command_line.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError,))
+    return command_line.ended(parser.prog, lambda: work(options, options.root.absolute()), (results.RequestError, csv_table.TableError))
 
 
 if __name__ == "__main__":

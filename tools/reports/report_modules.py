@@ -8,6 +8,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import sys
+
 from tools.reports import (
     glapi_tables, organization_tables, pnr_tables, rtl_tables, structure_tables, synth_tables, tests_tables,
     web_tables,
@@ -22,3 +24,10 @@ def printed(module, reports):
     if hasattr(module, "printed"):
         return module.printed(reports)
     return "\n".join(make(reports).text() for make in module.TABLES.values())
+
+
+def show(reports, names):
+    """Prints them, by the modules that `reports` has."""
+    for name in names:
+        sys.stdout.write(printed(reports.modules[name], reports).rstrip("\n") + "\n\n")
+    sys.stdout.flush()

@@ -18,8 +18,7 @@ def main():
     options = parser.parse_args()
     found = results.Results(options.root, modules=report_modules.MODULES)
     try:
-        for name in options.names:
-            print(report_modules.printed(report_modules.MODULES[name], found).rstrip("\n") + "\n")
+        report_modules.show(found, options.names)
     except (results.Missing, results.RequestError) as error:
         print(f"show: {error}", file=sys.stderr)
         return 1
