@@ -146,8 +146,8 @@ Points some_of(const Points& points) {
 /// Whether a deformation may be a mirror, which turns faces round: no more than where each of some
 /// points is turned inside out or does not tell.
 bool may_mirror(const Deformer& some, const std::vector<Lattice>& deformed) {
-  const Deformer::Result found = some.deform(deformed, *make_device({"reference", "", ""}));
-  return std::none_of(found.gradients.begin(), found.gradients.end(),
+  const Deformer::Result result = some.deform(deformed, *make_device({"reference", "", ""}));
+  return std::none_of(result.gradients.begin(), result.gradients.end(),
                       [](const Eigen::Matrix3d& gradient) { return gradient.determinant() > 0.0; });
 }
 

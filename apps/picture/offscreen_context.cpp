@@ -31,8 +31,9 @@ EGLContext create_context(EGLDisplay display) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                            EGL_NONE};
   EGLConfig config = nullptr;
-  EGLint found = 0;
-  if (eglChooseConfig(display, wanted, &config, 1, &found) == EGL_FALSE || found == 0) {
+  EGLint config_count = 0;
+  if (eglChooseConfig(display, wanted, &config, 1, &config_count) == EGL_FALSE ||
+      config_count == 0) {
     fail("eglChooseConfig");
   }
   const EGLint profile[] = {EGL_CONTEXT_OPENGL_PROFILE_MASK,

@@ -27,11 +27,11 @@ std::vector<picture::Camera> cameras(const Subject& subject, const Lattice& defo
                                      double aspect) {
   Points seen(subject.mesh.positions().rows() + 2 * deformed.points().rows(), 3);
   seen << subject.mesh.positions(), subject.rest.points(), deformed.points();
-  std::vector<picture::Camera> found;
+  std::vector<picture::Camera> result;
   for (const Point& view : subject.views) {
-    found.push_back(picture::Camera::around(seen, view, aspect));
+    result.push_back(picture::Camera::around(seen, view, aspect));
   }
-  return found;
+  return result;
 }
 
 }  // namespace

@@ -141,15 +141,15 @@ double expected(const Lattice& lattice, int s, int t, int u, int c) {
 }
 
 std::vector<hwffd::VertexBeat> vertices(const hwffd::WordCodec& codec) {
-  std::vector<hwffd::VertexBeat> found;
+  std::vector<hwffd::VertexBeat> result;
   for (std::uint16_t tag = 0; tag < 27; ++tag) {
     hwffd::VertexBeat vertex;
     const int halves[3] = {tag / 9, tag / 3 % 3, tag % 3};
     for (int axis = 0; axis < 3; ++axis) vertex.local[axis] = codec.coordinate(halves[axis] / 2.0);
     vertex.tag = tag;
-    found.push_back(vertex);
+    result.push_back(vertex);
   }
-  return found;
+  return result;
 }
 
 /// Results that are not bit for bit what was computed; each is printed.

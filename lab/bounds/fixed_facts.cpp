@@ -183,14 +183,14 @@ class FixedFacts {
   void axis(const std::string& what, const Weights& weights, const std::vector<int>& lefts,
             bool triples) {
     Boxes<F> boxes(triples && stride() == 1 && !std::is_same_v<F, Block32>);
-    const AxisFacts found = axis_facts<F>(weights, stride(), lefts,
+    const AxisFacts facts = axis_facts<F>(weights, stride(), lefts,
                                           [&](const AxisPoint& point) { boxes.visit(point); });
-    WeightsFact fact = fact_of(what, found);
+    WeightsFact fact = fact_of(what, facts);
     fact.all = stride() == 1;
     auto engine = seeded(name_ + what);
     candidates_.clear();
     for (const int left : lefts) {
-      for (const Candidate& one : candidates<F>(weights, found.extreme, left, engine)) {
+      for (const Candidate& one : candidates<F>(weights, facts.extreme, left, engine)) {
         candidates_.push_back(one);
       }
     }
@@ -203,15 +203,15 @@ class FixedFacts {
     facts_.weights.push_back(fact);
   }
 
-  WeightsFact fact_of(const std::string& what, const AxisFacts& found) const {
+  WeightsFact fact_of(const std::string& what, const AxisFacts& facts) const {
     WeightsFact fact;
     fact.weights = what;
     fact.format = name_;
-    fact.weight = found.weight;
-    fact.word = found.word;
-    fact.error = found.error;
+    fact.weight = facts.weight;
+    fact.word = facts.word;
+    fact.error = facts.error;
     fact.bend = C::kBend;
-    fact.coordinates = found.coordinates;
+    fact.coordinates = facts.coordinates;
     return fact;
   }
 
@@ -221,9 +221,9 @@ class FixedFacts {
     const Triple triple =
         best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
                     [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
-    const Witness found =
+    const Witness witness =
         climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
-    facts_.forms.push_back({form, name_, found});
+    facts_.forms.push_back({form, name_, witness});
   }
 
   void product() {
@@ -239,8 +239,9 @@ class FixedFacts {
       const std::int64_t pair = rounded_product<Wide>(t[0].units[l], t[1].units[m], kFraction);
       return static_cast<double>(rounded_product<Wide>(pair, t[2].units[n], kFraction)) * C::kUnit;
     };
-    const Witness found = climb<F, model::OrgCg>(name_, refined, weight, effort_.steps / 4, engine);
-    facts_.forms.push_back({"product", name_, found});
+    const Witness witness =
+        climb<F, model::OrgCg>(name_, refined, weight, effort_.steps / 4, engine);
+    facts_.forms.push_back({"product", name_, witness});
   }
 
   /// Each axis again, over random coordinates: in wide formats few of them were candidates.
@@ -273,9 +274,10 @@ class FixedFacts {
     Witness best;
     Triple chosen;
     const auto at = [&](const Triple& triple, std::int64_t steps) {
-      const Witness found = climb<F, model::OrgNested>(name_, triple, plain_weight, steps, engine);
-      if (found.error > best.error) {
-        best = found;
+      const Witness witness =
+          climb<F, model::OrgNested>(name_, triple, plain_weight, steps, engine);
+      if (witness.error > best.error) {
+        best = witness;
         chosen = triple;
       }
     };
@@ -299,9 +301,9 @@ class FixedFacts {
     for (const std::string& family : family_names()) {
       if (family == "bspline" && effort_.form.empty()) continue;  // has been looked at
       const std::int64_t step = kFew ? 1 : 1021;
-      const AxisFacts found =
+      const AxisFacts facts =
           axis_facts<F>(Horner<F>(family, name_), step, {kNone}, [](const AxisPoint& /*point*/) {});
-      facts_.weights.push_back(fact_of(family, found));
+      facts_.weights.push_back(fact_of(family, facts));
       facts_.weights.back().all = kFew;
     }
   }

@@ -126,12 +126,12 @@ PartialSum float_points(const model::CoefficientBank<F>& bank, const Horner<F>& 
     wanted[index] = exact[0][l] * exact[1][m] * exact[2][n];
   }
   FloatSums<F> sums(computed, wanted, engine);
-  const PartialSum found = tree ? sums.by_pairs() : sums.one_after_the_other();
+  const PartialSum partial = tree ? sums.by_pairs() : sums.one_after_the_other();
   for (int index = 0; index < 64; ++index) {
     for (int c = 0; c < 3; ++c)
-      vertex.points[3 * local[index] + c] = bits_of_float(found.point[index]);
+      vertex.points[3 * local[index] + c] = bits_of_float(partial.point[index]);
   }
-  return found;
+  return partial;
 }
 
 }  // namespace hwffd::certified

@@ -26,14 +26,14 @@ class FloatFacts {
 
  private:
   void weights(const std::string& family, std::int64_t stride) {
-    const AxisFacts found = axis_facts<F>(Horner<F>(family, "fp32"), stride, {kNone},
+    const AxisFacts facts = axis_facts<F>(Horner<F>(family, "fp32"), stride, {kNone},
                                           [](const AxisPoint& /*point*/) {});
     WeightsFact fact{family, name_};
-    fact.weight = found.weight;
-    fact.word = found.word;
-    fact.error = found.error;
+    fact.weight = facts.weight;
+    fact.word = facts.word;
+    fact.error = facts.error;
     fact.bend = Coordinates<F>::kBend;
-    fact.coordinates = found.coordinates;
+    fact.coordinates = facts.coordinates;
     fact.all = stride == 1;
     facts_.weights.push_back(fact);
   }

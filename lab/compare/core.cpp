@@ -39,14 +39,14 @@ Run run(CoreRow& row, const Scene& scene, const Normalization& normalization, st
   bench.run();
   if (!bench.finish() && row.failure.empty()) row.failure = bench.report();
   row.mismatches += bench.scoreboard().mismatches() + bench.scoreboard().extra();
-  Run found;
-  found.results = bench.results();
-  found.beats = vertices.size() + found.results.size();
-  if (!found.results.empty()) {
-    found.first_latency = bench.result_clocks().front() - bench.accept_clocks().back();
+  Run result;
+  result.results = bench.results();
+  result.beats = vertices.size() + result.results.size();
+  if (!result.results.empty()) {
+    result.first_latency = bench.result_clocks().front() - bench.accept_clocks().back();
   }
-  if (found.results.size() > 1) found.clocks_per_vertex = bench.clocks_per_result();
-  return found;
+  if (result.results.size() > 1) result.clocks_per_vertex = bench.clocks_per_result();
+  return result;
 }
 
 }  // namespace

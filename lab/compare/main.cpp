@@ -36,16 +36,16 @@ std::vector<std::string> models_of(const Options& options) {
 
 /// What a core is counted for: rows that this build has.
 std::vector<Configuration> cores_of(const Options& options) {
-  std::vector<Configuration> found;
+  std::vector<Configuration> rows;
   for (const std::string& name : options.rows) {
     const Configuration& row = find_configuration(name);
     if (cores::has_stream_core(row)) {
-      found.push_back(row);
+      rows.push_back(row);
     } else {
       fmt::print("not counted: {} is not in this build; TIER=all may have it\n", name);
     }
   }
-  return found;
+  return rows;
 }
 
 Measured measure(const Options& options) {

@@ -78,15 +78,15 @@ const Row* Comparison::overlapped(const Row& row) const {
 }
 
 std::optional<double> Comparison::overlapped_interval(const Row& row) const {
-  const Row* found = overlapped(row);
-  if (found == nullptr) return std::nullopt;
-  return found->measured.interval;
+  const Row* match = overlapped(row);
+  if (match == nullptr) return std::nullopt;
+  return match->measured.interval;
 }
 
 std::optional<double> Comparison::overlapped_formula(const Row& row) const {
-  const Row* found = overlapped(row);
-  if (found == nullptr) return std::nullopt;
-  return hwffd::overlapped_interval(*found->configuration);
+  const Row* match = overlapped(row);
+  if (match == nullptr) return std::nullopt;
+  return hwffd::overlapped_interval(*match->configuration);
 }
 
 std::optional<bool> Comparison::overlapped_equal(const Row& row) const {

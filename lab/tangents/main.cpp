@@ -17,17 +17,17 @@ using namespace hwffd::tangents;
 /// `basic`, overlapped, in every format that it has in this build: the smallest core that has
 /// streams; and every core that has them and gives derivatives in one pass.
 std::vector<Configuration> rows() {
-  std::vector<Configuration> found;
+  std::vector<Configuration> selected;
   for (const Configuration& row : configurations()) {
     if (row.name != fmt::format("basic-{}-overlapped", row.format) && !gives_jacobian(row))
       continue;
     if (cores::has_stream_core(row)) {
-      found.push_back(row);
+      selected.push_back(row);
     } else if (!gives_jacobian(row)) {
       fmt::print("left out: {} is not in this build; TIER=test has it\n", row.name);
     }
   }
-  return found;
+  return selected;
 }
 
 int carry_out(StudyProgram& program) {

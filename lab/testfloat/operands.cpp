@@ -10,28 +10,28 @@ constexpr int kKinds = 3;
 
 /// Exponent fields: both ends, around 1, and where products and sums reach the ends or part.
 std::vector<std::uint32_t> special_exponents() {
-  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> exponents;
   for (int centre : {0, 2, 24, 63, 103, 127, 151, 190, 253}) {
     for (int step = -1; step <= 2; ++step) {
       const int field = centre + step;
-      if (field >= 0 && field <= 255) found.push_back(static_cast<std::uint32_t>(field));
+      if (field >= 0 && field <= 255) exponents.push_back(static_cast<std::uint32_t>(field));
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  std::sort(exponents.begin(), exponents.end());
+  exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
+  return exponents;
 }
 
 /// Significands with a one or a zero alone, and with runs of ones from either end.
 std::vector<std::uint32_t> special_significands() {
-  std::vector<std::uint32_t> found{0, kFraction};
+  std::vector<std::uint32_t> significands{0, kFraction};
   for (int place = 0; place < 23; ++place) {
-    found.push_back(1u << place);
-    found.push_back(kFraction ^ (1u << place));
-    found.push_back(kFraction >> place);
-    found.push_back(kFraction << place & kFraction);
+    significands.push_back(1u << place);
+    significands.push_back(kFraction ^ (1u << place));
+    significands.push_back(kFraction >> place);
+    significands.push_back(kFraction << place & kFraction);
   }
-  return found;
+  return significands;
 }
 
 }  // namespace

@@ -133,9 +133,9 @@ class AxiBench {
   bool upset_reported() {
     const std::uint32_t limits = system_.read32(HWFFD_LIMITS2_OFFSET);
     if ((limits & HWFFD_LIMITS2_HARDENED_MASK) == 0) return false;
-    const std::uint32_t found = system_.read32(HWFFD_UPSET_STATUS_OFFSET);
-    system_.write32(HWFFD_UPSET_STATUS_OFFSET, found);
-    return (found & ~HWFFD_UPSET_STATUS_COPY_MASK) != 0 || (wrong_ && found != 0);
+    const std::uint32_t upset_status = system_.read32(HWFFD_UPSET_STATUS_OFFSET);
+    system_.write32(HWFFD_UPSET_STATUS_OFFSET, upset_status);
+    return (upset_status & ~HWFFD_UPSET_STATUS_COPY_MASK) != 0 || (wrong_ && upset_status != 0);
   }
 
   /// Bytes that were written where no result of this or an earlier area belongs. What a run with a

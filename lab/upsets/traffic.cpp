@@ -42,12 +42,12 @@ std::vector<VertexBeat> vertices(const WordCodec& codec, tb::Random& random, std
 
 std::vector<InterleavedVertex> own_points(const WordCodec& codec, tb::Random& random,
                                           std::size_t count) {
-  auto found = tb::interleaved(tb::random_stimulus(codec, count, random.bits()));
-  for (InterleavedVertex& vertex : found) {
+  auto vertices = tb::interleaved(tb::random_stimulus(codec, count, random.bits()));
+  for (InterleavedVertex& vertex : vertices) {
     for (std::uint32_t& word : vertex.points) word = codec.point(small(random));
     for (std::uint32_t& word : vertex.local) word = codec.coordinate(random.unit());
   }
-  return found;
+  return vertices;
 }
 
 }  // namespace

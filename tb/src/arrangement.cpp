@@ -53,9 +53,9 @@ std::uint64_t cell_beats(const std::vector<Index3>& cells, std::size_t kept) {
   std::uint64_t beats = 0;
   std::uint64_t run = 0;
   for (const Index3& cell : cells) {
-    const auto found = std::find(cache.begin(), cache.end(), cell);
-    if (found != cache.end()) {
-      cache.erase(found);
+    const auto it = std::find(cache.begin(), cache.end(), cell);
+    if (it != cache.end()) {
+      cache.erase(it);
     } else {
       beats += beats_of_packets(run) + run + kHeader + kSupport;
       run = 0;

@@ -8,8 +8,8 @@ namespace {
 /// Whether a probe is in a lane behind the first.
 bool in_another_lane(const std::string& instance) {
   const std::string lane = "gen_lane[";
-  const auto found = instance.find(lane);
-  return found != std::string::npos && instance.at(found + lane.size()) != '0';
+  const auto position = instance.find(lane);
+  return position != std::string::npos && instance.at(position + lane.size()) != '0';
 }
 
 }  // namespace

@@ -14,9 +14,8 @@ namespace {
 
 /// Some row that has a core, or any.
 const Configuration& some_row() {
-  const auto found =
-      std::find_if(configurations().begin(), configurations().end(), has_stream_core);
-  return found == configurations().end() ? configurations().front() : *found;
+  const auto it = std::find_if(configurations().begin(), configurations().end(), has_stream_core);
+  return it == configurations().end() ? configurations().front() : *it;
 }
 
 TEST(LoadedCores, AreThoseOfThisVersion) {

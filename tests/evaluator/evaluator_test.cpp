@@ -184,17 +184,17 @@ TEST_P(Evaluator, PlantedFaultsAreFound) {
   constexpr unsigned kBits = 3 * 32 + 16 + 2;  // words, tag, flags
   tb::EvaluatorStimulus stimulus = draw(4, 3);
   stimulus.supports.resize(stimulus.vertices.size());
-  std::uint64_t found = 0;
+  std::uint64_t faults = 0;
   for (unsigned bit = 0; bit < kBits; ++bit) {
     bench_.plant({tb::Fault::Kind::kFlip, 1, bit});
     bench_.run(stimulus);
-    EXPECT_EQ(bench_.mismatches(), ++found) << "bit " << bit;
+    EXPECT_EQ(bench_.mismatches(), ++faults) << "bit " << bit;
   }
   bench_.plant({tb::Fault::Kind::kDrop, 1, 0});
   EXPECT_THROW(bench_.run(stimulus), std::runtime_error);
   bench_.plant({tb::Fault::Kind::kDuplicate, 1, 0});
   bench_.run(stimulus);
-  EXPECT_EQ(bench_.mismatches(), found + 2) << "the last two results come a place late";
+  EXPECT_EQ(bench_.mismatches(), faults + 2) << "the last two results come a place late";
 }
 
 // A barrel of contexts spreads its starts within its round, so the interval is counted over a

@@ -257,9 +257,9 @@ Points grid() {
 
 /// One point at a time, without Attachment: where the stage takes it.
 Point by_hand(const Stage& stage, const Point& point) {
-  const Embedding found = Embedder(stage.rest).embed(point);
-  if (found.status != EmbeddingStatus::kInside) return point;
-  return Embedder(stage.deformed).point(found.at);
+  const Embedding embedding = Embedder(stage.rest).embed(point);
+  if (embedding.status != EmbeddingStatus::kInside) return point;
+  return Embedder(stage.deformed).point(embedding.at);
 }
 
 TEST(Hierarchy, StagesComposeAndTheRestFollowsTheGlobalOneAlone) {

@@ -37,19 +37,19 @@ Embedder around_corners(const std::string& kind) {
 EmbeddingSummary expect_back(const Embedder& embedder, std::size_t count, std::uint64_t seed) {
   const auto places = test::known_places(embedder.lattice(), count, seed);
   const Points points = test::points_at(embedder, places);
-  const std::vector<Embedding> found = embedder.embed(points);
-  EXPECT_EQ(found.size(), count);
+  const std::vector<Embedding> embeddings = embedder.embed(points);
+  EXPECT_EQ(embeddings.size(), count);
   double worst = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const Point wanted = points.row(static_cast<Eigen::Index>(i));
-    const Embedding& e = found[i];
+    const Embedding& e = embeddings[i];
     EXPECT_EQ(e.status, EmbeddingStatus::kInside) << i << ": " << wanted.transpose();
     EXPECT_TRUE(e.at.inside);
     EXPECT_TRUE((e.at.local.array() >= 0).all() && (e.at.local.array() <= 1).all());
     worst = std::max(worst, (embedder.point(e.at) - wanted).norm());
   }
   EXPECT_LE(worst, kBound * embedder.size());
-  const EmbeddingSummary summary = summarize(found);
+  const EmbeddingSummary summary = summarize(embeddings);
   EXPECT_EQ(summary.inside, count);
   EXPECT_EQ(summary.outside, 0u);
   EXPECT_EQ(summary.not_converged, 0u);
@@ -209,12 +209,12 @@ Points points_outside(const Embedder& embedder, int count, double reach, std::ui
   const Point middle = (control.colwise().minCoeff() + control.colwise().maxCoeff()) / 2;
   std::mt19937_64 random(seed);
   Points points(count, 3);
-  for (int found = 0; found < count;) {
+  for (int count_outside = 0; count_outside < count;) {
     Point way;
     for (double& x : way) x = 2 * unit(random) - 1;
     const Point point = middle + reach * embedder.size() * way;
     if (embedder.embed(point).status != EmbeddingStatus::kOutside) continue;
-    points.row(found++) = point;
+    points.row(count_outside++) = point;
   }
   return points;
 }
@@ -257,13 +257,13 @@ TEST(NearestPlace, NoSampledPlaceIsNearer) {
       const Points points = points_outside(embedder, 60, reach, 5);
       for (Eigen::Index i = 0; i < points.rows(); ++i) {
         const Point point = points.row(i);
-        const NearestPlace::Result found = nearest.find(point);
+        const NearestPlace::Result place = nearest.find(point);
         const double least = (samples.rowwise() - point.transpose()).rowwise().norm().minCoeff();
-        EXPECT_LE(found.distance, least + 1e-7 * embedder.size()) << c.name << " " << i;
-        EXPECT_LT((embedder.point(found.at) - found.point).norm(), 1e-12 * embedder.size());
-        EXPECT_NEAR((found.point - point).norm(), found.distance, 1e-12 * embedder.size());
-        EXPECT_TRUE(found.at.inside);
-        EXPECT_TRUE((found.at.local.array() >= 0).all() && (found.at.local.array() <= 1).all());
+        EXPECT_LE(place.distance, least + 1e-7 * embedder.size()) << c.name << " " << i;
+        EXPECT_LT((embedder.point(place.at) - place.point).norm(), 1e-12 * embedder.size());
+        EXPECT_NEAR((place.point - point).norm(), place.distance, 1e-12 * embedder.size());
+        EXPECT_TRUE(place.at.inside);
+        EXPECT_TRUE((place.at.local.array() >= 0).all() && (place.at.local.array() <= 1).all());
       }
     }
   }
@@ -298,8 +298,8 @@ TEST(NearestPlace, KnownPlaces) {
   const NearestPlace can(Cylinder(Point(5, 0, 0), kUnitBox).lattice({4, 6, 11}));
   for (const double x : {4.2, 4.7, 5.0, 5.2, 5.6}) {
     for (const double z : {-0.5, 0.0, 0.3}) {
-      const NearestPlace::Result found = can.find(Point(x, 3, z));
-      EXPECT_LT((found.point - Point(x, 1, z)).norm(), 1e-7) << found.point.transpose();
+      const NearestPlace::Result place = can.find(Point(x, 3, z));
+      EXPECT_LT((place.point - Point(x, 1, z)).norm(), 1e-7) << place.point.transpose();
     }
   }
   // Above the pole of a ball; the equator at u = 0 lies in the middle of a cell, touches the ball.
@@ -317,10 +317,10 @@ TEST(NearestPlace, ClampedAxesEndWhereBsplinesClose) {
     points.row(row) << repeating[static_cast<std::size_t>(row / 36)], row / 6 % 6, row % 6;
   }
   const NearestPlace nearest(Lattice({7, 6, 6}, points), Family(Family::Kind::kClamped));
-  const NearestPlace::Result found = nearest.find(Point(-1, 2.5, 2.5));
-  EXPECT_NEAR(found.distance, 1.0, 1e-6);
-  EXPECT_EQ(found.at.cell, (Index3{0, 1, 1}));
-  EXPECT_EQ(found.at.local[0], 0.0);
+  const NearestPlace::Result place = nearest.find(Point(-1, 2.5, 2.5));
+  EXPECT_NEAR(place.distance, 1.0, 1e-6);
+  EXPECT_EQ(place.at.cell, (Index3{0, 1, 1}));
+  EXPECT_EQ(place.at.local[0], 0.0);
 }
 
 /// The nearest places of a convex shape are no further apart than the points: also across cells and

@@ -112,9 +112,9 @@ TEST_P(FewPoints, BoxesAtRestStayBoxes) {
   const Embedder embedder(rest, family);
   for (Eigen::Index row = 0; row < cube().rows(); ++row) {
     const Point corner = cube().row(row);
-    const Embedding found = embedder.embed(corner);
-    EXPECT_EQ(found.status, EmbeddingStatus::kInside);
-    EXPECT_LT((embedder.point(found.at) - corner).norm(), kFewPointsTiny);
+    const Embedding embedding = embedder.embed(corner);
+    EXPECT_EQ(embedding.status, EmbeddingStatus::kInside);
+    EXPECT_LT((embedder.point(embedding.at) - corner).norm(), kFewPointsTiny);
   }
   EXPECT_EQ(check_folds(rest, 4, family).verdict, FoldCheck::Verdict::kProved);
 }

@@ -57,15 +57,16 @@ std::vector<Embedded> random_vertices(const Lattice& lattice, std::size_t count,
 template <class Real>
 VertexArrays<Real> arrays(const LatticeEvaluator<Real>& evaluator,
                           const std::vector<Embedded>& vertices) {
-  VertexArrays<Real> found;
+  VertexArrays<Real> result;
   for (const Embedded& vertex : vertices) {
-    found.origins.push_back(evaluator.origin(vertex.cell));
+    result.origins.push_back(evaluator.origin(vertex.cell));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      found.local[axis].push_back(static_cast<Real>(vertex.local[static_cast<Eigen::Index>(axis)]));
-      found.position[axis].push_back(-1);
+      result.local[axis].push_back(
+          static_cast<Real>(vertex.local[static_cast<Eigen::Index>(axis)]));
+      result.position[axis].push_back(-1);
     }
   }
-  return found;
+  return result;
 }
 
 bool has_fused_multiply_add(std::int64_t target) {
@@ -92,13 +93,14 @@ void expect_oracle() {
     const Lattice lattice = random_lattice(dims, random);
     const LatticeEvaluator<Real> evaluator(lattice, kMixed);
     const std::vector<Embedded> vertices = random_vertices(lattice, 3000, random);
-    VertexArrays<Real> found = arrays(evaluator, vertices);
-    evaluator.evaluate(found);
+    VertexArrays<Real> evaluated = arrays(evaluator, vertices);
+    evaluator.evaluate(evaluated);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      const Point local(found.local[0][v], found.local[1][v], found.local[2][v]);
+      const Point local(evaluated.local[0][v], evaluated.local[1][v], evaluated.local[2][v]);
       const Point wanted =
           oracle.evaluate(lattice.support(vertices[v].cell), local[0], local[1], local[2]);
-      const Point position(found.position[0][v], found.position[1][v], found.position[2][v]);
+      const Point position(evaluated.position[0][v], evaluated.position[1][v],
+                           evaluated.position[2][v]);
       largest = std::max(largest, (position - wanted).cwiseAbs().maxCoeff());
     }
   }
@@ -119,9 +121,9 @@ void expect_each_by_itself() {
   std::vector<Embedded> vertices = random_vertices(lattice, 2000, random);
   std::vector<std::array<Real, 3>> alone;
   for (const Embedded& vertex : vertices) {
-    VertexArrays<Real> one = arrays(evaluator, {vertex});
-    evaluator.evaluate(one);
-    alone.push_back({one.position[0][0], one.position[1][0], one.position[2][0]});
+    VertexArrays<Real> single = arrays(evaluator, {vertex});
+    evaluator.evaluate(single);
+    alone.push_back({single.position[0][0], single.position[1][0], single.position[2][0]});
   }
   std::vector<std::size_t> order(vertices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -129,12 +131,12 @@ void expect_each_by_itself() {
   for (int round = 0; round < 3; ++round) {
     std::vector<Embedded> turn;
     for (const std::size_t v : order) turn.push_back(vertices[v]);
-    VertexArrays<Real> found = arrays(evaluator, turn);
-    evaluator.evaluate(found);
+    VertexArrays<Real> evaluated = arrays(evaluator, turn);
+    evaluator.evaluate(evaluated);
     std::size_t different = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
-        different += found.position[c][i] != alone[order[i]][c];
+        different += evaluated.position[c][i] != alone[order[i]][c];
       }
     }
     EXPECT_EQ(different, 0U) << "round " << round;
@@ -156,14 +158,14 @@ TEST_P(Targets, EveryLengthOfARunWritesItsOwnVerticesOnly) {
   const Lattice lattice = random_lattice({4, 4, 5}, random);
   const LatticeEvaluator<float> evaluator(lattice, kMixed);
   const std::vector<Embedded> vertices(70, Embedded{{0, 0, 1}, {0.25, 0.5, 0.75}, true});
-  VertexArrays<float> one = arrays(evaluator, {vertices[0]});
-  evaluator.evaluate(one);
+  VertexArrays<float> single = arrays(evaluator, {vertices[0]});
+  evaluator.evaluate(single);
   for (std::size_t length = 0; length <= 64; ++length) {
-    VertexArrays<float> found = arrays(evaluator, vertices);
-    found.origins.resize(length);
-    evaluator.evaluate(found);
+    VertexArrays<float> evaluated = arrays(evaluator, vertices);
+    evaluated.origins.resize(length);
+    evaluator.evaluate(evaluated);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      EXPECT_EQ(found.position[2][v], v < length ? one.position[2][0] : -1) << length;
+      EXPECT_EQ(evaluated.position[2][v], v < length ? single.position[2][0] : -1) << length;
     }
   }
 }
@@ -172,14 +174,14 @@ TEST(LatticeEvaluator, WidthsWithFusedMultiplyAddAgree) {
   Random random;
   const Lattice lattice = random_lattice({7, 5, 6}, random);
   const std::vector<Embedded> vertices = random_vertices(lattice, 5000, random);
-  std::vector<Points> found;
+  std::vector<Points> by_target;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     if (!has_fused_multiply_add(target)) continue;
     hwy::SetSupportedTargetsForTest(target);
-    found.push_back(evaluate_in(lattice, vertices, kMixed));
+    by_target.push_back(evaluate_in(lattice, vertices, kMixed));
   }
   hwy::SetSupportedTargetsForTest(0);
-  for (const Points& positions : found) EXPECT_EQ(positions, found.front());
+  for (const Points& positions : by_target) EXPECT_EQ(positions, by_target.front());
 }
 
 TEST(LatticeEvaluator, VerticesThatBringTheirPointsAreThoseOfTheLattice) {
@@ -199,8 +201,8 @@ TEST(LatticeEvaluator, TheLargestLatticeIsReachedToItsLastPoint) {
   const Lattice lattice = random_lattice({64, 64, 64}, random);
   const Embedded last{{60, 60, 60}, {1, 1, 1}, true};
   const Blending bernstein{Oracle::bernstein(), Oracle::bernstein(), Oracle::bernstein()};
-  const Points found = evaluate_in(lattice, {last}, bernstein);
-  EXPECT_LE((found.row(0) - lattice.point(63, 63, 63).transpose()).cwiseAbs().maxCoeff(),
+  const Points positions = evaluate_in(lattice, {last}, bernstein);
+  EXPECT_LE((positions.row(0) - lattice.point(63, 63, 63).transpose()).cwiseAbs().maxCoeff(),
             kBound<double>);
 }
 

@@ -121,9 +121,9 @@ TEST(MeshNormals, ShearedCubeStaysHard) {
   const std::vector<Eigen::Vector3d> normals = normals_of(mesh);
   std::vector<Eigen::Vector3d> distinct;
   for (const Eigen::Vector3d& n : normals) {
-    bool found = false;
-    for (const Eigen::Vector3d& d : distinct) found = found || (d - n).norm() < kRounding;
-    if (!found) distinct.push_back(n);
+    bool is_known = false;
+    for (const Eigen::Vector3d& d : distinct) is_known = is_known || (d - n).norm() < kRounding;
+    if (!is_known) distinct.push_back(n);
   }
   EXPECT_EQ(distinct.size(), 6u);
   // By hand: the top y = 1 becomes y = 3x + 1, across x = 1 stays upright.

@@ -67,11 +67,11 @@ TEST(Mesh, NewPositionsReachEveryDuplicate) {
   moved.row(0) << 10.1, 20.2, 30.3;
   mesh.set_positions(moved);
   EXPECT_EQ(mesh.positions()(0, 0), static_cast<double>(10.1f));
-  int found = 0;
+  int copies = 0;
   each_vertex(mesh, [&](const aiMesh& part, unsigned v) {
-    if (part.mVertices[v] == aiVector3D(10.1f, 20.2f, 30.3f)) ++found;
+    if (part.mVertices[v] == aiVector3D(10.1f, 20.2f, 30.3f)) ++copies;
   });
-  EXPECT_EQ(found, 2);
+  EXPECT_EQ(copies, 2);
 }
 
 /// Normals follow the deformation, and the hard edge between floor and wall stays hard.

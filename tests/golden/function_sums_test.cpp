@@ -17,22 +17,22 @@ namespace {
 /// How many of functions and derivatives of an axis do not sum up.
 int faults(const AxisWords& axis) {
   model::FunctionSums sums;
-  int found = 0;
+  int count = 0;
   for (const bool derivative : {false, true}) {
     const auto& words = derivative ? axis.derivative.word : axis.word;
     const int shift = derivative ? axis.derivative.shift : axis.shift;
     for (int l = 0; l < 4; ++l) {
-      found += sums.fault(l, axis.degree, shift, derivative, words[l]) ? 1 : 0;
+      count += sums.fault(l, axis.degree, shift, derivative, words[l]) ? 1 : 0;
     }
   }
-  return found;
+  return count;
 }
 
 /// fx12 to fx32.
 std::vector<WordCodec> codecs() {
-  std::vector<WordCodec> found;
-  for (int width = 12; width <= 32; ++width) found.emplace_back("fx" + std::to_string(width));
-  return found;
+  std::vector<WordCodec> result;
+  for (int width = 12; width <= 32; ++width) result.emplace_back("fx" + std::to_string(width));
+  return result;
 }
 
 TEST(FunctionSums, FamiliesSumToOneButHermite) {

@@ -24,9 +24,9 @@ template <int W>
 std::vector<std::int64_t> coordinates() {
   constexpr std::int64_t kOne = std::int64_t{1} << (W - 2);
   const std::int64_t apart = std::max<std::int64_t>(1, kOne / 70001);
-  std::vector<std::int64_t> found{kOne};
-  for (std::int64_t k = 0; k < kOne; k += apart) found.push_back(k);
-  return found;
+  std::vector<std::int64_t> result{kOne};
+  for (std::int64_t k = 0; k < kOne; k += apart) result.push_back(k);
+  return result;
 }
 
 std::int64_t sum(const std::array<std::int64_t, 4>& values) {

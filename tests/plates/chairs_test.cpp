@@ -86,15 +86,15 @@ INSTANTIATE_TEST_SUITE_P(All, Chairs, testing::Values(&office_chair, &wooden_cha
 
 /// In how many places, 8 cm or more apart, it stands on the floor.
 int feet(const Mesh& chair) {
-  std::vector<Point> found;
+  std::vector<Point> distinct;
   for (Eigen::Index v = 0; v < chair.positions().rows(); ++v) {
     const Point p = chair.positions().row(v);
     if (p.y() > 0.01) continue;
     bool is_new = true;
-    for (const Point& foot : found) is_new = is_new && (foot - p).norm() > 0.08;
-    if (is_new) found.push_back(p);
+    for (const Point& foot : distinct) is_new = is_new && (foot - p).norm() > 0.08;
+    if (is_new) distinct.push_back(p);
   }
-  return static_cast<int>(found.size());
+  return static_cast<int>(distinct.size());
 }
 
 TEST(OfficeChair, HasFiveCastors) { EXPECT_EQ(feet(office_chair()), 5); }

@@ -79,12 +79,12 @@ class PageRun {
   std::uint64_t events(event::Code code) const { return bench_->events()[stream_event(code)]; }
   /// Words x, y, z of the results from `first` on.
   std::vector<std::array<std::uint32_t, 3>> words(std::size_t first, std::size_t count) const {
-    std::vector<std::array<std::uint32_t, 3>> found;
+    std::vector<std::array<std::uint32_t, 3>> result;
     for (std::size_t r = first; r < first + count; ++r) {
       const Beat& beat = bench_->results().at(r);
-      found.push_back({beat.words[0], beat.words[1], beat.words[2]});
+      result.push_back({beat.words[0], beat.words[1], beat.words[2]});
     }
-    return found;
+    return result;
   }
 
  protected:

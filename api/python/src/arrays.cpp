@@ -55,9 +55,10 @@ py::array numbers(const py::handle& object, const char* name) {
 /// The array, if its numbers are of that type and one behind the other; a copy where they are not.
 template <typename Number>
 py::array packed(const py::array& array) {
-  const auto found = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!found) throw py::error_already_set();
-  return found;
+  const auto converted =
+      py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
+  if (!converted) throw py::error_already_set();
+  return converted;
 }
 
 template <typename Number>

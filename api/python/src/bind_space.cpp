@@ -73,10 +73,10 @@ py::array displacement_grid(PyLattice& lattice, const py::object& first, const p
 py::array inverse(const PyLattice& lattice, const py::object& points, const py::object& out) {
   const Read read = read_points(points, "points");
   Target target(out, read.shape, read.is_float);
-  Points found =
+  Points origins =
       lattice.alone([&](const DeformableLattice& of) { return of.inverse(read.points()); });
-  const Eigen::Index none = found.col(0).array().isNaN().count();
-  py::array to = target.take(std::move(found));
+  const Eigen::Index none = origins.col(0).array().isNaN().count();
+  py::array to = target.take(std::move(origins));
   if (none > 0) {
     warn(std::to_string(none) + " of " + std::to_string(read.count()) +
          " points come from nowhere, as far as was found, and are NaN");

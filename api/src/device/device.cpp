@@ -81,19 +81,19 @@ std::vector<std::string> in_short(const std::vector<std::string>& names) {
   const auto letters = [](const std::string& name) {
     return name.substr(0, name.find_first_of("0123456789"));
   };
-  std::vector<std::string> found;
+  std::vector<std::string> shortened;
   for (std::size_t first = 0; first < names.size();) {
     std::size_t end = first;
     while (end < names.size() && letters(names[end]) == letters(names[first])) ++end;
     if (end - first > 2) {
-      found.push_back(fmt::format("{} to {}", names[first], names[end - 1]));
+      shortened.push_back(fmt::format("{} to {}", names[first], names[end - 1]));
     } else {
-      found.insert(found.end(), names.begin() + static_cast<std::ptrdiff_t>(first),
-                   names.begin() + static_cast<std::ptrdiff_t>(end));
+      shortened.insert(shortened.end(), names.begin() + static_cast<std::ptrdiff_t>(first),
+                       names.begin() + static_cast<std::ptrdiff_t>(end));
     }
     first = end;
   }
-  return found;
+  return shortened;
 }
 
 /// The words, each once, in their order.

@@ -19,8 +19,8 @@ std::uint64_t contexts_of(const Configuration& row) {
 bool is_shown(const std::string& instance) {
   if (instance.find(".u_org.") == std::string::npos) return false;
   const std::string lane = "gen_lane[";
-  const std::size_t found = instance.find(lane);
-  return found == std::string::npos || instance.compare(found + lane.size(), 2, "0]") == 0;
+  const std::size_t position = instance.find(lane);
+  return position == std::string::npos || instance.compare(position + lane.size(), 2, "0]") == 0;
 }
 
 /// The first signal of one of those names.

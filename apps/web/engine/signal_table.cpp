@@ -18,18 +18,18 @@ bool is_end(const std::string& instance, const std::string& end) {
 
 std::vector<cores::Signal> SignalTable::find(const std::string& name) const {
   const std::size_t colon = name.find(':');
-  std::vector<cores::Signal> found;
+  std::vector<cores::Signal> matches;
   for (const cores::Signal& signal : signals_) {
     if (signal.name == name.substr(colon + 1) && is_end(signal.instance, name.substr(0, colon))) {
-      found.push_back(signal);
+      matches.push_back(signal);
     }
   }
-  return found;
+  return matches;
 }
 
 cores::Signal SignalTable::only(const std::string& name) const {
-  const std::vector<cores::Signal> found = find(name);
-  if (!found.empty()) return found.front();
+  const std::vector<cores::Signal> matches = find(name);
+  if (!matches.empty()) return matches.front();
   throw Error(
       fmt::format("signal {}: the core does not show it; name it in cores/rtl/ffd_page.vlt", name));
 }

@@ -194,7 +194,7 @@ class Driver {
   void test_interrupts(std::uint32_t bits);
 
  private:
-  void read_features(CoreIdentity& found);
+  void read_features(CoreIdentity& identity);
   std::uint32_t status();
   std::uint64_t read64(std::uint32_t low);
   void write64(std::uint32_t low, std::uint64_t value);

@@ -35,40 +35,41 @@ CoreIdentity Driver::probe() {
   const std::uint32_t version = port_.read32(HWFFD_VERSION_OFFSET);
   const std::uint32_t config = port_.read32(HWFFD_CONFIG_OFFSET);
   const std::uint32_t limits = port_.read32(HWFFD_LIMITS_OFFSET);
-  CoreIdentity found{};
-  found.version_major = field(version, HWFFD_VERSION_MAJOR_MASK, HWFFD_VERSION_MAJOR_SHIFT);
-  found.version_minor = field(version, HWFFD_VERSION_MINOR_MASK, HWFFD_VERSION_MINOR_SHIFT);
-  found.version_patch = field(version, HWFFD_VERSION_PATCH_MASK, HWFFD_VERSION_PATCH_SHIFT);
-  found.org = field(config, HWFFD_CONFIG_ORG_MASK, HWFFD_CONFIG_ORG_SHIFT);
-  found.n = field(config, HWFFD_CONFIG_N_MASK, HWFFD_CONFIG_N_SHIFT);
-  found.format = field(config, HWFFD_CONFIG_FORMAT_MASK, HWFFD_CONFIG_FORMAT_SHIFT);
-  found.schedule = field(config, HWFFD_CONFIG_SCHEDULE_MASK, HWFFD_CONFIG_SCHEDULE_SHIFT);
-  found.evaluator = field(config, HWFFD_CONFIG_EVALUATOR_MASK, HWFFD_CONFIG_EVALUATOR_SHIFT);
-  found.in_flight = field(limits, HWFFD_LIMITS_IN_FLIGHT_MASK, HWFFD_LIMITS_IN_FLIGHT_SHIFT);
-  found.points_axis = field(limits, HWFFD_LIMITS_POINTS_AXIS_MASK, HWFFD_LIMITS_POINTS_AXIS_SHIFT);
-  if (found.version_major != kMajor) {
-    throw DriverError("registers of version " + std::to_string(found.version_major) +
+  CoreIdentity identity{};
+  identity.version_major = field(version, HWFFD_VERSION_MAJOR_MASK, HWFFD_VERSION_MAJOR_SHIFT);
+  identity.version_minor = field(version, HWFFD_VERSION_MINOR_MASK, HWFFD_VERSION_MINOR_SHIFT);
+  identity.version_patch = field(version, HWFFD_VERSION_PATCH_MASK, HWFFD_VERSION_PATCH_SHIFT);
+  identity.org = field(config, HWFFD_CONFIG_ORG_MASK, HWFFD_CONFIG_ORG_SHIFT);
+  identity.n = field(config, HWFFD_CONFIG_N_MASK, HWFFD_CONFIG_N_SHIFT);
+  identity.format = field(config, HWFFD_CONFIG_FORMAT_MASK, HWFFD_CONFIG_FORMAT_SHIFT);
+  identity.schedule = field(config, HWFFD_CONFIG_SCHEDULE_MASK, HWFFD_CONFIG_SCHEDULE_SHIFT);
+  identity.evaluator = field(config, HWFFD_CONFIG_EVALUATOR_MASK, HWFFD_CONFIG_EVALUATOR_SHIFT);
+  identity.in_flight = field(limits, HWFFD_LIMITS_IN_FLIGHT_MASK, HWFFD_LIMITS_IN_FLIGHT_SHIFT);
+  identity.points_axis =
+      field(limits, HWFFD_LIMITS_POINTS_AXIS_MASK, HWFFD_LIMITS_POINTS_AXIS_SHIFT);
+  if (identity.version_major != kMajor) {
+    throw DriverError("registers of version " + std::to_string(identity.version_major) +
                       ", this driver knows " + std::to_string(kMajor));
   }
-  read_features(found);
-  core_ = found;
-  return found;
+  read_features(identity);
+  core_ = identity;
+  return identity;
 }
 
 /// Cores before these registers were there have all that the first ones had.
-void Driver::read_features(CoreIdentity& found) {
+void Driver::read_features(CoreIdentity& identity) {
   try {
-    found.features = port_.read32(HWFFD_FEATURES_OFFSET);
+    identity.features = port_.read32(HWFFD_FEATURES_OFFSET);
     const std::uint32_t limits = port_.read32(HWFFD_LIMITS2_OFFSET);
-    found.pages = field(limits, HWFFD_LIMITS2_PAGES_MASK, HWFFD_LIMITS2_PAGES_SHIFT);
-    found.count_width =
+    identity.pages = field(limits, HWFFD_LIMITS2_PAGES_MASK, HWFFD_LIMITS2_PAGES_SHIFT);
+    identity.count_width =
         field(limits, HWFFD_LIMITS2_COUNT_WIDTH_MASK, HWFFD_LIMITS2_COUNT_WIDTH_SHIFT);
-    found.spans = field(limits, HWFFD_LIMITS2_SPANS_MASK, HWFFD_LIMITS2_SPANS_SHIFT);
+    identity.spans = field(limits, HWFFD_LIMITS2_SPANS_MASK, HWFFD_LIMITS2_SPANS_SHIFT);
   } catch (const RegisterError&) {
-    found.features = HWFFD_FEATURES_RESIDENT_MASK | HWFFD_FEATURES_INTERLEAVED_MASK |
-                     HWFFD_FEATURES_DERIVATIVES_MASK | HWFFD_FEATURES_DETERMINANT_MASK;
-    found.pages = 2;
-    found.spans = 1;
+    identity.features = HWFFD_FEATURES_RESIDENT_MASK | HWFFD_FEATURES_INTERLEAVED_MASK |
+                        HWFFD_FEATURES_DERIVATIVES_MASK | HWFFD_FEATURES_DETERMINANT_MASK;
+    identity.pages = 2;
+    identity.spans = 1;
   }
 }
 

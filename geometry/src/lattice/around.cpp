@@ -66,9 +66,9 @@ Lattice lattice_around(const std::string& shape, const Points& points, const Ind
   if (points.rows() > 0) {
     room = inverse.cwiseAbs() * Point(fit.room * points.cwiseAbs().colwise().maxCoeff());
   }
-  const Shape& found = find(shape);
-  if (upright) return found.around(points, room + fit.padding, dims);
-  const Lattice lattice = found.around(points * inverse.transpose(), room + fit.padding, dims);
+  const Shape& entry = find(shape);
+  if (upright) return entry.around(points, room + fit.padding, dims);
+  const Lattice lattice = entry.around(points * inverse.transpose(), room + fit.padding, dims);
   return Lattice(dims, lattice.points() * fit.frame.transpose());
 }
 

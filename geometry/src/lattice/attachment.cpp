@@ -55,7 +55,7 @@ Attachment::Attachment(const Embedder& embedder, const Points& points, const Out
 void Attachment::embed(const Embedder& embedder) {
   const auto count = static_cast<std::size_t>(points_.rows());
   at_.reserve(count);
-  found_.reserve(count);
+  outcomes_.reserve(count);
   std::vector<Embedding> block;
   for (std::size_t first = 0; first < count; first += block.size()) {
     const auto size = static_cast<Eigen::Index>(std::min(kPointsOfABlock, count - first));
@@ -63,14 +63,14 @@ void Attachment::embed(const Embedder& embedder) {
     summary_ = joined(summary_, summarize(block));
     for (const Embedding& embedding : block) {
       at_.push_back(embedding.at);
-      found_.push_back({embedding.status, embedding.iterations, embedding.residual});
+      outcomes_.push_back({embedding.status, embedding.iterations, embedding.residual});
     }
   }
 }
 
 Embedding Attachment::embedding(Eigen::Index row) const {
   const auto i = static_cast<std::size_t>(row);
-  return {at_[i], found_[i].status, found_[i].residual, found_[i].iterations};
+  return {at_[i], outcomes_[i].status, outcomes_[i].residual, outcomes_[i].iterations};
 }
 
 void Attachment::find_places() {
@@ -97,19 +97,19 @@ void Attachment::find_places() {
 
 void Attachment::check_converged() const {
   if (summary_.not_converged == 0) return;
-  const auto first = std::find_if(found_.begin(), found_.end(), [](const Found& found) {
-    return found.status == EmbeddingStatus::kNotConverged;
+  const auto first = std::find_if(outcomes_.begin(), outcomes_.end(), [](const Outcome& outcome) {
+    return outcome.status == EmbeddingStatus::kNotConverged;
   });
   throw Error(
       fmt::format("point {} can neither be embedded nor proved to be outside; give a lattice that "
                   "does not fold there",
-                  first - found_.begin()));
+                  first - outcomes_.begin()));
 }
 
 std::vector<NearestPlace::Result> Attachment::nearest_places() const {
   if (outside_.kind() == Outside::Kind::kKeep) return {};
   std::vector<Eigen::Index> rows;
-  for (std::size_t i = 0; i < found_.size(); ++i) {
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
     if (is_outside(i)) rows.push_back(static_cast<Eigen::Index>(i));
   }
   if (rows.empty()) return {};

@@ -107,9 +107,9 @@ Embedding Embedder::embed_by_newton(const Point& point) const {
   const double done = kDone * size_;
   const std::vector<const Cell*> cells = candidates(point);
   int iterations = 0;
-  const auto inside = [&](const Cell& cell, const Attempt& found) {
+  const auto inside = [&](const Cell& cell, const Attempt& attempt) {
     return Embedding{
-        {cell.index, found.local, true}, EmbeddingStatus::kInside, found.residual, iterations};
+        {cell.index, attempt.local, true}, EmbeddingStatus::kInside, attempt.residual, iterations};
   };
   for (const Cell* cell : cells) {
     const Attempt attempt =

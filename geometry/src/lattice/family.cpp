@@ -52,12 +52,12 @@ const std::vector<std::string>& Family::names() {
 }
 
 Family Family::parse(std::string_view name) {
-  const auto found = std::find(names().begin(), names().end(), name);
-  if (found == names().end()) {
+  const auto it = std::find(names().begin(), names().end(), name);
+  if (it == names().end()) {
     throw UsageError(fmt::format("blending functions '{}' are unknown; one of {}", excerpt(name),
                                  fmt::join(names(), ", ")));
   }
-  return Family(static_cast<Kind>(found - names().begin()));
+  return Family(static_cast<Kind>(it - names().begin()));
 }
 
 const std::string& Family::name() const { return names()[static_cast<std::size_t>(kind_)]; }

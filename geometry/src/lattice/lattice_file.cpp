@@ -26,17 +26,17 @@ constexpr const char* kOrder = "point (i, j, k) is number (i*n_t + j)*n_u + k";
 
 /// An entry that must be there.
 const Json& entry(const Json& object, const char* name, const char* cure) {
-  const auto found = object.find(name);
-  if (found != object.end()) return *found;
+  const auto it = object.find(name);
+  if (it != object.end()) return *it;
   throw Error(fmt::format("lattice file: no '{}'; give {}", name, cure));
 }
 
 /// Refuses entries that would be ignored: a misspelt name is an error, not a default.
 void check_names(const Json& object, std::initializer_list<const char*> known) {
   for (const auto& item : object.items()) {
-    const bool found = std::any_of(known.begin(), known.end(),
-                                   [&](const char* name) { return item.key() == name; });
-    if (found) continue;
+    const bool is_known = std::any_of(known.begin(), known.end(),
+                                      [&](const char* name) { return item.key() == name; });
+    if (is_known) continue;
     throw Error(fmt::format("lattice file: unknown '{}'; known here are {}", excerpt(item.key()),
                             fmt::join(known, ", ")));
   }
@@ -79,17 +79,17 @@ Points read_points(const Json& value, const char* list, const char* where = "") 
 }
 
 double read_inner(const Json& object) {
-  const auto found = object.find("inner");
-  if (found == object.end()) return 0.0;
-  if (found->is_number()) return found->get<double>();
+  const auto it = object.find("inner");
+  if (it == object.end()) return 0.0;
+  if (it->is_number()) return it->get<double>();
   throw Error("lattice file: 'inner' is not a number; give 0 (solid) or more, and less than 1");
 }
 
 std::optional<Family> read_family(const Json& object) {
-  const auto found = object.find("family");
-  if (found == object.end()) return std::nullopt;
+  const auto it = object.find("family");
+  if (it == object.end()) return std::nullopt;
   try {
-    if (found->is_string()) return Family::parse(found->get<std::string>());
+    if (it->is_string()) return Family::parse(it->get<std::string>());
   } catch (const UsageError&) {
     // No family has that name.
   }
@@ -98,9 +98,9 @@ std::optional<Family> read_family(const Json& object) {
 }
 
 std::optional<Lattice> read_rest(const Json& object, const Index3& dims) {
-  const auto found = object.find("rest");
-  if (found == object.end()) return std::nullopt;
-  Points points = read_points(*found, "rest", " at rest");
+  const auto it = object.find("rest");
+  if (it == object.end()) return std::nullopt;
+  Points points = read_points(*it, "rest", " at rest");
   try {
     return Lattice(dims, std::move(points));
   } catch (const Error& error) {
@@ -110,8 +110,8 @@ std::optional<Lattice> read_rest(const Json& object, const Index3& dims) {
 
 Lattice read_shape(const Json& object, const Index3& dims) {
   const Json& shape = object["shape"];
-  const Shape* const found = shape.is_string() ? find_shape(shape.get<std::string>()) : nullptr;
-  if (found == nullptr) {
+  const Shape* const kind = shape.is_string() ? find_shape(shape.get<std::string>()) : nullptr;
+  if (kind == nullptr) {
     throw Error(fmt::format("lattice file: unknown 'shape'; give {}, or 'points' instead",
                             shape_list(" or ")));
   }
@@ -126,10 +126,10 @@ Lattice read_shape(const Json& object, const Index3& dims) {
         read_point(columns[static_cast<std::size_t>(a)], fmt::format("edge {}", a));
   }
   placement.inner = read_inner(object);
-  if (!found->has_inner && object.contains("inner")) {
-    throw Error(fmt::format("lattice file: a {} has no 'inner'; leave it out", found->name));
+  if (!kind->has_inner && object.contains("inner")) {
+    throw Error(fmt::format("lattice file: a {} has no 'inner'; leave it out", kind->name));
   }
-  return found->placed(placement, dims);
+  return kind->placed(placement, dims);
 }
 
 Json parse_json(const std::string& text) {

@@ -18,9 +18,9 @@ const std::vector<Shape>& shapes() {
 }
 
 const Shape* find_shape(const std::string& name) {
-  const auto found = std::find_if(shapes().begin(), shapes().end(),
-                                  [&](const Shape& shape) { return name == shape.name; });
-  return found == shapes().end() ? nullptr : &*found;
+  const auto it = std::find_if(shapes().begin(), shapes().end(),
+                               [&](const Shape& shape) { return name == shape.name; });
+  return it == shapes().end() ? nullptr : &*it;
 }
 
 const std::vector<std::string>& shape_names() {

@@ -62,10 +62,10 @@ bool is_flat(const aiMesh& part, const aiFace& face) {
   return true;
 }
 
-void find_in_part(const aiMesh& part, std::set<Feature>& found) {
+void find_in_part(const aiMesh& part, std::set<Feature>& features) {
   std::vector<bool> used(part.mNumVertices, false);
   const auto add = [&](Feature feature, bool holds) {
-    if (holds) found.insert(feature);
+    if (holds) features.insert(feature);
   };
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
@@ -84,14 +84,14 @@ void find_in_part(const aiMesh& part, std::set<Feature>& found) {
   add(Feature::kMoreColours, part.HasVertexColors(1));
 }
 
-void find_names(const aiNode& node, std::set<Feature>& found) {
+void find_names(const aiNode& node, std::set<Feature>& features) {
   for (unsigned c = 0; c < node.mNumChildren; ++c) {
     const aiNode& child = *node.mChildren[c];
     const bool is_empty = child.mNumMeshes == 0 && child.mNumChildren == 0;
     // Assimp's reader of obj files gives this name where the file has none.
     const bool is_named = child.mName.length > 0 && child.mName != aiString("defaultobject");
-    if (is_named) found.insert(is_empty ? Feature::kEmptyNodes : Feature::kNames);
-    find_names(child, found);
+    if (is_named) features.insert(is_empty ? Feature::kEmptyNodes : Feature::kNames);
+    find_names(child, features);
   }
 }
 
@@ -102,14 +102,14 @@ std::string name_of(const aiMaterial& material) {
 }
 
 std::set<Feature> features_of(const aiScene& scene) {
-  std::set<Feature> found;
-  each_part(scene, [&](const aiMesh& part, std::size_t) { find_in_part(part, found); });
-  find_names(*scene.mRootNode, found);
+  std::set<Feature> features;
+  each_part(scene, [&](const aiMesh& part, std::size_t) { find_in_part(part, features); });
+  find_names(*scene.mRootNode, features);
   for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
-    if (!name_of(*scene.mMaterials[m]).empty()) found.insert(Feature::kMaterials);
+    if (!name_of(*scene.mMaterials[m]).empty()) features.insert(Feature::kMaterials);
   }
-  if (scene.mNumTextures > 0) found.insert(Feature::kTexturesInside);
-  return found;
+  if (scene.mNumTextures > 0) features.insert(Feature::kTexturesInside);
+  return features;
 }
 
 /// Statements of materials that parts use and that the other scene has not, by name, or otherwise.

@@ -106,16 +106,16 @@ void FollowingNormals::find_classes() {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return owners_[a] < owners_[b]; });
   class_.resize(owners_.size());
-  std::vector<std::pair<Eigen::Vector3d, std::uint32_t>> found;  // at one vertex
+  std::vector<std::pair<Eigen::Vector3d, std::uint32_t>> directions;  // at one vertex
   std::uint32_t vertex = kNone;
   for (const std::uint32_t row : order) {
-    if (owners_[row] != vertex) found.clear();
+    if (owners_[row] != vertex) directions.clear();
     vertex = owners_[row];
     const Eigen::Vector3d normal = read_.row(row).cast<double>().transpose().normalized();
-    std::size_t c = found.size() > kSearched ? found.size() - kSearched : 0;
-    while (c < found.size() && !(found[c].first.dot(normal) > kSameNormal)) ++c;
-    if (c == found.size()) found.emplace_back(normal, classes_++);
-    class_[row] = found[c].second;
+    std::size_t c = directions.size() > kSearched ? directions.size() - kSearched : 0;
+    while (c < directions.size() && !(directions[c].first.dot(normal) > kSameNormal)) ++c;
+    if (c == directions.size()) directions.emplace_back(normal, classes_++);
+    class_[row] = directions[c].second;
   }
 }
 

@@ -12,13 +12,13 @@ namespace hwffd {
 namespace {
 
 void need_faces(const Output& output, const char* format, unsigned corners) {
-  bool found = false;
+  bool has_faces = false;
   each_part(output.scene, [&](const aiMesh& part, std::size_t) {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      found = found || part.mFaces[f].mNumIndices >= corners;
+      has_faces = has_faces || part.mFaces[f].mNumIndices >= corners;
     }
   });
-  if (found) return;
+  if (has_faces) return;
   throw Error(std::string("the mesh has no faces, and ") + format +
               " holds nothing else; use obj, ply or glb");
 }

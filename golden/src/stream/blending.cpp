@@ -85,8 +85,8 @@ Blending family(const std::string& name, const WordCodec& codec) {
       {"linear", {{{0, 0, 0, 0}, {1, -1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}}}},
       {"constant", {{{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}},
   };
-  const auto found = exact.find(name);
-  if (found != exact.end()) return user_blending(found->second);
+  const auto it = exact.find(name);
+  if (it != exact.end()) return user_blending(it->second);
   std::string names;
   for (const std::string& known : family_names()) names += (names.empty() ? "" : ", ") + known;
   throw UsageError("unknown blending functions '" + name + "': one of " + names);

@@ -63,25 +63,25 @@ bool grid_fits(const Grid& grid, const std::array<int, 3>& dims, int most_cells)
 
 GridPlace grid_place(const Grid& grid, const std::array<int, 3>& dims,
                      const std::array<std::uint32_t, 3>& at) {
-  GridPlace found;
+  GridPlace result;
   for (int axis = 0; axis < 3; ++axis) {
     const Wide where = place(grid, axis, at[axis]);
     const int last = dims[axis] - 4;
     const int whole = static_cast<int>(where / kCell);
-    found.cell[axis] = whole > last ? last : whole;
-    const Wide units = (where - found.cell[axis] * kCell) / kUnit;
-    found.local[axis] = std::ldexp(static_cast<double>(units), -kGridCoordinate);
+    result.cell[axis] = whole > last ? last : whole;
+    const Wide units = (where - result.cell[axis] * kCell) / kUnit;
+    result.local[axis] = std::ldexp(static_cast<double>(units), -kGridCoordinate);
   }
-  return found;
+  return result;
 }
 
 VertexBeat grid_vertex(const Grid& grid, const std::array<int, 3>& dims, const WordCodec& codec,
                        const std::array<std::uint32_t, 3>& at) {
-  const GridPlace found = grid_place(grid, dims, at);
+  const GridPlace grid_point = grid_place(grid, dims, at);
   VertexBeat vertex;
   for (int axis = 0; axis < 3; ++axis) {
-    vertex.cell[axis] = found.cell[axis];
-    vertex.local[axis] = codec.coordinate(found.local[axis]);
+    vertex.cell[axis] = grid_point.cell[axis];
+    vertex.local[axis] = codec.coordinate(grid_point.local[axis]);
   }
   const std::uint32_t row = at[2] * grid.count[1] + at[1];
   vertex.tag = static_cast<std::uint16_t>(grid.tag + row * grid.count[0] + at[0]);

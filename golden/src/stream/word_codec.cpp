@@ -20,14 +20,14 @@ std::uint32_t rounded(double value, double low, double high) {
 }  // namespace
 
 WordCodec::WordCodec(const std::string& format) {
-  const auto found = std::find_if(std::begin(kFormats), std::end(kFormats),
+  const auto entry = std::find_if(std::begin(kFormats), std::end(kFormats),
                                   [&](const Format& known) { return format == known.name; });
-  if (found == std::end(kFormats)) {
+  if (entry == std::end(kFormats)) {
     throw UsageError("unknown format '" + format + "': " + kFormatNames);
   }
-  if (found->words == Words::kFloat) return;
-  width_ = found->width;
-  block_ = found->words == Words::kBlock;
+  if (entry->words == Words::kFloat) return;
+  width_ = entry->width;
+  block_ = entry->words == Words::kBlock;
 }
 
 std::uint32_t WordCodec::coordinate(double value) const {

@@ -42,10 +42,10 @@ TEST(Triples, BranchAndBoundFindsTheLargest) {
   std::vector<ErrorBox> boxes;
   for (const Candidate& one : points) boxes.emplace_back().add(one.point.x, one.point.error());
   const double largest = largest_of_all(points);
-  const TripleBound found = bound_triples(boxes, 0.02);
-  EXPECT_GE(found.bound, largest);
-  EXPECT_LE(found.bound, 1.03 * largest);
-  EXPECT_NEAR(found.reached, largest, 0.03 * largest);
+  const TripleBound triples = bound_triples(boxes, 0.02);
+  EXPECT_GE(triples.bound, largest);
+  EXPECT_LE(triples.bound, 1.03 * largest);
+  EXPECT_NEAR(triples.reached, largest, 0.03 * largest);
 }
 
 TEST(Triples, BoundsWhatLiesInBoxes) {

@@ -22,8 +22,8 @@ TEST(Reference, IsEquationOne) {
     Support support;
     for (int i = 0; i < 192; ++i) support(i / 3, i % 3) = points[i];
     const Point exact = oracle.evaluate(support, local[0], local[1], local[2]);
-    const std::array<double, 3> found = reference_vertex(points, local);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], exact[c], 1e-14);
+    const std::array<double, 3> computed = reference_vertex(points, local);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(computed[c], exact[c], 1e-14);
   }
   EXPECT_GT(reference_vertices_per_s(1000, 1), 0);
 }

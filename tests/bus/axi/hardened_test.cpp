@@ -40,20 +40,20 @@ class Hardened {
   }
   /// Instances that have such a register.
   std::vector<Register> registers(const std::string& name) {
-    std::vector<Register> found;
+    std::vector<Register> matches;
     for (const auto& [instance, scope] : *core_.dut().contextp()->scopeNameMap()) {
       const VerilatedVar* var = scope->varFind(name.c_str());
       if (var != nullptr)
-        found.push_back({instance, static_cast<unsigned>(var->packed().elements())});
+        matches.push_back({instance, static_cast<unsigned>(var->packed().elements())});
     }
-    return found;
+    return matches;
   }
   std::uint32_t upsets() { return run_.system().read32(HWFFD_UPSET_STATUS_OFFSET); }
   /// Each bit is cleared by a one, and by nothing else.
-  void clear(std::uint32_t found) {
-    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, kAll & ~found);
-    EXPECT_EQ(upsets(), found);
-    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, found);
+  void clear(std::uint32_t upset_bits) {
+    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, kAll & ~upset_bits);
+    EXPECT_EQ(upsets(), upset_bits);
+    run_.system().write32(HWFFD_UPSET_STATUS_OFFSET, upset_bits);
     EXPECT_EQ(upsets(), 0U);
   }
   /// As a driver does after an error; then the core works as new.
@@ -64,11 +64,11 @@ class Hardened {
     EXPECT_EQ(upsets(), 0U);
   }
   std::uint64_t writes_outside() {
-    std::uint64_t found = 0;
+    std::uint64_t count = 0;
     for (const tb::AxiMemory::Burst& burst : run_.system().memory.writes()) {
-      found += burst.address < kWriteWindow.base || burst.address > kWriteWindow.limit ? 1 : 0;
+      count += burst.address < kWriteWindow.base || burst.address > kWriteWindow.limit ? 1 : 0;
     }
-    return found;
+    return count;
   }
 
  private:
@@ -83,7 +83,7 @@ class Hardened {
 /// In how many of these runs UPSET_STATUS has the bit after the flip, which it has alone.
 std::uint64_t flips_reported(const std::string& module, const char* name, unsigned bit,
                              std::uint32_t mask) {
-  std::uint64_t found = 0;
+  std::uint64_t reported = 0;
   for (std::uint64_t clock = 0; clock < kMoments; clock += 7) {
     SCOPED_TRACE(testing::Message() << name << " " << clock << " clocks after the start");
     Hardened run(1);
@@ -97,11 +97,11 @@ std::uint64_t flips_reported(const std::string& module, const char* name, unsign
     EXPECT_EQ(run.writes_outside(), 0U);
     EXPECT_FALSE(run->system().memory.writes().empty());
     if (upsets != 0) run.clear(upsets);
-    found += upsets != 0 ? 1 : 0;
+    reported += upsets != 0 ? 1 : 0;
     run.expect_next();
     if (testing::Test::HasFailure()) break;
   }
-  return found;
+  return reported;
 }
 
 TEST(AxiHardened, AnAddressThatFlipsBehindItsCheckIsRefused) {

@@ -44,11 +44,11 @@ class AxiPages : public ::testing::Test {
   }
   /// Words of so many results of the last run.
   std::vector<std::array<std::uint32_t, 3>> words(std::uint64_t first, std::uint64_t count) const {
-    std::vector<std::array<std::uint32_t, 3>> found;
+    std::vector<std::array<std::uint32_t, 3>> result;
     for (std::uint64_t r = first; r < first + count; ++r) {
-      found.push_back({run_.result_word(r, 0), run_.result_word(r, 1), run_.result_word(r, 2)});
+      result.push_back({run_.result_word(r, 0), run_.result_word(r, 1), run_.result_word(r, 2)});
     }
-    return found;
+    return result;
   }
   /// Every event of the model, and no other, in ERROR_STATUS and ERROR_COUNT.
   void expect_events_of_the_model() {

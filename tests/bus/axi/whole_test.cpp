@@ -21,9 +21,9 @@ TEST_P(Axi, SaysWhatItIs) {
   const CoreIdentity identity = run.driver().probe();
   const std::string format = GetParam().format;
   const std::map<std::string, unsigned long> words{{"fp32", 0}, {"bfp32", 99}};
-  const auto found = words.find(format);
+  const auto it = words.find(format);
   EXPECT_EQ(identity.n, static_cast<unsigned>(GetParam().n));
-  EXPECT_EQ(identity.format, found != words.end() ? found->second : std::stoul(format.substr(2)));
+  EXPECT_EQ(identity.format, it != words.end() ? it->second : std::stoul(format.substr(2)));
   EXPECT_EQ(identity.schedule, 0U);
   EXPECT_EQ(identity.evaluator, 0U);
   EXPECT_EQ(identity.points_axis, static_cast<unsigned>(kAxisPoints));

@@ -107,10 +107,10 @@ void RegisterBench::compare_outputs() {
   for (const auto& [name, port] : output_ports_) {
     const std::uint64_t value = port.read();
     high_[name] += value != 0 ? 1 : 0;
-    const auto found = expected.find(name);
-    if (found == expected.end() || found->second != value) {
+    const auto it = expected.find(name);
+    if (it == expected.end() || it->second != value) {
       fail(fmt::format("{} is {:x}, expected {:x}", name, value,
-                       found == expected.end() ? 0 : found->second));
+                       it == expected.end() ? 0 : it->second));
     }
   }
 }

@@ -66,15 +66,15 @@ std::uint8_t RegisterModel::code_of(const tb::AxiLiteWrite& write) const {
 
 std::vector<std::string> RegisterModel::blocks(const PortValues& inputs,
                                                const RegisterField& start) const {
-  std::vector<std::string> found;
-  if (fields_.at(start.path) != 0) found.push_back(start.path);  // in the clock of the pulse
+  std::vector<std::string> paths;
+  if (fields_.at(start.path) != 0) paths.push_back(start.path);  // in the clock of the pulse
   for (const std::string& path : start.linked("unless")) {
-    if (field_value(inputs, register_field(path)) != 0) found.push_back(path);
+    if (field_value(inputs, register_field(path)) != 0) paths.push_back(path);
   }
   for (const std::string& path : start.linked("needs")) {
-    if (fields_.at(path) == 0) found.push_back(path);
+    if (fields_.at(path) == 0) paths.push_back(path);
   }
-  return found;
+  return paths;
 }
 
 std::set<std::string> RegisterModel::store(const tb::AxiLiteWrite& write) {

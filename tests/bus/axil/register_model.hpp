@@ -39,8 +39,8 @@ class RegisterModel {
   /// How often that happened since construction: "<field> set", "<field> cleared", "<field> set and
   /// cleared" (in one clock), "<start> taken", "<start> refused by <field>" (by it alone).
   std::uint64_t seen(const std::string& what) const {
-    const auto found = seen_.find(what);
-    return found == seen_.end() ? 0 : found->second;
+    const auto it = seen_.find(what);
+    return it == seen_.end() ? 0 : it->second;
   }
 
  private:

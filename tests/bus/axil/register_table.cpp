@@ -53,8 +53,8 @@ void name_port(RegisterField& field) {
 
 const std::vector<std::string>& RegisterField::linked(const std::string& kind) const {
   static const std::vector<std::string> none;
-  const auto found = links.find(kind);
-  return found == links.end() ? none : found->second;
+  const auto it = links.find(kind);
+  return it == links.end() ? none : it->second;
 }
 
 std::vector<RegisterField> read_register_table(const std::string& path) {

@@ -29,14 +29,14 @@ struct Register {
 std::ostream& operator<<(std::ostream& out, const Register& reg) { return out << reg.name; }
 
 std::vector<Register> all_registers() {
-  std::vector<Register> found;
+  std::vector<Register> registers;
   for (const RegisterField& field : register_table()) {
-    if (found.empty() || found.back().name != field.reg) {
-      found.push_back({field.reg, field.offset, {}});
+    if (registers.empty() || registers.back().name != field.reg) {
+      registers.push_back({field.reg, field.offset, {}});
     }
-    found.back().fields.push_back(field);
+    registers.back().fields.push_back(field);
   }
-  return found;
+  return registers;
 }
 
 /// All that software can ask of a register, before the lock and after it.

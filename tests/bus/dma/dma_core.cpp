@@ -146,8 +146,8 @@ std::unique_ptr<DmaCore> make_dma_core(const std::string& name, std::uint64_t se
                                                      {"watched256", make<Vdma_watched256>},
                                                      {"watched64", make<Vdma_watched64>},
                                                      {"wide", make<Vdma_wide>}};
-  const auto found = makers.find(name);
-  if (found != makers.end()) return found->second(seed);
+  const auto it = makers.find(name);
+  if (it != makers.end()) return it->second(seed);
   throw std::invalid_argument("make_dma_core: no size \"" + name + "\"");
 }
 

@@ -47,9 +47,9 @@ int components_of(GLenum type) {
       {GL_MAP3_COLOR_4, 4},         {GL_MAP3_NORMAL, 3},          {GL_MAP3_TEXTURE_COORD_1, 1},
       {GL_MAP3_TEXTURE_COORD_2, 2}, {GL_MAP3_TEXTURE_COORD_3, 3}, {GL_MAP3_TEXTURE_COORD_4, 4},
       {GL_MAP3_VERTEX_3, 3},        {GL_MAP3_VERTEX_4, 4}};
-  const auto found = components.find(type);
-  if (found == components.end()) throw GluError{GLU_FFD_INVALID_ENUM};
-  return found->second;
+  const auto it = components.find(type);
+  if (it == components.end()) throw GluError{GLU_FFD_INVALID_ENUM};
+  return it->second;
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ const char* error_string(GLenum code) {
       {GLU_FFD_MISSING_DATA,
        "volume without positions, or with an attribute twice or of another count"},
       {GLU_FFD_DEVICE_FAILED, "no such device, or it does not take these numbers"}};
-  const auto found = texts.find(code);
-  return found == texts.end() ? nullptr : found->second;
+  const auto it = texts.find(code);
+  return it == texts.end() ? nullptr : it->second;
 }
 
 }  // namespace hwffd::glu

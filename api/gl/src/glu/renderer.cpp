@@ -58,17 +58,17 @@ GLUffd::GLUffd()
                   {GLU_FFD_DEVICE, static_cast<float>(GLU_FFD_MODEL)}} {}
 
 void GLUffd::set_property(GLenum property, float value) {
-  const auto found = properties_.find(property);
-  if (found == properties_.end()) throw GluError{GLU_FFD_INVALID_ENUM};
+  const auto it = properties_.find(property);
+  if (it == properties_.end()) throw GluError{GLU_FFD_INVALID_ENUM};
   if (!takes(property, value)) throw GluError{GLU_FFD_INVALID_VALUE};
   if (property == GLU_FFD_DEVICE) return choose_device(kind_of(value));
-  found->second = value;
+  it->second = value;
 }
 
 float GLUffd::property(GLenum property) const {
-  const auto found = properties_.find(property);
-  if (found == properties_.end()) throw GluError{GLU_FFD_INVALID_ENUM};
-  return found->second;
+  const auto it = properties_.find(property);
+  if (it == properties_.end()) throw GluError{GLU_FFD_INVALID_ENUM};
+  return it->second;
 }
 
 void GLUffd::choose_device(const std::optional<std::string>& name) {
@@ -97,8 +97,8 @@ void GLUffd::set_callback(GLenum which, GLUffdCallback callback) {
 template <class... Arguments>
 void GLUffd::call(GLenum which, Arguments... arguments) const {
   const auto callback_of = [this](GLenum number) {
-    const auto found = callbacks_.find(number);
-    return found == callbacks_.end() ? nullptr : found->second;
+    const auto it = callbacks_.find(number);
+    return it == callbacks_.end() ? nullptr : it->second;
   };
   if (GLUffdCallback with_data = callback_of(which + kData)) {
     reinterpret_cast<void (*)(Arguments..., void*)>(with_data)(arguments..., data_);

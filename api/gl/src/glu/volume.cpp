@@ -103,11 +103,11 @@ Values VolumeAttribute::evaluate(Device& device, bool derivatives) const {
   std::array<std::vector<Oracle::Coefficients>, 3> known;
   const auto number_of = [&known](int axis, const gl::AxisBlending& functions) {
     std::vector<Oracle::Coefficients>& seen = known[axis];
-    const auto found = std::find_if(seen.begin(), seen.end(), [&](const auto& other) {
+    const auto it = std::find_if(seen.begin(), seen.end(), [&](const auto& other) {
       return functions.coefficients().isApprox(other, 1e-12);
     });
-    const auto number = static_cast<int>(found - seen.begin());
-    if (found == seen.end()) seen.push_back(functions.coefficients());
+    const auto number = static_cast<int>(it - seen.begin());
+    if (it == seen.end()) seen.push_back(functions.coefficients());
     return number;
   };
   std::map<Index3, Index3> group_of_cell;

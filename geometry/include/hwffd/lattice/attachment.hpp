@@ -51,7 +51,7 @@ class Attachment {
     return all_inside() ? Follower{static_cast<Eigen::Index>(place)} : followers_[place];
   }
   bool is_inside(Eigen::Index row) const {
-    return found_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
+    return outcomes_[static_cast<std::size_t>(row)].status == EmbeddingStatus::kInside;
   }
   /// Whether some points follow the lattice and others stay, so that an edge between them tears.
   bool may_tear() const { return outside_.kind() == Outside::Kind::kKeep && !all_inside(); }
@@ -88,14 +88,16 @@ class Attachment {
 
  private:
   /// What an Embedding says beside its place.
-  struct Found {
+  struct Outcome {
     EmbeddingStatus status;
     int iterations;
     double residual;
   };
 
   bool all_inside() const { return summary_.inside == at_.size(); }
-  bool is_outside(std::size_t row) const { return found_[row].status == EmbeddingStatus::kOutside; }
+  bool is_outside(std::size_t row) const {
+    return outcomes_[row].status == EmbeddingStatus::kOutside;
+  }
   void embed(const Embedder& embedder);
   void find_places();
   void check_converged() const;
@@ -108,7 +110,7 @@ class Attachment {
   Points points_;
   Outside outside_;
   std::vector<Embedded> at_;  ///< of every point
-  std::vector<Found> found_;
+  std::vector<Outcome> outcomes_;
   EmbeddingSummary summary_;
   std::vector<Embedded> places_;     ///< none if all points are inside: then they are at_
   std::vector<Follower> followers_;  ///< of places_

@@ -65,8 +65,8 @@ int words_of_option(const std::string& option) {
       {"-blendu", 1}, {"-blendv", 1},  {"-boost", 1}, {"-bm", 1}, {"-cc", 1},
       {"-clamp", 1},  {"-imfchan", 1}, {"-mm", 2},    {"-o", 3},  {"-s", 3},
       {"-t", 3},      {"-texres", 1},  {"-type", 1}};
-  const auto found = kWords.find(option);
-  return found == kWords.end() ? -1 : found->second;
+  const auto it = kWords.find(option);
+  return it == kWords.end() ? -1 : it->second;
 }
 
 void put(aiMaterial& material, const Key& key, const aiColor3D& colour) {

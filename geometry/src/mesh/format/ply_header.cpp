@@ -30,9 +30,9 @@ PlyType type_of(const std::string& name) {
       {"uint", {Kind::kUnsigned, 4}},   {"uint32", {Kind::kUnsigned, 4}},
       {"float", {Kind::kFloat, 4}},     {"float32", {Kind::kFloat, 4}},
       {"double", {Kind::kFloat, 8}},    {"float64", {Kind::kFloat, 8}}};
-  const auto found = kTypes.find(name);
-  if (found == kTypes.end()) throw not_a_mesh("unknown type " + in_quotes(name) + " in the header");
-  return {found->second.kind, found->second.size, name};
+  const auto it = kTypes.find(name);
+  if (it == kTypes.end()) throw not_a_mesh("unknown type " + in_quotes(name) + " in the header");
+  return {it->second.kind, it->second.size, name};
 }
 
 std::uint64_t count_in(std::string_view word) {

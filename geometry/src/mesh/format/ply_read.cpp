@@ -41,8 +41,8 @@ std::size_t place_of(const std::string& name) {
                                                               {"diffuse_green", 9},
                                                               {"diffuse_blue", 10},
                                                               {"diffuse_alpha", 11}};
-  const auto found = kPlaceOf.find(name);
-  return found == kPlaceOf.end() ? PlyVertex::kUnknown : found->second;
+  const auto it = kPlaceOf.find(name);
+  return it == kPlaceOf.end() ? PlyVertex::kUnknown : it->second;
 }
 
 /// What a colour is divided by: a type of integers says it itself, but wide ones and numbers beyond

@@ -36,8 +36,8 @@ bool JsonItem::has(const char* key) const { return json_->contains(key); }
 
 const Json& JsonItem::value(const char* key) const {
   static const Json kNull;
-  const auto found = json_->find(key);
-  return found == json_->end() ? kNull : *found;
+  const auto it = json_->find(key);
+  return it == json_->end() ? kNull : *it;
 }
 
 std::size_t JsonItem::whole(const char* key, std::optional<std::size_t> fallback) const {

@@ -88,7 +88,7 @@ std::string JsonText::unquoted(Span text) const {
 }
 
 std::vector<JsonText::Span> JsonText::texts(std::string_view name, std::string_view except) const {
-  std::vector<Span> found;
+  std::vector<Span> spans;
   const std::size_t end = text_.size();
   for (std::size_t at = root().begin; at < end;) {
     if (text_[at] != '"') {
@@ -103,11 +103,11 @@ std::vector<JsonText::Span> JsonText::texts(std::string_view name, std::string_v
     if (member == except) {
       at = end_of_value(at);
     } else if (member == name && at < end && text_[at] == '"') {
-      found.push_back({at, end_of_value(at)});
-      at = found.back().end;
+      spans.push_back({at, end_of_value(at)});
+      at = spans.back().end;
     }
   }
-  return found;
+  return spans;
 }
 
 void JsonText::replace(Span span, std::string characters) {

@@ -53,20 +53,20 @@ struct SeamStimulus : EvaluatorStimulus {
   /// result r of vertex v, which has `each` of them.
   template <class Words>
   Differences differences(const WordCodec& codec, std::size_t each, Words words) const {
-    Differences found;
+    Differences result;
     for (std::size_t v = 0, first = 0; v < vertices.size(); ++v) {
       if (group[v] != group[first]) first = v;
       for (std::size_t r = 0; r < each; ++r) {
-        for (int c = 0; c < 3; ++c, ++found.values) {
+        for (int c = 0; c < 3; ++c, ++result.values) {
           const std::uint32_t own = words(v, r)[c], other = words(first, r)[c];
           if (own == other) continue;
-          ++found.count;
+          ++result.count;
           const double apart = codec.decode_point(own) - codec.decode_point(other);
-          found.largest = std::max(found.largest, std::abs(apart));
+          result.largest = std::max(result.largest, std::abs(apart));
         }
       }
     }
-    return found;
+    return result;
   }
 };
 
