@@ -31,16 +31,16 @@ struct Scene {
 };
 
 Scene scene(const Lattice& lattice, std::size_t count, tb::Random& random) {
-  Scene made{lattice, {}};
+  Scene result{lattice, {}};
   const Index3 cells = lattice.cells();
   for (std::size_t v = 0; v < count; ++v) {
-    Embedded& vertex = made.vertices.emplace_back();
+    Embedded& vertex = result.vertices.emplace_back();
     for (int a = 0; a < 3; ++a) {
       vertex.cell[a] = static_cast<int>(random.below(cells[a]));
       vertex.local[a] = random.unit();
     }
   }
-  return made;
+  return result;
 }
 
 /// What a number format is good for; docs/numerics.md section 9.
@@ -194,10 +194,10 @@ RowResult run(const Configuration& row, std::size_t vertices, std::uint64_t seed
   tb::Random random(seed);
   double done = 0;
   for (const Lattice& lattice : lattices()) {
-    const Scene made = scene(lattice, vertices, random);
-    study.derivatives(made);
+    const Scene sample = scene(lattice, vertices, random);
+    study.derivatives(sample);
     progress(done += 0.2);
-    study.determinants(made);
+    study.determinants(sample);
     progress(done += 0.2);
   }
   study.seams();

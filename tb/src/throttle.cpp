@@ -60,12 +60,13 @@ Throttle make_throttle(const std::string& name, std::uint64_t seed) {
 AxiThrottles AxiThrottles::make(const std::string& name, std::uint64_t seed) {
   Random random(derive_seed(seed, 5));
   std::uint64_t index = 0;
-  AxiThrottles made;
-  for (Throttle* channel : {&made.aw, &made.w, &made.b, &made.ar, &made.r}) {
+  AxiThrottles throttles;
+  for (Throttle* channel :
+       {&throttles.aw, &throttles.w, &throttles.b, &throttles.ar, &throttles.r}) {
     const std::string kind = name == "mixed" ? random.pick(throttle_names()) : name;
     *channel = make_throttle(kind, derive_seed(seed, index++));
   }
-  return made;
+  return throttles;
 }
 
 }  // namespace hwffd::tb

@@ -8,10 +8,10 @@ namespace hwffd::tb {
 namespace {
 
 StreamBenchOptions options(bool offer_at_once = true) {
-  StreamBenchOptions made = throttled("bursts", "bernoulli", 3);
-  made.stall_limit = 2000;
-  made.offer_at_once = offer_at_once;
-  return made;
+  StreamBenchOptions result = throttled("bursts", "bernoulli", 3);
+  result.stall_limit = 2000;
+  result.offer_at_once = offer_at_once;
+  return result;
 }
 
 /// Cuts a stream after `cut` cycles, then streams again; returns the beats checked in all, or -1

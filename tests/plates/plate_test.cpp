@@ -60,9 +60,9 @@ TEST(Plates, ModelsAreThoseOfThePaperInOneCellEach) {
   const std::vector<Subject> all = subjects();
   ASSERT_EQ(all.size(), 3u);
   std::size_t views = 0;
-  for (const Subject& one : all) {
-    EXPECT_EQ(one.rest.cells(), (Index3{1, 1, 1}));
-    views += 2 * one.views.size();
+  for (const Subject& entry : all) {
+    EXPECT_EQ(entry.rest.cells(), (Index3{1, 1, 1}));
+    views += 2 * entry.views.size();
   }
   EXPECT_EQ(views, 10u);
   EXPECT_EQ(all[0].deformation, "twist:90");
@@ -76,9 +76,9 @@ TEST(Plates, OnlyStemAndWheelsOfTheOfficeChairAreInTheLattice) {
   for (Eigen::Index v = 0; v < office.mesh.positions().rows(); ++v) {
     if (office.mesh.positions()(v, 1) < kOfficeStemTop) ++below;
   }
-  const std::vector<Plate> made = plates(1, 0);
-  ASSERT_EQ(made.size(), 4u);
-  EXPECT_EQ(made[0].vertices, below);
+  const std::vector<Plate> office_plates = plates(1, 0);
+  ASSERT_EQ(office_plates.size(), 4u);
+  EXPECT_EQ(office_plates[0].vertices, below);
   EXPECT_GT(below, 1000u);
   EXPECT_LT(below, office.mesh.vertex_count() - 1000);
 }
@@ -105,29 +105,29 @@ TEST(Plates, EachShowsSomethingOfItsOwn) {
 }
 
 TEST(Plates, AResultThatIsNotTheModelsIsCounted) {
-  const std::vector<Plate> made = plates(2, 3);
-  ASSERT_EQ(made.size(), 2u);
-  for (const Plate& plate : made) EXPECT_EQ(plate.mismatches, 3u);
+  const std::vector<Plate> faulty_plates = plates(2, 3);
+  ASSERT_EQ(faulty_plates.size(), 2u);
+  for (const Plate& plate : faulty_plates) EXPECT_EQ(plate.mismatches, 3u);
 }
 
 TEST(PlatesReport, FilesTableAndSheetSayWhatThePlatesAre) {
   picture::Image image{16, 8, std::vector<picture::Pixel>(128, {10, 20, 30})};
-  const std::vector<Plate> made{{"cat, at rest", image, 7340, 0},
-                                {"cat, twist:90", image, 7340, 2}};
-  const auto json = nlohmann::json::parse(json_report(made));
+  const std::vector<Plate> two_plates{{"cat, at rest", image, 7340, 0},
+                                      {"cat, twist:90", image, 7340, 2}};
+  const auto json = nlohmann::json::parse(json_report(two_plates));
   ASSERT_EQ(json["plates"].size(), 2u);
   EXPECT_EQ(json["plates"][1],
             (nlohmann::json{{"file", "plate02.png"}, {"vertices", 7340}, {"mismatches", 2}}));
   EXPECT_EQ(file_name(10), "plate10.png");
-  expect_part(table_line(2, made[1]), "plate02.png   cat, twist:90");
+  expect_part(table_line(2, two_plates[1]), "plate02.png   cat, twist:90");
   const TempFolder folder;
-  write_plates(folder / "new", made);
+  write_plates(folder / "new", two_plates);
   for (const char* file : {"plates/plate01.png", "plates/plate02.png", "plates/plates.png"}) {
     EXPECT_EQ(read_text(folder / "new" / file).substr(1, 3), "PNG") << file;
   }
-  EXPECT_EQ(read_text(folder / "new" / "reports" / "plates.json"), json_report(made));
+  EXPECT_EQ(read_text(folder / "new" / "reports" / "plates.json"), json_report(two_plates));
   const auto file = folder.write("file", "");
-  EXPECT_ERROR_PART(write_plates(file, made), "--output");
+  EXPECT_ERROR_PART(write_plates(file, two_plates), "--output");
 }
 
 }  // namespace

@@ -279,7 +279,7 @@ void bind_properties(py::class_<PyLattice>& type) {
 
 }  // namespace
 
-void check_made(const py::handle& object, const char* kind, const char* cure) {
+void check_constructed(const py::handle& object, const char* kind, const char* cure) {
   auto* const instance = reinterpret_cast<py::detail::instance*>(object.ptr());
   for (auto& value : py::detail::values_and_holders(instance)) {
     if (value.holder_constructed()) return;

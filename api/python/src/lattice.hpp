@@ -52,7 +52,7 @@ class PyLattice {
 
 /// Throws UsageError for an object that `__new__` alone has made, which has nothing to use.
 /// @param kind  the class, and how its objects are made, for the message
-void check_made(const py::handle& object, const char* kind, const char* cure);
+void check_constructed(const py::handle& object, const char* kind, const char* cure);
 
 void bind_lattice(py::module_& module);
 /// Lattice.around.
@@ -71,19 +71,19 @@ namespace pybind11::detail {
 
 /// Of a class whose objects `__new__` alone may have made, which are refused.
 template <typename Object>
-struct caster_of_made : type_caster_base<Object> {
+struct constructed_caster : type_caster_base<Object> {
   bool load(handle object, bool convert) {
     if (isinstance<Object>(object)) {
-      hwffd::python::check_made(object, Object::kName, Object::kMadeBy);
+      hwffd::python::check_constructed(object, Object::kName, Object::kMadeBy);
     }
     return type_caster_base<Object>::load(object, convert);
   }
 };
 
 template <>
-struct type_caster<hwffd::python::PyLattice> : caster_of_made<hwffd::python::PyLattice> {};
+struct type_caster<hwffd::python::PyLattice> : constructed_caster<hwffd::python::PyLattice> {};
 
 template <>
-struct type_caster<hwffd::python::PyEmbedding> : caster_of_made<hwffd::python::PyEmbedding> {};
+struct type_caster<hwffd::python::PyEmbedding> : constructed_caster<hwffd::python::PyEmbedding> {};
 
 }  // namespace pybind11::detail

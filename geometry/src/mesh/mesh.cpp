@@ -21,7 +21,7 @@ namespace hwffd {
 
 /// The scene of a mesh and where its vertices come from.
 struct Mesh::Scene {
-  ContentScene made;
+  ContentScene built;
   std::vector<std::uint32_t> welded;   ///< scene vertex -> welded vertex
   std::vector<std::uint32_t> numbers;  ///< scene vertex -> vertex of the file
 };
@@ -34,11 +34,11 @@ Mesh::Mesh(std::unique_ptr<aiScene> scene, std::string name)
     : name_(std::move(name)), content_(std::make_unique<Content>(content_of(*scene))) {
   weld();
   scene_ = std::make_unique<Scene>();
-  std::vector<std::uint32_t>& vertices = scene_->made.vertices;
+  std::vector<std::uint32_t>& vertices = scene_->built.vertices;
   vertices.resize(weld_.size());
   std::iota(vertices.begin(), vertices.end(), 0u);
-  if (!content_->normals.empty()) scene_->made.normals = vertices;
-  scene_->made.scene = std::move(scene);
+  if (!content_->normals.empty()) scene_->built.normals = vertices;
+  scene_->built.scene = std::move(scene);
   scene_->welded = weld_;
   scene_->numbers = weld_;
 }
@@ -123,7 +123,7 @@ void Mesh::move(Points positions, bool turned) {
   turned_ = turned;
   triangles_.reset();
   if (!scene_) return;
-  each_part(*scene_->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
+  each_part(*scene_->built.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
 }
 
 void Mesh::set_positions(const Points& positions) {
@@ -148,13 +148,13 @@ void Mesh::set_positions(const Points& positions, const std::vector<Eigen::Matri
 Mesh::Scene& Mesh::edited() const {
   if (scene_) return *scene_;
   auto scene = std::make_unique<Scene>();
-  scene->made = scene_of(*content_, weld_.size(), [&](std::uint32_t vertex) -> Eigen::RowVector3d {
+  scene->built = scene_of(*content_, weld_.size(), [&](std::uint32_t vertex) -> Eigen::RowVector3d {
     return positions_.row(weld_[vertex]);
   });
-  for (const std::uint32_t vertex : scene->made.vertices) scene->welded.push_back(weld_[vertex]);
-  scene->numbers = is_numbered_ ? scene->made.vertices : scene->welded;
+  for (const std::uint32_t vertex : scene->built.vertices) scene->welded.push_back(weld_[vertex]);
+  scene->numbers = is_numbered_ ? scene->built.vertices : scene->welded;
   if (turned_) {
-    each_part(*scene->made.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
+    each_part(*scene->built.scene, [](aiMesh& part, std::size_t) { turn_faces(part); });
   }
   scene_ = std::move(scene);
   return *scene_;
@@ -162,20 +162,20 @@ Mesh::Scene& Mesh::edited() const {
 
 void Mesh::update_scene() const {
   if (!scene_) return;
-  each_part(*scene_->made.scene, [&](aiMesh& part, std::size_t first) {
+  each_part(*scene_->built.scene, [&](aiMesh& part, std::size_t first) {
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const Eigen::RowVector3f p = positions_.row(scene_->welded[first + v]).cast<float>();
       part.mVertices[v] = aiVector3D(p.x(), p.y(), p.z());
-      if (!part.HasNormals() || scene_->made.normals[first + v] == kNone) continue;
-      const Eigen::RowVector3f n = content_->normals.rows.row(scene_->made.normals[first + v]);
+      if (!part.HasNormals() || scene_->built.normals[first + v] == kNone) continue;
+      const Eigen::RowVector3f n = content_->normals.rows.row(scene_->built.normals[first + v]);
       part.mNormals[v] = aiVector3D(n.x(), n.y(), n.z());
     }
   });
 }
 
-aiScene& Mesh::made_scene() const { return *edited().made.scene; }
+aiScene& Mesh::mutable_scene() const { return *edited().built.scene; }
 
-const aiScene& Mesh::scene() const { return made_scene(); }
+const aiScene& Mesh::scene() const { return mutable_scene(); }
 
 const std::vector<std::uint32_t>& Mesh::welded() const { return edited().welded; }
 

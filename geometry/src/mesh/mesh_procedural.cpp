@@ -48,7 +48,7 @@ Mesh Mesh::procedural() {
     }
   }
   Mesh mesh = build("procedural", {std::move(tube)});
-  mesh.made_scene().mMaterials[0]->Clear();
+  mesh.mutable_scene().mMaterials[0]->Clear();
   return mesh;
 }
 

@@ -40,16 +40,17 @@ Writer writer_for(const fs::path& path) {
 }
 
 /// A file that is written beside the one that is named never takes the place of one that was read.
-void refuse_inputs(const Files& made, const fs::path& path, const std::vector<fs::path>& inputs) {
-  for (const auto& [name, bytes] : made) {
-    const fs::path beside = path.parent_path() / name;
+void refuse_inputs(const Files& contents, const fs::path& path,
+                   const std::vector<fs::path>& inputs) {
+  for (const auto& [name, bytes] : contents) {
+    const fs::path target = path.parent_path() / name;
     for (const fs::path& input : inputs) {
       std::error_code ignored;
-      if (name == path.filename().string() || !fs::equivalent(beside, input, ignored)) continue;
+      if (name == path.filename().string() || !fs::equivalent(target, input, ignored)) continue;
       throw Error(fmt::format(
           "{}, which goes beside it, would replace a file that the mesh was read from; name the "
           "output otherwise",
-          beside.string()));
+          target.string()));
     }
   }
 }
@@ -86,27 +87,27 @@ bool Mesh::edits(const fs::path& path) const { return document_ && document_->is
 std::vector<std::string> Mesh::save(const fs::path& path) const {
   const Writer write = writer_for(path);
   const bool is_edit = edits(path);
-  Files made;
+  Files contents;
   try {
     if (is_edit) {
-      made = document_->edited(
+      contents = document_->edited(
           {positions_, weld_, content_->normals, normals_->origins(), content_->tangents, turned_},
           path);
     } else {
       const Output output{scene(),   positions_, welded(), is_single(),
                           numbers(), path,       folder_,  content_->space};
-      made = write(output);
+      contents = write(output);
     }
-    refuse_inputs(made, path, inputs_);
+    refuse_inputs(contents, path, inputs_);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", path.string(), error.what()));
   }
   const std::string name = path.filename().string();
   std::vector<FileContent> files;
-  for (auto& [file, bytes] : made) {
+  for (auto& [file, bytes] : contents) {
     if (file != name) files.push_back({path.parent_path() / file, std::move(bytes)});
   }
-  files.push_back({path, std::move(made.at(name))});
+  files.push_back({path, std::move(contents.at(name))});
   write_files(files);
   std::error_code ignored;
   if (is_edit || !fs::is_regular_file(path, ignored)) return {};

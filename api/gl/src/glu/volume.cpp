@@ -144,14 +144,14 @@ const VolumeAttribute* Volume::positions() const {
 void Volume::check() const {
   const VolumeAttribute* vertices = positions();
   if (vertices == nullptr) throw GluError{GLU_FFD_MISSING_DATA};
-  std::vector<gl::VertexBatch::Attribute gl::VertexBatch::*> made;
-  if (normals_) made.push_back(&gl::VertexBatch::normal);
+  std::vector<gl::VertexBatch::Attribute gl::VertexBatch::*> slots;
+  if (normals_) slots.push_back(&gl::VertexBatch::normal);
   bool fits = !normals_ || normals_->rows() == static_cast<Eigen::Index>(vertices->vertices());
   for (const VolumeAttribute& attribute : attributes_) {
     const auto slot = slot_of(attribute.type());
     fits &= attribute.vertices() == vertices->vertices() &&
-            std::find(made.begin(), made.end(), slot) == made.end();
-    made.push_back(slot);
+            std::find(slots.begin(), slots.end(), slot) == slots.end();
+    slots.push_back(slot);
   }
   // n J^-1 is of positions, not of quotients of them.
   fits &= !normals_ || vertices->type() == GL_MAP3_VERTEX_3;

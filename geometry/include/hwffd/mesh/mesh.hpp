@@ -188,7 +188,7 @@ class Mesh {
   /// What of this mesh another, which was written of it and read again, does not hold.
   std::vector<std::string> lost_in(const Mesh& written) const;
   Scene& edited() const;
-  aiScene& made_scene() const;
+  aiScene& mutable_scene() const;
   void update_scene() const;
 
   std::string name_;

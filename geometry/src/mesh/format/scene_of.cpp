@@ -199,15 +199,15 @@ void add_nodes(const Content& content, aiScene& scene) {
   std::vector<aiNode*> nodes;
   std::vector<std::vector<aiNode*>> children(content.nodes.size());
   for (const ContentNode& node : content.nodes) {
-    auto* made = new aiNode(node.name);
-    made->mNumMeshes = static_cast<unsigned>(node.parts.size());
-    if (!node.parts.empty()) made->mMeshes = new unsigned[node.parts.size()];
-    std::copy(node.parts.begin(), node.parts.end(), made->mMeshes);
+    auto* ai_node = new aiNode(node.name);
+    ai_node->mNumMeshes = static_cast<unsigned>(node.parts.size());
+    if (!node.parts.empty()) ai_node->mMeshes = new unsigned[node.parts.size()];
+    std::copy(node.parts.begin(), node.parts.end(), ai_node->mMeshes);
     if (!nodes.empty()) {
-      made->mParent = nodes[node.parent];
-      children[node.parent].push_back(made);
+      ai_node->mParent = nodes[node.parent];
+      children[node.parent].push_back(ai_node);
     }
-    nodes.push_back(made);
+    nodes.push_back(ai_node);
   }
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (children[n].empty()) continue;
