@@ -11,10 +11,10 @@ constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double kFilled = 0.94;  // of the picture's width or height, by what is looked at
 
 /// Rows: right, up, and back to the eye.
-Eigen::Matrix3d axes(const Point& back, const Point& up) {
+Eigen::Matrix3d axes(const Point& back_z, const Point& up) {
   Eigen::Matrix3d rows;
-  rows.row(2) = back.normalized();
-  rows.row(0) = up.cross(back).normalized();
+  rows.row(2) = back_z.normalized();
+  rows.row(0) = up.cross(back_z).normalized();
   rows.row(1) = rows.row(2).cross(rows.row(0));
   return rows;
 }
@@ -37,12 +37,12 @@ Camera Camera::around(const Points& points, const Point& from, double aspect) {
     eye[axis] = (above - below) / 2;
     eye.z() = std::max(eye.z(), (above + below) / (2 * edge));
   }
-  const double front = seen.col(2).maxCoeff();
-  const double back = seen.col(2).minCoeff();
+  const double front_z = seen.col(2).maxCoeff();
+  const double back_z = seen.col(2).minCoeff();
   camera.eye = rows.transpose() * eye;
-  camera.target = rows.transpose() * Point(eye.x(), eye.y(), (front + back) / 2);
-  const double depth = eye.z() - back;
-  camera.nearest = std::max((eye.z() - front) / 2, depth / 100);
+  camera.target = rows.transpose() * Point(eye.x(), eye.y(), (front_z + back_z) / 2);
+  const double depth = eye.z() - back_z;
+  camera.nearest = std::max((eye.z() - front_z) / 2, depth / 100);
   camera.farthest = 2 * depth;
   return camera;
 }

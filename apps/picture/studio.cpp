@@ -20,9 +20,9 @@ constexpr std::array<Light, 2> kLights{{{{0.68f, 0.67f, 0.64f, 1.0f}, {-0.5f, 0.
                                         {{0.20f, 0.21f, 0.24f, 1.0f}, {0.9f, 0.1f, 0.5f, 0.0f}}}};
 
 /// Keeps the state of the context, matrices included, as it is now.
-class KeptState {
+class GlStateGuard {
  public:
-  KeptState() {
+  GlStateGuard() {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
     for (const GLenum mode : {GL_PROJECTION, GL_MODELVIEW}) {
@@ -30,9 +30,9 @@ class KeptState {
       glPushMatrix();
     }
   }
-  KeptState(const KeptState&) = delete;
-  KeptState& operator=(const KeptState&) = delete;
-  ~KeptState() {
+  GlStateGuard(const GlStateGuard&) = delete;
+  GlStateGuard& operator=(const GlStateGuard&) = delete;
+  ~GlStateGuard() {
     for (const GLenum mode : {GL_PROJECTION, GL_MODELVIEW}) {
       glMatrixMode(mode);
       glPopMatrix();
@@ -78,7 +78,7 @@ void clear() {
 }  // namespace
 
 void draw_studio(const Camera& camera, double aspect, const std::function<void()>& draw) {
-  const KeptState kept;
+  const GlStateGuard guard;
   clear();
   set_lights();
   set_camera(camera, aspect);

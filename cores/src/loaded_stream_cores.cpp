@@ -21,8 +21,9 @@ namespace {
 void* open_library() {
   Dl_info own{};
   if (dladdr(reinterpret_cast<void*>(&has_stream_core), &own) != 0) {
-    const auto beside = std::filesystem::path(own.dli_fname).parent_path() / HWFFD_RTL_LIBRARY;
-    void* library = dlopen(beside.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto library_path =
+        std::filesystem::path(own.dli_fname).parent_path() / HWFFD_RTL_LIBRARY;
+    void* library = dlopen(library_path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library != nullptr) return library;
   }
   return dlopen(HWFFD_RTL_LIBRARY, RTLD_NOW | RTLD_LOCAL);

@@ -180,26 +180,26 @@ module ffd_bench_axi #(
   wire [1:0] s_valid = {s_axil_bvalid, s_axil_rvalid};
   wire [2:0] m_valid = {m_axi_arvalid, m_axi_awvalid, m_axi_wvalid};
   wire [1:0] m_ready = {m_axi_rready, m_axi_bready};
-  wire b_told  = watched && s_axil_bvalid;
-  wire r_told  = watched && s_axil_rvalid;
-  wire ar_told = watched && m_axi_arvalid;
-  wire aw_told = watched && m_axi_awvalid;
-  wire w_told  = watched && m_axi_wvalid;
-  ffd_bench_known #(2, "irq_o, sleep_o")         k_told (aclk, watched, {irq, sleep});
+  wire check_b  = watched && s_axil_bvalid;
+  wire check_r  = watched && s_axil_rvalid;
+  wire check_ar = watched && m_axi_arvalid;
+  wire check_aw = watched && m_axi_awvalid;
+  wire check_w  = watched && m_axi_wvalid;
+  ffd_bench_known #(2, "irq_o, sleep_o")         k_irq  (aclk, watched, {irq, sleep});
   ffd_bench_known #(3, "s_axil readies")         k_ready(aclk, watched, s_ready);
   ffd_bench_known #(2, "s_axil valids")          k_valid(aclk, watched, s_valid);
   ffd_bench_known #(3, "m_axi valids")           k_asks (aclk, watched, m_valid);
   ffd_bench_known #(2, "m_axi readies")          k_takes(aclk, watched, m_ready);
   ffd_bench_known #(18, "constants")             k_same (aclk, watched,
     {m_axi_arid, m_axi_awid, m_axi_arcache, m_axi_arprot, m_axi_awcache, m_axi_awprot, 2'b00});
-  ffd_bench_known #(2, "s_axil_bresp")           k_b    (aclk, b_told, s_axil_bresp);
-  ffd_bench_known #(34, "s_axil_rdata, rresp")   k_r    (aclk, r_told,
+  ffd_bench_known #(2, "s_axil_bresp")           k_b    (aclk, check_b, s_axil_bresp);
+  ffd_bench_known #(34, "s_axil_rdata, rresp")   k_r    (aclk, check_r,
     {s_axil_rdata, s_axil_rresp});
-  ffd_bench_known #(77, "m_axi_ar")              k_ar   (aclk, ar_told,
+  ffd_bench_known #(77, "m_axi_ar")              k_ar   (aclk, check_ar,
     {m_axi_araddr, m_axi_arlen, m_axi_arsize, m_axi_arburst});
-  ffd_bench_known #(77, "m_axi_aw")              k_aw   (aclk, aw_told,
+  ffd_bench_known #(77, "m_axi_aw")              k_aw   (aclk, check_aw,
     {m_axi_awaddr, m_axi_awlen, m_axi_awsize, m_axi_awburst});
-  ffd_bench_known #(145, "m_axi_w")              k_w    (aclk, w_told,
+  ffd_bench_known #(145, "m_axi_w")              k_w    (aclk, check_w,
     {m_axi_wdata, m_axi_wstrb, m_axi_wlast});
 
   integer since;  // reset, in clocks

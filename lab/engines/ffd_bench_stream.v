@@ -85,8 +85,8 @@ module ffd_bench_stream #(
   integer clocks;
   reg     watched;
   wire    settled = watched && clocks > SETTLING;
-  wire    m_told  = watched && m_valid;
-  wire    e_told  = watched && events != 0;
+  wire    check_m = watched && m_valid;
+  wire    check_e = watched && events != 0;
   ffd_bench_known #(1, "tready")                 k_ready (aclk, watched, s_ready);
   ffd_bench_known #(1, "tvalid")                 k_valid (aclk, watched, m_valid);
   ffd_bench_known #(15, "event_o")               k_event (aclk, watched, events);
@@ -94,8 +94,9 @@ module ffd_bench_stream #(
   ffd_bench_known #(3, "wait_o")                 k_wait  (aclk, watched, waits);
   ffd_bench_known #(1, "idle_o")                 k_idle  (aclk, watched, idle);
   ffd_bench_known #(1, "upset_o")                k_upset (aclk, watched, upset);
-  ffd_bench_known #(130, "tdata, tlast, tuser")  k_result(aclk, m_told, {m_user, m_last, m_data});
-  ffd_bench_known #(64, "place of an event")     k_place (aclk, e_told, {event_packet, event_beat});
+  ffd_bench_known #(130, "tdata, tlast, tuser")  k_result(aclk, check_m, {m_user, m_last, m_data});
+  ffd_bench_known #(64, "place of an event")     k_place (aclk, check_e,
+    {event_packet, event_beat});
 
   reg  [128:0] beats [0:BEATS-1];
   integer      of_kind [0:EVENTS-1];

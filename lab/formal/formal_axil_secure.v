@@ -68,13 +68,13 @@ module formal_axil_secure #(
   reg write_q;        // handed on in the clock before
   reg read_q;
   reg answered_q;     // a write response was taken in the clock before, or none was there
-  reg told_q;
+  reg read_answered_q;
   always @(posedge clk) begin
-    first_q    <= 1'b0;
-    write_q    <= write && !rst;
-    read_q     <= read && !rst;
-    answered_q <= !bvalid || bready || rst;
-    told_q     <= !rvalid || rready || rst;
+    first_q         <= 1'b0;
+    write_q         <= write && !rst;
+    read_q          <= read && !rst;
+    answered_q      <= !bvalid || bready || rst;
+    read_answered_q <= !rvalid || rready || rst;
   end
   always @* if (first_q) assume (rst);
 
@@ -107,7 +107,7 @@ module formal_axil_secure #(
     secure_write: assert (!bvalid || bresp == {aw_q[0], 1'b0});
     secure_read: assert (!rvalid || (rresp == {ar_q[0], 1'b0} && (!ar_q[0] || rdata == 0)));
     handed: assert (write_q == (bvalid && answered_q && !aw_q[0])
-                    && read_q == (rvalid && told_q && !ar_q[0]));
+                    && read_q == (rvalid && read_answered_q && !ar_q[0]));
   end
 endmodule
 

@@ -237,19 +237,19 @@ module formal_dma_read #(
   reg         follow_q;
   reg         inside_q;     // in the address generator
   reg         due_q;        // its last beat was taken in the clock before
-  reg         told_q;       // two clocks before
+  reg         answer_due_q; // two clocks before
   reg         is_fetch_q;
   reg  [1:0]  place_q;      // of its last burst
   reg  [27:0] left_q;       // beats that are in no burst yet
   reg  [33:0] budget_q;     // clocks that are left
   wire        accept = s_valid && s_ready && follow && !follow_q && !s_check;
   always @(posedge clk) begin
-    due_q  <= 1'b0;
-    told_q <= due_q && follow_q && !rst && !soft && !fault;
+    due_q        <= 1'b0;
+    answer_due_q <= due_q && follow_q && !rst && !soft && !fault;
     if (rst || soft || fault) follow_q <= 1'b0;
     else if (accept) follow_q <= 1'b1;
     else if (refused && inside_q) follow_q <= 1'b0;
-    else if (told_q && (is_fetch_q ? fetched : finished)) follow_q <= 1'b0;
+    else if (answer_due_q && (is_fetch_q ? fetched : finished)) follow_q <= 1'b0;
     if (accept) begin
       inside_q   <= 1'b1;
       is_fetch_q <= s_fetch;
@@ -259,7 +259,7 @@ module formal_dma_read #(
       left_q   <= left_q - \u_dut.burst_len - 1'b1;
       place_q  <= behind[1:0];
     end else if (!inside_q && done) begin
-      due_q    <= follow_q && !due_q && !told_q && place_q == 0;
+      due_q    <= follow_q && !due_q && !answer_due_q && place_q == 0;
       place_q  <= place_q - 1'b1;
     end
     if (accept) budget_q <= {s_length[31:4], 4'd0} + 3 + busy;
@@ -273,9 +273,9 @@ module formal_dma_read #(
   reg [11:0] coming;
   reg [11:0] before;
   reg [7:0]  len;
-  reg [1:0]  kept;
+  reg [1:0]  entry;
   always @* begin
-    kept     = 0;
+    entry    = 0;
     len      = 0;
     whole    = open == total && count_q <= OUTSTANDING && total <= OUTSTANDING
             && (count_q == 0 ? beat_q == 0 : beat_q <= lens_q[7:0]);
@@ -285,10 +285,10 @@ module formal_dma_read #(
     for (i = 0; i < MOST; i = i + 1) begin
       len = i == count_q ? arlen : lens_q[8*i +: 8];
       if (i < total) begin
-        kept     = i[0] ^ \u_dut.u_outstanding.read_q [0]
+        entry    = i[0] ^ \u_dut.u_outstanding.read_q [0]
                  ? \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[1] [61:60]
                  : \u_dut.u_outstanding.u_memory.gen_slice[0].memory_q[0] [61:60];
-        whole    = whole && len < MAX_BURST && kept == {last_q[i], fetch_q[i]};
+        whole    = whole && len < MAX_BURST && entry == {last_q[i], fetch_q[i]};
         coming   = coming + len + 1'b1;
         promised = promised + (fetch_q[i] ? 0 : len + 1'b1);
         before   = before + (i <= place_q ? len + 1'b1 : 0);
@@ -322,7 +322,7 @@ module formal_dma_read #(
   always @* begin
     rank = 0;
     if (inside_q) begin
-      known = \u_dut.fetch_q == is_fetch_q && !due_q && !told_q;
+      known = \u_dut.fetch_q == is_fetch_q && !due_q && !answer_due_q;
       case (\u_dut.u_address.state_q )
         3'd0: known = known && refused;
         3'd1: known = known && !refused
@@ -338,7 +338,7 @@ module formal_dma_read #(
       if (\u_dut.u_address.state_q != 0)
         rank = {left_q, 4'd0} + busy + (\u_dut.u_address.state_q == 3'd5 ? 3'd3
                                         : 3'd4 - \u_dut.u_address.state_q );
-    end else if (told_q) begin
+    end else if (answer_due_q) begin
       known = !due_q && (is_fetch_q ? fetched : finished);
       rank  = 1;
     end else if (due_q) begin

@@ -50,34 +50,34 @@ module formal_dma_watch #(
     .timeout_o(timeout)
   );
 
-  // Bursts asked for and told, addresses and data sent, answers: modulo 8, none more than allowed.
+  // Bursts asked for and read, addresses and data sent, answers: modulo 8, none more than allowed.
   reg        first_q = 1'b1;
   reg  [2:0] asked_q;
-  reg  [2:0] told_q;
+  reg  [2:0] reads_done_q;
   reg  [2:0] addressed_q;
   reg  [2:0] written_q;
   reg  [2:0] answered_q;
-  wire [2:0] reads     = asked_q - told_q;
+  wire [2:0] reads     = asked_q - reads_done_q;
   wire [2:0] addresses = addressed_q - answered_q;
   wire [2:0] bursts    = written_q - answered_q;
-  wire       told      = rvalid && rready && rlast && reads != 0;
+  wire       read_done = rvalid && rready && rlast && reads != 0;
   wire       answered  = bvalid && bready && addresses != 0 && bursts != 0;
   wire [4:0] waits     = {addresses != 0 && bursts != 0 && !bvalid, wvalid && !wready,
                           awvalid && !awready, reads != 0 && !rvalid, arvalid && !arready};
   always @(posedge clk) begin
     first_q <= 1'b0;
     if (rst) begin
-      asked_q     <= 0;
-      told_q      <= 0;
-      addressed_q <= 0;
-      written_q   <= 0;
-      answered_q  <= 0;
+      asked_q      <= 0;
+      reads_done_q <= 0;
+      addressed_q  <= 0;
+      written_q    <= 0;
+      answered_q   <= 0;
     end else begin
-      asked_q     <= asked_q + (arvalid && arready);
-      told_q      <= told_q + told;
-      addressed_q <= addressed_q + (awvalid && awready);
-      written_q   <= written_q + (wvalid && wready && wlast);
-      answered_q  <= answered_q + answered;
+      asked_q      <= asked_q + (arvalid && arready);
+      reads_done_q <= reads_done_q + read_done;
+      addressed_q  <= addressed_q + (awvalid && awready);
+      written_q    <= written_q + (wvalid && wready && wlast);
+      answered_q   <= answered_q + answered;
     end
   end
   always @* begin

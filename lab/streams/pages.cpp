@@ -47,10 +47,10 @@ std::uint64_t predicted_beats(const PagesRow& row, const std::vector<VertexBeat>
       points[page] = size;
     }
     const std::list<Page> before = there;
-    for (const bool kept : {true, false}) {
+    for (const bool resident : {true, false}) {
       for (const auto& [page, some] : count) {
         const bool was = std::find(before.begin(), before.end(), page) != before.end();
-        if (was != kept) continue;
+        if (was != resident) continue;
         beats += some + (some + kPacketVertices - 1) / kPacketVertices;
         there.remove(page);
         there.push_front(page);

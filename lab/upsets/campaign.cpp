@@ -24,7 +24,7 @@ Campaign::Campaign(std::vector<Upset> upsets, std::size_t jobs)
     : upsets_(std::move(upsets)),
       jobs_(jobs),
       verdicts_(upsets_.size()),
-      told_(upsets_.size(), false) {
+      reported_(upsets_.size(), false) {
   if (upsets_.empty()) throw Error("0 flips were asked for");
   if (pipe(pipe_) != 0) throw Error("no pipe");
 }
@@ -44,7 +44,7 @@ void Campaign::read_one() {
   Message message;
   if (read(pipe_[0], &message, sizeof message) != sizeof message) throw Error("a run said nothing");
   verdicts_[message.number] = message.verdict;
-  told_[message.number] = true;
+  reported_[message.number] = true;
 }
 
 void Campaign::strike() {
@@ -79,8 +79,8 @@ void Campaign::report(const Verdict& verdict) {
 
 std::vector<Verdict> Campaign::verdicts() {
   while (running_ != 0) read_one();
-  for (std::size_t i = 0; i < told_.size(); ++i) {
-    if (!told_[i]) throw Error("flip " + std::to_string(i) + " was not made");
+  for (std::size_t i = 0; i < reported_.size(); ++i) {
+    if (!reported_[i]) throw Error("flip " + std::to_string(i) + " was not made");
   }
   return verdicts_;
 }

@@ -45,7 +45,7 @@ class Campaign final : public Trigger {
   std::size_t next_ = 0;
   std::size_t running_ = 0;
   std::vector<Verdict> verdicts_;
-  std::vector<bool> told_;
+  std::vector<bool> reported_;
 };
 
 }  // namespace hwffd::upsets

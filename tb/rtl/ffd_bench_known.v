@@ -16,14 +16,14 @@ module ffd_bench_known #(
   input wire [WIDTH-1:0] value_i
 );
   integer clocks;
-  reg     told;
+  reg     reported;
 
-  initial {clocks, told} = {32'd0, 1'b0};
+  initial {clocks, reported} = {32'd0, 1'b0};
 
   always @(posedge clk) begin
     clocks <= clocks + 1;
-    if (must_i && !told && ^value_i === 1'bx) begin
-      told <= 1'b1;
+    if (must_i && !reported && ^value_i === 1'bx) begin
+      reported <= 1'b1;
       $display("unknown %0s clock %0d", NAME, clocks);
     end
   end

@@ -76,9 +76,9 @@ std::vector<Configuration> rows_of(const Text& text) {
 
 /// Those that this build has with their buses.
 std::vector<Configuration> dma_rows_of(const std::vector<Configuration>& rows) {
-  std::vector<Configuration> kept;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), cores::has_axi_core);
-  if (!kept.empty()) return kept;
+  std::vector<Configuration> available;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(available), cores::has_axi_core);
+  if (!available.empty()) return available;
   std::set<std::string> built;
   for (const Configuration& row : configurations()) {
     if (cores::has_axi_core(row)) built.insert(row.name);

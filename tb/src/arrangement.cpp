@@ -48,7 +48,7 @@ std::uint64_t changed_beats(const std::vector<Index3>& cells) {
 }
 
 /// Vertices between two cells that are loaded, a packet or more each.
-std::uint64_t cell_beats(const std::vector<Index3>& cells, std::size_t kept) {
+std::uint64_t cell_beats(const std::vector<Index3>& cells, std::size_t capacity) {
   std::deque<Index3> cache;  // used last first
   std::uint64_t beats = 0;
   std::uint64_t run = 0;
@@ -59,7 +59,7 @@ std::uint64_t cell_beats(const std::vector<Index3>& cells, std::size_t kept) {
     } else {
       beats += beats_of_packets(run) + run + kHeader + kSupport;
       run = 0;
-      if (cache.size() == kept) cache.pop_back();
+      if (cache.size() == capacity) cache.pop_back();
     }
     cache.push_front(cell);
     ++run;

@@ -44,7 +44,7 @@ class Planned final : public StreamParty {
 
 struct Ran {
   StreamEnd end;
-  std::vector<double> told;
+  std::vector<double> progress;
 };
 
 Ran run(const std::vector<std::uint64_t>& left, const StreamLimits& limits,
@@ -53,22 +53,22 @@ Ran run(const std::vector<std::uint64_t>& left, const StreamLimits& limits,
   StreamLoop loop(core);
   Planned party(loop, left);
   party.stops_at = stops_at;
-  std::vector<double> told;
-  const StreamEnd end = loop.run(party, limits, [&](double part) { told.push_back(part); });
-  return {end, told};
+  std::vector<double> progress;
+  const StreamEnd end = loop.run(party, limits, [&](double part) { progress.push_back(part); });
+  return {end, progress};
 }
 
 TEST(StreamLoop, TellsWhatMoved) {
   const Ran ran = run({4, 3, 1, 0}, {2});
   EXPECT_EQ(ran.end, StreamEnd::kDone);
-  EXPECT_EQ(ran.told, (std::vector<double>{0.25, 0.75, 1}));
+  EXPECT_EQ(ran.progress, (std::vector<double>{0.25, 0.75, 1}));
 }
 
 /// Beats that make others: what is left may become more than there was.
 TEST(StreamLoop, TellsNothingTwiceWhereMoreIsToCome) {
   const Ran ran = run({4, 6, 3, 5, 2, 0}, {2});
   EXPECT_EQ(ran.end, StreamEnd::kDone);
-  EXPECT_EQ(ran.told, (std::vector<double>{0.25, 0.5, 1}));
+  EXPECT_EQ(ran.progress, (std::vector<double>{0.25, 0.5, 1}));
 }
 
 TEST(StreamLoop, GivesUp) {

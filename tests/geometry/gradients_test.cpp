@@ -136,15 +136,15 @@ INSTANTIATE_TEST_SUITE_P(, GradientsKind, testing::ValuesIn(test::lattice_kinds(
 TEST(Gradients, OfPointsOutside) {
   const Points points = four_points();
   const Lattice deformed = Deformation::parse("twist:30").apply(unit_box());
-  const auto kept = attached(unit_box(), points, "keep").gradients(deformed);
-  EXPECT_EQ(kept[1], kUnitGradient);
-  EXPECT_EQ(kept[2], kUnitGradient);
-  EXPECT_TRUE(kept[0].allFinite() && kept[3].allFinite());
-  EXPECT_NE(kept[0], kUnitGradient);
-  const auto faded = attached(unit_box(), points, "fade:0.5").gradients(deformed);
-  EXPECT_EQ(faded[1], kUnitGradient);
-  EXPECT_TRUE(faded[2].allFinite());
-  EXPECT_NE(faded[2], kUnitGradient);
+  const auto keep_gradients = attached(unit_box(), points, "keep").gradients(deformed);
+  EXPECT_EQ(keep_gradients[1], kUnitGradient);
+  EXPECT_EQ(keep_gradients[2], kUnitGradient);
+  EXPECT_TRUE(keep_gradients[0].allFinite() && keep_gradients[3].allFinite());
+  EXPECT_NE(keep_gradients[0], kUnitGradient);
+  const auto fade_gradients = attached(unit_box(), points, "fade:0.5").gradients(deformed);
+  EXPECT_EQ(fade_gradients[1], kUnitGradient);
+  EXPECT_TRUE(fade_gradients[2].allFinite());
+  EXPECT_NE(fade_gradients[2], kUnitGradient);
 }
 
 TEST(Gradients, FromDerivativesOfAnother) {

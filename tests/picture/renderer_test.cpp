@@ -91,15 +91,15 @@ TEST(Renderer, LightComesFromAboveToTheLeftOnBothSides) {
   const auto lit = [&](const Eigen::Vector3f& normal) {
     return brightness(renderer.render(straight(), [&] { wall(normal); }).at(4, 4));
   };
-  const int front = lit({0, 0, 1});
-  EXPECT_GT(lit({0, 0.7f, 0.7f}), front + 20);
+  const int facing = lit({0, 0, 1});
+  EXPECT_GT(lit({0, 0.7f, 0.7f}), facing + 20);
   EXPECT_GT(lit({-0.6f, 0.4f, 0.7f}), lit({0.6f, 0.4f, 0.7f}) + 20);
-  EXPECT_LT(lit({0, -0.7f, 0.7f}), front - 20);
-  EXPECT_EQ(lit({0, 0, 10}), front) << "normals are normalized";
+  EXPECT_LT(lit({0, -0.7f, 0.7f}), facing - 20);
+  EXPECT_EQ(lit({0, 0, 10}), facing) << "normals are normalized";
 
   Camera behind = straight();
   behind.eye.z() = -2;
-  EXPECT_EQ(brightness(renderer.render(behind, [] { wall({0, 0, 1}); }).at(4, 4)), front);
+  EXPECT_EQ(brightness(renderer.render(behind, [] { wall({0, 0, 1}); }).at(4, 4)), facing);
 }
 
 TEST(Renderer, TwoRendersGiveTheSameBytes) {
@@ -117,14 +117,14 @@ TEST(Renderer, TwoRendersGiveTheSameBytes) {
 }
 
 TEST(Renderer, TwoRenderersTakeTurns) {
-  const Renderer one(20, 20);
-  const Image before = one.render(straight(), [] { triangle(0); });
+  const Renderer renderer(20, 20);
+  const Image before = renderer.render(straight(), [] { triangle(0); });
   {
-    const Renderer two(30, 10);
-    EXPECT_EQ(two.render(straight(), [] { triangle(0); }).width, 30);
-    EXPECT_EQ(one.render(straight(), [] { triangle(0); }).pixels, before.pixels);
+    const Renderer other(30, 10);
+    EXPECT_EQ(other.render(straight(), [] { triangle(0); }).width, 30);
+    EXPECT_EQ(renderer.render(straight(), [] { triangle(0); }).pixels, before.pixels);
   }
-  EXPECT_EQ(one.render(straight(), [] { triangle(0); }).pixels, before.pixels);
+  EXPECT_EQ(renderer.render(straight(), [] { triangle(0); }).pixels, before.pixels);
 }
 
 TEST(Renderer, StateThatADrawingChangesIsPutBack) {

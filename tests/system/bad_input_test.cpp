@@ -72,15 +72,16 @@ TEST_P(BadInput, FunctionsThatDoNotSumToOne) {
   const bool wanted = organization_of(GetParam()).form == Form::kAffine && !wired_in(GetParam());
   std::array<AxisWords, 3> axes;
   for (AxisWords& axis : axes) axis = encode(family("catmull-rom", codec_), codec_);
-  const auto expect_told = [&](std::uint64_t count, const std::array<AxisWords, 3>& functions) {
+  const auto expect_sum_events = [&](std::uint64_t count,
+                                     const std::array<AxisWords, 3>& functions) {
     expect_event(kFunctionsSum, wanted ? count : 0,
                  coefficients_packet(functions, Functions::kDerivativesToo));
   };
-  expect_told(0, axes);
+  expect_sum_events(0, axes);
   for (const int first : {1, 2}) {
     auto hermite = axes;
     for (int a = first; a < 3; ++a) hermite[a] = encode(family("hermite", codec_), codec_);
-    expect_told(2 * (3 - first), hermite);
+    expect_sum_events(2 * (3 - first), hermite);
   }
   if (!wanted) return;
   for (int axis = 0; axis < 3; ++axis) {
@@ -91,7 +92,7 @@ TEST_P(BadInput, FunctionsThatDoNotSumToOne) {
           auto off = axes;
           auto& words = derivative ? off[axis].derivative.word : off[axis].word;
           words[random_.below(4)][power] += static_cast<std::uint32_t>(units);
-          expect_told(units < -4 || units > 3 ? 1 : 0, off);
+          expect_sum_events(units < -4 || units > 3 ? 1 : 0, off);
         }
       }
     }

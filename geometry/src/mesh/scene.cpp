@@ -42,11 +42,11 @@ std::vector<Attribute> attributes(aiMesh& mesh) {
 /// Keeps these vertices in this order.
 /// @param index  old vertex -> new vertex, for the faces
 void select(aiMesh& mesh, const std::vector<unsigned>& order, const std::vector<unsigned>& index) {
-  std::string kept;
+  std::string buffer;
   for (const Attribute& a : attributes(mesh)) {
-    kept.clear();
-    for (const unsigned v : order) kept.append(a.data + v * a.size, a.size);
-    std::copy(kept.begin(), kept.end(), a.data);
+    buffer.clear();
+    for (const unsigned v : order) buffer.append(a.data + v * a.size, a.size);
+    std::copy(buffer.begin(), buffer.end(), a.data);
   }
   mesh.mNumVertices = static_cast<unsigned>(order.size());
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {

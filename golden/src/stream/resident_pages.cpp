@@ -8,10 +8,10 @@ namespace {
 
 constexpr int kMostPages = 256;
 
-bool same(const LatticePage& one, const LatticePage& other, bool origins) {
-  return one.lattice.dims == other.lattice.dims && one.lattice.exponent == other.lattice.exponent &&
-         (!origins || one.origin == other.origin) && one.lattice.points == other.lattice.points &&
-         one.lattice.fourth == other.lattice.fourth;
+bool same(const LatticePage& a, const LatticePage& b, bool origins) {
+  return a.lattice.dims == b.lattice.dims && a.lattice.exponent == b.lattice.exponent &&
+         (!origins || a.origin == b.origin) && a.lattice.points == b.lattice.points &&
+         a.lattice.fourth == b.lattice.fourth;
 }
 
 /// The vertices of page `order[0]`, then those of `order[1]` and so on.
@@ -38,22 +38,21 @@ ResidentPages::ResidentPages(const PointStore& store) : store_(store) {
   if (store.pages < 1 || store.pages > kMostPages) {
     throw std::invalid_argument("a core keeps 1 to 256 pages");
   }
-  kept_.resize(static_cast<std::size_t>(store.pages));
+  slots_.resize(static_cast<std::size_t>(store.pages));
 }
 
-void ResidentPages::forget() { std::fill(kept_.begin(), kept_.end(), Kept{}); }
+void ResidentPages::forget() { std::fill(slots_.begin(), slots_.end(), Slot{}); }
 
-ResidentPages::Kept* ResidentPages::find(const LatticePage& page) {
-  const auto at = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
-    return !kept.page.lattice.points.empty() && same(kept.page, page, store_.spans);
+ResidentPages::Slot* ResidentPages::find(const LatticePage& page) {
+  const auto it = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+    return !slot.page.lattice.points.empty() && same(slot.page, page, store_.spans);
   });
-  return at == kept_.end() ? nullptr : &*at;
+  return it == slots_.end() ? nullptr : &*it;
 }
 
-ResidentPages::Kept& ResidentPages::oldest() {
-  return *std::min_element(kept_.begin(), kept_.end(), [](const Kept& one, const Kept& other) {
-    return one.used < other.used;
-  });
+ResidentPages::Slot& ResidentPages::oldest() {
+  return *std::min_element(slots_.begin(), slots_.end(),
+                           [](const Slot& a, const Slot& b) { return a.used < b.used; });
 }
 
 std::vector<Beat> ResidentPages::packets(const std::vector<LatticePage>& pages,
@@ -69,21 +68,21 @@ std::vector<Beat> ResidentPages::packets(const std::vector<LatticePage>& pages,
   std::vector<Beat> beats;
   for (const std::size_t p : order) {
     const LatticePage& page = pages[p];
-    Kept* kept = find(page);
-    if (kept == nullptr) {
-      kept = &oldest();
-      kept->page = page;
+    Slot* slot = find(page);
+    if (slot == nullptr) {
+      slot = &oldest();
+      slot->page = page;
       ++loads_;
-      const auto number = static_cast<int>(kept - kept_.data());
+      const auto number = static_cast<int>(slot - slots_.data());
       append(beats, store_.spans ? page_packet(number, page.lattice, page.origin)
                                  : page_packet(number, page.lattice));
     }
-    kept->used = ++now_;
+    slot->used = ++now_;
     PageVertices how;
     how.mode = mode;
     how.results = results;
     how.large = is_large(page.lattice);
-    const auto number = static_cast<int>(kept - kept_.data());
+    const auto number = static_cast<int>(slot - slots_.data());
     for (const auto& some : in_packets(vertices.of_page[p])) {
       append(beats, page_vertices_packet(number, some, how));
     }

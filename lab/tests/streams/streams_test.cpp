@@ -88,8 +88,8 @@ TEST(Order, KeepsEveryVertexAndTheOrderWithinACell) {
 // Three vertices: a cell, its neighbour, the first again.
 TEST(Predicted, ByHand) {
   const std::vector<Index3> cells{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}};
-  const auto beats = [&](Kind kind, std::size_t kept) {
-    return tb::predicted_beats({kind, kept, {}}, {4, 4, 5}, cells) - kCoefficients;
+  const auto beats = [&](Kind kind, std::size_t capacity) {
+    return tb::predicted_beats({kind, capacity, {}}, {4, 4, 5}, cells) - kCoefficients;
   };
   EXPECT_EQ(beats(Kind::kInterleaved, 0), 1 + 3 * 49U);
   EXPECT_EQ(beats(Kind::kResident, 0), 1 + 80 + 1 + 3U);

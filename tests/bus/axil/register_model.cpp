@@ -34,7 +34,7 @@ std::uint32_t RegisterModel::field_value(const PortValues& inputs,
   }
   if (field.access == "counter") {
     const Counter& counter = counters_.at(field.port);
-    return field.port_low == 0 ? static_cast<std::uint32_t>(counter.value) : counter.kept;
+    return field.port_low == 0 ? static_cast<std::uint32_t>(counter.value) : counter.latched_high;
   }
   return fields_.at(field.path);
 }
@@ -47,7 +47,7 @@ RegisterModel::Answer RegisterModel::do_read(const PortValues& inputs, std::uint
     answer.data |= field_value(inputs, field) << field.low;
     if (field.access == "counter" && field.port_low == 0) {
       Counter& counter = counters_.at(field.port);
-      counter.kept = static_cast<std::uint32_t>(counter.value >> 32);
+      counter.latched_high = static_cast<std::uint32_t>(counter.value >> 32);
     }
   }
   return answer;

@@ -46,7 +46,7 @@ class RegisterModel {
  private:
   struct Counter {
     std::uint64_t value = 0;
-    std::uint32_t kept = 0;
+    std::uint32_t latched_high = 0;
     std::uint64_t event = 0;  // of the last clock: counted in this one
   };
 

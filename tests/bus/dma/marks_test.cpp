@@ -14,8 +14,8 @@ INSTANTIATE_TEST_SUITE_P(Dma, Marks, testing::ValuesIn(tb::throttle_names()),
 
 /// In each clock: a pulse exactly where the count of results in memory has come past one with a
 /// mark.
-std::uint64_t expect_told(DmaBench& bench, std::uint64_t results) {
-  std::uint64_t told = 0, counted = 0;
+std::uint64_t expect_pulses(DmaBench& bench, std::uint64_t results) {
+  std::uint64_t pulses = 0, counted = 0;
   for (int clock = 0; clock < 20000 && counted < results; ++clock) {
     bench.step();
     const auto& marked = bench.marked_results();
@@ -25,11 +25,11 @@ std::uint64_t expect_told(DmaBench& bench, std::uint64_t results) {
                                marked.begin() + static_cast<std::ptrdiff_t>(count),
                                true) != marked.begin() + static_cast<std::ptrdiff_t>(count);
     EXPECT_EQ(bench.status.result_marked, any) << "result " << count;
-    told += any ? 1 : 0;
+    pulses += any ? 1 : 0;
     counted = count;
   }
   EXPECT_EQ(counted, results);
-  return told;
+  return pulses;
 }
 
 TEST_P(Marks, OfResultsComeWhenTheyAreInMemory) {
@@ -40,7 +40,7 @@ TEST_P(Marks, OfResultsComeWhenTheyAreInMemory) {
     bench.mark_results(chance);
     bench.start_results(kArea, 1 << 16);
     bench.offer_results(300, 7);
-    EXPECT_GT(expect_told(bench, 300), 2U);
+    EXPECT_GT(expect_pulses(bench, 300), 2U);
     EXPECT_EQ(bench.faults(), "");
   }
 }
@@ -52,13 +52,13 @@ TEST(MarksOfResults, AreNotOfWhatIsNotInMemory) {
   bench.mark_results(1.0);
   bench.start_results(kArea, 1 << 16);
   bench.offer_results(48, 16);
-  unsigned told = 0;
+  unsigned pulses = 0;
   for (int clock = 0; clock < 400; ++clock) {
     bench.step();
-    told += bench.status.result_marked ? 1 : 0;
+    pulses += bench.status.result_marked ? 1 : 0;
   }
   EXPECT_EQ(bench.status.result_count, 16U);
-  EXPECT_EQ(told, 1U);
+  EXPECT_EQ(pulses, 1U);
   DmaBench full(marked_dma_size(), 5);
   full.start_results(kArea, 4 * kBeat);
   full.offer_results(4, 4);
@@ -87,16 +87,16 @@ TEST_P(Marks, OfDescriptorsComeWithTheTail) {
     }
     bench.start_ring();
     bool pulse = false;
-    unsigned tail = 0, told = 0;
+    unsigned tail = 0, pulses = 0;
     for (int clock = 0; clock < 20000 && tail < 15; ++clock) {
       bench.step();
       const bool moved = bench.status.ring_tail != tail;
       EXPECT_EQ(pulse, moved && tail % every == 0) << tail;
       tail = bench.status.ring_tail;
       pulse = bench.status.ring_marked;
-      told += pulse ? 1 : 0;
+      pulses += pulse ? 1 : 0;
     }
-    EXPECT_EQ(told, (15 + every - 1) / every);
+    EXPECT_EQ(pulses, (15 + every - 1) / every);
     EXPECT_TRUE(bench.run_until_idle());
     EXPECT_TRUE(bench.exact(15));
   }

@@ -284,11 +284,11 @@ TEST(Entry, EveryBitAtEveryDistance) {
     const std::uint32_t bit = 1U << (i % 23);
     const auto distance = static_cast<int>(i / 23 % 128) - 32;
     const bool subnormal = i / (23 * 128) % 2 != 0;
-    const auto beside = static_cast<std::uint32_t>(i / (23 * 128 * 2) % 3) - 1;
+    const auto offset = static_cast<std::uint32_t>(i / (23 * 128 * 2) % 3) - 1;
     const std::uint32_t field = subnormal ? 0 : 1 + (e.word >> 23) % 254;
     e.role = kPoint;
     e.clear = false;
-    e.word = (e.word & 0x80000000U) | field << 23 | ((bit + beside) & 0x7FFFFFU);
+    e.word = (e.word & 0x80000000U) | field << 23 | ((bit + offset) & 0x7FFFFFU);
     e.exponent = static_cast<int>(subnormal ? 1 : field) - 87 - distance;
   };
   run<Block8>(23 * 128 * 2 * 3 * 8, set);

@@ -55,14 +55,14 @@ inline std::uint32_t round(Format format, Integer value, int scale) {
   // Drop bits until the significand fits, but never keep bits below the smallest subnormal.
   int dropped = scale;
   while ((magnitude >> dropped) >> format.significand_bits != 0) ++dropped;
-  Integer kept = magnitude >> dropped;
-  const Integer twice_rest = 2 * (magnitude - (kept << dropped));
+  Integer significand = magnitude >> dropped;
+  const Integer twice_rest = 2 * (magnitude - (significand << dropped));
   const Integer whole = Integer{1} << dropped;
-  if (twice_rest > whole || (twice_rest == whole && kept % 2 != 0)) ++kept;
+  if (twice_rest > whole || (twice_rest == whole && significand % 2 != 0)) ++significand;
   // A subnormal is its fraction; the hidden bit of a normal counts the exponent up by one, as does
   // a carry into the next binade.
-  const Integer word = (Integer{dropped - scale} << format.fraction_bits()) + kept;
-  if (kept == 0) return 0;
+  const Integer word = (Integer{dropped - scale} << format.fraction_bits()) + significand;
+  if (significand == 0) return 0;
   return (negative ? format.sign() : 0) |
          (word < format.infinity() ? static_cast<std::uint32_t>(word) : format.infinity());
 }

@@ -119,8 +119,8 @@ struct Block {
       inexact |= (magnitude & 1) != 0;
       magnitude >>= 1;
     }
-    const auto kept = static_cast<std::int64_t>(magnitude) | (inexact ? 1 : 0);
-    return std::ldexp(static_cast<double>(value < 0 ? -kept : kept), dropped);
+    const auto significand = static_cast<std::int64_t>(magnitude) | (inexact ? 1 : 0);
+    return std::ldexp(static_cast<double>(value < 0 ? -significand : significand), dropped);
   }
 };
 

@@ -38,16 +38,16 @@ class ResidentPages {
   std::size_t loads() const { return loads_; }
 
  private:
-  struct Kept {
+  struct Slot {
     LatticePage page;      // no points: none
     std::size_t used = 0;  // when, in packets of vertices
   };
 
-  Kept* find(const LatticePage& page);
-  Kept& oldest();
+  Slot* find(const LatticePage& page);
+  Slot& oldest();
 
   PointStore store_;
-  std::vector<Kept> kept_;
+  std::vector<Slot> slots_;
   std::size_t now_ = 0;
   std::size_t loads_ = 0;
 };
