@@ -37,9 +37,9 @@ int run(int argc, char** argv) {
   add("completion", "write what makes a shell complete the words of hwffd",
       command::add_completion);
   add("manual", "write the manual page", command::add_manual);
-  const bool own = argc > 1 && std::any_of(commands.begin(), commands.end(), [&](const auto& one) {
-                     return one.first->check_name(argv[1]);
-                   });
+  const bool own =
+      argc > 1 && std::any_of(commands.begin(), commands.end(),
+                              [&](const auto& entry) { return entry.first->check_name(argv[1]); });
   if (!own) command::become_other_program(argv);
   parse_command_line(app, argc, argv);
   for (const auto& [command, action] : commands) {

@@ -44,8 +44,8 @@ std::string option_text(const CLI::Option& option) {
 std::string command_text(const CLI::App& command) {
   std::string text = fmt::format(".SS hwffd {}\n{}\n", troff(command.get_name()),
                                  troff(command.get_description()));
-  for (const CLI::Option* option :
-       command.get_options([](const CLI::Option* one) { return !one->nonpositional(); })) {
+  for (const CLI::Option* option : command.get_options(
+           [](const CLI::Option* candidate) { return !candidate->nonpositional(); })) {
     text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", troff(option->get_name(true)),
                         troff(option->get_description()));
   }

@@ -147,12 +147,12 @@ class Centred {
  public:
   explicit Centred(const Horner<F>& horner) : horner_(horner) {
     // One control point at a time through one axis: the other two are constant.
-    const AxisWords one = encode(family("constant", WordCodec("fx18")), WordCodec("fx18"));
+    const AxisWords constant = encode(family("constant", WordCodec("fx18")), WordCodec("fx18"));
     model::CoefficientBank<F> bank;
     for (int l = 0; l < 4; ++l) {
       bank.entry[0][l] = horner.bank().entry[0][l];
       for (int axis = 1; axis < 3; ++axis) {
-        bank.load(axis, l, one.degree, one.shift, one.word[l]);
+        bank.load(axis, l, constant.degree, constant.shift, constant.word[l]);
       }
     }
     for (int l = 0; l < 4; ++l) {

@@ -61,9 +61,9 @@ double rounded_distance(const Candidate& s, const Candidate& t, const Candidate&
 inline std::vector<Candidate> near_sixteenths(const std::vector<Candidate>& candidates,
                                               double unit) {
   std::vector<Candidate> result;
-  for (const Candidate& one : candidates) {
-    const double parts = one.point.x * 16;
-    if (std::abs(parts - std::round(parts)) <= 40 * unit) result.push_back(one);
+  for (const Candidate& candidate : candidates) {
+    const double sixteenths = candidate.point.x * 16;
+    if (std::abs(sixteenths - std::round(sixteenths)) <= 40 * unit) result.push_back(candidate);
   }
   return result;
 }

@@ -190,8 +190,8 @@ class FixedFacts {
     auto engine = seeded(name_ + what);
     candidates_.clear();
     for (const int left : lefts) {
-      for (const Candidate& one : candidates<F>(weights, facts.extreme, left, engine)) {
-        candidates_.push_back(one);
+      for (const Candidate& candidate : candidates<F>(weights, facts.extreme, left, engine)) {
+        candidates_.push_back(candidate);
       }
     }
     std::vector<ErrorBox> all = boxes.take();

@@ -13,9 +13,9 @@ class Pairs {
   Pairs(const std::vector<Candidate>& points, int fraction)
       : unit_(std::ldexp(1, -fraction)), count_(points.size()) {
     for (int l = 0; l < 4; ++l) {
-      for (const Candidate& one : points) {
-        weight_[l].push_back(static_cast<double>(one.units[l]));
-        exact_[l].push_back(one.point.exact[l] / unit_);
+      for (const Candidate& candidate : points) {
+        weight_[l].push_back(static_cast<double>(candidate.units[l]));
+        exact_[l].push_back(candidate.point.exact[l] / unit_);
       }
     }
   }

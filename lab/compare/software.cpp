@@ -99,13 +99,13 @@ SoftwareRow evaluator(const Scene& scene, bool sorted, double seconds) {
   row.error = largest_error(scene, positions_of(arrays));
   row.bound = kRoundings * std::numeric_limits<Real>::epsilon();
   row.bytes_per_vertex = sizeof(std::uint32_t) + 6 * sizeof(Real);
-  VertexArrays<Real> one = arrays_of(first_of(scene, 1), evaluator);
+  VertexArrays<Real> single = arrays_of(first_of(scene, 1), evaluator);
   row.latency_ns = latency_ns(scene, seconds / kCallsShare, [&](const Embedded& vertex) {
-    one.origins[0] = evaluator.origin(vertex.cell);
+    single.origins[0] = evaluator.origin(vertex.cell);
     for (std::size_t a = 0; a < 3; ++a) {
-      one.local[a][0] = static_cast<Real>(vertex.local[static_cast<Eigen::Index>(a)]);
+      single.local[a][0] = static_cast<Real>(vertex.local[static_cast<Eigen::Index>(a)]);
     }
-    evaluator.evaluate(one);
+    evaluator.evaluate(single);
   });
   return row;
 }

@@ -263,12 +263,12 @@ module model_decoder #(
   function [34:0] of_known(input [50:0] word);
     of_known = {word[49:48], word[37:21], word[15:0]};
   endfunction
-  function same_word(input [82:0] word, input [48:0] one);
-    same_word = {word[79], word[55:54], word[43:27], word[71:56]} == {one[48], one[34:0]}
-             && word[82:80] == {one[32], one[30], one[29]};
+  function same_word(input [82:0] word, input [48:0] entry);
+    same_word = {word[79], word[55:54], word[43:27], word[71:56]} == {entry[48], entry[34:0]}
+             && word[82:80] == {entry[32], entry[30], entry[29]};
   endfunction
-  function retires(input [5:0] word, input [48:0] one);
-    retires = word == {one[32], one[30], one[29], one[32:30]};
+  function retires(input [5:0] word, input [48:0] entry);
+    retires = word == {entry[32], entry[30], entry[29], entry[32:30]};
   endfunction
   function sized(input [11:0] all, input [11:0] last_cell);
     sized = all[3:0] >= 3 && all[7:4] >= 3 && all[11:8] >= 3

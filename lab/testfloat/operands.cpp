@@ -86,10 +86,10 @@ std::uint32_t Operands::corner(std::uint32_t which) {
 }
 
 std::uint32_t Operands::mixed() {
-  const std::uint32_t one = corner(below(classes()));
-  const std::uint32_t other =
+  const std::uint32_t base = corner(below(classes()));
+  const std::uint32_t significand =
       significands_[below(static_cast<std::uint32_t>(significands_.size()))];
-  return (one & ~kFraction) | ((one + other) & kFraction);
+  return (base & ~kFraction) | ((base + significand) & kFraction);
 }
 
 std::uint32_t Operands::random() {

@@ -88,8 +88,9 @@ Design read_design(const std::string& path) {
   if (json.is_discarded()) throw Error(path + ": cannot be read");
   Design design;
   for (const auto& bit : json.at("registers")) design.registers.push_back({bit[0], bit[1]});
-  for (const auto& one : json.at("memories")) {
-    design.memories.push_back({one.at("name"), one.at("module"), one.at("width"), one.at("depth")});
+  for (const auto& memory : json.at("memories")) {
+    design.memories.push_back(
+        {memory.at("name"), memory.at("module"), memory.at("width"), memory.at("depth")});
   }
   return design;
 }

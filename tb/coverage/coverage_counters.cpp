@@ -63,10 +63,11 @@ class Counters {
     std::map<Place, std::uint64_t> counts;
     for (const Table& table : tables_) {
       for (std::size_t i = 0; i < table.count; ++i) {
-        const hwffd::Counter& one = table.named[i];
-        std::uint64_t& count = counts[{one.page, one.line, one.column, one.comment, one.lines}];
-        const std::uint32_t more = table.counters[one.index];
-        count = std::strncmp(one.page, "v_toggle/", 9) == 0 ? count | more : count + more;
+        const hwffd::Counter& counter = table.named[i];
+        std::uint64_t& count =
+            counts[{counter.page, counter.line, counter.column, counter.comment, counter.lines}];
+        const std::uint32_t more = table.counters[counter.index];
+        count = std::strncmp(counter.page, "v_toggle/", 9) == 0 ? count | more : count + more;
       }
     }
     return counts;

@@ -111,9 +111,9 @@ Shared compare_all(int order) {
     for (unsigned shared = 1; shared < 8; ++shared) {
       for (int axis = 0; axis < 3; ++axis) {
         if ((shared >> axis & 1) == 0) continue;
-        const Shared one = compare(values, shared, inside, axis, order);
-        total.compared += one.compared;
-        total.differ += one.differ;
+        const Shared result = compare(values, shared, inside, axis, order);
+        total.compared += result.compared;
+        total.differ += result.differ;
       }
     }
   }

@@ -62,9 +62,9 @@ TEST(Deformation, ParsesDefaultsAndArguments) {
 TEST(Deformation, ParsesAxes) {
   for (const std::string kind : {"twist", "helix", "bend", "taper"}) {
     for (int axis = 0; axis < 3; ++axis) {
-      const Deformation one = Deformation::parse(kind + ":-3.5:" + "xyz"[axis]);
-      EXPECT_EQ(one.amount(), -3.5) << kind;
-      EXPECT_EQ(one.arguments().axis, axis) << kind;
+      const Deformation deformation = Deformation::parse(kind + ":-3.5:" + "xyz"[axis]);
+      EXPECT_EQ(deformation.amount(), -3.5) << kind;
+      EXPECT_EQ(deformation.arguments().axis, axis) << kind;
     }
     EXPECT_EQ(Deformation::parse(kind).arguments().axis, 1);
     EXPECT_EQ(Deformation::parse(kind + ":1").arguments().axis, 1);

@@ -280,15 +280,15 @@ TEST(Fold, AnswersDoNotDependOnTheNumberOfThreads) {
   std::set<Verdict> seen;
   for (std::size_t i = 0; i < lattices.size(); ++i) {
     set_thread_count(1);
-    const FoldCheck one = check_folds(lattices[i]);
-    seen.insert(one.verdict);
+    const FoldCheck serial = check_folds(lattices[i]);
+    seen.insert(serial.verdict);
     for (const std::size_t threads : {2, 5}) {
       set_thread_count(threads);
-      const FoldCheck many = check_folds(lattices[i]);
-      EXPECT_EQ(many.text(), one.text()) << i;
-      EXPECT_EQ(many.depth, one.depth) << i;
-      EXPECT_EQ(many.volume, one.volume) << i;
-      EXPECT_EQ(many.local, one.local) << i;
+      const FoldCheck parallel = check_folds(lattices[i]);
+      EXPECT_EQ(parallel.text(), serial.text()) << i;
+      EXPECT_EQ(parallel.depth, serial.depth) << i;
+      EXPECT_EQ(parallel.volume, serial.volume) << i;
+      EXPECT_EQ(parallel.local, serial.local) << i;
     }
   }
   set_thread_count(0);

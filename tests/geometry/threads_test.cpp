@@ -143,12 +143,12 @@ TEST_F(Threads, BitsDoNotDependOnTheirNumber) {
     }
     return results;
   };
-  const std::vector<Points> one = all(1);
+  const std::vector<Points> serial = all(1);
   for (const std::size_t threads : {2, 5}) {
-    const std::vector<Points> many = all(threads);
-    ASSERT_EQ(many.size(), one.size());
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      EXPECT_TRUE(same_bits(one[i], many[i])) << i;
+    const std::vector<Points> parallel = all(threads);
+    ASSERT_EQ(parallel.size(), serial.size());
+    for (std::size_t i = 0; i < serial.size(); ++i) {
+      EXPECT_TRUE(same_bits(serial[i], parallel[i])) << i;
     }
   }
 }

@@ -26,10 +26,10 @@ constexpr std::int64_t kMost = 127;
 class Compared {
  public:
   template <class Laned, class Scalar>
-  void same(const Laned& lanes, const std::array<Scalar, kLanes>& one, const char* what) {
+  void same(const Laned& lanes, const std::array<Scalar, kLanes>& scalars, const char* what) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      ASSERT_EQ(lanes.value[lane], one[lane].value) << what;
-      ASSERT_EQ(lanes.saturated[lane], one[lane].saturated ? -1 : 0) << what;
+      ASSERT_EQ(lanes.value[lane], scalars[lane].value) << what;
+      ASSERT_EQ(lanes.saturated[lane], scalars[lane].saturated ? -1 : 0) << what;
       ++count_;
     }
   }
@@ -41,11 +41,11 @@ class Compared {
 
 /// Eight numbers from `first` on, the last ones of them flagged where `flagged` has its bits.
 template <class Laned, class Scalar>
-void fill(Laned& lanes, std::array<Scalar, kLanes>& one, std::int64_t first, unsigned flagged) {
+void fill(Laned& lanes, std::array<Scalar, kLanes>& scalars, std::int64_t first, unsigned flagged) {
   for (int lane = 0; lane < kLanes; ++lane) {
     const bool flag = (flagged >> lane & 1) != 0;
-    one[lane].value = first + lane;
-    one[lane].saturated = flag;
+    scalars[lane].value = first + lane;
+    scalars[lane].saturated = flag;
     lanes.value[lane] = first + lane;
     lanes.saturated[lane] = flag ? -1 : 0;
   }
@@ -94,15 +94,16 @@ TEST(Lanes, RoundingsOfAllSumsOfEightBits) {
   constexpr std::int64_t kEnd = std::int64_t{1} << (2 * 8 + 5);
   for (std::int64_t first = -kEnd; first < kEnd; first += kLanes) {
     Eight::Sum sum;
-    std::array<One::Sum, kLanes> one;
-    fill(sum, one, first, 0x80);
-    compared.same(Eight::narrow(sum), each([&](int i) { return One::narrow(one[i]); }), "narrow");
-    compared.same(Eight::out_units(sum), each([&](int i) { return One::out_units(one[i]); }),
+    std::array<One::Sum, kLanes> scalars;
+    fill(sum, scalars, first, 0x80);
+    compared.same(Eight::narrow(sum), each([&](int i) { return One::narrow(scalars[i]); }),
+                  "narrow");
+    compared.same(Eight::out_units(sum), each([&](int i) { return One::out_units(scalars[i]); }),
                   "out");
     const int shift = static_cast<int>(first / kLanes % 5) - 1;
     if (shift < -1) continue;
     compared.same(Eight::rescale(sum, shift),
-                  each([&](int i) { return One::rescale(one[i], shift); }), "rescale");
+                  each([&](int i) { return One::rescale(scalars[i], shift); }), "rescale");
   }
   std::printf("%llu results\n", static_cast<unsigned long long>(compared.count()));
   EXPECT_GT(compared.count(), 2U * 2 * kEnd);
@@ -171,9 +172,9 @@ TEST(Lanes, EveryRowGivesTheBitsOfOneVertex) {
       evaluator->evaluate(1, scene.points, scene.vertices, derivative, results);
       ASSERT_EQ(results.size(), scene.vertices.size());
       for (std::size_t v = 0; v < results.size(); ++v) {
-        model::VertexWords one = model::with_support(scene.points, scene.vertices[v]);
-        one.derivative = derivative;
-        const model::ResultWords wanted = evaluator->evaluate(1, one);
+        model::VertexWords vertex = model::with_support(scene.points, scene.vertices[v]);
+        vertex.derivative = derivative;
+        const model::ResultWords wanted = evaluator->evaluate(1, vertex);
         ASSERT_EQ(results[v].words, wanted.words) << row.name << ", vertex " << v;
         ASSERT_EQ(results[v].saturated, wanted.saturated) << row.name << ", vertex " << v;
         ASSERT_EQ(results[v].nan, wanted.nan) << row.name << ", vertex " << v;

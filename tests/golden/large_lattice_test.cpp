@@ -135,9 +135,9 @@ TEST(LargeLattice, WhatCannotBeCutIsRefused) {
   lattice.dims = {8, 4, 4};
   EXPECT_THROW(pages_of(lattice, 6), UsageError);
   EXPECT_THROW(by_page({}, lattice.dims, 6), UsageError);
-  PagedVertices one;
-  one.from = {0};
-  EXPECT_THROW(in_order({}, one), std::invalid_argument);
+  PagedVertices vertices;
+  vertices.from = {0};
+  EXPECT_THROW(in_order({}, vertices), std::invalid_argument);
 }
 
 /// Words on the way in for a vertex, lattice included.

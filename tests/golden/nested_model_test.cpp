@@ -78,9 +78,9 @@ class Former {
   Points largest_at(int power) const {
     Points points;
     for (int p = 0; p < 64; ++p) {
-      Points one{};
-      one[p].fill(1);
-      points[p].fill(exact(one, power, 0) < 0 ? -1 : 0.875);
+      Points unit{};
+      unit[p].fill(1);
+      points[p].fill(exact(unit, power, 0) < 0 ? -1 : 0.875);
     }
     return points;
   }

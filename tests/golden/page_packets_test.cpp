@@ -38,11 +38,11 @@ TEST(PagePackets, Page) {
 TEST(PagePackets, Points) {
   LatticeWords words = lattice({4, 4, 4});
   words.exponent = 5;
-  const auto one = points_packet(2, words, 63, 1);
-  ASSERT_EQ(one.size(), 2U);
-  EXPECT_EQ(one[0].words, (Words{0x206, 1, 63, 5}));
-  EXPECT_EQ(one[1].words, (Words{1008, 1009, 1010, 0}));
-  EXPECT_TRUE(one[1].last && !one[0].last);
+  const auto packet = points_packet(2, words, 63, 1);
+  ASSERT_EQ(packet.size(), 2U);
+  EXPECT_EQ(packet[0].words, (Words{0x206, 1, 63, 5}));
+  EXPECT_EQ(packet[1].words, (Words{1008, 1009, 1010, 0}));
+  EXPECT_TRUE(packet[1].last && !packet[0].last);
   words.fourth.assign(64, 9);
   EXPECT_EQ(points_packet(2, words, 10, 3)[0].words, (Words{0x20206, 3, 10, 5}));
   EXPECT_EQ(points_packet(2, words, 10, 3)[3].words, (Words{192, 193, 194, 9}));

@@ -148,8 +148,8 @@ TEST(Spans, ClampedEndsAreTwoCellsASide) {
     const std::vector<AxisWords> words = encode(spans, codec);
     std::size_t beats = 13;
     for (std::size_t first : {std::size_t{0}, kCells - 2}) {
-      const bool one = words[first].shift == words[first + 1].shift;
-      beats += 3 * (one ? 1 + 8 : 2 * (1 + 4));
+      const bool equal_shifts = words[first].shift == words[first + 1].shift;
+      beats += 3 * (equal_shifts ? 1 + 8 : 2 * (1 + 4));
     }
     EXPECT_EQ(all_spans_packets({words, words, words}).size(), beats) << format.name;
   }

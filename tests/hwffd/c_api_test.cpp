@@ -45,17 +45,17 @@ TEST(CApi, EmbeddingAndEvaluationMakeADeformation) {
     EXPECT_EQ(e.status, HWFFD_INSIDE);
     EXPECT_LT(e.residual, 1e-12);
   }
-  double one[9], two[9];
-  ASSERT_EQ(hwffd_evaluate(lattice.get(), where, 3, one), HWFFD_OK);
-  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, two), HWFFD_OK);
-  EXPECT_EQ(std::memcmp(one, two, sizeof(one)), 0);
+  double evaluated[9], deformed_points[9];
+  ASSERT_EQ(hwffd_evaluate(lattice.get(), where, 3, evaluated), HWFFD_OK);
+  ASSERT_EQ(hwffd_deform(lattice.get(), kPoints, 3, deformed_points), HWFFD_OK);
+  EXPECT_EQ(std::memcmp(evaluated, deformed_points, sizeof(evaluated)), 0);
   double moved = 0;
-  for (int i = 0; i < 9; ++i) moved = std::max(moved, std::abs(one[i] - kPoints[i]));
+  for (int i = 0; i < 9; ++i) moved = std::max(moved, std::abs(evaluated[i] - kPoints[i]));
   EXPECT_GT(moved, 0.1);
   // In place.
   std::vector<double> same(kPoints, kPoints + 9);
   ASSERT_EQ(hwffd_deform(lattice.get(), same.data(), 3, same.data()), HWFFD_OK);
-  EXPECT_EQ(std::memcmp(same.data(), two, sizeof(two)), 0);
+  EXPECT_EQ(std::memcmp(same.data(), deformed_points, sizeof(deformed_points)), 0);
 }
 
 TEST(CApi, ControlPointsMove) {

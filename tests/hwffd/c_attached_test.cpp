@@ -228,10 +228,10 @@ TEST_F(CAttached, NumbersThatAreNoneAreRefused) {
   EXPECT_EQ(hwffd_attached_pull_back(attached_.get(), &few, out.data()), HWFFD_USAGE);
   expect_error("gradient: 2 vectors; give 4, one for each attached point");
   const double far[3] = {1e40, 0, 0};
-  const hwffd_view one = hwffd_packed(HWFFD_FLOAT64, far, 1);
+  const hwffd_view far_view = hwffd_packed(HWFFD_FLOAT64, far, 1);
   float small[3] = {7, 7, 7};
   const hwffd_view floats = hwffd_packed_out(HWFFD_FLOAT32, small, 1);
-  EXPECT_EQ(hwffd_deform_view(lattice_.get(), &one, &floats), HWFFD_ERROR);
+  EXPECT_EQ(hwffd_deform_view(lattice_.get(), &far_view, &floats), HWFFD_ERROR);
   expect_error("out: point 0 is beyond what float holds; give HWFFD_FLOAT64");
   EXPECT_EQ(small[0], 7);
 }

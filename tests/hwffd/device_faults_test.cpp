@@ -92,8 +92,8 @@ TEST(DeviceFaults, ResultsThatWereNotAskedForAreAFault) {
   const Points good = device.evaluate(box(), vertices);
   EXPECT_EQ(resets, 0);
   int expected = 0;
-  for (const SpoiltStream::Spoil& one : spoilt) {
-    spoil = one;
+  for (const SpoiltStream::Spoil& fault : spoilt) {
+    spoil = fault;
     EXPECT_THROW(device.evaluate(box(), vertices), Error) << "answer " << expected;
     EXPECT_EQ(resets, ++expected);
     spoil = [](auto&) {};

@@ -126,8 +126,8 @@ TEST(LargeLatticeDevice, ResultsThatWereNotAskedForAreAFault) {
       [](auto& beats) { beats.back().last = false; },
       [](auto& beats) { beats[1].last = !beats[1].last; },
   };
-  for (const auto& one : spoilt) {
-    spoil = one;
+  for (const auto& fault : spoilt) {
+    spoil = fault;
     EXPECT_THROW(device.evaluate(scene.lattice, scene.vertices), Error);
     spoil = [](auto&) {};
     EXPECT_EQ(device.evaluate(scene.lattice, scene.vertices), good);

@@ -38,12 +38,12 @@ TEST_F(Library, BitsDoNotDependOnTheNumberOfThreads) {
     DeformableLattice lattice = bent("bspline", device);
     const std::vector<Embedded> places = lattice.attach(points_).places();
     set_thread_count(1);
-    const Points one = lattice.carry(points_);
+    const Points expected = lattice.carry(points_);
     const Device::Tangents tangents =
         make_device({device, "factored3", "fx18"})->tangents(lattice.deformed(), places);
     for (const std::size_t threads : {2, 5}) {
       set_thread_count(threads);
-      EXPECT_TRUE(same_bits(lattice.carry(points_), one)) << device;
+      EXPECT_TRUE(same_bits(lattice.carry(points_), expected)) << device;
       const Device::Tangents again =
           make_device({device, "factored3", "fx18"})->tangents(lattice.deformed(), places);
       EXPECT_TRUE(same_bits(again.positions, tangents.positions)) << device;

@@ -57,10 +57,10 @@ TEST(Image, ASheetRunsInReadingOrderAndEndsWhite) {
 }
 
 TEST(Image, SheetsRefuseOtherSizesAndNothing) {
-  const Image one = plain(2, 2, {0, 0, 0});
-  EXPECT_ERROR_PART(contact_sheet({one, plain(2, 3, {0, 0, 0})}, 2),
+  const Image image = plain(2, 2, {0, 0, 0});
+  EXPECT_ERROR_PART(contact_sheet({image, plain(2, 3, {0, 0, 0})}, 2),
                     "picture 1 is 2x3, the first 2x2");
-  EXPECT_ERROR_PART(contact_sheet({one}, 0), "1 pictures in 0 columns");
+  EXPECT_ERROR_PART(contact_sheet({image}, 0), "1 pictures in 0 columns");
   EXPECT_ERROR_PART(strip({}), "0 pictures");
 }
 

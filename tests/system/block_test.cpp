@@ -135,11 +135,11 @@ TEST_P(Block, ATooSmallExponentSaturatesAndIsFlagged) {
 
 // Points and exponent times a power of two: the same significands come out, whichever the block.
 TEST_P(Block, TheExponentOnlyScales) {
-  const std::vector<InterleavedVertex> one = {inside(0.3), inside(0.7), inside(0)};
-  const std::vector<Beat> expected = bspline_results(one);
+  const std::vector<InterleavedVertex> vertices = {inside(0.3), inside(0.7), inside(0)};
+  const std::vector<Beat> expected = bspline_results(vertices);
   std::size_t compared = 0;
   for (const int exponent : {-90, -1, 1, 17, 120}) {
-    std::vector<InterleavedVertex> scaled = one;
+    std::vector<InterleavedVertex> scaled = vertices;
     for (InterleavedVertex& vertex : scaled) {
       vertex.exponent = exponent;
       for (std::uint32_t& word : vertex.points) {

@@ -116,16 +116,16 @@ TEST_P(EventPlaces, OfAGridThatIsTooLongIsItsLastVertex) {
 TEST_P(EventPlaces, AGridIsCutBeforeItIsCompared) {
   constexpr std::uint64_t kUnit = std::uint64_t{1} << (kGridFraction - kGridCoordinate);
   for (int axis = 0; axis < 3; ++axis) {
-    Grid one = grid();
-    one.count = {1, 1, 1};
-    one.start[axis] = static_cast<std::uint64_t>(dims_[axis] - 3) << kGridFraction;
-    expect_none(grid_packet(one, run_.page()));
+    Grid single = grid();
+    single.count = {1, 1, 1};
+    single.start[axis] = static_cast<std::uint64_t>(dims_[axis] - 3) << kGridFraction;
+    expect_none(grid_packet(single, run_.page()));
     const std::vector<Beat> face = {run_.bench().results().at(results() - 2)};
-    one.start[axis] += kUnit - 1;
-    expect_none(grid_packet(one, run_.page()));
+    single.start[axis] += kUnit - 1;
+    expect_none(grid_packet(single, run_.page()));
     EXPECT_EQ(run_.bench().results().at(results() - 2), face[0]);
-    one.start[axis] += 1;
-    expect_event(event::kGridCount, 1, 1, grid_packet(one, run_.page()));
+    single.start[axis] += 1;
+    expect_event(event::kGridCount, 1, 1, grid_packet(single, run_.page()));
     Grid back = grid();
     back.count = {1, 1, 1};
     back.count[axis] = 2;

@@ -16,13 +16,13 @@ std::vector<Beat> PagePackets::any(int packets) {
   std::vector<Beat> beats;
   for (int p = 0; p < packets; ++p) {
     append(beats, random_.chance(0.3)   ? random_packets(codec_, random_, 1)
-                  : random_.chance(0.2) ? spoil(one())
-                                        : one());
+                  : random_.chance(0.2) ? spoil(any_packet())
+                                        : any_packet());
   }
   return beats;
 }
 
-std::vector<Beat> PagePackets::one() {
+std::vector<Beat> PagePackets::any_packet() {
   // Now and then a page beyond the last, which is then beyond what lattices_ knows.
   const int page = static_cast<int>(random_.below(core_.pages + (random_.chance(0.05) ? 3 : 0)));
   switch (random_.below(4)) {

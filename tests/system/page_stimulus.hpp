@@ -29,7 +29,7 @@ class PagePackets {
   /// Packets of every opcode in any order, some of them bad.
   std::vector<Beat> any(int packets);
   /// A packet for a page: its lattice, some of its points, or vertices of it.
-  std::vector<Beat> one();
+  std::vector<Beat> any_packet();
 
  private:
   bool has(std::uint32_t feature) const { return (core_.features & feature) != 0; }

@@ -252,11 +252,11 @@ TEST_P(TwoPages, WaitsAreToldOfTheirCause) {
   tb::Random random(14);
   PageRun readers(GetParam(), 1);
   const LatticeWords lattice = random_lattice(readers.codec(), random, {4, 4, 4});
-  const auto one = random_vertices(readers.codec(), random, lattice.dims, 1);
+  const auto vertices = random_vertices(readers.codec(), random, lattice.dims, 1);
   readers.send_bspline();
   readers.send(page_packet(0, lattice));
   readers.send(page_packet(1, lattice));
-  readers.send(page_vertices_packet(0, one));
+  readers.send(page_vertices_packet(0, vertices));
   readers.send(points_packet(0, lattice, 3, 1));
   ASSERT_TRUE(readers.run());
   EXPECT_GT(readers.bench().waits(kForReaders), 0U);
@@ -343,7 +343,7 @@ TEST_P(Fourth, FollowsEachResult) {
   if (has(model::kDerivativesFeature)) how.results = Results::kDerivatives;
   PageVertices without = how;
   without.fourth = false;
-  const std::size_t parts = results_of(how.results) * vertices.size();
+  const std::size_t result_count = results_of(how.results) * vertices.size();
   run.send_bspline(has(model::kDerivativesFeature) ? Functions::kDerivativesToo
                                                    : Functions::kBlending);
   run.send(page_packet(0, lattice));
@@ -355,16 +355,16 @@ TEST_P(Fourth, FollowsEachResult) {
   run.send(points_packet(0, plain, 0, plain.points.size()));
   run.send(page_vertices_packet(0, vertices, how));
   ASSERT_TRUE(run.run());
-  for (std::size_t r = 0; r < parts; ++r) {
-    EXPECT_EQ(run.words(2 * r, 1), run.words(2 * parts + r, 1));
+  for (std::size_t r = 0; r < result_count; ++r) {
+    EXPECT_EQ(run.words(2 * r, 1), run.words(2 * result_count + r, 1));
     const auto fourth = run.words(2 * r + 1, 1)[0];
-    EXPECT_EQ(fourth[0], run.words(3 * parts + r, 1)[0][0]);
+    EXPECT_EQ(fourth[0], run.words(3 * result_count + r, 1)[0][0]);
     EXPECT_EQ(fourth[1] | fourth[2], 0U);
     const auto& results = run.bench().results();
     EXPECT_EQ(results[2 * r].words[3] & kTagMask, results[2 * r + 1].words[3] & kTagMask);
-    EXPECT_EQ(results[2 * r + 1].last, r + 1 == parts);
+    EXPECT_EQ(results[2 * r + 1].last, r + 1 == result_count);
   }
-  EXPECT_EQ(run.words(0, 2 * parts), run.words(4 * parts, 2 * parts));
+  EXPECT_EQ(run.words(0, 2 * result_count), run.words(4 * result_count, 2 * result_count));
 }
 
 // The ends of the longest axes, cells of all their bits, a part in the last points.

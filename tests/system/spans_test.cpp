@@ -154,15 +154,15 @@ TEST_P(Spans, BadPackets) {
       {"a count of 1", 1, 3, event::kPacketLong},
   };
   tb::Random random(1);
-  for (const Bad& one : bad) {
-    SCOPED_TRACE(one.what);
+  for (const Bad& fault : bad) {
+    SCOPED_TRACE(fault.what);
     start(1);
     send(coefficients_packet(random_coefficients(codec_, random)));
     const LatticeWords lattice = random_lattice(codec_, random, most_points());
     send(lattice_packet(lattice));
     auto packet =
         spans_packets(0, 0, std::vector<AxisWords>(2, random_spans(codec_, random, 1)[0]));
-    packet[0].words[one.word] ^= one.bits;
+    packet[0].words[fault.word] ^= fault.bits;
     send(packet);
     send(vertices_packet(random_vertices(codec_, random, lattice.dims, 5)));
     const auto again = random_spans(codec_, random, 1);
@@ -174,7 +174,8 @@ TEST_P(Spans, BadPackets) {
     const auto saturated = static_cast<unsigned>(event::kSaturated);
     for (unsigned e = 0; e < kStreamEvents; ++e) {
       if (e == saturated || e == stream_event(event::kFunctionsSum)) continue;
-      EXPECT_EQ(run_->bench().events()[e], e == stream_event(one.code) ? 1U : 0U) << "event " << e;
+      EXPECT_EQ(run_->bench().events()[e], e == stream_event(fault.code) ? 1U : 0U)
+          << "event " << e;
     }
   }
 }

@@ -79,9 +79,10 @@ void add_lines(VertexBatch::Primitives& strips, const MeshRange& range, int axis
 }
 
 VertexBatch::Primitives all_points(std::size_t count) {
-  VertexBatch::Primitives one(1);
-  for (std::size_t point = 0; point < count; ++point) one[0].push_back(static_cast<GLuint>(point));
-  return one;
+  VertexBatch::Primitives primitives(1);
+  for (std::size_t point = 0; point < count; ++point)
+    primitives[0].push_back(static_cast<GLuint>(point));
+  return primitives;
 }
 
 void evaluate_mesh(GLenum mode, const MeshRange& range) {

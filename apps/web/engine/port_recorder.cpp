@@ -15,9 +15,9 @@ constexpr int kClockPeriod = 10;  // ns
 
 const Port& port(const std::string& name) {
   std::string known;
-  for (const Port& one : ports()) {
-    if (one.name == name) return one;
-    known += (known.empty() ? "" : ", ") + one.name;
+  for (const Port& port : ports()) {
+    if (port.name == name) return port;
+    known += (known.empty() ? "" : ", ") + port.name;
   }
   throw Error(fmt::format("port '{}': unknown; one of {}", name, known));
 }
@@ -63,9 +63,9 @@ void PortRecorder::sample(std::uint64_t clock) {
   }
   sample.clock = clock;
   sample.bytes.clear();
-  for (const Watched& one : watched_) {
-    const auto* const bytes = static_cast<const std::uint8_t*>(one.signal.data);
-    sample.bytes.insert(sample.bytes.end(), bytes, bytes + one.signal.bytes);
+  for (const Watched& watched : watched_) {
+    const auto* const bytes = static_cast<const std::uint8_t*>(watched.signal.data);
+    sample.bytes.insert(sample.bytes.end(), bytes, bytes + watched.signal.bytes);
   }
   samples_.push_back(std::move(sample));
 }
@@ -73,10 +73,10 @@ void PortRecorder::sample(std::uint64_t clock) {
 std::map<std::string, std::string> PortRecorder::values() const {
   std::map<std::string, std::string> values;
   std::size_t place = 0;
-  for (const Watched& one : watched_) {
+  for (const Watched& watched : watched_) {
     const std::uint8_t* const bytes = samples_.empty() ? nullptr : &samples_.back().bytes[place];
-    values[one.name] = bytes == nullptr ? "" : hexadecimal(bytes, one.signal.width);
-    place += static_cast<std::size_t>(one.signal.bytes);
+    values[watched.name] = bytes == nullptr ? "" : hexadecimal(bytes, watched.signal.width);
+    place += static_cast<std::size_t>(watched.signal.bytes);
   }
   return values;
 }

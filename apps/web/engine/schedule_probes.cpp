@@ -63,7 +63,7 @@ ScheduleProbes::ScheduleProbes(const SignalTable& signals, const Configuration& 
   }
   if (sequencers_.empty()) throw Error("core: built without probes; use cores/rtl/ffd_bench.vlt");
   sequencers_.back().contexts = contexts_of(row);
-  for (Sequencer& one : sequencers_) one.turns.resize(one.contexts);
+  for (Sequencer& sequencer : sequencers_) sequencer.turns.resize(sequencer.contexts);
 }
 
 void ScheduleProbes::look(Sequencer& sequencer, std::uint64_t clock) {

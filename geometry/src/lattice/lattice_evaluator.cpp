@@ -55,7 +55,7 @@ template <class Real>
 void VertexArrays<Real>::resize(std::size_t count) {
   origins.resize(count);
   for (auto* arrays : {&local, &position}) {
-    for (std::vector<Real>& one : *arrays) one.resize(count);
+    for (std::vector<Real>& array : *arrays) array.resize(count);
   }
 }
 

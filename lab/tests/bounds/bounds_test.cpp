@@ -20,9 +20,10 @@ std::vector<Candidate> some_points(int count) {
   std::mt19937_64 engine(5);
   std::vector<Candidate> points;
   for (int i = 0; i < count; ++i) {
-    Candidate one{axis_point<F>(horner, static_cast<std::uint32_t>(engine() >> 33)), 0, {}};
-    for (int l = 0; l < 4; ++l) one.units[l] = std::llround(std::ldexp(one.point.weight[l], 14));
-    points.push_back(one);
+    Candidate candidate{axis_point<F>(horner, static_cast<std::uint32_t>(engine() >> 33)), 0, {}};
+    for (int l = 0; l < 4; ++l)
+      candidate.units[l] = std::llround(std::ldexp(candidate.point.weight[l], 14));
+    points.push_back(candidate);
   }
   return points;
 }
@@ -40,7 +41,8 @@ double largest_of_all(const std::vector<Candidate>& points) {
 TEST(Triples, BranchAndBoundFindsTheLargest) {
   const auto points = some_points(40);
   std::vector<ErrorBox> boxes;
-  for (const Candidate& one : points) boxes.emplace_back().add(one.point.x, one.point.error());
+  for (const Candidate& candidate : points)
+    boxes.emplace_back().add(candidate.point.x, candidate.point.error());
   const double largest = largest_of_all(points);
   const TripleBound triples = bound_triples(boxes, 0.02);
   EXPECT_GE(triples.bound, largest);

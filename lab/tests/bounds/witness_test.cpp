@@ -44,8 +44,8 @@ nlohmann::json witnesses() {
 /// The witness of a row; null where there is none.
 nlohmann::json witness_of(const Configuration& row) {
   const std::string format = row.format + std::string(row.fma_latency > 0 ? "-fused" : "");
-  for (const nlohmann::json& one : witnesses()) {
-    if (one.at("form") == form_of(row) && one.at("format") == format) return one;
+  for (const nlohmann::json& witness : witnesses()) {
+    if (witness.at("form") == form_of(row) && witness.at("format") == format) return witness;
   }
   return nullptr;
 }

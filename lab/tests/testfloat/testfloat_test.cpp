@@ -32,10 +32,10 @@ TEST(Operands, OfThreeAreAllUsed) {
 }
 
 TEST(Operands, ASeedGivesThemAgain) {
-  Operands one(2, 3), same(2, 3), other(2, 4);
+  Operands operands(2, 3), same(2, 3), other(2, 4);
   bool differs = false;
   for (int i = 0; i < 1000; ++i) {
-    const auto words = one.next();
+    const auto words = operands.next();
     EXPECT_EQ(words, same.next());
     differs |= words != other.next();
   }

@@ -18,9 +18,9 @@ enum Channel : unsigned { kAr, kR, kAw, kW, kB, kChannels };
 /// Throttles of which one is shut after some clocks, for that many.
 tb::AxiThrottles shut(Channel channel, std::uint64_t after, std::uint64_t clocks) {
   tb::AxiThrottles throttles;
-  tb::Throttle* const one[] = {&throttles.ar, &throttles.r, &throttles.aw, &throttles.w,
-                               &throttles.b};
-  *one[channel] = tb::Throttle::shut_after(after + 1, clocks);
+  tb::Throttle* const channels[] = {&throttles.ar, &throttles.r, &throttles.aw, &throttles.w,
+                                    &throttles.b};
+  *channels[channel] = tb::Throttle::shut_after(after + 1, clocks);
   return throttles;
 }
 

@@ -39,8 +39,8 @@ template <class Port>
 void put_bits(Port& port, int low, int width, Int128 bits) {
   for (int i = 0; i < width; ++i) {
     const int word = (low + i) / 32, place = (low + i) % 32;
-    const auto one = static_cast<EData>(bits >> i & 1);
-    port[word] = (port[word] & ~(EData{1} << place)) | one << place;
+    const auto bit = static_cast<EData>(bits >> i & 1);
+    port[word] = (port[word] & ~(EData{1} << place)) | bit << place;
   }
 }
 

@@ -110,14 +110,14 @@ class Barrels : public ::testing::Test {
     }
     if ((sim_->valid_o >> i & 1) == 0) return;
     const std::uint8_t number = byte(sim_->vertex_o, i);
-    for (Barrel::Inside& one : barrel.inside) {
-      if (one.number != number) continue;
-      ++one.step;
-      const bool first = one.step == 0, last = one.step == barrel.steps - 1;
-      const bool good = byte(sim_->step_o, i) == one.step &&
-                        clock_ - one.clock == barrel.vertices &&
+    for (Barrel::Inside& vertex : barrel.inside) {
+      if (vertex.number != number) continue;
+      ++vertex.step;
+      const bool first = vertex.step == 0, last = vertex.step == barrel.steps - 1;
+      const bool good = byte(sim_->step_o, i) == vertex.step &&
+                        clock_ - vertex.clock == barrel.vertices &&
                         (sim_->first_o >> i & 1) == first && (sim_->last_o >> i & 1) == last;
-      one.clock = clock_;
+      vertex.clock = clock_;
       if (!good) ++barrel.wrong;
       if (last) end(barrel, number);
       return;

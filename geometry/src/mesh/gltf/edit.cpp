@@ -204,14 +204,14 @@ class Editor {
       if (!elements) elements = accessors_.elements_of(number);
       std::string bytes;
       for (const double value : *values) {
-        const std::string one = encoded(value, accessor);
-        if (one.empty()) {
+        const std::string component = encoded(value, accessor);
+        if (component.empty()) {
           throw Error(fmt::format(
               "vertex {} of mesh {}, primitive {}: its {} {} does not fit the numbers of accessor "
               "{}; write another format, such as ply",
               v, part.mesh, part.primitive, what, value, number));
         }
-        bytes += one;
+        bytes += component;
       }
       elements->replace(v * accessor.size, bytes.size(), bytes);
     }
