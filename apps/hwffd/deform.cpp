@@ -56,15 +56,15 @@ std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
 
 void warn(const std::string& text) { fmt::print(stderr, "hwffd: warning: {}\n", one_line(text)); }
 
-/// One line that names what became of parts of a file; none for no parts.
-void warn_of_parts(const std::string& file, const char* fate,
-                   const std::vector<std::string>& parts) {
+/// One line that names what became of features of a file; none for no features.
+void warn_of_features(const std::string& file, const char* fate,
+                      const std::vector<std::string>& features) {
   constexpr std::size_t kLongest = 120;
   std::string list;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string next = (i == 0 ? "" : ", ") + parts[i];
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string next = (i == 0 ? "" : ", ") + features[i];
     if (list.size() + next.size() > kLongest) {
-      list += fmt::format(" and {} more", parts.size() - i);
+      list += fmt::format(" and {} more", features.size() - i);
       break;
     }
     list += next;
@@ -78,14 +78,14 @@ void warn_of_losses(const Geometry& geometry, const std::string& output,
   if (geometry.is_mesh()) {
     const Mesh& mesh = geometry.mesh();
     if (mesh.edits(output)) {
-      warn_of_parts(output,
-                    "kept as they were, and so move the deformed shape as if it were at rest",
-                    mesh.unfollowed());
+      warn_of_features(output,
+                       "kept as they were, and so move the deformed shape as if it were at rest",
+                       mesh.unfollowed());
     } else {
-      warn_of_parts(geometry.name(), "dropped", mesh.dropped());
+      warn_of_features(geometry.name(), "dropped", mesh.dropped());
     }
   }
-  warn_of_parts(output, "dropped", losses);
+  warn_of_features(output, "dropped", losses);
 }
 
 void warn_of(const DeformReport& report) {

@@ -131,7 +131,7 @@ void add_contraction(std::vector<Lane>& lanes, const Configuration& c, const Uni
                      const Schedule& schedule) {
   const int side_by_side = hwffd::lanes(c);
   const int turns = folds(c) % 3 == 0 ? 3 : 1;
-  const int parts = folds(c) / turns;
+  const int folds_of_turn = folds(c) / turns;
   const int components = 3 / turns;
   const int more = gives_jacobian(c) ? 1 : 0;  // sums along each axis, one after the other
   Pipeline polynomials(schedule, schedule.polynomials);
@@ -140,19 +140,19 @@ void add_contraction(std::vector<Lane>& lanes, const Configuration& c, const Uni
                    polynomial_latency(c));
   Pipeline points(schedule, schedule.steps);
   points.pass(lanes, count_of(c.n, "point") + " read", units.read_latency);
-  add_differences(lanes, points, c, 16 * components / parts, "u");
+  add_differences(lanes, points, c, 16 * components / folds_of_turn, "u");
   points.expect(polynomials, c.name);
-  add_contract(lanes, points, c, 16 * components / parts * (1 + more), "u");
+  add_contract(lanes, points, c, 16 * components / folds_of_turn * (1 + more), "u");
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, 4 * components / parts * (1 + more), "t");
-  add_contract(lanes, points, c, 4 * components / parts * (1 + 2 * more), "t");
+  add_differences(lanes, points, c, 4 * components / folds_of_turn * (1 + more), "t");
+  add_contract(lanes, points, c, 4 * components / folds_of_turn * (1 + 2 * more), "t");
   if (scans(c)) {  // what vertices do along s is not of these steps, and not shown
     points.expect(schedule.sums, c.name);
     return;
   }
   points.pass(lanes, "narrowed", c.convert_latency);
-  add_differences(lanes, points, c, components * (1 + 2 * more), "s", parts == 4);
-  add_contract(lanes, points, c, components * (1 + 3 * more), "s", parts == 4);
+  add_differences(lanes, points, c, components * (1 + 2 * more), "s", folds_of_turn == 4);
+  add_contract(lanes, points, c, components * (1 + 3 * more), "s", folds_of_turn == 4);
   points.expect(schedule.sums, c.name);
 }
 

@@ -154,13 +154,14 @@ Errors measure(const Distribution& distribution, std::uint64_t seed, std::int64_
 std::vector<Result> study(std::int64_t vertices, std::uint64_t seed, const Progress& progress) {
   const auto each = static_cast<std::size_t>((vertices + kLattice - 1) / kLattice);
   const std::size_t all = each * distributions().size();
-  std::vector<Errors> parts(all);
+  std::vector<Errors> errors(all);
   on_threads(
       all,
       [&](std::size_t part) {
         const std::int64_t first = static_cast<std::int64_t>(part % each) * kLattice;
-        parts[part] = measure(distributions()[part / each], seed + 0x9E3779B97F4A7C15U * (part + 1),
-                              std::min(kLattice, vertices - first));
+        errors[part] =
+            measure(distributions()[part / each], seed + 0x9E3779B97F4A7C15U * (part + 1),
+                    std::min(kLattice, vertices - first));
       },
       [&](std::size_t done) { progress(static_cast<double>(done) / static_cast<double>(all)); });
   const bounds::AxisError axis = bounds::block_axis_error(Block32::kWidth);
@@ -169,7 +170,7 @@ std::vector<Result> study(std::int64_t vertices, std::uint64_t seed, const Progr
   std::vector<Result> results;
   for (std::size_t d = 0; d < distributions().size(); ++d) {
     Errors worst;
-    for (std::size_t p = 0; p < each; ++p) raise_to(worst, parts[d * each + p]);
+    for (std::size_t p = 0; p < each; ++p) raise_to(worst, errors[d * each + p]);
     for (int form = 0; form < kForms; ++form) {
       results.push_back({distributions()[d].name, form == 0 ? "product" : "factored",
                          worst.of_lattice[form], worst.of_support[form], bounds[form], vertices});

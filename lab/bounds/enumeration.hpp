@@ -10,11 +10,12 @@ namespace hwffd::certified {
 /// Every coordinate of a format, or one number of `stride`, in so many parts side by side: calls
 /// visit(part, AxisPoint) with both ends of what is rounded to the same number.
 template <class F, class Weights, class Visit>
-void visit_all(const Weights& weights, std::int64_t stride, std::size_t parts, const Visit& visit) {
+void visit_all(const Weights& weights, std::int64_t stride, std::size_t part_count,
+               const Visit& visit) {
   using C = Coordinates<F>;
-  on_threads(parts, [&](std::size_t part) {
+  on_threads(part_count, [&](std::size_t part) {
     const std::int64_t length = (C::kLast - C::kFirst) / stride + 1;
-    const auto count = static_cast<std::int64_t>(parts);
+    const auto count = static_cast<std::int64_t>(part_count);
     const std::int64_t from = length * static_cast<std::int64_t>(part) / count;
     const std::int64_t to = length * static_cast<std::int64_t>(part + 1) / count;
     AxisPoint point;
@@ -85,38 +86,38 @@ inline AxisPoint variant(AxisPoint point, int left) {
 template <class F, class Weights, class Also>
 AxisFacts axis_facts(const Weights& weights, std::int64_t stride, const std::vector<int>& lefts,
                      const Also& also) {
-  constexpr std::size_t kParts = 16;
-  struct Part {
+  constexpr std::size_t kPartials = 16;
+  struct Partial {
     AxisFacts facts;
     Extremes extremes;
   };
-  std::vector<Part> parts(kParts);
-  visit_all<F>(weights, stride, kParts, [&](std::size_t number, const AxisPoint& plain) {
-    Part& part = parts[number];
+  std::vector<Partial> partials(kPartials);
+  visit_all<F>(weights, stride, kPartials, [&](std::size_t number, const AxisPoint& plain) {
+    Partial& partial = partials[number];
     for (const int left : lefts) {
       const AxisPoint point = variant(plain, left);
       const Four e = point.error();
-      part.facts.error = std::max(part.facts.error, norm(e));
+      partial.facts.error = std::max(partial.facts.error, norm(e));
       for (const double of_one : e) {
-        if (std::abs(of_one) > part.facts.weight) {
-          part.facts.weight = std::abs(of_one);
-          part.facts.word = point.word;
+        if (std::abs(of_one) > partial.facts.weight) {
+          partial.facts.weight = std::abs(of_one);
+          partial.facts.word = point.word;
         }
       }
-      ++part.facts.coordinates;
-      part.extremes.visit(point);
+      ++partial.facts.coordinates;
+      partial.extremes.visit(point);
       also(point);
     }
   });
   AxisFacts all;
-  for (const Part& part : parts) {
-    if (part.facts.weight > all.weight) {
-      all.weight = part.facts.weight;
-      all.word = part.facts.word;
+  for (const Partial& partial : partials) {
+    if (partial.facts.weight > all.weight) {
+      all.weight = partial.facts.weight;
+      all.word = partial.facts.word;
     }
-    all.error = std::max(all.error, part.facts.error);
-    all.coordinates += part.facts.coordinates;
-    part.extremes.take(all.extreme);
+    all.error = std::max(all.error, partial.facts.error);
+    all.coordinates += partial.facts.coordinates;
+    partial.extremes.take(all.extreme);
   }
   return all;
 }

@@ -53,9 +53,9 @@ std::vector<double> bounds_of(const Rows& rows) {
 
 std::vector<Result> study(const Rows& rows, std::int64_t vertices, std::uint64_t seed,
                           const Progress& progress) {
-  std::vector<std::vector<Tally>> parts(kParts);
+  std::vector<std::vector<Tally>> tallies(kParts);
   on_threads(kParts, [&](std::size_t p) {
-    parts[p] = measure_part(rows, vertices, seed, static_cast<int>(p), progress);
+    tallies[p] = measure_part(rows, vertices, seed, static_cast<int>(p), progress);
   });
   const std::vector<double> bounds = bounds_of(rows);
   progress(1);
@@ -64,7 +64,7 @@ std::vector<Result> study(const Rows& rows, std::int64_t vertices, std::uint64_t
     const Row& row = *rows[r];
     Result result{row.form(), row.format(), row.word_length(), row.is_fixed(), 0,
                   0,          bounds[r],    vertices};
-    for (const std::vector<Tally>& part : parts) {
+    for (const std::vector<Tally>& part : tallies) {
       result.max_error = std::max(result.max_error, part[r].largest);
       result.rms_error += part[r].squares;
     }

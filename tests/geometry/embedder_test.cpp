@@ -348,13 +348,14 @@ TEST(NearestPlace, SearchIsBounded) {
   const NearestPlace::Result inside = tube.find(Point(0, 0.5, 0));
   EXPECT_NEAR(inside.distance, 0.5, 1e-3);
   EXPECT_LT(inside.parts, 2500);
-  double parts = 0.0;
+  double total_parts = 0.0;
   const Embedder embedder(test::sample_lattice("sphere", test::corners()));
   const NearestPlace sphere(embedder.lattice());
   const Points points = points_outside(embedder, 200, 0.7, 6);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) parts += sphere.find(Point(points.row(i))).parts;
-  std::printf("%.1f parts a point\n", parts / 200);
-  EXPECT_LT(parts / 200, 200);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    total_parts += sphere.find(Point(points.row(i))).parts;
+  std::printf("%.1f parts a point\n", total_parts / 200);
+  EXPECT_LT(total_parts / 200, 200);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ const char* const kHouse =
     "g big house\nusemtl red\nf 1/1/1 2/2/1 3/3/1 4/1/1\nusemtl blue\nf 1/1/2 2/2/2 5/3/2\n"
     "g shed\nusemtl red\nf 2/1/2 3/2/2 5/3/2\nf 3/1/2 4/2/2 5/3/2\n";
 
-void describe(const aiScene& scene, const aiNode& node, std::multiset<std::string>& parts) {
+void describe(const aiScene& scene, const aiNode& node, std::multiset<std::string>& descriptions) {
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& part = *scene.mMeshes[node.mMeshes[i]];
     aiString material;
@@ -109,16 +109,17 @@ void describe(const aiScene& scene, const aiNode& node, std::multiset<std::strin
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       text += " " + std::to_string(part.mFaces[f].mNumIndices);
     }
-    parts.insert(text);
+    descriptions.insert(text);
   }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) describe(scene, *node.mChildren[c], parts);
+  for (unsigned c = 0; c < node.mNumChildren; ++c)
+    describe(scene, *node.mChildren[c], descriptions);
 }
 
 /// Of each part its group, its material and the corners of its faces.
-std::multiset<std::string> parts_of(const Mesh& mesh) {
-  std::multiset<std::string> parts;
-  describe(mesh.scene(), *mesh.scene().mRootNode, parts);
-  return parts;
+std::multiset<std::string> descriptions_of(const Mesh& mesh) {
+  std::multiset<std::string> descriptions;
+  describe(mesh.scene(), *mesh.scene().mRootNode, descriptions);
+  return descriptions;
 }
 
 /// Position, normal and texture coordinates of every corner of every face.
@@ -149,7 +150,7 @@ class MeshKeep : public MeshFiles {
 TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
   struct Format {
     const char* name;
-    std::multiset<std::string> parts;
+    std::multiset<std::string> descriptions;
   };
   const std::multiset<std::string> all{"big house, red: 4", "big house, blue: 3", "shed, red: 3 3"};
   const std::multiset<std::string> triangles{"big house, red: 3 3", "big house, blue: 3",
@@ -161,9 +162,9 @@ TEST_F(MeshKeep, FacesGroupsMaterialsAndCorners) {
                                     {"a.stl", {", DefaultMaterial: 3 3 3 3 3"}}};
   for (const Format& format : formats) {
     Mesh mesh = load(kHouse);
-    ASSERT_EQ(parts_of(mesh), all);
+    ASSERT_EQ(descriptions_of(mesh), all);
     const Mesh got = again(mesh, format.name);
-    EXPECT_EQ(parts_of(got), format.parts) << format.name;
+    EXPECT_EQ(descriptions_of(got), format.descriptions) << format.name;
     EXPECT_EQ(got.vertex_count(), 5u) << format.name;
     if (std::string(format.name) != "a.stl") {
       EXPECT_EQ(corners_of(got), corners_of(mesh)) << format.name;
@@ -298,11 +299,11 @@ std::string square_3ds() {
 TEST_F(MeshKeep, FromA3dsFile) {
   for (const std::string name : {"a.obj", "a.gltf", "a.glb"}) {
     Mesh mesh = load(square_3ds(), "in.3ds");
-    const std::multiset<std::string> parts = parts_of(mesh);
-    ASSERT_EQ(parts, (std::multiset<std::string>{"square, red: 3", "square, blue: 3"}));
+    const std::multiset<std::string> descriptions = descriptions_of(mesh);
+    ASSERT_EQ(descriptions, (std::multiset<std::string>{"square, red: 3", "square, blue: 3"}));
     EXPECT_EQ(mesh.positions()(2, 1), 2.0);  // as written: y up
     const Mesh got = again(mesh, name);
-    EXPECT_EQ(parts_of(got), parts) << name;
+    EXPECT_EQ(descriptions_of(got), descriptions) << name;
     EXPECT_EQ(corners_of(got), corners_of(mesh)) << name;
     EXPECT_TRUE(got.scene().mMeshes[0]->HasTextureCoords(0)) << name;
   }

@@ -20,7 +20,7 @@ class Chairs : public testing::TestWithParam<Mesh (*)()> {
 
 /// Every edge of a part has one face on either side, and its faces look outwards.
 TEST_P(Chairs, PartsAreClosedAndTurnedOutwards) {
-  int parts = 0;
+  int part_count = 0;
   for (unsigned m = 0; m < chair_.scene().mNumMeshes; ++m) {
     const aiMesh& part = *chair_.scene().mMeshes[m];
     std::set<std::pair<unsigned, unsigned>> edges;
@@ -37,9 +37,9 @@ TEST_P(Chairs, PartsAreClosedAndTurnedOutwards) {
     }
     for (const auto& [a, b] : edges) EXPECT_EQ(edges.count({b, a}), 1u) << m;
     EXPECT_GT(volume, 1e-7) << m;
-    ++parts;
+    ++part_count;
   }
-  EXPECT_GE(parts, 10);
+  EXPECT_GE(part_count, 10);
 }
 
 TEST_P(Chairs, NormalsAreUnitAndLookOutwards) {

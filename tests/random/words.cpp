@@ -19,20 +19,20 @@ namespace {
 using namespace hwffd;
 using namespace hwffd::test;
 
-/// How the bench moves beats of a part of the stream, in the order of its parameters.
+/// How the bench moves beats of a segment of the stream, in the order of its parameters.
 struct Pace {
   unsigned source = 0;  ///< 0 always, 1 three of four clocks, 2 one of eight, 3 bursts
   unsigned sink = 0;    ///< the same; 3: not before nothing moves any more
 };
 
-/// What a part is for.
+/// What a segment is for.
 enum class Purpose {
   kAny,
   kMemory  ///< its only wait is that for memory
 };
 
 /// Packets that begin in an idle core.
-struct Part {
+struct Segment {
   std::vector<std::vector<Beat>> packets;
   Pace pace;
   Purpose purpose = Purpose::kAny;
@@ -44,7 +44,7 @@ struct Options {
   int n = 1;
   int other_n = 1;
   int fma = 0;
-  int parts = 3;
+  int segments = 3;
   int interval = 64;  ///< clocks of a vertex, about: slow cores have fewer
   std::uint64_t seed = 1;
   PageCore core;
@@ -55,21 +55,21 @@ Pace any_pace(tb::Random& random) {
           static_cast<unsigned>(random.pick({0, 1, 1, 2, 3, 3}))};
 }
 
-Part of_packets(std::vector<std::vector<Beat>> packets, const Pace& pace) {
-  Part part;
-  part.packets = std::move(packets);
-  part.pace = pace;
-  return part;
+Segment of_packets(std::vector<std::vector<Beat>> packets, const Pace& pace) {
+  Segment segment;
+  segment.packets = std::move(packets);
+  segment.pace = pace;
+  return segment;
 }
 
-/// Parts of every kind, in a random order after what loads the core.
-std::vector<Part> stream(const WordCodec& codec, const Options& options) {
+/// Segments of every kind, in a random order after what loads the core.
+std::vector<Segment> stream(const WordCodec& codec, const Options& options) {
   tb::Random random(options.seed);
   AnyPackets packets(codec, random, options.core);
-  std::vector<Part> parts;
+  std::vector<Segment> segments;
   const std::size_t most = options.interval > 16 ? 3 : 6;
   if (random.chance(0.7))
-    parts.push_back(of_packets({packets.vertices(0, most)}, any_pace(random)));
+    segments.push_back(of_packets({packets.vertices(0, most)}, any_pace(random)));
   const auto load = [&] {
     std::vector<std::vector<Beat>> some{packets.functions()};
     for (int more = std::min(options.core.pages, 2); more > 0; --more) {
@@ -78,38 +78,38 @@ std::vector<Part> stream(const WordCodec& codec, const Options& options) {
     if (packets.has(model::kSpansFeature)) some.push_back(packets.spans());
     return of_packets(std::move(some), any_pace(random));
   };
-  parts.push_back(load());
+  segments.push_back(load());
   const bool slow = options.interval > 64;
-  for (int p = 0; p < (slow ? 1 : options.parts); ++p) {
+  for (int p = 0; p < (slow ? 1 : options.segments); ++p) {
     switch (slow ? 1 + random.below(4) : random.below(5)) {
       case 0: {  // more small packets than the core holds
-        Part part = of_packets({}, {0, 3});
+        Segment segment = of_packets({}, {0, 3});
         for (int more = options.interval > 16 ? 44 : 60; more > 0; --more) {
           if (packets.has(model::kInterleavedFeature) && !packets.has(model::kResidentFeature) &&
               more > 12)
             continue;
-          part.packets.push_back(packets.vertices(packets.page(), 1));
+          segment.packets.push_back(packets.vertices(packets.page(), 1));
         }
-        parts.push_back(std::move(part));
+        segments.push_back(std::move(segment));
         break;
       }
       case 1: {
         const int page = packets.page();
-        Part part = of_packets({packets.vertices(page, 1), packets.overwriting(page)}, {});
-        part.purpose = Purpose::kMemory;
-        parts.push_back(load());
-        parts.push_back(std::move(part));
+        Segment segment = of_packets({packets.vertices(page, 1), packets.overwriting(page)}, {});
+        segment.purpose = Purpose::kMemory;
+        segments.push_back(load());
+        segments.push_back(std::move(segment));
         break;
       }
       default: {
-        Part part = of_packets({}, any_pace(random));
+        Segment segment = of_packets({}, any_pace(random));
         for (std::uint64_t more = random.between(3, 7); more > 0; --more)
-          part.packets.push_back(packets.any(most));
-        parts.push_back(std::move(part));
+          segment.packets.push_back(packets.any(most));
+        segments.push_back(std::move(segment));
       }
     }
   }
-  return parts;
+  return segments;
 }
 
 /// Whether the last result of a packet comes with `m_axis_tuser`.
@@ -121,16 +121,16 @@ bool marked(const std::vector<Beat>& packet, const Options& options) {
          (opcode == 7 || opcode == 8);
 }
 
-/// A result a line; behind each part a line with the events and vertices in it.
-std::vector<std::string> answers(const std::vector<Part>& parts, const Configuration& row,
+/// A result a line; behind each segment a line with the events and vertices in it.
+std::vector<std::string> answers(const std::vector<Segment>& segments, const Configuration& row,
                                  const Options& options) {
   const PageCore& core = options.core;
   model::StreamModel model(row, core.features, core.axis, core.pages, core.spans);
   std::vector<std::string> lines;
   model::StreamEvents before{};
   std::uint64_t vertices = 0;
-  for (const Part& part : parts) {
-    for (const auto& packet : part.packets) {
+  for (const Segment& segment : segments) {
+    for (const auto& packet : segment.packets) {
       for (const Beat& result : model.run(packet)) {
         const auto& w = result.words;
         lines.push_back(fmt::format("{:d} {:d} {:08x} {:08x} {:08x} {:08x}",
@@ -138,7 +138,7 @@ std::vector<std::string> answers(const std::vector<Part>& parts, const Configura
                                     w[1], w[0]));
       }
     }
-    std::string line = part.purpose == Purpose::kMemory ? "memory" : "any";
+    std::string line = segment.purpose == Purpose::kMemory ? "memory" : "any";
     for (std::size_t e = 0; e < before.size(); ++e)
       line += fmt::format(" {}", model.events()[e] - before[e]);
     lines.push_back(line + fmt::format(" {}", model.vertices() - vertices));
@@ -154,16 +154,17 @@ void write(const std::filesystem::path& path, const std::vector<std::string>& li
   if (!out.flush()) throw Error(path.string() + ": cannot be written");
 }
 
-std::vector<std::string> beat_lines(const std::vector<Part>& parts) {
+std::vector<std::string> beat_lines(const std::vector<Segment>& segments) {
   std::vector<std::string> lines;
-  for (const Part& part : parts) {
+  for (const Segment& segment : segments) {
     bool first = true;
-    for (const auto& packet : part.packets) {
+    for (const auto& packet : segment.packets) {
       for (const Beat& beat : packet) {
         const auto& w = beat.words;
-        lines.push_back(fmt::format("{:02x}_{:x}_{:08x}_{:08x}_{:08x}_{:08x}",
-                                    (first ? 1U : 0U) | part.pace.sink << 1 | part.pace.source << 3,
-                                    beat.last ? 1 : 0, w[3], w[2], w[1], w[0]));
+        lines.push_back(
+            fmt::format("{:02x}_{:x}_{:08x}_{:08x}_{:08x}_{:08x}",
+                        (first ? 1U : 0U) | segment.pace.sink << 1 | segment.pace.source << 3,
+                        beat.last ? 1 : 0, w[3], w[2], w[1], w[0]));
         first = false;
       }
     }
@@ -188,14 +189,14 @@ Configuration row_of(const Options& options, const std::string& org, int n) {
 
 void run(const Options& options) {
   const WordCodec codec(options.format);
-  const auto parts = stream(codec, options);
+  const auto segments = stream(codec, options);
   const std::filesystem::path folder(options.folder);
   std::filesystem::create_directories(folder);
-  write(folder / "beats.hex", beat_lines(parts));
-  write(folder / "model.txt", answers(parts, row_of(options, options.org, options.n), options));
+  write(folder / "beats.hex", beat_lines(segments));
+  write(folder / "model.txt", answers(segments, row_of(options, options.org, options.n), options));
   if (options.other.empty()) return;
   write(folder / "other.txt",
-        answers(parts, row_of(options, options.other, options.other_n), options));
+        answers(segments, row_of(options, options.other, options.other_n), options));
 }
 
 }  // namespace
@@ -217,7 +218,7 @@ int main(int argc, char** argv) {
     app.add_option("--pages", options.core.pages);
     app.add_option("--spans", options.core.spans);
     app.add_option("--interval", options.interval, "clocks of a vertex, about");
-    app.add_option("--parts", options.parts, "of the stream, about");
+    app.add_option("--parts", options.segments, "of the stream, about");
     app.add_option("--seed", options.seed);
     app.add_option("--folder", options.folder, "for beats.hex, model.txt and other.txt")
         ->required();

@@ -10,12 +10,12 @@ namespace hwffd::gl {
 
 DeviceChoice parse_device(const std::string& name) {
   DeviceChoice choice;
-  std::string* const parts[] = {&choice.device, &choice.org, &choice.format};
+  std::string* const fields[] = {&choice.device, &choice.org, &choice.format};
   std::size_t begin = 0;
-  for (std::string* part : parts) {
+  for (std::string* field : fields) {
     const std::size_t end = name.find(':', begin);
-    *part = name.substr(begin, end - begin);
-    if (part->empty()) break;
+    *field = name.substr(begin, end - begin);
+    if (field->empty()) break;
     if (end == std::string::npos) return choice;
     begin = end + 1;
   }

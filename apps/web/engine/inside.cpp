@@ -14,19 +14,19 @@ namespace {
 
 constexpr const char* kLane = "lane:";
 
-/// "lane:(BBB) P lane:of the tree" or "u_encoder:valid_q hwffd_stream:load" in parts.
-std::vector<std::string> parts_of(const std::string& busy) {
+/// "lane:(BBB) P lane:of the tree" or "u_encoder:valid_q hwffd_stream:load", one by one.
+std::vector<std::string> sources_of(const std::string& busy) {
   if (busy.rfind(kLane, 0) != 0) {
     std::istringstream words(busy);
     return {std::istream_iterator<std::string>(words), {}};
   }
-  std::vector<std::string> parts;
+  std::vector<std::string> sources;
   for (std::size_t start = 0; start != std::string::npos;) {
     const std::size_t next = busy.find(std::string(" ") + kLane, start);
-    parts.push_back(busy.substr(start, next == std::string::npos ? next : next - start));
+    sources.push_back(busy.substr(start, next == std::string::npos ? next : next - start));
     start = next == std::string::npos ? next : next + 1;
   }
-  return parts;
+  return sources;
 }
 
 bool holds(const cores::Lane& lane, std::uint64_t clock) {
@@ -58,12 +58,12 @@ Inside::Inside(RunningCore& core, const Configuration& row)
   if (keeps_cell(row)) forming_ = Forming{signals_.only("hwffd_stream:forming")};
   for (const Block& block : design_of(row).blocks) {
     Light light;
-    for (const std::string& part : parts_of(block.busy)) {
-      if (part.rfind(kLane, 0) == 0) {
-        light.lanes.push_back(part.substr(std::string(kLane).size()));
+    for (const std::string& source : sources_of(block.busy)) {
+      if (source.rfind(kLane, 0) == 0) {
+        light.lanes.push_back(source.substr(std::string(kLane).size()));
         continue;
       }
-      for (const cores::Signal& signal : signals_.find(part)) light.signals.push_back(signal);
+      for (const cores::Signal& signal : signals_.find(source)) light.signals.push_back(signal);
     }
     if (light.signals.empty() && light.lanes.empty()) {
       throw Error(fmt::format("block {}: the core shows none of its signals", block.id));

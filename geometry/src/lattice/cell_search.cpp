@@ -8,10 +8,10 @@ namespace hwffd {
 namespace {
 
 constexpr int kMaxDepth = 40;
-constexpr int kMaxParts = 4000;
+constexpr int kMaxSubcells = 4000;
 
-/// A part of the cell: low corner and width in local coordinates.
-struct Part {
+/// A subcell: low corner and width in local coordinates.
+struct Subcell {
   BezierVolume hull;  ///< relative to the point
   Eigen::Vector3d low;
   double width;
@@ -26,8 +26,8 @@ bool excludes_zero(const Coefficients& x, const Eigen::RowVector3d& tolerance) {
          (x.colwise().maxCoeff().array() < -tolerance.array()).any();
 }
 
-/// Whether a part cannot have the point: its coefficients lie on one side of it along x, y or z, or
-/// along s, t or u as they run on average through the part.
+/// Whether a subcell cannot have the point: its coefficients lie on one side of it along x, y or z,
+/// or along s, t or u as they run on average through the subcell.
 bool excluded(const BezierVolume& hull, double tolerance) {
   const Coefficients& x = hull.coefficients();
   if (excludes_zero(x, Eigen::RowVector3d::Constant(tolerance))) return true;
@@ -49,13 +49,13 @@ CellSearch search_cell(const Oracle& oracle, const Support& support, const Bezie
   CellSearch result;
   Coefficients relative = hull.coefficients();
   relative.rowwise() -= point.transpose();
-  std::vector<Part> parts{{{hull.degree(), relative}, Eigen::Vector3d::Zero(), 1.0, 0}};
+  std::vector<Subcell> subcells{{{hull.degree(), relative}, Eigen::Vector3d::Zero(), 1.0, 0}};
   bool undecided = false;
-  for (int visited = 0; !parts.empty(); ++visited) {
-    const Part part = std::move(parts.back());
-    parts.pop_back();
-    if (excluded(part.hull, tolerance)) continue;
-    const Eigen::Vector3d middle = part.low.array() + part.width / 2;
+  for (int visited = 0; !subcells.empty(); ++visited) {
+    const Subcell subcell = std::move(subcells.back());
+    subcells.pop_back();
+    if (excluded(subcell.hull, tolerance)) continue;
+    const Eigen::Vector3d middle = subcell.low.array() + subcell.width / 2;
     const Attempt attempt = newton(oracle, support, point, middle, done);
     result.iterations += attempt.iterations;
     if (attempt.residual <= tolerance) {
@@ -63,16 +63,17 @@ CellSearch search_cell(const Oracle& oracle, const Support& support, const Bezie
       result.attempt = attempt;
       return result;
     }
-    if (part.depth == kMaxDepth || visited >= kMaxParts) {
+    if (subcell.depth == kMaxDepth || visited >= kMaxSubcells) {
       undecided = true;
-      if (visited >= kMaxParts) break;
+      if (visited >= kMaxSubcells) break;
       continue;
     }
-    const auto octants = part.hull.octants();
+    const auto octants = subcell.hull.octants();
     for (int o = 0; o < 8; ++o) {
       const Eigen::Vector3d corner(o >> 2 & 1, o >> 1 & 1, o & 1);
-      parts.push_back({octants[static_cast<std::size_t>(o)], part.low + corner * part.width / 2,
-                       part.width / 2, part.depth + 1});
+      subcells.push_back({octants[static_cast<std::size_t>(o)],
+                          subcell.low + corner * subcell.width / 2, subcell.width / 2,
+                          subcell.depth + 1});
     }
   }
   if (undecided) result.outcome = CellSearch::Outcome::kUndecided;

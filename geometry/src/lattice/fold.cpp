@@ -15,13 +15,13 @@
 namespace hwffd {
 namespace {
 
-constexpr double kSame = 1e-12;           // of the lattice's size
-constexpr double kRounding = 1e-12;       // of the product of the largest derivatives
-constexpr std::size_t kMaxParts = 4000;   // of all cells together, left undecided at a level
-constexpr std::size_t kCellsAtOnce = 16;  // that a thread looks at
-constexpr std::size_t kPartsAtOnce = 8;
+constexpr double kSame = 1e-12;            // of the lattice's size
+constexpr double kRounding = 1e-12;        // of the product of the largest derivatives
+constexpr std::size_t kMaxRegions = 4000;  // of all cells together, left undecided at a level
+constexpr std::size_t kCellsAtOnce = 16;   // that a thread looks at
+constexpr std::size_t kRegionsAtOnce = 8;
 
-/// What the coefficients of det J say of its sign over a part.
+/// What the coefficients of det J say of its sign over a region.
 struct Bounds {
   double least, most;                ///< of all coefficients
   double corner_least, corner_most;  ///< of those at corners, which are values
@@ -31,8 +31,8 @@ struct Bounds {
   bool is_folded(double sign) const { return (sign > 0 ? corner_least : -corner_most) < -rounding; }
 };
 
-/// A part of a cell, and det J over it without the factors that vanish on collapsed faces.
-struct Part {
+/// A region of a cell, and det J over it without the factors that vanish on collapsed faces.
+struct Region {
   Index3 cell;
   Eigen::Vector3d low;  ///< its corner, in local coordinates
   double width;
@@ -81,8 +81,8 @@ double largest(const BezierVolume& volume) {
   return volume.coefficients().rowwise().norm().maxCoeff();
 }
 
-/// Level by level: the parts of a level are looked at on all threads and judged in their order, so
-/// that the answer is the same for any number of threads. Of whole cells only bounds are kept.
+/// Level by level: the regions of a level are looked at on all threads and judged in their order,
+/// so that the answer is the same for any number of threads. Of whole cells only bounds are kept.
 class Check {
  public:
   Check(const Lattice& lattice, const Family& family)
@@ -95,21 +95,21 @@ class Check {
   }
 
   FoldCheck run(int max_depth) {
-    std::vector<Part> parts = unclear_cells();
-    while (result_.verdict == FoldCheck::Verdict::kProved && !parts.empty()) {
-      if (result_.depth >= max_depth || parts.size() > kMaxParts / 8) {
-        report(FoldCheck::Verdict::kUndecided, parts.front(), Eigen::Vector3d::Constant(0.5));
+    std::vector<Region> regions = unclear_cells();
+    while (result_.verdict == FoldCheck::Verdict::kProved && !regions.empty()) {
+      if (result_.depth >= max_depth || regions.size() > kMaxRegions / 8) {
+        report(FoldCheck::Verdict::kUndecided, regions.front(), Eigen::Vector3d::Constant(0.5));
         break;
       }
       ++result_.depth;
-      parts = unclear(halved(parts));
+      regions = unclear(halved(regions));
     }
     return result_;
   }
 
  private:
   struct Cell {
-    Part part;
+    Region region;
     double volume;
     bool collapsed;
   };
@@ -140,7 +140,7 @@ class Check {
   }
 
   /// The cells that are not proved, up to the first that folds, which is reported.
-  std::vector<Part> unclear_cells() {
+  std::vector<Region> unclear_cells() {
     const std::vector<Index3> cells = places(count_);
     std::vector<Bounds> bounds(cells.size());
     std::vector<double> volumes(cells.size());
@@ -148,7 +148,7 @@ class Check {
     on_ranges(cells.size(), kCellsAtOnce, [&](std::size_t first, std::size_t end) {
       for (std::size_t c = first; c < end; ++c) {
         const Cell cell = cell_at(cells[c]);
-        bounds[c] = cell.part.bounds();
+        bounds[c] = cell.region.bounds();
         volumes[c] = cell.volume;
         if (cell.collapsed) collapsed = true;
       }
@@ -156,68 +156,68 @@ class Check {
     result_.collapsed = collapsed;
     result_.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
     sign_ = result_.volume < 0 ? -1.0 : 1.0;
-    return unclear(bounds, [&](std::size_t c) { return cell_at(cells[c]).part; });
+    return unclear(bounds, [&](std::size_t c) { return cell_at(cells[c]).region; });
   }
 
-  std::vector<Part> unclear(std::vector<Part> parts) {
-    std::vector<Bounds> bounds(parts.size());
-    on_ranges(parts.size(), kPartsAtOnce, [&](std::size_t first, std::size_t end) {
-      for (std::size_t p = first; p < end; ++p) bounds[p] = parts[p].bounds();
+  std::vector<Region> unclear(std::vector<Region> regions) {
+    std::vector<Bounds> bounds(regions.size());
+    on_ranges(regions.size(), kRegionsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t p = first; p < end; ++p) bounds[p] = regions[p].bounds();
     });
-    return unclear(bounds, [&](std::size_t p) { return std::move(parts[p]); });
+    return unclear(bounds, [&](std::size_t p) { return std::move(regions[p]); });
   }
 
-  /// The parts that are not proved, as many as undecided() needs, up to one that folds, which is
+  /// The regions that are not proved, as many as undecided() needs, up to one that folds, which is
   /// reported.
-  template <typename PartAt>
-  std::vector<Part> unclear(const std::vector<Bounds>& bounds, const PartAt& part_at) {
-    std::vector<Part> result;
+  template <typename RegionAt>
+  std::vector<Region> unclear(const std::vector<Bounds>& bounds, const RegionAt& region_at) {
+    std::vector<Region> result;
     for (std::size_t p = 0; p < bounds.size(); ++p) {
       if (bounds[p].is_folded(sign_)) {
-        report_fold(part_at(p));
+        report_fold(region_at(p));
         return {};
       }
-      if (!bounds[p].is_proved(sign_) && result.size() <= kMaxParts / 8) {
-        result.push_back(part_at(p));
+      if (!bounds[p].is_proved(sign_) && result.size() <= kMaxRegions / 8) {
+        result.push_back(region_at(p));
       }
     }
     return result;
   }
 
   /// Corner coefficients are values: one of the other sign is a fold.
-  void report_fold(const Part& part) {
+  void report_fold(const Region& region) {
     for (const Index3& corner : places({2, 2, 2})) {
-      if (sign_ * part.at(corner) >= -part.rounding) continue;
-      report(FoldCheck::Verdict::kFolded, part, Eigen::Vector3d(corner[0], corner[1], corner[2]));
+      if (sign_ * region.at(corner) >= -region.rounding) continue;
+      report(FoldCheck::Verdict::kFolded, region, Eigen::Vector3d(corner[0], corner[1], corner[2]));
       return;
     }
   }
 
-  void report(FoldCheck::Verdict verdict, const Part& part, const Eigen::Vector3d& at) {
+  void report(FoldCheck::Verdict verdict, const Region& region, const Eigen::Vector3d& at) {
     result_.verdict = verdict;
-    result_.cell = part.cell;
-    result_.local = part.low + part.width * at;
+    result_.cell = region.cell;
+    result_.local = region.low + region.width * at;
   }
 
-  static std::vector<Part> halved(const std::vector<Part>& parts) {
-    std::vector<std::vector<Part>> octants(parts.size());
-    on_ranges(parts.size(), kPartsAtOnce, [&](std::size_t first, std::size_t end) {
-      for (std::size_t p = first; p < end; ++p) octants[p] = halved(parts[p]);
+  static std::vector<Region> halved(const std::vector<Region>& regions) {
+    std::vector<std::vector<Region>> octants(regions.size());
+    on_ranges(regions.size(), kRegionsAtOnce, [&](std::size_t first, std::size_t end) {
+      for (std::size_t p = first; p < end; ++p) octants[p] = halved(regions[p]);
     });
-    std::vector<Part> result;
-    for (std::vector<Part>& some : octants) {
+    std::vector<Region> result;
+    for (std::vector<Region>& some : octants) {
       std::move(some.begin(), some.end(), std::back_inserter(result));
     }
     return result;
   }
 
-  static std::vector<Part> halved(const Part& part) {
-    auto octants = part.determinant.octants();
-    std::vector<Part> result;
+  static std::vector<Region> halved(const Region& region) {
+    auto octants = region.determinant.octants();
+    std::vector<Region> result;
     for (std::size_t o = 0; o < octants.size(); ++o) {
       const Eigen::Vector3d corner(o >> 2 & 1, o >> 1 & 1, o & 1);
-      result.push_back({part.cell, part.low + corner * part.width / 2, part.width / 2,
-                        std::move(octants[o]), part.rounding});
+      result.push_back({region.cell, region.low + corner * region.width / 2, region.width / 2,
+                        std::move(octants[o]), region.rounding});
     }
     return result;
   }

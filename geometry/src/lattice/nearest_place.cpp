@@ -33,8 +33,8 @@ bool joined(const Closure& closure, int axis, int end) {
          std::any_of(closure.collapsed().begin(), closure.collapsed().end(), here);
 }
 
-/// A part of a face: its corner nearest to s = t = u = 0, and its extent along s, t, u.
-struct Part {
+/// A patch of a face: its corner nearest to s = t = u = 0, and its extent along s, t, u.
+struct Patch {
   double bound;
   Index3 cell;
   BezierVolume hull;
@@ -42,7 +42,7 @@ struct Part {
   Eigen::Vector3d extent;
 
   Eigen::Vector3d middle() const { return low + extent / 2; }
-  bool operator<(const Part& other) const { return bound > other.bound; }  // heap: least on top
+  bool operator<(const Patch& other) const { return bound > other.bound; }  // heap: least on top
 };
 
 }  // namespace
@@ -90,10 +90,10 @@ class NearestPlace::Search {
     std::make_heap(open_.begin(), open_.end());
     while (!open_.empty() && best_.parts < kMaxParts) {
       std::pop_heap(open_.begin(), open_.end());
-      const Part part = std::move(open_.back());
+      const Patch patch = std::move(open_.back());
       open_.pop_back();
-      if (part.bound >= limit()) break;
-      split(part);
+      if (patch.bound >= limit()) break;
+      split(patch);
     }
     return best_;
   }
@@ -143,23 +143,23 @@ class NearestPlace::Search {
       ++best_.parts;
       const double least = bound(face->hull);
       if (least >= best_.distance) continue;
-      Part part{least, face->cell, face->hull, Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
-      part.low[face->axis] = face->end;
-      part.extent[face->axis] = 0.0;
-      descend(face->cell, of_.support(face->cell), part.middle());
-      open_.push_back(std::move(part));
+      Patch patch{least, face->cell, face->hull, Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
+      patch.low[face->axis] = face->end;
+      patch.extent[face->axis] = 0.0;
+      descend(face->cell, of_.support(face->cell), patch.middle());
+      open_.push_back(std::move(patch));
     }
   }
 
-  /// Quarters a part; keeps the quarters that may be nearer than the best place.
-  void split(const Part& part) {
-    std::vector<Part> parts{part};
+  /// Quarters a patch; keeps the quarters that may be nearer than the best place.
+  void split(const Patch& patch) {
+    std::vector<Patch> patches{patch};
     for (int axis = 0; axis < 3; ++axis) {
-      if (part.extent[axis] == 0.0) continue;
-      std::vector<Part> halves;
-      for (const Part& whole : parts) {
+      if (patch.extent[axis] == 0.0) continue;
+      std::vector<Patch> halves;
+      for (const Patch& whole : patches) {
         auto hulls = whole.hull.halves(axis);
-        Part half = whole;
+        Patch half = whole;
         half.extent[axis] /= 2;
         half.hull = std::move(hulls[0]);
         halves.push_back(half);
@@ -167,16 +167,16 @@ class NearestPlace::Search {
         half.hull = std::move(hulls[1]);
         halves.push_back(std::move(half));
       }
-      parts = std::move(halves);
+      patches = std::move(halves);
     }
-    const Support support = of_.support(part.cell);
-    for (Part& quarter : parts) {
+    const Support support = of_.support(patch.cell);
+    for (Patch& quarter : patches) {
       ++best_.parts;
       quarter.bound = bound(quarter.hull);
       if (quarter.bound >= limit()) continue;
       const Eigen::Vector3d middle = quarter.middle();
       const Point there = oracle_.evaluate(support, middle[0], middle[1], middle[2]);
-      if ((there - point_).norm() < best_.distance) descend(part.cell, support, middle);
+      if ((there - point_).norm() < best_.distance) descend(patch.cell, support, middle);
       open_.push_back(std::move(quarter));
       std::push_heap(open_.begin(), open_.end());
     }
@@ -186,7 +186,7 @@ class NearestPlace::Search {
   Oracle oracle_;
   Point point_;
   Result best_;
-  std::vector<Part> open_;
+  std::vector<Patch> open_;
 };
 
 NearestPlace::Result NearestPlace::find(const Point& point) const {

@@ -100,18 +100,18 @@ Points pull_back(const Attachment& attachment, const Points& gradient) {
   const std::size_t size = (places + kPartialSums - 1) / kPartialSums;
   Points result = Points::Zero(attachment.rest().points().rows(), 3);
   if (size == 0) return result;
-  std::vector<Points> parts((places + size - 1) / size, result);
+  std::vector<Points> partial_sums((places + size - 1) / size, result);
   on_ranges(places, size, [&](std::size_t first, std::size_t end) {
-    Points& part = parts[first / size];
+    Points& sum = partial_sums[first / size];
     for (std::size_t p = first; p < end; ++p) {
       const PlaceWeights weights = weights_at(attachment, p);
       const Eigen::RowVector3d of_point = gradient.row(attachment.follower(p).row);
       for (std::size_t w = 0; w < kWeights; ++w) {
-        part.row(weights.columns[w]) += weights.values[w] * of_point;
+        sum.row(weights.columns[w]) += weights.values[w] * of_point;
       }
     }
   });
-  for (const Points& part : parts) result += part;
+  for (const Points& sum : partial_sums) result += sum;
   return result;
 }
 

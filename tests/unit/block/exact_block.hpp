@@ -24,15 +24,15 @@ inline Class sum_class(Class a, Class b) {
   return Class::kNan;
 }
 
-/// The parts of a binary32 word: (-1)^negative significand 2^power.
-struct Parts {
+/// The fields of a binary32 word: (-1)^negative significand 2^power.
+struct FloatFields {
   Class kind = Class::kFinite;
   bool negative = false;
   std::int64_t significand = 0;
   int power = 0;
 };
 
-inline Parts parts_of(std::uint32_t word) {
+inline FloatFields float_fields(std::uint32_t word) {
   const bool negative = word >> 31 != 0;
   const int field = static_cast<int>(word >> 23 & 0xFF);
   const std::int64_t fraction = word & 0x7FFFFF;
@@ -45,10 +45,10 @@ inline Parts parts_of(std::uint32_t word) {
 }
 
 /// The multiple of 2^-fraction nearest to a word, ties upward, in a signed word of `width` bits.
-inline Rounded aligned(const Parts& parts, int fraction, int width) {
+inline Rounded aligned(const FloatFields& fields, int fraction, int width) {
   constexpr int kFar = 80;  // beyond it every bit counts alike
-  Int128 num = parts.negative ? -parts.significand : parts.significand;
-  int power = parts.power + fraction;
+  Int128 num = fields.negative ? -fields.significand : fields.significand;
+  int power = fields.power + fraction;
   if (power > kFar) power = kFar;
   if (power < -kFar) power = -kFar;
   for (; power > 0; --power) num *= 2;

@@ -56,10 +56,10 @@ struct Place {
 template <class F>
 Place place_of(std::uint32_t word) {
   if constexpr (kBinary32<F> || kBlock<F>) {
-    const Parts parts = parts_of(word);
-    if (parts.kind != Class::kFinite) return {true, false, !parts.negative};
-    const bool below = parts.negative && parts.significand != 0;
-    const bool above = !parts.negative && aligned(parts, 32, 70).value > Int128{1} << 32;
+    const FloatFields fields = float_fields(word);
+    if (fields.kind != Class::kFinite) return {true, false, !fields.negative};
+    const bool below = fields.negative && fields.significand != 0;
+    const bool above = !fields.negative && aligned(fields, 32, 70).value > Int128{1} << 32;
     return {false, below || above, above};
   } else {
     const bool below = word >= 0xC0000000U;

@@ -67,12 +67,12 @@ template <class F>
 Value exact_coordinate(std::uint32_t word) {
   constexpr int W = kWidth<F>;
   if constexpr (kBlock<F>) {
-    const Parts parts = parts_of(word);
+    const FloatFields fields = float_fields(word);
     const Int128 one = Int128{1} << (W - 2);
-    if (parts.kind != Class::kFinite) return {parts.negative ? 0 : one, true};
-    if (parts.negative) return {0, parts.significand != 0};
+    if (fields.kind != Class::kFinite) return {fields.negative ? 0 : one, true};
+    if (fields.negative) return {0, fields.significand != 0};
     const bool above = word > 0x3F800000U;
-    return {above ? one : aligned(parts, W - 2, 64).value, above};
+    return {above ? one : aligned(fields, W - 2, 64).value, above};
   } else {
     const bool below = word >= 0xC0000000U;
     const bool outside = word > 0x80000000U;
@@ -85,9 +85,9 @@ template <class F>
 Int128 exact_point(const Operands& o) {
   constexpr int W = kWidth<F>;
   if constexpr (kBlock<F>) {
-    const Parts parts = parts_of(o.word);
-    if (parts.kind != Class::kFinite) return packed({0, false, parts.kind}, W);
-    return packed(aligned(parts, W - 1 - o.exponent, W), false, W);
+    const FloatFields fields = float_fields(o.word);
+    if (fields.kind != Class::kFinite) return packed({0, false, fields.kind}, W);
+    return packed(aligned(fields, W - 1 - o.exponent, W), false, W);
   } else {
     return packed(nearest({static_cast<std::int32_t>(o.word), 31}, W - 1, W), false, W);
   }
