@@ -136,11 +136,11 @@ void write_to(int descriptor, const FileContent& file) {
 void take_after(int descriptor, const struct stat& old) {
   constexpr uid_t kSameUser = static_cast<uid_t>(-1);
   constexpr gid_t kSameGroup = static_cast<gid_t>(-1);
-  const bool group_kept = ::fchown(descriptor, kSameUser, old.st_gid) == 0;
-  const bool owner_kept = ::fchown(descriptor, old.st_uid, kSameGroup) == 0;
-  static_cast<void>(owner_kept);
+  const bool group_restored = ::fchown(descriptor, kSameUser, old.st_gid) == 0;
+  const bool owner_restored = ::fchown(descriptor, old.st_uid, kSameGroup) == 0;
+  static_cast<void>(owner_restored);
   // What one group was allowed is not for another.
-  ::fchmod(descriptor, old.st_mode & (group_kept ? kPermissions : kPermissions & ~S_IRWXG));
+  ::fchmod(descriptor, old.st_mode & (group_restored ? kPermissions : kPermissions & ~S_IRWXG));
 }
 
 /// Files beside their targets. It removes, when it goes out of scope, those that were not renamed.

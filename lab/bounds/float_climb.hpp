@@ -46,7 +46,7 @@ class FloatSums {
   PartialSum by_pairs() { return tree(0, 64).front(); }
 
  private:
-  static constexpr int kKept = 12;
+  static constexpr int kBeamWidth = 12;
   static constexpr int kLeaves = 24;
 
   /// Near 1, so that sums are large and so are their roundings.
@@ -58,7 +58,7 @@ class FloatSums {
   }
 
   static std::vector<PartialSum> pruned(std::vector<PartialSum>& all) {
-    const auto count = std::min<std::size_t>(all.size(), kKept);
+    const auto count = std::min<std::size_t>(all.size(), kBeamWidth);
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
                       [](const auto& a, const auto& b) { return a.error > b.error; });
     all.resize(count);
@@ -68,7 +68,7 @@ class FloatSums {
   std::vector<PartialSum> tree(int first, int count) {
     std::vector<PartialSum> all;
     if (count == 2) {
-      for (int choice = 0; choice < kLeaves * kKept; ++choice) {
+      for (int choice = 0; choice < kLeaves * kBeamWidth; ++choice) {
         PartialSum pair;
         pair.point[first] = draw();
         pair.point[first + 1] = draw();

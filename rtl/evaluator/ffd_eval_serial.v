@@ -41,8 +41,8 @@ module ffd_eval_serial #(
   localparam EARLY        = POLY_LATENCY + 4 - READ_LATENCY;
   localparam START        = EARLY > 32 ? 48 : EARLY > 16 ? 32 : 16;
   // Clocks from a base of u to the point of t that its group makes.
-  localparam MADE         = MUL_LATENCY + CONVERT_LATENCY + 5;
-  localparam GROUPS       = (MADE + 3) / 4;
+  localparam T_LATENCY    = MUL_LATENCY + CONVERT_LATENCY + 5;
+  localparam GROUPS       = (T_LATENCY + 3) / 4;
 
   generate
     if (ADD_LATENCY != 1) begin : gen_bad_add_latency
@@ -52,7 +52,7 @@ module ffd_eval_serial #(
       ERROR_ffd_eval_serial_mul_latency_must_be_1_to_3_not_1_without_conversion u_error ();
     end
     // A vertex stays for 64 clocks, and what a round of t makes waits for 16.
-    if (EARLY > 48 || MADE > 16 || READ_LATENCY > 14) begin : gen_bad_latencies
+    if (EARLY > 48 || T_LATENCY > 16 || READ_LATENCY > 14) begin : gen_bad_latencies
       ERROR_ffd_eval_serial_latencies_are_too_long u_error ();
     end
   endgenerate
@@ -268,7 +268,7 @@ module ffd_eval_serial #(
         .FORMAT         (FORMAT),
         .MUL_LATENCY    (MUL_LATENCY),
         .CONVERT_LATENCY(CONVERT_LATENCY),
-        .DELAY          (4 * GROUPS - MADE)
+        .DELAY          (4 * GROUPS - T_LATENCY)
       ) u_component (
         .clk          (clk),
         .point_i      (read_points_i[c*POINT_W +: POINT_W]),

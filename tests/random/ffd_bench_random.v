@@ -127,14 +127,14 @@ module ffd_bench_random #(
   );
 
   reg  watched;
-  wire m_told = watched && m_valid;
-  wire e_told = watched && events != 0;
+  wire check_m = watched && m_valid;
+  wire check_e = watched && events != 0;
   ffd_bench_known #(7, "tready, tvalid, vertex_o, wait_o or idle_o") k_control(
       aclk, watched, {in_ready, out_valid, vertex, waits, idle});
   ffd_bench_known #(1, "upset_o")               k_upset (aclk, watched, upset);
   ffd_bench_known #(`FFD_EVENTS, "event_o")     k_event (aclk, watched, events);
-  ffd_bench_known #(130, "tdata, tlast, tuser") k_result(aclk, m_told, {m_user, m_last, m_data});
-  ffd_bench_known #(64, "place of an event")    k_place (aclk, e_told, {event_packet, event_beat});
+  ffd_bench_known #(130, "tdata, tlast, tuser") k_result(aclk, check_m, {m_user, m_last, m_data});
+  ffd_bench_known #(64, "place of an event")    k_place (aclk, check_e, {event_packet, event_beat});
 
   reg  [139:0]  beats [0:BEATS-1];  // {pace, drain}, tlast, data
   wire [139:0]  next = beats[at];

@@ -14,7 +14,7 @@ namespace hwffd::python {
 /// Points that stay attached, as Python has them: never changed, so many may share one.
 struct PyEmbedding {
   static constexpr const char* kName = "Embedding";
-  static constexpr const char* kMadeBy = "embed of a lattice";
+  static constexpr const char* kFactory = "embed of a lattice";
 
   std::shared_ptr<const Attachment> attachment;
   std::vector<py::ssize_t> shape;  ///< of the points, (..., 3)
@@ -26,7 +26,7 @@ struct PyEmbedding {
 class PyLattice {
  public:
   static constexpr const char* kName = "Lattice";
-  static constexpr const char* kMadeBy = "Lattice.of, around or read";
+  static constexpr const char* kFactory = "Lattice.of, around or read";
 
   explicit PyLattice(DeformableLattice lattice) : lattice_(std::move(lattice)) {}
 
@@ -74,7 +74,7 @@ template <typename Object>
 struct constructed_caster : type_caster_base<Object> {
   bool load(handle object, bool convert) {
     if (isinstance<Object>(object)) {
-      hwffd::python::check_constructed(object, Object::kName, Object::kMadeBy);
+      hwffd::python::check_constructed(object, Object::kName, Object::kFactory);
     }
     return type_caster_base<Object>::load(object, convert);
   }

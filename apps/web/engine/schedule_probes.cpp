@@ -84,7 +84,7 @@ void ScheduleProbes::sample(std::uint64_t clock) {
   if (sum_.value() != 0) sums_.push_back(clock);
   if (end_ == 0) begin_ = clock;
   end_ = clock + 1;
-  begin_ = std::max(begin_, end_ > kKept ? end_ - kKept : 0);
+  begin_ = std::max(begin_, end_ > kWindow ? end_ - kWindow : 0);
   const auto of_entry = [](const cores::Entry& entry) { return entry.clock; };
   for (Sequencer& sequencer : sequencers_) forget(sequencer.starts, begin_, of_entry);
   forget(steps_, begin_, of_entry);

@@ -16,7 +16,7 @@ namespace hwffd::web {
 class ScheduleProbes {
  public:
   /// Clocks that are kept: those shown, and those in which what is shown then has begun.
-  static constexpr std::uint64_t kKept = 1024;
+  static constexpr std::uint64_t kWindow = 1024;
 
   /// Throws Error where the core lacks a probe.
   ScheduleProbes(const SignalTable& signals, const Configuration& row);

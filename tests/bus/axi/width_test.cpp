@@ -16,23 +16,23 @@ namespace {
 constexpr std::uint64_t kTimeout = 400;
 constexpr std::uint64_t kNever = std::uint64_t{1} << 60;
 
-using MadeCore = std::unique_ptr<cores::AxiCore>;
+using CorePtr = std::unique_ptr<cores::AxiCore>;
 
 template <class VDut>
-MadeCore make_core(std::uint64_t seed) {
+CorePtr make_core(std::uint64_t seed) {
   return std::make_unique<cores::VerilatedAxiCore<VDut>>(seed);
 }
 
 struct Port {
   const char* name;
-  MadeCore (*make)(std::uint64_t seed);
+  CorePtr (*make)(std::uint64_t seed);
 };
 void PrintTo(const Port& port, std::ostream* out) { *out << port.name; }
 
 /// Counts the clocks in which a read is open and no data comes.
 class ReadCounter final : public cores::AxiCore {
  public:
-  ReadCounter(MadeCore core, std::uint64_t& waits) : core_(std::move(core)), waits_(waits) {}
+  ReadCounter(CorePtr core, std::uint64_t& waits) : core_(std::move(core)), waits_(waits) {}
   void exchange(bool in_reset, cores::AxiLitePins& registers, cores::AxiPins& bus) override {
     core_->exchange(in_reset, registers, bus);
     if (in_reset) return;
@@ -45,7 +45,7 @@ class ReadCounter final : public cores::AxiCore {
   unsigned data_width() const override { return core_->data_width(); }
 
  private:
-  MadeCore core_;
+  CorePtr core_;
   std::uint64_t& waits_;
   int reads_ = 0;
 };
