@@ -11,10 +11,10 @@ constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double kFilled = 0.94;  // of the picture's width or height, by what is looked at
 
 /// Rows: right, up, and back to the eye.
-Eigen::Matrix3d axes(const Point& back_z, const Point& up) {
+Eigen::Matrix3d axes(const Point& back, const Point& up) {
   Eigen::Matrix3d rows;
-  rows.row(2) = back_z.normalized();
-  rows.row(0) = up.cross(back_z).normalized();
+  rows.row(2) = back.normalized();
+  rows.row(0) = up.cross(back).normalized();
   rows.row(1) = rows.row(2).cross(rows.row(0));
   return rows;
 }
