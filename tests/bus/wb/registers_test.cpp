@@ -177,7 +177,7 @@ class EveryMaster : public testing::TestWithParam<Traffic> {};
 INSTANTIATE_TEST_SUITE_P(Wishbone, EveryMaster,
                          testing::Values(Traffic{"always", 1, 0}, Traffic{"half", 0.5, 0},
                                          Traffic{"rare", 0.1, 0}, Traffic{"impatient", 0.7, 0.2}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& traffic) { return traffic.param.name; });
 
 TEST_P(EveryMaster, EqualsTheModelInEveryClock) {
   const std::uint64_t seed = tb::seed_from_environment(1);
