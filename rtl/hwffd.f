@@ -2,7 +2,6 @@
 // `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
 // not matter, but for the first one, which is Verilator's.
 // Made by tools/tables/generated_files.py from what is there; changes here are lost.
-+incdir+bus
 +incdir+common
 +incdir+evaluator
 +incdir+number

@@ -17,18 +17,93 @@
 `include "ffd_stream.vh"
 
 module ffd_bus_core #(
-  `include "ffd_bus_parameters.vh"
+  parameter ORG               = 0,
+  parameter N                 = 1,
+  parameter FORMAT            = 18,
+  parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY       = 2,
+  parameter ADD_LATENCY       = 1,
+  parameter FMA_LATENCY       = 0,
+  parameter CONVERT_LATENCY   = 1,
+  parameter AXIS              = 16,
+  parameter PAGES             = 2,
+  parameter IN_FLIGHT         = 0,
+  parameter WAITING           = 16,
+  parameter FEATURES          = `FFD_FEATURES,
+  parameter SPANS             = 1,
+  parameter MAX_BURST         = 256,
+  parameter READ_DEPTH        = 512,
+  parameter WRITE_DEPTH       = 512,
+  parameter READ_OUTSTANDING  = 8,
+  parameter WRITE_OUTSTANDING = 8,
+  parameter FLUSH_CLOCKS      = 16,
+  parameter COUNT_WIDTH       = 0,
+  parameter BUS_TIMEOUT       = 1048576,
+  parameter AXI_PROT          = 2,
+  parameter AXI_CACHE         = 2,
+  parameter ADDRESS_WIDTH     = 64,
+  parameter DATA_WIDTH        = 128,
+  parameter ID_WIDTH          = 1,
+  parameter ID                = 0,
+  parameter HARDENED          = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
-  `include "ffd_word_ports.vh"
+  // While it is high, in reset and 16 clocks after, nothing may be valid.
+  output wire         s_clearing,
+
+  // A write acts in the clock of its valid and is answered in it; its word comes a clock before.
+  input  wire         s_write_valid,
+  input  wire [9:0]   s_write_word,
+  input  wire [31:0]  s_write_data,
+  input  wire [3:0]   s_write_strobe,
+  output wire         s_write_error,
+
+  // A read is answered in the clock of its valid; its word comes a clock before.
+  input  wire         s_read_valid,
+  input  wire [9:0]   s_read_word,
+  output wire [31:0]  s_read_data,
+  output wire         s_read_error,
   input  wire         awake_i,  // a word comes, or is answered
   input  wire         upset_i,  // a copy of the slave differed
   output wire         sleep_o,
   output wire         irq_o,
   output wire [ID_WIDTH-1:0] m_axi_arid,
   output wire [ID_WIDTH-1:0] m_axi_awid,
-  `include "ffd_axi_ports.vh"
+
+  // Reads: bursts of whole beats at rising addresses.
+  output wire         m_axi_arvalid,
+  input  wire         m_axi_arready,
+  output wire [ADDRESS_WIDTH-1:0] m_axi_araddr,
+  output wire [7:0]   m_axi_arlen,
+  output wire [2:0]   m_axi_arsize,
+  output wire [1:0]   m_axi_arburst,
+  output wire [3:0]   m_axi_arcache,
+  output wire [2:0]   m_axi_arprot,
+  input  wire         m_axi_rvalid,
+  output wire         m_axi_rready,
+  input  wire [DATA_WIDTH-1:0] m_axi_rdata,
+  input  wire [1:0]   m_axi_rresp,
+  input  wire         m_axi_rlast,
+
+  // Writes: the same, each byte of a beat written, or of one of its halves of 16 bytes.
+  output wire         m_axi_awvalid,
+  input  wire         m_axi_awready,
+  output wire [ADDRESS_WIDTH-1:0] m_axi_awaddr,
+  output wire [7:0]   m_axi_awlen,
+  output wire [2:0]   m_axi_awsize,
+  output wire [1:0]   m_axi_awburst,
+  output wire [3:0]   m_axi_awcache,
+  output wire [2:0]   m_axi_awprot,
+  output wire         m_axi_wvalid,
+  input  wire         m_axi_wready,
+  output wire [DATA_WIDTH-1:0] m_axi_wdata,
+  output wire [DATA_WIDTH/8-1:0] m_axi_wstrb,
+  output wire         m_axi_wlast,
+  input  wire         m_axi_bvalid,
+  output wire         m_axi_bready,
+  input  wire [1:0]   m_axi_bresp
 );
   generate
     if (IN_FLIGHT >= 65536) begin : gen_bad_in_flight
@@ -50,7 +125,18 @@ module ffd_bus_core #(
     end
   endgenerate
 
-  `include "ffd_config_words.vh"
+  localparam [31:0] ORG_WORD       = ORG;
+  localparam [31:0] N_WORD         = N;
+  localparam [31:0] FORMAT_WORD    = FORMAT;
+  localparam [31:0] SCHEDULE_WORD  = SCHEDULE;
+  localparam [31:0] EVALUATOR_WORD = EVALUATOR;
+  localparam [31:0] IN_FLIGHT_WORD = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
+  // No lattice is kept: no points an axis, no pages.
+  localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
+  localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
+  localparam [31:0] SPANS_WORD     = SPANS;
+  localparam [31:0] FEATURES_WORD  = FEATURES;
+  localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
   localparam [31:0] ID_WORD        = ID;
@@ -129,8 +215,38 @@ module ffd_bus_core #(
   ) u_registers (
     .clk                     (clk),
     .rst                     (rst),
-    `include "ffd_word_connections.vh"
-    `include "ffd_config_connections.vh"
+    .s_clearing              (s_clearing),
+    .s_write_valid           (s_write_valid),
+    .s_write_word            (s_write_word),
+    .s_write_data            (s_write_data),
+    .s_write_strobe          (s_write_strobe),
+    .s_write_error           (s_write_error),
+    .s_read_valid            (s_read_valid),
+    .s_read_word             (s_read_word),
+    .s_read_data             (s_read_data),
+    .s_read_error            (s_read_error),
+    .config_org_i            (ORG_WORD[7:0]),
+    .config_n_i              (N_WORD[7:0]),
+    .config_format_i         (FORMAT_WORD[7:0]),
+    .config_schedule_i       (SCHEDULE_WORD[0]),
+    .config_evaluator_i      (EVALUATOR_WORD[1:0]),
+    .limits_in_flight_i      (IN_FLIGHT_WORD[15:0]),
+    .limits_points_axis_i    (AXIS_WORD[7:0]),
+    .limits2_pages_i         (PAGES_WORD[15:0]),
+    .limits2_spans_i         (SPANS_WORD[7:0]),
+    .limits2_count_width_i   (COUNT_WORD[5:0]),
+    .limits2_hardened_i      (HARDENED != 0),
+    .features_pages_i        (FEATURES_WORD[0]),
+    .features_large_i        (FEATURES_WORD[1]),
+    .features_fourth_i       (FEATURES_WORD[2]),
+    .features_spans_i        (FEATURES_WORD[3]),
+    .features_grids_i        (FEATURES_WORD[4]),
+    .features_packed_i       (FEATURES_WORD[5]),
+    .features_marks_i        (FEATURES_WORD[6]),
+    .features_resident_i     (FEATURES_WORD[8]),
+    .features_interleaved_i  (FEATURES_WORD[9]),
+    .features_derivatives_i  (FEATURES_WORD[10]),
+    .features_determinant_i  (FEATURES_WORD[11]),
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),
@@ -333,7 +449,29 @@ module ffd_bus_core #(
     .s_result_mark        (result_mark),
     .m_axi_araddr         (read_address),
     .m_axi_awaddr         (write_address),
-    `include "ffd_axi_connections.vh"
+    .m_axi_arvalid (m_axi_arvalid),
+    .m_axi_arready (m_axi_arready),
+    .m_axi_arlen   (m_axi_arlen),
+    .m_axi_arsize  (m_axi_arsize),
+    .m_axi_arburst (m_axi_arburst),
+    .m_axi_rvalid  (m_axi_rvalid),
+    .m_axi_rready  (m_axi_rready),
+    .m_axi_rdata   (m_axi_rdata),
+    .m_axi_rresp   (m_axi_rresp),
+    .m_axi_rlast   (m_axi_rlast),
+    .m_axi_awvalid (m_axi_awvalid),
+    .m_axi_awready (m_axi_awready),
+    .m_axi_awlen   (m_axi_awlen),
+    .m_axi_awsize  (m_axi_awsize),
+    .m_axi_awburst (m_axi_awburst),
+    .m_axi_wvalid  (m_axi_wvalid),
+    .m_axi_wready  (m_axi_wready),
+    .m_axi_wdata   (m_axi_wdata),
+    .m_axi_wstrb   (m_axi_wstrb),
+    .m_axi_wlast   (m_axi_wlast),
+    .m_axi_bvalid  (m_axi_bvalid),
+    .m_axi_bready  (m_axi_bready),
+    .m_axi_bresp   (m_axi_bresp)
   );
 
   // ---- the core

@@ -8,7 +8,7 @@
 // error_address_valid_i is high, an address; error_any_i is high where a bit is. Outputs of w1
 // fields are pulses of one clock.
 //
-// Writes and reads come as words, of any bus (ffd_word_ports.vh), and do not wait for each other.
+// Writes and reads come as words, of any bus, and do not wait for each other.
 // In the same clock a read sees what was there before the write.
 //
 // Pipeline:   a write acts at the end of the clock of s_write_valid; irq_o follows a clock later.
@@ -34,7 +34,21 @@ module ffd_bus_registers #(
 ) (
   input  wire        clk,
   input  wire        rst,
-  `include "ffd_word_ports.vh"
+  // While it is high, in reset and 16 clocks after, nothing may be valid.
+  output wire        s_clearing,
+
+  // A write acts in the clock of its valid and is answered in it; its word comes a clock before.
+  input  wire        s_write_valid,
+  input  wire [9:0]  s_write_word,
+  input  wire [31:0] s_write_data,
+  input  wire [3:0]  s_write_strobe,
+  output wire        s_write_error,
+
+  // A read is answered in the clock of its valid; its word comes a clock before.
+  input  wire        s_read_valid,
+  input  wire [9:0]  s_read_word,
+  output wire [31:0] s_read_data,
+  output wire        s_read_error,
   output wire        differs_o,
   input  wire [7:0]  config_org_i,
   input  wire [7:0]  config_n_i,

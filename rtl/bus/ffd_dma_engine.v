@@ -127,14 +127,59 @@ module ffd_dma_engine #(
   assign {m_axi_arburst, m_axi_awburst} = {2 {2'b01}};    // INCR
 
   // ---- soft reset, and holding one half while the other is in error, or both
-  `include "ffd_halt_wires.vh"
+  wire clearing;
+  wire half_rst;
+  wire hold_read;
+  wire hold_write;
+  wire read_quiet;
+  wire read_open;
+  wire read_empty;
+  wire read_fault;
+  wire write_busy;
+  wire write_empty;
+  wire write_fault;
+  wire write_started;
+  wire ring_empty;
+  wire ring_started;
+  wire guard_rst;
+  wire guard_quiet_read;
+  wire guard_quiet_write;
+  wire guard_fault;
+  wire [4:0] late;
   assign clearing_o    = clearing;
   assign result_busy_o = write_busy;
 
   ffd_dma_halt #(
     .HARDENED(HARDENED)
   ) u_halt (
-    `include "ffd_halt_connections.vh"
+    .clk                (clk),
+    .rst                (rst),
+    .soft_reset_i       (soft_reset_i),
+    .read_quiet_i       (read_quiet),
+    .read_open_i        (read_open),
+    .read_empty_i       (read_empty),
+    .read_fault_i       (read_fault),
+    .write_busy_i       (write_busy),
+    .write_empty_i      (write_empty),
+    .write_fault_i      (write_fault),
+    .write_started_i    (write_started),
+    .ring_empty_i       (ring_empty),
+    .ring_started_i     (ring_started),
+    .ring_running_i     (ring_running_o),
+    .result_running_i   (result_running_o),
+    .late_i             (late),
+    .timeout_i          (timeout_o),
+    .guard_quiet_read_i (guard_quiet_read),
+    .guard_quiet_write_i(guard_quiet_write),
+    .guard_fault_i      (guard_fault),
+    .guard_rst_o        (guard_rst),
+    .soft_o             (clearing),
+    .half_rst_o         (half_rst),
+    .hold_read_o        (hold_read),
+    .hold_write_o       (hold_write),
+    .fault_o            (fault_o),
+    .idle_o             (idle_o),
+    .halted_o           (halted_o)
   );
 
   // ---- the ring, whose errors never come with one of the bus; addresses are 0 but with an error
@@ -205,7 +250,27 @@ module ffd_dma_engine #(
   wire         beat_last;
   wire         read_upset;
   wire         write_upset;
-  `include "ffd_guard_wires.vh"
+  wire        ar_valid;
+  wire        ar_ready;
+  wire [63:0] ar_address;
+  wire [7:0]  ar_len;
+  wire        r_valid;
+  wire        r_ready;
+  wire        aw_valid;
+  wire        aw_ready;
+  wire [63:0] aw_address;
+  wire [7:0]  aw_len;
+  wire        w_valid;
+  wire        w_ready;
+  wire [DATA_WIDTH-1:0] w_data;
+  wire [DATA_WIDTH/8-1:0] w_strobe;
+  wire        w_last;
+  wire        b_valid;
+  wire        b_ready;
+  wire [63:0] read_first;
+  wire [63:0] read_last;
+  wire [63:0] write_first;
+  wire [63:0] write_last;
   wire         out_valid;
   wire         out_ready;
   wire [127:0] out_data;
@@ -378,7 +443,41 @@ module ffd_dma_engine #(
     .window_o     (upset_o[1]),
     .burst_o      (upset_o[2]),
     .copy_o       (upset_o[3]),
-    `include "ffd_guard_connections.vh"
+    .s_ar_valid   (ar_valid),
+    .s_ar_ready   (ar_ready),
+    .s_ar_address (ar_address),
+    .s_ar_len     (ar_len),
+    .s_r_valid    (r_valid),
+    .s_r_ready    (r_ready),
+    .s_aw_valid   (aw_valid),
+    .s_aw_ready   (aw_ready),
+    .s_aw_address (aw_address),
+    .s_aw_len     (aw_len),
+    .s_w_valid    (w_valid),
+    .s_w_ready    (w_ready),
+    .s_w_data     (w_data),
+    .s_w_strobe   (w_strobe),
+    .s_w_last     (w_last),
+    .s_b_valid    (b_valid),
+    .s_b_ready    (b_ready),
+    .m_axi_arvalid(m_axi_arvalid),
+    .m_axi_arready(m_axi_arready),
+    .m_axi_araddr (m_axi_araddr),
+    .m_axi_arlen  (m_axi_arlen),
+    .m_axi_rvalid (m_axi_rvalid),
+    .m_axi_rready (m_axi_rready),
+    .m_axi_rlast  (m_axi_rlast),
+    .m_axi_awvalid(m_axi_awvalid),
+    .m_axi_awready(m_axi_awready),
+    .m_axi_awaddr (m_axi_awaddr),
+    .m_axi_awlen  (m_axi_awlen),
+    .m_axi_wvalid (m_axi_wvalid),
+    .m_axi_wready (m_axi_wready),
+    .m_axi_wdata  (m_axi_wdata),
+    .m_axi_wstrb  (m_axi_wstrb),
+    .m_axi_wlast  (m_axi_wlast),
+    .m_axi_bvalid (m_axi_bvalid),
+    .m_axi_bready (m_axi_bready)
   );
   assign upset_o[0] = read_upset || write_upset;
 
@@ -389,7 +488,18 @@ module ffd_dma_engine #(
   ) u_watch (
     .clk      (clk),
     .rst      (half_rst),
-    `include "ffd_watch_connections.vh"
+    .arvalid_i(m_axi_arvalid),
+    .arready_i(m_axi_arready),
+    .rvalid_i (m_axi_rvalid),
+    .rready_i (m_axi_rready),
+    .rlast_i  (m_axi_rlast),
+    .awvalid_i(m_axi_awvalid),
+    .awready_i(m_axi_awready),
+    .wvalid_i (m_axi_wvalid),
+    .wready_i (m_axi_wready),
+    .wlast_i  (m_axi_wlast),
+    .bvalid_i (m_axi_bvalid),
+    .bready_i (m_axi_bready),
     .late_o   (late),
     .timeout_o(timeout_o)
   );

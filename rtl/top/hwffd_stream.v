@@ -23,7 +23,15 @@
 `include "ffd_stream.vh"
 
 module hwffd_stream #(
-  `include "ffd_row_parameters.vh"
+  parameter ORG             = 0,
+  parameter N               = 1,
+  parameter FORMAT          = 18,
+  parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY     = 2,
+  parameter ADD_LATENCY     = 1,
+  parameter FMA_LATENCY     = 0,
+  parameter CONVERT_LATENCY = 1,
   parameter AXIS            = 16,
   parameter PAGES           = 2,
   parameter IN_FLIGHT       = 0,

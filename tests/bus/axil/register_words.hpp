@@ -2,7 +2,7 @@
 
 namespace hwffd::test {
 
-/// The words of the registers, from the slave of a bus to the register block (ffd_word_ports.vh).
+/// The words of the registers, from the slave of a bus to the register block.
 template <class Slave, class Registers>
 void connect_words(const Slave& slave, Registers& registers) {
   registers.s_write_valid = slave.m_write_valid;
