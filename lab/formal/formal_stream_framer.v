@@ -20,6 +20,12 @@ module formal_stream_framer #(
   wire                    claims;
   wire                    idle;
 
+  wire [`FFD_PACKET_W-1:0] packet;
+  ffd_stream_opcode u_opcode (
+    .opcode_i(data[7:0]),
+    .packet_o(packet)
+  );
+
   ffd_stream_framer #(
     .AXIS(AXIS)
   ) u_dut (
@@ -27,6 +33,7 @@ module formal_stream_framer #(
     .rst     (rst),
     .take_i  (take),
     .data_i  (data),
+    .packet_i(packet),
     .last_i  (last),
     .as_i    (3'd0),
     .refuse_i(1'b0),

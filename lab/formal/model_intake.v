@@ -44,6 +44,12 @@ module model_intake #(
   wire                    held;
   assign there_o = held || m_valid;
 
+  wire [`FFD_PACKET_W-1:0] packet;
+  ffd_stream_opcode u_opcode (
+    .opcode_i(s_data[7:0]),
+    .packet_o(packet)
+  );
+
   ffd_stream_framer #(
     .AXIS(AXIS)
   ) u_framer (
@@ -51,6 +57,7 @@ module model_intake #(
     .rst     (rst),
     .take_i  (s_valid && s_ready),
     .data_i  (s_data),
+    .packet_i(packet),
     .last_i  (s_last),
     .as_i    (3'd0),
     .refuse_i(1'b0),

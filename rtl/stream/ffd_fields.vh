@@ -20,6 +20,15 @@
 `define FFD_RETIRE_BANK      0     // its bank of coefficients
 `define FFD_RETIRE_BUFFER    1     // its buffer of the resident lattice
 `define FFD_RETIRE_RESIDENT  2     // it has read that buffer
+`define FFD_PACKET_COEFFICIENTS 0     // opcode 1: functions of every cell
+`define FFD_PACKET_LATTICE   1     // opcode 2: a whole lattice
+`define FFD_PACKET_VERTICES  2     // opcode 3: vertices of the lattice
+`define FFD_PACKET_INTERLEAVED 3     // opcode 4: vertices with points of their own
+`define FFD_PACKET_PAGE      4     // opcode 5: a lattice for a page
+`define FFD_PACKET_POINTS    5     // opcode 6: points of a page
+`define FFD_PACKET_PAGE_VERTICES 6     // opcode 7: vertices of a page
+`define FFD_PACKET_GRID      7     // opcode 8: vertices of a grid
+`define FFD_PACKET_SPANS     8     // opcode 9: functions of spans
 `define FFD_FRAME_INDEX      11:0  // place in the payload, three digits, the fastest lowest
 `define FFD_FRAME_TOP        12    // every digit of it is at its last value
 `define FFD_FRAME_HEADER     13    // the header of a packet
@@ -39,6 +48,7 @@
 `define FFD_FRAME_PAGE       32    // a header that waits for what is known of its page
 `define FFD_FRAME_SPAN       33    // event: spans beyond the table
 `define FFD_FRAME_REFUSED    34    // event: a grid or a packed vertex that is refused
+`define FFD_FRAME_PACKET     43:35 // of a header: the kind of its packet
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -48,5 +58,6 @@
 `define FFD_USER_W           27    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
-`define FFD_FRAME_W          35    // width
+`define FFD_PACKET_W         9     // width
+`define FFD_FRAME_W          44    // width
 `endif

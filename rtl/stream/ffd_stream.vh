@@ -10,8 +10,9 @@
 // when the vertex has left.
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
-// What a beat would be as a header: its opcode, good dimensions, a count of 0; points of a part of
-// a page; vertices until tlast; spans, and whether they are beyond the table.
+// What a beat would be as a header of the kind that ffd_stream_opcode says: what of it the core
+// takes, good dimensions, a count of 0; points of a part of a page; vertices until tlast; spans, and
+// whether they are beyond the table.
 `define FFD_KIND_COEFFICIENTS 0
 `define FFD_KIND_LATTICE      1
 `define FFD_KIND_DIMENSIONS   2

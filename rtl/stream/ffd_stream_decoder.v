@@ -105,6 +105,7 @@ module ffd_stream_decoder #(
   wire        top      = beat_frame_i[`FFD_FRAME_TOP];
   wire        finish   = beat_frame_i[`FFD_FRAME_FINISH];
   wire        of_page  = beat_frame_i[`FFD_FRAME_PAGE];
+  wire [`FFD_PACKET_W-1:0] packet = beat_frame_i[`FFD_FRAME_PACKET];
 
   // ---- what the header says
 
@@ -114,7 +115,7 @@ module ffd_stream_decoder #(
   reg  [EXPONENT_W-1:0] exponent_q;
   always @(posedge clk) begin
     if (take && header) begin
-      resident_q <= beat_data_i[0];  // opcode 3, not 4
+      resident_q <= packet[`FFD_PACKET_VERTICES] || packet[`FFD_PACKET_PAGE_VERTICES];
       mode_q     <= beat_data_i[65:64];
       results_q  <= beat_data_i[73:72];
       exponent_q <= beat_data_i[96 +: EXPONENT_W] & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
@@ -393,6 +394,8 @@ module ffd_stream_decoder #(
                                       << `FFD_STREAM_EVENT(`FFD_EVENT_FUNCTIONS_SUM);
   assign event_o = framing | of_vertex | of_functions;
   assign idle_o  = !any_inside && !moving;
+
+  wire unused_ok = &{1'b0, packet};
 endmodule
 
 `default_nettype wire

@@ -33,10 +33,12 @@ module ffd_stream_expand #(
   input  wire                           s_beat_valid,
   output wire                           s_beat_ready,
   input  wire [127:0]                   s_beat_data,
+  input  wire [`FFD_PACKET_W-1:0]       s_beat_packet,  // of a header
   input  wire                           s_beat_last,
   output wire                           m_beat_valid,
   input  wire                           m_beat_ready,
   output wire [127:0]                   m_beat_data,
+  output wire [`FFD_PACKET_W-1:0]       m_beat_packet,
   output wire                           m_beat_last,
   output wire [2:0]                     as_o,
   input  wire                           expects_i,    // the framer, a vertex
@@ -49,9 +51,6 @@ module ffd_stream_expand #(
   localparam PACKED = `FFD_FEATURE_PACKED(FEATURES);
   localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
   localparam LARGE  = `FFD_FEATURE_LARGE(FEATURES);
-  localparam [7:0] OPCODE_VERTICES = 8'd3;
-  localparam [7:0] OPCODE_OF_PAGE  = 8'd7;
-  localparam [7:0] OPCODE_GRID     = 8'd8;
   localparam [2:0] HEADER = 3'd0;
   localparam [2:0] PASS   = 3'd1;
   localparam [2:0] PAIRS  = 3'd2;
@@ -84,20 +83,25 @@ module ffd_stream_expand #(
 
   // ---- headers
 
-  wire [7:0] opcode  = s_beat_data[7:0];
-  wire       of_page = opcode == OPCODE_OF_PAGE && PAGES != 0;
+  wire       of_page = s_beat_packet[`FFD_PACKET_PAGE_VERTICES];
   // Of a grid no mode, no E and no P; without pages nothing but the kind of results.
   wire       strange = s_beat_data[16] || s_beat_data[18] || s_beat_data[65:64] != 2'd0
                     || (PAGES == 0 && (s_beat_data[31:8] != 24'd0 || s_beat_data[71:66] != 6'd0
                                        || s_beat_data[95:74] != 22'd0));
   wire       header  = take && state_q == HEADER;
-  wire       grid    = GRIDS != 0 && opcode == OPCODE_GRID && !strange;
+  wire       grid    = s_beat_packet[`FFD_PACKET_GRID] && !strange;
   wire       pairs   = PACKED != 0 && s_beat_data[18]
-                    && (opcode == OPCODE_VERTICES || (of_page && !s_beat_data[19]));
-  wire [127:0] grid_header = {32'd0, s_beat_data[95:17], 1'b1, s_beat_data[15:8],
-                              PAGES != 0 ? OPCODE_OF_PAGE : OPCODE_VERTICES};
+                    && (s_beat_packet[`FFD_PACKET_VERTICES] || (of_page && !s_beat_data[19]));
+  wire [127:0] grid_header = {32'd0, s_beat_data[95:17], 1'b1, s_beat_data[15:0]};
   wire [127:0] new_header = grid ? grid_header
                            : {s_beat_data[127:19], s_beat_data[18] && !pairs, s_beat_data[17:0]};
+
+  // A grid that is well formed goes on as vertices of its page, any other as nothing that is known.
+  localparam [`FFD_PACKET_W-1:0] ONE_KIND = 1;
+  localparam [`FFD_PACKET_W-1:0] OF_GRID  =
+      ONE_KIND << (PAGES != 0 ? `FFD_PACKET_PAGE_VERTICES : `FFD_PACKET_VERTICES);
+  wire [`FFD_PACKET_W-1:0] known  = s_beat_packet & ~(ONE_KIND << `FFD_PACKET_GRID);
+  reg  [`FFD_PACKET_W-1:0] packet_q;
 
   // ---- a pair of vertices
 
@@ -203,6 +207,7 @@ module ffd_stream_expand #(
       vertex_q <= vertex;
       second_q <= rest_q;
       data_q   <= vertex ? vertex_data : header ? new_header : s_beat_data;
+      packet_q <= grid ? OF_GRID : known;
       last_q   <= rest_q ? rest_last_q : of_grid ? walk_last : state_q == CLOSE
                || (state_q == PAIRS ? alone : s_beat_last);
       as_q     <= rest_q || state_q == PAIRS ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
@@ -227,7 +232,8 @@ module ffd_stream_expand #(
   // ---- its words
 
   assign m_beat_valid = valid_q;
-  assign m_beat_last  = last_q;
+  assign m_beat_last   = last_q;
+  assign m_beat_packet = packet_q;
   assign as_o         = second_q && !expects_i ? `FFD_AS_NOTHING : as_q;
   assign m_beat_data[127:96] = data_q[127:96];
   genvar a;

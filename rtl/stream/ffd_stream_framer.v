@@ -38,6 +38,7 @@ module ffd_stream_framer #(
   input  wire                      rst,
   input  wire                      take_i,
   input  wire [127:0]              data_i,
+  input  wire [`FFD_PACKET_W-1:0]  packet_i,  // of a header
   input  wire                      last_i,
   input  wire [2:0]                as_i,      // FFD_AS_*
   output wire [`FFD_FRAME_W-1:0]   frame_o,
@@ -64,9 +65,10 @@ module ffd_stream_framer #(
     .FEATURES(FEATURES),
     .SPANS   (SPANS)
   ) u_header (
-    .data_i(data_i),
-    .grid_i(as == `FFD_AS_GRID),
-    .kind_o(kind)
+    .data_i  (data_i),
+    .packet_i(packet_i),
+    .grid_i  (as == `FFD_AS_GRID),
+    .kind_o  (kind)
   );
 
   wire is_coefficients = kind[`FFD_KIND_COEFFICIENTS];
@@ -219,6 +221,7 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
   assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign frame_o[`FFD_FRAME_REFUSED]  = vertex_q && (as == `FFD_AS_REFUSED || no_grid);
+  assign frame_o[`FFD_FRAME_PACKET]   = packet_i;
   assign claims_o                     = vertex_q && own;
   assign expects_o                    = vertex_q;
   assign idle_o                       = header_q;

@@ -151,13 +151,14 @@ module ffd_stream_functions #(
 
       // ---- the packet
 
-      reg              spans_q;  // opcode 9, else 1
+      wire [`FFD_PACKET_W-1:0] packet = frame_i[`FFD_FRAME_PACKET];
+      reg              spans_q;  // else of every cell
       reg              ends_q;
       reg [1:0]        axis_q;
       reg [SPAN_W-1:0] span_q;
       always @(posedge clk) begin
         if (take_i && header) begin
-          spans_q <= data_i[3];
+          spans_q <= packet[`FFD_PACKET_SPANS];
           ends_q  <= data_i[16];
           axis_q  <= data_i[87:86];
         end
@@ -300,7 +301,7 @@ module ffd_stream_functions #(
         .q_o({load_axis_o, load_shift_o, load_address_o})
       );
 
-      wire unused_ok = &{1'b0, place_there_i, data_i, frame_i, index};
+      wire unused_ok = &{1'b0, place_there_i, data_i, frame_i, packet, index};
     end
   endgenerate
 endmodule

@@ -2,9 +2,9 @@
 //
 // In front of the first register of the stream (docs/interface.md section 2 has the fields).
 //
-// Formats:    kind as FFD_KIND_* in ffd_stream.vh: which opcode, whether dimensions are good,
-//             whether the count is 0, whether spans are beyond the table. What the core lacks is no
-//             opcode. Pages are lattices, and their vertices are vertices; what else their headers
+// Formats:    packet as in ffd_stream_opcode; kind as FFD_KIND_* in ffd_stream.vh: what of it the
+//             core takes, whether dimensions are good, whether the count is 0, whether spans are
+//             beyond the table. Pages are lattices, and their vertices are vertices; what else their headers
 //             say, ffd_stream_pages checks.
 // Pipeline:   combinational.
 // Parameters: AXIS 4 to 32, or to 64 where FEATURES says so, the most points an axis of a lattice;
@@ -19,9 +19,10 @@ module ffd_stream_header #(
   parameter FEATURES = `FFD_FEATURES,
   parameter SPANS    = 1
 ) (
-  input  wire [127:0]            data_i,
-  input  wire                    grid_i,  // it is that of a grid
-  output wire [`FFD_KIND_W-1:0]  kind_o
+  input  wire [127:0]             data_i,
+  input  wire [`FFD_PACKET_W-1:0] packet_i,
+  input  wire                     grid_i,  // it is that of a grid
+  output wire [`FFD_KIND_W-1:0]   kind_o
 );
   generate
     if (`FFD_AXIS_BAD(AXIS, FEATURES)) begin : gen_bad_axis
@@ -35,35 +36,23 @@ module ffd_stream_header #(
     end
   endgenerate
 
-  localparam [7:0] OPCODE_COEFFICIENTS = 8'd1;
-  localparam [7:0] OPCODE_LATTICE      = 8'd2;
-  localparam [7:0] OPCODE_VERTICES     = 8'd3;
-  localparam [7:0] OPCODE_INTERLEAVED  = 8'd4;
-  localparam [7:0] OPCODE_PAGE         = 8'd5;
-  localparam [7:0] OPCODE_PART         = 8'd6;
-  localparam [7:0] OPCODE_OF_PAGE      = 8'd7;
-  localparam [7:0] OPCODE_SPANS        = 8'd9;
   localparam [31:0] SPANS_WORD         = SPANS;
   // Bit n: an axis may have n points. A table and not a comparison: no chain of carries.
   localparam [255:0] LESS_THAN_4       = 256'd15;
   localparam [255:0] POINTS            = ((256'd2 << AXIS) - 256'd1) & ~LESS_THAN_4;
   localparam [255:0] SMALL             = ((256'd2 << 32) - 256'd1) & ~LESS_THAN_4;  // no flag L
 
-  localparam PAGES             = `FFD_FEATURE_PAGES(FEATURES);
   localparam LARGE             = `FFD_FEATURE_LARGE(FEATURES);
-  localparam RESIDENT          = `FFD_FEATURE_RESIDENT(FEATURES);
-  localparam INTERLEAVED       = `FFD_FEATURE_INTERLEAVED(FEATURES);
   localparam DERIVATIVES       = `FFD_FEATURE_DERIVATIVES(FEATURES);
   localparam DETERMINANT       = `FFD_FEATURE_DETERMINANT(FEATURES);
 
-  wire [7:0] opcode       = data_i[7:0];
   wire [1:0] results      = data_i[73:72];
   wire       good_results = results == `FFD_RESULTS_POSITION
                          || (results == `FFD_RESULTS_DERIVATIVES && DERIVATIVES != 0)
                          || (results == `FFD_RESULTS_DETERMINANT && DETERMINANT != 0);
   wire       twice        = data_i[95];
-  wire       page         = opcode == OPCODE_PAGE && PAGES != 0;
-  wire       of_page      = opcode == OPCODE_OF_PAGE && PAGES != 0;
+  wire       page         = packet_i[`FFD_PACKET_PAGE];
+  wire       of_page      = packet_i[`FFD_PACKET_PAGE_VERTICES];
   wire       every        = (of_page || grid_i) && data_i[16];
   wire       flag         = LARGE == 0 || (page && data_i[19]);
   wire [2:0] good;
@@ -76,16 +65,15 @@ module ffd_stream_header #(
     end
   endgenerate
 
-  assign kind_o[`FFD_KIND_COEFFICIENTS] = opcode == OPCODE_COEFFICIENTS
+  assign kind_o[`FFD_KIND_COEFFICIENTS] = packet_i[`FFD_PACKET_COEFFICIENTS]
                                        && (DERIVATIVES != 0 || !twice);
-  assign kind_o[`FFD_KIND_LATTICE]      = (opcode == OPCODE_LATTICE && RESIDENT != 0) || page;
+  assign kind_o[`FFD_KIND_LATTICE]      = packet_i[`FFD_PACKET_LATTICE] || page;
   assign kind_o[`FFD_KIND_DIMENSIONS]   = &good;
-  assign kind_o[`FFD_KIND_VERTICES]     = ((opcode == OPCODE_VERTICES && RESIDENT != 0) || of_page)
+  assign kind_o[`FFD_KIND_VERTICES]     = (packet_i[`FFD_PACKET_VERTICES] || of_page)
                                        && good_results;
-  assign kind_o[`FFD_KIND_INTERLEAVED]  = opcode == OPCODE_INTERLEAVED && good_results
-                                       && INTERLEAVED != 0;
+  assign kind_o[`FFD_KIND_INTERLEAVED]  = packet_i[`FFD_PACKET_INTERLEAVED] && good_results;
   assign kind_o[`FFD_KIND_NONE]         = data_i[63:32] == 32'd0 && !every;
-  assign kind_o[`FFD_KIND_PART]         = opcode == OPCODE_PART && PAGES != 0;
+  assign kind_o[`FFD_KIND_PART]         = packet_i[`FFD_PACKET_POINTS];
   assign kind_o[`FFD_KIND_EVERY]        = every;
 
   // Bits that have no meaning must be 0, and there is no axis 3.
@@ -97,17 +85,17 @@ module ffd_stream_header #(
                   || (data_i[95:64] & UNKNOWN_BITS) != 32'd0
                   || data_i[127:96] != 32'd0 || data_i[87:86] == 2'd3;
       wire [8:0] behind = {1'b0, data_i[79:72]} + {1'b0, data_i[39:32]};
-      assign kind_o[`FFD_KIND_SPANS]  = opcode == OPCODE_SPANS && !strange
+      assign kind_o[`FFD_KIND_SPANS]  = packet_i[`FFD_PACKET_SPANS] && !strange
                                      && (DERIVATIVES != 0 || !twice);
       assign kind_o[`FFD_KIND_BEYOND] = data_i[63:40] != 24'd0 || behind > SPANS_WORD[8:0];
     end else begin : gen_no_spans
       assign kind_o[`FFD_KIND_SPANS]  = 1'b0;
       assign kind_o[`FFD_KIND_BEYOND] = 1'b0;
-      wire unused_spans = &{1'b0, OPCODE_SPANS, SPANS_WORD};
+      wire unused_spans = &{1'b0, SPANS_WORD};
     end
   endgenerate
 
-  wire unused_ok = &{1'b0, data_i};
+  wire unused_ok = &{1'b0, data_i, packet_i};
 endmodule
 
 `default_nettype wire

@@ -1,9 +1,10 @@
 // ffd_stream_ingress: what stands in front of the decoder
 //
-// Beats of the stream become framed beats that the decoder takes: ffd_stream_expand, in a core with
-// grids or packed vertices, ffd_stream_framer and ffd_stream_intake.
+// Beats of the stream become framed beats that the decoder takes: ffd_stream_opcode,
+// ffd_stream_expand, in a core with grids or packed vertices, ffd_stream_framer and
+// ffd_stream_intake.
 //
-// Bad input:  as in these three.
+// Bad input:  as in these.
 // Formats:    frame_o as FFD_FRAME_*.
 // Pipeline:   as ffd_stream_intake; with ffd_stream_expand a clock more.
 // Freezes:    s_beat_ready is 0 while a beat is held, and while ffd_stream_expand has other beats.
@@ -54,6 +55,15 @@ module ffd_stream_ingress #(
   wire                    claims;
   wire                    between;
 
+  wire [`FFD_PACKET_W-1:0] s_packet;
+  wire [`FFD_PACKET_W-1:0] packet;
+  ffd_stream_opcode #(
+    .FEATURES(FEATURES)
+  ) u_opcode (
+    .opcode_i(s_beat_data[7:0]),
+    .packet_o(s_packet)
+  );
+
   generate
     if (`FFD_FEATURE_EXPANDED(FEATURES)) begin : gen_expand
       ffd_stream_expand #(
@@ -61,27 +71,30 @@ module ffd_stream_ingress #(
         .FEATURES(FEATURES),
         .AXIS    (AXIS)
       ) u_expand (
-        .clk         (clk),
-        .rst         (rst),
-        .s_beat_valid(s_beat_valid),
-        .s_beat_ready(s_beat_ready),
-        .s_beat_data (s_beat_data),
-        .s_beat_last (s_beat_last),
-        .m_beat_valid(valid),
-        .m_beat_ready(ready),
-        .m_beat_data (data),
-        .m_beat_last (last),
-        .as_o        (as),
-        .expects_i   (expects),
-        .header_i    (beat_valid_o && frame_o[`FFD_FRAME_HEADER]),
-        .loaded_i    (loaded_i),
-        .last_cell_i (last_cell_i),
-        .idle_o      (nothing)
+        .clk          (clk),
+        .rst          (rst),
+        .s_beat_valid (s_beat_valid),
+        .s_beat_ready (s_beat_ready),
+        .s_beat_data  (s_beat_data),
+        .s_beat_packet(s_packet),
+        .s_beat_last  (s_beat_last),
+        .m_beat_valid (valid),
+        .m_beat_ready (ready),
+        .m_beat_data  (data),
+        .m_beat_packet(packet),
+        .m_beat_last  (last),
+        .as_o         (as),
+        .expects_i    (expects),
+        .header_i     (beat_valid_o && frame_o[`FFD_FRAME_HEADER]),
+        .loaded_i     (loaded_i),
+        .last_cell_i  (last_cell_i),
+        .idle_o       (nothing)
       );
     end else begin : gen_as_it_is
       assign valid        = s_beat_valid;
       assign s_beat_ready = ready;
       assign data         = s_beat_data;
+      assign packet       = s_packet;
       assign last         = s_beat_last;
       assign as           = `FFD_AS_IT_IS;
       assign nothing      = 1'b1;
@@ -98,6 +111,7 @@ module ffd_stream_ingress #(
     .rst     (rst),
     .take_i  (valid && ready),
     .data_i  (data),
+    .packet_i(packet),
     .last_i  (last),
     .as_i    (as),
     .refuse_i(refuse_i),

@@ -43,12 +43,12 @@ module ffd_stream_marks #(
       assign m_beat_mark  = 1'b0;
       wire unused_ok = &{1'b0, clk, rst, valid_i, data_i, frame_i};
     end else begin : gen_marks
-      localparam [7:0] OPCODE_OF_PAGE = 8'd7;
       localparam DEPTH = 1 << $clog2(INSIDE);
 
       // ---- what is asked for, packet by packet
 
       reg  [1:0] flags_q;    // {I, R}
+      wire [`FFD_PACKET_W-1:0] packet = frame_i[`FFD_FRAME_PACKET];
       wire       queue_ready;
       wire       known;
       wire       pop;
@@ -57,7 +57,7 @@ module ffd_stream_marks #(
 
       always @(posedge clk) begin
         if (valid_i && frame_i[`FFD_FRAME_HEADER]) begin
-          flags_q <= data_i[7:0] == OPCODE_OF_PAGE ? data_i[21:20] : 2'b00;
+          flags_q <= data_i[21:20] & {2{packet[`FFD_PACKET_PAGE_VERTICES]}};
         end
       end
 
@@ -115,7 +115,7 @@ module ffd_stream_marks #(
         end
       end
 
-      wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i};
+      wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i, packet};
       `FFD_ASSERT(a_packet_ends_and_the_queue_is_full,
                   !(valid_i && frame_i[`FFD_FRAME_FINISH] && frame_i[`FFD_FRAME_FINAL])
                   || queue_ready)

@@ -40,6 +40,7 @@ module ffd_stream_pages #(
   input  wire                         held_i,    // a header of a page
   input  wire                         size_i,    // its dimensions are bad
   input  wire [127:0]                 data_i,
+  input  wire [`FFD_PACKET_W-1:0]     packet_i,
   input  wire                         header_i,  // it goes on
   input  wire                         point_i,
   input  wire                         top_i,     // the last one of a lattice
@@ -84,10 +85,11 @@ module ffd_stream_pages #(
 
   // ---- the header that is held: the first clock
 
-  wire       newer    = data_i[2];  // opcodes 5, 6 and 7
-  wire       vertices = data_i[1:0] == 2'd3;
-  wire       part     = newer && data_i[1:0] == 2'd2;
-  wire       lattice  = !vertices && !part;
+  // Packets that name their page: it, points of it, vertices of it.
+  wire       part     = packet_i[`FFD_PACKET_POINTS];
+  wire       vertices = packet_i[`FFD_PACKET_VERTICES] || packet_i[`FFD_PACKET_PAGE_VERTICES];
+  wire       lattice  = packet_i[`FFD_PACKET_LATTICE] || packet_i[`FFD_PACKET_PAGE];
+  wire       newer    = part || packet_i[`FFD_PACKET_PAGE] || packet_i[`FFD_PACKET_PAGE_VERTICES];
   reg        newest_q;
   wire [7:0] number   = newer ? data_i[15:8] : {7'd0, PAGES > 1 && newest_q != lattice};
   wire       beyond   = {1'b0, number} >= MOST;
@@ -310,7 +312,7 @@ module ffd_stream_pages #(
     .read_data_o    (reader)
   );
 
-  wire unused_ok = &{1'b0, has_fourth, size, data_i, number};
+  wire unused_ok = &{1'b0, has_fourth, size, data_i, packet_i, number};
 
   `FFD_ASSERT(a_vertex_leaves_and_none_is_inside,
               !leave_i || inside_q != {READERS_W{1'b0}})

@@ -85,6 +85,7 @@ module ffd_stream_resident #(
         .held_i       (held_i && of_page),
         .size_i       (frame_i[`FFD_FRAME_SIZE]),
         .data_i       (data_i),
+        .packet_i     (frame_i[`FFD_FRAME_PACKET]),
         .header_i     (header && of_page),
         .point_i      (point),
         .top_i        (top),

@@ -17,8 +17,8 @@ RTL = "rtl/stream/ffd_fields.vh"
 HEADER = "golden/include/hwffd/stream/status.hpp"
 COLUMNS = ("word", "field", "bits", "description")
 # A vertex's way around the evaluator; what of it says that banks are free again; the status of a
-# result, most of which is known before and comes in the first; what a beat is in its packet.
-WORDS = ("user", "retire", "status", "frame")
+# result, most of which is known before and comes in the first; the kind of a packet; what a beat is in it.
+WORDS = ("user", "retire", "status", "packet", "frame")
 GENERATED = f"Made from {TABLE} by tools/tables/generated_files.py; changes here are lost."
 
 
@@ -41,8 +41,8 @@ def read(root=ROOT):
     found, free = {}, dict.fromkeys(WORDS, 0)
     for where, cells in csv_table.read(path, COLUMNS):
         word = csv_table.word(cells, "word", where, WORDS)
-        if not re.fullmatch(r"[a-z]+", cells["field"]):
-            raise TableError(f"{where}: bad field '{cells['field']}': lower case letters")
+        if not re.fullmatch(r"[a-z]+(_[a-z]+)*", cells["field"]):
+            raise TableError(f"{where}: bad field '{cells['field']}': lower case letters, _ between words")
         csv_table.unique(found, (word, cells["field"]), "field", where)
         bits = re.fullmatch(r"(?:([0-9]{1,2}):)?([0-9]{1,2})", cells["bits"])
         high, low = (int(bits.group(1) or bits.group(2)), int(bits.group(2))) if bits else (-1, -1)
