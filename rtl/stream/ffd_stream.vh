@@ -79,6 +79,11 @@
 `define FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES) \
   (1 + `FFD_FEATURE_FOURTH(FEATURES) + 3 * `FFD_HIGH_W(AXIS) + `FFD_AT_W(SLOTS, PAGES))
 
+// The most vertices inside at once, from their last beat to the clock behind their last result: that
+// many evaluations, that many waiting before them, and up to 8 in the registers between. Every queue
+// and every count of vertices is as large as this says.
+`define FFD_MOST_INSIDE(IN_FLIGHT, WAITING) ((IN_FLIGHT) + (WAITING) + 8)
+
 // What is known of the header of a page, and of its payload.
 `define FFD_PAGE_UNKNOWN 0
 `define FFD_PAGE_BEYOND  1

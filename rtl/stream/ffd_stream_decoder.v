@@ -16,7 +16,7 @@
 //             bank or page is free, there is a slot, and room for a vertex's end: WAITING. One
 //             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
-//             two >= 2; PAGES, AXIS as in ffd_stream_pages; IN_FLIGHT >= vertices behind WAITING;
+//             two >= 2; PAGES, AXIS as in ffd_stream_pages; INSIDE >= the most vertices inside;
 //             EVERY_CLOCK as in ffd_stream_vertex, SPANS and SUMS in ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -34,7 +34,7 @@ module ffd_stream_decoder #(
   parameter EVERY_CLOCK = 1,
   parameter PAGES       = 2,
   parameter AXIS        = 16,
-  parameter IN_FLIGHT   = 128,
+  parameter INSIDE      = 152,
   parameter SPANS       = 1,
   parameter SUMS        = 0,
   parameter PAGE_W      = `FFD_PAGE_NUMBER_W(PAGES),
@@ -151,7 +151,7 @@ module ffd_stream_decoder #(
     .SLOTS   (SLOTS),
     .PAGES   (PAGES),
     .AXIS    (AXIS),
-    .INSIDE  (IN_FLIGHT + WAITING + 8),
+    .INSIDE  (INSIDE),
     .SPANS   (SPANS)
   ) u_resident (
     .clk          (clk),

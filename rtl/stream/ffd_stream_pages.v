@@ -30,7 +30,7 @@ module ffd_stream_pages #(
   parameter FEATURES = `FFD_FEATURES + 1,
   parameter PAGES    = 2,
   parameter AXIS     = 16,
-  parameter INSIDE   = 160,
+  parameter INSIDE   = 152,
   parameter SPANS    = 1,
   parameter PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS)

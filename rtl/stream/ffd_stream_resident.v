@@ -21,7 +21,7 @@ module ffd_stream_resident #(
   parameter SLOTS    = 3,
   parameter PAGES    = 2,
   parameter AXIS     = 16,
-  parameter INSIDE   = 160,
+  parameter INSIDE   = 152,
   parameter SPANS    = 1,
   parameter SLOT_W   = $clog2(SLOTS),
   parameter PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES),

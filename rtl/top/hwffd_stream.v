@@ -74,7 +74,8 @@ module hwffd_stream #(
   // Of a vertex; of an evaluation one more, and the user word another with a fourth component.
   localparam SOURCE_W     = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES);
   localparam USER_W       = `FFD_USER_W;
-  localparam INSIDE       = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
+  localparam EVALUATIONS  = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
+  localparam INSIDE       = `FFD_MOST_INSIDE(EVALUATIONS, WAITING);
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
@@ -197,7 +198,7 @@ module hwffd_stream #(
     .EVERY_CLOCK(`FFD_RESULT_INTERVAL(ORG, N) == 1),
     .PAGES      (PAGES),
     .AXIS       (AXIS),
-    .IN_FLIGHT  (INSIDE),
+    .INSIDE     (INSIDE),
     .SPANS      (SPANS),
     .SUMS       (`FFD_FUNCTIONS_SUM(ORG, EVALUATOR) ? 1 : 0)
   ) u_decoder (
@@ -345,7 +346,7 @@ module hwffd_stream #(
     .READ_LATENCY   (READ_LATENCY),
     .SOURCE_W       (READ_W),
     .USER_W         (PART_W),
-    .IN_FLIGHT      (INSIDE),
+    .IN_FLIGHT      (EVALUATIONS),
     .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
     .SPANS          (SPANS)
   ) u_evaluator (
@@ -386,7 +387,7 @@ module hwffd_stream #(
   ffd_stream_encoder #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
-    .INSIDE  (INSIDE + WAITING + 8)
+    .INSIDE  (INSIDE)
   ) u_encoder (
     .clk               (clk),
     .rst               (rst),
