@@ -50,7 +50,6 @@ common/ffd_num_delay.v
 common/ffd_stream_deep_fifo.v
 common/ffd_stream_fifo.v
 common/ffd_stream_queue.v
-common/ffd_stream_skid.v
 evaluator/ffd_eval_accumulator.v
 evaluator/ffd_eval_address.v
 evaluator/ffd_eval_affine.v
