@@ -4,13 +4,11 @@
 
 #include "hwffd/driver.hpp"
 #include "hwffd/registers.h"
+#include "hwffd/stream/packets.hpp"
 
 namespace hwffd {
 namespace {
 
-constexpr unsigned kCoefficients = 1, kLattice = 2, kVertices = 3, kInterleaved = 4, kPage = 5,
-                   kPoints = 6, kPageVertices = 7, kGrid = 8, kSpans = 9;
-constexpr unsigned kPositions = 0, kDerivatives = 1, kDeterminant = 2;
 constexpr unsigned kFewestPoints = 4, kSmallPoints = kSmallAxisPoints;
 
 /// What a feature is, and how to do without it.
@@ -58,11 +56,11 @@ void require(const CoreIdentity& core, const Feature& feature) {
 }
 
 void check_results(const CoreIdentity& core, std::uint32_t word) {
-  const unsigned results = word >> 8 & 3;
-  if (results == kPositions) return;
-  if (results > kDeterminant) throw DriverError("results 3: 0, 1 and 2 are possible");
+  const auto results = static_cast<Results>(word >> 8 & 3);
+  if (results == Results::kPosition) return;
+  if (results > Results::kDeterminant) throw DriverError("results 3: 0, 1 and 2 are possible");
   require(core, kResultDerivatives);
-  if (results == kDeterminant) require(core, kResultDeterminant);
+  if (results == Results::kDeterminant) require(core, kResultDeterminant);
 }
 
 void check_points(const CoreIdentity& core, std::uint32_t word, bool large) {
@@ -111,9 +109,10 @@ void check_grid(const CoreIdentity& core, const PacketHeader& header) {
 /// Of opcodes 5 to 9; those before have none but P of opcode 3.
 void check_flags(const CoreIdentity& core, std::uint32_t word) {
   const unsigned opcode = word & 0xFF;
+  const std::uint32_t known = kFlagsOf[opcode - static_cast<unsigned>(Opcode::kPage)];
   for (unsigned flag = 0; flag < 32 - kFirstFlag; ++flag) {
     if ((word >> (kFirstFlag + flag) & 1) == 0) continue;
-    if ((kFlagsOf[opcode - kPage] >> flag & 1) == 0) {
+    if ((known >> flag & 1) == 0) {
       throw DriverError("bit " + std::to_string(kFirstFlag + flag) + " is no flag of opcode " +
                         std::to_string(opcode) + ": clear it");
     }
@@ -124,44 +123,44 @@ void check_flags(const CoreIdentity& core, std::uint32_t word) {
 }  // namespace
 
 void check_packet(const CoreIdentity& core, const PacketHeader& header) {
-  const unsigned opcode = header[0] & 0xFF;
-  const bool large = (header[0] >> (kFirstFlag + 3) & 1) != 0;
-  const bool packed = (header[0] >> (kFirstFlag + 2) & 1) != 0;
-  if (opcode >= kPage && opcode <= kSpans) check_flags(core, header[0]);
+  const auto opcode = static_cast<Opcode>(header[0] & 0xFF);
+  const bool large = (header[0] & kLargeFlag) != 0;
+  const bool packed = (header[0] & kPackedFlag) != 0;
+  if (opcode >= Opcode::kPage && opcode <= Opcode::kSpans) check_flags(core, header[0]);
   if (packed && large) throw DriverError("packed vertices of a large lattice: send P or L");
   switch (opcode) {
-    case kCoefficients:
+    case Opcode::kCoefficients:
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
       return;
-    case kLattice:
+    case Opcode::kLattice:
       require(core, kResidentLattices);
       return check_points(core, header[2], false);
-    case kVertices:
+    case Opcode::kVertices:
       require(core, kResidentLattices);
       if (packed) require(core, kPackedVertices);
       return check_results(core, header[2]);
-    case kInterleaved:
+    case Opcode::kInterleaved:
       require(core, kInterleavedVertices);
       return check_results(core, header[2]);
-    case kPage:
+    case Opcode::kPage:
       require(core, kSeveralPages);
       check_page(core, header[0]);
       return check_points(core, header[2], large);
-    case kPoints:
+    case Opcode::kPoints:
       require(core, kSeveralPages);
       return check_page(core, header[0]);
-    case kPageVertices:
+    case Opcode::kPageVertices:
       require(core, kSeveralPages);
       check_page(core, header[0]);
       return check_results(core, header[2]);
-    case kGrid:
+    case Opcode::kGrid:
       return check_grid(core, header);
-    case kSpans:
+    case Opcode::kSpans:
       require(core, kFunctionSpans);
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
       return check_spans(core, header);
     default:
-      throw DriverError("opcode " + std::to_string(opcode) + ": 1 to 9 are known");
+      throw DriverError("opcode " + std::to_string(header[0] & 0xFF) + ": 1 to 9 are known");
   }
 }
 
