@@ -10,12 +10,34 @@ SPDX-License-Identifier: Apache-2.0
 import fnmatch
 import shutil
 import sys
+import time
 
 from lab.figures.studies import formal as properties
 from lab.formal import proofs, report
 from tools import command_line
 from tools.project_root import ROOT
 from tools.synth import engine
+
+# Properties between two looks at the clock, where there is a time.
+AT_ONCE = 6
+
+
+def portions(groups, everything, minutes):
+    """What to prove next, with its lemmas: all of it, or where there is a time a few at once until it is up."""
+    if minutes is None:
+        groups = [[each for group in groups for each in group]]
+    end, tried = time.monotonic() + 60 * (minutes or 0), set()
+    for group in groups:
+        at_once = len(group) if minutes is None else AT_ONCE
+        for place in range(0, len(group), max(at_once, 1)):
+            if minutes is not None and tried and time.monotonic() >= end:
+                return
+            portion = group[place:place + at_once]
+            lemmas = {(each.module, name) for each in portion for name in each.lemmas.split()}
+            portion = [each for each in everything
+                       if each not in tried and (each in portion or (each.module, each.name) in lemmas)]
+            tried.update(portion)
+            yield portion
 
 
 def run(proving, wanted, jobs):
@@ -46,16 +68,21 @@ def work(options, root):
     wanted = [one for one in everything
               if fnmatch.fnmatchcase(one.full_name, options.only or "*")]
     proving = proofs.Proofs(root, options.limit)
+    groups = [wanted]
     if options.since:
-        wanted = proofs.changed_since(proving, wanted, options.since)
-        if not wanted:
+        groups = proofs.changed_since(proving, wanted, options.since)
+        if not groups:
             print(f"formal: nothing under proof has changed since {options.since}")
             return 0
     if not wanted:
         raise command_line.Request(f"no property matches '{options.only}'")
-    lemmas = {(one.module, name) for one in wanted for name in one.lemmas.split()}
-    wanted = [one for one in everything if one in wanted or (one.module, one.name) in lemmas]
-    verdicts, failed = run(proving, wanted, options.jobs)
+    verdicts, failed = {}, {}
+    tried = set()
+    for portion in portions(groups, everything, options.minutes):
+        for whole, part in zip((verdicts, failed), run(proving, portion, options.jobs)):
+            whole.update(part)
+        tried.update(portion)
+    wanted = [each for each in everything if each in tried]
     shown = report.write(proving, everything, verdicts, failed, root / "build" / "reports")
     complaints = {(row["module"], row["name"]): (properties.complaint(row), row) for row in shown}
     bad = 0
@@ -67,6 +94,9 @@ def work(options, root):
                 "" if row["result"] == "error" else f": see {proving.log(one)}"), file=sys.stderr)
     print(f"formal: {len(wanted) - bad} of {len(wanted)} properties proved, each with its planted"
           " bug found")
+    left = len({each for group in groups for each in group} - tried)
+    if left:
+        print(f"formal: {left} that changed earlier were not tried: {options.minutes:g} minutes were up")
     print("wrote build/reports/formal.json and build/reports/formal.md")
     return 1 if bad else 0
 
@@ -75,5 +105,7 @@ if __name__ == "__main__":
     parser = command_line.Parser(prog="formal", description="Proves properties of the RTL.")
     parser.add_argument("--only", help="a pattern of MODULE.NAME; lemmas that are needed come too")
     parser.add_argument("--since", metavar="COMMIT", help="only what has changed since that commit")
+    parser.add_argument("--minutes", type=float,
+                        help="with --since: what changed last is proved first, and nothing begun after that time")
     parser.add_argument("--limit", type=int, default=600, help="seconds a proof may take")
     sys.exit(command_line.run(parser, work, (proofs.ProofError, engine.EngineError)))

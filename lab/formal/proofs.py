@@ -239,7 +239,8 @@ class Proofs:
 
 
 def changed_since(proofs, everything, commit):
-    """The properties whose row, harness or modules under proof differ from those of a commit. Raises ProofError."""
+    """The properties whose row, harness or modules under proof differ from those of a commit, in groups of what one
+    commit changed last, the newest first. Raises ProofError."""
     def git(*words):
         status, said = rtl_sources.run(["git", "-C", str(proofs.root), *words])
         if status:
@@ -247,10 +248,13 @@ def changed_since(proofs, everything, commit):
         return said
 
     said = git("diff", "--name-status", commit, "--", "rtl", str(pathlib.Path(TABLE).parent))
-    different = {pathlib.Path(line.split("\t")[-1]).name for line in said.splitlines() if not line.startswith("R100")}
-    rows = None
-    if pathlib.Path(TABLE).name in different:
-        rows = set(map(tuple, csv.reader(git("show", f"{commit}:{TABLE}").splitlines())))
+    different = {pathlib.Path(line.split("\t")[-1]).name: line.split("\t")[-1]
+                 for line in said.splitlines() if not line.startswith("R100")}
+    table = pathlib.Path(TABLE).name
+    rows = set(map(tuple, csv.reader(git("show", f"{commit}:{TABLE}").splitlines()))) if table in different else None
+    order = {name: place for place, name in enumerate(git("rev-list", "HEAD").split())}
+    changed_last = {name: order.get(git("log", "-1", "--format=%H", "--", path).strip(), -1)
+                    for name, path in different.items()}
 
     def read(path):
         """Its name, and those of all that it includes."""
@@ -263,12 +267,15 @@ def changed_since(proofs, everything, commit):
                               if (folder / name).is_file()]
         return names
 
-    def touched(one):
-        needed, harness = proofs.sources_of(one)
-        return (rows is not None and dataclasses.astuple(one) not in rows) or any(
-            read(path) & different for path in (*needed.values(), *harness))
-
-    return [one for one in everything if touched(one)]
+    groups = {}
+    for each in everything:
+        needed, harness = proofs.sources_of(each)
+        names = set().union(*(read(path) for path in (*needed.values(), *harness))) & set(different)
+        if rows is not None and dataclasses.astuple(each) not in rows:
+            names.add(table)
+        if names:
+            groups.setdefault(min(changed_last[name] for name in names), []).append(each)
+    return [groups[place] for place in sorted(groups)]
 
 
 def decided(one, said):

@@ -8,6 +8,7 @@ import io
 import json
 import re
 import shutil
+import subprocess
 
 import pytest
 
@@ -219,3 +220,27 @@ def test_rows_of_this_tree(one):
     assert SOURCES.files[one.file].read_text().count(one.original) == 1
     text = (ROOT / "lab/formal" / f"{one.harness}.v").read_text() + SHARED
     assert re.search(rf"\b{re.escape(one.name.split('.')[-1])}: assert", text)
+
+
+def test_what_changed_last_is_proved_first(checkout, table, formal):
+    """Two modules change in two commits: within no time only the later one is tried, and what is left is counted."""
+    other = {"rtl/stream/ffd_stream_other.v": COUNTER.replace("ffd_stream_count", "ffd_stream_other"),
+             "lab/formal/formal_other.v": HARNESS.replace("ffd_stream_count", "ffd_stream_other")
+                                                 .replace("formal_count", "formal_other")}
+    checkout.put({"rtl/hwffd.f": "stream/ffd_stream_count.v\nstream/ffd_stream_other.v\n", **other})
+    table(GOOD, ("ffd_stream_other", "bound", "formal_other", *GOOD[3:6], "ffd_stream_other", *GOOD[7:]))
+
+    def commit():
+        for words in (("add", "-A"), ("-c", "user.name=t", "-c", "user.email=t@t", "commit", "-qm", "t")):
+            subprocess.run(["git", "-C", checkout.root, *words], check=True)
+    subprocess.run(["git", "-C", checkout.root, "init", "-q"], check=True)
+    commit()
+    assert formal("--since", "HEAD")[:2] == (0, ["formal: nothing under proof has changed since HEAD"])
+    for name, text in ((SOURCE, COUNTER), *list(other.items())[:1]):
+        checkout.put({name: text + "`default_nettype wire\n"})
+        commit()
+    status, lines, errors = formal("--since", "HEAD~2", "--minutes", "0")
+    assert (status, errors) == (0, [])
+    assert "formal: 1 of 1 properties proved, each with its planted bug found" in lines
+    assert "formal: 1 that changed earlier were not tried: 0 minutes were up" in lines
+    assert "formal: 2 of 2 properties proved, each with its planted bug found" in formal("--since", "HEAD~2")[1]
