@@ -1,4 +1,4 @@
-"""Parameters, ports, registers and rows of the table of configurations, read off the RTL.
+"""Parameters, ports and rows of the table of configurations, read off the RTL.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -8,9 +8,7 @@ import dataclasses
 from tools.reports.results import RequestError
 from tools.reports.text_table import Table
 from tools.rtl import module_header, rtl_sources
-from tools.tables import (
-    configurations, parameter_space, parameter_values as values, register_texts, registers as registers_table,
-)
+from tools.tables import configurations, parameter_space, parameter_values as values
 
 
 def _meanings(top, names, lines):
@@ -70,16 +68,10 @@ def ports(reports, top, lines=()):
         for port in header.ports])
 
 
-def registers(reports):
-    lines = register_texts.summary_lines(registers_table.read(reports.root))
-    heads, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
-    return Table(heads, rows)
-
-
 def rows(reports):
     """Those of the table of configurations, as a report would have them."""
     table = configurations.read(reports.root / "rtl" / "configurations.csv")
     return [dataclasses.asdict(row) for row in table]
 
 
-TABLES = {"parameters": parameters, "rules": rules, "ports": ports, "registers": registers}
+TABLES = {"parameters": parameters, "rules": rules, "ports": ports}

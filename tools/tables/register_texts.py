@@ -71,24 +71,16 @@ def _markdown_link(field):
                      if kind != "sets")
 
 
-def summary_lines(registers):
-    """A table of all registers, a line each."""
-    lines = ["| offset | register | fields |", "|---|---|---|"]
-    for register in registers:
-        names = ", ".join(f"`{field.name}`" for field in register.fields)
-        lines.append(f"| 0x{register.offset:03X} | `{register.name}` | {names} |")
-    return lines
-
-
 def docs_text(registers, preamble):
-    lines = [preamble.rstrip("\n"), "", *summary_lines(registers)]
+    """The page: the preamble, then one table, in which a register's first field has its offset and name."""
+    lines = [preamble.rstrip("\n"), "", "| offset | register | bits | field | access | reset | meaning |",
+             "|---|---|---|---|---|---|---|"]
     for register in registers:
-        lines += ["", f"### 0x{register.offset:03X} {register.name}", "",
-                  "| bits | field | access | reset | meaning |", "|---|---|---|---|---|"]
+        place = f"0x{register.offset:03X} | `{register.name}`"
         for field in register.fields:
             reset = "-" if field.access in ("ro", "w1") else f"0x{field.reset:X}"
             link = _markdown_link(field)
-            bits = _bits(field)
             meaning = field.description + (f" ({link})" if link else "")
-            lines.append(f"| {bits} | `{field.name}` | {field.access} | {reset} | {meaning} |")
+            lines.append(f"| {place} | {_bits(field)} | `{field.name}` | {field.access} | {reset} | {meaning} |")
+            place = " | "
     return "\n".join(lines) + "\n"
