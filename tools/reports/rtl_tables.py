@@ -61,11 +61,19 @@ def _space(top):
 
 
 def ports(reports, top, lines=()):
+    """A row for each port; ports that a line PREFIX*: meaning names together share a row for each direction."""
     header = _header(reports, top)
     meaning = _meanings(top, [port.name for port in header.ports], lines)
+    together = {text for pattern, text in (line.split(":", 1) for line in lines) if pattern.strip().endswith("*")}
+    together = {text.strip() for text in together}
+    groups = {}
+    for port in header.ports:
+        text = meaning[port.name]
+        groups.setdefault((text, port.direction, "" if text in together else port.name), []).append(port)
     return Table(["port", "direction", "width", "meaning"], [
-        [f"`{port.name}`", port.direction, str(port.width), meaning[port.name]]
-        for port in header.ports])
+        [", ".join(f"`{port.name}`" for port in group), direction,
+         ", ".join(str(port.width) for port in group), text]
+        for (text, direction, _), group in groups.items()])
 
 
 def rows(reports):

@@ -68,7 +68,7 @@ TEST(CompareCore, LatencyIsThatOfTheInterface) {
   const CoreRow row = count(find_configuration("basic-fx18-overlapped"), scene, false, 1);
   EXPECT_EQ(row.failure, "");
   EXPECT_EQ(row.clocks_per_vertex, 64);
-  EXPECT_EQ(row.latency_clocks, 97U);  // docs/interface.md section 7
+  EXPECT_EQ(row.latency_clocks, 97U);  // docs/datasheet.md section 4
   EXPECT_EQ(row.bytes_per_vertex, 16 * (40 + 1 + 40) / 40.0);
   EXPECT_GT(row.error, 0);
   EXPECT_LE(row.error, row.bound);
