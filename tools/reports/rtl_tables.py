@@ -8,7 +8,7 @@ import dataclasses
 from tools.reports.results import RequestError
 from tools.reports.text_table import Table
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations, parameter_space, parameter_values as values
+from tools.tables import configurations, parameter_space
 
 
 def _meanings(top, names, lines):
@@ -49,8 +49,7 @@ def parameters(reports, top, lines=()):
 def rules(reports, top):
     """What binds parameters of a top to each other; the guard is the module that stops elaboration."""
     _header(reports, top)
-    return Table(["rule", "of parameters"], [
-        [rule.text, values.listed(f"`{name}`" for name in rule.names)] for rule in _space(top).rules_of(top)])
+    return Table(["rule"], [[rule.text] for rule in _space(top).rules_of(top)])
 
 
 def _space(top):
