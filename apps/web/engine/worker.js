@@ -1,4 +1,4 @@
-// The worker of the live page: hosts the engine, and answers messages in their order (docs/web.md).
+// The worker of the live page: hosts the engine, and answers messages in their order (apps/web/README.md).
 //
 // In a page of one file engine.js and drawings.js stand in front of this text, and a first message
 // {type: "module", wasm: ArrayBuffer} brings the WebAssembly; else all three are fetched from where this
@@ -119,7 +119,7 @@ const handlers = {
 function handle(message) {
   try {
     const handler = Object.hasOwn(handlers, message.type) ? handlers[message.type] : null;
-    if (handler === null) throw new Error(`message '${message.type}': unknown; see docs/web.md`);
+    if (handler === null) throw new Error(`message '${message.type}': unknown; see apps/web/README.md`);
     handler(message);
   } catch (error) {
     post({ type: "error", text: String(error.message ?? error) });

@@ -1,4 +1,4 @@
-// The page's end of the messages that docs/web.md lists: what is sent, what is waited for, and what of a
+// The page's end of the messages that apps/web/README.md lists: what is sent, what is waited for, and what of a
 // drag is left out because a newer place of the point is known already.
 // SPDX-License-Identifier: Apache-2.0
 
