@@ -1,4 +1,4 @@
-"""Tables and pictures of what has been measured, and the blocks of the texts (docs/figures.md).
+"""Tables and pictures of what has been measured, and the blocks of the texts (lab/docs/figures.md).
 
     modules      by name, what makes the tables of each report, and the pictures
     studies/     a module a report: its tables, the figures that follow from it, what is printed
