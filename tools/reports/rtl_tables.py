@@ -63,16 +63,16 @@ def ports(reports, top, lines=()):
     """A row for each port; ports that a line PREFIX*: meaning names together share a row for each direction."""
     header = _header(reports, top)
     meaning = _meanings(top, [port.name for port in header.ports], lines)
-    together = {text for pattern, text in (line.split(":", 1) for line in lines) if pattern.strip().endswith("*")}
-    together = {text.strip() for text in together}
+    prefixes = [pattern[:-1] for pattern in (line.split(":", 1)[0].strip() for line in lines) if pattern.endswith("*")]
+    named = {line.split(":", 1)[0].strip() for line in lines}
     groups = {}
     for port in header.ports:
-        text = meaning[port.name]
-        groups.setdefault((text, port.direction, "" if text in together else port.name), []).append(port)
+        together = [prefix for prefix in prefixes if port.name.startswith(prefix) and port.name not in named]
+        groups.setdefault((together[0] if together else port.name, port.direction), []).append(port)
     return Table(["port", "direction", "width", "meaning"], [
         [", ".join(f"`{port.name}`" for port in group), direction,
-         ", ".join(str(port.width) for port in group), text]
-        for (text, direction, _), group in groups.items()])
+         ", ".join(str(port.width) for port in group), meaning[group[0].name]]
+        for (_, direction), group in groups.items()])
 
 
 def rows(reports):
