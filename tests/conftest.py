@@ -53,9 +53,9 @@ class Checkout:
 
     def run(self, *command, **more):
         """(exit status, what it printed, its complaints)"""
-        done = subprocess.run(command, cwd=self.root, stdin=subprocess.DEVNULL, text=True,
-                              check=False, capture_output=True, **more)
-        return done.returncode, done.stdout, done.stderr
+        result = subprocess.run(command, cwd=self.root, stdin=subprocess.DEVNULL, text=True,
+                                check=False, capture_output=True, **more)
+        return result.returncode, result.stdout, result.stderr
 
     def module(self, name, *words, **more):
         """The same of a module of the checkout that is a command."""

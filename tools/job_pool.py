@@ -16,9 +16,9 @@ def run(work, items, jobs, ended, name=str):
     with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
         try:
             running = {pool.submit(work, item): item for item in items}
-            for number, done in enumerate(concurrent.futures.as_completed(running), 1):
-                progress.step(number, len(running), name(running[done]))
-                ended(running[done], done)
+            for number, future in enumerate(concurrent.futures.as_completed(running), 1):
+                progress.step(number, len(running), name(running[future]))
+                ended(running[future], future)
         except KeyboardInterrupt:
             pool.shutdown(cancel_futures=True)
             raise

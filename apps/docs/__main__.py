@@ -55,15 +55,15 @@ def write_pages(build, target):
 def make_site(source, target):
     """MkDocs; its exit status. Quiet it would not count warnings, which strict makes errors."""
     settings = {**os.environ, "NO_MKDOCS_2_WARNING": "1", "HWFFD_DOCS_SOURCE": str(source)}
-    done = subprocess.run([sys.executable, "-B", "-m", "mkdocs", "build", "--strict",
-                           "--config-file", HERE / "mkdocs.yml", "--site-dir", target], env=settings, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode == 0:
+    result = subprocess.run([sys.executable, "-B", "-m", "mkdocs", "build", "--strict",
+                             "--config-file", HERE / "mkdocs.yml", "--site-dir", target], env=settings, check=False,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if result.returncode == 0:
         print(f"made the site: open {target / 'index.html'}")
     else:
-        said = [line for line in done.stdout.splitlines() if line.strip() and not line.startswith("INFO ")]
+        said = [line for line in result.stdout.splitlines() if line.strip() and not line.startswith("INFO ")]
         print("\n".join(f"docs: {line}" for line in said), file=sys.stderr)
-    return done.returncode
+    return result.returncode
 
 
 def main():

@@ -57,11 +57,11 @@ def run(root, output):
     output.mkdir(parents=True, exist_ok=True)
     settings = _SETTINGS.format(root=root, output=output, input=" ".join(str(root / name) for name in HEADERS))
     try:
-        done = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True, check=False)
+        result = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True, check=False)
     except FileNotFoundError as error:
         raise DoxygenError("doxygen not found: run tools/install docs") from error
-    if done.returncode != 0:
-        raise DoxygenError(f"doxygen failed: {done.stderr.strip().splitlines()[-1]}")
+    if result.returncode != 0:
+        raise DoxygenError(f"doxygen failed: {result.stderr.strip().splitlines()[-1]}")
     return output / "xml"
 
 

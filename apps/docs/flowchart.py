@@ -42,10 +42,10 @@ def drawn(text, page):
     def picture(block):
         name = f"{page.stem}-flowchart-{next(numbers)}.svg"
         try:
-            done = subprocess.run(["dot", "-Tsvg"], input=dot(block.group(1)), stdout=subprocess.PIPE, text=True,
-                                  check=True)
+            result = subprocess.run(["dot", "-Tsvg"], input=dot(block.group(1)), stdout=subprocess.PIPE, text=True,
+                                    check=True)
         except FileNotFoundError as error:
             raise FlowchartError("dot not found: run tools/install docs") from error
-        (page.parent / name).write_text(done.stdout, encoding="utf-8")
+        (page.parent / name).write_text(result.stdout, encoding="utf-8")
         return f"![flowchart of the arrows in the text]({name})"
     return _BLOCK.sub(picture, text)

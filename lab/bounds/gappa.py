@@ -29,8 +29,9 @@ def require(*programs):
 def gappa(script, *options):
     """The exit status of Gappa on a script, and all that it prints. It splits what the script says and
     nothing else: what is false it would split for minutes."""
-    done = subprocess.run(["gappa", "-Eno-auto-dichotomy", *options], input=script, capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout + done.stderr if not options else done.stdout
+    result = subprocess.run(["gappa", "-Eno-auto-dichotomy", *options], input=script, capture_output=True,
+                            text=True, check=False)
+    return result.returncode, result.stdout + result.stderr if not options else result.stdout
 
 
 def proves(script):
@@ -92,11 +93,11 @@ class Theory:
         marker.touch()
 
     def compile(self, name):
-        done = subprocess.run(["coqc", "-q", f"{name}.v"], cwd=self.folder, capture_output=True, text=True,
-                              check=False)
-        if done.returncode != 0:
-            raise BoundsError(f"Coq refuses {name}.v:\n{done.stdout}{done.stderr}")
-        return done.stdout
+        result = subprocess.run(["coqc", "-q", f"{name}.v"], cwd=self.folder, capture_output=True, text=True,
+                                check=False)
+        if result.returncode != 0:
+            raise BoundsError(f"Coq refuses {name}.v:\n{result.stdout}{result.stderr}")
+        return result.stdout
 
     def certified(self, name, script, ending=""):
         """Whether Coq accepts Gappa's proof of a script with this ending: None, or why not. One that has been

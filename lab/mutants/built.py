@@ -53,8 +53,8 @@ def link(build, program, library, other, out):
     if f" {library}" not in step:
         raise MutantError(f"{program} does not link {library}")
     words = shlex.split(step.replace(f" -o {program}", f" -o {out}"))
-    done = subprocess.run([str(other) if word == library else word for word in words], cwd=build,
-                          check=False, capture_output=True, text=True)
-    if done.returncode:
-        raise MutantError(f"{out}: {done.stderr.strip().splitlines()[-1]}")
+    result = subprocess.run([str(other) if word == library else word for word in words], cwd=build,
+                            check=False, capture_output=True, text=True)
+    if result.returncode:
+        raise MutantError(f"{out}: {result.stderr.strip().splitlines()[-1]}")
     return pathlib.Path(out)

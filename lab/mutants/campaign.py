@@ -24,10 +24,10 @@ extern "C" int hwffd_mutant() {
 
 
 def _shell(command, folder):
-    done = subprocess.run(command, cwd=folder, check=False, capture_output=True, text=True)
-    if done.returncode:
-        raise MutantError(f"{command[0]}: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
-    return done.stdout.strip()
+    result = subprocess.run(command, cwd=folder, check=False, capture_output=True, text=True)
+    if result.returncode:
+        raise MutantError(f"{command[0]}: {(result.stderr or result.stdout).strip().splitlines()[-1]}")
+    return result.stdout.strip()
 
 
 def program(build, subject, model, mutants, folder):

@@ -20,8 +20,8 @@ class Known:
 
     def of(self, numbers, work, jobs, what):
         """The answer to each number: work(number) where it is not known."""
-        def ended(number, done):
-            self.known[str(number)] = done.result()
+        def ended(number, future):
+            self.known[str(number)] = future.result()
             self.path.write_text(json.dumps({"key": self.key, "answers": self.known}))
 
         job_pool.run(work, [number for number in numbers if str(number) not in self.known], jobs, ended,

@@ -57,8 +57,9 @@ def programs():
     found = {}
     for name, option in PROGRAMS.items():
         if shutil.which(name):
-            done = subprocess.run([name, option], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-            found[name] = ((done.stdout + done.stderr).strip().splitlines() or [""])[0]
+            result = subprocess.run([name, option], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                    check=False)
+            found[name] = ((result.stdout + result.stderr).strip().splitlines() or [""])[0]
     return found
 
 
@@ -91,10 +92,10 @@ class Release:
                                        "mixed: raise VERSION, or remove that folder")
 
     def git(self, *words):
-        done = subprocess.run(["git", "-C", self.root, *words], capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise command_line.Request(f"not a checkout of git: {done.stderr.strip().splitlines()[-1]}")
-        return done.stdout.rstrip("\n")
+        result = subprocess.run(["git", "-C", self.root, *words], capture_output=True, text=True, check=False)
+        if result.returncode:
+            raise command_line.Request(f"not a checkout of git: {result.stderr.strip().splitlines()[-1]}")
+        return result.stdout.rstrip("\n")
 
     def clean(self):
         """The commit. Raises Request where the tree is not what it says."""

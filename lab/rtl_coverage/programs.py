@@ -69,8 +69,8 @@ def run(programs, build, folder, jobs, share):
             new.replace(path)
         return status
 
-    def ended(program, done):
-        if done.result():
+    def ended(program, future):
+        if future.result():
             failed.append(program)
             print(f"coverage: {program.name} fails: see {paths[program].with_suffix('.log')}",
                   file=sys.stderr)

@@ -35,8 +35,8 @@ def run(options, rounds, sums, keep):
     folder = options.build / "soak"
     folder.mkdir(parents=True, exist_ok=True)
 
-    def ended(_, done):
-        found = done.result()
+    def ended(_, future):
+        found = future.result()
         sums.add(found)
         for test in found.failed:
             print(f"soak: {found.round.kind.name}: SEED={found.round.seed}: {test} fails: see {found.log}",

@@ -76,11 +76,11 @@ def _elaborated(wanted, bug, folder):
                   *([f"blackbox *{box}*"] if box else []), "proc", "flatten",
                   *([f"expose -evert t:*{box}*"] if box else []), "check -assert", "opt_clean", f"rename -top {name}", f"write_json {out}"]
     (folder / "script.ys").write_text("\n".join(steps) + "\n", encoding="utf-8")
-    done = subprocess.run(["yosys", "-q", "-s", folder / "script.ys"], check=False,
-                          capture_output=True, text=True)
+    result = subprocess.run(["yosys", "-q", "-s", folder / "script.ys"], check=False,
+                            capture_output=True, text=True)
     for (name, parameters), out in zip(wanted, outs):
         if not out.exists():
-            said = (done.stderr or done.stdout or "nothing").strip().splitlines()[-1]
+            said = (result.stderr or result.stdout or "nothing").strip().splitlines()[-1]
             raise TheoremError(f"{name} {parameters}: yosys says: {said}")
         yield json.loads(out.read_text(encoding="utf-8"))["modules"][name]
         out.unlink()

@@ -244,8 +244,8 @@ def ordered(roots):
     """Every term below, arguments first."""
     found, seen, stack = [], set(), [(root, False) for root in reversed(roots)]
     while stack:
-        term, done = stack.pop()
-        if done:
+        term, expanded = stack.pop()
+        if expanded:
             found.append(term)
         elif id(term) not in seen:
             seen.add(id(term))

@@ -66,9 +66,9 @@ def flips(run, number, seed, jobs, only=()):
     command = [run.program, "--row", run.row, "--design", run.design, "--out", run.out, "--kind", run.kind,
                "--flips", number, "--seed", seed, "--jobs", jobs,
                *(word for text in only for word in ("--only", text))]
-    done = subprocess.run([str(word) for word in command], check=False, capture_output=True, text=True)
-    if done.returncode:
-        raise UpsetError(f"{run.program.name}: {(done.stderr or 'ended with 1').strip().splitlines()[-1]}")
+    result = subprocess.run([str(word) for word in command], check=False, capture_output=True, text=True)
+    if result.returncode:
+        raise UpsetError(f"{run.program.name}: {(result.stderr or 'ended with 1').strip().splitlines()[-1]}")
     found = read(run.out)
     if len(found.lines) != (len(only) or number):
         raise UpsetError(f"{run.out}: {len(found.lines)} flips, not {number}")

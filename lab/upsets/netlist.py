@@ -33,10 +33,10 @@ class NetlistError(Exception):
 
 
 def _yosys(steps):
-    done = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=ROOT, check=False,
-                          capture_output=True, text=True)
-    if done.returncode:
-        raise NetlistError(f"yosys: {(done.stderr or done.stdout).strip().splitlines()[-1]}")
+    result = subprocess.run(["yosys", "-Q", "-T", "-qq", "-p", "; ".join(steps)], cwd=ROOT, check=False,
+                            capture_output=True, text=True)
+    if result.returncode:
+        raise NetlistError(f"yosys: {(result.stderr or result.stdout).strip().splitlines()[-1]}")
 
 
 def flat(top, parameters, out):

@@ -118,10 +118,10 @@ def test_shell(block, folder, build, arguments):
     for command in block.commands():
         if any(command.startswith(one) for one in ELSEWHERE):
             continue
-        done = subprocess.run(["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path}, text=True,
-                              stdin=subprocess.DEVNULL, capture_output=True, check=False)
-        assert done.returncode == 0, f"{block.place}: {command}: {done.stderr}"
-        said += done.stdout
+        result = subprocess.run(["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path}, text=True,
+                                stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        assert result.returncode == 0, f"{block.place}: {command}: {result.stderr}"
+        said += result.stdout
     if block.expected:
         assert blocks.matches(block.expected, said), said
 

@@ -131,9 +131,9 @@ def site(tmp_path_factory):
         if not shutil.which(program):
             pytest.skip(f"no {program}: run tools/install docs")
     build = tmp_path_factory.mktemp("site")
-    done = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", build], text=True, check=False,
-                          capture_output=True)
-    assert done.returncode == 0, done.stdout + done.stderr
+    result = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", build], text=True, check=False,
+                            capture_output=True)
+    assert result.returncode == 0, result.stdout + result.stderr
     return build
 
 
@@ -158,9 +158,9 @@ def test_dead_links_and_pages_that_no_menu_has_fail(site, tmp_path):
     page = source / "CHANGELOG.md"
     page.write_text(page.read_text() + "".join(f"\n[x]({link})\n" for link in dead))
     (source / "docs" / "unlisted.md").write_text("# Unlisted\n")
-    done = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", tmp_path, "--source", source],
-                          text=True, check=False, capture_output=True)
-    assert done.returncode == 1
+    result = subprocess.run([sys.executable, "-B", "-m", "apps.docs", "--build", tmp_path, "--source", source],
+                            text=True, check=False, capture_output=True)
+    assert result.returncode == 1
     for link in dead:
-        assert re.search(f"CHANGELOG.md.*'{link}'", done.stderr), done.stderr
-    assert "docs/unlisted.md" in done.stderr
+        assert re.search(f"CHANGELOG.md.*'{link}'", result.stderr), result.stderr
+    assert "docs/unlisted.md" in result.stderr

@@ -19,9 +19,9 @@ class MassSpring(ProgramTest):
     given = {"pyramid.obj": PYRAMID}
 
     def film(self, output):
-        done = self.call("--model", "pyramid.obj", "--frames", str(FRAMES), "--output", output)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        return done.stdout, self.files(output)
+        result = self.call("--model", "pyramid.obj", "--frames", str(FRAMES), "--output", output)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout, self.files(output)
 
     def test_meshes_picture_and_energies(self):
         printed, files = self.film("out")
@@ -50,10 +50,10 @@ class MassSpring(ProgramTest):
     def test_bad_input(self):
         for options, word in ((("--frames", "3"), "4 to 9999"), (("--what",), "--help"),
                               (("--model", "nowhere.obj"), "nowhere.obj")):
-            done = self.call(*options)
-            self.assertNotEqual(done.returncode, 0)
-            self.assertRegex(done.stderr, r"\Ahwffd-example-mass-spring: [^\n]+\n\Z")
-            self.assertIn(word, done.stderr)
+            result = self.call(*options)
+            self.assertNotEqual(result.returncode, 0)
+            self.assertRegex(result.stderr, r"\Ahwffd-example-mass-spring: [^\n]+\n\Z")
+            self.assertIn(word, result.stderr)
 
 
 if __name__ == "__main__":

@@ -45,14 +45,14 @@ def fusesoc(tmp_path):
                    if not name.startswith(("MAKE", "MFLAGS", "XDG_"))}
 
     def run(target, *words, flags=()):
-        done = subprocess.run(
+        result = subprocess.run(
             [FUSESOC, "run", *flags, f"--target={target}", "hwffd", *words], cwd=ROOT,
             env={**environment, "HOME": str(tmp_path)}, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         assert outside() - before == set()
         # yosys keeps a history in the home of whoever runs a script of Tcl.
         assert {path.name for path in tmp_path.iterdir()} <= {".yosys_history"}
-        return done.returncode, done.stdout
+        return result.returncode, result.stdout
     return run
 
 

@@ -37,9 +37,9 @@ ELEMENTS = {"GLubyte": np.uint8, "GLuint": np.uint32, "GLint": np.int32, "GLfloa
 
 def preprocessed(text, *options):
     folders = (f"-I{folder}/api/gl/include" for folder in (ROOT, BUILD))
-    done = subprocess.run(["cc", "-E", "-P", *folders, *options, "-x", "c", "-"],
-                          input=text, text=True, stdout=subprocess.PIPE, check=True)
-    return done.stdout
+    result = subprocess.run(["cc", "-E", "-P", *folders, *options, "-x", "c", "-"],
+                            input=text, text=True, stdout=subprocess.PIPE, check=True)
+    return result.stdout
 
 
 def macros(text):

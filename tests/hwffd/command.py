@@ -88,7 +88,7 @@ class CommandTest(ProgramTest):
                 self.assertAlmostEqual(x, y, places=places)
 
     def good(self, *words, given="", warning=""):
-        done = self.call(*words, given=given)
+        result = self.call(*words, given=given)
         stderr = f"hwffd: warning: {warning}\n" if warning else ""
-        self.assertEqual((done.returncode, done.stderr), (0, stderr), words)
-        return done.stdout
+        self.assertEqual((result.returncode, result.stderr), (0, stderr), words)
+        return result.stdout

@@ -30,22 +30,22 @@ class Command(CommandTest):
     def test_other_commands_are_programs_on_path(self):
         path = self.other_program("bin", "hwffd-greet",
                                   '#!/bin/sh\necho "$#:$1:$2"; cat; exit 7\n')
-        done = self.call("greet", "two words", "--help", given="given", **path)
-        self.assertEqual((done.returncode, done.stdout, done.stderr),
+        result = self.call("greet", "two words", "--help", given="given", **path)
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
                          (7, "2:two words:--help\ngiven", ""))
         self.other_program("bin", "hwffd-info", "#!/bin/sh\nexit 7\n")
         self.assertEqual(self.call("info", **path).returncode, 0)  # its own come first
         # Nothing runs by a path.
         for name in "melt", "greet/", "bin/greet", "../greet":
-            done = self.call(name, **path)
-            self.assertEqual((done.returncode, done.stdout), (USAGE, ""))
-            self.assertRegex(done.stderr, r"\Ahwffd: [^\n]+\n\Z")
+            result = self.call(name, **path)
+            self.assertEqual((result.returncode, result.stdout), (USAGE, ""))
+            self.assertRegex(result.stderr, r"\Ahwffd: [^\n]+\n\Z")
 
     def test_programs_that_cannot_be_run(self):
         path = self.other_program("bin", "hwffd-words", "#!/bin/sh\n", mode=0o644)
-        done = self.call("words", **path)
-        self.assertEqual((done.returncode, done.stdout), (FAILURE, ""))
-        self.assertRegex(done.stderr, r"\Ahwffd: words: hwffd-words cannot be run: [^\n]+\n\Z")
+        result = self.call("words", **path)
+        self.assertEqual((result.returncode, result.stdout), (FAILURE, ""))
+        self.assertRegex(result.stderr, r"\Ahwffd: words: hwffd-words cannot be run: [^\n]+\n\Z")
 
     def test_help_has_examples(self):
         self.assertIn("deform", self.good("--help"))
@@ -105,9 +105,9 @@ class Command(CommandTest):
     def test_a_reader_that_crashes(self):
         (self.folder / "a.raw").write_text("0 0 0 1 0 0 1 1 0\nroof\n0 0 1 1 0 1 1 1 1\n")
         for command in (("info", "a.raw"), ("deform", "a.raw", "-o", "out.ply")):
-            done = self.call(*command)
-            self.assertEqual((done.returncode, done.stdout), (FAILURE, ""))
-            self.assertRegex(done.stderr, r"\Ahwffd: a.raw: not a mesh [^\n]* crashed[^\n]*\n\Z")
+            result = self.call(*command)
+            self.assertEqual((result.returncode, result.stdout), (FAILURE, ""))
+            self.assertRegex(result.stderr, r"\Ahwffd: a.raw: not a mesh [^\n]* crashed[^\n]*\n\Z")
         self.assertFalse((self.folder / "out.ply").exists())
 
     def test_report(self):
@@ -133,9 +133,9 @@ class Command(CommandTest):
         inside_out = ("deform", "solid.obj", "--dims", "4x8x4", "--deform", "bend:300", "-o",
                       "out.obj")
         self.good(*inside_out)
-        done = self.call(*inside_out, "--check-folds")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"\Ahwffd: warning: lattice 'box', deformed, is folded at [^\n]+\n\Z")
+        result = self.call(*inside_out, "--check-folds")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, r"\Ahwffd: warning: lattice 'box', deformed, is folded at [^\n]+\n\Z")
         out = self.good("embed", "solid.obj", "--check-folds", "--json", "e.json")
         self.assertTrue(out.endswith("\nat rest proved\n"))
         self.assertEqual(self.report("e.json")["rest"]["verdict"], "proved")
@@ -153,10 +153,10 @@ class Command(CommandTest):
                          [(1.05, 1.5, 1.5), (1.2, 1.2, 1.3), (9, 9, 9)], places=9)
 
     def test_large_lattices_take_no_proof(self):
-        done = subprocess.run([PROGRAM, "deform", "points.xyz", "--dims", "64x64x64", "--deform",
-                               "twist:30"], cwd=self.folder, capture_output=True, text=True,
-                              check=True, timeout=60)
-        self.assertEqual(len(done.stdout.splitlines()), 3)
+        result = subprocess.run([PROGRAM, "deform", "points.xyz", "--dims", "64x64x64", "--deform",
+                                 "twist:30"], cwd=self.folder, capture_output=True, text=True,
+                                check=True, timeout=60)
+        self.assertEqual(len(result.stdout.splitlines()), 3)
 
     def test_stream_of_points(self):
         out = self.good("deform", "-", "--region", "0,0,0,1,1,1", "--deform", "scale:2",
@@ -185,16 +185,16 @@ class Command(CommandTest):
                         ["embed", mesh, "-o", os.fsdecode(b"e\xe9")],
                         *(["deform", mesh, "--lattice", "box", "--deform", "twist", "-o",
                            os.fsdecode(b"o\xe9." + end)] for end in (b"obj", b"ply", b"glb", b"gltf"))):
-            done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
-            self.assertEqual(done.returncode, 0, done.stderr)
+            result = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
+            self.assertEqual(result.returncode, 0, result.stderr)
             if command[0] == "deform":
                 self.assertTrue((self.folder / command[-1]).is_file())
         for command in (["deform", mesh, "--lattice", os.fsdecode(b"n\xe9.json"), "-o", "out.obj"],
                         ["info", os.fsdecode(b"n\xe9.obj")], ["deform", mesh, "-o", os.fsdecode(b"o.\xe9")],
                         ["deform", mesh, "-o", "out.obj", "--deform", os.fsdecode(b"\xe9")]):
-            done = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
-            self.assertIn(done.returncode, (FAILURE, USAGE))
-            self.assertRegex(done.stderr, rb"\Ahwffd: [^\n]+\n\Z")
+            result = subprocess.run([PROGRAM, *command], cwd=self.folder, capture_output=True, check=False)
+            self.assertIn(result.returncode, (FAILURE, USAGE))
+            self.assertRegex(result.stderr, rb"\Ahwffd: [^\n]+\n\Z")
 
     def test_the_table_of_formats(self):
         """Each row of the documents: a file in its own format, where nothing moves."""
@@ -257,11 +257,11 @@ class Command(CommandTest):
         for line in lines:
             for closed in (False, True):
                 with self.subTest(line=line, closed=closed), open("/dev/full", "wb") as full:
-                    done = subprocess.run([PROGRAM, *line.split()], cwd=self.folder, stdout=full,
-                                          stderr=subprocess.PIPE, text=True, check=False,
-                                          preexec_fn=(lambda: os.close(1)) if closed else None)
-                    self.assertEqual(done.returncode, FAILURE)
-                    self.assertRegex(done.stderr, r"\Ahwffd: standard output: [^\n]+\n\Z")
+                    result = subprocess.run([PROGRAM, *line.split()], cwd=self.folder, stdout=full,
+                                            stderr=subprocess.PIPE, text=True, check=False,
+                                            preexec_fn=(lambda: os.close(1)) if closed else None)
+                    self.assertEqual(result.returncode, FAILURE)
+                    self.assertRegex(result.stderr, r"\Ahwffd: standard output: [^\n]+\n\Z")
 
     def test_what_is_open_is_written_on(self):
         """A log behind standard output keeps what it holds."""
@@ -350,9 +350,9 @@ class Command(CommandTest):
                             (("--mask", "over.txt"), "of vertex 5")):
             (self.folder / "few.txt").write_text("1\n")
             (self.folder / "over.txt").write_text("1\n" * 5 + "1.5\n")
-            done = self.call(*whole, *words)
-            self.assertEqual(done.returncode, FAILURE)
-            self.assertIn(text, done.stderr)
+            result = self.call(*whole, *words)
+            self.assertEqual(result.returncode, FAILURE)
+            self.assertIn(text, result.stderr)
         (self.folder / "two.xyz").write_text("0 0 0\n1 1 1\n")
         (self.folder / "two.txt").write_text("0\n1\n")
         out = self.good("deform", "two.xyz", "--deform", "scale:2", "--device", "reference",
@@ -365,9 +365,9 @@ class Command(CommandTest):
         ask = ("source ./bash; COMP_WORDS=(hwffd {}); COMP_CWORD={}; _hwffd; echo ${{COMPREPLY[@]}}")
         for words, last, wanted in (("em", 1, "embed"), ("deform --fam", 2, "--family"),
                                     ("deform --family cat", 3, "catmull-rom"), ("embed x", 2, "")):
-            done = subprocess.run(["bash", "-c", ask.format(words, last)], cwd=self.folder,
-                                  capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout.strip(), wanted)
+            result = subprocess.run(["bash", "-c", ask.format(words, last)], cwd=self.folder,
+                                    capture_output=True, text=True, check=True)
+            self.assertEqual(result.stdout.strip(), wanted)
         for shell in ("zsh", "fish"):
             text = self.good("completion", shell)
             for word in ("deform", "family", "catmull-rom"):
@@ -388,10 +388,10 @@ class Command(CommandTest):
 
     def test_outside(self):
         options = ("deform", "solid.obj", "--region", "0,0,0,1,1,1", "--deform", "scale:2")
-        done = self.call(*options, "-o", "keep.obj")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"\Ahwffd: warning: \d edges join[^\n]+tears[^\n]+\n\Z")
-        self.assertIn("4 inside, 2 outside", done.stdout)
+        result = self.call(*options, "-o", "keep.obj")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, r"\Ahwffd: warning: \d edges join[^\n]+tears[^\n]+\n\Z")
+        self.assertIn("4 inside, 2 outside", result.stdout)
         self.assertIn((3, 0, 0), vertices(self.text("keep.obj")))
         self.good(*options, "--outside", "clamp", "-o", "clamp.obj")
         self.assertIn((3.5, -0.5, -0.5), self.rounded("clamp.obj"))

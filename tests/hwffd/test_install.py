@@ -73,11 +73,11 @@ BLOCK = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\
 
 
 def run(*words, cwd=None, env=None):
-    done = subprocess.run([str(word) for word in words], cwd=cwd, env=env, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(map(str, words))}: {done.returncode}\n{done.stdout}")
-    return done.stdout
+    result = subprocess.run([str(word) for word in words], cwd=cwd, env=env, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if result.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, words))}: {result.returncode}\n{result.stdout}")
+    return result.stdout
 
 
 def copied_from_readme(language):

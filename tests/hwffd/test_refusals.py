@@ -108,9 +108,9 @@ class Refusals(CommandTest):
     def test_bad_input(self):
         for line, (status, *words) in REFUSED.items():
             with self.subTest(line):
-                done = self.call(*line.split())
-                self.assert_refused(done, status, words)
-                self.assertLess(len(done.stderr), LONGEST_MESSAGE)
+                result = self.call(*line.split())
+                self.assert_refused(result, status, words)
+                self.assertLess(len(result.stderr), LONGEST_MESSAGE)
 
 
 if __name__ == "__main__":

@@ -32,11 +32,11 @@ def equal(own, *parameters):
              "opt -full; simplemap t:$dff; opt_merge; opt_clean; wreduce; opt -full; opt_merge; "
              "opt -full; select -assert-count 1 t:*; select -assert-count 1 t:$assert; "
              "sat -prove-asserts -verify joined")
-    done = subprocess.run(["yosys", "-Q", "-T", "-p", steps], cwd=ROOT, text=True,
-                          capture_output=True, check=False)
-    left_over = "select -assert-count 1 t:*" in done.stderr or "Assertion failed" in done.stderr
-    assert done.returncode == 0 or left_over, done.stdout[-2000:] + done.stderr
-    return done.returncode == 0
+    result = subprocess.run(["yosys", "-Q", "-T", "-p", steps], cwd=ROOT, text=True,
+                            capture_output=True, check=False)
+    left_over = "select -assert-count 1 t:*" in result.stderr or "Assertion failed" in result.stderr
+    assert result.returncode == 0 or left_over, result.stdout[-2000:] + result.stderr
+    return result.returncode == 0
 
 
 @pytest.mark.parametrize("width", (3, 12, 18))

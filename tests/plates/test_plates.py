@@ -16,9 +16,9 @@ WIDTH = 160
 
 class Plates(ProgramTest):
     def test_ten_plates_from_the_rtl(self):
-        done = self.call("--width", str(WIDTH))
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("rtl basic-fp32-overlapped", done.stdout)
+        result = self.call("--width", str(WIDTH))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("rtl basic-fp32-overlapped", result.stdout)
         plates = json.loads(self.text("build/reports/plates.json"))["plates"]
         names = [f"plate{number:02}.png" for number in range(1, 11)]
         self.assertEqual([plate["file"] for plate in plates], names)
@@ -30,13 +30,13 @@ class Plates(ProgramTest):
             self.assertEqual(sorted(plate), ["file", "mismatches", "vertices"])
             self.assertEqual(plate["mismatches"], 0)
             self.assertGreater(plate["vertices"], 1000)
-            self.assertRegex(done.stdout, rf"{plate['file']} .* {plate['vertices']} +0\n")
+            self.assertRegex(result.stdout, rf"{plate['file']} .* {plate['vertices']} +0\n")
         self.assertTrue((self.folder / "build/plates/plates.png").is_file())
 
     def test_results_that_are_not_the_models_end_with_1(self):
-        done = self.call("--width", str(WIDTH), "--device", "reference")
-        self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"\Ahwffd-plates: [0-9]+ results differ from the model.*\n\Z")
+        result = self.call("--width", str(WIDTH), "--device", "reference")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"\Ahwffd-plates: [0-9]+ results differ from the model.*\n\Z")
         plates = json.loads(self.text("build/reports/plates.json"))["plates"]
         self.assertTrue(all(plate["mismatches"] > 100 for plate in plates))
 
@@ -45,14 +45,14 @@ class Plates(ProgramTest):
                                     ("--device fpga", USAGE, "fpga")):
             with self.subTest(words):
                 self.assert_refused(self.call(*words.split()), status, [part])
-        done = self.call("--width", "160", "--device", "model", "--output", "/dev/null")
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (FAILURE, 1))
-        self.assertIn("--output", done.stderr)
+        result = self.call("--width", "160", "--device", "model", "--output", "/dev/null")
+        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (FAILURE, 1))
+        self.assertIn("--output", result.stderr)
 
     def test_without_egl_one_line_names_the_packages(self):
-        done = self.call(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
-        self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"\Ahwffd-plates: no OpenGL .*libegl1.*\n\Z")
+        result = self.call(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"\Ahwffd-plates: no OpenGL .*libegl1.*\n\Z")
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

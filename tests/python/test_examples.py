@@ -17,8 +17,8 @@ SETTINGS = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "critical"}
 
 @pytest.mark.parametrize("name", ["deform", "fit", "with_dask", "with_pyvista", "with_trimesh"])
 def test_example(name, tmp_path):
-    done = subprocess.run([sys.executable, "-B", "-W", "error::UserWarning",
-                           ROOT / "examples" / f"{name}.py"], cwd=tmp_path, text=True, check=False,
-                          capture_output=True, env=SETTINGS)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.strip()
+    result = subprocess.run([sys.executable, "-B", "-W", "error::UserWarning",
+                             ROOT / "examples" / f"{name}.py"], cwd=tmp_path, text=True, check=False,
+                            capture_output=True, env=SETTINGS)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.strip()

@@ -36,11 +36,11 @@ WORK = {"deform": "hwffd.deform(lattice, points)", "embed": "lattice.embed(point
 
 
 def run(program, **names):
-    done = subprocess.run([sys.executable, "-B", "-X", "faulthandler", "-W", "ignore", "-c",
-                           BUSY.format(**names) + textwrap.dedent(program)],
-                          text=True, check=False, capture_output=True, timeout=100)
-    assert (done.returncode, done.stderr) == (0, ""), done
-    return done.stdout
+    result = subprocess.run([sys.executable, "-B", "-X", "faulthandler", "-W", "ignore", "-c",
+                             BUSY.format(**names) + textwrap.dedent(program)],
+                            text=True, check=False, capture_output=True, timeout=100)
+    assert (result.returncode, result.stderr) == (0, ""), result
+    return result.stdout
 
 
 @pytest.mark.parametrize("work", WORK)
@@ -154,7 +154,7 @@ def test_a_subinterpreter_is_refused(first):
     program = SUBINTERPRETER.replace("import hwffd", first, 1)
     if first != "import hwffd":
         program = program.replace("print(hwffd.Lattice", "import hwffd; print(hwffd.Lattice")
-    done = subprocess.run([sys.executable, "-B", "-W", "ignore", "-c", program], text=True, check=False,
-                          capture_output=True, timeout=60)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == "0 True\n" * 2 + "[4, 4, 4]\n"
+    result = subprocess.run([sys.executable, "-B", "-W", "ignore", "-c", program], text=True, check=False,
+                            capture_output=True, timeout=60)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout == "0 True\n" * 2 + "[4, 4, 4]\n"

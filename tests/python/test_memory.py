@@ -42,9 +42,9 @@ PARTS = 16 << 20  # what the threads have in double at a time
 
 
 def measured(program, number="float64"):
-    done = subprocess.run([sys.executable, "-B", "-c", program, str(COUNT), number], text=True, check=True,
-                          capture_output=True)
-    return map(float, done.stdout.split())
+    result = subprocess.run([sys.executable, "-B", "-c", program, str(COUNT), number], text=True, check=True,
+                            capture_output=True)
+    return map(float, result.stdout.split())
 
 
 @pytest.mark.parametrize("number, size", [("float32", 4), ("float64", 8)])

@@ -45,10 +45,10 @@ METHODS = {
 
 @pytest.mark.parametrize("kind", METHODS)
 def test_an_object_that_new_alone_has_made_is_refused(kind):
-    done = subprocess.run([sys.executable, "-B", "-c", BARE.format(kind=kind, calls=METHODS[kind])],
-                          text=True, check=False, capture_output=True, timeout=60)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert int(done.stdout) > 12
+    result = subprocess.run([sys.executable, "-B", "-c", BARE.format(kind=kind, calls=METHODS[kind])],
+                            text=True, check=False, capture_output=True, timeout=60)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert int(result.stdout) > 12
 
 
 @pytest.mark.parametrize("call, text", [

@@ -134,11 +134,11 @@ def folder(tmp_path):
 
 
 def test_the_program_does_what_the_module_does(folder):
-    done = call(folder, "in.nrrd", "rest.json", "out.mha", "--deform", "to:moved.json", "--device",
-                "reference", "--field", "field.nrrd", "--default", "-5", "--outside", "clamp")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.splitlines()[1:] == ["reference", "wrote out.mha and field.nrrd"]
-    assert done.stdout.startswith(f"lattice 8x6x5: {41 * 29 * 19} voxels, 0 outside it, ")
+    result = call(folder, "in.nrrd", "rest.json", "out.mha", "--deform", "to:moved.json", "--device",
+                  "reference", "--field", "field.nrrd", "--default", "-5", "--outside", "clamp")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.splitlines()[1:] == ["reference", "wrote out.mha and field.nrrd"]
+    assert result.stdout.startswith(f"lattice 8x6x5: {41 * 29 * 19} voxels, 0 outside it, ")
     volume = volumes.read(folder / "in.nrrd")
     lattice = hwffd.Lattice.read(folder / "rest.json")
     lattice.control_points = hwffd.Lattice.read(folder / "moved.json").control_points
@@ -156,9 +156,9 @@ def test_the_program_does_what_the_module_does(folder):
     ("cylinder --device model --org cg1 --format fx32 --order 1", None)])
 def test_shapes_and_options(folder, words, dims):
     lattice, *more = words.split()
-    done = call(folder, "in.nrrd", lattice, "out.nii.gz", *more)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith(f"lattice {dims}: " if dims else "lattice ")
+    result = call(folder, "in.nrrd", lattice, "out.nii.gz", *more)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith(f"lattice {dims}: " if dims else "lattice ")
     changed = volumes.read(folder / "out.nii.gz").values != volumes.read(folder / "in.nrrd").values
     assert np.count_nonzero(changed) > (1000 if "deform" in words else -1)
 
@@ -205,40 +205,40 @@ REFUSED = {
 @pytest.mark.parametrize("line", REFUSED)
 def test_the_program_refuses_in_a_line(folder, line):
     before = files(folder)
-    done = call(folder, *line.split())
+    result = call(folder, *line.split())
     status, *words = REFUSED[line]
-    assert (done.returncode, done.stdout) == (status, ""), done.stderr
-    assert done.stderr.startswith("hwffd-warp: ") and done.stderr.count("\n") == 1
-    assert len(done.stderr) < 250
+    assert (result.returncode, result.stdout) == (status, ""), result.stderr
+    assert result.stderr.startswith("hwffd-warp: ") and result.stderr.count("\n") == 1
+    assert len(result.stderr) < 250
     for word in words:
-        assert word in done.stderr
+        assert word in result.stderr
     assert files(folder) == before and len(list(folder.iterdir())) == len(before) + 1
 
 
 def test_the_program_says_what_is_missing_and_a_cure(folder, tmp_path):
     words = [PROGRAM, "in.nrrd", "box", "out.nrrd"]
-    done = subprocess.run([sys.executable, "-S", *words], cwd=folder, capture_output=True, text=True,
-                          check=False)
-    assert (done.returncode, done.stdout) == (FAILURE, "")
+    result = subprocess.run([sys.executable, "-S", *words], cwd=folder, capture_output=True, text=True,
+                            check=False)
+    assert (result.returncode, result.stdout) == (FAILURE, "")
     assert re.fullmatch(r"hwffd-warp: [^\n]*numpy[^\n]*python3 -m venv DIR && DIR/bin/pip install numpy scipy "
-                        r"SimpleITK, then put DIR/bin first on PATH\n", done.stderr)
+                        r"SimpleITK, then put DIR/bin first on PATH\n", result.stderr)
     for package in "scipy", "SimpleITK":
         (tmp_path / "without" / package).mkdir(parents=True)
         (tmp_path / "without" / package / "__init__.py").write_text("raise ImportError('not here')")
-        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False,
-                              env={**os.environ, "PYTHONPATH": str(tmp_path / "without")})
-        assert (done.returncode, done.stdout, done.stderr.count("\n")) == (FAILURE, "", 1)
-        assert f"{package} is missing in {sys.executable}: " in done.stderr
-        assert f"{sys.executable} -m pip install {package}" in done.stderr
+        result = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False,
+                                env={**os.environ, "PYTHONPATH": str(tmp_path / "without")})
+        assert (result.returncode, result.stdout, result.stderr.count("\n")) == (FAILURE, "", 1)
+        assert f"{package} is missing in {sys.executable}: " in result.stderr
+        assert f"{sys.executable} -m pip install {package}" in result.stderr
         (tmp_path / "without" / package / "__init__.py").unlink()
         (tmp_path / "without" / package).rmdir()
     other = tmp_path / "other"
     shutil.copytree(PROGRAM.parent / "hwffd", other / "hwffd", ignore=shutil.ignore_patterns("_core*"))
     (other / "hwffd" / "_core.cpython-27-other.so").write_bytes(b"")
     shutil.copy(PROGRAM, other)
-    done = subprocess.run([other / PROGRAM.name, "--version"], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (FAILURE, "", 1)
-    assert "_core.cpython-27-other.so: put that Python first on PATH" in done.stderr
+    result = subprocess.run([other / PROGRAM.name, "--version"], capture_output=True, text=True, check=False)
+    assert (result.returncode, result.stdout, result.stderr.count("\n")) == (FAILURE, "", 1)
+    assert "_core.cpython-27-other.so: put that Python first on PATH" in result.stderr
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

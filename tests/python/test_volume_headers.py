@@ -194,11 +194,11 @@ def test_numbers_have_points_in_every_locale(suffix, comma, tmp_path):
     volumes.write(tmp_path / f"in{suffix}", volume)
     lattice = hwffd.Lattice.around("box", [[0.5, 0.25, 0.125], [1.5, 1.25, 1.125]])
     lattice.write(tmp_path / "in.json")
-    done = subprocess.run([sys.executable, "-c", IN_A_LOCALE, f"in{suffix}", f"out{suffix}", "in.json",
-                           "out.json"], cwd=tmp_path, capture_output=True, text=True, check=False,
-                          env={**os.environ, **comma})
-    assert (done.returncode, done.stderr) == (0, "")
-    found = np.array([float(x) for x in done.stdout.split()])
+    result = subprocess.run([sys.executable, "-c", IN_A_LOCALE, f"in{suffix}", f"out{suffix}", "in.json",
+                             "out.json"], cwd=tmp_path, capture_output=True, text=True, check=False,
+                            env={**os.environ, **comma})
+    assert (result.returncode, result.stderr) == (0, "")
+    found = np.array([float(x) for x in result.stdout.split()])
     np.testing.assert_allclose(found, [*volume.spacing, *volume.origin], rtol=1e-6)
     again = volumes.read(tmp_path / f"out{suffix}")
     np.testing.assert_allclose([*again.spacing, *again.origin], found, rtol=1e-6)
@@ -261,29 +261,29 @@ def test_names_are_bytes(suffix, tmp_path):
     volumes.write(folder / f"plain{suffix}", volume)
     for one in path, folder / f"plain{suffix}":
         np.testing.assert_array_equal(volumes.read(one).values, volume.values)
-    done = warped(folder, path.name, "box", f"{NAME}out{suffix}", "--field", f"{NAME}field{suffix}",
-                  "--order", "0", "--like", path.name)
-    assert (done.returncode, done.stderr) == (0, b"")
-    assert os.fsencode(f"wrote {NAME}out{suffix} and {NAME}field{suffix}\n") in done.stdout
+    result = warped(folder, path.name, "box", f"{NAME}out{suffix}", "--field", f"{NAME}field{suffix}",
+                    "--order", "0", "--like", path.name)
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert os.fsencode(f"wrote {NAME}out{suffix} and {NAME}field{suffix}\n") in result.stdout
     np.testing.assert_array_equal(volumes.read(folder / f"{NAME}out{suffix}").values, volume.values)
     assert {os.fsencode(entry.name)[:2] for entry in folder.iterdir()} <= {b"v\xe9", b"pl"}
-    done = warped(folder, f"{NAME}none{suffix}", "box", f"{NAME}out{suffix}")
-    assert done.returncode == 1 and done.stderr.count(b"\n") == 1 and b"is not there" in done.stderr
+    result = warped(folder, f"{NAME}none{suffix}", "box", f"{NAME}out{suffix}")
+    assert result.returncode == 1 and result.stderr.count(b"\n") == 1 and b"is not there" in result.stderr
 
 
 def test_words_of_the_command_are_bytes(tmp_path):
     volumes.write(tmp_path / "in.nrrd", phantom(np.int16))
     volumes.lattice_over(phantom()).write(tmp_path / f"{NAME}.json")
-    done = warped(tmp_path, "in.nrrd", f"{NAME}.json", "out.nrrd", "--deform", f"to:{NAME}.json")
-    assert (done.returncode, done.stderr) == (0, b"")
+    result = warped(tmp_path, "in.nrrd", f"{NAME}.json", "out.nrrd", "--deform", f"to:{NAME}.json")
+    assert (result.returncode, result.stderr) == (0, b"")
     for words in ([f"{NAME}none.json"], ["box", "--deform", f"to:{NAME}none.json"], ["box", "--deform", NAME],
                   ["box", "--device", NAME], ["box", "--outside", NAME],
                   ["box", "--device", "model", "--org", NAME], ["box", "--field", f"{NAME}/a.nrrd"],
                   ["box", "--dims", NAME]):
         lattice, *more = words
-        done = warped(tmp_path, "in.nrrd", lattice, "out.nrrd", *more)
-        assert done.returncode in (1, 2) and done.stderr.startswith(b"hwffd-warp: "), done.stderr
-        assert done.stderr.count(b"\n") == 1 and done.stdout == b""
+        result = warped(tmp_path, "in.nrrd", lattice, "out.nrrd", *more)
+        assert result.returncode in (1, 2) and result.stderr.startswith(b"hwffd-warp: "), result.stderr
+        assert result.stderr.count(b"\n") == 1 and result.stdout == b""
 
 
 KEYS = ["Segment0_Name:=liver", "modality:=CT", r"text:=two\nlines and a \\ more", "empty:=",
@@ -294,9 +294,9 @@ HELD = {"Segment0_Name": "liver", "modality": "CT", "text": "two\nlines and a \\
 
 def lost(folder, source, target):
     """What hwffd warp says is dropped on the way from one file to another, and what is not."""
-    done = warped(folder, source, "box", target, "--order", "0")
-    assert done.returncode == 0, done.stderr
-    said = done.stderr.decode()
+    result = warped(folder, source, "box", target, "--order", "0")
+    assert result.returncode == 0, result.stderr
+    said = result.stderr.decode()
     before = volumes.read(folder / source).metadata
     after = volumes.read(folder / target).metadata
     names = said.removeprefix(f"hwffd-warp: warning: {target}: dropped: ").split(", ") if said else []

@@ -38,10 +38,10 @@ assert (hwffd.deform(lattice, points) == model).all()
 
 
 def run(*words, **more):
-    done = subprocess.run([str(word) for word in words], text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **more)
-    assert done.returncode == 0, f"{words}\n{done.stdout}"
-    return done.stdout
+    result = subprocess.run([str(word) for word in words], text=True, check=False,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **more)
+    assert result.returncode == 0, f"{words}\n{result.stdout}"
+    return result.stdout
 
 
 @pytest.fixture(scope="module")

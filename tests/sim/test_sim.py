@@ -100,21 +100,21 @@ class Sim(ProgramTest):
             (self.folder / "folder").chmod(0o555)
             outputs.append("folder")
         for output in outputs:
-            done = self.sim(*GOOD, output=output)
-            self.assert_refused(done, FAILURE, (output, "cannot write", "--output"))
+            result = self.sim(*GOOD, output=output)
+            self.assert_refused(result, FAILURE, (output, "cannot write", "--output"))
 
     def test_trace_where_the_build_has_none(self):
-        done = self.sim(*GOOD, "--trace")
-        if done.returncode == 0:
+        result = self.sim(*GOOD, "--trace")
+        if result.returncode == 0:
             waveforms = sorted((self.folder / "out" / "sim").glob("*.fst"))
             self.assertEqual(len(waveforms), 2)
             for waveform in waveforms:
-                self.assertIn(f"out/sim/{waveform.name}\n", done.stdout)
+                self.assertIn(f"out/sim/{waveform.name}\n", result.stdout)
         else:
-            self.assert_refused(done, USAGE, ("--trace", "make sim TRACE=1", "-DHWFFD_TRACE=ON"))
+            self.assert_refused(result, USAGE, ("--trace", "make sim TRACE=1", "-DHWFFD_TRACE=ON"))
 
-    def report(self, done, output="out"):
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+    def report(self, result, output="out"):
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
         return json.loads(self.text(f"{output}/reports/sim.json"))
 
     def test_report_and_mesh(self):
@@ -134,19 +134,19 @@ class Sim(ProgramTest):
         self.assertEqual(sum(line.startswith("f ") for line in mesh.splitlines()), 6 * 16)
 
     def test_picture(self):
-        done = self.sim(*GOOD, "--deform", "shear")
-        self.report(done)
+        result = self.sim(*GOOD, "--deform", "shear")
+        self.report(result)
         png = (self.folder / "out" / "sim" / "block-shear.png").read_bytes()
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(size_of(png), (2 * 700, 600))
         self.assertGreater(len(png), 50000, "nothing is drawn")
-        self.assertTrue(done.stdout.endswith(
+        self.assertTrue(result.stdout.endswith(
             "wrote out/sim/block-shear.obj, out/reports/sim.json, out/sim/block-shear.png\n"))
 
     def test_without_opengl_only_the_picture_is_missing(self):
-        done = self.sim(*GOOD, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
-        self.report(done)
-        self.assertRegex(done.stdout, r"\nno picture: no OpenGL [^\n]*libgl1-mesa-dri\n\Z")
+        result = self.sim(*GOOD, __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+        self.report(result)
+        self.assertRegex(result.stdout, r"\nno picture: no OpenGL [^\n]*libgl1-mesa-dri\n\Z")
         written = self.files("out/sim")
         self.assertIn("block-twist-90.obj", written)
         self.assertNotIn("block-twist-90.png", written)
@@ -179,13 +179,13 @@ class Sim(ProgramTest):
         self.assertEqual(runs["interleaved"], runs["dma"])
 
     def test_the_bus_of_a_run_through_memory(self):
-        done = self.sim(*GOOD, "--stream", "dma", "--deform", "none")
-        (run,) = self.report(done)["runs"]
+        result = self.sim(*GOOD, "--stream", "dma", "--deform", "none")
+        (run,) = self.report(result)["runs"]
         self.assertEqual(list(run), ROW_FIELDS + ["bus_utilisation"])
         self.assertEqual((run["checked"], run["mismatches"]), (BLOCK_VERTICES, 0))
         # A packet of coefficients, one of 64 points, one of the vertices: header and descriptor each.
         read, written = BLOCK_VERTICES + 12 + 64 + 3 * 2, BLOCK_VERTICES
-        line = next(line for line in done.stdout.splitlines() if line.startswith("  bus:"))
+        line = next(line for line in result.stdout.splitlines() if line.startswith("  bus:"))
         found = re.search(r"([\d.]+) % used: (\d+) beats read \(([\d.]+) %\), (\d+) written "
                           r"\(([\d.]+) %\) in (\d+) clocks", line)
         both, beats_read, _, beats_written, _, clocks = map(float, found.groups())

@@ -56,10 +56,10 @@ class ProgramTest(unittest.TestCase):
         return subprocess.run([PROGRAM, *words], cwd=self.folder, input=given, check=False,
                               capture_output=True, text=True, env={**os.environ, **environment})
 
-    def assert_refused(self, done, status, words):
+    def assert_refused(self, result, status, words):
         """One line that has the words, that status, and the files as they were given."""
-        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
-        self.assertRegex(done.stderr, rf"\A{self.name}: [^\n]+\n\Z")
+        self.assertEqual((result.returncode, result.stdout), (status, ""), result.stderr)
+        self.assertRegex(result.stderr, rf"\A{self.name}: [^\n]+\n\Z")
         for word in words:
-            self.assertIn(word, done.stderr)
+            self.assertIn(word, result.stderr)
         self.assertEqual(self.files(), self.before, "something was written")

@@ -191,13 +191,13 @@ class View(ProgramTest):
                                     ("solid.obj --device fpga", 2, "fpga"),
                                     ("none.obj", 1, "none.obj")):
             with self.subTest(words):
-                done = subprocess.run(
+                result = subprocess.run(
                     [PROGRAM, "view", *words.split()], cwd=self.folder, capture_output=True,
                     text=True, env={k: v for k, v in os.environ.items()
                                     if not re.match("DISPLAY|WAYLAND", k)})
-                self.assertEqual(done.returncode, status)
-                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-                self.assertIn(part, done.stderr)
+                self.assertEqual(result.returncode, status)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertIn(part, result.stderr)
 
 
 if __name__ == "__main__":

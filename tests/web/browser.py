@@ -69,10 +69,10 @@ def stub_page(folder):
     """The page with a worker that needs no build of the core."""
     program("esbuild")
     page = folder / "index.html"
-    done = subprocess.run([sys.executable, "-B", "-m", "apps.web.bundle", "--worker",
-                           ROOT / "tests/web/stub_worker.js", "--output", page],
-                          capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    result = subprocess.run([sys.executable, "-B", "-m", "apps.web.bundle", "--worker",
+                             ROOT / "tests/web/stub_worker.js", "--output", page],
+                            capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
     return page
 
 

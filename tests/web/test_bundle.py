@@ -15,9 +15,9 @@ from browser import ROOT, program, stub_page
 
 
 def bundle(*words):
-    done = subprocess.run([sys.executable, "-B", "-m", "apps.web.bundle", *words],
-                          capture_output=True, text=True, check=False)
-    return done.returncode, done.stderr
+    result = subprocess.run([sys.executable, "-B", "-m", "apps.web.bundle", *words],
+                            capture_output=True, text=True, check=False)
+    return result.returncode, result.stderr
 
 
 def element(text, name):

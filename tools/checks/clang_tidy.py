@@ -64,9 +64,9 @@ def changed(root, folders):
     """The C++ files of these folders that differ from those of the commit before the last, not yet
     committed ones among them; None where there is no such commit."""
     def git(*words):
-        done = subprocess.run(["git", "-C", root, *words, "--", *folders], text=True, check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        return done.stdout.split("\0")[:-1] if done.returncode == 0 else None
+        result = subprocess.run(["git", "-C", root, *words, "--", *folders], text=True, check=False,
+                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        return result.stdout.split("\0")[:-1] if result.returncode == 0 else None
 
     differing = git("diff", "-z", "--name-only", "--relative", "--diff-filter=d", "HEAD~1")
     if differing is None:
@@ -110,19 +110,19 @@ class Check:
         self.findings, self.left_out = [], None
 
     def run(self):
-        done = subprocess.run(["clang-tidy", "--quiet", "-p", self.commands, self.file], text=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, check=False)
-        model = _MODEL.search(done.stdout)
+        result = subprocess.run(["clang-tidy", "--quiet", "-p", self.commands, self.file], text=True,
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, check=False)
+        model = _MODEL.search(result.stdout)
         if model:
             self.left_out = f"{model[1]} is not built"
             return
-        self.findings = sorted(set(_FINDING.findall(done.stdout)))
-        if done.returncode != 0 and not self.findings:
-            self.findings = [done.stderr.strip() or f"exit status {done.returncode}"]
+        self.findings = sorted(set(_FINDING.findall(result.stdout)))
+        if result.returncode != 0 and not self.findings:
+            self.findings = [result.stderr.strip() or f"exit status {result.returncode}"]
 
-    def end(self, done):
-        done.result()
+    def end(self, future):
+        future.result()
 
 
 def checks(root, files=None):

@@ -48,8 +48,8 @@ class Job:
         self.folder = folder
         self.problems = []
 
-    def end(self, done):
-        self.problems = done.result()
+    def end(self, future):
+        self.problems = future.result()
 
     def run(self):
         """[(name, complaint)]; a failing batch is split to tell which of its members it was."""

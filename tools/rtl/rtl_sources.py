@@ -212,8 +212,8 @@ def yosys(sources, jobs, language=VERILOG):
 
 def run(command, folder=None):
     """(exit status, everything it printed), run in that folder."""
-    done = subprocess.run(
+    result = subprocess.run(
         command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         text=True, errors="replace", check=False,
     )
-    return done.returncode, done.stdout
+    return result.returncode, result.stdout

@@ -42,8 +42,8 @@ def tree_of(row):
     """The tree of a row of rtl/configurations.csv. Raises ElaborationError."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "design.xml"
-        done = subprocess.run(_command(row, out), cwd=ROOT, text=True,
-                              capture_output=True, check=False)
-        if done.returncode != 0 or not out.is_file():
-            raise ElaborationError(f"{row.name}: Verilator: {(done.stderr.splitlines() or ['?'])[0]}")
+        result = subprocess.run(_command(row, out), cwd=ROOT, text=True,
+                                capture_output=True, check=False)
+        if result.returncode != 0 or not out.is_file():
+            raise ElaborationError(f"{row.name}: Verilator: {(result.stderr.splitlines() or ['?'])[0]}")
         return Tree(xml.parse(out).getroot().find("cells/cell"))

@@ -54,14 +54,14 @@ def measured(number, points, threads):
 def row(number, points, threads):
     """The same in a process of its own, which has so many processors. Raises BenchError."""
     processors = sorted(os.sched_getaffinity(0))[-threads:]
-    done = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-B", "-m", "lab.compare.arrays", "--library", str(number), "--points", str(points),
          "--threads", str(threads)], capture_output=True, text=True, check=False,
         env={**os.environ, **dict.fromkeys(THREADS_OF_LIBRARIES, str(threads))},
         preexec_fn=lambda: os.sched_setaffinity(0, processors))
-    if done.returncode:
-        raise BenchError((done.stderr.strip().splitlines() or ["no message"])[-1])
-    return json.loads(done.stdout)
+    if result.returncode:
+        raise BenchError((result.stderr.strip().splitlines() or ["no message"])[-1])
+    return json.loads(result.stdout)
 
 
 def measure(options):

@@ -63,6 +63,6 @@ def test_a_theorem_from_the_words_on_with_another_rounding_is_refused(theory):
 def test_the_program_fails_where_nothing_was_measured(tmp_path):
     facts = tmp_path / "facts.json"
     facts.write_text(json.dumps({"weights": [], "forms": []}))
-    done = subprocess.run([sys.executable, "-B", "-m", "lab.bounds", "--facts", facts, "--build", tmp_path],
-                          capture_output=True, text=True, check=False)
-    assert done.returncode == 1 and "nothing was measured" in done.stderr
+    result = subprocess.run([sys.executable, "-B", "-m", "lab.bounds", "--facts", facts, "--build", tmp_path],
+                            capture_output=True, text=True, check=False)
+    assert result.returncode == 1 and "nothing was measured" in result.stderr

@@ -54,9 +54,9 @@ def test_a_wrong_result_is_no_figure(monkeypatch):
 
 def test_a_row_is_a_process_and_says_why_there_is_none(tmp_path):
     command = [sys.executable, "-B", "-m", "lab.compare.arrays", "--output", tmp_path, "--points"]
-    done = subprocess.run([*command, "0"], capture_output=True, text=True, check=False)
-    assert done.returncode == 1
-    assert done.stderr.startswith("compare: --points from 1 up") and not list(tmp_path.iterdir())
+    result = subprocess.run([*command, "0"], capture_output=True, text=True, check=False)
+    assert result.returncode == 1
+    assert result.stderr.startswith("compare: --points from 1 up") and not list(tmp_path.iterdir())
     subprocess.run([*command, str(POINTS), "--threads", "1"], capture_output=True, check=True)
     rows = json.loads((tmp_path / "reports" / "bench.json").read_text())["rows"]
     assert [row["what"] for row in rows] == [library.call for library in libraries.LIBRARIES]

@@ -90,6 +90,6 @@ def test_a_bit_is_run_that_rises_and_falls_after_the_start(tmp_path):
 
 def test_no_place_to_write_is_said(tmp_path):
     program = built(tmp_path)
-    done = subprocess.run([program], env={**os.environ, "HWFFD_COVERAGE": str(tmp_path / "no" / "file")},
-                          check=False, capture_output=True, text=True)
-    assert done.returncode == 1 and done.stderr.startswith("coverage: cannot write")
+    result = subprocess.run([program], env={**os.environ, "HWFFD_COVERAGE": str(tmp_path / "no" / "file")},
+                            check=False, capture_output=True, text=True)
+    assert result.returncode == 1 and result.stderr.startswith("coverage: cannot write")

@@ -42,7 +42,7 @@ def test_same_for_model_and_reference(arguments):
 def test_models_have_one_thread(arguments):
     """How a model is made from the RTL."""
     build, model = arguments
-    done = subprocess.run(["ninja", "-C", build, "-t", "commands", model],
-                          stdout=subprocess.PIPE, text=True, check=True)
-    (line,) = (line for line in done.stdout.splitlines() if f"--prefix V{model} " in line)
+    result = subprocess.run(["ninja", "-C", build, "-t", "commands", model],
+                            stdout=subprocess.PIPE, text=True, check=True)
+    (line,) = (line for line in result.stdout.splitlines() if f"--prefix V{model} " in line)
     assert "--threads" not in shlex.split(line)

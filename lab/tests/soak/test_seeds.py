@@ -39,11 +39,11 @@ def program(build, fails=-1, breaks=-1):
 
 
 def call(build, *words):
-    done = subprocess.run([sys.executable, "-B", "-m", "lab.soak", "--build", build, "--output", build, "--only", "dma",
-                           "--corpus", build / "corpus.csv", *map(str, words)],
-                          capture_output=True, text=True, check=False)
+    result = subprocess.run([sys.executable, "-B", "-m", "lab.soak", "--build", build, "--output", build,
+                             "--only", "dma", "--corpus", build / "corpus.csv", *map(str, words)],
+                            capture_output=True, text=True, check=False)
     report = build / "reports" / "soak.json"
-    return done, json.loads(report.read_text()) if report.exists() else None
+    return result, json.loads(report.read_text()) if report.exists() else None
 
 
 def soak(build, hours):
@@ -54,15 +54,15 @@ def parts_of(build, *seeds):
     """A part of each seed."""
     paths = [build / f"{seed}.json" for seed in seeds]
     for seed, path in zip(seeds, paths):
-        done, report = call(build, "--seed", seed, "--part", path)
-        assert done.returncode == 0 and report is None, done.stderr
+        result, report = call(build, "--seed", seed, "--part", path)
+        assert result.returncode == 0 and report is None, result.stderr
     return paths
 
 
 def test_seeds_go_on_where_the_last_run_ended(build):
     program(build)
-    done, report = soak(build, 0.0002)
-    assert done.returncode == 0, done.stderr
+    result, report = soak(build, 0.0002)
+    assert result.returncode == 0, result.stderr
     row, = report["rows"]
     assert row["seeds"] == row["tests"] > 1 and row["failed"] == report["faults"] == 0
     assert row["results"] == 5 * row["seeds"] and row["clocks"] == 70 * row["seeds"]
@@ -72,8 +72,8 @@ def test_seeds_go_on_where_the_last_run_ended(build):
 @pytest.mark.parametrize("fault", ["fails", "breaks"])
 def test_a_seed_that_finds_a_fault_is_kept_and_runs_first(build, fault):
     program(build, **{fault: 1016})
-    done, report = soak(build, 0.0002)
-    assert done.returncode == 1 and report["faults"] == 1 and "SEED=1016" in done.stderr
+    result, report = soak(build, 0.0002)
+    assert result.returncode == 1 and report["faults"] == 1 and "SEED=1016" in result.stderr
     kept = (build / "corpus.csv").read_text().splitlines()
     assert len(kept) == 2 and kept[1].startswith("dma,1016,")
     again, report = soak(build, 0)
@@ -85,19 +85,19 @@ def test_a_seed_that_finds_a_fault_is_kept_and_runs_first(build, fault):
 
 def test_nothing_run_is_an_error(build):
     program(build)
-    done, report = soak(build, 0)
-    assert done.returncode == 1 and "nothing was run" in done.stderr and report is None
+    result, report = soak(build, 0)
+    assert result.returncode == 1 and "nothing was run" in result.stderr and report is None
 
 
 def test_a_program_that_is_not_there_is_an_error(build):
-    done, _ = soak(build, 0.001)
-    assert done.returncode == 1 and "make -C lab soak builds it" in done.stderr
+    result, _ = soak(build, 0.001)
+    assert result.returncode == 1 and "make -C lab soak builds it" in result.stderr
 
 
 def test_parts_are_joined_to_what_one_run_reports(build):
     program(build)
-    done, report = call(build, "--join", *parts_of(build, 1000, 1016, 1032))
-    assert done.returncode == 0, done.stderr
+    result, report = call(build, "--join", *parts_of(build, 1000, 1016, 1032))
+    assert result.returncode == 0, result.stderr
     row, = report["rows"]
     assert row == {"traffic": "dma", "seeds": 3, "tests": 3, "failed": 0, "results": 15, "clocks": 210}
     assert json.loads((build / "soak" / "next.json").read_text()) == 1048
@@ -113,8 +113,8 @@ def test_a_fault_in_a_part_is_kept_by_who_joins(build, fault):
     program(build, **{fault: 1016})
     paths = parts_of(build, 1000, 1016)
     assert len((build / "corpus.csv").read_text().splitlines()) == 1
-    done, report = call(build, "--join", *paths)
-    assert done.returncode == 1 and report["faults"] == report["corpus"] == 1
+    result, report = call(build, "--join", *paths)
+    assert result.returncode == 1 and report["faults"] == report["corpus"] == 1
     assert (build / "corpus.csv").read_text().splitlines()[1].startswith("dma,1016,")
 
 
@@ -129,9 +129,9 @@ def test_parts_that_make_no_report_are_refused(build):
                         ((first, build / "less.json"), "less.json: a part without hours, rows, found: measure"),
                         ((first, build / "none.json"), "none.json: no part: "),
                         ((first, build / "gone.json"), "gone.json: no part: ")):
-        done, report = call(build, "--join", *names)
-        assert done.returncode == 1 and report is None
-        assert said in done.stderr and len(done.stderr.splitlines()) == 1
+        result, report = call(build, "--join", *names)
+        assert result.returncode == 1 and report is None
+        assert said in result.stderr and len(result.stderr.splitlines()) == 1
     for words in ("--seed", 7), ("--part", build / "x"), ("--seed", 7, "--join", first):
-        done, _ = call(build, *words)
-        assert done.returncode == 2 and "--seed and --part go together" in done.stderr
+        result, _ = call(build, *words)
+        assert result.returncode == 2 and "--seed and --part go together" in result.stderr

@@ -139,9 +139,9 @@ def _called(tree):
         if kubectl:
             tree.put({"bin/kubectl": f"#!/bin/sh\n{kubectl}\n"}, 0o755)
         path = f"{tree.root}/bin{os.pathsep}{os.environ['PATH'] if kubectl else os.path.dirname(sys.executable)}"
-        done = subprocess.run([sys.executable, "-B", WORKFLOW / "kubernetes" / name, *words], cwd=tree.root / "build",
-                              env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout.strip(), done.stderr.strip()
+        result = subprocess.run([sys.executable, "-B", WORKFLOW / "kubernetes" / name, *words], cwd=tree.root / "build",
+                                env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False)
+        return result.returncode, result.stdout.strip(), result.stderr.strip()
     return call
 
 

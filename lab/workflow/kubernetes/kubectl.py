@@ -13,9 +13,9 @@ class KubectlError(Exception):
 def call(*words, given=None):
     """What it prints. Raises KubectlError."""
     try:
-        done = subprocess.run(["kubectl", *words], input=given, capture_output=True, text=True, check=False)
+        result = subprocess.run(["kubectl", *words], input=given, capture_output=True, text=True, check=False)
     except FileNotFoundError as error:
         raise KubectlError("kubectl not found: install it on the machine that submits") from error
-    if done.returncode:
-        raise KubectlError(" ".join((done.stderr or "kubectl ended without a word").split()))
-    return done.stdout.strip()
+    if result.returncode:
+        raise KubectlError(" ".join((result.stderr or "kubectl ended without a word").split()))
+    return result.stdout.strip()

@@ -18,9 +18,9 @@ ROWS = ("factored3-fx18-overlapped", "cg1-fx18-overlapped")
 
 
 def run(folder, *rows):
-    done = subprocess.run([sys.executable, "-B", "-m", "apps.web.engine.design", folder, folder / "design.cpp", *rows],
-                          text=True, capture_output=True, check=False)
-    return done.returncode, done.stdout, done.stderr
+    result = subprocess.run([sys.executable, "-B", "-m", "apps.web.engine.design", folder, folder / "design.cpp",
+                             *rows], text=True, capture_output=True, check=False)
+    return result.returncode, result.stdout, result.stderr
 
 
 @pytest.fixture(scope="module", name="made")
