@@ -85,11 +85,11 @@ class Toggles:
         return f"hwffd::moved({value}, {before}, &vlSymsp->__Vcoverage[{counter}]);\n    "
 
     def rewritten(self, text):
-        parts, run, end = [], [], 0
+        segments, run, end = [], [], 0
 
         def flush():
             if run:
-                parts.append(self._run(run))
+                segments.append(self._run(run))
                 run.clear()
 
         for match in _TOGGLE.finditer(text):
@@ -98,14 +98,14 @@ class Toggles:
             if not (run and bit and match.start() == end and (*bit, counter) == (
                     run[0][0], run[0][2] + len(run), run[0][3] + len(run)) and before == run[0][1]):
                 flush()
-                parts.append(text[end:match.start()])
+                segments.append(text[end:match.start()])
             end = match.end()
             if bit:
                 run.append((bit[0], before, bit[1], counter))
             else:
-                parts.append(self._single(counter, before, value))
+                segments.append(self._single(counter, before, value))
         flush()
-        return "".join([*parts, text[end:]])
+        return "".join([*segments, text[end:]])
 
 
 def _rewritten(text):
@@ -149,8 +149,8 @@ def main(name, folder):
     symbols = folder / f"{name}__Syms.h"
     live, texts = set(), {}
     for path in sorted([*folder.glob("*.cpp"), *folder.glob("*.h")]):
-        texts[path], found = _rewritten(_plain(path.read_text(encoding="utf-8")))
-        live |= found
+        texts[path], counters = _rewritten(_plain(path.read_text(encoding="utf-8")))
+        live |= counters
     for path, text in texts.items():
         path.write_text(_named(text, live), encoding="utf-8")
     symbols.write_text('#include "counted.hpp"\n' + symbols.read_text(encoding="utf-8"), encoding="utf-8")

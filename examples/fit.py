@@ -29,9 +29,9 @@ def residuals(control):
 
 
 before = residuals(lattice.rest.ravel())
-found = least_squares(residuals, lattice.rest.ravel(), jac=lambda _: jacobian,
-                      tr_options={"atol": 1e-12, "btol": 1e-12})
+fit = least_squares(residuals, lattice.rest.ravel(), jac=lambda _: jacobian,
+                    tr_options={"atol": 1e-12, "btol": 1e-12})
 misses = np.linalg.norm(embedding.deform(lattice) - targets, axis=1)
-assert found.success and misses.max() < 0.02
+assert fit.success and misses.max() < 0.02
 print(f"mean distance {np.linalg.norm(before[:points.size].reshape(-1, 3), axis=1).mean():.3f} "
-      f"before, {misses.mean():.4f} after {found.nfev} evaluations")
+      f"before, {misses.mean():.4f} after {fit.nfev} evaluations")

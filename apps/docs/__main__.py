@@ -28,10 +28,10 @@ LIVE_ABSENT = "It is not part of this build: `make web` makes it, and `make docs
 
 def write_live_page(build, target):
     """The page of `make web`, one file, if it has been made."""
-    made = build / "web" / "index.html"
-    if made.is_file():
-        shutil.copyfile(made, target / "docs" / "live-page.html")
-    (target / "docs" / "live.md").write_text(LIVE + (LIVE_HERE if made.is_file() else LIVE_ABSENT), encoding="utf-8")
+    page = build / "web" / "index.html"
+    if page.is_file():
+        shutil.copyfile(page, target / "docs" / "live-page.html")
+    (target / "docs" / "live.md").write_text(LIVE + (LIVE_HERE if page.is_file() else LIVE_ABSENT), encoding="utf-8")
 
 
 def write_reference(build, target):
@@ -61,8 +61,8 @@ def make_site(source, target):
     if result.returncode == 0:
         print(f"made the site: open {target / 'index.html'}")
     else:
-        said = [line for line in result.stdout.splitlines() if line.strip() and not line.startswith("INFO ")]
-        print("\n".join(f"docs: {line}" for line in said), file=sys.stderr)
+        messages = [line for line in result.stdout.splitlines() if line.strip() and not line.startswith("INFO ")]
+        print("\n".join(f"docs: {line}" for line in messages), file=sys.stderr)
     return result.returncode
 
 

@@ -16,17 +16,17 @@ _CALLS = {'shape_list(" or ")': '"A lattice of one of shapes()"'}
 
 def arguments(text, start):
     """The arguments of a call whose opening bracket stands before `start`."""
-    found, depth, begin, at = [], 0, start, start
+    pieces, depth, begin, at = [], 0, start, start
     while True:
         letter = text[at]
         if letter == '"':
             at = _STRING.match(text, at).end()
             continue
         if letter in ")]}" and depth == 0:
-            return [*found, text[begin:at].strip()]
+            return [*pieces, text[begin:at].strip()]
         depth += (letter in "([{") - (letter in ")]}")
         if letter == "," and depth == 0:
-            found.append(text[begin:at].strip())
+            pieces.append(text[begin:at].strip())
             begin = at + 1
         at += 1
 
@@ -43,15 +43,15 @@ def _docstring(text, start):
 
 def docstrings(paths):
     """{name: text}, methods and properties as "Class.name"; a file binds or adds to one class, or functions alone."""
-    found = {}
+    texts = {}
     for path in paths:
         text = path.read_text(encoding="utf-8")
         bound = _CLASS.search(text)
         if bound:
-            found[bound.group(1)] = _docstring(text, text.rindex("(", 0, bound.end()) + 1)
+            texts[bound.group(1)] = _docstring(text, text.rindex("(", 0, bound.end()) + 1)
         owner = bound or _GIVEN.search(text)
         for match in _CALL.finditer(text):
             name = match.group(1) or "__init__"
             key = f"{owner.group(1)}.{name}" if owner and not match.group(0).startswith("module") else name
-            found[key] = _docstring(text, text.index("(", match.start()) + 1) or found.get(key, "")
-    return found
+            texts[key] = _docstring(text, text.index("(", match.start()) + 1) or texts.get(key, "")
+    return texts

@@ -82,8 +82,8 @@ def _template(element):
     parameters = element.find("templateparamlist")
     if parameters is None or not len(parameters):
         return ""
-    words = [" ".join(filter(None, (_words(one.find("type")), _words(one.find("declname")))))
-             + (f" = {_words(one.find('defval'))}" if one.find("defval") is not None else "") for one in parameters]
+    words = [" ".join(filter(None, (_words(node.find("type")), _words(node.find("declname")))))
+             + (f" = {_words(node.find('defval'))}" if node.find("defval") is not None else "") for node in parameters]
     return f"template <{', '.join(words)}> "
 
 
@@ -99,7 +99,7 @@ def _text(element, kind):
     if kind == "enum":
         return _enum(element)
     if kind == "define":
-        parameters = [_words(one) for one in element.findall("param")]
+        parameters = [_words(parameter) for parameter in element.findall("param")]
         return f"#define {name}" + (f"({', '.join(parameters)})" if parameters else "")
     if kind == "typedef":
         definition = _words(element.find("definition"))
@@ -133,18 +133,18 @@ def _declaration(element):
 
 
 def _public(compound):
-    found = [element for element in compound.iter("memberdef")
-             if element.get("kind") in _MEMBERS and element.get("prot") == "public"]
-    return [(element, one) for element, one in zip(found, map(_declaration, found))
-            if not re.search(r"=\s*delete$", one.text) and one.name[:1] != "~"]
+    members = [element for element in compound.iter("memberdef")
+               if element.get("kind") in _MEMBERS and element.get("prot") == "public"]
+    return [(element, declaration) for element, declaration in zip(members, map(_declaration, members))
+            if not re.search(r"=\s*delete$", declaration.text) and declaration.name[:1] != "~"]
 
 
 def _members(compound, name):
     """Without the constructors of a base that a class takes over."""
     own = name.rpartition("::")[2]
-    found = [one for element, one in _public(compound) if element.get("kind") != "function"
-             or _words(element.find("type")) or one.name == own or one.name.startswith("operator")]
-    return sorted(found, key=lambda one: one.line)
+    declarations = [member for element, member in _public(compound) if element.get("kind") != "function"
+                    or _words(element.find("type")) or member.name == own or member.name.startswith("operator")]
+    return sorted(declarations, key=lambda declaration: declaration.line)
 
 
 def _class(compound):
@@ -169,14 +169,15 @@ def headers(folder):
     """Every header of Doxygen's XML, by its path."""
     compounds = [ElementTree.parse(path).getroot().find("compounddef") for path in sorted(folder.glob("*.xml"))
                  if path.name not in ("index.xml", "Doxyfile.xml")]
-    found = {_file_of(one): Header(_file_of(one), _comments(one)) for one in compounds if one.get("kind") == "file"}
+    by_file = {_file_of(node): Header(_file_of(node), _comments(node)) for node in compounds
+               if node.get("kind") == "file"}
     for compound in compounds:
         kind = compound.get("kind")
         if kind in ("file", "namespace") and not _is_inner(compound):
             for element, declaration in _public(compound):
-                found[_file_of(element)].declarations.append(declaration)
+                by_file[_file_of(element)].declarations.append(declaration)
         elif kind in ("class", "struct", "union") and compound.get("prot") == "public" and not _is_inner(compound):
-            found[_file_of(compound)].declarations.append(_class(compound))
-    for header in found.values():
-        header.declarations.sort(key=lambda one: one.line)
-    return dict(sorted(found.items()))
+            by_file[_file_of(compound)].declarations.append(_class(compound))
+    for header in by_file.values():
+        header.declarations.sort(key=lambda declaration: declaration.line)
+    return dict(sorted(by_file.items()))

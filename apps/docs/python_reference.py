@@ -19,7 +19,7 @@ of medicine and needs SciPy ([volumes](../volumes.md)).
 
 def _signature(node):
     """A function's signature, or a property's, as in a stub."""
-    decorators = {ast.unparse(one) for one in node.decorator_list}
+    decorators = {ast.unparse(decorator) for decorator in node.decorator_list}
     arguments = ast.unparse(node.args).replace("self, /, ", "").removeprefix("self, ").removeprefix("self")
     returns = f" -> {ast.unparse(node.returns)}" if node.returns else ""
     if decorators & {"property", "functools.cached_property"}:
@@ -43,27 +43,27 @@ def _shown(words):
 def _class(node, doc_of, attributes=()):
     bases = ", ".join(ast.unparse(base) for base in node.bases)
     text = f"### {node.name}\n\n" + _entry(f"class {node.name}" + (f"({bases})" if bases else ""), doc_of(node))
-    fields = [one for one in node.body if isinstance(one, ast.AnnAssign)]
-    for one in fields:
-        text += _entry(ast.unparse(one), attributes and attributes.get(f"{node.name}.{one.target.id}", ""))
-    for one in node.body:
-        if isinstance(one, ast.FunctionDef) and (one.name == "__init__" or not one.name.startswith("_")):
-            text += _entry(_signature(one), doc_of(one))
+    fields = [statement for statement in node.body if isinstance(statement, ast.AnnAssign)]
+    for member in fields:
+        text += _entry(ast.unparse(member), attributes and attributes.get(f"{node.name}.{member.target.id}", ""))
+    for member in node.body:
+        if isinstance(member, ast.FunctionDef) and (member.name == "__init__" or not member.name.startswith("_")):
+            text += _entry(_signature(member), doc_of(member))
     return text
 
 
 def _bound(root):
     """The package's own part, of C++."""
-    said = docstrings(sorted((root / "api/python/src").glob("*.cpp")))
+    texts = docstrings(sorted((root / "api/python/src").glob("*.cpp")))
     tree = ast.parse((root / PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
     text = "## hwffd\n\n"
-    functions = [one for one in tree.body if isinstance(one, ast.FunctionDef)]
-    text += "### Functions\n\n" + "".join(_entry(_signature(one), said.get(one.name)) for one in functions)
+    functions = [statement for statement in tree.body if isinstance(statement, ast.FunctionDef)]
+    text += "### Functions\n\n" + "".join(_entry(_signature(func), texts.get(func.name)) for func in functions)
     for node in tree.body:
         if isinstance(node, ast.ClassDef):
             owner = node.name
-            text += _class(node, lambda one, owner=owner: said.get(
-                owner if isinstance(one, ast.ClassDef) else f"{owner}.{one.name}"), said)
+            text += _class(node, lambda member, owner=owner: texts.get(
+                owner if isinstance(member, ast.ClassDef) else f"{owner}.{member.name}"), texts)
     return text
 
 
@@ -71,14 +71,14 @@ def _volumes(root):
     """What hwffd.volumes gives, in the order of its __all__."""
     folder = root / PACKAGE / "volumes"
     package = ast.parse((folder / "__init__.py").read_text(encoding="utf-8"))
-    (names,) = [ast.literal_eval(one.value) for one in package.body
-                if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"]
-    found = {node.name: node for path in sorted(folder.glob("*.py"))
+    (names,) = [ast.literal_eval(statement.value) for statement in package.body
+                if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "__all__"]
+    nodes = {node.name: node for path in sorted(folder.glob("*.py"))
              for node in ast.parse(path.read_text(encoding="utf-8")).body
              if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name in names}
     text = "## hwffd.volumes\n\n"
-    for name in sorted(names, key=lambda one: (one[0].islower(), one)):
-        node = found[name]
+    for name in sorted(names, key=lambda name: (name[0].islower(), name)):
+        node = nodes[name]
         if isinstance(node, ast.ClassDef):
             text += _class(node, ast.get_docstring)
         else:

@@ -61,13 +61,13 @@ def _list(element):
 
 
 def _parameters(element):
-    found = []
+    entries = []
     for item in element.findall("parameteritem"):
         names = ", ".join(code("".join(name.itertext())) for name in item.iter("parametername"))
         words = _inline(item.find("parameterdescription")).strip()
         verb = {"exception": "throws ", "retval": "returns "}.get(element.get("kind"), "")
-        found.append(f"<br>{verb}{names}{' ' if verb else ': '}{words}")
-    return "".join(found)
+        entries.append(f"<br>{verb}{names}{' ' if verb else ': '}{words}")
+    return "".join(entries)
 
 
 def _section(element):
@@ -111,15 +111,15 @@ def _rows(declarations):
     """A table, or the declarations alone where none has a comment."""
     if not declarations:
         return ""
-    if not any(one.comments or one.members for one in declarations):
-        return "```cpp\n" + "\n".join(one.text for one in declarations) + "\n```\n\n"
+    if not any(declaration.comments or declaration.members for declaration in declarations):
+        return "```cpp\n" + "\n".join(declaration.text for declaration in declarations) + "\n```\n\n"
     lines = ['<div class="declarations" markdown>', "", "| declaration | meaning |", "|---|---|"]
-    for one in declarations:
-        words = comment(one)
-        if one.members:
+    for declaration in declarations:
+        words = comment(declaration)
+        if declaration.members:
             words += "".join(f"<br>{code(value.name)}{': ' if value.comments else ''}{comment(value)}"
-                             for value in one.members)
-        lines.append(f"| {code(one.text)} | {words.removeprefix('<br>')} |")
+                             for value in declaration.members)
+        lines.append(f"| {code(declaration.text)} | {words.removeprefix('<br>')} |")
     return "\n".join(lines) + "\n\n</div>\n\n"
 
 
@@ -127,11 +127,11 @@ def _header(header):
     text = f"## {header.path}\n\n"
     about = comment(header)
     text += f"{_paragraphs(about)}\n\n" if about else ""
-    text += _rows([one for one in header.declarations if one.kind not in _HEADED])
-    for one in header.declarations:
-        if one.kind in _HEADED:
-            about = _paragraphs(comment(one))
-            text += f"### {escaped(one.name)}\n\n```cpp\n{one.text}\n```\n\n{about}\n\n{_rows(one.members)}"
+    text += _rows([declaration for declaration in header.declarations if declaration.kind not in _HEADED])
+    for entry in header.declarations:
+        if entry.kind in _HEADED:
+            about = _paragraphs(comment(entry))
+            text += f"### {escaped(entry.name)}\n\n```cpp\n{entry.text}\n```\n\n{about}\n\n{_rows(entry.members)}"
     return text
 
 
@@ -139,8 +139,8 @@ def pages(headers):
     """{name: text} of all pages; each header on one of them."""
     left, written = dict(headers), {}
     for name, title, about, wanted in PAGES:
-        parts = [left.pop(path) for path in list(left) if path.startswith(wanted)]
-        written[name] = f"# {title}\n\n{about}\n\n" + "".join(map(_header, parts))
+        chosen = [left.pop(path) for path in list(left) if path.startswith(wanted)]
+        written[name] = f"# {title}\n\n{about}\n\n" + "".join(map(_header, chosen))
     if left:
         raise HeaderError(f"{', '.join(left)}: on no page; name a page in apps/docs/reference.py")
     return written

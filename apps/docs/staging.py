@@ -27,9 +27,9 @@ class PageError(Exception):
 
 def without_comments(text):
     """Marks of blocks and commands are comments, which readers of the site have no use for."""
-    parts = _FENCED.split(text)
-    parts[::2] = [_OWN_LINES.sub("", part) for part in parts[::2]]
-    return "".join(parts)
+    segments = _FENCED.split(text)
+    segments[::2] = [_OWN_LINES.sub("", part) for part in segments[::2]]
+    return "".join(segments)
 
 
 def without_outside(root, path, text):
@@ -40,9 +40,9 @@ def without_outside(root, path, text):
         outside = len(inside) > 1 and inside[0] not in FOLDERS and (file.suffix == ".md" or not file.is_file())
         return match[1] if outside else match[0]
 
-    parts = _FENCED.split(text)
-    parts[::2] = [_WORDS.sub(words, part) for part in parts[::2]]
-    return "".join(parts)
+    segments = _FENCED.split(text)
+    segments[::2] = [_WORDS.sub(words, part) for part in segments[::2]]
+    return "".join(segments)
 
 
 def linked_files(root, path):

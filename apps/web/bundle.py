@@ -62,14 +62,14 @@ def script_of_page():
 
 def licences(packages):
     """The whole text of each package's copyright file, and of the licences that these name by their file."""
-    found = []
+    texts = []
     for package in packages:
         path = pathlib.Path("/usr/share/doc") / package / "copyright"
         if not path.is_file():
             raise BundleError(f"{path} is not there: the page carries the licence of {package}")
-        found.append(f"{package}: {BUNDLED[package]}\n\n{path.read_text(encoding='utf-8')}")
-    named = sorted(set(re.findall(rf"{COMMON}/([\w.-]*\w)", "".join(found))))
-    return found + [f"{name}\n\n{(COMMON / name).read_text(encoding='utf-8')}" for name in named
+        texts.append(f"{package}: {BUNDLED[package]}\n\n{path.read_text(encoding='utf-8')}")
+    named = sorted(set(re.findall(rf"{COMMON}/([\w.-]*\w)", "".join(texts))))
+    return texts + [f"{name}\n\n{(COMMON / name).read_text(encoding='utf-8')}" for name in named
                     if (COMMON / name).is_file()]
 
 
@@ -105,8 +105,8 @@ def engine_elements(engine, worker):
         if not path.is_file():
             raise BundleError(f"{path} is not there: build the target hwffd-web-engine")
     text = "\n".join(path.read_text(encoding="utf-8") for path in scripts)
-    made = [f'<script id="worker-script" type="text/plain">{in_script(text)}</script>']
-    return made if worker else [*made, packed("engine", engine / "engine.wasm")]
+    elements = [f'<script id="worker-script" type="text/plain">{in_script(text)}</script>']
+    return elements if worker else [*elements, packed("engine", engine / "engine.wasm")]
 
 
 def page(engine, worker, plates):

@@ -18,7 +18,7 @@ def organizations(results):
 def pareto(results):
     """A dot for each core: what docs/pareto.svg is drawn from."""
     formats = {row["name"]: row["format"] for row in results.rows("organizations")}
-    return [{"name": one.name, "label": one.label, "format": formats[one.name], "size": one.size,
-             "multipliers": one.multipliers, "clock_mhz": one.clock_mhz, "interval": one.interval,
-             "per_second": one.per_second}
-            for one in throughputs(results, CORE) if one.target == TARGET]
+    return [{"name": entry.name, "label": entry.label, "format": formats[entry.name], "size": entry.size,
+             "multipliers": entry.multipliers, "clock_mhz": entry.clock_mhz, "interval": entry.interval,
+             "per_second": entry.per_second}
+            for entry in throughputs(results, CORE) if entry.target == TARGET]

@@ -55,10 +55,10 @@ def shot(browser, page, width, scheme, act):
 def main(page=ROOT / "build/web/index.html", picture=ROOT / "docs/web.png"):
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=SWITCHES)
-        shots = [shot(browser, pathlib.Path(page).resolve(), *one)
-                 for one in ((WIDE, "light", deform), (NARROW, "dark", look_inside))]
+        shots = [shot(browser, pathlib.Path(page).resolve(), *view)
+                 for view in ((WIDE, "light", deform), (NARROW, "dark", look_inside))]
         browser.close()
-    joined = Image.new("RGB", (sum(one.width for one in shots) + GAP, HEIGHT), "white")
+    joined = Image.new("RGB", (sum(image.width for image in shots) + GAP, HEIGHT), "white")
     joined.paste(shots[0], (0, 0))
     joined.paste(shots[1], (shots[0].width + GAP, 0))
     joined.quantize(COLOURS, dither=Image.Dither.NONE).save(picture, optimize=True)

@@ -25,16 +25,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 def facts(options):
     """What the search has found: read, or searched for, a format at a time."""
-    found = {"weights": [], "forms": []}
+    by_kind = {"weights": [], "forms": []}
     paths = options.facts or [search(options, name) for name in weights.FORMATS
                               if options.format in ("", name)]
     for path in paths:
         part = json.loads(path.read_text())
-        for kind, entries in found.items():
+        for kind, entries in by_kind.items():
             entries += part[kind]
-    if not found["weights"]:
+    if not by_kind["weights"]:
         raise gappa.BoundsError("the search has no weights: nothing was measured")
-    return found
+    return by_kind
 
 
 def search(options, name):
@@ -57,9 +57,9 @@ def chosen(options, row):
 
 def work_on(options):
     gappa.require("gappa", *([] if options.no_coq else ["coqc"]))
-    found = facts(options)
+    measured = facts(options)
     theory = None if options.no_coq else gappa.Theory(options.build / "bounds" / "coq")
-    wanted = [row for row in rows.all_rows(found) if chosen(options, row)]
+    wanted = [row for row in rows.all_rows(measured) if chosen(options, row)]
     if not wanted:
         raise gappa.BoundsError("no such form in this format")
     proved, faults = [], []
@@ -69,7 +69,7 @@ def work_on(options):
         faults += rows.faults(result)
         print(f"bounds: {result['form']} {result['format']}: {result['bound']:.4g}, reached "
               f"{result['witness']:.4g}, {result['checked_by']}", file=sys.stderr, flush=True)
-    report = {"rows": proved, "axes": found["weights"], "witnesses": found["forms"]}
+    report = {"rows": proved, "axes": measured["weights"], "witnesses": measured["forms"]}
     path = options.build / "reports" / "bounds.json"
     whole_file.write(path, json.dumps(report, indent=1) + "\n")
     print(f"bounds: {len(proved)} proved\nwrote {path}")

@@ -45,7 +45,7 @@ def certifies(script):
     return status == 0
 
 
-def found(script, name):
+def upper_bound(script, name):
     """The upper end that Gappa finds for |name| where the script asks `in ?`, as a fraction."""
     status, text = gappa(script)
     plain = re.sub(r" \{[^}]*\}", "", text)  # without the values in decimals

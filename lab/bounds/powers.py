@@ -16,8 +16,8 @@ GUARD = 3  # digits of a power behind those of a weight
 
 def over(digits):
     """The units by which 2/3, rounded, is above what two sixths leave of 1 (1 or -1)."""
-    one = 1 << digits
-    return (2 * one + 1) // 3 - (one - 2 * ((one + 3) // 6))
+    unit = 1 << digits
+    return (2 * unit + 1) // 3 - (unit - 2 * ((unit + 3) // 6))
 
 
 def cut(script, name, exact, digits):

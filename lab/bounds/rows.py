@@ -51,9 +51,9 @@ class Row:
                 "hypothesis": self.hypothesis, "smaller_refused": refused}
 
 
-def certificate_name(*parts):
+def certificate_name(*words):
     """Of the Coq files of a row, but for their number."""
-    return re.sub(r"\W", "_", "_".join(part for part in parts if part))
+    return re.sub(r"\W", "_", "_".join(part for part in words if part))
 
 
 def accepted(theory, file, script, ending=""):
@@ -64,9 +64,9 @@ def accepted(theory, file, script, ending=""):
 
 def least(script, name):
     """The bound that Gappa finds; a little more where what it can write for Coq does not reach that."""
-    found = gappa.found(script(None), name)
+    reached = gappa.upper_bound(script(None), name)
     for percent in (0, 1, 2, 5):
-        bound = dyadic.above(found * (100 + percent) / 100)
+        bound = dyadic.above(reached * (100 + percent) / 100)
         if gappa.certifies(script(bound)):
             return bound
     raise gappa.BoundsError(f"Gappa does not prove what it finds:\n{script(None)}")
@@ -74,14 +74,14 @@ def least(script, name):
 
 def faults(result):
     name = f"{result['form']} {result['format']}"
-    found = []
+    violations = []
     if not result["witness"]:
-        found.append(f"{name}: no error was reached")
+        violations.append(f"{name}: no error was reached")
     if result["witness"] > result["bound"]:
-        found.append(f"{name}: {result['witness']:.4g} is reached, {result['bound']:.4g} is proved")
+        violations.append(f"{name}: {result['witness']:.4g} is reached, {result['bound']:.4g} is proved")
     if not result["smaller_refused"]:
-        found.append(f"{name}: a bound 2 % below what is reached is accepted too")
-    return found
+        violations.append(f"{name}: a bound 2 % below what is reached is accepted too")
+    return violations
 
 
 def searched(form):
@@ -91,9 +91,9 @@ def searched(form):
     return form.split(" by ")[0]
 
 
-def of(found, kind, **wanted):
+def of(entries, kind, **wanted):
     """The one entry of the facts, or None."""
-    hits = [entry for entry in found[kind] if all(entry[key] == value for key, value in wanted.items())]
+    hits = [entry for entry in entries[kind] if all(entry[key] == value for key, value in wanted.items())]
     return hits[0] if hits else None
 
 
@@ -101,13 +101,13 @@ def upwards(value, more=0.0):
     return dyadic.above(fractions.Fraction(value * (1 + ROUNDOFF)) + fractions.Fraction(more), 24)
 
 
-def weight_rows(found):
+def weight_rows(measured):
     """Each family in each format: nothing is taken for granted."""
-    for fact in found["weights"]:
+    for fact in measured["weights"]:
         family, form = fact["weights"], weights.FORMATS[fact["format"]]
         if family == "powers":
-            scripts = [lambda bound, n=n, one=one, form=form: powers.powers_script(n, form, one, bound)
-                       for n in range(4) for one in (False, True)]
+            scripts = [lambda bound, n=n, at_end=at_end, form=form: powers.powers_script(n, form, at_end, bound)
+                       for n in range(4) for at_end in (False, True)]
         elif family in weights.FAMILIES and fact["weight"] > 0:  # else nothing is rounded
             scripts = [lambda bound, n=n, family=family, form=form: weights.weight_script(family, n, form, bound)
                        for n in range(4) if weights.weight_script(family, n, form)]
@@ -125,16 +125,16 @@ def known_of(fact):
                        upwards(fact["pair"], 3 * fact["bend"]) if fact["pair"] else None)
 
 
-def fixed_rows(found):
+def fixed_rows(measured):
     """Fixed point and block floating point."""
-    for fact in found["weights"]:
+    for fact in measured["weights"]:
         form = weights.FORMATS[fact["format"]]
         if form.is_float() or not fact["all"]:
             continue
         known = known_of(fact)
         for name in {"bspline": ("factored", "product"), "affine": ("affine",), "powers": ("powers",),
                      "centred": ("nested",)}.get(fact["weights"], ()):
-            reached = of(found, "forms", form=name, format=form.name)
+            reached = of(measured, "forms", form=name, format=form.name)
             if reached:
                 yield fixed_row(name, form, known, reached["error"], fact)
 
@@ -158,15 +158,15 @@ def fixed_row(name, form, known, witness, fact):
                [lambda bound: forms.fixed_script(formula, rounds, known, bound)], "all", theorem, added(form))
 
 
-def float_rows(found):
+def float_rows(measured):
     """binary32 in four orders."""
     for form in (weights.FORMATS["fp32"], weights.FORMATS["fp32-fused"]):
-        fact = of(found, "weights", weights="bspline", format=form.name)
+        fact = of(measured, "weights", weights="bspline", format=form.name)
         if not fact or not fact["all"]:
             continue
         known = known_of(fact)
         for name, order in (forms.FUSED_ORDERS if form.fused else forms.ORDERS).items():
-            reached = of(found, "forms", form=name, format=form.name)
+            reached = of(measured, "forms", form=name, format=form.name)
             if reached:
                 yield Row(name, form.name, COORDINATES, reached["error"],
                           [lambda bound, order=order, known=known: forms.float_script(order, known, bound)], "all",
@@ -174,9 +174,9 @@ def float_rows(found):
                           forms.float_theorem(order, fused, known, bound).text())
 
 
-def whole_rows(found):
+def whole_rows(measured):
     """Forms again, from the words on: their weights are those that have certificates."""
-    for fact in found["forms"]:
+    for fact in measured["forms"]:
         form, name = weights.FORMATS[fact["format"]], fact["form"]
         if name not in ("factored", "product", *forms.ORDERS):
             continue
@@ -215,5 +215,5 @@ def whole_row(form, name, known, of_weights, witness):
     return Row(name, form.name, "", witness, [script], "all", ending, added(form), tuple(before))
 
 
-def all_rows(found):
-    return [*weight_rows(found), *fixed_rows(found), *float_rows(found), *whole_rows(found)]
+def all_rows(measured):
+    return [*weight_rows(measured), *fixed_rows(measured), *float_rows(measured), *whole_rows(measured)]

@@ -19,10 +19,10 @@ class CompareError(Exception):
 def processor(cpuinfo=pathlib.Path("/proc/cpuinfo")):
     """Its name, as it calls itself."""
     try:
-        found = re.search(r"^model name\s*: (.+)$", cpuinfo.read_text(encoding="utf-8"), re.MULTILINE)
+        match = re.search(r"^model name\s*: (.+)$", cpuinfo.read_text(encoding="utf-8"), re.MULTILINE)
     except OSError:
-        found = None
-    return found.group(1).strip() if found else "a processor without a name"
+        match = None
+    return match.group(1).strip() if match else "a processor without a name"
 
 
 def watts():
@@ -41,16 +41,16 @@ def _program(row, kind, device, source):
 
 def faults(rows):
     """What is missing or cannot be, a line each."""
-    found = [f"no {kind} was measured" for kind in KINDS
-             if not any(row["kind"] == kind for row in rows)]
+    violations = [f"no {kind} was measured" for kind in KINDS
+                  if not any(row["kind"] == kind for row in rows)]
     for row in rows:
         if set(FIELDS) - set(row):
-            found.append(f"{row['what']}: no {', '.join(sorted(set(FIELDS) - set(row)))}")
+            violations.append(f"{row['what']}: no {', '.join(sorted(set(FIELDS) - set(row)))}")
         elif not row["vertices_per_s"] > 0:
-            found.append(f"{row['what']}: {row['vertices_per_s']} vertices a second")
+            violations.append(f"{row['what']}: {row['vertices_per_s']} vertices a second")
         elif not 0 < row["error"] < 1:
-            found.append(f"{row['what']}: an error of {row['error']}")
-    return found
+            violations.append(f"{row['what']}: an error of {row['error']}")
+    return violations
 
 
 def report(measured, peers, cores):

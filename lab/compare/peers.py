@@ -49,12 +49,12 @@ def scipy_map_coordinates(scene):
     from scipy.ndimage import map_coordinates
     places = numpy.ascontiguousarray(scene.places.T)
     components = [numpy.ascontiguousarray(scene.points[..., c]) for c in range(3)]
-    found = numpy.empty((3, len(scene.places)))
+    moved = numpy.empty((3, len(scene.places)))
 
     def evaluate():
-        for component, out in zip(components, found):
+        for component, out in zip(components, moved):
             map_coordinates(component, places, output=out, order=3, prefilter=False)
-    return evaluate, lambda: found.T
+    return evaluate, lambda: moved.T
 
 
 def vtk_transform(scene):
@@ -86,11 +86,11 @@ def econforge_interpolation(scene):
     from interpolation.splines import UCGrid
     from interpolation.splines.eval_splines import eval_cubic
     grid = UCGrid(*((1.0, points - 2.0, points - 2) for points in scene.points.shape[:3]))
-    found = numpy.empty(scene.places.shape)
+    moved = numpy.empty(scene.places.shape)
 
     def evaluate():
-        eval_cubic(grid, scene.points, scene.places, found)
-    return evaluate, lambda: found
+        eval_cubic(grid, scene.points, scene.places, moved)
+    return evaluate, lambda: moved
 
 
 def interpn_bspline(scene, number, array):
@@ -102,12 +102,12 @@ def interpn_bspline(scene, number, array):
         steps=wrap(data=numpy.ones(3, number)), linearize_extrapolation=True,
         coeffs=wrap(data=scene.points[..., c].astype(number).ravel())) for c in range(3)]
     places = [scene.places[:, axis].astype(number) for axis in range(3)]
-    found = numpy.zeros((3, len(scene.places)), number)
+    moved = numpy.zeros((3, len(scene.places)), number)
 
     def evaluate():
-        for spline, out in zip(splines, found):
+        for spline, out in zip(splines, moved):
             spline.eval(places, out)
-    return evaluate, lambda: found.T
+    return evaluate, lambda: moved.T
 
 
 def interpn_binary32(scene):
@@ -177,10 +177,10 @@ def row(peer, scene, is_sorted):
         raise PeerError(f"{what}: there is no vertex to evaluate")
     evaluate, results = peer.prepare(scene)
     seconds = best_seconds(evaluate)
-    found = results()
-    if found.shape != scene.exact.shape:
-        raise PeerError(f"{what}: {found.shape} results for {count} vertices")
-    error = float(numpy.abs(found - scene.exact).max())
+    moved = results()
+    if moved.shape != scene.exact.shape:
+        raise PeerError(f"{what}: {moved.shape} results for {count} vertices")
+    error = float(numpy.abs(moved - scene.exact).max())
     if not error <= BOUNDS[peer.numbers]:
         raise PeerError(f"{what}: error {error:.2e}, bound {BOUNDS[peer.numbers]:.0e}")
     number = 4 if peer.numbers == "binary32" else 8
@@ -190,9 +190,9 @@ def row(peer, scene, is_sorted):
 
 def rows(scenes, show=lambda name: None, peers=PEERS):
     """A row for each peer and scene; scenes are (in any order, sorted)."""
-    found = []
+    measured = []
     for peer in peers:
         for is_sorted, scene in enumerate(scenes):
             show(peer.what)
-            found.append(row(peer, scene, bool(is_sorted)))
-    return found
+            measured.append(row(peer, scene, bool(is_sorted)))
+    return measured

@@ -24,13 +24,13 @@ def counted_as(name):
 
 def names(reports):
     """Rows whose core has been routed, as they are counted, each once."""
-    found = [counted_as(row["name"]) for row in reports.rows("pnr", top=CORE)]
-    return list(dict.fromkeys(name for name in found if name))
+    names_counted = [counted_as(row["name"]) for row in reports.rows("pnr", top=CORE)]
+    return list(dict.fromkeys(name for name in names_counted if name))
 
 
 def _multipliers(reports, routed):
-    found = reports.rows("synth", **{key: routed[key] for key in ("name", "top", "target")})
-    return next((row["dsp"] for row in found if row.get("dsp")), None)
+    mapped = reports.rows("synth", **{key: routed[key] for key in ("name", "top", "target")})
+    return next((row["dsp"] for row in mapped if row.get("dsp")), None)
 
 
 def _row(reports, routed, core, clocks, counted, latency):
@@ -57,8 +57,8 @@ def _clocks_by_dma(reports, routed, pair):
     intervals = [core["clocks_per_vertex"] for core in pair]
     if rest != ["overlapped"] or max(intervals) > SAME * min(intervals) or not reports.has("dma"):
         return None
-    found = reports.rows("dma", org=org, format=word, schedule="overlapped", stream="dma")
-    return max((run["clocks_per_vertex"] for run in found), default=None)
+    runs = reports.rows("dma", org=org, format=word, schedule="overlapped", stream="dma")
+    return max((run["clocks_per_vertex"] for run in runs), default=None)
 
 
 def rows(reports, counted):
@@ -66,17 +66,17 @@ def rows(reports, counted):
 
     counted: what hwffd-compare found of each row, in both orders
     """
-    found = []
+    measured = []
     for routed in reports.rows("pnr", top=f"{CORE},{SYSTEM}"):
         pair = [core for core in counted if core["name"] == counted_as(routed["name"])]
         if not pair:
             continue
         if routed["top"] == CORE:
-            found += [_row(reports, routed, core, core["clocks_per_vertex"], "counted in the RTL",
-                           core["latency_clocks"]) for core in pair]
+            measured += [_row(reports, routed, core, core["clocks_per_vertex"], "counted in the RTL",
+                              core["latency_clocks"]) for core in pair]
             continue
         clocks = _clocks_by_dma(reports, routed, pair)
         if clocks:
-            found += [_row(reports, routed, core, clocks, "by make sim STREAM=dma", None)
-                      for core in pair]
-    return found
+            measured += [_row(reports, routed, core, clocks, "by make sim STREAM=dma", None)
+                         for core in pair]
+    return measured

@@ -52,24 +52,24 @@ def measure(options, work, name):
     head, kinds = library.read(liberty.path().read_text(encoding="utf-8", errors="replace"))
     show(f"{name}: netlist")
     mapped = flat.subject(name)
-    path = flat.made(work, mapped, folder.parent)
+    path = flat.netlist_file(work, mapped, folder.parent)
     netlist = flat.read(path.read_text(encoding="utf-8"), kinds)
     words(options, name, run, folder)
     models, copy, verilog = (folder / file for file in ("cells.v", "cells.lib", "toggles.v"))
     models.write_text(library.models(kinds), encoding="utf-8")
     show(f"{name}: simulation of {len(netlist.cells):,} cells")
-    compared, found = simulation.simulate(work, mapped.row, run, [path, models], folder)
-    if found.clocks(simulation.PERIOD_PS) != mapped.row.interval * run.counted:
-        raise row_report.EnergyError(f"{name} was not full: {found.clocks(simulation.PERIOD_PS)} clocks for "
+    compared, toggled = simulation.simulate(work, mapped.row, run, [path, models], folder)
+    if toggled.clocks(simulation.PERIOD_PS) != mapped.row.interval * run.counted:
+        raise row_report.EnergyError(f"{name} was not full: {toggled.clocks(simulation.PERIOD_PS)} clocks for "
                           f"{run.counted} vertices")
     copy.write_text(library.copy(head, kinds), encoding="utf-8")
     verilog.write_text(flat.with_toggles(netlist), encoding="utf-8")
     show(f"{name}: power")
     powers = [power.run(netlist, toggles, (copy, verilog), folder)
-              for toggles in row_report.counts(netlist, kinds, found)]
+              for toggles in row_report.counts(netlist, kinds, toggled)]
     return {"name": name, "what": f"ffd_org_select {name}", "device": DEVICE,
             "compared": compared, "mismatches": 0,
-            **row_report.report(netlist, kinds, found, powers, run)}
+            **row_report.report(netlist, kinds, toggled, powers, run)}
 
 
 def work_on(options):

@@ -122,11 +122,11 @@ class _Reader:
 
     def changes(self, identifier, value):
         bits = self.bits[identifier]
-        for bit, one in zip(bits, _values(value, len(bits))):
+        for bit, digit in zip(bits, _values(value, len(bits))):
             if self.first:
-                bit.begins(one, self.time)
+                bit.begins(digit, self.time)
             else:
-                bit.takes(one, self.time, self.clock)
+                bit.takes(digit, self.time, self.clock)
 
     def reads(self, lines):
         for line in lines:

@@ -53,16 +53,16 @@ def key(work, mapped):
     return digest.of(work.netlist_key(mapped), *steps(work, mapped, ""), digest.lines(liberty.PATH))
 
 
-def made(work, mapped, folder):
+def netlist_file(work, mapped, folder):
     """The file of the netlist, mapped unless it is there. Raises NetlistError."""
     path = folder / f"{mapped.row.name}.{key(work, mapped)}.v"
     if path.is_file():
         return path
     folder.mkdir(parents=True, exist_ok=True)
     draft, log = path.with_suffix(".draft"), path.with_suffix(".log")
-    status, said = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))],
-                                   ROOT)
-    log.write_text(said, encoding="utf-8")
+    status, output = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join(steps(work, mapped, draft))],
+                                     ROOT)
+    log.write_text(output, encoding="utf-8")
     if status:
         raise NetlistError(f"yosys ended with {status}: see {log}")
     draft.rename(path)
@@ -91,19 +91,19 @@ class Netlist:
 
     def output(self, cell, kinds):
         """(pin, net) of what a cell drives. Raises NetlistError."""
-        found = [(pin, cell.pins[pin]) for pin in kinds[cell.kind].outputs if cell.pins.get(pin)]
-        if len(found) != 1:
-            raise NetlistError(f"cell {cell.name}, {cell.kind}, drives {len(found)} nets")
-        return found[0]
+        driven = [(pin, cell.pins[pin]) for pin in kinds[cell.kind].outputs if cell.pins.get(pin)]
+        if len(driven) != 1:
+            raise NetlistError(f"cell {cell.name}, {cell.kind}, drives {len(driven)} nets")
+        return driven[0]
 
     def load_pf(self, kinds):
         """net -> the capacitance of the pins that it goes to"""
-        found = {}
+        loads = {}
         for cell in self.cells:
             for pin, capacitance in kinds[cell.kind].inputs.items():
                 net = cell.pins.get(pin)
-                found[net] = found.get(net, 0) + capacitance
-        return found
+                loads[net] = loads.get(net, 0) + capacitance
+        return loads
 
 
 def read(text, kinds):

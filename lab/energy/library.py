@@ -37,8 +37,8 @@ class LibraryError(Exception):
 
 
 def _field(text, name):
-    found = re.search(_FIELD.format(name), text)
-    return found.group(1).strip() if found else None
+    match = re.search(_FIELD.format(name), text)
+    return match.group(1).strip() if match else None
 
 
 @dataclass
@@ -69,15 +69,15 @@ class Cell:
 
     def delay_ps(self, pin):
         """Of an output: the mean over rising and falling and over the inputs."""
-        found = []
+        delays = []
         for loads, slews, values in _DELAY.findall(self.pins[pin]):
             row = _nearest(loads, LOAD_PF)
             column = _nearest(slews, SLEW_NS)
             numbers = [float(number) for number in _NUMBER.findall(values)]
-            found.append(numbers[row * len(slews.split(",")) + column])
-        if not found:
+            delays.append(numbers[row * len(slews.split(",")) + column])
+        if not delays:
             raise LibraryError(f"cell {self.name} has no delay")
-        return round(1000 * sum(found) / len(found))
+        return round(1000 * sum(delays) / len(delays))
 
 
 def _nearest(index, wanted):

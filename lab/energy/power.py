@@ -61,22 +61,22 @@ def parse(output):
     fault = _FAULT.search(output)
     if fault:
         raise PowerError(f"OpenSTA: {fault.group(0)}")
-    found, told = _TOTAL.search(output), _SET.search(output)
-    if not found or not told:
+    total, annotated = _TOTAL.search(output), _SET.search(output)
+    if not total or not annotated:
         raise PowerError("OpenSTA reported no power")
-    if told.group(1) != told.group(2):
-        raise PowerError(f"OpenSTA was told the toggles of {told.group(1)} of {told.group(2)} nets")
-    return Power(*(float(word) for word in found.group(1).split()[:3]))
+    if annotated.group(1) != annotated.group(2):
+        raise PowerError(f"OpenSTA was told the toggles of {annotated.group(1)} of {annotated.group(2)} nets")
+    return Power(*(float(word) for word in total.group(1).split()[:3]))
 
 
 def run(netlist, toggles, files, folder):
     """The Power for some toggles."""
     path = folder / "power.tcl"
     path.write_text(script(netlist, toggles, files), encoding="utf-8")
-    status, said = rtl_sources.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)])
+    status, output = rtl_sources.run([timing.PROGRAM, "-no_init", "-no_splash", "-exit", str(path)])
     if status:
         raise PowerError(f"{timing.PROGRAM} ended with {status}")
-    return parse(said)
+    return parse(output)
 
 
 def charged_pj(netlist, kinds, toggles):
@@ -86,4 +86,4 @@ def charged_pj(netlist, kinds, toggles):
     """
     load = netlist.load_pf(kinds)
     energy = {net: load.get(net, 0) * library.VOLTS ** 2 / 2 * toggles[net] for net in netlist.inputs}
-    return energy[CLOCK], sum(one for net, one in energy.items() if net != CLOCK)
+    return energy[CLOCK], sum(value for net, value in energy.items() if net != CLOCK)

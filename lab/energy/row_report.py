@@ -10,35 +10,35 @@ class EnergyError(Exception):
     """A row that has no figure, in one line."""
 
 
-def counts(netlist, kinds, found):
+def counts(netlist, kinds, activity):
     """Changes of each port for OpenSTA: all of them, those without glitches, none."""
-    clocks = found.clocks(simulation.PERIOD_PS)
+    clocks = activity.clocks(simulation.PERIOD_PS)
     nets = {net: net for net in netlist.inputs if net != power.CLOCK}
     nets.update({flat.port(cell): netlist.output(cell, kinds)[1] for cell in netlist.cells})
-    absent = [net for net in nets.values() if net not in found.nets]
-    if absent or found.unknown():
-        raise EnergyError(f"{len(absent)} nets were not written, {found.unknown()} had no value")
+    absent = [net for net in nets.values() if net not in activity.nets]
+    if absent or activity.unknown():
+        raise EnergyError(f"{len(absent)} nets were not written, {activity.unknown()} had no value")
     every, settled, none = {}, {}, {}
     for port, name in nets.items():
-        net = found.nets[name]
-        duty = net.high / found.time
+        net = activity.nets[name]
+        duty = net.high / activity.time
         every[port], settled[port] = (net.toggles / clocks, duty), (net.settled / clocks, duty)
         none[port] = (0, duty)
     return every, settled, none
 
 
-def report(netlist, kinds, found, powers, run):
+def report(netlist, kinds, activity, powers, run):
     """What was measured of a row, energies in nJ per vertex."""
-    clocks = found.clocks(simulation.PERIOD_PS)
+    clocks = activity.clocks(simulation.PERIOD_PS)
     per_vertex = clocks / run.counted
     every, settled, none = powers
-    clock, inputs = (1e-3 * per_vertex * one for one in power.charged_pj(
-        netlist, kinds, {net: found.nets[net].toggles / clocks for net in netlist.inputs}))
+    clock, inputs = (1e-3 * per_vertex * energy for energy in power.charged_pj(
+        netlist, kinds, {net: activity.nets[net].toggles / clocks for net in netlist.inputs}))
     inside, driven, settled_, idle, leaks = (
         watts * power.PERIOD_NS * per_vertex for watts in (
             every.internal, every.switching, settled.internal + settled.switching,
             none.internal, every.leakage))
-    driven_nets = [found.nets[netlist.output(cell, kinds)[1]].toggles for cell in netlist.cells]
+    driven_nets = [activity.nets[netlist.output(cell, kinds)[1]].toggles for cell in netlist.cells]
     return {
         "cells": len(netlist.cells), "ff": sum(kinds[cell.kind].is_register for cell in netlist.cells),
         "annotated": len(netlist.cells) + len(netlist.inputs), "vertices": run.counted,

@@ -35,11 +35,11 @@ class Run:
 
 def command(command_line, folder, log):
     """Raises SimulationError where a program fails."""
-    status, said = rtl_sources.run(list(map(str, command_line)), folder)
-    (folder / log).write_text(said, encoding="utf-8")
+    status, output = rtl_sources.run(list(map(str, command_line)), folder)
+    (folder / log).write_text(output, encoding="utf-8")
     if status:
         raise SimulationError(f"{command_line[0]} ended with {status}: see {folder / log}")
-    return said
+    return output
 
 
 def sources(work):
@@ -51,12 +51,12 @@ def sources(work):
             HERE / "ffd_org_select.v", HERE / f"{BENCH}.v"]
 
 
-def checked(said, run):
+def checked(output, run):
     """How many results were compared. Raises SimulationError unless all came and were right."""
-    found = _SAID.search(said)
-    if not found:
+    match = _SAID.search(output)
+    if not match:
         raise SimulationError("the bench did not end")
-    compared, wrong = map(int, found.groups())
+    compared, wrong = map(int, match.groups())
     if compared != run.vertices or wrong:
         raise SimulationError(f"{compared} results of {run.vertices} vertices, {wrong} of them wrong")
     return compared
@@ -76,6 +76,6 @@ def simulate(work, row, run, files, folder):
     compared = checked(command(["vvp", "-n", "bench.vvp"], folder, "bench.log"), run)
     nets = folder / "nets.vcd"
     with nets.open(encoding="ascii") as lines:
-        found = activity.read(lines, PERIOD_PS)
+        toggles = activity.read(lines, PERIOD_PS)
     nets.unlink()
-    return compared, found
+    return compared, toggles

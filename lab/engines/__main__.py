@@ -33,28 +33,28 @@ FAULTS = (answers.AnswerError, axi.AxiError, configurations.TableError, icarus.S
 
 def reports(options):
     """What goes into each report."""
-    found = measured.Reports()
+    collected = measured.Reports()
     table = configurations.read()
     for name in options.row:
         row = configurations.find(table, name)
         folder = options.output / "engines" / name
-        found.measure(options.programs, streams.prepare(options.programs, row, folder, options.beats))
-        found.measure_gates(streams.prepare(options.programs, row, folder.with_name(f"{name}-gates"),
-                                            min(GATE_BEATS, options.beats or GATE_BEATS)))
+        collected.measure(options.programs, streams.prepare(options.programs, row, folder, options.beats))
+        collected.measure_gates(streams.prepare(options.programs, row, folder.with_name(f"{name}-gates"),
+                                                min(GATE_BEATS, options.beats or GATE_BEATS)))
         if name == ROWS[0]:
-            found.plant(options.programs, streams.prepare(
+            collected.plant(options.programs, streams.prepare(
                 options.programs, row, folder.with_name(f"{name}{streams.PLANTED}"), PLANTED_BEATS))
-    return found
+    return collected
 
 
 def work_on(options):
     """What does not hold, a line each."""
-    found = reports(options)
-    for name, report in (("engines", found.engines), ("unknowns", found.unknowns)):
+    collected = reports(options)
+    for name, report in (("engines", collected.engines), ("unknowns", collected.unknowns)):
         path = options.output / "reports" / f"{name}.json"
         whole_file.write(path, json.dumps(report, indent=2) + "\n")
         print(f"wrote {path}")
-    return measured.faults(found.engines, found.unknowns)
+    return measured.faults(collected.engines, collected.unknowns)
 
 
 def main():

@@ -22,10 +22,10 @@ class Answers:
 def beats(path):
     """The lines of a file of beats. Raises AnswerError where it has none."""
     lines = path.read_text(encoding="ascii").splitlines() if path.is_file() else []
-    found = tuple(line for line in lines if line and not line.startswith("//"))
-    if not found:
+    answers = tuple(line for line in lines if line and not line.startswith("//"))
+    if not answers:
         raise AnswerError(f"{path}: no beats")
-    return found
+    return answers
 
 
 def read(folder):

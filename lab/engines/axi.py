@@ -39,14 +39,14 @@ def offsets():
 
 def packets(beats):
     """Lists of the beats of each packet. Raises AxiError where the last has no end."""
-    found = [[]]
+    cut = [[]]
     for beat in beats:
-        found[-1].append(beat)
+        cut[-1].append(beat)
         if beat.startswith("1"):
-            found.append([])
-    if found.pop():
+            cut.append([])
+    if cut.pop():
         raise AxiError("the last packet has no end")
-    return found
+    return cut
 
 
 def _words(beats):
@@ -72,14 +72,14 @@ def _registers(at, log2, packets_, first, results):
 
 def job(beats, results):
     """The Job of a stream that has so many results."""
-    found, at = packets(beats), offsets()
-    log2 = len(found).bit_length()
+    cut, at = packets(beats), offsets()
+    log2 = len(cut).bit_length()
     first = -(-(PACKETS + len(beats) * BEAT) // PAGE) * PAGE
     memory, address = [f"@{RING // BEAT:x}"], PACKETS
-    for packet in found:
+    for packet in cut:
         memory.append(f"{len(packet) * BEAT:016x}{address:016x}")
         address += len(packet) * BEAT
     memory += [f"@{PACKETS // BEAT:x}", *_words(beats)]
     steps = [f"{kind:x}{at.get(name, 0):03x}{data:08x}"
-             for kind, name, data in _registers(at, log2, len(found), first, results)]
+             for kind, name, data in _registers(at, log2, len(cut), first, results)]
     return Job(tuple(steps), tuple(memory), first // BEAT, first // BEAT + results + 1)

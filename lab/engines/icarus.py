@@ -35,19 +35,19 @@ class Bench:
 
 def command(line, folder, log):
     """What a program says. Raises SimulationError where it fails."""
-    status, said = rtl_sources.run(list(map(str, line)), folder)
-    (folder / log).write_text(said, encoding="utf-8")
+    status, output = rtl_sources.run(list(map(str, line)), folder)
+    (folder / log).write_text(output, encoding="utf-8")
     if status:
         raise SimulationError(f"{line[0]} ended with {status}: see {folder / log}")
-    return said
+    return output
 
 
-def result_of(said):
+def result_of(output):
     """(clocks, what was unknown or broken). Raises SimulationError unless the bench came to its end."""
-    end = _END.search(said)
+    end = _END.search(output)
     if not end:
         raise SimulationError("the bench did not end")
-    return int(end[1]), _FOUND.findall(said)
+    return int(end[1]), _FOUND.findall(output)
 
 
 def _key(bench, folder):
@@ -62,14 +62,14 @@ def _key(bench, folder):
 def run(bench, folder):
     """result_of() of the bench, whose files lie in the folder, and the seconds that it took."""
     ended, key = folder / "ended.json", _key(bench, folder)
-    kept = json.loads(ended.read_text(encoding="utf-8")) if ended.is_file() else {}
-    if kept.get("key") != key:
+    cached = json.loads(ended.read_text(encoding="utf-8")) if ended.is_file() else {}
+    if cached.get("key") != key:
         ended.unlink(missing_ok=True)
         begun = time.monotonic()
         _simulate(bench, folder)
-        kept = {"key": key, "seconds": time.monotonic() - begun}
-        ended.write_text(json.dumps(kept), encoding="utf-8")
-    return *result_of((folder / "bench.log").read_text(encoding="utf-8")), kept["seconds"]
+        cached = {"key": key, "seconds": time.monotonic() - begun}
+        ended.write_text(json.dumps(cached), encoding="utf-8")
+    return *result_of((folder / "bench.log").read_text(encoding="utf-8")), cached["seconds"]
 
 
 def _simulate(bench, folder):

@@ -26,10 +26,10 @@ def _engine(engine, stream, mismatches, seconds):
             "seconds": round(seconds, 1)}
 
 
-def _unknown(what, top, stream, mismatches, found):
-    return {"top": top, "of": what, "row": stream.row.name, "clocks": found.clocks,
-            "checked": found.checked, "unknown": len(found.names), "mismatches": mismatches,
-            "names": list(found.names)}
+def _unknown(what, top, stream, mismatches, unknowns):
+    return {"top": top, "of": what, "row": stream.row.name, "clocks": unknowns.clocks,
+            "checked": unknowns.checked, "unknown": len(unknowns.names), "mismatches": mismatches,
+            "names": list(unknowns.names)}
 
 
 def _report():
@@ -50,9 +50,9 @@ class Reports:
             self.engines["rows"].append(
                 _engine(engine, stream, *streams.simulate(programs, engine, stream)))
         show(f"{stream.row.name}: {ICARUS}")
-        mismatches, found = streams.simulate_with_x(stream)
-        self.engines["rows"].append(_engine(ICARUS, stream, mismatches, found.seconds))
-        self.unknowns["rows"].append(_unknown("sources", streams.TOP, stream, mismatches, found))
+        mismatches, unknowns = streams.simulate_with_x(stream)
+        self.engines["rows"].append(_engine(ICARUS, stream, mismatches, unknowns.seconds))
+        self.unknowns["rows"].append(_unknown("sources", streams.TOP, stream, mismatches, unknowns))
         self._measure_other("buses", stream)
 
     def measure_gates(self, stream):
@@ -76,26 +76,26 @@ class Reports:
                                       ("gates", planted.RESET, streams.simulate_gates),
                                       ("buses", planted.RESET, streams.simulate_in_memory)):
             show(f"planted: {what}")
-            mismatches, found = simulate(stream, (fault,), f"{streams.PLANTED}-{fault}")
+            mismatches, unknowns = simulate(stream, (fault,), f"{streams.PLANTED}-{fault}")
             if fault == planted.COEFFICIENT:
                 self.engines["planted"].append(
-                    {**_engine(what, stream, mismatches, found.seconds), "fault": fault})
+                    {**_engine(what, stream, mismatches, unknowns.seconds), "fault": fault})
             else:
                 top = OTHERS[what][0] if what in OTHERS else streams.TOP
                 self.unknowns["planted"].append(
-                    {**_unknown(what, top, stream, mismatches, found), "fault": fault})
+                    {**_unknown(what, top, stream, mismatches, unknowns), "fault": fault})
 
 
 def faults(engines, unknowns):
     """What does not hold, a line each."""
-    found = [f"{row['engine']}, {row['row']}: {row['mismatches']} of {row['results']} results and the "
-             "counts of events differ from the model's" for row in engines["rows"] if row["mismatches"]]
-    found += [f"{row['top']} ({row['of']}), {row['row']}: {name}"
-              for row in unknowns["rows"] for name in row["names"]]
-    found += [f"{row['top']} ({row['of']}), {row['row']}: {row['mismatches']} results differ from the "
-              "model's" for row in unknowns["rows"] if row["mismatches"]]
-    found += [f"{row['engine']}: the planted fault in '{row['fault']}' was not found"
-              for row in engines["planted"] if not row["mismatches"]]
-    found += [f"{row['top']} ({row['of']}): the planted fault in '{row['fault']}' was not found"
-              for row in unknowns["planted"] if not row["unknown"]]
-    return found
+    violations = [f"{row['engine']}, {row['row']}: {row['mismatches']} of {row['results']} results and the "
+                  "counts of events differ from the model's" for row in engines["rows"] if row["mismatches"]]
+    violations += [f"{row['top']} ({row['of']}), {row['row']}: {name}"
+                   for row in unknowns["rows"] for name in row["names"]]
+    violations += [f"{row['top']} ({row['of']}), {row['row']}: {row['mismatches']} results differ from the "
+                   "model's" for row in unknowns["rows"] if row["mismatches"]]
+    violations += [f"{row['engine']}: the planted fault in '{row['fault']}' was not found"
+                   for row in engines["planted"] if not row["mismatches"]]
+    violations += [f"{row['top']} ({row['of']}): the planted fault in '{row['fault']}' was not found"
+                   for row in unknowns["planted"] if not row["unknown"]]
+    return violations

@@ -74,18 +74,18 @@ def cleared(free, held, data=()):
             names.setdefault(bit, []).append((not own.endswith("_q"), len(own), own, place[1]))
     if not names:
         raise RegisterError("no registers that reset clears")
-    found = {}
+    places_by_name = {}
     for _, _, name, place in map(min, names.values()):
-        found.setdefault(name, []).append(place)
-    return {name: sorted(found[name]) for name in sorted(found)}
+        places_by_name.setdefault(name, []).append(place)
+    return {name: sorted(places_by_name[name]) for name in sorted(places_by_name)}
 
 
 def find(sources, top, parameters, folder):
     """cleared() of a top with its parameters. Raises RegisterError."""
     files = [folder / f"{name}.json" for name in ("tree", "free", "held")]
-    status, said = rtl_sources.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
+    status, output = rtl_sources.run(["yosys", "-q", "-p", "; ".join(steps(sources, top, parameters, *files))])
     if status:
-        raise RegisterError(f"yosys: {said.strip().splitlines()[-1]}")
+        raise RegisterError(f"yosys: {output.strip().splitlines()[-1]}")
     tree, free, held = (json.loads(path.read_text(encoding="utf-8"))["modules"] for path in files)
     for path in files:
         path.unlink()
@@ -99,7 +99,7 @@ def _split(name, places):
     return [(places, None)]
 
 
-def watch(found, core, clock, must):
+def watch(places_by_name, core, clock, must):
     """Verilog: a module ffd_bench_registers, a top of its own, that watches them in an instance `core`
     while `must` is 1, at the edges of `clock`."""
 
@@ -107,7 +107,7 @@ def watch(found, core, clock, must):
         return f"{core}.{name}" + ("" if place is None else f"[{place}]")
 
     lines = []
-    for name, places in found.items():
+    for name, places in places_by_name.items():
         for some, valid in _split(name, places):
             when = must if valid is None else f"{must} && {bit(name, valid)}"
             value = ", ".join(bit(name, place) for place in reversed(some))

@@ -59,15 +59,15 @@ def _subject(stream, faults, suffix, gates=False):
 def simulate_with_x(stream, faults=(), suffix=""):
     """(results that differ from the model's, Unknown) of the sources in Icarus."""
     subject = _subject(stream, faults, suffix)
-    found = unknown.in_sources(subject)
-    return answers.mismatches(answers.read(subject.folder), stream.wanted), found
+    unknowns = unknown.in_sources(subject)
+    return answers.mismatches(answers.read(subject.folder), stream.wanted), unknowns
 
 
 def simulate_gates(stream, faults=(), suffix=""):
     """(results that differ from the model's, Unknown) of gates in Icarus."""
     subject = _subject(stream, faults, suffix, gates=True)
-    found = unknown.in_gates(subject)
-    return answers.mismatches(answers.read(subject.folder), stream.wanted), found
+    unknowns = unknown.in_gates(subject)
+    return answers.mismatches(answers.read(subject.folder), stream.wanted), unknowns
 
 
 def simulate_in_memory(stream, faults=(), suffix=""):
@@ -78,8 +78,8 @@ def simulate_in_memory(stream, faults=(), suffix=""):
     job = axi.job(answers.beats(stream.folder / "beats.hex"), len(wanted))
     for name, lines in (("steps", job.steps), ("memory", job.memory)):
         (folder / f"{name}.hex").write_text("\n".join([*lines, ""]), encoding="ascii")
-    found = unknown.in_sources(unknown.Subject(AXI_TOP, AXI_BENCH, stream.row, {
+    unknowns = unknown.in_sources(unknown.Subject(AXI_TOP, AXI_BENCH, stream.row, {
         "STEPS": len(job.steps), "WORDS": job.words, "RESULTS": len(wanted), "FIRST": job.first},
         folder, faults))
     got = answers.beats(folder / "results.txt")
-    return answers.differing(got, ["0" + beat[1:] for beat in wanted]), found
+    return answers.differing(got, ["0" + beat[1:] for beat in wanted]), unknowns

@@ -62,15 +62,15 @@ class Subject:
 def in_sources(subject):
     """The Unknown of the sources. The registers are those of sources without a fault."""
     sources = rtl_sources.Sources()
-    found = registers.find(sources, subject.top, subject.row.parameters, subject.folder)
+    places_by_name = registers.find(sources, subject.top, subject.row.parameters, subject.folder)
     watch = subject.folder / f"{WATCH}.v"
     bench = subject.bench
-    watch.write_text(registers.watch(found, f"{bench}.u_core", f"{bench}.aclk", f"{bench}.settled"),
+    watch.write_text(registers.watch(places_by_name, f"{bench}.u_core", f"{bench}.aclk", f"{bench}.settled"),
                      encoding="utf-8")
     copies = subject.copies()
     files = [copies.get(pathlib.Path(path).name, path) for path in sources.needed(subject.top)]
     return subject.simulate((WATCH,), (*files, watch), sources.includes,
-                            sum(map(len, found.values())), (rtl_sources.SIMULATION,))
+                            sum(map(len, places_by_name.values())), (rtl_sources.SIMULATION,))
 
 
 def in_gates(subject):

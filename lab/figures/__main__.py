@@ -108,9 +108,9 @@ def main(arguments=None):
     showing = commands.add_parser("show", help="prints and draws reports of build/reports")
     running = commands.add_parser("run", help="runs a study and shows its reports")
     running.add_argument("--quiet", dest="show", action="store_false", help="neither prints nor draws")
-    for one, do in ((showing, show), (running, run)):
-        one.add_argument("names", metavar="NAME,...", help="of reports; of run then -- and the command")
-        one.set_defaults(do=do)
+    for command, do in ((showing, show), (running, run)):
+        command.add_argument("names", metavar="NAME,...", help="of reports; of run then -- and the command")
+        command.set_defaults(do=do)
     words = list(sys.argv[1:] if arguments is None else arguments)
     at = words.index("--") if "--" in words else len(words)
     options = parser.parse_args(words[:at])

@@ -25,7 +25,7 @@ AT_ONCE = 6
 def portions(groups, everything, minutes):
     """What to prove next, with its lemmas: all of it, or where there is a time a few at once until it is up."""
     if minutes is None:
-        groups = [[each for group in groups for each in group]]
+        groups = [[prop for group in groups for prop in group]]
     end, tried = time.monotonic() + 60 * (minutes or 0), set()
     for group in groups:
         at_once = len(group) if minutes is None else AT_ONCE
@@ -33,9 +33,9 @@ def portions(groups, everything, minutes):
             if minutes is not None and tried and time.monotonic() >= end:
                 return
             portion = group[place:place + at_once]
-            lemmas = {(each.module, name) for each in portion for name in each.lemmas.split()}
-            portion = [each for each in everything
-                       if each not in tried and (each in portion or (each.module, each.name) in lemmas)]
+            lemmas = {(prop.module, name) for prop in portion for name in prop.lemmas.split()}
+            portion = [prop for prop in everything
+                       if prop not in tried and (prop in portion or (prop.module, prop.name) in lemmas)]
             tried.update(portion)
             yield portion
 
@@ -44,18 +44,18 @@ def run(proving, wanted, jobs):
     """Proves what has no verdict yet: verdicts and complaints by property. Only clear verdicts are
     kept; the others depend on how much time there was. Raises EngineError."""
     files, failed = {}, {}
-    for one in wanted:
+    for prop in wanted:
         try:
-            files[one] = [] if proving.result(one) else proving.files(one)
+            files[prop] = [] if proving.result(prop) else proving.files(prop)
         except proofs.ProofError as error:
-            failed[one] = str(error)
-    said = engine.run(proving.root, "formal", files, jobs, (f"limit={proving.limit}",), "properties",
-                      "lab/formal/Snakefile")
-    failed.update((one, proofs.in_words(complaint)) for one, complaint in said.items())
-    verdicts = {one: proving.result(one) for one in files if one not in failed}
-    for one, verdict in verdicts.items():
+            failed[prop] = str(error)
+    complaints = engine.run(proving.root, "formal", files, jobs, (f"limit={proving.limit}",), "properties",
+                            "lab/formal/Snakefile")
+    failed.update((prop, proofs.in_words(complaint)) for prop, complaint in complaints.items())
+    verdicts = {prop: proving.result(prop) for prop in files if prop not in failed}
+    for prop, verdict in verdicts.items():
         if proofs.UNDECIDED in verdict.values():
-            for path in proving.files(one):
+            for path in proving.files(prop):
                 path.unlink()
     return verdicts, failed
 
@@ -65,8 +65,8 @@ def work(options, root):
         if not shutil.which(tool):
             raise engine.EngineError(f"{tool} not found: run tools/install engine")
     everything = proofs.read(root / proofs.TABLE)
-    wanted = [one for one in everything
-              if fnmatch.fnmatchcase(one.full_name, options.only or "*")]
+    wanted = [prop for prop in everything
+              if fnmatch.fnmatchcase(prop.full_name, options.only or "*")]
     proving = proofs.Proofs(root, options.limit)
     groups = [wanted]
     if options.since:
@@ -82,19 +82,19 @@ def work(options, root):
         for whole, part in zip((verdicts, failed), run(proving, portion, options.jobs)):
             whole.update(part)
         tried.update(portion)
-    wanted = [each for each in everything if each in tried]
+    wanted = [prop for prop in everything if prop in tried]
     shown = report.write(proving, everything, verdicts, failed, root / "build" / "reports")
     complaints = {(row["module"], row["name"]): (properties.complaint(row), row) for row in shown}
     bad = 0
-    for one in wanted:
-        complaint, row = complaints[one.module, one.name]
+    for prop in wanted:
+        complaint, row = complaints[prop.module, prop.name]
         if complaint:
             bad += 1
-            print(f"formal: {one}: {complaint}" + (
-                "" if row["result"] == "error" else f": see {proving.log(one)}"), file=sys.stderr)
+            print(f"formal: {prop}: {complaint}" + (
+                "" if row["result"] == "error" else f": see {proving.log(prop)}"), file=sys.stderr)
     print(f"formal: {len(wanted) - bad} of {len(wanted)} properties proved, each with its planted"
           " bug found")
-    left = len({each for group in groups for each in group} - tried)
+    left = len({prop for group in groups for prop in group} - tried)
     if left:
         print(f"formal: {left} that changed earlier were not tried: {options.minutes:g} minutes were up")
     print("wrote build/reports/formal.json and build/reports/formal.md")

@@ -58,7 +58,7 @@ class Property:
 
 def read(path):
     """The properties of a table. Raises ProofError."""
-    path, found = pathlib.Path(path), []
+    path, properties = pathlib.Path(path), []
     try:
         with open(path, newline="", encoding="utf-8") as text:
             rows = list(csv.reader(text))
@@ -70,29 +70,29 @@ def read(path):
         where = f"{path.name}, row {number}"
         if len(row) != len(COLUMNS):
             raise ProofError(f"{where}: {len(row)} columns, not {len(COLUMNS)}")
-        one = Property(*row)
+        prop = Property(*row)
         for column in ("module", "name", "harness", "file"):
-            if not re.fullmatch(r"[a-z]\w*(\.\w+)*", getattr(one, column)):
-                raise ProofError(f"{where}: {column} '{getattr(one, column)}' is not a name")
-        if not all(re.fullmatch(r"[A-Z]\w*=\d+", word) for word in one.parameters.split()):
-            raise ProofError(f"{where}: parameters '{one.parameters}' are not NAME=NUMBER")
-        if one.method not in METHODS:
-            raise ProofError(f"{where}: method '{one.method}' is none of {', '.join(METHODS)}")
-        if not one.original or one.original == one.mutant:
+            if not re.fullmatch(r"[a-z]\w*(\.\w+)*", getattr(prop, column)):
+                raise ProofError(f"{where}: {column} '{getattr(prop, column)}' is not a name")
+        if not all(re.fullmatch(r"[A-Z]\w*=\d+", word) for word in prop.parameters.split()):
+            raise ProofError(f"{where}: parameters '{prop.parameters}' are not NAME=NUMBER")
+        if prop.method not in METHODS:
+            raise ProofError(f"{where}: method '{prop.method}' is none of {', '.join(METHODS)}")
+        if not prop.original or prop.original == prop.mutant:
             raise ProofError(f"{where}: the planted bug changes nothing")
-        if not one.statement:
+        if not prop.statement:
             raise ProofError(f"{where}: no statement")
-        if one.full_name in [other.full_name for other in found]:
-            raise ProofError(f"{where}: {one.full_name} is there twice")
-        found.append(one)
-    for one in found:
-        for lemma in one.lemmas.split():
-            if not any(other.name == lemma and other.module == one.module and not other.lemmas
-                       and other.harness == one.harness and other.parameters == one.parameters
-                       for other in found):
-                raise ProofError(f"{path.name}: {one.full_name}: lemma '{lemma}' is no property of"
+        if prop.full_name in [other.full_name for other in properties]:
+            raise ProofError(f"{where}: {prop.full_name} is there twice")
+        properties.append(prop)
+    for prop in properties:
+        for lemma in prop.lemmas.split():
+            if not any(other.name == lemma and other.module == prop.module and not other.lemmas
+                       and other.harness == prop.harness and other.parameters == prop.parameters
+                       for other in properties):
+                raise ProofError(f"{path.name}: {prop.full_name}: lemma '{lemma}' is no property of"
                                  " this harness with these parameters and without lemmas")
-    return found
+    return properties
 
 
 class Proofs:
@@ -106,52 +106,52 @@ class Proofs:
         self.sources = rtl_sources.Sources(self.root)
         self.version = rtl_sources.run(["yosys", "-V"])[1].strip()
 
-    def sources_of(self, one):
+    def sources_of(self, prop):
         """(the modules under proof by name, the harness and what it shares). Raises ProofError."""
-        for module in (one.module, one.file):
+        for module in (prop.module, prop.file):
             if module not in self.sources.files:
                 raise ProofError(f"module {module} is not in rtl/hwffd.f")
-        harness = self.harnesses / f"{one.harness}.v"
+        harness = self.harnesses / f"{prop.harness}.v"
         if not harness.is_file():
-            raise ProofError(f"no harness lab/formal/{one.harness}.v")
+            raise ProofError(f"no harness lab/formal/{prop.harness}.v")
         there = {path.stem: path for path in sorted(self.harnesses.glob("*.v"))}
         words, files, own = set(), [harness], set()
         for path in files:  # grows by what the files before it name, in their code or as stand-ins
             text = path.read_text()
-            said = set(re.findall(r"(\w+)\.v\b", " ".join(STAND_INS.findall(text))))
+            mentioned = set(re.findall(r"(\w+)\.v\b", " ".join(STAND_INS.findall(text))))
             text = rtl_sources.strip_comments(text)
-            said |= set(re.findall(r"\w+", text))
+            mentioned |= set(re.findall(r"\w+", text))
             own |= set(re.findall(r"^module (\w+)", text, re.MULTILINE))  # also in a module's place
-            files += [there[stem] for stem in there if stem in said and there[stem] not in files]
-            words |= said
+            files += [there[stem] for stem in there if stem in mentioned and there[stem] not in files]
+            words |= mentioned
         needed = {}
         for module in self.sources.modules():
-            if module in words or module == one.module:
+            if module in words or module == prop.module:
                 for path in self.sources.needed(module):
                     needed[pathlib.Path(path).stem] = pathlib.Path(path)
         needed = {stem: path for stem, path in needed.items() if stem not in own}
-        if one.file not in needed:
-            raise ProofError(f"the planted bug is in {one.file}, which is not under proof")
+        if prop.file not in needed:
+            raise ProofError(f"the planted bug is in {prop.file}, which is not under proof")
         return needed, [*sorted(files[1:]), harness]
 
-    def mutated(self, one):
+    def mutated(self, prop):
         """The text of a module with its bug. Raises ProofError."""
-        path = self.sources.files[one.file]
+        path = self.sources.files[prop.file]
         try:
-            return rtl_sources.changed(path.read_text(), one.original, one.mutant, path.name)
+            return rtl_sources.changed(path.read_text(), prop.original, prop.mutant, path.name)
         except ValueError as error:
             raise ProofError(str(error)) from error
 
-    def script(self, one, planted=None):
+    def script(self, prop, planted=None):
         """The steps of yosys up to the circuit of the proof, or of its control: with the file in which
         a bug is planted, and without lemmas. Raises ProofError."""
-        needed, harness = self.sources_of(one)
-        kept = any("keep_hierarchy" in path.read_text() for path in needed.values())
-        lemmas = [] if planted else one.lemmas.split()
+        needed, harness = self.sources_of(prop)
+        hierarchical = any("keep_hierarchy" in path.read_text() for path in needed.values())
+        lemmas = [] if planted else prop.lemmas.split()
         if planted:
-            needed[one.file] = planted
+            needed[prop.file] = planted
         folders = "".join(f"-I {folder} " for folder in self.sources.includes)
-        values = "".join(f" -chparam {word.replace('=', ' ')}" for word in one.parameters.split())
+        values = "".join(f" -chparam {word.replace('=', ' ')}" for word in prop.parameters.split())
 
         def assertion(name):
             return f"t:$assert n:{name} n:*.{name} %u %i"
@@ -159,17 +159,17 @@ class Proofs:
         words = []  # a harness may name words of small memories, which then must be registers
         if any("memory_q[" in path.read_text() for path in harness):
             words = ["memory_collect", "memory_map r:SIZE<=8"]
-        wanted, assumed = assertion(one.name), []
+        wanted, assumed = assertion(prop.name), []
         for lemma in lemmas:
             assumed += [f"select -assert-count 1 {assertion(lemma)}",
                         f"chtype -set $assume {assertion(lemma)}"]
         return [
             f"read_verilog {folders}" + " ".join(map(str, needed.values())),
             f"read_verilog -formal {folders}" + " ".join(map(str, harness)),
-            f"hierarchy -check -top {one.harness}{values}",
+            f"hierarchy -check -top {prop.harness}{values}",
             "proc",
             *words,
-            *(rtl_sources.FLATTEN if kept else ["flatten"]),  # so that kept proofs of the others stay good
+            *(rtl_sources.FLATTEN if hierarchical else ["flatten"]),  # so that kept proofs of the others stay good
             "check -assert",
             f"select -assert-count 1 {wanted}",
             *assumed,
@@ -187,45 +187,45 @@ class Proofs:
             "opt_clean",
         ]
 
-    def prover(self, one, what):
+    def prover(self, prop, what):
         """The steps of ABC on a circuit that has been read."""
         if what == CONTROL:
             steps = f"bmc3 -F {SEARCH} -T {self.limit}"
-        elif one.method == PDR:
+        elif prop.method == PDR:
             steps = f"pdr -T {self.limit}"
-        elif one.method == SCORR:
+        elif prop.method == SCORR:
             steps = f"scorr; dc2; pdr -T {self.limit}"
         else:
             steps = f"bmc3 -F {BASE} -T {self.limit}; ind -F {STEPS} -T {self.limit}"
         return f"fold; strash; {steps}"
 
-    def key(self, one):
+    def key(self, prop):
         """Changes with whatever a verdict depends on. Raises ProofError."""
-        needed, harness = self.sources_of(one)
-        self.mutated(one)
+        needed, harness = self.sources_of(prop)
+        self.mutated(prop)
         folders = tuple(self.sources.includes)
         return digest.of(
-            self.version, one.method, str((BASE, STEPS)), one.file, one.original, one.mutant,
-            *self.script(one)[2:],
+            self.version, prop.method, str((BASE, STEPS)), prop.file, prop.original, prop.mutant,
+            *self.script(prop)[2:],
             digest.tokens(tuple(map(str, needed.values())), folders, "YOSYS", "SYNTHESIS"),
             digest.tokens(tuple(map(str, harness)), folders, "YOSYS", "FORMAL"))
 
-    def files(self, one):
+    def files(self, prop):
         """What ABC says of the proof and of its control. Raises ProofError."""
-        return [self.folder / f"{one.full_name}.{self.key(one)}.{what}.said"
+        return [self.folder / f"{prop.full_name}.{self.key(prop)}.{what}.said"
                 for what in (PROOF, CONTROL)]
 
-    def log(self, one):
+    def log(self, prop):
         """What ABC says, of both, as one pattern."""
-        return f"build/formal/{one.full_name}.{self.key(one)}.*.said"
+        return f"build/formal/{prop.full_name}.{self.key(prop)}.*.said"
 
-    def result(self, one):
+    def result(self, prop):
         """The verdict on these sources, if there is one; else None. Raises ProofError."""
-        files = self.files(one)
+        files = self.files(prop)
         # Seconds come last: without them a run was broken off.
         if not all(path.is_file() and path.with_suffix(".seconds").is_file() for path in files):
             return None
-        (result, clock), (control, frame) = (decided(one, path.read_text(errors="replace"))
+        (result, clock), (control, frame) = (decided(prop, path.read_text(errors="replace"))
                                              for path in files)
         took, control_took = (engine.seconds(path.with_suffix(".seconds")) for path in files)
         return {"result": result, "negative_control": control, "seconds": took,
@@ -233,23 +233,24 @@ class Proofs:
                 "clocks_to_counterexample": frame if control == REFUTED else None,
                 **({"broken_at_clock": clock} if result == REFUTED else {})}
 
-    def effort(self, one):
+    def effort(self, prop):
         """The seconds that it took with other sources."""
-        return max(map(engine.seconds, self.folder.glob(f"{one.full_name}.*.seconds")), default=0)
+        return max(map(engine.seconds, self.folder.glob(f"{prop.full_name}.*.seconds")), default=0)
 
 
 def changed_since(proofs, everything, commit):
     """The properties whose row, harness or modules under proof differ from those of a commit, in groups of what one
     commit changed last, the newest first. Raises ProofError."""
     def git(*words):
-        status, said = rtl_sources.run(["git", "-C", str(proofs.root), *words])
+        status, text = rtl_sources.run(["git", "-C", str(proofs.root), *words])
         if status:
-            raise ProofError(f"commit '{commit}': {said.strip().splitlines()[-1] if said.strip() else 'unknown to git'}")
-        return said
+            raise ProofError(f"commit '{commit}': "
+                             f"{text.strip().splitlines()[-1] if text.strip() else 'unknown to git'}")
+        return text
 
-    said = git("diff", "--name-status", commit, "--", "rtl", str(pathlib.Path(TABLE).parent))
+    diff = git("diff", "--name-status", commit, "--", "rtl", str(pathlib.Path(TABLE).parent))
     different = {pathlib.Path(line.split("\t")[-1]).name: line.split("\t")[-1]
-                 for line in said.splitlines() if not line.startswith("R100")}
+                 for line in diff.splitlines() if not line.startswith("R100")}
     table = pathlib.Path(TABLE).name
     rows = set(map(tuple, csv.reader(git("show", f"{commit}:{TABLE}").splitlines()))) if table in different else None
     order = {name: place for place, name in enumerate(git("rev-list", "HEAD").split())}
@@ -268,24 +269,24 @@ def changed_since(proofs, everything, commit):
         return names
 
     groups = {}
-    for each in everything:
-        needed, harness = proofs.sources_of(each)
+    for prop in everything:
+        needed, harness = proofs.sources_of(prop)
         names = set().union(*(read(path) for path in (*needed.values(), *harness))) & set(different)
-        if rows is not None and dataclasses.astuple(each) not in rows:
+        if rows is not None and dataclasses.astuple(prop) not in rows:
             names.add(table)
         if names:
-            groups.setdefault(min(changed_last[name] for name in names), []).append(each)
+            groups.setdefault(min(changed_last[name] for name in names), []).append(prop)
     return [groups[place] for place in sorted(groups)]
 
 
-def decided(one, said):
+def decided(prop, output):
     """(verdict, the clock of the counterexample or None) of what ABC said."""
-    broken = re.search(r"was asserted in frame (\d+)", said)
+    broken = re.search(r"was asserted in frame (\d+)", output)
     if broken:
         return REFUTED, int(broken.group(1))
-    proved = ("Property proved." in said if one.method != INDUCTION else
-              f"No output asserted in {BASE} frames" in said
-              and "Networks are equivalent" in said)
+    proved = ("Property proved." in output if prop.method != INDUCTION else
+              f"No output asserted in {BASE} frames" in output
+              and "Networks are equivalent" in output)
     return (PROVED if proved else UNDECIDED), None
 
 

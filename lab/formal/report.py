@@ -16,22 +16,22 @@ NOT_RUN = "not run"
 def collect(work, everything, verdicts, failed):
     """A dictionary a property, in the table's order; verdicts of earlier runs are used."""
     shown = []
-    for one in everything:
-        verdict = verdicts.get(one)
-        if verdict is None and one not in failed:
+    for prop in everything:
+        verdict = verdicts.get(prop)
+        if verdict is None and prop not in failed:
             try:
-                verdict = work.result(one)
+                verdict = work.result(prop)
             except proofs.ProofError as error:
-                failed = {**failed, one: str(error)}
+                failed = {**failed, prop: str(error)}
         row = {
-            "module": one.module, "name": one.name, "statement": one.statement,
+            "module": prop.module, "name": prop.name, "statement": prop.statement,
             "result": NOT_RUN, "negative_control": NOT_RUN, "seconds": None,
-            "harness": f"lab/formal/{one.harness}.v", "parameters": one.parameters,
-            "method": one.method, "lemmas": one.lemmas.split(),
-            "planted_bug": {"module": one.file, "original": one.original, "mutant": one.mutant},
+            "harness": f"lab/formal/{prop.harness}.v", "parameters": prop.parameters,
+            "method": prop.method, "lemmas": prop.lemmas.split(),
+            "planted_bug": {"module": prop.file, "original": prop.original, "mutant": prop.mutant},
         }
-        if one in failed:
-            row.update(result="error", negative_control="error", complaint=failed[one])
+        if prop in failed:
+            row.update(result="error", negative_control="error", complaint=failed[prop])
         elif verdict is not None:
             row.update(verdict)
         shown.append(row)

@@ -92,35 +92,36 @@ def rows(subject, mutants, verdicts):
         if verdict in SURVIVORS:
             names[module].append({"number": number, "verdict": verdict,
                                   "change": mutants[number - 1]})
-    return [{**subject, "module": module, "total": sum(found.values()),
-             **{verdict: found[verdict] for verdict in VERDICTS},
-             "survivors": names[module]} for module, found in sorted(counts.items())]
+    return [{**subject, "module": module, "total": sum(verdicts.values()),
+             **{verdict: verdicts[verdict] for verdict in VERDICTS},
+             "survivors": names[module]} for module, verdicts in sorted(counts.items())]
 
 
-def score(found):
+def score(rows):
     """Percent of the mutants that are not equivalent."""
-    asked = sum(row["total"] - row["equivalent"] for row in found)
-    return 100.0 * sum(row["killed"] for row in found) / asked if asked else 0.0
+    asked = sum(row["total"] - row["equivalent"] for row in rows)
+    return 100.0 * sum(row["killed"] for row in rows) / asked if asked else 0.0
 
 
 def work_on(options):
-    found, faults = [], []
+    rows, faults = [], []
     column = "sample" if options.sample else "mutants"
     chosen = [subject for subject in subjects(options.only) if subject[column] != "0"]
     for subject, number in zip(chosen, numbers(chosen, column, options.mutants)):
         mine = measure(options, subject, number)
-        found += mine
+        rows += mine
         if score(mine) < float(subject["aim"]) and not options.sample:
             faults.append(f"{subject['name']}: {score(mine):.1f} % killed, need {subject['aim']}")
-    if options.sample and score(found) < SAMPLE_AIM:
-        faults.append(f"{score(found):.1f} % of the sample killed, need {SAMPLE_AIM}")
-    total = {verdict: sum(row[verdict] for row in found)
+    if options.sample and score(rows) < SAMPLE_AIM:
+        faults.append(f"{score(rows):.1f} % of the sample killed, need {SAMPLE_AIM}")
+    total = {verdict: sum(row[verdict] for row in rows)
              for verdict in ("total", *VERDICTS)}
-    report = {**total, "killed_percent": round(score(found), 2), "short": faults, "rows": found}
+    report = {**total, "killed_percent": round(score(rows), 2), "short": faults, "rows": rows}
     path = options.report or ROOT / "build" / "reports" / "mutants.json"
     whole_file.write(path, json.dumps(report, indent=2) + "\n")
     print(f"mutants: {total['total']}, {total['killed']} killed, {total['equivalent']} equivalent, "
-          f"{total['undecided']} undecided, {total['survived']} survived: {score(found):.1f} % of those that change something\nwrote {path}")
+          f"{total['undecided']} undecided, {total['survived']} survived: "
+          f"{score(rows):.1f} % of those that change something\nwrote {path}")
     return faults
 
 

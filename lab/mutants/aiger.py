@@ -57,8 +57,8 @@ def read(path):
              "o": [set() for _ in range(outputs)]}
     for line in data[place:].decode().split("\nc\n")[0].splitlines():
         if line[:1] in names:
-            which, *found = line.split(" ")
-            names[which[0]][int(which[1:])].update(found)
+            which, *aliases = line.split(" ")
+            names[which[0]][int(which[1:])].update(aliases)
     return Graph(names["i"], names["l"], values[:registers],
                  {name: values[registers + number] for number, all_of in enumerate(names["o"]) for name in all_of},
                  pairs)
@@ -98,8 +98,8 @@ def _matched(names, others):
     """Of each set of names, the number of that of the others with one of them; None if there is none, or
     two have the same."""
     numbers = {name: number for number, some in enumerate(others) for name in some}
-    found = [next((numbers[name] for name in sorted(some) if name in numbers), None) for some in names]
-    return found if None not in found and len(set(found)) == len(found) else None
+    matches = [next((numbers[name] for name in sorted(some) if name in numbers), None) for some in names]
+    return matches if None not in matches and len(set(matches)) == len(matches) else None
 
 
 def step(one, other, path):

@@ -36,10 +36,10 @@ def _commands(build, target):
 
 def model(build, library):
     """The model in a library."""
-    found = [line for line in _commands(build, library) if "verilate.sh" in line]
-    if not found:
+    lines = [line for line in _commands(build, library) if "verilate.sh" in line]
+    if not lines:
         raise MutantError(f"{library} is not verilated")
-    words = shlex.split(found[-1].split("&&")[1])
+    words = shlex.split(lines[-1].split("&&")[1])
     parameters = tuple(tuple(word[2:].split("=")) for word in words if re.match(r"-G\w+=", word))
     sources, control = (tuple(word for word in words if word.endswith(end)) for end in (".v", ".vlt"))
     return Model(words[1], words[words.index("--top-module") + 1], parameters, sources, control,

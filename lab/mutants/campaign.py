@@ -76,9 +76,9 @@ def _parts(path, tests, folder):
     suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"] if report.exists() else []
     seconds = {f"{suite['name']}.{test['name']}": float(test["time"].rstrip("s"))
                for suite in suites for test in suite["testsuite"]}
-    parts = ([name for name in seconds if seconds[name] <= QUICK],
-             [name for name in seconds if seconds[name] > QUICK])
-    return [(":".join(part), sum(seconds[name] for name in part)) for part in parts if part]
+    groups = ([name for name in seconds if seconds[name] <= QUICK],
+              [name for name in seconds if seconds[name] > QUICK])
+    return [(":".join(part), sum(seconds[name] for name in part)) for part in groups if part]
 
 
 def passes(path, tests, number, limit=None):
@@ -99,9 +99,9 @@ def late(build, subject, folder):
 
 def unseen(path, tests, numbers, tested, jobs):
     """Those of the mutants with these numbers that the tests did not see."""
-    parts = _parts(path, tests, path.parent)
-    if not parts:
+    groups = _parts(path, tests, path.parent)
+    if not groups:
         raise MutantError(f"{path}: no test is called {tests}")
     passed = tested.of(numbers, lambda number: all(
-        passes(path, part, number, max(LEAST, TIMES * seconds)) for part, seconds in parts), jobs, "mutant")
+        passes(path, part, number, max(LEAST, TIMES * seconds)) for part, seconds in groups), jobs, "mutant")
     return [number for number, alive in passed.items() if alive]

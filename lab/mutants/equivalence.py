@@ -65,10 +65,10 @@ def _alike(root, steps, path, limit):
     """The graph of a design whose registers have the names that they have with the change, or without it;
     or None."""
     design = path.with_suffix(".aig")
-    made = yosys(root, path, [
+    written = yosys(root, path, [
         *steps, *CUT, "async2sync", "techmap", "opt_clean", "dfflegalize -cell $_DFF_P_ 01", "aigmap", "opt_clean",
         "setundef -zero -init", f"write_aiger -zinit -symbols {design}"], limit)
-    return aiger.read(design) if made else None
+    return aiger.read(design) if written else None
 
 
 def step(root, mutant, top, path, limit):
@@ -85,11 +85,11 @@ def step(root, mutant, top, path, limit):
 def _gates(root, steps, path, limit):
     """What the steps make in gates and registers, a file with one output; or None."""
     design = path.with_suffix(".aig")
-    made = yosys(root, path, [
+    written = yosys(root, path, [
         *steps, "async2sync", "opt", "techmap", "opt_clean",
         "dfflegalize -cell $_DFF_P_ 01", "abc -fast -g AND", "opt_clean", "setundef -zero -init",
         f"write_aiger -zinit {design}"], limit)
-    return design if made else None
+    return design if written else None
 
 
 def _abc(design, steps, limit):

@@ -14,9 +14,9 @@ class Known:
 
     def __init__(self, path, *sources, text=""):
         self.path = path
-        self.key = hashlib.sha256(text.encode() + b"".join(one.read_bytes() for one in sources)).hexdigest()
-        kept = json.loads(path.read_text()) if path.exists() else {}
-        self.known = kept["answers"] if kept.get("key") == self.key else {}
+        self.key = hashlib.sha256(text.encode() + b"".join(path.read_bytes() for path in sources)).hexdigest()
+        saved = json.loads(path.read_text()) if path.exists() else {}
+        self.known = saved["answers"] if saved.get("key") == self.key else {}
 
     def of(self, numbers, work, jobs, what):
         """The answer to each number: work(number) where it is not known."""

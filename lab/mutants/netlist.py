@@ -42,7 +42,7 @@ def _by_bits(memory, folder):
 def _read(root, model, folder):
     """The steps of yosys that read a model's design."""
     inside = sorted(path.relative_to(root) for path in root.glob("rtl/**/*.v*"))
-    folders = " ".join(f"-I {path}" for path in sorted({one.parent for one in inside}))
+    folders = " ".join(f"-I {path}" for path in sorted({source.parent for source in inside}))
     sources = [str(path) for path in inside if path.suffix == ".v" and path != _MEMORY]
     sources += [str(_by_bits(root / _MEMORY, folder))] if _MEMORY in inside else []
     sources += [os.path.relpath(source, root) for source in model.sources
@@ -71,9 +71,9 @@ def base(folder):
 
 def _chosen(lines, modules, number):
     """So many of those in modules of these names, but of what is left out."""
-    found = [line for line in lines if line.startswith("mutate") and not _LEFT_OUT.search(line)
-             and any(fnmatch.fnmatchcase(module(line), pattern) for pattern in modules.split())]
-    return found[:number]
+    mutations = [line for line in lines if line.startswith("mutate") and not _LEFT_OUT.search(line)
+                 and any(fnmatch.fnmatchcase(module(line), pattern) for pattern in modules.split())]
+    return mutations[:number]
 
 
 def read(root, model, folder):
@@ -99,10 +99,10 @@ def listed(root, folder, number, seed, modules="*"):
             f"read_rtlil {base(folder)}",
             f"mutate -list {number * (1 if modules == '*' else FOR_ONE)} -seed {seed} -ctrl {CHOICE} 16 1 -o {path}"]):
         raise MutantError(f"yosys lists no mutants: see {folder / 'list.log'}")
-    found = _chosen(path.read_text().splitlines(), modules, number)
-    if not found:
+    mutations = _chosen(path.read_text().splitlines(), modules, number)
+    if not mutations:
         raise MutantError("0 mutants were applied: the design has nothing to change")
-    return [re.sub(rf" -ctrl {CHOICE} \d+ \d+", "", line) for line in found]
+    return [re.sub(rf" -ctrl {CHOICE} \d+ \d+", "", line) for line in mutations]
 
 
 def write(root, model, mutants, folder):
@@ -127,6 +127,6 @@ def write(root, model, mutants, folder):
 
 def module(mutant):
     """The module of rtl/ that it changes: that of its cell, else of the wire, as their source says."""
-    found = (re.search(r"-cell \S*\$rtl/(?:\w+/)+(\w+)\.v:", mutant)
+    match = (re.search(r"-cell \S*\$rtl/(?:\w+/)+(\w+)\.v:", mutant)
              or re.search(r"-src \S*?(\w+)\.s?v:", mutant) or re.search(r"-module \\?(\S+)", mutant))
-    return found[1]
+    return match[1]

@@ -37,10 +37,10 @@ PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-
 
 def read(path):
     """command -> [(name, report)] in the order of the table. Raises TableError."""
-    found = {}
+    by_command = {}
     for _, row in csv_table.read(path, ("name", "report", "command")):
-        found.setdefault(row["command"], []).append((row["name"], row["report"]))
-    return found
+        by_command.setdefault(row["command"], []).append((row["name"], row["report"]))
+    return by_command
 
 
 def machine():
@@ -54,25 +54,25 @@ def machine():
 
 def programs():
     """The first line that each program says of itself, of those that are there."""
-    found = {}
+    versions = {}
     for name, option in PROGRAMS.items():
         if shutil.which(name):
             result = subprocess.run([name, option], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                                     check=False)
-            found[name] = ((result.stdout + result.stderr).strip().splitlines() or [""])[0]
-    return found
+            versions[name] = ((result.stdout + result.stderr).strip().splitlines() or [""])[0]
+    return versions
 
 
 def text_of(report):
     """JSON with a line for each row."""
-    parts = []
+    entries = []
     for key, value in report.items():
         if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
             text = "[\n" + ",\n".join("    " + json.dumps(row) for row in value) + "\n  ]"
         else:
             text = json.dumps(value)
-        parts.append(f"  {json.dumps(key)}: {text}")
-    return "{\n" + ",\n".join(parts) + "\n}\n"
+        entries.append(f"  {json.dumps(key)}: {text}")
+    return "{\n" + ",\n".join(entries) + "\n}\n"
 
 
 class Release:
@@ -80,7 +80,7 @@ class Release:
 
     def __init__(self, root, studies):
         self.root, self.studies = root, studies
-        self.names = [name for found in studies.values() for name, _ in found]
+        self.names = [name for rows in studies.values() for name, _ in rows]
         self.commit = self.clean()
         self.version = str(version.read(root))
         self.folder = root / "build" / "results" / self.commit[:12]
@@ -108,7 +108,7 @@ class Release:
     def path(self, name):
         return self.folder / f"{name}.json"
 
-    def done(self, name):
+    def is_measured(self, name):
         """Whether it has been measured on this commit. Raises Request for what is of another."""
         if not self.path(name).is_file():
             return False
@@ -124,12 +124,12 @@ class Release:
             self.known = {"version": self.version, "commit": self.commit, "machine": machine(), "tools": programs()}
         return self.known
 
-    def measure(self, command, found):
+    def measure(self, command, reports):
         """Runs a command and takes its reports; what is wrong, '' if nothing."""
         fresh = self.root / results.FRESH
-        for _, report in found:
+        for _, report in reports:
             (fresh / f"{report}.json").unlink(missing_ok=True)
-        log = self.folder / f"{found[0][0]}.log"
+        log = self.folder / f"{reports[0][0]}.log"
         log.parent.mkdir(parents=True, exist_ok=True)
         with log.open("w", encoding="utf-8") as file, subprocess.Popen(
                 ["bash", "-c", command], cwd=self.root, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
@@ -141,15 +141,15 @@ class Release:
                 raise
         if self.clean() != self.commit:
             raise command_line.Request(f"another commit is checked out since {command} began: its results are not taken")
-        said = f"see {log.relative_to(self.root)}"
+        where = f"see {log.relative_to(self.root)}"
         taken = {}
-        for name, report in found:
+        for name, report in reports:
             path = fresh / f"{report}.json"
             if not path.is_file():
-                return f"{command} ended with {status} and wrote no {report}.json: {said}"
+                return f"{command} ended with {status} and wrote no {report}.json: {where}"
             taken[name] = results.read(path)
             if status and not taken[name].get("short"):
-                return f"{command} ended with {status}: {said}"
+                return f"{command} ended with {status}: {where}"
         for name, content in taken.items():
             whole_file.write(self.path(name), text_of({**self.stamp(), **content}))
         return ""
@@ -166,7 +166,7 @@ class Release:
         draft.mkdir(parents=True)
         for name in self.names:
             shutil.copyfile(self.path(name), draft / f"{name}.json")
-        studies = {name: {"command": command} for command, found in self.studies.items() for name, _ in found}
+        studies = {name: {"command": command} for command, rows in self.studies.items() for name, _ in rows}
         (draft / results.RELEASE).write_text(json.dumps({**self.stamp(), "mixed": False, "studies": studies}, indent=1) + "\n",
                                              encoding="utf-8")
         os.replace(draft, self.target)
@@ -178,18 +178,18 @@ def tell(text):
 
 def work(options, root):
     release = Release(root, read(options.studies))
-    wrong, left = [], [(command, found) for command, found in release.studies.items()
-                       if not all([release.done(name) for name, _ in found])]
+    wrong, left = [], [(command, rows) for command, rows in release.studies.items()
+                       if not all([release.is_measured(name) for name, _ in rows])]
     tell(f"{release.version}, commit {release.commit[:12]}: {len(release.studies) - len(left)} of {len(release.studies)} "
          "commands have been run")
-    for number, (command, found) in enumerate(left, len(release.studies) - len(left) + 1):
+    for number, (command, rows) in enumerate(left, len(release.studies) - len(left) + 1):
         tell(f"{number} of {len(release.studies)}: {command}")
         start = time.monotonic()
-        complaint = release.measure(command, found) or next(filter(None, map(release.lacking, dict(found))), "")
+        complaint = release.measure(command, rows) or next(filter(None, map(release.lacking, dict(rows))), "")
         tell(f"{command} took {time.monotonic() - start:.0f} s" + (f": {complaint}" if complaint else ""))
         if complaint:
             wrong.append(complaint)
-            for name, _ in found:
+            for name, _ in rows:
                 release.path(name).unlink(missing_ok=True)
     for complaint in wrong:
         print(f"results: {complaint}", file=sys.stderr)

@@ -72,7 +72,7 @@ def _add(counts, path, row):
 
 def modules(counts):
     """{module: {kind: [places]}}, places in order."""
-    found = collections.defaultdict(lambda: {kind: [] for kind in KINDS})
+    by_module = collections.defaultdict(lambda: {kind: [] for kind in KINDS})
     for place in sorted(counts):
-        found[place.module][place.kind].append(place)
-    return found
+        by_module[place.module][place.kind].append(place)
+    return by_module

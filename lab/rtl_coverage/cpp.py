@@ -31,28 +31,28 @@ def _files(root, build):
 def merged(lines):
     """{line: (whether it ran, whether each of its branches did)}. A line of a template is there once for
     each of its instances, and as in the RTL it is enough that any of them ran."""
-    found = {}
+    by_line = {}
     for line in lines:
         if line.get("gcovr/excluded"):
             continue
-        ran, branches = found.get(line["line_number"], (False, []))
+        ran, branches = by_line.get(line["line_number"], (False, []))
         more = [branch["count"] > 0 for branch in line.get("branches", ())
                 if not branch.get("gcovr/excluded")]
-        found[line["line_number"]] = (ran or line["count"] > 0, [
+        by_line[line["line_number"]] = (ran or line["count"] > 0, [
             one or other for one, other in itertools.zip_longest(branches, more, fillvalue=False)])
-    return found
+    return by_line
 
 
 def rows(root, build):
     """A row for each folder."""
-    files, found = _files(root, build), []
+    files, measured = _files(root, build), []
     for folder in FOLDERS:
-        lines = [line for one in files if one["file"].startswith(f"{folder}/")
-                 for line in merged(one["lines"]).values()]
+        lines = [line for entry in files if entry["file"].startswith(f"{folder}/")
+                 for line in merged(entry["lines"]).values()]
         branches = [ran for _, all_of_it in lines for ran in all_of_it]
         if not lines:
             raise CoverageError(f"{folder}/: no line was counted")
-        found.append({"folder": folder, "lines": len(lines), "branches": len(branches),
-                      "line": round(100 * sum(ran for ran, _ in lines) / len(lines), 2),
-                      "branch": round(100 * sum(branches) / max(1, len(branches)), 2)})
-    return found
+        measured.append({"folder": folder, "lines": len(lines), "branches": len(branches),
+                         "line": round(100 * sum(ran for ran, _ in lines) / len(lines), 2),
+                         "branch": round(100 * sum(branches) / max(1, len(branches)), 2)})
+    return measured

@@ -30,10 +30,10 @@ def read(path):
 
 def _is_bit_of(what, bits):
     """Whether a toggle's signal and bit are among those of a row."""
-    several, one = _BITS.fullmatch(bits), _BIT.fullmatch(what)
-    if not several or not one:
+    several, bit = _BITS.fullmatch(bits), _BIT.fullmatch(what)
+    if not several or not bit:
         return what == bits
-    return one[1] == several[1] and int(several[2]) <= int(one[2]) <= int(several[3])
+    return bit[1] == several[1] and int(several[2]) <= int(bit[2]) <= int(several[3])
 
 
 def _fits(row, place, source):

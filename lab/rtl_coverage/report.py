@@ -17,19 +17,19 @@ def _percent(run, places):
 
 def row(module, places, counts, left_out):
     """A module: percentages of what is not left out, and the places that were not run."""
-    found = {"module": module}
+    counted = {"module": module}
     missed = []
     for kind in KINDS:
         asked = [place for place in places[kind] if place not in left_out]
         run = [place for place in asked if counts[place]]
-        found[kind] = _percent(len(run), len(asked))
-        found[f"{kind}s"] = len(asked)
+        counted[kind] = _percent(len(run), len(asked))
+        counted[f"{kind}s"] = len(asked)
         missed += [f"{kind} {place.line} {place.what}".rstrip() for place in asked
                    if not counts[place]]
-    found["excluded"] = sum(place in left_out for kind in KINDS for place in places[kind])
-    found["missed"] = len(missed)
-    found["missed_places"] = missed[:SHOWN]
-    return found
+    counted["excluded"] = sum(place in left_out for kind in KINDS for place in places[kind])
+    counted["missed"] = len(missed)
+    counted["missed_places"] = missed[:SHOWN]
+    return counted
 
 
 def rows(wanted, counts, left_out):
@@ -41,13 +41,13 @@ def rows(wanted, counts, left_out):
 
 def faults(report):
     """What falls short, a line each."""
-    said = []
-    for one in report["rows"]:
-        if not any(one[f"{kind}s"] for kind in KINDS):
-            said.append(f"{one['module']}: no program has it")
-        said += [f"{one['module']}: {kind} {one[kind]} %, need {least:g}"
-                 for kind, least in LEAST.items() if one[kind] is not None and one[kind] < least]
-    for one in report["cpp"]:
-        said += [f"{one['folder']}/: {kind} {one[kind]} %, need {least:g}"
-                 for kind, least in LEAST_CPP.items() if one[kind] < least]
-    return said
+    violations = []
+    for entry in report["rows"]:
+        if not any(entry[f"{kind}s"] for kind in KINDS):
+            violations.append(f"{entry['module']}: no program has it")
+        violations += [f"{entry['module']}: {kind} {entry[kind]} %, need {least:g}"
+                       for kind, least in LEAST.items() if entry[kind] is not None and entry[kind] < least]
+    for entry in report["cpp"]:
+        violations += [f"{entry['folder']}/: {kind} {entry[kind]} %, need {least:g}"
+                       for kind, least in LEAST_CPP.items() if entry[kind] < least]
+    return violations

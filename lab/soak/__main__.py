@@ -20,10 +20,10 @@ import sys
 import time
 
 from lab.soak import seeds
-from lab.soak.corpus import Corpus, Kept, traffic
-from lab.soak.runs import Round, SoakError, Sums, one
+from lab.soak.corpus import Corpus, FaultySeed, traffic
+from lab.soak.runs import Round, SoakError, Sums, run_round
 from tools import command_line, job_pool
-from tools.synth import report_parts
+from tools.synth import partial_reports
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -36,14 +36,14 @@ def run(options, rounds, sums, keep):
     folder.mkdir(parents=True, exist_ok=True)
 
     def ended(_, future):
-        found = future.result()
-        sums.add(found)
-        for test in found.failed:
-            print(f"soak: {found.round.kind.name}: SEED={found.round.seed}: {test} fails: see {found.log}",
+        outcome = future.result()
+        sums.add(outcome)
+        for test in outcome.failed:
+            print(f"soak: {outcome.round.kind.name}: SEED={outcome.round.seed}: {test} fails: see {outcome.log}",
                   file=sys.stderr, flush=True)
-            keep(Kept(found.round.kind.name, found.round.seed, test))
+            keep(FaultySeed(outcome.round.kind.name, outcome.round.seed, test))
 
-    job_pool.run(lambda turn: one(turn, options.build, folder), rounds, options.jobs, ended,
+    job_pool.run(lambda turn: run_round(turn, options.build, folder), rounds, options.jobs, ended,
                  name=lambda turn: f"{turn.kind.name}, seed {turn.seed}")
 
 
@@ -51,12 +51,12 @@ def soak(options, kinds, corpus, sums):
     """Runs the corpus, then each new seed with each kind of traffic until the time is over: how many
     hours it took."""
     start = time.monotonic()
-    run(options, [Round(kinds[kept.traffic], kept.seed) for kept in corpus.kept if kept.traffic in kinds],
-        sums, corpus.keep)
+    run(options, [Round(kinds[saved.traffic], saved.seed) for saved in corpus.seeds if saved.traffic in kinds],
+        sums, corpus.add)
     begun = time.monotonic()
     while time.monotonic() < begun + 3600 * options.hours:
         seed = seeds.following(options.build)
-        run(options, [Round(kind, seed) for kind in kinds.values()], sums, corpus.keep)
+        run(options, [Round(kind, seed) for kind in kinds.values()], sums, corpus.add)
         seeds.had(options.build, seed)
     return hours_since(start)
 
@@ -67,28 +67,29 @@ def hours_since(start):
 
 def write_part(options, kinds):
     """One seed. What fails is for who joins."""
-    sums, found, start = Sums(), [], time.monotonic()
-    run(options, [Round(kind, options.seed) for kind in kinds.values()], sums, found.append)
-    report_parts.write(options.part, {"seed": options.seed, "hours": hours_since(start), "rows": list(sums.rows.values()),
-                                      "found": [dataclasses.asdict(fault) for fault in found]})
+    sums, faults, start = Sums(), [], time.monotonic()
+    run(options, [Round(kind, options.seed) for kind in kinds.values()], sums, faults.append)
+    partial_reports.write(options.part, {"seed": options.seed, "hours": hours_since(start),
+                                         "rows": list(sums.rows.values()),
+                                         "found": [dataclasses.asdict(fault) for fault in faults]})
     return 0
 
 
 def join(options, kinds, corpus, sums):
     """Adds up parts, which have a seed each: how many hours they took."""
-    found = report_parts.read(options.join, ("seed", "hours", "rows", "found"))
-    had = sorted(part["seed"] for part in found)
+    parts = partial_reports.read(options.join, ("seed", "hours", "rows", "found"))
+    had = sorted(part["seed"] for part in parts)
     if len(set(had)) != len(had):
-        raise report_parts.PartError(f"a seed is in two parts: {' '.join(map(str, had))}")
-    for row in report_parts.rows(found):
+        raise partial_reports.PartError(f"a seed is in two parts: {' '.join(map(str, had))}")
+    for row in partial_reports.rows(parts):
         sums.add_row(row)
     short = [name for name in kinds if sums.rows.get(name, {"seeds": 0})["seeds"] != len(had)]
     if short:
-        raise report_parts.PartError(f"not every part has {', '.join(short)}: measure parts with the same --only")
-    for fault in report_parts.rows(found, "found"):
-        corpus.keep(Kept(**fault))
+        raise partial_reports.PartError(f"not every part has {', '.join(short)}: measure parts with the same --only")
+    for fault in partial_reports.rows(parts, "found"):
+        corpus.add(FaultySeed(**fault))
     seeds.had(options.build, had[-1])
-    return round(sum(part["hours"] for part in found), 3)
+    return round(sum(part["hours"] for part in parts), 3)
 
 
 def work_on(options):
@@ -100,10 +101,10 @@ def work_on(options):
     hours = (join if options.join else soak)(options, kinds, corpus, sums)
     if not sums.rows:
         raise SoakError("nothing was run: --hours is 0 and the corpus is empty")
-    report = {"hours": hours, "corpus": len(corpus.kept), "faults": sums.faults,
+    report = {"hours": hours, "corpus": len(corpus.seeds), "faults": sums.faults,
               "rows": list(sums.rows.values())}
     path = options.output / "reports" / "soak.json"
-    report_parts.write(path, report)
+    partial_reports.write(path, report)
     for row in report["rows"]:
         print(f"soak: {row['traffic']}: {row['seeds']} seeds, {row['tests']} tests, "
               f"{row['failed']} failed, {row['results']} results in {row['clocks']} clocks counted")
@@ -120,12 +121,12 @@ def main():
     parser.add_argument("--corpus", type=pathlib.Path, default=HERE / "corpus.csv", metavar="FILE")
     parser.add_argument("--seed", type=int, metavar="N", help="of a part")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
-    report_parts.add_options(parser)
+    partial_reports.add_options(parser)
     options = parser.parse_args()
     if (options.seed is None) != (options.part is None):
         parser.error("--seed and --part go together")
     options.build, options.output = options.build.resolve(), options.output.resolve()
-    return command_line.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError, report_parts.PartError))
+    return command_line.ended(parser.prog, lambda: 1 if work_on(options) else 0, (SoakError, partial_reports.PartError))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from lab.soak.runs import Kind, SoakError
 
 
 @dataclass(frozen=True)
-class Kept:
+class FaultySeed:
     """A seed that has found a fault: with what traffic, in which test."""
 
     traffic: str
@@ -39,16 +39,16 @@ class Corpus:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         try:
-            self.kept = [Kept(row["traffic"], int(row["seed"]), row["test"]) for row in _rows(self.path)]
+            self.seeds = [FaultySeed(row["traffic"], int(row["seed"]), row["test"]) for row in _rows(self.path)]
         except (KeyError, TypeError, ValueError) as error:
             raise SoakError(f"{self.path}: not a corpus: {error}") from error
 
-    def keep(self, found):
+    def add(self, fault):
         """Adds it, once."""
-        if found in self.kept:
+        if fault in self.seeds:
             return
-        self.kept.append(found)
+        self.seeds.append(fault)
         with self.path.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
-            writer.writerow([field.name for field in fields(Kept)])
-            writer.writerows(astuple(kept) for kept in self.kept)
+            writer.writerow([field.name for field in fields(FaultySeed)])
+            writer.writerows(astuple(fault) for fault in self.seeds)

@@ -35,7 +35,7 @@ class Round:
 
 
 @dataclass(frozen=True)
-class Done:
+class Outcome:
     """How a round went: tests that ran and those that failed; what was counted in them."""
 
     round: Round
@@ -46,7 +46,7 @@ class Done:
     clocks: int
 
 
-def one(turn, build, folder):
+def run_round(turn, build, folder):
     """Runs a round. A program that ends without its report has failed, whatever it was at."""
     stem = folder / f"{turn.kind.name}-{turn.seed}"
     log, report = stem.with_suffix(".log"), stem.with_suffix(".json")
@@ -62,22 +62,22 @@ def one(turn, build, folder):
                                     env={**os.environ, **settings}).returncode
         except subprocess.TimeoutExpired:
             status = None
-    return _done(turn, log, report, status)
+    return _outcome(turn, log, report, status)
 
 
-def _done(turn, log, report, status):
+def _outcome(turn, log, report, status):
     text = log.read_text(encoding="utf-8", errors="replace")
     suites = json.loads(report.read_text())["testsuites"] if report.exists() else []
     cases = [case for suite in suites for case in suite["testsuite"] if case["status"] == "RUN"]
     failed = tuple(f"{case['classname']}.{case['name']}" for case in cases if case.get("failures"))
     if not cases:
         failed = ("no end" if status is None else f"no report, exit status {status}",)
-    results, clocks = (sum(int(found) for found in re.findall(rf"(\d+) {unit}\b", text))
+    results, clocks = (sum(int(number) for number in re.findall(rf"(\d+) {unit}\b", text))
                        for unit in ("results", "clocks"))
     report.unlink(missing_ok=True)
     if not failed:
         log.unlink()
-    return Done(turn, log, len(cases), failed, results, clocks)
+    return Outcome(turn, log, len(cases), failed, results, clocks)
 
 
 @dataclass
@@ -86,14 +86,14 @@ class Sums:
 
     rows: dict = field(default_factory=dict)
 
-    def add(self, done):
-        self.add_row({"traffic": done.round.kind.name, "seeds": 1, "tests": done.tests,
-                      "failed": len(done.failed), "results": done.results, "clocks": done.clocks})
+    def add(self, outcome):
+        self.add_row({"traffic": outcome.round.kind.name, "seeds": 1, "tests": outcome.tests,
+                      "failed": len(outcome.failed), "results": outcome.results, "clocks": outcome.clocks})
 
-    def add_row(self, found):
+    def add_row(self, counted):
         """Of a kind of traffic: what was counted elsewhere."""
-        row = self.rows.setdefault(found["traffic"], dict.fromkeys(found, 0) | {"traffic": found["traffic"]})
-        for name, number in found.items():
+        row = self.rows.setdefault(counted["traffic"], dict.fromkeys(counted, 0) | {"traffic": counted["traffic"]})
+        for name, number in counted.items():
             if name != "traffic":
                 row[name] += number
 

@@ -19,7 +19,7 @@ import sys
 from lab.upsets import cost, counted
 from lab.upsets.cores import CORES, KINDS
 from tools import command_line
-from tools.synth import report_parts
+from tools.synth import partial_reports
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -62,21 +62,21 @@ def measured(options):
 
 def joined(paths):
     """The report of parts that have every core once. Raises PartError."""
-    found = report_parts.read(paths, ("row", "seed", "rows", "modules", "cost"))
-    rows = report_parts.rows(found)
+    found = partial_reports.read(paths, ("row", "seed", "rows", "modules", "cost"))
+    rows = partial_reports.rows(found)
     have = [(row["top"], row["hardened"], row["bits"]) for row in rows]
     if sorted(have) != sorted((*core, kind) for core in CORES.values() for kind in KINDS):
-        raise report_parts.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: measure a "
-                                     f"part of each top, {' and '.join(CORES)}")
-    report_parts.same(rows, "flips")
-    return {"row": report_parts.same(found, "row"), "seed": report_parts.same(found, "seed"), "rows": rows,
-            "modules": report_parts.rows(found, "modules"), "cost": report_parts.rows(found, "cost")}
+        raise partial_reports.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: "
+                                        f"measure a part of each top, {' and '.join(CORES)}")
+    partial_reports.same(rows, "flips")
+    return {"row": partial_reports.same(found, "row"), "seed": partial_reports.same(found, "seed"), "rows": rows,
+            "modules": partial_reports.rows(found, "modules"), "cost": partial_reports.rows(found, "cost")}
 
 
 def work_on(options):
     report = joined(options.join) if options.join else measured(options)
     path = options.part or options.output / "reports" / "upsets.json"
-    report_parts.write(path, report)
+    partial_reports.write(path, report)
     print(f"wrote {path}")
     return [] if options.part else faults(report["rows"])
 
@@ -90,12 +90,12 @@ def main():
     parser.add_argument("--flips", type=int, default=FLIPS, help="of each core and kind of bits")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-j", "--jobs", type=int, default=1, help="runs side by side")
-    report_parts.add_options(parser)
+    partial_reports.add_options(parser)
     options = parser.parse_args()
     options.core = options.core or list(CORES)
     for name in ("programs", "designs", "output"):
         setattr(options, name, getattr(options, name).resolve())
-    return command_line.measured(parser.prog, lambda: work_on(options), (counted.UpsetError, report_parts.PartError))
+    return command_line.measured(parser.prog, lambda: work_on(options), (counted.UpsetError, partial_reports.PartError))
 
 
 if __name__ == "__main__":

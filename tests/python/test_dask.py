@@ -51,7 +51,7 @@ def block(block_info=None):
     return uniform((CHUNK, 3), block_info[None]["chunk-location"][0])
 
 
-def made(count):
+def chunked_points(count):
     """Points that nobody has as a whole."""
     return da.map_blocks(block, chunks=((CHUNK,) * (count // CHUNK), (3,)), dtype=float, meta=np.empty((0, 0)))
 
@@ -149,7 +149,7 @@ def test_a_worker_gets_a_lattice_once_and_takes_its_threads(client):
     client.run(hwffd.set_threads, 5)
     client.run(lambda: __import__("hwffd._chunks"))
     client.run(watch)
-    moved = hwffd.deform(lattice, made(20 * CHUNK))
+    moved = hwffd.deform(lattice, chunked_points(20 * CHUNK))
     graph = sum(len(cloudpickle.dumps(task)) for task in dict(moved.__dask_graph__()).values())
     moved.map_blocks(digest, chunks=(1, 32), dtype=np.uint8).compute()
     calls = client.run(watched_calls).values()
@@ -162,7 +162,7 @@ def test_a_worker_gets_a_lattice_once_and_takes_its_threads(client):
 @pytest.mark.parametrize("device", DEVICES)
 def test_memory_of_a_worker_is_bounded(client, device):
     lattice = bent(device)
-    digests = hwffd.deform(lattice, made(MANY)).map_blocks(digest, chunks=(1, 32), dtype=np.uint8)
+    digests = hwffd.deform(lattice, chunked_points(MANY)).map_blocks(digest, chunks=(1, 32), dtype=np.uint8)
     client.run(hwffd.deform, lattice, block({None: {"chunk-location": (0, 0)}}))
     before = client.run(forget_peak)
     found = client.compute(digests).result()

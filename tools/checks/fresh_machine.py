@@ -80,16 +80,16 @@ class Machine:
 
     def __init__(self, folder):
         self.folder = folder
-        self.bare, self.kept = folder / "bare", folder / "kept"
+        self.bare, self.cache = folder / "bare", folder / "kept"
         self.environment = {name: value for name, value in os.environ.items() if VARIABLES.fullmatch(name)}
 
     def make(self):
         """Made once; what a run that was ended has left is made anew."""
-        done = self.folder / "made"
+        stamp = self.folder / "made"
         for part in ("archives/partial", "pip", "ccache"):
-            (self.kept / part).mkdir(parents=True, exist_ok=True)
-            os.chmod(self.kept / part, 0o777)
-        if done.is_file():
+            (self.cache / part).mkdir(parents=True, exist_ok=True)
+            os.chmod(self.cache / part, 0o777)
+        if stamp.is_file():
             return
         print(f"fresh: a bare Debian in {self.bare}", flush=True)
         shutil.rmtree(self.bare, ignore_errors=True)
@@ -113,7 +113,7 @@ class Machine:
         # A layer is thrown away: nothing has to reach the disk.
         (self.bare / "etc/dpkg/dpkg.cfg.d/layer").write_text("force-unsafe-io\n")
         self._bring_ccache()
-        done.touch()
+        stamp.touch()
 
     def _bring_ccache(self):
         """This machine's, in a folder of its own, so that no package is there that a bare machine lacks."""
@@ -143,8 +143,8 @@ class Machine:
             path.mkdir(parents=True)
         run("mount", "-t", "overlay", "overlay", "-o", f"lowerdir={self.bare},upperdir={upper},workdir={work}", root)
         try:
-            for source, target in ((self.kept / "archives", "var/cache/apt/archives"), (self.kept / "pip", "opt/pip"),
-                                   (self.kept / "ccache", "opt/objects"), ("/dev", "dev")):
+            for source, target in ((self.cache / "archives", "var/cache/apt/archives"), (self.cache / "pip", "opt/pip"),
+                                   (self.cache / "ccache", "opt/objects"), ("/dev", "dev")):
                 (root / target).mkdir(parents=True, exist_ok=True)
                 run("mount", "--rbind" if target == "dev" else "--bind", source, root / target)
             run("mount", "--make-rslave", root / "dev")
@@ -177,7 +177,7 @@ class Machine:
         def packages(place):
             return {path.stem.split(":")[0] for path in (place / "var/lib/dpkg/info").glob("*.list")}
         came = packages(root) - packages(self.bare)
-        size = sum(path.stat().st_size for path in (self.kept / "archives").glob("*.deb")
+        size = sum(path.stat().st_size for path in (self.cache / "archives").glob("*.deb")
                    if path.name.split("_")[0] in came)
         return f"{len(came)} ({size / 1e6:.0f} MB)" if came else "0"
 

@@ -46,7 +46,7 @@ class Rule:
 
     text: str
     names: tuple
-    kept: Callable
+    holds: Callable
     guard: str
     needs: tuple = field(default=())  # parameters that make it hold at all: those of a top without them keep it
 
@@ -85,7 +85,7 @@ class Space:
         known = self.parameters[top]
         wrong = [known[name] for name, value in configuration.items() if value not in known[name].values]
         p = SimpleNamespace(**configuration)
-        return wrong or [rule for rule in self.rules_of(top) if not rule.kept(p)]
+        return wrong or [rule for rule in self.rules_of(top) if not rule.holds(p)]
 
     def rules_of(self, top):
         return [rule for rule in self.rules if set(rule.names) | set(rule.needs) <= set(self.parameters[top])]

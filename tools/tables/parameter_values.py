@@ -31,7 +31,7 @@ class Between:
     def ends(self):
         return [self.least] if self.most is None else [self.least, self.most]
 
-    def beside(self):
+    def neighbours(self):
         return [end + step for end in self.ends() for step in (-1, 1)]
 
 
@@ -51,7 +51,7 @@ class Powers:
     def ends(self):
         return Between(self.least, self.most).ends()
 
-    def beside(self):
+    def neighbours(self):
         return [self.least // 2, 3 * self.least, *([] if self.most is None else [2 * self.most])]
 
 
@@ -74,7 +74,7 @@ class Values:
 
     def beyond(self):
         """Values next to those that are in none of the sets."""
-        return sorted({value for part in self.parts for value in part.beside() if value not in self})
+        return sorted({value for part in self.parts for value in part.neighbours() if value not in self})
 
 
 def of(*parts):

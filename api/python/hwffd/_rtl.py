@@ -13,11 +13,11 @@ def _load():
     try:
         if importlib.util.find_spec("hwffd_rtl") is None:
             return ""
-        found = __import__("hwffd_rtl").__version__
+        version = __import__("hwffd_rtl").__version__
     except Exception as error:  # pylint: disable=broad-except  # whatever a broken package raises
         return "the package hwffd-rtl is broken: " + " ".join(str(error).split())
-    if found != __version__:
-        return f"the package hwffd-rtl has version {found}, this one {__version__}; install both of the same"
+    if version != __version__:
+        return f"the package hwffd-rtl has version {version}, this one {__version__}; install both of the same"
     return ""
 
 

@@ -42,8 +42,8 @@ class Block:
 
 def _sources(text, there):
     """Of "a|b c": the first of a and b that is there, and c if it is."""
-    found = ([name for name in one.split("|") if name in there][:1] for one in text.split())
-    return tuple(name for names in found for name in names)
+    existing = ([name for name in alternatives.split("|") if name in there][:1] for alternatives in text.split())
+    return tuple(name for names in existing for name in names)
 
 
 def blocks_of(tree):

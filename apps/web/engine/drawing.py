@@ -75,9 +75,9 @@ class _Wires:
             self.canvas.arrow((source.x + middle, bottom), (target.x + middle, target.y))
         else:
             low = bottom + 4 + self._lane("below", source.row) // 2
-            beside = target.x - 14 + self._lane("beside", target.column)
-            self.canvas.arrow((source.x + middle, bottom), (source.x + middle, low), (beside, low),
-                              (beside, target.y + 10), (target.x, target.y + 10))
+            lane = target.x - 14 + self._lane("beside", target.column)
+            self.canvas.arrow((source.x + middle, bottom), (source.x + middle, low), (lane, low),
+                              (lane, target.y + 10), (target.x, target.y + 10))
 
 
 def _place(groups):

@@ -40,9 +40,9 @@ def measured(number, points, threads):
     deform, seconds = library.prepare(scene, threads), []
     for _ in range(RUNS):
         start = time.perf_counter()
-        found = deform()
+        moved = deform()
         seconds.append(time.perf_counter() - start)
-    error = float(abs(found[:CHECKED] - scene.exact).max())
+    error = float(abs(moved[:CHECKED] - scene.exact).max())
     if not error <= library.bound:
         raise BenchError(f"{library.name}, {library.call}: error {error:.1e}, bound {library.bound:.0e}")
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

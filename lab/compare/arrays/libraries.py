@@ -15,13 +15,13 @@ from lab.compare.arrays.scene import DIMS, Scene
 POINTS_OF_A_CALL = 1 << 18
 
 
-def _hwffd(scene, threads, kept, *device):
+def _hwffd(scene, threads, reuse, *device):
     import hwffd
     hwffd.set_threads(threads)
     lattice = hwffd.Lattice.of(scene.rest)
     lattice.set_device(*device)
     lattice.control_points = scene.moved
-    if kept:
+    if reuse:
         embedding = lattice.embed(scene.points)
         return lambda: embedding.deform(lattice)
     return lambda: hwffd.deform(lattice, scene.points)
@@ -42,12 +42,12 @@ def hwffd_model(scene, threads):
 def _in_parts(scene, threads, evaluate):
     """evaluate(points, where results go) part by part, on so many threads."""
     def deform():
-        found = numpy.empty_like(scene.points)
-        parts = [slice(first, first + POINTS_OF_A_CALL)
-                 for first in range(0, len(scene.points), POINTS_OF_A_CALL)]
+        moved = numpy.empty_like(scene.points)
+        slices = [slice(first, first + POINTS_OF_A_CALL)
+                  for first in range(0, len(scene.points), POINTS_OF_A_CALL)]
         with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(lambda part: evaluate(scene.points[part], found[part]), parts))
-        return found
+            list(pool.map(lambda part: evaluate(scene.points[part], moved[part]), slices))
+        return moved
     return deform
 
 
@@ -56,10 +56,10 @@ def scipy(scene, threads):
     from scipy.ndimage import map_coordinates
     components = [numpy.ascontiguousarray(scene.moved[..., c]) for c in range(3)]
 
-    def evaluate(points, found):
+    def evaluate(points, moved):
         places = numpy.ascontiguousarray(Scene.places(points).T)
         for c, component in enumerate(components):
-            found[:, c] = map_coordinates(component, places, order=3, prefilter=False)
+            moved[:, c] = map_coordinates(component, places, order=3, prefilter=False)
     return _in_parts(scene, threads, evaluate)
 
 
@@ -69,7 +69,7 @@ def interpolation(scene, threads):
     from interpolation.splines.eval_splines import eval_cubic
     grid = UCGrid(*((0.0, 1.0, n - 2) for n in DIMS))
     return _in_parts(scene, threads,
-                     lambda points, found: eval_cubic(grid, scene.moved, points, found))
+                     lambda points, moved: eval_cubic(grid, scene.moved, points, moved))
 
 
 def vtk(scene, threads):

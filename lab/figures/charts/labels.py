@@ -44,7 +44,7 @@ class Labels:
     def _extent(self, text):
         return text.get_window_extent(self.renderer).padded(MARGIN)
 
-    def beside(self, x, y, words, colour, above=True):
+    def place_near(self, x, y, words, colour, above=True):
         """Puts a name at the first place that is free, else at the least covered one."""
         best = None
         for dx, dy, across, up in PLACES:

@@ -26,9 +26,9 @@ def table(reports):
 
 def series(frame, word, schedule, fused):
     """Of several rows of an organization the first."""
-    found = frame[(frame["format"] == word) & (frame["schedule"] == schedule)
-                  & (frame["fmac"] == fused)]
-    return found.drop_duplicates("label").dropna(subset=["clocks"])
+    rows = frame[(frame["format"] == word) & (frame["schedule"] == schedule)
+                 & (frame["fmac"] == fused)]
+    return rows.drop_duplicates("label").dropna(subset=["clocks"])
 
 
 def draw(reports, folder):
@@ -62,5 +62,5 @@ def draw(reports, folder):
     for points, field, _, colour, _, above in drawn:
         if above is not None:
             for x, y, name in zip(points[field], points["clocks"], points["label"]):
-                labels.beside(x, y, name, colour, above)
+                labels.place_near(x, y, name, colour, above)
     return [save(figure, folder / "organizations.svg")]

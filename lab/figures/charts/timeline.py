@@ -62,8 +62,8 @@ def draw(reports, folder):
         name = organizations.label(row, "").replace("/", "-")
         kinds.setdefault(name, {}).setdefault(row["schedule"], row)  # of several the first
     written = []
-    for name, found in kinds.items():
-        rows = [found[schedule] for schedule in SCHEDULES if schedule in found]
+    for name, by_schedule in kinds.items():
+        rows = [by_schedule[schedule] for schedule in SCHEDULES if schedule in by_schedule]
         heights = [len(row["lanes"]) + 3 for row in rows]
         figure, grid = pyplot.subplots(len(rows), 1, figsize=(11, 0.22 * sum(heights) + 0.4),
                                        height_ratios=heights, squeeze=False, layout="constrained")

@@ -55,7 +55,7 @@ def cell(path):
     """A vertex, its cell and the 4 x 4 points that move it, of a lattice of two dimensions."""
     figure, axes = pyplot.subplots(figsize=(5, 5), layout="constrained")
     first = [int(place) - 1 for place in VERTEX]  # of its points
-    axes.add_patch(pyplot.Rectangle([one + 1 for one in first], 1, 1, facecolor="#ffe0b0"))
+    axes.add_patch(pyplot.Rectangle([place + 1 for place in first], 1, 1, facecolor="#ffe0b0"))
     for i in range(6):
         for j in range(6):
             near = all(0 <= n - low < 4 for n, low in zip((i, j), first))
@@ -116,5 +116,5 @@ def board(path):
 
 
 def draw(_, folder):
-    made = (equation, weights, cell, rounding, packet, board)
-    return [make(folder / "tutorial" / f"{make.__name__}.svg") for make in made]
+    drawings = (equation, weights, cell, rounding, packet, board)
+    return [make(folder / "tutorial" / f"{make.__name__}.svg") for make in drawings]

@@ -25,17 +25,17 @@ def printed(reports):
                     "ulp of its support | max_error_ulp_of_support:.3f", "bound | bound_ulp:.3f",
                     "vertices | vertices")
     return "\n".join([table.text(), "", *(
-        f"{len(one['rows'])} rows in the {one['form']} form, {one['vertices']} vertices each: "
-        f"{one['mismatches']} results differ from the model's, {one['disagreements']} from those "
-        f"of {one['rows'][0]}" for one in report["organizations"])])
+        f"{len(entry['rows'])} rows in the {entry['form']} form, {entry['vertices']} vertices each: "
+        f"{entry['mismatches']} results differ from the model's, {entry['disagreements']} from those "
+        f"of {entry['rows'][0]}" for entry in report["organizations"])])
 
 
 def missing(reports):
-    forms = {one["form"] for one in reports.get("bfp")["organizations"]}
+    forms = {entry["form"] for entry in reports.get("bfp")["organizations"]}
     return "" if forms == {"product", "factored"} else "a form"
 
 
 TABLES = {"errors": errors}
-FIGURES = {"rtl_rows": lambda reports: sum(len(one["rows"])
-                                           for one in reports.get("bfp")["organizations"]),
+FIGURES = {"rtl_rows": lambda reports: sum(len(entry["rows"])
+                                           for entry in reports.get("bfp")["organizations"]),
            "rtl_vertices": lambda reports: reports.get("bfp")["organizations"][0]["vertices"]}

@@ -80,9 +80,9 @@ def axes(reports):
 
 
 def missing(reports):
-    found = {row["form"] for row in reports.rows("bounds")}
+    measured = {row["form"] for row in reports.rows("bounds")}
     wanted = {*FORMS, *(f"weights {family}" for family in FAMILIES)}
-    return ", ".join(sorted(wanted - found))
+    return ", ".join(sorted(wanted - measured))
 
 
 def _largest(form):

@@ -13,10 +13,10 @@ KINDS = ("own", "model", "peer", "core", "cells")
 
 def pairs(reports):
     """(a row of vertices in any order, the same of sorted ones), as fast ones first in each kind."""
-    found = {}
+    by_order = {}
     for row in reports.rows("compare"):
-        found.setdefault((row["kind"], row["what"], row["device"]), {})[row["sorted"]] = row
-    both = [(one[False], one[True]) for one in found.values() if set(one) == {False, True}]
+        by_order.setdefault((row["kind"], row["what"], row["device"]), {})[row["sorted"]] = row
+    both = [(by_sorted[False], by_sorted[True]) for by_sorted in by_order.values() if set(by_sorted) == {False, True}]
     return sorted(both, key=lambda pair: (KINDS.index(pair[0]["kind"]),
                                           -pair[0]["vertices_per_s"]))
 
@@ -42,21 +42,21 @@ def _scaled(row, field, unit, form):
 
 def cells(reports):
     """Evaluators in standard cells, where make energy has been: they have an energy and no clock."""
-    found = reports.rows("energy") if reports.has("energy") else []
+    measured = reports.rows("energy") if reports.has("energy") else []
     return [[f"`ffd_org_select` {row['name']}", row["device"], *["-"] * 5,
-             shown(row["energy_nj_per_vertex"], ".1f"), "-"] for row in found]
+             shown(row["energy_nj_per_vertex"], ".1f"), "-"] for row in measured]
 
 
 def programs(reports):
     """Each with vertices in any order and sorted by cell."""
     lines = []
-    for one, in_order in pairs(reports):
+    for shuffled, in_order in pairs(reports):
         lines.append([
-            name(one), one["device"] + (" (1)" if one.get("remark") else ""), _rate(one),
-            _rate(in_order), _scaled(one, "per_multiplier", MILLION, ".3f"),
-            _scaled(one, "latency_ns", 1, ",.0f"), _scaled(one, "bytes_per_vertex", 1, ".0f"),
-            _scaled(one, "energy_nj_per_vertex", 1, ".2f"),
-            shown(max(one["error"], in_order["error"]), ".1e")])
+            name(shuffled), shuffled["device"] + (" (1)" if shuffled.get("remark") else ""), _rate(shuffled),
+            _rate(in_order), _scaled(shuffled, "per_multiplier", MILLION, ".3f"),
+            _scaled(shuffled, "latency_ns", 1, ",.0f"), _scaled(shuffled, "bytes_per_vertex", 1, ".0f"),
+            _scaled(shuffled, "energy_nj_per_vertex", 1, ".2f"),
+            shown(max(shuffled["error"], in_order["error"]), ".1e")])
     return Table(["what", "on", "million vertices per second", "sorted by cell",
                   "per multiplier", "latency, ns", "bytes per vertex", "nJ per vertex",
                   "max error"], lines + cells(reports))
@@ -72,28 +72,28 @@ def printed(reports):
 
 
 def _rows(reports, kind, is_sorted):
-    found = reports.rows("compare", kind=kind, sorted=str(is_sorted))
-    if not found:
+    selected = reports.rows("compare", kind=kind, sorted=str(is_sorted))
+    if not selected:
         raise RequestError(f"compare has no rows of kind {kind}")
-    return found
+    return selected
 
 
 def _fastest(kind, is_sorted, value=None):
     """A figure of the fastest row of a kind; its rate in millions unless another is wanted."""
     def figure(reports):
         # A clock without the delays of multipliers is no clock to compare with.
-        found = [row for row in _rows(reports, kind, is_sorted) if not row.get("remark")]
-        best = max(found, key=lambda row: row["vertices_per_s"])
+        selected = [row for row in _rows(reports, kind, is_sorted) if not row.get("remark")]
+        best = max(selected, key=lambda row: row["vertices_per_s"])
         return value(best) if value else best["vertices_per_s"] / MILLION
     return figure
 
 
 def _million(what, is_sorted):
     def figure(reports):
-        found = reports.rows("compare", what=what, sorted=str(is_sorted))
-        if len(found) != 1:
-            raise RequestError(f"compare has {len(found)} rows of {what}")
-        return found[0]["vertices_per_s"] / MILLION
+        selected = reports.rows("compare", what=what, sorted=str(is_sorted))
+        if len(selected) != 1:
+            raise RequestError(f"compare has {len(selected)} rows of {what}")
+        return selected[0]["vertices_per_s"] / MILLION
     return figure
 
 

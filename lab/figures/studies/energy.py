@@ -36,10 +36,10 @@ def missing(reports):
 
 def _of(choice, field):
     def figure(reports):
-        found = reports.rows("energy")
-        if not found:
+        measured = reports.rows("energy")
+        if not measured:
             raise RequestError("energy has no rows")
-        return choice(found, key=lambda row: row["energy_nj_per_vertex"])[field]
+        return choice(measured, key=lambda row: row["energy_nj_per_vertex"])[field]
     return figure
 
 

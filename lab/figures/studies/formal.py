@@ -14,12 +14,12 @@ def is_good(row):
 
 def modules(reports):
     rows = reports.rows("formal")
-    found = {}
+    by_module = {}
     for row in rows:
-        found.setdefault(row["module"], []).append(row)
+        by_module.setdefault(row["module"], []).append(row)
     return Table(["module", "properties", "proved, with the planted bug found"],
                  [[f"`{name}`", shown(len(of)), shown(sum(map(is_good, of)))]
-                  for name, of in found.items()])
+                  for name, of in by_module.items()])
 
 
 def properties(reports):

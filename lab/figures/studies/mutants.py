@@ -25,31 +25,31 @@ def _sums(reports, field):
     return sums
 
 
-def _cells(found):
-    asked = found["total"] - found["equivalent"]
-    return [*(shown(found[verdict], ",") for verdict in VERDICTS),
-            shown(100 * found["killed"] / asked, ".1f") if asked else "-"]
+def _cells(sums):
+    asked = sums["total"] - sums["equivalent"]
+    return [*(shown(sums[verdict], ",") for verdict in VERDICTS),
+            shown(100 * sums["killed"] / asked, ".1f") if asked else "-"]
 
 
 def subjects(reports):
     """Each subject and its aim."""
     aims = _subjects(reports)
     return Table(["subject", "aim, %", *HEADS],
-                 [[f"`{name}`", aims[name]["aim"], *_cells(found)]
-                  for name, found in _sums(reports, "subject").items()])
+                 [[f"`{name}`", aims[name]["aim"], *_cells(sums)]
+                  for name, sums in _sums(reports, "subject").items()])
 
 
 def modules(reports):
     """Each module, of all subjects together."""
-    return Table(["module", *HEADS], [[f"`{module}`", *_cells(found)]
-                                      for module, found in sorted(_sums(reports, "module").items())])
+    return Table(["module", *HEADS], [[f"`{module}`", *_cells(sums)]
+                                      for module, sums in sorted(_sums(reports, "module").items())])
 
 
 def left(reports):
     """Each mutant that counts as survived."""
-    lines = [[row["subject"], f"`{row['module']}`", one["verdict"],
-              f"`{re.sub(r' -src .*', '', one['change'])}`"]
-             for row in reports.rows("mutants") for one in row["survivors"]]
+    lines = [[row["subject"], f"`{row['module']}`", survivor["verdict"],
+              f"`{re.sub(r' -src .*', '', survivor['change'])}`"]
+             for row in reports.rows("mutants") for survivor in row["survivors"]]
     return Table(["subject", "module", "verdict", "change"], lines or [["-", "-", "-", "none"]])
 
 
@@ -66,7 +66,7 @@ TABLES = {"subjects": subjects, "modules": modules, "left": left}
 def _below(reports):
     """The subjects that are below their aim, with what they reach."""
     aims = _subjects(reports)
-    cells = {name: _cells(found)[-1] for name, found in _sums(reports, "subject").items()}
+    cells = {name: _cells(sums)[-1] for name, sums in _sums(reports, "subject").items()}
     return ", ".join(f"{name} {percent} %" for name, percent in cells.items()
                      if percent != "-" and float(percent) < float(aims[name]["aim"]))
 

@@ -12,9 +12,9 @@ from tools.tables import configurations, organizations
 FORMATS = ("fp32", "fx18", "fx32")
 
 
-def first(found, **wanted):
+def first(rows, **wanted):
     """The first of the rows with these fields; an empty one if there is none."""
-    return next((row for row in found
+    return next((row for row in rows
                  if all(row[key] == value for key, value in wanted.items())), {})
 
 
@@ -27,12 +27,12 @@ def clocks(reports):
     """Section 4 of the paper; operators in fixed point."""
     everything, lines = rows(reports), []
     for name in dict.fromkeys(organizations.label(row) for row in everything):
-        found = [row for row in everything if organizations.label(row) == name]
-        plain = [row for row in found if is_plain(row)]
+        selected = [row for row in everything if organizations.label(row) == name]
+        plain = [row for row in selected if is_plain(row)]
         fixed = [row for row in plain if row["format"] == "fx18"]
         paper = first(fixed, schedule="paper")
         overlapped = first(fixed, schedule="overlapped")
-        fused = first(found, schedule="paper", fmac=True)
+        fused = first(selected, schedule="paper", fmac=True)
         if overlapped:
             lines.append([
                 f"`{name}`", shown(overlapped["formula"]), shown(paper.get("clocks_paper")),
@@ -50,8 +50,9 @@ def units(reports, *names):
     """What is explained of some organizations: clocks and operators at both schedules, in fx18 or else fx17."""
     everything, lines = [row for row in rows(reports) if is_plain(row)], []
     for name in names:
-        found = [row for row in everything if organizations.label(row, "") == name]
-        fixed = next((part for word in ("fx18", "fx17") if (part := [row for row in found if row["format"] == word])), [])
+        selected = [row for row in everything if organizations.label(row, "") == name]
+        fixed = next((part for word in ("fx18", "fx17")
+                      if (part := [row for row in selected if row["format"] == word])), [])
         paper, overlapped = (first(fixed, schedule=schedule) for schedule in ("paper", "overlapped"))
         if not overlapped:
             raise RequestError(f"no organization '{name}' in fx18 or fx17")
@@ -72,7 +73,7 @@ def _line(everything, row):
     """A row of the overlapped schedule with its partner at the paper's, for a terminal."""
     same = {key: row[key] for key in ("org", "n", "format", "fmac")}
     paper = first(everything, **same, schedule="paper")
-    both = [one for one in (row, paper if paper is not row else {}) if one]
+    both = [entry for entry in (row, paper if paper is not row else {}) if entry]
     verdict = {None: "-", True: "yes", False: "NO"}
     return [row["org"], str(row["n"]), row["format"],
             row["evaluator"] + (" fmac" if row["fmac"] else ""), shown(row["formula"]),
@@ -80,7 +81,7 @@ def _line(everything, row):
             _sum(paper["operators"]) if len(both) > 1 else "-",
             shown(row["interval_overlapped"], ".2f"), verdict[row["equal_overlapped"]],
             _sum(row["operators"]), _sum(row["operators_drawn"]), shown(row["max_error"], ".2e"),
-            *(str(sum(one[field] for one in both)) for field in ("mismatches", "seam_differences")),
+            *(str(sum(row[field] for row in both)) for field in ("mismatches", "seam_differences")),
             shown(row["simulation_vertices_per_s"], ".0f"), shown(row["simulation_share"], ".4f")]
 
 

@@ -12,10 +12,10 @@ def lattices(rows):
 
 def _lines(rows):
     """{(mesh, arrangement, order): {lattice: row}}"""
-    found = {}
+    lines = {}
     for row in rows:
-        found.setdefault((row["mesh"], row["arrangement"], row["order"]), {})[row["lattice"]] = row
-    return found
+        lines.setdefault((row["mesh"], row["arrangement"], row["order"]), {})[row["lattice"]] = row
+    return lines
 
 
 def words(reports, mesh="cat.3ds"):
@@ -33,12 +33,12 @@ def pages(reports, mesh="cat.3ds"):
     names = lattices(rows)
     lines = {}
     for row in rows:
-        kept = f"{row['pages']} pages, opcodes 5, 7" if row["pages"] else "2 buffers, opcodes 2, 3"
+        storage = f"{row['pages']} pages, opcodes 5, 7" if row["pages"] else "2 buffers, opcodes 2, 3"
         batch = "all" if row["batch"] == row["vertices"] else f"{row['batch']:,}"
-        lines.setdefault((kept, batch), {})[row["lattice"]] = row
+        lines.setdefault((storage, batch), {})[row["lattice"]] = row
     return Table(["the core keeps", "vertices sorted together", *names],
-                 [[kept, batch, *(f"{line[name]['words_per_vertex']:.2f}" for name in names)]
-                  for (kept, batch), line in lines.items()])
+                 [[storage, batch, *(f"{line[name]['words_per_vertex']:.2f}" for name in names)]
+                  for (storage, batch), line in lines.items()])
 
 
 def _verdict(line):

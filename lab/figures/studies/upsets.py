@@ -25,8 +25,8 @@ def outcomes(reports):
 
 def shares(reports):
     """The same in percent, each with its interval of 95 %."""
-    def share(found):
-        return f"{found[0]:.1f} ({found[1]:.1f} to {found[2]:.1f})"
+    def share(interval):
+        return f"{interval[0]:.1f} ({interval[1]:.1f} to {interval[2]:.1f})"
 
     return Table(["core", "bits", *HEADS.values()], [
         [_name(row), row["bits"], *(share(row["percent"][outcome]) for outcome in HEADS)]
@@ -35,12 +35,12 @@ def shares(reports):
 
 def modules(reports, top, *words):
     """The modules of a core, those first of whose flips the most do something; "hardened" may follow."""
-    found = [row for row in reports.get("upsets")["modules"]
-             if row["top"] == top and row["hardened"] == ("hardened" in words)]
-    found.sort(key=lambda row: (row["bits"] != "registers", row["no_effect"] - row["flips"], row["module"]))
+    rows = [row for row in reports.get("upsets")["modules"]
+            if row["top"] == top and row["hardened"] == ("hardened" in words)]
+    rows.sort(key=lambda row: (row["bits"] != "registers", row["no_effect"] - row["flips"], row["module"]))
     return Table(["module", "bits", "flips", *HEADS.values()], [
         [f"`{row['module']}`", row["bits"], shown(row["flips"], ","),
-         *(shown(row[outcome], ",") for outcome in HEADS)] for row in found])
+         *(shown(row[outcome], ",") for outcome in HEADS)] for row in rows])
 
 
 def places(reports, outcome):
@@ -65,10 +65,10 @@ def printed(reports):
 
 
 def missing(reports):
-    found = {(_name(row), row["bits"]) for row in reports.rows("upsets") if row["flips"] >= FLIPS}
+    measured = {(_name(row), row["bits"]) for row in reports.rows("upsets") if row["flips"] >= FLIPS}
     wanted = {(_name({"top": top, "hardened": hardened}), kind)
               for top in TOPS for hardened in (False, True) for kind in KINDS}
-    return "; ".join(" ".join(pair) for pair in sorted(wanted - found))
+    return "; ".join(" ".join(pair) for pair in sorted(wanted - measured))
 
 
 TABLES = {"outcomes": outcomes, "shares": shares, "modules": modules, "places": places, "cost": cost}

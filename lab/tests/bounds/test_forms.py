@@ -44,7 +44,7 @@ def test_a_form_is_certified(theory, row):
 
 def test_a_theorem_with_a_smaller_bound_is_refused(theory):
     row = COMPOSED[0]
-    script, bound = row.script[0], dyadic.above(gappa.found(row.script[0](None), row.name))
+    script, bound = row.script[0], dyadic.above(gappa.upper_bound(row.script[0](None), row.name))
     smaller = dyadic.above(bound.value() * fractions.Fraction(98, 100))
     text = gappa.coq_of(script(bound), row.theorem(smaller))
     assert "Coq refuses" in theory.accepts("planted", text)

@@ -19,7 +19,7 @@ def linear(bound=None):
 
 
 def bound_of(script, name="w - e"):
-    return dyadic.above(gappa.found(script(None), name))
+    return dyadic.above(gappa.upper_bound(script(None), name))
 
 
 def less(bound, share):

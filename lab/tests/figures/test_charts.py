@@ -106,7 +106,7 @@ def labels():
 
 
 def box(labels, *name):
-    return labels.beside(*name).get_window_extent(labels.renderer)
+    return labels.place_near(*name).get_window_extent(labels.renderer)
 
 
 def test_a_lone_name_is_above_or_below(labels):

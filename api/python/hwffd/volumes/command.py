@@ -108,14 +108,14 @@ def _word(text: str) -> str:
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
     """Keeps what readers print beside their errors from standard error."""
-    kept = os.dup(2)
+    saved = os.dup(2)
     nothing = os.open(os.devnull, os.O_WRONLY)
     try:
         os.dup2(nothing, 2)
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(saved, 2)
+        os.close(saved)
         os.close(nothing)
 
 
@@ -124,9 +124,9 @@ def _read(path: str) -> Volume:
         return read(path)
 
 
-def _show(done: float) -> None:
+def _show(fraction: float) -> None:
     if sys.stderr.isatty():
-        print(f"\r\033[K{'warp':<32} {100 * done:3.0f} %", end="\r\033[K" if done >= 1 else "",
+        print(f"\r\033[K{'warp':<32} {100 * fraction:3.0f} %", end="\r\033[K" if fraction >= 1 else "",
               file=sys.stderr, flush=True)
 
 
@@ -162,10 +162,10 @@ def run(words: Sequence[str]) -> None:
     outputs = {options.output: warped.volume}
     if warped.field is not None:
         outputs[options.field] = warped.field
-    with _quiet(), warnings.catch_warnings(record=True) as said:
+    with _quiet(), warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         write_all(outputs)
-    for warning in said:
+    for warning in caught:
         print(f"{NAME}: warning: {' '.join(str(warning.message).split())}", file=sys.stderr)
     print(_report(options, lattice, warped), flush=True)
 

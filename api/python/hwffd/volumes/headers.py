@@ -44,12 +44,12 @@ class Voxels:
             if not part.is_file():
                 raise Error(f"{path}: its voxels are in {part.name}, which is not there; copy that, too")
         try:
-            found = (sum(map(len, self.chunks())) if self.packed else
-                     sum(max(0, part.stat().st_size - self.skip) for part in self.parts))
+            available = (sum(map(len, self.chunks())) if self.packed else
+                         sum(max(0, part.stat().st_size - self.skip) for part in self.parts))
         except (EOFError, zlib.error, gzip.BadGzipFile) as error:
             raise Error(f"{path}: is damaged or ends early; copy it again") from error
-        if found < self.size:
-            raise Error(f"{path}: ends after {found + self.skip} of {self.size + self.skip} bytes; "
+        if available < self.size:
+            raise Error(f"{path}: ends after {available + self.skip} of {self.size + self.skip} bytes; "
                         "copy it again")
 
 

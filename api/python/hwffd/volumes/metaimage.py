@@ -45,28 +45,28 @@ def _is_true(text: str) -> bool:
     return text[:1].upper() in ("T", "1")
 
 
-def _voxels(path: pathlib.Path, said: dict[str, str], names: list[str], begin: int) -> Voxels | None:
-    size = _SIZES.get(said.get("ElementType", "").removeprefix("MET_").removesuffix("_ARRAY"))
-    if size is None or not _is_true(said.get("BinaryData", "True")):
+def _voxels(path: pathlib.Path, tags: dict[str, str], names: list[str], begin: int) -> Voxels | None:
+    size = _SIZES.get(tags.get("ElementType", "").removeprefix("MET_").removesuffix("_ARRAY"))
+    if size is None or not _is_true(tags.get("BinaryData", "True")):
         return None
-    size *= math.prod(map(int, said["DimSize"].split())) * int(said.get("ElementNumberOfChannels", "1"))
-    packed = "zlib" if _is_true(said.get("CompressedData", "False")) else ""
-    data = said["ElementDataFile"]
+    size *= math.prod(map(int, tags["DimSize"].split())) * int(tags.get("ElementNumberOfChannels", "1"))
+    packed = "zlib" if _is_true(tags.get("CompressedData", "False")) else ""
+    data = tags["ElementDataFile"]
     if data.upper() == "LOCAL":
-        if packed and "CompressedDataSize" not in said:
+        if packed and "CompressedDataSize" not in tags:
             raise Error(f"{path}: packed voxels without CompressedDataSize, which ITK reads wrongly; "
                         "write the file with it")
         return Voxels([path], begin, size, packed)
     if names:
-        parts = names
+        files = names
     elif "%" in data:
         pattern, first, last, *step = data.split()
-        parts = [pattern % number
+        files = [pattern % number
                  for number in range(int(first), int(last) + 1, int(step[0]) if step else 1)]
     else:
-        parts = [data]
-    skip = 0 if packed else max(0, int(said.get("HeaderSize", "0")))
-    return Voxels([path.parent / part for part in parts], skip, size, packed)
+        files = [data]
+    skip = 0 if packed else max(0, int(tags.get("HeaderSize", "0")))
+    return Voxels([path.parent / part for part in files], skip, size, packed)
 
 
 def read(path: pathlib.Path) -> Header:

@@ -62,12 +62,12 @@ def _is_scaled(record) -> bool:
 def read(path: pathlib.Path) -> Header:
     """The header of a file; an empty one of what is none."""
     try:
-        found = _header(path)
+        header = _header(path)
     except (OSError, EOFError, zlib.error):
         return Header()  # a reader of the format says what is wrong
-    if found is None:
+    if header is None:
         return Header()
-    record, extended = found
+    record, extended = header
     fields = {}
     for name in _CARRIED + _OF_SLICES:
         text = _text(record[name])
@@ -93,28 +93,28 @@ def read(path: pathlib.Path) -> Header:
 
 def mend(path: pathlib.Path, values: NDArray[np.generic]) -> None:
     """Puts back into the values of a file what is not finite, of which ITK's reader makes zeros."""
-    found = _header(path)
+    header = _header(path)
     voxels = read(path).voxels
-    if found is None or voxels is None or values.dtype.kind != "f":
+    if header is None or voxels is None or values.dtype.kind != "f":
         return
-    record, _ = found
+    record, _ = header
     kind = _FLOATS.get(int(record["datatype"]))
     if kind is None:
         return
     order = record.dtype["sizeof_hdr"].byteorder
     raw = np.frombuffer(b"".join(voxels.chunks()), np.dtype(kind).newbyteorder(order), values.size,
                         int(record["vox_offset"]))
-    said = np.moveaxis(raw.reshape(-1, *values.shape[:3]), 0, -1).reshape(values.shape)
-    wrong = ~np.isfinite(said)
-    values[wrong] = said[wrong] * (float(record["scl_slope"]) if _is_scaled(record) else 1.0)
+    original = np.moveaxis(raw.reshape(-1, *values.shape[:3]), 0, -1).reshape(values.shape)
+    wrong = ~np.isfinite(original)
+    values[wrong] = original[wrong] * (float(record["scl_slope"]) if _is_scaled(record) else 1.0)
 
 
 def carry(path: pathlib.Path, fields: dict[str, str]) -> None:
     """Writes into the header of a file what of such fields it can have. The file is not packed."""
-    found = _header(path)
-    if found is None:
+    header = _header(path)
+    if header is None:
         return
-    record = found[0].copy()
+    record = header[0].copy()
     for name in _CARRIED:
         if name not in fields:
             continue

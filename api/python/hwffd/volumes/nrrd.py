@@ -67,34 +67,34 @@ def _in_space_of_itk(frame: str, space: str) -> str:
     return " ".join(f"({','.join(f'{x:.17g}' for x in vector)})" for vector in vectors)
 
 
-def _voxels(path: pathlib.Path, said: dict[str, str], begin: int, names: list[str]) -> Voxels | None:
-    size = _size_of(said.get("type", "").lower())
-    packed = _PACKED.get(said.get("encoding", "").lower())
-    if size is None or packed is None or int(said.get("line skip", "0")):
+def _voxels(path: pathlib.Path, tags: dict[str, str], begin: int, names: list[str]) -> Voxels | None:
+    size = _size_of(tags.get("type", "").lower())
+    packed = _PACKED.get(tags.get("encoding", "").lower())
+    if size is None or packed is None or int(tags.get("line skip", "0")):
         return None
-    size *= math.prod(map(int, said["sizes"].split()))
-    skip = max(0, int(said.get("byte skip", "0")))
-    data = said.get("data file")
+    size *= math.prod(map(int, tags["sizes"].split()))
+    skip = max(0, int(tags.get("byte skip", "0")))
+    data = tags.get("data file")
     if data is None:
         return Voxels([path], begin + (0 if packed else skip), size, packed)
     if data.split()[0] == "LIST":
-        parts = names
+        files = names
     elif numbered := re.fullmatch(r"(.*%.*d.*) (-?\d+) (-?\d+) (-?\d+)( \d+)?", data):
         first, last, step = map(int, numbered.group(2, 3, 4))
-        parts = [numbered[1] % number for number in range(first, last + (1 if step > 0 else -1), step)]
+        files = [numbered[1] % number for number in range(first, last + (1 if step > 0 else -1), step)]
     else:
-        parts = [data]
-    return Voxels([path.parent / part for part in parts], 0 if packed else skip, size, packed)
+        files = [data]
+    return Voxels([path.parent / part for part in files], 0 if packed else skip, size, packed)
 
 
 def read(path: pathlib.Path) -> Header:
     """The header of a file; an empty one of what is none."""
     lines, begin = _lines(path)
-    said: dict[str, str] = {}
+    tags: dict[str, str] = {}
     fields: dict[str, str] = {}
     names: list[str] = []
     for line in lines[1:]:
-        if said.get("data file", "").startswith("LIST"):
+        if tags.get("data file", "").startswith("LIST"):
             names.append(line)
         elif line.startswith("#"):
             continue
@@ -103,15 +103,15 @@ def read(path: pathlib.Path) -> Header:
             fields[key] = value.replace("\\n", "\n").replace("\\\\", "\\")
         elif ": " in line:
             name, value = line.split(": ", 1)
-            said[_SPELLINGS.get(name.lower(), name.lower())] = value.strip()
+            tags[_SPELLINGS.get(name.lower(), name.lower())] = value.strip()
     try:
-        voxels = _voxels(path, said, begin, names)
-        if "measurement frame" in said:
-            said["measurement frame"] = _in_space_of_itk(said["measurement frame"],
-                                                         said.get("space", ""))
+        voxels = _voxels(path, tags, begin, names)
+        if "measurement frame" in tags:
+            tags["measurement frame"] = _in_space_of_itk(tags["measurement frame"],
+                                                         tags.get("space", ""))
     except (ValueError, KeyError, IndexError, TypeError, ZeroDivisionError):
         voxels = None  # a reader of the format says what is wrong
-    return Header(fields | {PREFIX + name: value for name, value in said.items()
+    return Header(fields | {PREFIX + name: value for name, value in tags.items()
                             if name not in _STRUCTURE}, voxels)
 
 

@@ -53,17 +53,17 @@ class RegularVoxels:
         """Of a block of voxels, slices of k, j and i, the part that the lattice holds, as slices within
         the block, and where the deformed lattice has it, (k, j, i, 3)."""
         first, last, counts = [], [], []
-        parts = [slice(0, 0)] * 3
+        slices = [slice(0, 0)] * 3
         for axis, along in enumerate(self._along):
             of_axis = block[2 - along]
             places = self._start[axis] + self._step[axis] * np.arange(of_axis.start, of_axis.stop)
             (inside,) = np.nonzero((places >= 0) & (places <= self._lattice.cells[axis]))
             if inside.size == 0:
                 return (slice(0, 0),) * 3, np.empty((0, 0, 0, 3))
-            parts[2 - along] = slice(inside[0], inside[-1] + 1)
+            slices[2 - along] = slice(inside[0], inside[-1] + 1)
             first.append(places[inside[0]])
             last.append(places[inside[-1]])
             counts.append(inside.size)
-        found = self._lattice.evaluate_grid(first, last, counts)
+        moved = self._lattice.evaluate_grid(first, last, counts)
         order = [2 - self._along.index(2 - axis) for axis in range(3)]
-        return tuple(parts), found.transpose(*order, 3)
+        return tuple(slices), moved.transpose(*order, 3)

@@ -83,9 +83,9 @@ def _deformed(lattice: Lattice, points: NDArray[np.float64]) -> tuple[NDArray[np
 def _walked(lattice: Lattice, voxels: RegularVoxels, block: tuple[slice, slice],
             points: NDArray[np.float64]) -> tuple[NDArray[np.float64], int]:
     """The same of a block of voxels as a grid, and one by one of those that are outside."""
-    part, found = voxels.moved((*block, slice(0, points.shape[2])))
+    part, positions = voxels.moved((*block, slice(0, points.shape[2])))
     moved = np.empty_like(points)
-    moved[part] = found
+    moved[part] = positions
     rest = np.ones(points.shape[:3], bool)
     rest[part] = False
     moved[rest], outside = _deformed(lattice, points[rest])
@@ -97,15 +97,15 @@ def _carried(lattice: Lattice, grid: Volume,
     """Of each block of a grid: its slices, its voxels, where the lattice takes them, and how many of
     them it does not hold."""
     voxels = None if lattice.device == "reference" else RegularVoxels.of(lattice, grid)
-    done = 0
+    finished = 0
     for block in _blocks(grid.counts):
         points = _voxels(grid, block)
         moved, outside = (_walked(lattice, voxels, block, points) if voxels
                           else _deformed(lattice, points))
         yield block, points, moved, outside
-        done += points.size // 3
+        finished += points.size // 3
         if progress:
-            progress(done / np.prod(grid.counts))
+            progress(finished / np.prod(grid.counts))
 
 
 def _in_type(values: NDArray[np.generic], kind: np.dtype) -> NDArray[np.generic]:
@@ -141,8 +141,8 @@ def resample(volume: Volume, lattice: Lattice, *, like: Volume | None = None, or
     if volume.values.dtype.kind != "f" and not np.isfinite(default):
         raise UsageError(f"default {default}: no integer; give a number that voxels can have")
     grid = like or volume
-    parts = volume.values.reshape(*volume.values.shape[:3], -1)
-    samplers = [Sampler(parts[..., component], order) for component in range(parts.shape[-1])]
+    components = volume.values.reshape(*volume.values.shape[:3], -1)
+    samplers = [Sampler(components[..., component], order) for component in range(components.shape[-1])]
     shape = grid.values.shape[:3]
     out = np.empty((*shape, len(samplers)), volume.values.dtype)
     field = np.empty((*shape, 3)) if with_field else None
