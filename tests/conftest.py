@@ -104,8 +104,8 @@ def call(capsys):
     """A script's main(), called: (exit status, lines that it printed, lines of complaints)"""
     def called(main, *words):
         status = main([str(word) for word in words])
-        said = capsys.readouterr()
-        return status, said.out.splitlines(), said.err.splitlines()
+        captured = capsys.readouterr()
+        return status, captured.out.splitlines(), captured.err.splitlines()
     return called
 
 

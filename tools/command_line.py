@@ -55,9 +55,9 @@ def ended(prog, work, faults):
 def measured(prog, work, faults):
     """As `ended`, of what measures: work() says what does not hold, a line each, and 1 is for any."""
     def status():
-        found = work()
-        for line in found:
+        faults = work()
+        for line in faults:
             print(f"{prog}: {line}", file=sys.stderr)
-        return 1 if found else 0
+        return 1 if faults else 0
 
     return ended(prog, status, faults)

@@ -60,9 +60,9 @@ def number(cells, column, where, allowed):
     return int(text)
 
 
-def unique(found, name, column, where):
+def unique(known, name, column, where):
     """Raises TableError where the rows found before have one of that name."""
-    if name in found:
+    if name in known:
         raise TableError(f"{where}: {column} '{name}' is there twice")
 
 
@@ -100,7 +100,7 @@ def command(name, makers, arguments=None, **others):
     parser.add_argument("command", choices=("write", "check", *others))
     options = parser.parse_args(arguments)
     try:
-        found = stale(options.root, makers, name) if options.command == "check" else []
+        faults = stale(options.root, makers, name) if options.command == "check" else []
         if options.command == "write":
             for make in makers:  # one after another: some read what those before have written
                 for file, text in make(options.root).items():
@@ -108,7 +108,7 @@ def command(name, makers, arguments=None, **others):
         elif options.command in others:
             print(others[options.command](options.root))
     except (TableError, OSError) as error:
-        found = [str(error)]
-    for line in found:
+        faults = [str(error)]
+    for line in faults:
         print(f"{name}: {line}", file=sys.stderr)
-    return 1 if found else 0
+    return 1 if faults else 0

@@ -26,12 +26,12 @@ EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS
 
 def chosen(options):
     """The theorems that are asked for. Raises TheoremError."""
-    found = [one for one in EVERYTHING
-             if any(fnmatch.fnmatchcase(one.name, pattern) for pattern in options.only or ["*"])
-             and (one.quick or not options.quick) and (options.nightly or options.only or not one.nightly)]
-    if not found:
+    theorems = [theorem for theorem in EVERYTHING
+                if any(fnmatch.fnmatchcase(theorem.name, pattern) for pattern in options.only or ["*"])
+                and (theorem.quick or not options.quick) and (options.nightly or options.only or not theorem.nightly)]
+    if not theorems:
         raise prove.TheoremError("0 theorems were asked for: no name matches")
-    return found
+    return theorems
 
 
 def complaint(row):
@@ -45,8 +45,8 @@ def work_on(options):
     """What does not hold, a line each."""
     prover = prove.Prover(options.build / "theorems", options.jobs, lambda text: print(text, file=sys.stderr, flush=True))
     rows, faults = [], []
-    for one in chosen(options):
-        row = prover.row(one)
+    for theorem in chosen(options):
+        row = prover.row(theorem)
         rows.append(row)
         print(f"{row['name']:20s} {row['result']:8s} planted bug {row['negative_control']:12s} "
               f"{row['cases']:5d} cases {row['seconds']:8.1f} s", flush=True)

@@ -60,12 +60,12 @@ def product(a, b, latency):
     part = 2 * (bits - low)
     halves = [(word.bits(low - 1, 0).zext(part), word.bits(bits - 1, low).sext(part)) for word in (a, b)]
     whole, assumed = const(0, 2 * bits), []
-    for i, one in enumerate(halves[0]):
+    for i, low_half in enumerate(halves[0]):
         for j, other in enumerate(halves[1]):
-            found = shared(one, other)
-            whole = whole + (found.sext(max(part, 2 * bits)).bits(2 * bits - 1, 0) << low * (i + j))
+            partial = shared(low_half, other)
+            whole = whole + (partial.sext(max(part, 2 * bits)).bits(2 * bits - 1, 0) << low * (i + j))
             if i + j == 0:
-                assumed.append(found < (1 << 2 * low))
+                assumed.append(partial < (1 << 2 * low))
     return whole, assumed
 
 
@@ -184,11 +184,11 @@ def centre(unit, p):
 
 def negate(unit, p):
     given, out = total(unit.inputs["sum_i"], p["FORMAT"]), total(unit.outputs["negative_o"], p["FORMAT"])
-    wide, kept = given.value.width + 1, given.all
+    wide, flags = given.value.width + 1, given.all
     if p["FORMAT"] > 64:
-        kept = concat(kept.bit(1), kept.bit(2), kept.bit(0))
+        flags = concat(flags.bit(1), flags.bit(2), flags.bit(0))
     lowest = const(1 << (wide - 2), wide - 1)
-    return [given.value.ne(lowest)], every(out.value.sext(wide).eq(-given.value.sext(wide)), out.all.eq(kept))
+    return [given.value.ne(lowest)], every(out.value.sext(wide).eq(-given.value.sext(wide)), out.all.eq(flags))
 
 
 def out_word(unit, p):
@@ -206,24 +206,24 @@ def out_word(unit, p):
 
 def _cases(unit, claim, formats, latencies, more=None, latency=None, late=None):
     """A case for each format at the first latency, and at all of them for some formats."""
-    found = []
+    cases = []
     for form in formats:
-        for one in latencies if form in ALL_LATENCIES else latencies[:1]:
-            parameters = {"FORMAT": form, **({} if one is None else {"LATENCY": one}), **(more or {})}
-            found.append(Case(unit, parameters, 0 if one is None else one if latency is None else latency(one),
+        for clocks in latencies if form in ALL_LATENCIES else latencies[:1]:
+            parameters = {"FORMAT": form, **({} if clocks is None else {"LATENCY": clocks}), **(more or {})}
+            cases.append(Case(unit, parameters, 0 if clocks is None else clocks if latency is None else latency(clocks),
                               claim, late or {}))
-    return tuple(found)
+    return tuple(cases)
 
 
 def _steps():
-    found = []
+    cases = []
     for form in FORMATS:
         for mul_latency in (1, 2, 3, 4, 5) if form in ALL_LATENCIES else (1, 3):
             for late in (0, 1) if form in ALL_LATENCIES else (0,):
-                found.append(Case("ffd_num_step", {"FORMAT": form, "MUL_LATENCY": mul_latency, "ADD_LATENCY": 1,
+                cases.append(Case("ffd_num_step", {"FORMAT": form, "MUL_LATENCY": mul_latency, "ADD_LATENCY": 1,
                                                    "LATE": late}, mul_latency + 1, step,
                                   {"coefficient_i": mul_latency} if late else {}))
-    return tuple(found)
+    return tuple(cases)
 
 
 _ROUND = tuple(Case("ffd_fx_round", {"IN_W": a, "DROP": d, "OUT_W": o}, 0, rounded)
@@ -240,7 +240,7 @@ THEOREMS = (
             Bug("ffd_fx_round", "{sign, {(OUT_W - 1) {!sign}}}", "{sign, {(OUT_W - 1) {1'b1}}}"), _ROUND, quick=True),
     Theorem("fx.product", "The product of two signed words, all bits of it.", "W 2 to 35, latencies 0 to 6",
             Bug("ffd_fx_product", "{{(2*W-PART_W-1-LOW_W) {crossed[PART_W]}}", "{{(2*W-PART_W-1-LOW_W) {1'b0}}"),
-            _PRODUCT, control=next(i for i, one in enumerate(_PRODUCT) if one.parameters == {"W": 20, "LATENCY": 2}),
+            _PRODUCT, control=next(i for i, case in enumerate(_PRODUCT) if case.parameters == {"W": 20, "LATENCY": 2}),
             note="products of halves shared; lemmas product.parts and product.low"),
     Theorem("num.add", "The exact sum where it fits Q9, and both operands' flags.", _W,
             Bug("ffd_num_add", "| b_i[VALUE_W +: FLAGS_W]", "& b_i[VALUE_W +: FLAGS_W]"),

@@ -70,10 +70,10 @@ def number(word, form=BINARY32):
 
 def leading(magnitude, width):
     """The place of the highest one; 0 if there is none."""
-    found = const(0, width)
+    position = const(0, width)
     for place in range(magnitude.width):
-        found = ite(magnitude.bit(place), const(place, width), found)
-    return found
+        position = ite(magnitude.bit(place), const(place, width), position)
+    return position
 
 
 def rounded(sign, magnitude, exponent, form=BINARY32):
@@ -98,15 +98,15 @@ def rounded(sign, magnitude, exponent, form=BINARY32):
     whole = const(1, size) << by
     more = either(rest > whole, every(rest.eq(whole), down.bit(0)))
     exact = drop.slt(1)
-    kept = ite(exact, up, down + more.zext(size)).bits(form.significand, 0)
-    carried = kept.bit(form.significand)
-    kept = ite(carried, kept >> 1, kept)
+    significand = ite(exact, up, down + more.zext(size)).bits(form.significand, 0)
+    carried = significand.bit(form.significand)
+    significand = ite(carried, significand >> 1, significand)
     unit = ite(carried, unit + 1, unit)
-    normal = kept.bit(form.significand - 1)
+    normal = significand.bit(form.significand - 1)
     field = ite(normal, unit - lowest + 1, const(0, wide))
-    word = concat(sign, field.bits(form.exponent - 1, 0), kept.bits(form.significand - 2, 0))
+    word = concat(sign, field.bits(form.exponent - 1, 0), significand.bits(form.significand - 2, 0))
     word = ite(~field.slt((1 << form.exponent) - 1), infinity(sign, form), word)
-    return ite(kept.eq(0), const(0, form.width), word)  # docs/numerics.md: a zero is +0
+    return ite(significand.eq(0), const(0, form.width), word)  # docs/numerics.md: a zero is +0
 
 
 def infinity(sign, form=BINARY32):

@@ -10,7 +10,7 @@ from lab.theorems.prove import Lemma
 
 def _script(names, assumed, claimed):
     lines = ["(set-logic ALL)", *(f"(declare-const {name} Int)" for name in names),
-             *(f"(assert {one})" for one in assumed), f"(assert (not {claimed}))", "(check-sat)", ""]
+             *(f"(assert {hypothesis})" for hypothesis in assumed), f"(assert (not {claimed}))", "(check-sat)", ""]
     return "\n".join(lines)
 
 
@@ -62,10 +62,10 @@ LEMMAS = (
 )
 
 
-def truths_of(product, one, other, width):
+def truths_of(product, left, right, width):
     """`product.normal`, `product.zero` and `product.largest` of the product of two significands."""
-    zeros = one.significand.eq(0), other.significand.eq(0)
-    hidden = [number.significand.bit(width - 1) for number in (one, other)]
+    zeros = left.significand.eq(0), right.significand.eq(0)
+    hidden = [number.significand.bit(width - 1) for number in (left, right)]
     least = 1 << (width - 1)
     return [terms.implies(hidden[0] & ~zeros[1], product >= least),
             terms.implies(hidden[1] & ~zeros[0], product >= least),

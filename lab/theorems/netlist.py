@@ -49,7 +49,7 @@ def _sources(bug, folder):
     files = [path for part in FOLDERS for path in sorted((ROOT / part).rglob("*.v"))]
     if bug is None:
         return files
-    place = next((one for one, path in enumerate(files) if path.stem == bug.module), None)
+    place = next((number for number, path in enumerate(files) if path.stem == bug.module), None)
     if place is None:
         raise TheoremError(f"the planted bug is in {bug.module}, which is not read")
     try:
@@ -80,8 +80,8 @@ def _elaborated(wanted, bug, folder):
                             capture_output=True, text=True)
     for (name, parameters), out in zip(wanted, outs):
         if not out.exists():
-            said = (result.stderr or result.stdout or "nothing").strip().splitlines()[-1]
-            raise TheoremError(f"{name} {parameters}: yosys says: {said}")
+            message = (result.stderr or result.stdout or "nothing").strip().splitlines()[-1]
+            raise TheoremError(f"{name} {parameters}: yosys says: {message}")
         yield json.loads(out.read_text(encoding="utf-8"))["modules"][name]
         out.unlink()
 
@@ -93,13 +93,13 @@ class _Reader:
         self.name, self.cut = name, cut
         self.drivers, self.words, self.depth = {}, {}, {}
         self.inputs = {}
-        for port, said in module["ports"].items():
-            if said["direction"] == "input":
-                word = terms.var(port, len(said["bits"]))
+        for port, description in module["ports"].items():
+            if description["direction"] == "input":
+                word = terms.var(port, len(description["bits"]))
                 self.inputs[port] = word
                 clocks = late.get(port, 0)
                 clocks = clocks if isinstance(clocks, tuple) else (clocks,)
-                for place, bit in enumerate(said["bits"]):
+                for place, bit in enumerate(description["bits"]):
                     self.words[bit] = word, place
                     self.depth[bit] = clocks[place * len(clocks) // word.width]
         for key, cell in module["cells"].items():
@@ -121,8 +121,8 @@ class _Reader:
             if bit not in self.drivers:
                 raise TheoremError(f"{self.name}: a wire that nothing drives")
             key, cell, out = self.drivers[bit]
-            needed = [one for port, ports in cell["connections"].items() if port not in (out, "CLK")
-                      for one in ports if isinstance(one, int) and one not in self.words]
+            needed = [bit for port, ports in cell["connections"].items() if port not in (out, "CLK")
+                      for bit in ports if isinstance(bit, int) and bit not in self.words]
             if needed:
                 if key in waiting:
                     raise TheoremError(f"{self.name}: it has feedback, which is not a pipeline")
@@ -134,7 +134,7 @@ class _Reader:
 
     def _finish(self, cell, out):
         ports = cell["connections"]
-        used = [bit for port, found in ports.items() if port not in (out, "CLK") for bit in found]
+        used = [bit for port, connected in ports.items() if port not in (out, "CLK") for bit in connected]
         if cell["type"] == "$dff":
             for bit, before in zip(ports["Q"], ports["D"]):
                 self.words[bit] = self.at(before)
@@ -156,13 +156,13 @@ class _Reader:
     def _depth(self, bit):
         return self.depth[bit] if isinstance(bit, int) else None
 
-    def depths(self, found):
-        return {self._depth(bit) for bit in found} - {None}
+    def depths(self, net_bits):
+        return {self._depth(bit) for bit in net_bits} - {None}
 
-    def word(self, found):
+    def word(self, net_bits):
         """The word of these bits, lowest first."""
-        parts = [term.bit(place) for term, place in map(self.at, reversed(found))]
-        return terms.concat(*parts)
+        pieces = [term.bit(place) for term, place in map(self.at, reversed(net_bits))]
+        return terms.concat(*pieces)
 
 
 def _extended(term, width, signed):
@@ -183,13 +183,13 @@ _REDUCED = {"$reduce_or": lambda a: a.any(), "$reduce_bool": lambda a: a.any(),
             "$logic_not": lambda a: ~a.any(), "$reduce_and": lambda a: (~a).eq(0)}
 
 
-def _shifted(kind, one, amount, width, signed):
+def _shifted(kind, operand, amount, width, signed):
     """A shift fills with zeros, but for an arithmetic one of a signed word to the right."""
-    wide = max(width, one.width, amount.width)
-    word, by = _extended(one, wide, signed), amount.zext(wide)
+    wide = max(width, operand.width, amount.width)
+    word, by = _extended(operand, wide, signed), amount.zext(wide)
     right = kind in ("$shr", "$sshr")
-    found = (word.ashr(by) if signed and kind == "$sshr" else word >> by) if right else word << by
-    return found.bits(width - 1, 0)
+    shifted = (word.ashr(by) if signed and kind == "$sshr" else word >> by) if right else word << by
+    return shifted.bits(width - 1, 0)
 
 
 def _computed(cell, word, cut):
@@ -237,12 +237,12 @@ def read(wanted, folder, bug=None, cut=terms.Term.__mul__):
 def _unit(name, module, late, cut):
     reader = _Reader(module, name, late, cut)
     unit = Unit(name, reader.inputs, {}, {})
-    for port, said in module["ports"].items():
-        if said["direction"] != "output" or "." in port:  # of a box
+    for port, description in module["ports"].items():
+        if description["direction"] != "output" or "." in port:  # of a box
             continue
-        reader.resolve(said["bits"])
-        depths = reader.depths(said["bits"])
+        reader.resolve(description["bits"])
+        depths = reader.depths(description["bits"])
         if len(depths) > 1:
             raise TheoremError(f"{name}: bits of {port} come {sorted(depths)} clocks after the inputs")
-        unit.outputs[port], unit.depths[port] = reader.word(said["bits"]), next(iter(depths), None)
+        unit.outputs[port], unit.depths[port] = reader.word(description["bits"]), next(iter(depths), None)
     return unit

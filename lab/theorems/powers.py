@@ -61,19 +61,19 @@ class Weight:
         bits, latency = p["FORMAT"], p["MUL_LATENCY"]
         s, one = unit.inputs["coordinate_i"].bits(bits - 1, 0), 1 << (bits - 2)
         words = [unit.outputs["weights_o"].bits(place * (bits + 1) + bits, place * (bits + 1)) for place in range(4)]
-        found = [word.bits(bits - 1, 0) for word in words]
-        square, parts = product(s, s, latency)
+        weights = [word.bits(bits - 1, 0) for word in words]
+        square, assumptions = product(s, s, latency)
         rounded = half_up(square.sext(2 * bits + 2), bits - 2).bits(bits - 1, 0)
         cube, more = product(s, const(0, bits) if self.derivative else rounded, latency)
-        assumed = [unit.inputs["derivative_i"].eq(int(self.derivative)), ~s.slt(0), s.sle(one), *parts, *more,
+        assumed = [unit.inputs["derivative_i"].eq(int(self.derivative)), ~s.slt(0), s.sle(one), *assumptions, *more,
                    *(truth for power in (square, cube) for truth in (~power.slt(0), power.sle(one * one)))]
         if self.derivative:
             assumed.append(cube.eq(0))
         if self.place == 1:  # what the others leave
-            goal = found[1].eq(const(0 if self.derivative else one, bits) - found[0] - found[2] - found[3])
+            goal = weights[1].eq(const(0 if self.derivative else one, bits) - weights[0] - weights[2] - weights[3])
         else:
             given = _given(s, square, cube, one, self.derivative)[(0, None, 1, 2)[self.place]]
-            goal = found[self.place].sext(given.width).eq(given)
+            goal = weights[self.place].sext(given.width).eq(given)
         return assumed, every(goal, words[self.place].bit(bits).eq(unit.inputs["coordinate_i"].bit(bits)))
 
     def label(self):

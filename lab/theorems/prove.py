@@ -70,9 +70,9 @@ class Lemma:
     quick: bool = True
 
 
-def shared(one, other):
+def shared(left, right):
     """A product as a word of which only its factors are known: the same on both sides."""
-    return terms.apply(f"product{one.width}", one.width, one, other)
+    return terms.apply(f"product{left.width}", left.width, left, right)
 
 
 class Prover:
@@ -95,22 +95,22 @@ class Prover:
         left = [path for path in paths if not path.with_suffix(".json").exists()]
         for path, script in zip(paths, scripts):
             path.write_text(script, encoding="utf-8")
-        found = {}
+        replies = {}
         for path, answer in zip(left, solve.run(solver, left, limit) if left else ()):
             if answer[0] not in ("sat", "unsat", "unknown"):
                 raise TheoremError(f"{solver} says of {path}: {answer[0]}")
-            found[path] = answer
+            replies[path] = answer
             if answer[0] != "unknown":
                 path.with_suffix(".json").write_text(json.dumps(answer))
-        return [found.get(path) or json.loads(path.with_suffix(".json").read_text(encoding="utf-8"))
+        return [replies.get(path) or json.loads(path.with_suffix(".json").read_text(encoding="utf-8"))
                 for path in paths]
 
     def elaborate(self, cases):
         """Reads the units of cases at once."""
         keys = {self._key(case): case for case in cases}
-        found = netlist.read([(case.unit, case.parameters, case.late) for case in keys.values()],
-                             self.folder / "netlists", cut=shared)
-        self.units = dict(zip(keys, found))
+        circuits = netlist.read([(case.unit, case.parameters, case.late) for case in keys.values()],
+                                self.folder / "netlists", cut=shared)
+        self.units = dict(zip(keys, circuits))
 
     @staticmethod
     def _key(case, bug=None):
@@ -197,5 +197,5 @@ class Prover:
                 "planted_bug": {}, "cases": 1, "questions": 1, "left": [] if result == "unsat" else [result],
                 "widths": lemma.widths, "note": lemma.note, "seconds": round(seconds, 1)}
 
-    def row(self, one):
-        return self.lemma(one) if isinstance(one, Lemma) else self.prove(one)
+    def row(self, statement):
+        return self.lemma(statement) if isinstance(statement, Lemma) else self.prove(statement)

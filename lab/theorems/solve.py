@@ -21,33 +21,33 @@ def _bitwuzla(path):
     parser = bitwuzla.Parser(manager, options)
     parser.parse(path, True)
     solver = parser.bitwuzla()
-    found = str(solver.check_sat()).rsplit(".", maxsplit=1)[-1].lower()
+    verdict = str(solver.check_sat()).rsplit(".", maxsplit=1)[-1].lower()
     words = {}
-    if found == "sat":
-        for one in parser.get_declared_funs():
-            if one.sort().is_bv():
-                words[str(one.symbol())] = int(solver.get_value(one).value(10))
-    return found, words
+    if verdict == "sat":
+        for symbol in parser.get_declared_funs():
+            if symbol.sort().is_bv():
+                words[str(symbol.symbol())] = int(solver.get_value(symbol).value(10))
+    return verdict, words
 
 
 def _z3(path):
     import z3  # pylint: disable=import-outside-toplevel
     solver = z3.Solver()
     solver.from_file(path)
-    found = str(solver.check())
+    verdict = str(solver.check())
     words = {}
-    if found == "sat":
+    if verdict == "sat":
         model = solver.model()
-        words = {one.name(): model[one].as_long() for one in model if one.arity() == 0}
-    return found, words
+        words = {symbol.name(): model[symbol].as_long() for symbol in model if symbol.arity() == 0}
+    return verdict, words
 
 
 def main():
     ask = {"bitwuzla": _bitwuzla, "z3": _z3}[sys.argv[1]]
     for path in sys.argv[2:]:
         start = time.process_time()
-        found, words = ask(path)
-        print(json.dumps({"result": found, "words": words,
+        verdict, words = ask(path)
+        print(json.dumps({"result": verdict, "words": words,
                           "seconds": round(time.process_time() - start, 2)}), flush=True)
 
 
@@ -62,14 +62,14 @@ def run(solver, paths, limit):
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           env=project_root.environment()) as process:
         try:
-            out, said = process.communicate(timeout=limit)
-            fault = f"error: {(said.strip().splitlines() or ['nothing said'])[-1]}"
+            out, errors = process.communicate(timeout=limit)
+            fault = f"error: {(errors.strip().splitlines() or ['nothing said'])[-1]}"
         except subprocess.TimeoutExpired:
             process.kill()
             out, _ = process.communicate()
             fault = "unknown"
-    found = [json.loads(line) for line in out.splitlines() if line.endswith("}")]
-    answers = [(one["result"], one["words"], one["seconds"]) for one in found]
+    replies = [json.loads(line) for line in out.splitlines() if line.endswith("}")]
+    answers = [(reply["result"], reply["words"], reply["seconds"]) for reply in replies]
     return answers + [(fault, {}, float(limit))] * (len(paths) - len(answers))
 
 

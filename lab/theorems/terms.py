@@ -99,8 +99,8 @@ def _as(value, width):
     return const(value, width) if isinstance(value, int) else _same(value, width)
 
 
-def _binary(name, one, other):
-    return _make(name, one.width, (one, _as(other, one.width)))
+def _binary(name, left, right):
+    return _make(name, left.width, (left, _as(right, left.width)))
 
 
 def _signed(value, width):
@@ -121,28 +121,28 @@ def folded(op, width, info, words):
     """The value of an operation on words given as (value, width)."""
     values = [value for value, _ in words]
     if op in FOLDED:
-        found = FOLDED[op](width, *values)
+        result = FOLDED[op](width, *values)
     elif op == "ashr":
-        found = _signed(values[0], width) >> min(values[1], width - 1)
+        result = _signed(values[0], width) >> min(values[1], width - 1)
     elif op == "eq":
-        found = values[0] == values[1]
+        result = values[0] == values[1]
     elif op == "ult":
-        found = values[0] < values[1]
+        result = values[0] < values[1]
     elif op == "slt":
-        found = _signed(*words[0]) < _signed(*words[1])
+        result = _signed(*words[0]) < _signed(*words[1])
     elif op == "sext":
-        found = _signed(*words[0])
+        result = _signed(*words[0])
     elif op == "ite":
-        found = values[1] if values[0] else values[2]
+        result = values[1] if values[0] else values[2]
     elif op == "extract":
-        found = values[0] >> info[1]
+        result = values[0] >> info[1]
     elif op == "concat":
-        found = 0
+        result = 0
         for value, size in words:
-            found = found << size | value
+            result = result << size | value
     else:
         raise ValueError(f"{op} has no value")
-    return int(found) & ((1 << width) - 1)
+    return int(result) & ((1 << width) - 1)
 
 
 def _make(op, width, args, info=None):
@@ -201,35 +201,35 @@ def bits(term, high, low):
     return _make("extract", high - low + 1, (term,), (high, low))
 
 
-def concat(*parts):
+def concat(*words):
     """The first part highest; absent ones (None) are left out."""
-    found = None
-    for part in parts:
+    joined = None
+    for part in words:
         if part is None:
             continue
-        if found is None:
-            found = part
-        elif (found.op == part.op == "extract" and found.args == part.args
-              and found.info[1] == part.info[0] + 1):
-            found = bits(part.args[0], found.info[0], part.info[1])
+        if joined is None:
+            joined = part
+        elif (joined.op == part.op == "extract" and joined.args == part.args
+              and joined.info[1] == part.info[0] + 1):
+            joined = bits(part.args[0], joined.info[0], part.info[1])
         else:
-            found = _make("concat", found.width + part.width, (found, part))
-    return found
+            joined = _make("concat", joined.width + part.width, (joined, part))
+    return joined
 
 
 def every(*truths):
-    found = const(1, 1)
+    conjunction = const(1, 1)
     for truth in truths:
-        found = truth if found.op == "const" and found.info else found & truth
-    return found
+        conjunction = truth if conjunction.op == "const" and conjunction.info else conjunction & truth
+    return conjunction
 
 
 def either(*truths):
     return ~every(*(~truth for truth in truths))
 
 
-def implies(one, other):
-    return ~one | other
+def implies(premise, conclusion):
+    return ~premise | conclusion
 
 
 # ---- SMT-LIB
@@ -242,16 +242,16 @@ _TRUTHS = {"eq": "=", "ult": "bvult", "slt": "bvslt"}
 
 def ordered(roots):
     """Every term below, arguments first."""
-    found, seen, stack = [], set(), [(root, False) for root in reversed(roots)]
+    order, seen, stack = [], set(), [(root, False) for root in reversed(roots)]
     while stack:
         term, expanded = stack.pop()
         if expanded:
-            found.append(term)
+            order.append(term)
         elif id(term) not in seen:
             seen.add(id(term))
             stack.append((term, True))
             stack += [(arg, False) for arg in reversed(term.args)]
-    return found
+    return order
 
 
 def _text(term, names):
@@ -287,7 +287,7 @@ def script(hypotheses, goal):
                 lines.append(f"(declare-fun {term.info} ({functions[term.info]}) {sort})")
             names[term] = f"t{place}"
             lines.append(f"(define-fun t{place} () {sort} {_text(term, names)})")
-    lines += [f"(assert (= {names[one]} #b1))" for one in hypotheses]
+    lines += [f"(assert (= {names[hypothesis]} #b1))" for hypothesis in hypotheses]
     lines += [f"(assert (= {names[goal]} #b0))", "(check-sat)", ""]
     return "\n".join(lines)
 
@@ -299,31 +299,31 @@ _REBUILT = {"ite": lambda term, args: ite(*args), "concat": lambda term, args: c
 def substituted(root, given):
     """A term with other terms in place of variables, {name: term}; what is left unknown of products is
     put back."""
-    found = {}
+    replaced = {}
     for term in ordered([root]):
-        args = tuple(found[arg] for arg in term.args)
+        args = tuple(replaced[arg] for arg in term.args)
         if term.op == "var":
-            found[term] = _same(given.get(term.info, term), term.width)
+            replaced[term] = _same(given.get(term.info, term), term.width)
         elif term.op == "apply" and term.info.startswith("product"):
-            found[term] = args[0] * args[1]
+            replaced[term] = args[0] * args[1]
         elif term.op in _REBUILT:
-            found[term] = _REBUILT[term.op](term, args)
+            replaced[term] = _REBUILT[term.op](term, args)
         else:
-            found[term] = _make(term.op, term.width, args, term.info)
-    return found[root]
+            replaced[term] = _make(term.op, term.width, args, term.info)
+    return replaced[root]
 
 
 def value(root, given):
     """The word that a term is for given words of its variables, {name: number}."""
-    found = {}
+    computed = {}
     for term in ordered([root]):
         if term.op == "const":
-            found[term] = term.info
+            computed[term] = term.info
         elif term.op == "var":
-            found[term] = given[term.info]
+            computed[term] = given[term.info]
         elif term.op == "apply":
-            found[term] = given[term.info](*(found[arg] for arg in term.args))
+            computed[term] = given[term.info](*(computed[arg] for arg in term.args))
         else:
-            found[term] = folded(term.op, term.width, term.info,
-                                 [(found[arg], arg.width) for arg in term.args])
-    return found[root]
+            computed[term] = folded(term.op, term.width, term.info,
+                                    [(computed[arg], arg.width) for arg in term.args])
+    return computed[root]

@@ -26,12 +26,12 @@ class Range:
 
     def __init__(self, word, form):
         if is_float(form):
-            said = ieee.number(word)
+            number = ieee.number(word)
             above_one = word.bits(30, 0) > ONE32
-            self.nan = said.nan | said.infinite
-            self.above = every(~self.nan, ~said.sign, above_one)
-            self.below = every(~self.nan, said.sign, ~said.zero)
-            self.upper = ~said.sign            # the end nearer to what is no number
+            self.nan = number.nan | number.infinite
+            self.above = every(~self.nan, ~number.sign, above_one)
+            self.below = every(~self.nan, number.sign, ~number.zero)
+            self.upper = ~number.sign            # the end nearer to what is no number
         else:
             self.nan = const(0, 1)
             self.below = word >= 0xC0000000
@@ -42,10 +42,10 @@ class Range:
 
 def ranged(unit, p):
     word, one = unit.inputs["word_i"], const(ONE32 if is_float(p["FORMAT"]) else 0x80000000, 32)
-    found, out = Range(word, p["FORMAT"]), unit.outputs
-    right = ite(found.above, one, ite(found.below, const(0, 32), word))
-    return [], every(out["nan_o"].eq(found.nan), out["outside_o"].eq(found.outside),
-                     found.nan | out["clamped_o"].eq(right))
+    span, out = Range(word, p["FORMAT"]), unit.outputs
+    right = ite(span.above, one, ite(span.below, const(0, 32), word))
+    return [], every(out["nan_o"].eq(span.nan), out["outside_o"].eq(span.outside),
+                     span.nan | out["clamped_o"].eq(right))
 
 
 # ---- in
@@ -53,13 +53,13 @@ def ranged(unit, p):
 
 def _aligned(word, places, bits):
     """(value, whether it saturates) of a binary32 word times 2^places, rounded half up to so many bits."""
-    said, wide = ieee.number(word), 12
-    shift = said.place.zext(wide) + const(ieee.BINARY32.lowest, wide) + places
+    number, wide = ieee.number(word), 12
+    shift = number.place.zext(wide) + const(ieee.BINARY32.lowest, wide) + places
     # So far down all is below half a unit, so far up all that is not zero saturates.
     shift = ite(shift.slt(-26), const(-26, wide), ite(shift.slt(bits + 1), shift, const(bits + 1, wide)))
     size = 24 + 26 + bits + 4
-    exact = said.significand.zext(size) << (shift + 26).sext(size)
-    exact = half_up(ite(said.sign, -exact, exact), 26)
+    exact = number.significand.zext(size) << (shift + 26).sext(size)
+    exact = half_up(ite(number.sign, -exact, exact), 26)
     return saturated(exact, bits)
 
 
@@ -73,18 +73,18 @@ def entered(unit, p):
     form = p["FORMAT"]
     word, role = unit.inputs["word_i"], unit.inputs["role_i"]
     clear, clamp, one = (unit.inputs[f"{name}_i"] for name in ("clear", "clamp", "one"))
-    found, coordinate = Range(word, form), role.eq(COORDINATE)
+    span, coordinate = Range(word, form), role.eq(COORDINATE)
     asked = every(coordinate, clamp, one)
-    off = every(coordinate, found.nan | found.outside, clamp if form == FP32 else const(1, 1))
+    off = every(coordinate, span.nan | span.outside, clamp if form == FP32 else const(1, 1))
     out = unit.outputs
-    seen = every(out["nan_o"].eq(found.nan), out["outside_o"].eq(found.outside))
+    seen = every(out["nan_o"].eq(span.nan), out["outside_o"].eq(span.outside))
     if form == FP32:
-        end = ite(asked | found.upper, const(ONE32, 32), const(0, 32))
+        end = ite(asked | span.upper, const(ONE32, 32), const(0, 32))
         right = ite(clear, const(0, 32), ite(asked | off, end, word))
         return [role.ne(3)], seen & out["number_o"].eq(right)
     bits = width(form)
     number = ite(coordinate, _coordinate(word, form), _coefficient(word, form))
-    end = ite(asked | found.upper, const(1 << (bits - 2), bits), const(0, bits))
+    end = ite(asked | span.upper, const(1 << (bits - 2), bits), const(0, bits))
     flag = ~asked & ~clamp
     number = ite(asked | off, concat(const(0, flags(form) - 1) if flags(form) > 1 else None, flag, end), number)
     number = ite(role.eq(POINT), _point(word, unit.inputs["exponent_i"], form), number)
@@ -111,10 +111,10 @@ def _point(word, exponent, form):
     if form <= 64:
         value, over = _fixed_word(word, 32 - bits, bits)
         return concat(over, value)
-    said = ieee.number(word)
+    number = ieee.number(word)
     value, over = _aligned(word, const(bits - 1, 12) - exponent.sext(12), bits)
-    special = said.nan | said.infinite
-    plus, minus = said.nan | (said.infinite & ~said.sign), said.nan | (said.infinite & said.sign)
+    special = number.nan | number.infinite
+    plus, minus = number.nan | (number.infinite & ~number.sign), number.nan | (number.infinite & number.sign)
     return concat(minus, plus, over & ~special, ite(special, const(0, bits), value))
 
 
@@ -153,11 +153,11 @@ def given_words(unit, p):
 
 
 def _in():
-    found = []
+    cases = []
     for form in (FP32, *FORMATS):
         for latency in (0, 1, 2, 4) if form in (FP32, 18, 32, 99) else (0,):
-            found.append(Case("ffd_num_in", {"FORMAT": form, "LATENCY": latency}, latency, entered))
-    return tuple(found)
+            cases.append(Case("ffd_num_in", {"FORMAT": form, "LATENCY": latency}, latency, entered))
+    return tuple(cases)
 
 
 class Leading:

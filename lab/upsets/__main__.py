@@ -62,15 +62,15 @@ def measured(options):
 
 def joined(paths):
     """The report of parts that have every core once. Raises PartError."""
-    found = partial_reports.read(paths, ("row", "seed", "rows", "modules", "cost"))
-    rows = partial_reports.rows(found)
+    parts = partial_reports.read(paths, ("row", "seed", "rows", "modules", "cost"))
+    rows = partial_reports.rows(parts)
     have = [(row["top"], row["hardened"], row["bits"]) for row in rows]
     if sorted(have) != sorted((*core, kind) for core in CORES.values() for kind in KINDS):
         raise partial_reports.PartError(f"parts have {len(have)} rows, not each kind of bits of each core once: "
                                         f"measure a part of each top, {' and '.join(CORES)}")
     partial_reports.same(rows, "flips")
-    return {"row": partial_reports.same(found, "row"), "seed": partial_reports.same(found, "seed"), "rows": rows,
-            "modules": partial_reports.rows(found, "modules"), "cost": partial_reports.rows(found, "cost")}
+    return {"row": partial_reports.same(parts, "row"), "seed": partial_reports.same(parts, "seed"), "rows": rows,
+            "modules": partial_reports.rows(parts, "modules"), "cost": partial_reports.rows(parts, "cost")}
 
 
 def work_on(options):

@@ -11,7 +11,7 @@ KINDS = ("registers", "memories")
 
 def tops():
     """The names of the cores of each top: a part of the campaign."""
-    found = {}
+    by_top = {}
     for name, (top, _) in CORES.items():
-        found.setdefault(top, []).append(name)
-    return found
+        by_top.setdefault(top, []).append(name)
+    return by_top

@@ -21,14 +21,14 @@ def subject(row, top, hardened):
                                               (("HARDENED", int(hardened)),), ""), top, TARGET)
 
 
-def counts(work, one):
+def counts(work, core):
     """{field: number} of a core. Raises UpsetError."""
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
-        status, said = rtl_sources.run(["yosys", "-Q", "-T", "-q", "-p",
-                                        "; ".join([*work.script(one), f"json -o {out.name} *"])], work.root)
+        status, output = rtl_sources.run(["yosys", "-Q", "-T", "-q", "-p",
+                                          "; ".join([*work.script(core), f"json -o {out.name} *"])], work.root)
         if status:
-            raise counted.UpsetError(f"yosys, {one}: {(said.strip().splitlines() or ['failed'])[-1]}")
-        return mapped_netlist.count(TARGET, json.load(out), one.top)
+            raise counted.UpsetError(f"yosys, {core}: {(output.strip().splitlines() or ['failed'])[-1]}")
+        return mapped_netlist.count(TARGET, json.load(out), core.top)
 
 
 def rows(row_name, tops, jobs, root=ROOT):
@@ -37,9 +37,9 @@ def rows(row_name, tops, jobs, root=ROOT):
     row = configurations.find(configurations.read(), row_name)
     wanted = [(top, hardened) for top in tops for hardened in (False, True)]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        found = list(pool.map(lambda one: counts(work, subject(row, *one)), wanted))
+        cells = list(pool.map(lambda core: counts(work, subject(row, *core)), wanted))
     lines = [{"top": top, "hardened": hardened, **number}
-             for (top, hardened), number in zip(wanted, found)]
+             for (top, hardened), number in zip(wanted, cells)]
     for plain, hardened in zip(lines[::2], lines[1::2]):
         if hardened["ff"] <= plain["ff"]:
             raise counted.UpsetError(f"{plain['top']}: HARDENED costs no flip-flop: its copies are gone")

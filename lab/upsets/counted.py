@@ -69,10 +69,10 @@ def flips(run, number, seed, jobs, only=()):
     result = subprocess.run([str(word) for word in command], check=False, capture_output=True, text=True)
     if result.returncode:
         raise UpsetError(f"{run.program.name}: {(result.stderr or 'ended with 1').strip().splitlines()[-1]}")
-    found = read(run.out)
-    if len(found.lines) != (len(only) or number):
-        raise UpsetError(f"{run.out}: {len(found.lines)} flips, not {number}")
-    return found
+    report = read(run.out)
+    if len(report.lines) != (len(only) or number):
+        raise UpsetError(f"{run.out}: {len(report.lines)} flips, not {number}")
+    return report
 
 
 def interval(count, total):
@@ -106,7 +106,7 @@ def row(lines):
 
 def by_module(lines):
     """(module, its lines), in the order of the modules' names."""
-    found = collections.defaultdict(list)
+    lines_by_module = collections.defaultdict(list)
     for line in lines:
-        found[line["module"]].append(line)
-    return sorted(found.items())
+        lines_by_module[line["module"]].append(line)
+    return sorted(lines_by_module.items())

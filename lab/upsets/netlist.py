@@ -52,46 +52,46 @@ def flat(top, parameters, out):
     _yosys([f"read_verilog {folders} -D {rtl_sources.SIMULATION} {' '.join(map(str, files))}",
             f"hierarchy -check -top {top}{given}", f"rename -top {top}", "proc", f"write_json {tree}",
             *rtl_sources.FLATTEN, "opt_clean", "memory_collect", "opt_clean", f"write_json {out}"])
-    found = [json.loads(path.read_text(encoding="utf-8")) for path in (tree, out)]
+    netlists = [json.loads(path.read_text(encoding="utf-8")) for path in (tree, out)]
     tree.unlink()
-    return found[0]["modules"], found[1]
+    return netlists[0]["modules"], netlists[1]
 
 
 class Tree:
     """Which module a cell of the flat design was in."""
 
     def __init__(self, modules, top):
-        self.inside = {name: {cell: one["type"] for cell, one in module["cells"].items()
-                              if one["type"] in modules} for name, module in modules.items()}
+        self.inside = {name: {cell: instance["type"] for cell, instance in module["cells"].items()
+                              if instance["type"] in modules} for name, module in modules.items()}
         self.top = top
 
     def module(self, cell):
         """The module's name; that of its user, where it is one that others are made of."""
         path = cell.removeprefix("$flatten\\").replace(".\\", ".")
-        found, kind = self.top, self.top
+        owner, kind = self.top, self.top
         while True:
             inner = [name for name in self.inside[kind] if path.startswith(f"{name}.")]
             if not inner:
-                return found
+                return owner
             name = max(inner, key=len)
             path, kind = path[len(name) + 1:], self.inside[kind][name]
             plain = next(word for word in kind.split("\\") if word and not word.startswith("$"))
             if plain not in PARTS:
-                found = plain
+                owner = plain
 
 
 def _names(module):
     """bit -> its name: that of a register where it has several, and then the shortest."""
-    found = {}
+    ranks = {}
     for name, wire in module["netnames"].items():
         if wire.get("hide_name"):
             continue
         for place, bit in enumerate(wire["bits"]):
             own = name if len(wire["bits"]) == 1 else f"{name}[{place + wire.get('offset', 0)}]"
             rank = (not re.search(r"_q$", name), len(name), own)
-            if bit not in found or rank < found[bit]:
-                found[bit] = rank
-    return {bit: rank[2] for bit, rank in found.items()}
+            if bit not in ranks or rank < ranks[bit]:
+                ranks[bit] = rank
+    return {bit: rank[2] for bit, rank in ranks.items()}
 
 
 class Design:
@@ -138,17 +138,17 @@ class Design:
 
     def flip_memories(self):
         """Of each bit of `upset_memory` the memory that it chooses."""
-        found = {name.rsplit(".", 1)[0]: wire["bits"][0] for name, wire in self.module["netnames"].items()
-                 if name.rsplit(".", 1)[-1] == HERE}
-        port = self.port(MEMORIES, max(len(found), WIDE))
-        driven = dict(zip(found.values(), port))
+        first_bits = {name.rsplit(".", 1)[0]: wire["bits"][0] for name, wire in self.module["netnames"].items()
+                      if name.rsplit(".", 1)[-1] == HERE}
+        port = self.port(MEMORIES, max(len(first_bits), WIDE))
+        driven = dict(zip(first_bits.values(), port))
         for name, width in ((ADDRESS, 32), (BIT, 16)):
             bits = self.port(name, width)
             for own, wire in self.module["netnames"].items():
                 if own.rsplit(".", 1)[-1] == name and own != name:
                     driven.update(zip(wire["bits"], bits))
         memories = []
-        for memory in found:
+        for memory in first_bits:
             cell = self.module["cells"][f"{memory}.memory_q"]
             memories.append({"name": memory, "module": self.tree.module(f"{memory}."),
                              **{key.lower(): int(cell["parameters"][field], 2)

@@ -106,16 +106,16 @@ class Line:
         frame = struct.pack("<H", len(beats) // BEAT) + beats
         while frame:
             frame = frame[os.write(self.file, frame):]
-        found = b""
-        while len(found) < results * BEAT:
-            more = self.read(results * BEAT - len(found), timeout)
+        received = b""
+        while len(received) < results * BEAT:
+            more = self.read(results * BEAT - len(received), timeout)
             if not more:
-                raise HostError(f"{len(found) // BEAT} of {results} results came: is the board "
+                raise HostError(f"{len(received) // BEAT} of {results} results came: is the board "
                                 "loaded, and the rate right?")
-            found += more
-        if results and not words(found[-BEAT:])[3] & LAST:
+            received += more
+        if results and not words(received[-BEAT:])[3] & LAST:
             raise HostError("the last result of a packet is not marked so: out of step")
-        return b"".join(unmarked(found[at:at + BEAT]) for at in range(0, len(found), BEAT))
+        return b"".join(unmarked(received[at:at + BEAT]) for at in range(0, len(received), BEAT))
 
 
 def unmarked(result):
@@ -138,15 +138,15 @@ def main():
         try:
             line.synchronise()
             start = time.monotonic()
-            found = b"".join(line.ask(*frame, options.timeout) for frame in frames)
+            received = b"".join(line.ask(*frame, options.timeout) for frame in frames)
         finally:
             line.close()
         with open(options.results, "wb") as file:
-            file.write(found)
+            file.write(received)
     except (HostError, OSError, termios.error) as error:
         print(f"host.py: {error}", file=sys.stderr)
         return 1
-    print(f"{len(frames)} frames, {len(found) // BEAT} results in "
+    print(f"{len(frames)} frames, {len(received) // BEAT} results in "
           f"{time.monotonic() - start:.2f} s")
     return 0
 

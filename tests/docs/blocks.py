@@ -43,22 +43,22 @@ class Block:
 
 def of_text(page, text):
     """All blocks of a page that are commands or code."""
-    found, before = [], None
+    marked, before = [], None
     for match in _BLOCK.finditer(text):
         line = text.count("\n", 0, match.start()) + 1
         if match["indented"] is not None:
             before = None
             if _COMMAND.match(match["indented"]):
                 block = Block(page, line, "sh", re.sub(r"^    ", "", match["indented"], flags=re.MULTILINE))
-                found.append(_marked(block, match["mark"]))
+                marked.append(_marked(block, match["mark"]))
         elif match["language"] in SHOWN:
             if match["language"] == "text" and before:
                 before.expected = match["fenced"]
             before = None
         else:
             before = _marked(Block(page, line, match["language"], match["fenced"]), match["mark"])
-            found.append(before)
-    return found
+            marked.append(before)
+    return marked
 
 
 def _marked(block, comment):
@@ -77,4 +77,4 @@ def matches(expected, output):
     wanted, lines = expected.split("\n"), output.split("\n")
     pattern = [".*".join(re.escape(" ".join(part.split())) for part in line.split("...")) for line in wanted]
     return len(wanted) == len(lines) and all(
-        re.fullmatch(one, " ".join(line.split())) for one, line in zip(pattern, lines))
+        re.fullmatch(expression, " ".join(line.split())) for expression, line in zip(pattern, lines))

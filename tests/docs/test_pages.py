@@ -25,10 +25,11 @@ from tools.project_root import ROOT
 BLOCKS = blocks.of_project(ROOT)
 MODELS = pathlib.Path("/usr/share/glmark2/models")
 # Of pages as short as they can be, which have no marks, what tests run the blocks of a language.
-RUN_BY = {**{("README.md", one): "hwffd.install" for one in ("sh", "python", "cpp")}, ("README.md", "verilog"): "lint.readme"}
-RUN_HERE = [one for one in BLOCKS if not one.mark and (one.page, one.language) not in RUN_BY]
-PYTHON_PAGES = list(dict.fromkeys(one.page for one in RUN_HERE if one.language == "python"))
-SHELL = [one for one in RUN_HERE if one.language == "sh"]
+RUN_BY = {**{("README.md", kind): "hwffd.install" for kind in ("sh", "python", "cpp")},
+          ("README.md", "verilog"): "lint.readme"}
+RUN_HERE = [block for block in BLOCKS if not block.mark and (block.page, block.language) not in RUN_BY]
+PYTHON_PAGES = list(dict.fromkeys(block.page for block in RUN_HERE if block.language == "python"))
+SHELL = [block for block in RUN_HERE if block.language == "sh"]
 # Of a block that is run, commands that are not, and the tests that run them.
 ELSEWHERE = {"hwffd view": "view.window"}
 CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
@@ -69,11 +70,11 @@ def tests(build):
 
 def test_blocks_are_found():
     text = "a\n\n<!-- not run: long -->\n```sh\nmake words\n```\n\n    hwffd info \\\n      x   # why\n\n    q = 1\n\n```python\n1\n```\n\n```text\n2\n```\n"
-    found = blocks.of_text("p.md", text)
-    assert [(one.language, one.line, one.mark, one.reason) for one in found] == [
+    parsed = blocks.of_text("p.md", text)
+    assert [(block.language, block.line, block.mark, block.reason) for block in parsed] == [
         ("sh", 3, "not run", "long"), ("sh", 8, "", ""), ("python", 13, "", "")]
-    assert found[1].commands() == ["hwffd info x"]
-    assert found[2].expected == "2\n"
+    assert parsed[1].commands() == ["hwffd info x"]
+    assert parsed[2].expected == "2\n"
 
 
 @pytest.mark.parametrize("expected, output, same", (
@@ -84,14 +85,14 @@ def test_what_is_shown_is_compared(expected, output, same):
 
 def test_every_block_is_run_or_marked():
     assert len(BLOCKS) > 20
-    wrong = [one.place for one in RUN_HERE if one.language not in ("sh", "python")]
+    wrong = [block.place for block in RUN_HERE if block.language not in ("sh", "python")]
     assert not wrong, "no test runs these; mark them '<!-- run by: TEST -->' or '<!-- not run: REASON -->'"
 
 
 def test_tests_that_are_named_exist(tests):
-    wanted = {(one.place, name) for one in BLOCKS if one.mark == "run by" for name in one.reason.split(", ")}
+    wanted = {(block.place, name) for block in BLOCKS if block.mark == "run by" for name in block.reason.split(", ")}
     wanted |= {("test_pages.py", name) for name in [*ELSEWHERE.values(), *RUN_BY.values()]}
-    missing = [(place, name) for place, name in sorted(wanted) if not any(one.startswith(name) for one in tests)]
+    missing = [(place, name) for place, name in sorted(wanted) if not any(test.startswith(name) for test in tests)]
     assert not missing
 
 
@@ -102,28 +103,28 @@ def test_python(page, folder, monkeypatch):
     for block in BLOCKS:
         if block.page != page or block.language != "python" or block.mark:
             continue
-        said = io.StringIO()
-        with contextlib.redirect_stdout(said):
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
             exec(compile(block.text, block.place, "exec"), names)  # pylint: disable=exec-used
         if block.expected:
-            assert blocks.matches(block.expected, said.getvalue()), (block.place, said.getvalue())
+            assert blocks.matches(block.expected, output.getvalue()), (block.place, output.getvalue())
 
 
-@pytest.mark.parametrize("block", SHELL, ids=lambda one: one.place)
+@pytest.mark.parametrize("block", SHELL, ids=lambda block: block.place)
 def test_shell(block, folder, build, arguments):
     if ".3ds" in block.text and not MODELS.is_dir():
         pytest.skip("no models of glmark2")
     path = f"{pathlib.Path(arguments[1]).parent}:{build / 'api' / 'python'}:{os.environ['PATH']}"
-    said = ""
+    output = ""
     for command in block.commands():
-        if any(command.startswith(one) for one in ELSEWHERE):
+        if any(command.startswith(prefix) for prefix in ELSEWHERE):
             continue
         result = subprocess.run(["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path}, text=True,
                                 stdin=subprocess.DEVNULL, capture_output=True, check=False)
         assert result.returncode == 0, f"{block.place}: {command}: {result.stderr}"
-        said += result.stdout
+        output += result.stdout
     if block.expected:
-        assert blocks.matches(block.expected, said), said
+        assert blocks.matches(block.expected, output), output
 
 
 def _fenced_indented(text):
@@ -137,12 +138,12 @@ def test_every_make_of_a_text_is_one_that_there_is():
     targets, handed_on = (set(" ".join(re.findall(rf"^(?:{begin}) (.*)$", makefile, re.MULTILINE)).split())
                           for begin in (r"\.PHONY:", r"FORWARDED *=|MOVED *="))  # those take variables of their own
     variables = set(re.findall(r"\bgiven,([A-Z]+)\b|:([A-Z]+)\b|^([A-Z]+)\s*\?=", makefile, re.MULTILINE))
-    variables = {one for found in variables for one in found if one}
+    variables = {name for names in variables for name in names if name}
     wrong, checked = [], 0
     for path in staging.pages(ROOT):
         for words in re.findall(r"(?:`|^ {4})make ([a-z][^`\n#&|]*)", _fenced_indented(path.read_text(encoding="utf-8")), re.MULTILINE):
             target, *given = words.split()
-            names = [one.partition("=")[0] for one in given if re.match(r"[A-Z]+=", one)]
+            names = [word.partition("=")[0] for word in given if re.match(r"[A-Z]+=", word)]
             checked += 1
             if target not in handed_on and (target not in targets or not set(names) <= variables):
                 wrong.append((str(path.relative_to(ROOT)), words))

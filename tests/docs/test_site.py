@@ -45,9 +45,9 @@ def test_linked_files_come_along(checkout):
                   "docs/b.md": "", "docs/p.svg": "<svg/>", "docs/no.csv": "", "rtl/t.csv": "1\n"})
     pages = staging.stage(checkout.root, checkout.root / "build" / "source")
     assert [path.name for path in pages] == ["a.md", "b.md"]
-    found = {str(path.relative_to(checkout.root / "build" / "source"))
-             for path in (checkout.root / "build" / "source").rglob("*") if path.is_file()}
-    assert found == {"docs/a.md", "docs/b.md", "docs/p.svg", "rtl/t.csv"}
+    staged = {str(path.relative_to(checkout.root / "build" / "source"))
+              for path in (checkout.root / "build" / "source").rglob("*") if path.is_file()}
+    assert staged == {"docs/a.md", "docs/b.md", "docs/p.svg", "rtl/t.csv"}
 
 
 def test_a_text_that_is_no_page_is_named_without_a_link(checkout):
@@ -77,18 +77,18 @@ def header(checkout):
     if not shutil.which("doxygen"):
         pytest.skip("no doxygen")
     checkout.put({"golden/include/hwffd/error.hpp": HEADER})
-    found = doxygen.headers(doxygen.run(checkout.root, checkout.root / "build"))
-    assert list(found) == ["hwffd/error.hpp"]
-    return found["hwffd/error.hpp"]
+    parsed = doxygen.headers(doxygen.run(checkout.root, checkout.root / "build"))
+    assert list(parsed) == ["hwffd/error.hpp"]
+    return parsed["hwffd/error.hpp"]
 
 
 def test_declarations(header):
-    assert [one.text for one in header.declarations] == [
+    assert [declaration.text for declaration in header.declarations] == [
         "class Thing : public Base", "enum class Kind : int",
         "template<class F> std::vector<F> pair(const F& one, const F* other)"]
     thing, kind, _ = header.declarations
-    assert [one.text for one in thing.members] == ["explicit Thing(const Base& of, int n=3)", "int size = 0"]
-    assert [(one.name, reference.comment(one)) for one in kind.members] == [("kOne", "the first"), ("kTwo", "")]
+    assert [member.text for member in thing.members] == ["explicit Thing(const Base& of, int n=3)", "int size = 0"]
+    assert [(value.name, reference.comment(value)) for value in kind.members] == [("kOne", "the first"), ("kTwo", "")]
 
 
 def test_page_of_a_header(header):
@@ -109,13 +109,14 @@ def test_nothing_is_read_as_markdown():
 
 
 def test_every_name_of_the_python_package_has_a_docstring():
-    said = bindings.docstrings(sorted((ROOT / "api/python/src").glob("*.cpp")))
+    texts = bindings.docstrings(sorted((ROOT / "api/python/src").glob("*.cpp")))
     tree = ast.parse((ROOT / python_reference.PACKAGE / "__init__.pyi").read_text())
-    names = [one.name for one in tree.body if isinstance(one, ast.FunctionDef)]
+    names = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and node.name in ("Lattice", "Embedding"):
-            names += [node.name] + [f"{node.name}.{one.name}" for one in node.body if isinstance(one, ast.FunctionDef)]
-    unsaid = [name for name in names if not said.get(name) and name != "Embedding.__len__"]
+            names += [node.name] + [f"{node.name}.{child.name}" for child in node.body
+                                    if isinstance(child, ast.FunctionDef)]
+    unsaid = [name for name in names if not texts.get(name) and name != "Embedding.__len__"]
     assert len(names) > 40 and not unsaid
 
 
@@ -148,8 +149,8 @@ def test_the_site_is_whole(site):
 def test_nothing_is_fetched_from_other_hosts(site):
     fetched = re.compile(r"<(?:script|img|iframe|link)\b[^>]*(?:src|href)=[\"']?(?:https?:)?//(?!www\.w3\.org)")
     for page in (site / "docs").rglob("*.html"):
-        found = [one for one in fetched.findall(page.read_text()) if "canonical" not in one]
-        assert not found, page
+        foreign = [address for address in fetched.findall(page.read_text()) if "canonical" not in address]
+        assert not foreign, page
 
 
 def test_dead_links_and_pages_that_no_menu_has_fail(site, tmp_path):

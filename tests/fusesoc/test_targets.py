@@ -23,17 +23,17 @@ BUILT = ROOT / "build" / "fusesoc"
 
 def row(name):
     """A row of the table as FuseSoC takes it."""
-    found = configurations.find(configurations.read(), name)
-    return [f"--{word}" for word in found.assignments()]
+    configuration = configurations.find(configurations.read(), name)
+    return [f"--{word}" for word in configuration.assignments()]
 
 
 def outside():
     """Every file of the checkout that is not in a build folder."""
-    found = set()
+    paths = set()
     for folder, folders, files in os.walk(ROOT):
         folders[:] = [name for name in folders if name not in ("build", "build-trace", ".git")]
-        found.update(f"{folder}/{name}" for name in files)
-    return found
+        paths.update(f"{folder}/{name}" for name in files)
+    return paths
 
 
 @pytest.fixture
@@ -69,14 +69,14 @@ def test_lint_refuses_a_bad_parameter(fusesoc):
 
 
 # Another row's evaluator ignores what is loaded: the B-spline is not Bezier's.
-@pytest.mark.parametrize("name, said", (
+@pytest.mark.parametrize("name, summary", (
     ("basic-fx18-overlapped", r"fixed-point words: 27 of 27 results, 0 differ, \d+ clocks\n"),
     ("basic-fp32-overlapped", r"binary32 words: 27 of 27 results, 0 differ, \d+ clocks\n"),
     ("basic-fx18-overlapped-bspline", r"27 of 27 results, [1-9]\d* differ")))
-def test_sim(fusesoc, name, said):
+def test_sim(fusesoc, name, summary):
     status, output = fusesoc("sim", *row(name))
-    assert (status == 0) == (" 0 differ" in said), output
-    assert re.search(f"hwffd_stream, {said}" if " 0 " in said else said, output)
+    assert (status == 0) == (" 0 differ" in summary), output
+    assert re.search(f"hwffd_stream, {summary}" if " 0 " in summary else summary, output)
 
 
 def test_synth(fusesoc):

@@ -63,24 +63,24 @@ def call_map(command, target, axes, changes):
     gl.ActiveTexture(gl.TEXTURE0)
 
 
-def first_error(made):
+def first_error(mistakes):
     """What the specification says of several mistakes: the first of its order of checks."""
     order = (lambda mistake: mistake is BETWEEN,
              lambda mistake: mistake.error == VALUE and "stride" not in mistake.name,
              lambda mistake: mistake.error == ENUM, lambda mistake: mistake.error == VALUE,
              lambda mistake: True)
-    return next((mistake.error for is_next in order for mistake in made if is_next(mistake)), OK)
+    return next((mistake.error for is_next in order for mistake in mistakes if is_next(mistake)), OK)
 
 
 def map_cases():
     """All mistakes that glMap3 knows, alone, in pairs and by three, so that the order of the checks
     shows."""
     for count in range(4):
-        for made in itertools.combinations(MISTAKES, count):
-            volume, planar = ({key: value for mistake in made
+        for mistakes in itertools.combinations(MISTAKES, count):
+            volume, planar = ({key: value for mistake in mistakes
                                for key, value in getattr(mistake, kind).items()}
                               for kind in ("volume", "planar"))
-            yield Case("glMap3: " + ", ".join(mistake.name for mistake in made), first_error(made),
+            yield Case("glMap3: " + ", ".join(mistake.name for mistake in mistakes), first_error(mistakes),
                        (call_map, gl.Map3d, gl.MAP3_VERTEX_3, "uvw", volume),
                        (call_map, gl.Map2d, gl.MAP2_VERTEX_3, "uv", planar))
 

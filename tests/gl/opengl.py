@@ -95,9 +95,9 @@ class Names:
         token = f"{self._prefix.upper()}_{name}"
         while token in MACROS:
             token = MACROS[token]
-        found = int(token, 0) if token[0].isdigit() else self._command(self._prefix + name)
-        setattr(self, name, found)
-        return found
+        value = int(token, 0) if token[0].isdigit() else self._command(self._prefix + name)
+        setattr(self, name, value)
+        return value
 
     def _command(self, name):
         symbol = MACROS.get(name, name)
@@ -137,10 +137,10 @@ class Context:
         self.display = checked(egl.GetPlatformDisplay, egl.PLATFORM_SURFACELESS_MESA, None, None)
         checked(egl.Initialize, self.display, None, None)
         checked(egl.BindAPI, egl.OPENGL_API)
-        config, found = np.zeros(1, np.uintp), np.zeros(1, np.int32)
+        config, count = np.zeros(1, np.uintp), np.zeros(1, np.int32)
         checked(egl.ChooseConfig, self.display,
                 [egl.SURFACE_TYPE, egl.PBUFFER_BIT, egl.RENDERABLE_TYPE, egl.OPENGL_BIT, egl.NONE],
-                config, 1, found)
+                config, 1, count)
         size = [egl.WIDTH, SIZE, egl.HEIGHT, SIZE, egl.NONE]
         self.surface = checked(egl.CreatePbufferSurface, self.display, int(config[0]), size)
         self.context = checked(egl.CreateContext, self.display, int(config[0]), None, None)

@@ -136,24 +136,24 @@ class Map(GlTest):
                              matrix.ravel().tolist())
 
     def test_initial_state_is_that_of_opengl(self):
-        found = []
+        states = []
 
         def ask():
             context = Context()
             for number, target in enumerate(MAPS):
                 count = len(INITIAL[number])
-                found.append((asked(gl.GetMap3dv, target, gl.COEFF, count=count),
-                              asked(gl.GetMapdv, gl.MAP2_COLOR_4 + number, gl.COEFF, count=count),
-                              gl.IsEnabledMap3(target)))
-            found.append((gl.IsEnabledMap3(gl.AUTO_NORMAL),
-                          asked(gl.GetEval3dv, gl.MAX_EVAL3_ORDER, count=1)))
+                states.append((asked(gl.GetMap3dv, target, gl.COEFF, count=count),
+                               asked(gl.GetMapdv, gl.MAP2_COLOR_4 + number, gl.COEFF, count=count),
+                               gl.IsEnabledMap3(target)))
+            states.append((gl.IsEnabledMap3(gl.AUTO_NORMAL),
+                           asked(gl.GetEval3dv, gl.MAX_EVAL3_ORDER, count=1)))
             context.close()
 
         # A new thread has a state of its own, and no context until it makes one current.
         thread = threading.Thread(target=ask)
         thread.start()
         thread.join()
-        self.assertEqual(found, [*((points, points, 0) for points in INITIAL), (0, [16])])
+        self.assertEqual(states, [*((points, points, 0) for points in INITIAL), (0, [16])])
 
 
 class Mesh3(GlTest):

@@ -54,14 +54,14 @@ class Gltf(CommandTest):
 
     def test_a_gltf_that_does_not_move_stays(self):
         (self.folder / "ball.gltf").write_text(self.ball())
-        kept = ("kept as they were, and so move the deformed shape as if it were at rest:"
-                " 1 skin, 1 morph target")
+        message = ("kept as they were, and so move the deformed shape as if it were at rest:"
+                   " 1 skin, 1 morph target")
         for shape in "box", "cylinder", "sphere":
             self.good("deform", "ball.gltf", "--lattice", shape, "--deform", "none",
-                      "--device", "reference", "-o", "out.gltf", warning=f"out.gltf: {kept}")
+                      "--device", "reference", "-o", "out.gltf", warning=f"out.gltf: {message}")
             self.assertEqual(self.text("out.gltf"), self.ball(), shape)
         self.good("deform", "ball.gltf", "--deform", "twist:30", "-o", "out.glb",
-                  warning=f"out.glb: {kept}")
+                  warning=f"out.glb: {message}")
         self.assertNotEqual(self.report_of("out.glb"), self.report_of("ball.gltf"))
         self.good("deform", "ball.gltf", "--deform", "none", "-o", "out.obj",
                   warning="ball.gltf: dropped: 1 bone, 1 morph target, tangents,"

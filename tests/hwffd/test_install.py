@@ -145,9 +145,9 @@ class Programs(Installed):
                  if not line.startswith("hwffd view")]  # it waits for the mouse
         self.assertEqual(len(lines), 6)
         path = f"{pathlib.Path(PYTHON).parent}:{os.environ['PATH']}"
-        said = run("sh", "-ec", "\n".join(lines), cwd=work, env=dict(os.environ, HOME=str(self.folder), PATH=path))
-        moved = [float(line) for line in said.splitlines()[-2:]]
-        self.assertTrue(all(0.1 < one < 10 for one in moved), said)
+        output = run("sh", "-ec", "\n".join(lines), cwd=work, env=dict(os.environ, HOME=str(self.folder), PATH=path))
+        moved = [float(line) for line in output.splitlines()[-2:]]
+        self.assertTrue(all(0.1 < coordinate < 10 for coordinate in moved), output)
         for name in ("cat.glb", "bent.obj"):
             self.assertGreater((work / name).stat().st_size, 1000)
 
@@ -160,8 +160,8 @@ class Programs(Installed):
         self.assertEqual(missing, [])
 
     def test_sim_is_a_command(self):
-        said = run(self.prefix / "bin" / "hwffd", "sim", "--help", cwd=self.folder)
-        self.assertIn("Usage: hwffd-sim", said)
+        output = run(self.prefix / "bin" / "hwffd", "sim", "--help", cwd=self.folder)
+        self.assertIn("Usage: hwffd-sim", output)
 
     def core(self, components):
         """A project in C for which neither OpenGL nor Eigen is there; the words that build it."""
@@ -213,8 +213,8 @@ class Python(Installed):
     def test_the_command_runs_the_program_of_the_package(self):
         version = run(self.prefix / "bin" / "hwffd", "--version")
         path = f"{pathlib.Path(PYTHON).parent}:{os.environ['PATH']}"
-        said = run(self.prefix / "bin" / "hwffd", "warp", "--version", env=dict(os.environ, PATH=path))
-        self.assertEqual(said, version)
+        output = run(self.prefix / "bin" / "hwffd", "warp", "--version", env=dict(os.environ, PATH=path))
+        self.assertEqual(output, version)
         for script in self.prefix.glob("bin/*"):
             self.assertNotIn(str(ROOT).encode(), script.read_bytes()[:200], script)
 

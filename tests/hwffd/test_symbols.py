@@ -30,11 +30,11 @@ def exported(*options):
 class Symbols(unittest.TestCase):
     def test_those_for_c_are_the_list_and_the_header(self):
         for_c = sorted(name for name in exported() if not name.startswith("_Z"))
-        kept = (pathlib.Path(__file__).parent / "c_symbols.txt").read_text().split()
-        self.assertEqual(for_c, kept, "a change of the ABI: also of tests/hwffd/c_symbols.txt")
+        listed = (pathlib.Path(__file__).parent / "c_symbols.txt").read_text().split()
+        self.assertEqual(for_c, listed, "a change of the ABI: also of tests/hwffd/c_symbols.txt")
         header = (ROOT / "api/include/hwffd/hwffd.h").read_text()
         declared = re.findall(r"^(?!typedef)\w[\w *]*?\b(hwffd_\w+)\(", header, re.MULTILINE)
-        self.assertEqual(sorted(declared), kept)
+        self.assertEqual(sorted(declared), listed)
 
     def test_those_for_cpp_are_of_the_namespace(self):
         cpp = [name for name in exported("--demangle") if not re.match(r"hwffd_\w+$", name)]

@@ -66,7 +66,7 @@ OF_ORGANIZATIONS = (("N", "65"), ("SCHEDULE", "2"), ("SCHEDULE", "-1"), ("FOLD",
 
 def shared_rows():
     """The same for each module of an organization."""
-    modules = dict.fromkeys(f"ffd_org_{one.module}" for one in organizations.read().values())
+    modules = dict.fromkeys(f"ffd_org_{organization.module}" for organization in organizations.read().values())
     return [(module, [name], [value]) for module in modules for name, value in OF_ORGANIZATIONS
             if re.search(rf"\bparameter {name}\b", SOURCES.whole(module))]
 
@@ -112,7 +112,7 @@ def test_verdict(results, case, tool):
 @pytest.mark.whole
 @pytest.mark.parametrize("tool", TOOLS)
 def test_every_guard_is_seen(results, tool):
-    seen = {guard for found in results.values() for guard in GUARD.findall(found[tool][1])}
+    seen = {guard for by_tool in results.values() for guard in GUARD.findall(by_tool[tool][1])}
     assert guards_of_sources() - seen == set()
 
 

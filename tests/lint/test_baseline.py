@@ -33,11 +33,11 @@ def test_the_same_passes(compare):
     assert compare() == ([], [], 10)
 
 
-@pytest.mark.parametrize("lut, grown, told", (
+@pytest.mark.parametrize("lut, grown, notes", (
     (515, 0, 0), (516, 1, 0), (485, 0, 0), (484, 0, 1), (0, 0, 1)))
-def test_bounds(compare, lut, grown, told):
-    found = compare((SUBJECTS[0], {**ADDER_LUTS, "lut": lut}), RESULTS[1])
-    assert (len(found[0]), len(found[1])) == (grown, told)
+def test_bounds(compare, lut, grown, notes):
+    differences = compare((SUBJECTS[0], {**ADDER_LUTS, "lut": lut}), RESULTS[1])
+    assert (len(differences[0]), len(differences[1])) == (grown, notes)
 
 
 def test_lines_name_the_thing(compare):
@@ -55,9 +55,9 @@ def test_rows_come_and_go(compare):
         f"add-fp32-latency1, ffd_fp_add, osu018: only in the baseline: {CURE}"]
     assert compare(RESULTS[0], everything=False)[0] == []
     new = synthesis.Subject(synthesis.Unit("add", 2), "ffd_fp_add", "ecp5")
-    grown, told, _ = compare(*RESULTS, (new, ADDER_LUTS), version="Yosys 2")
+    grown, notes, _ = compare(*RESULTS, (new, ADDER_LUTS), version="Yosys 2")
     assert grown == [f"{new}: not in the baseline: {CURE}"]
-    assert told == ["the baseline is of Yosys 1, this is Yosys 2"]
+    assert notes == ["the baseline is of Yosys 1, this is Yosys 2"]
 
 
 @pytest.mark.parametrize("old, new", (
@@ -123,6 +123,6 @@ def test_a_wider_adder_fails(tree, run, renewed):
     (("write", "--org", "unit"), 2, "write maps the whole set"),
     (("look",), 2, "argument command: invalid choice: 'look'")))
 def test_bad_requests(run, words, status, message):
-    found, _, (error,) = run(*words)
-    assert found == status
+    exit_status, _, (error,) = run(*words)
+    assert exit_status == status
     assert error.startswith(f"synth_baseline: {message}")

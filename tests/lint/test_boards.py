@@ -74,11 +74,11 @@ def run(checkout, stand_in):
 @pytest.fixture
 def ran(checkout):
     """What the stand-ins were given, but for the routers' question of the version; of one board."""
-    def found(board=""):
+    def commands(board=""):
         lines = [json.loads(line) for line in checkout.text("ran").splitlines()]
         return [words for words in lines if words[1:] not in (["-V"], ["--version"])
                 and board in " ".join(words)]
-    return found
+    return commands
 
 
 @pytest.fixture
@@ -110,10 +110,10 @@ def test_each_board_is_synthesized_routed_and_packed(checkout, run, ran, report)
 def test_the_fastest_of_several_seeds_is_packed(run, ran):
     status, out, errors = run("--board", "icebreaker", seed=None)
     assert (status, errors) == (0, [])
-    found = ran()
-    assert [words[0] for words in found] == ["yosys", *["nextpnr-ice40"] * 3, "icepack"]
-    assert sorted(words[words.index("--seed") + 1] for words in found[1:4]) == ["1", "2", "3"]
-    assert re.search(r"^boards/icebreaker/icebreaker\.\w{16}\.2\.placed$", found[4][-2])
+    commands = ran()
+    assert [words[0] for words in commands] == ["yosys", *["nextpnr-ice40"] * 3, "icepack"]
+    assert sorted(words[words.index("--seed") + 1] for words in commands[1:4]) == ["1", "2", "3"]
+    assert re.search(r"^boards/icebreaker/icebreaker\.\w{16}\.2\.placed$", commands[4][-2])
     assert out[:3] == [
         "icebreaker: cg1-fx16-overlapped: 32.0 MHz after routing, 12 wanted: met",
         "  seed 2 of 3, whose median is 31.0 MHz",
@@ -163,8 +163,8 @@ def test_tables_that_make_no_sense(checkout, run, old, new, wrong):
 
 
 def test_every_port_has_a_pin_and_the_rate_is_exact():
-    found = boards.read(ROOT / "synth/boards/boards.csv", configurations.read())
-    for board in found.values():
+    by_name = boards.read(ROOT / "synth/boards/boards.csv", configurations.read())
+    for board in by_name.values():
         source = (ROOT / "rtl" / "board" / f"{board.top}.v").read_text()
         header = source[source.index("module"):source.index(");")]
         ports = re.findall(r"^  (?:in|out)put +wire +(\w+)", header, re.MULTILINE)
@@ -173,4 +173,4 @@ def test_every_port_has_a_pin_and_the_rate_is_exact():
         placed = re.findall(r'^(?:set_io (\w+) |LOCATE COMP "(\w+)")', pins, re.MULTILINE)
         assert sorted(ports) == sorted(a or b for a, b in placed), board.name
         assert board.parameters["CLOCKS"] * board.baud == board.clock_mhz * 1e6
-    assert len(found) == 2
+    assert len(by_name) == 2

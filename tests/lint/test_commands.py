@@ -60,8 +60,8 @@ def test_values_survive(sim, value):
 @pytest.mark.parametrize("status", ("1", "2"))
 @pytest.mark.usefixtures("sim")
 def test_exit_status_is_shown(make, status):
-    found, _, errors = make("sim", STATUS=status)
-    assert found == 2
+    exit_status, _, errors = make("sim", STATUS=status)
+    assert exit_status == 2
     assert re.search(rf"\Amake: \*\*\* \[Makefile:\d+: sim\] Error {status}\n\Z", errors)
 
 
@@ -217,11 +217,11 @@ def test_optional_package_is_looked_for_once(install, programs):
     assert install() == (0, ["python libraries build"], [])
 
 
-@pytest.mark.parametrize("said", ("E: Unable to locate package lib-gone", "E: You don't have enough free space"))
-def test_what_apt_says_is_one_line(install, programs, said):
-    programs(**apt(f"echo noise; case $* in *lib-gone*) echo \"{said}\"; echo 'E: more'; exit 100 ;; esac"))
+@pytest.mark.parametrize("complaint", ("E: Unable to locate package lib-gone", "E: You don't have enough free space"))
+def test_what_apt_says_is_one_line(install, programs, complaint):
+    programs(**apt(f"echo noise; case $* in *lib-gone*) echo \"{complaint}\"; echo 'E: more'; exit 100 ;; esac"))
     status, messages, _ = install()
-    assert status == 1 and f"could not install them: {said[3:]};" in messages[-1]
+    assert status == 1 and f"could not install them: {complaint[3:]};" in messages[-1]
     assert not any("noise" in line for line in messages)
 
 
@@ -237,8 +237,8 @@ def test_an_interrupted_installation_goes_on(install, programs):
     ("5.100 x", 0), ("6.000 x", 0)))
 def test_old_verilator(install, programs, version, status):
     programs(bin__dpkg_query=HERE.format(ALL), bin__verilator=f"echo 'Verilator {version}'")
-    found, messages, _ = install()
-    assert (found, "or newer needed" in messages[0]) == (status, bool(status))
+    exit_status, messages, _ = install()
+    assert (exit_status, "or newer needed" in messages[0]) == (status, bool(status))
 
 
 def test_fresh_knows_every_target(checkout):

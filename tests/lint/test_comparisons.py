@@ -37,13 +37,13 @@ def proved(folder, script, cells):
         f"read_verilog {folder}/design.v", "prep -top design", f"script {script}", "clean",
         f"write_verilog -noattr {folder}/mapped.v"])
     assert mapped.returncode == 0, mapped.stderr
-    found = yosys(folder, "prove.ys", [
+    result = yosys(folder, "prove.ys", [
         f"read_verilog {folder}/gold.v {folder}/mapped.v",
         f"read_verilog -D NO_INCLUDES +/{cells}/cells_sim.v", "hierarchy -top design", "proc",
         "flatten design", f"read_verilog {folder}/gold.v", "proc",
         "miter -equiv -flatten gold design miter", "sat -verify -prove trigger 0 miter"])
-    assert found.returncode == 0 or "proof did fail" in found.stderr, found.stderr
-    return found.returncode == 0
+    assert result.returncode == 0 or "proof did fail" in result.stderr, result.stderr
+    return result.returncode == 0
 
 
 @pytest.mark.parametrize("target", [target if target in ("ecp5", "gowin") else pytest.param(

@@ -90,15 +90,15 @@ def test_everything_is_constrained(sta, top, period, figure):
     assert re.search(rf"{figure} +{figure} +clock aclk", output)
 
 
-@pytest.mark.parametrize("line, found", ((r"set_output_delay.*\n", "unconstrained"),
-                                         (r"set_input_delay.*\n", "missing set_input_delay")))
-def test_a_line_less_is_noticed(sta, line, found):
-    assert found in sta(TOPS[0], without=line)
+@pytest.mark.parametrize("line, excerpt", ((r"set_output_delay.*\n", "unconstrained"),
+                                           (r"set_input_delay.*\n", "missing set_input_delay")))
+def test_a_line_less_is_noticed(sta, line, excerpt):
+    assert excerpt in sta(TOPS[0], without=line)
 
 
 def test_only_the_interrupt_is_left_out(sta):
-    for name, found in (("irq_o", "No paths found"), ("m_axi_rready", "Endpoint: m_axi_rr")):
-        assert found in sta(TOPS[1], ends=f"-to [get_ports {name}]")
+    for name, line in (("irq_o", "No paths found"), ("m_axi_rready", "Endpoint: m_axi_rr")):
+        assert line in sta(TOPS[1], ends=f"-to [get_ports {name}]")
 
 
 @pytest.mark.parametrize("command, name, flip_flop, mhz", (

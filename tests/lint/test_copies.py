@@ -27,21 +27,21 @@ def registers(folder, module, parameters, target, words):
         files.append(folder / path.name)
         files[-1].write_text(text if words else ATTRIBUTE.sub("", text))
     netlist = folder / "netlist.json"
-    status, said = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join([
+    status, output = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join([
         "read_verilog " + "".join(f"-I {path} " for path in sources.includes) + " ".join(map(str, files)),
         f"hierarchy -check -top {module}" + "".join(f" -chparam {word}" for word in parameters),
         f"{script} -top {module}", "setattr -mod -unset keep_hierarchy *",
         "setattr -unset keep_hierarchy */t:*", "flatten", f"write_json {netlist}"])])
-    assert status == 0, said[-2000:]
+    assert status == 0, output[-2000:]
     cells = json.loads(netlist.read_text())["modules"][module]["cells"].values()
-    return Counter(one["type"] for one in cells)[cell]
+    return Counter(instance["type"] for instance in cells)[cell]
 
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_bit_has_three_registers(tmp_path, target):
-    kept = registers(tmp_path, "ffd_hard_triple", [f"WIDTH {WIDTH}"], target, words=True)
+    tripled = registers(tmp_path, "ffd_hard_triple", [f"WIDTH {WIDTH}"], target, words=True)
     merged = registers(tmp_path, "ffd_hard_triple", [f"WIDTH {WIDTH}"], target, words=False)
-    assert (kept, merged) == (3 * WIDTH, WIDTH)
+    assert (tripled, merged) == (3 * WIDTH, WIDTH)
 
 
 def test_the_slave_is_there_three_times(tmp_path):

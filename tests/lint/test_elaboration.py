@@ -67,9 +67,9 @@ def test_a_design_that_is_broken_has_the_key_of_its_sources(key):
 def test_a_design_is_elaborated_once(tmp_path, monkeypatch):
     for name, text in FILES.items():
         (tmp_path / name).write_text(text)
-    found = elaboration.Elaborations(tmp_path, "1")
+    elaborations = elaboration.Elaborations(tmp_path, "1")
     design = elaboration.Design(f"read_verilog {' '.join(FILES)}", "hierarchy -top top", "sources")
-    found.prepare([design, design], 2)
-    first = found.key(design)
+    elaborations.prepare([design, design], 2)
+    first = elaborations.key(design)
     monkeypatch.setattr(elaboration.rtl_sources, "run", None)
-    assert found.key(design) == first != "sources"
+    assert elaborations.key(design) == first != "sources"

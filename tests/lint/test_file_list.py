@@ -56,11 +56,11 @@ def test_other_warnings_are_heard(checkout):
     folder = shutil.copytree(ROOT / "rtl", checkout.root / "rtl")
     source = folder / "stream" / "ffd_stream_marks.v"
     source.write_text(source.read_text().replace("endmodule", "  wire [3:0] wide = 5'd17;\nendmodule"))
-    status, _, said = verilated(checkout, "-F", folder / "hwffd.f", "user.v")
-    assert status == 1 and "WIDTH" in said and "TIMESCALEMOD" not in said
+    status, _, errors = verilated(checkout, "-F", folder / "hwffd.f", "user.v")
+    assert status == 1 and "WIDTH" in errors and "TIMESCALEMOD" not in errors
     checkout.put({"other.v": "module other (input wire a_i); wire unused = a_i; endmodule\n"})
-    status, _, said = verilated(checkout, "-F", ROOT / "rtl" / "hwffd.f", "other.v", "user.v")
-    assert status == 1 and "TIMESCALEMOD" in said and "other.v" in said and "ffd_" not in said
+    status, _, errors = verilated(checkout, "-F", ROOT / "rtl" / "hwffd.f", "other.v", "user.v")
+    assert status == 1 and "TIMESCALEMOD" in errors and "other.v" in errors and "ffd_" not in errors
 
 
 @pytest.mark.parametrize("unit", EACH_UNIT)
@@ -68,16 +68,16 @@ def test_icarus_takes_what_file_list_prints(checkout, folder, unit):
     checkout.put({"user.v": USER.format(unit=UNITS[unit])})
     listed = subprocess.run([folder / "file_list"], cwd="/", text=True, stdout=subprocess.PIPE, check=True)
     checkout.put({"core.f": listed.stdout})
-    told = checkout.run("iverilog", "-g2005", "-t", "null", "-s", "user_top", "-c", "core.f", "user.v")
-    assert told == (0, "", "")
+    outcome = checkout.run("iverilog", "-g2005", "-t", "null", "-s", "user_top", "-c", "core.f", "user.v")
+    assert outcome == (0, "", "")
 
 
 def test_what_file_list_prints_is_the_list():
-    said = subprocess.run([ROOT / "rtl" / "file_list"], cwd="/", text=True, stdout=subprocess.PIPE, check=True)
+    process = subprocess.run([ROOT / "rtl" / "file_list"], cwd="/", text=True, stdout=subprocess.PIPE, check=True)
     wanted = [f"+incdir+{ROOT}/rtl/{name}" for name in rtl_sources.read_include_folders(ROOT / "rtl" / "hwffd.f")]
     wanted += [f"{ROOT}/rtl/{name}" for name in rtl_sources.read_file_list(ROOT / "rtl" / "hwffd.f")]
     assert len(wanted) > 100
-    assert said.stdout.splitlines() == wanted
+    assert process.stdout.splitlines() == wanted
 
 
 def test_file_list_of_what_is_linked_or_called_from_elsewhere(checkout):

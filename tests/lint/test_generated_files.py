@@ -187,13 +187,13 @@ def test_versions_and_tables_that_registers_cannot_take(tree, call, name, text, 
 
 
 def test_formats():
-    found = formats.read()
+    table = formats.read()
     numbers = {"fp32": 0, "bfp32": 99, **{f"fx{width}": width for width in range(12, 33)}}
-    assert {name: one.number for name, one in found.by_name.items()} == numbers
-    assert found.summary == "fp32, bfp32, or fx12 to fx32"
+    assert {name: member.number for name, member in table.by_name.items()} == numbers
+    assert table.summary == "fp32, bfp32, or fx12 to fx32"
     for name in ("bfp18", "fx11", "fx33", "fx018", "", "FP32"):
         with pytest.raises(csv_table.TableError, match="^here: unknown format '.*': fp32, bfp32, or"):
-            found.find(name, "here")
+            table.find(name, "here")
 
 
 def test_what_is_committed_is_up_to_date(call):

@@ -207,11 +207,11 @@ def test_paths_through_modules():
 @pytest.fixture
 def mapping(tmp_path):
     """Maps a module of the tree: {flat?: netlist}, and what yosys printed after flattening."""
-    def run(top, target, kept, *parameters):
+    def run(top, target, units, *parameters):
         folders = " ".join(f"-I {folder}" for folder in SOURCES.includes)
         steps = [f"read_verilog {folders} " + " ".join(SOURCES.needed(top)),
                  f"hierarchy -check -top {top}" + "".join(f" -chparam {p}" for p in parameters),
-                 f"setattr -mod -set keep_hierarchy 1 *{kept}", f"script {ROOT}/synth/{target}.ys",
+                 f"setattr -mod -set keep_hierarchy 1 *{units}", f"script {ROOT}/synth/{target}.ys",
                  f"json -o {tmp_path}/False.json *", "setattr -mod -unset keep_hierarchy *",
                  "flatten", f"json -o {tmp_path}/True.json *", "stat", "ltp -noff"]
         status, output = rtl_sources.run(["yosys", "-Q", "-T", "-p", "; ".join(steps)], ROOT)
@@ -245,8 +245,8 @@ def test_targets_as_yosys_counts_them(mapping, target):
     for netlist in netlists.values():
         counts = mapped_netlist.count(target, netlist, "ffd_eval_poly")
         assert counts == {field: totals[field] for field in counts}
-    one, other = (mapped_netlist.depth(target, netlist, "ffd_eval_poly") for netlist in netlists.values())
-    assert one == other > 1
+    first, second = (mapped_netlist.depth(target, netlist, "ffd_eval_poly") for netlist in netlists.values())
+    assert first == second > 1
 
 
 def test_a_fixed_point_product_is_one_multiplier(mapping):

@@ -64,7 +64,7 @@ def wrong(tmp_path, width_a, width_b, signed, map_file=MAP, model=MODEL):
                     & (1 << width_a + width_b) - 1, f"0{width_a + width_b}b")
              for a, b in pairs(width_a, width_b)]
     assert len(shown) == len(right)
-    return sum(one != other for one, other in zip(shown, right))
+    return sum(bit != wanted for bit, wanted in zip(shown, right))
 
 
 @pytest.mark.parametrize("width_a, width_b, signed", (

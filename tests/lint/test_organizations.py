@@ -91,8 +91,8 @@ def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
 
 
 def test_numbers_are_those_that_software_knows():
-    found = {name: one.number for name, one in organizations.read().items()}
-    assert {**found, **NUMBERS} == found
+    numbers = {name: organization.number for name, organization in organizations.read().items()}
+    assert {**numbers, **NUMBERS} == numbers
 
 
 def backwards(path):

@@ -47,12 +47,12 @@ def test_a_package_that_is_missing_is_named(check):
 
 
 def test_sets_of_the_project():
-    found = package_closure.sets((ROOT / "tools" / "packages.txt").read_text())
-    build = [row[0] for row in package_closure.rows_of(found, "build")]
+    package_sets = package_closure.sets((ROOT / "tools" / "packages.txt").read_text())
+    build = [row[0] for row in package_closure.rows_of(package_sets, "build")]
     assert "verilator" in build and "yosys" not in build
-    assert set(build) < {row[0] for row in package_closure.rows_of(found, "test")}
+    assert set(build) < {row[0] for row in package_closure.rows_of(package_sets, "test")}
     wanted = {word for line in (ROOT / "Makefile").read_text().splitlines() if line.startswith("\t$(INSTALL)")
               for word in line.replace("$(CELLS)", "cells").split()[1:]}
-    assert wanted <= set(found)
+    assert wanted <= set(package_sets)
     for path in (ROOT / "tools").glob("requirements-*.txt"):
-        assert path.stem.removeprefix("requirements-") in found
+        assert path.stem.removeprefix("requirements-") in package_sets

@@ -26,52 +26,53 @@ OWN = {"hwffd_stream": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "h
 def guards(top, configuration):
     """The guards that Icarus meets."""
     parameters = [f"{name}={value}" for name, value in configuration.items()]
-    status, said = rtl_sources.run([word for word in rtl_sources.icarus(SOURCES, top, SOURCES.needed(top), parameters)
-                                    if word != "-Wall"])
-    found = sorted(set(GUARD.findall(said)))
-    assert found or status == 0, said
-    return found
+    status, output = rtl_sources.run([word for word in rtl_sources.icarus(SOURCES, top, SOURCES.needed(top), parameters)
+                                      if word != "-Wall"])
+    met = sorted(set(GUARD.findall(output)))
+    assert met or status == 0, output
+    return met
 
 
 def cases():
     """(what, top, configuration, guard or None) of everything that is tried, from one seed."""
-    found = []
+    collected = []
     for top, base in OWN.items():
         draw = parameter_draws.Draw(SPACE, top, random.Random(top))
-        own = [one for name, one in SPACE.parameters[top].items()
+        own = [parameter for name, parameter in SPACE.parameters[top].items()
                if base is None or name not in SPACE.parameters[base]]
-        names = {one.name for one in own}
-        for one in own:
-            found += [(f"{one.name}={value}", top, draw.beyond(one, value), one.guard) for value in one.beyond()]
-            found += [(f"{one.name}={value}", top, draw.legal(**{one.name: value}), None)
-                      for value in parameter_draws.ends(one)]
-        found += [(rule.text, top, draw.breaking(rule), rule.guard) for rule in SPACE.rules_of(top)
-                  if base is None or (set(rule.names) | set(rule.needs)) & names]
-    return found
+        names = {parameter.name for parameter in own}
+        for parameter in own:
+            collected += [(f"{parameter.name}={value}", top, draw.beyond(parameter, value), parameter.guard)
+                          for value in parameter.beyond()]
+            collected += [(f"{parameter.name}={value}", top, draw.legal(**{parameter.name: value}), None)
+                          for value in parameter_draws.ends(parameter)]
+        collected += [(rule.text, top, draw.breaking(rule), rule.guard) for rule in SPACE.rules_of(top)
+                      if base is None or (set(rule.names) | set(rule.needs)) & names]
+    return collected
 
 
 def kinds(draw):
     """ORG and EVALUATOR of what is built of other modules: a guard that one of them has another may lack."""
-    found = {}
+    by_kind = {}
     for _ in range(1000):
         drawn = draw.legal()
-        one = SPACE.organizations[drawn["ORG"]]
-        found.setdefault((one.module, one.in_turn, one.scan, drawn["EVALUATOR"]),
-                         {name: drawn[name] for name in ("ORG", "EVALUATOR")})
-    return found.values()
+        organization = SPACE.organizations[drawn["ORG"]]
+        by_kind.setdefault((organization.module, organization.in_turn, organization.scan, drawn["EVALUATOR"]),
+                           {name: drawn[name] for name in ("ORG", "EVALUATOR")})
+    return by_kind.values()
 
 
 def arithmetic_cases():
     """Latencies that are none, and a fused one without binary32, in each kind."""
-    found = []
+    collected = []
     draw = parameter_draws.Draw(SPACE, "hwffd_stream", random.Random(1))
     fused, = [rule for rule in SPACE.rules if rule.names == ("FORMAT", "FMA_LATENCY")]
     for kind in kinds(draw):
         for name in ("MUL_LATENCY", "ADD_LATENCY"):
-            one = draw.parameters[name]
-            found.append((f"{kind} {name}=0", draw.top, draw.beyond(one, 0, **kind), one.guard))
-        found.append((f"{kind} {fused.text}", draw.top, draw.breaking(fused, **kind), fused.guard))
-    return found
+            parameter = draw.parameters[name]
+            collected.append((f"{kind} {name}=0", draw.top, draw.beyond(parameter, 0, **kind), parameter.guard))
+        collected.append((f"{kind} {fused.text}", draw.top, draw.breaking(fused, **kind), fused.guard))
+    return collected
 
 
 def part(whole, share):
@@ -101,7 +102,7 @@ def test_parameters_and_defaults(top):
 def test_every_guard_is_in_the_sources():
     known = {guard for path in SOURCES.files.values()
              for guard in GUARD.findall(rtl_sources.strip_comments(path.read_text()))}
-    patterns = {one.guard for top in SPACE.parameters.values() for one in top.values()}
+    patterns = {parameter.guard for top in SPACE.parameters.values() for parameter in top.values()}
     patterns |= {rule.guard for rule in SPACE.rules}
     assert len(patterns) > 40
     assert [pattern for pattern in sorted(patterns)
@@ -114,7 +115,7 @@ def test_case(met, number):
     if guard is None:
         assert met[number] == [], configuration
     else:
-        assert any(re.fullmatch(guard, one) for one in met[number]), (configuration, guard, met[number])
+        assert any(re.fullmatch(guard, pattern) for pattern in met[number]), (configuration, guard, met[number])
 
 
 def test_both_kinds_are_tried():

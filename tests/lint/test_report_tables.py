@@ -26,10 +26,10 @@ def data(reports):
 
 
 def test_columns_of_numbers_stand_on_the_right():
-    made = Table(["a", "b", "c", "d"],
+    table = Table(["a", "b", "c", "d"],
                        [["`x`", "1,234", "-", "14 + 12"], ["y z", "2.3e-07", "", "0 of 60,012"]])
-    assert made.markdown().splitlines()[1] == "| --- | --: | --- | --: |"
-    assert made.text().splitlines() == [
+    assert table.markdown().splitlines()[1] == "| --- | --: | --- | --: |"
+    assert table.text().splitlines() == [
         "a          b  c            d", "x      1,234  -      14 + 12",
         "y z  2.3e-07     0 of 60,012"]
     assert Table(["a"], []).markdown() == "| a |\n| --- |"
@@ -42,15 +42,15 @@ def test_the_table_of_results_joins_three_reports(reports):
     data = reports(organizations=samples.ORGANIZATIONS,
                    synth={**samples.SYNTH, "rows": [*samples.SYNTH["rows"], *cores]},
                    pnr={**samples.PNR, "rows": [*samples.PNR["rows"], clock]})
-    made = text_blocks.table(data, "results.organizations")
-    assert made.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "-", "8.7e-05"]
+    table = text_blocks.table(data, "results.organizations")
+    assert table.rows[0] == ["`basic`", "64", "11", "1,504", "504", "-", "-", "-", "8.7e-05"]
     bounds = {"rows": [{"form": form, "format": word, "bound": bound, "hypothesis": ""}
                        for form, word, bound in (("product", "fx18", 7e-4), ("product", "fx18", 6e-4),
                                                  ("product", "fx32", 5e-4), ("nested", "fx18", 4e-4))]}
     data = reports(organizations=samples.ORGANIZATIONS, synth=samples.SYNTH, pnr=samples.PNR, bounds=bounds)
     assert [row[-2] for row in text_blocks.table(data, "results.organizations basic nested").rows] == [
         "6.0e-04", "4.0e-04"]
-    assert made.rows[1][5:7] == ["110.0", "13.75"]
+    assert table.rows[1][5:7] == ["110.0", "13.75"]
     assert [line[0] for line in text_blocks.table(data, "results.organizations tree8 nested").rows] == [
         "`tree 8`", "`nested`"]
 
@@ -58,12 +58,12 @@ def test_the_table_of_results_joins_three_reports(reports):
 def test_a_clock_with_a_remark_gives_no_vertices_a_second(reports):
     rows = [samples.mapped("basic-fx18-overlapped", 500, target="gw5a", remark="unknown")]
     data = reports(organizations=samples.ORGANIZATIONS, synth={**samples.SYNTH, "rows": rows})
-    one, = throughput.throughputs(data)
-    assert (one.per_second, one.rate) == (None, 1 / 64)
+    entry, = throughput.throughputs(data)
+    assert (entry.per_second, entry.rate) == (None, 1 / 64)
 
 
 def test_rates(data):
-    timed, untimed = (next(one for one in throughput.throughputs(data) if one.name == name)
+    timed, untimed = (next(entry for entry in throughput.throughputs(data) if entry.name == name)
                       for name in ("basic-fx18-overlapped", "nested-fx18-overlapped"))
     assert (timed.size, timed.unit, timed.multipliers) == (500, "LUTs", 8)
     assert timed.per_second == 100e6 / 64
@@ -73,21 +73,21 @@ def test_rates(data):
 
 
 def test_sizes_that_a_target_counts(data):
-    assert [(one.size, one.unit, one.per_multiplier) for one in throughput.throughputs(data)
-            if one.target == "generic"] == [(44000, "cells", None)]
+    assert [(entry.size, entry.unit, entry.per_multiplier) for entry in throughput.throughputs(data)
+            if entry.target == "generic"] == [(44000, "cells", None)]
 
 
 def test_of_organizations_only_and_each_once(reports):
     rows = [*samples.SYNTH["rows"], samples.mapped("tree8-fx18-overlapped", 1, top="hwffd_axi"),
             samples.mapped("basic-fx18-paper", 1)]
-    names = [(one.name, one.target) for one in throughput.throughputs(
+    names = [(entry.name, entry.target) for entry in throughput.throughputs(
         reports(organizations=samples.ORGANIZATIONS, synth={"rows": rows}))]
     assert len(names) == len(set(names)) == 6
 
 
 def test_the_front_is_what_no_other_beats(data):
-    found = [one for one in throughput.throughputs(data) if one.target == "ecp5"]
-    assert [one.name for one in throughput.unbeaten(found)] == [
+    entries = [entry for entry in throughput.throughputs(data) if entry.target == "ecp5"]
+    assert [entry.name for entry in throughput.unbeaten(entries)] == [
         "basic-fx18-overlapped", "tree8-fx18-overlapped", "parallel-fx18-overlapped",
         "nested-fx18-overlapped"]
 

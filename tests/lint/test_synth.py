@@ -138,9 +138,9 @@ class Tree:
 
     def ran(self):
         """The scripts that the stand-in was given since the last call."""
-        found = self.log.read_text().splitlines() if self.log.exists() else []
+        lines = self.log.read_text().splitlines() if self.log.exists() else []
         self.log.unlink(missing_ok=True)
-        return found
+        return lines
 
     def report(self):
         return json.loads(self.text("build/reports/synth.json"))
@@ -271,14 +271,14 @@ def test_stale_results_are_not_reported(tree):
 
 
 def test_selection(tree):
-    found = synthesis.of_checkout(tree.root)
+    subjects = synthesis.of_checkout(tree.root)
     parser = selection.Parser()
     parser.add_argument("--set", default="all")
     for words, count in (("--target up5k", 2), ("--org tree", 4), ("--n 2", 4), ("--org unit", 8),
                          ("--format fp32", 12), ("--set ci", 7), ("--set ci --target generic", 1),
                          ("--set baseline --target osu018", 5)):
         options = parser.parse_args(words.split())
-        assert len(selection.chosen(found, options.set, options)) == count, words
+        assert len(selection.chosen(subjects, options.set, options)) == count, words
     assert (tree.synth("--set", "ci", "--target", "generic")[0], len(tree.ran())) == (0, 1)
 
 
@@ -370,7 +370,7 @@ def test_variants_that_make_no_sense(tree, line, wrong):
 def test_a_variant_has_the_parameters_of_its_row_and_its_own(tree):
     tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n"
               "basic-fx18-overlapped,few,hwffd_stream,FORMAT=16 FEATURES=256,only a few\n"})
-    one, = (one for one in synthesis.of_checkout(tree.root) if one.variant[0])
-    assert (one.name, one.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
-                                       ("few", "only a few"))
-    assert one.row.parameters == {**one.row.row.parameters, "FORMAT": 16, "FEATURES": 256}
+    variant, = (subject for subject in synthesis.of_checkout(tree.root) if subject.variant[0])
+    assert (variant.name, variant.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
+                                               ("few", "only a few"))
+    assert variant.row.parameters == {**variant.row.row.parameters, "FORMAT": 16, "FEATURES": 256}

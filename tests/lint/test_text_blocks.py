@@ -158,16 +158,16 @@ def test_texts_of_the_next_release(checkout, blocks):
     assert results.released(checkout.root).folder.name == "1.0.10"
 
 
-@pytest.mark.parametrize("release, said", (
+@pytest.mark.parametrize("release, message", (
     ({}, ""), ({"mixed": True, "why": "measured one by one"}, ""), ({"mixed": True}, "is mixed and does not say why"),
     ({"commit": "abd"}, "sim.json is of another commit than abd: measure all with make results"),
     ({"version": "1.0.1"}, "says version 1.0.1"), ({"studies": {"words": {}}}, "words.json: cannot be read")))
-def test_results_of_several_commits_say_so(checkout, blocks, release, said):
+def test_results_of_several_commits_say_so(checkout, blocks, release, message):
     checkout.put({"docs/results/1.0.0/release.json": {**RELEASE, **release}})
-    found = text_blocks.releases(checkout.root)
-    assert len(found) == bool(said)
-    if said:
-        assert found[0].startswith("docs/results/1.0.0/release.json: ") and said in found[0]
+    complaints = text_blocks.releases(checkout.root)
+    assert len(complaints) == bool(message)
+    if message:
+        assert complaints[0].startswith("docs/results/1.0.0/release.json: ") and message in complaints[0]
 
 
 def test_without_results():

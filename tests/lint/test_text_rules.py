@@ -242,6 +242,6 @@ def test_clean_sources_pass(tree, files):
     (inserted("\twire y;"), 1, r"lint: \d+ checks, 1 warning")))
 def test_command(tree, files, status, last):
     """The command's last line and exit status."""
-    found, out, _ = tree(files).module("tools.checks.lint", "--text", "--root", ".")
-    assert found == status
+    exit_status, out, _ = tree(files).module("tools.checks.lint", "--text", "--root", ".")
+    assert exit_status == status
     assert re.fullmatch(last, out.splitlines()[-1])

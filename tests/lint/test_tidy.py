@@ -34,22 +34,22 @@ def tree(checkout):
 
 @pytest.fixture
 def changed(tree):
-    def found():
+    def names():
         files = clang_tidy.changed(tree.root, ("golden", "tests"))
         return None if files is None else [str(path.relative_to(tree.root)) for path in files]
-    return found
+    return names
 
 
 @pytest.fixture
 def findings(tree):
     """Of these files, or of all."""
-    def found(*names):
+    def lines_of(*names):
         lines = []
         for check in clang_tidy.checks(tree.root, [tree.root / name for name in names] or None):
             check.run()
             lines += check.findings + [check.left_out] * bool(check.left_out)
         return lines
-    return found
+    return lines_of
 
 
 @pytest.fixture

@@ -90,13 +90,13 @@ def measure(folder, *inverters):
 
 @OPEN_STA
 def test_longer_paths_are_slower(tmp_path):
-    found = {number: measure(tmp_path, number) for number in (2, 10, 18)}
-    periods = [1000 / one["fmax_mhz"] for one in found.values()]
+    reports = {number: measure(tmp_path, number) for number in (2, 10, 18)}
+    periods = [1000 / report["fmax_mhz"] for report in reports.values()]
     assert periods[2] - periods[1] == pytest.approx(periods[1] - periods[0], abs=0.02)
     assert periods[1] - periods[0] > 8 * 0.02
     assert periods[0] < 2
-    assert found[18]["power_mw"] > found[2]["power_mw"]
-    assert found[10]["critical_path"] == "from u_inner/first_q to u_inner/sum_q"
+    assert reports[18]["power_mw"] > reports[2]["power_mw"]
+    assert reports[10]["critical_path"] == "from u_inner/first_q to u_inner/sum_q"
 
 
 @OPEN_STA

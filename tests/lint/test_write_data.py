@@ -48,6 +48,6 @@ def test_bytes_without_a_strobe_are_what_was_there_last(checkout):
     checkout.put({"bench.v": BENCH.format(halves=halves)})
     files = rtl_sources.Sources().needed(MODULE)
     assert checkout.run("iverilog", "-g2005", "-o", "bench.vvp", "bench.v", *files) == (0, "", "")
-    status, said, _ = checkout.run("vvp", "-n", "bench.vvp")
+    status, output, _ = checkout.run("vvp", "-n", "bench.vvp")
     assert status == 0
-    assert [tuple(line.split()) for line in said.splitlines() if len(line.split()) == 4] == list(BEATS)
+    assert [tuple(line.split()) for line in output.splitlines() if len(line.split()) == 4] == list(BEATS)

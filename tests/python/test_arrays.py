@@ -57,8 +57,8 @@ def test_any_strides_are_read(lattice, points):
         np.testing.assert_array_equal(hwffd.deform(lattice, same), moved)
     np.testing.assert_array_equal(hwffd.deform(lattice, points[::-1, ::-1]),
                                   hwffd.deform(lattice, points[::-1, ::-1].copy()))
-    one = np.broadcast_to(points[0], (5, 3))
-    np.testing.assert_array_equal(hwffd.deform(lattice, one), np.broadcast_to(moved[0], (5, 3)))
+    repeated = np.broadcast_to(points[0], (5, 3))
+    np.testing.assert_array_equal(hwffd.deform(lattice, repeated), np.broadcast_to(moved[0], (5, 3)))
     points.flags.writeable = False
     np.testing.assert_array_equal(hwffd.deform(lattice, points), moved)
 

@@ -30,8 +30,8 @@ cloudpickle.register_pickle_by_value(sys.modules[__name__])  # workers cannot im
 @pytest.fixture(scope="module")
 def client():
     with (LocalCluster(n_workers=2, processes=True, threads_per_worker=1, dashboard_address=None) as cluster,
-          Client(cluster) as found):
-        yield found
+          Client(cluster) as connected):
+        yield connected
 
 
 def bent(device, shape="box", **more):
@@ -81,10 +81,10 @@ def test_two_processes_give_the_bits_of_one(client, device):
                 moved = hwffd.deform(lattice, da.from_array(points, chunks=chunks))
                 assert isinstance(moved, da.Array) and moved.chunks[-1] == (3,)
                 expected = hwffd.deform(lattice, points)
-                found = client.compute(moved).result()
-                assert moved.dtype == found.dtype == expected.dtype and found.shape == expected.shape
-                assert found.tobytes() == expected.tobytes()
-                compared += found.size
+                computed = client.compute(moved).result()
+                assert moved.dtype == computed.dtype == expected.dtype and computed.shape == expected.shape
+                assert computed.tobytes() == expected.tobytes()
+                compared += computed.size
     assert compared == 3 * 3 * 3 * (2000 + 1200 + 1)
 
 
@@ -95,8 +95,8 @@ def test_other_schedulers_and_unknown_chunks():
     expected = hwffd.deform(lattice, points)
     before = hwffd.threads()
     for scheduler in "threads", "synchronous":
-        found = hwffd.deform(lattice, chunked).compute(scheduler=scheduler)
-        np.testing.assert_array_equal(found, expected)
+        computed = hwffd.deform(lattice, chunked).compute(scheduler=scheduler)
+        np.testing.assert_array_equal(computed, expected)
     right = hwffd.deform(lattice, chunked[chunked[:, 0] > 0]).compute(scheduler="threads")
     np.testing.assert_array_equal(right, expected[points[:, 0] > 0])
     assert len(right) > 1000 and hwffd.threads() == before
@@ -141,7 +141,7 @@ def watched_calls():
     """How many chunks and how many lattices there were."""
     chunks = sys.modules["hwffd._chunks"]
     chunks._deform_chunk = chunks.plain  # pylint: disable=protected-access
-    return len(chunks.seen), len({id(one) for one in chunks.seen})
+    return len(chunks.seen), len({id(lattice) for lattice in chunks.seen})
 
 
 def test_a_worker_gets_a_lattice_once_and_takes_its_threads(client):
@@ -165,13 +165,13 @@ def test_memory_of_a_worker_is_bounded(client, device):
     digests = hwffd.deform(lattice, chunked_points(MANY)).map_blocks(digest, chunks=(1, 32), dtype=np.uint8)
     client.run(hwffd.deform, lattice, block({None: {"chunk-location": (0, 0)}}))
     before = client.run(forget_peak)
-    found = client.compute(digests).result()
+    computed = client.compute(digests).result()
     taken = {worker: most - before[worker] for worker, most in client.run(memory, "VmHWM").items()}
     assert len(taken) == 2 and max(taken.values()) < LIMIT, taken
     assert MANY * 24 > 2.5 * LIMIT
     for number in range(MANY // CHUNK):
         moved = hwffd.deform(lattice, block({None: {"chunk-location": (number, 0)}}))
-        assert digest(moved).tobytes() == found[number].tobytes()
+        assert digest(moved).tobytes() == computed[number].tobytes()
 
 
 def test_a_killed_worker_loses_nothing(client):
@@ -181,11 +181,11 @@ def test_a_killed_worker_loses_nothing(client):
         points, chunks=(10_000, 3))).to_delayed()]
     workers = client.run(os.getpid)
     futures = client.compute(chunks)
-    for done, _ in enumerate(as_completed(futures), 1):
+    for finished, _ in enumerate(as_completed(futures), 1):
         held = {worker for future, where in client.who_has(futures).items() for worker in where}
-        if done >= 10 and held == set(workers):
+        if finished >= 10 and held == set(workers):
             break
-    assert done < 30
+    assert finished < 30
     victim = next(iter(workers))
     lost = sum(where == (victim,) for where in client.who_has(futures).values())
     os.kill(workers[victim], signal.SIGKILL)

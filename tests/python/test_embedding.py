@@ -45,8 +45,8 @@ def test_places_have_the_shape_of_the_points():
     assert embedding.determinants(lattice).shape == (6, 10)
     with pytest.raises(ValueError, match="read-only"):
         embedding.cells[0] = 1
-    one = lattice.embed([0.1, 0.2, 0.3])
-    assert one.inside.shape == () and one.jacobians(lattice).shape == (3, 3)
+    single = lattice.embed([0.1, 0.2, 0.3])
+    assert single.inside.shape == () and single.jacobians(lattice).shape == (3, 3)
 
 
 def test_points_that_stay_are_told():

@@ -162,8 +162,8 @@ def test_texts(deformation, outside, device, org, pages, axis_points):
 @hypothesis.given(st.lists(ANYTHING, max_size=9).map(tuple))
 def test_pickles(state):
     for kind in hwffd.Lattice, hwffd.Embedding:
-        made = kind.__new__(kind)
+        instance = kind.__new__(kind)
         try:
-            made.__setstate__(state)
+            instance.__setstate__(state)
         except hwffd.Error as error:
             assert "\n" not in str(error), error

@@ -50,22 +50,22 @@ def test_a_daemon_thread_inside_at_exit(work, delay):
 
 
 def test_the_main_thread_works_on_while_the_interpreter_ends():
-    said = run("""
+    output = run("""
         import atexit
         atexit._run_exitfuncs()  # those of hwffd among them
         print(hwffd.deform(idle, points[:4]).shape)
         """, work=WORK["deform"], delay=0.1)
-    assert said == "(4, 3)\n"
+    assert output == "(4, 3)\n"
 
 
 def test_many_daemon_threads_at_exit():
-    said = run("""
+    output = run("""
         for _ in range(3):
             threading.Thread(target=forever, daemon=True).start()
         time.sleep(0.2)
         print("ends")
         """, work="hwffd.deform(idle, points[:3000]); lattice.dims", delay=0.1)
-    assert said == "ends\n"
+    assert output == "ends\n"
 
 
 FORKS = """
@@ -93,7 +93,7 @@ FORKS = """
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_forks_while_a_thread_is_inside():
-    said = run(textwrap.dedent(FORKS) + textwrap.dedent("""
+    output = run(textwrap.dedent(FORKS) + textwrap.dedent("""
         few = points[:10]
         embedding = idle.embed(few)
         seen = {}
@@ -106,7 +106,7 @@ def test_forks_while_a_thread_is_inside():
         print(sorted(name for name, all in seen.items() if all == {0}))
         print(sorted(name for name, all in seen.items() if all <= {0, 1}))
         """), work=WORK["embed"], delay=0.1)
-    good, ended = said.splitlines()
+    good, ended = output.splitlines()
     assert good == "['embedded', 'idle', 'new']"
     assert ended == "['busy', 'control points', 'dims', 'embedded', 'idle', 'new', 'repr']"
 
@@ -114,7 +114,7 @@ def test_forks_while_a_thread_is_inside():
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_a_child_ends_as_a_program_does():
     """With the functions of atexit, while its parent has a thread inside."""
-    said = run("""
+    output = run("""
         for _ in range(3):
             child = os.fork()
             if child == 0:
@@ -126,7 +126,7 @@ def test_a_child_ends_as_a_program_does():
             assert time.monotonic() - start < 20
         print("ends")
         """, work="hwffd.deform(hwffd.Lattice.around('sphere', points), points)", delay=0.1)
-    assert said == "ends\n"
+    assert output == "ends\n"
 
 
 SUBINTERPRETER = """

@@ -104,7 +104,7 @@ def test_masked_arrays_are_refused(points):
 def test_writing_to_control_points_says_how_they_are_changed():
     lattice = hwffd.Lattice.around("box", CORNERS)
 
-    def one():
+    def set_number():
         lattice.control_points[1, 1, 1] += 1
 
     def set_one():
@@ -114,7 +114,7 @@ def test_writing_to_control_points_says_how_they_are_changed():
         points = lattice.rest_points
         points *= 2
 
-    for call in one, set_one, all_of_them, lambda: np.add(CORNERS, 1, out=lattice.points[:2]):
+    for call in set_number, set_one, all_of_them, lambda: np.add(CORNERS, 1, out=lattice.points[:2]):
         with pytest.raises(hwffd.UsageError, match="^control points: read-only, .* set lattice.control_points = "):
             call()
     points = lattice.control_points.copy()

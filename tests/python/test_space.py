@@ -44,8 +44,8 @@ def test_displacements_of_a_regular_grid():
     assert field.shape == (40, 3, 2, 3)
     z, y, x = np.meshgrid(np.linspace(-2, 2, 40), (-1, 0, 1), (-1, 1), indexing="ij")
     np.testing.assert_allclose(field, lattice.displacements(np.stack([x, y, z], axis=-1)), atol=1e-14)
-    one = lattice.displacement_grid((0.5, 0, 0), (9, 9, 9), (1, 1, 1))
-    np.testing.assert_allclose(one[0, 0, 0], lattice.displacements([0.5, 0, 0]), atol=1e-15)
+    grid = lattice.displacement_grid((0.5, 0, 0), (9, 9, 9), (1, 1, 1))
+    np.testing.assert_allclose(grid[0, 0, 0], lattice.displacements([0.5, 0, 0]), atol=1e-15)
     with pytest.raises(hwffd.UsageError, match="^counts: 0; give 1 or more each$"):
         lattice.displacement_grid((0, 0, 0), (1, 1, 1), (2, 0, 2))
     many = lattice.displacement_grid((-1, -1, -1), (1, 1, 1), (40, 41, 42))

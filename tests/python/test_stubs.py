@@ -55,9 +55,9 @@ def test_classes_have_the_members_that_the_stubs_say():
     for node in STUBS.body:
         if not isinstance(node, ast.ClassDef) or node.name.endswith("Error"):
             continue
-        said = {m.name for m in node.body if isinstance(m, ast.FunctionDef)}
-        said |= {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
+        stubbed = {m.name for m in node.body if isinstance(m, ast.FunctionDef)}
+        stubbed |= {m.target.id for m in node.body if isinstance(m, ast.AnnAssign)}
         members = vars(getattr(hwffd, node.name))
-        assert said - INHERITED == {name for name in members if not name.startswith("_")}
-        for name in said - INHERITED:
+        assert stubbed - INHERITED == {name for name in members if not name.startswith("_")}
+        for name in stubbed - INHERITED:
             assert len((members[name].__doc__ or "").strip()) > 10, f"{node.name}.{name}"

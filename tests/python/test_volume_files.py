@@ -250,8 +250,8 @@ def test_a_signal_leaves_nothing_behind(folder, number):
         time.sleep(2)
         assert program.poll() is None
         program.send_signal(number)
-        said = program.communicate()[1]
-    assert program.returncode in (-number, 128 + number) and said == ""
+        errors = program.communicate()[1]
+    assert program.returncode in (-number, 128 + number) and errors == ""
     assert files(folder) == before and len(list(folder.iterdir())) == len(before) + 1
 
 

@@ -94,11 +94,11 @@ def test_voxels_are_walked_as_a_grid(name, monkeypatch):
     held = np.count_nonzero(lattice.embed(points).inside)
     exact = volumes.resample(volume, lattice, with_field=True)
     lattice.set_device("model", "cg1", "fx32")
-    part, found = RegularVoxels.of(lattice, volume).moved(tuple(slice(0, n) for n in COUNTS[::-1]))
-    assert found[..., 0].size == held == np.prod(COUNTS) - exact.outside_lattice
+    part, positions = RegularVoxels.of(lattice, volume).moved(tuple(slice(0, n) for n in COUNTS[::-1]))
+    assert positions[..., 0].size == held == np.prod(COUNTS) - exact.outside_lattice
     assert (held < 0.5 * np.prod(COUNTS)) == (name == "part")
     whole = volumes.resample(volume, lattice, with_field=True)
-    np.testing.assert_array_equal(whole.field.values[part], found - points[part])
+    np.testing.assert_array_equal(whole.field.values[part], positions - points[part])
     for voxels in 41 * 29 * 4, 41 * 7:
         monkeypatch.setattr(warping, "_VOXELS_AT_ONCE", voxels)
         blocks = volumes.resample(volume, lattice, with_field=True)

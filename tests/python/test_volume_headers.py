@@ -39,13 +39,13 @@ def nifti(values, kind=None, order="<", packed=False, **more):
     """The bytes of a NIfTI file; values (nz, ny, nx) or (nz, ny, nx, c)."""
     colours = kind in ("rgb", "rgba")
     kind = kind or values.dtype.str[1:]
-    parts = values.shape[3] if values.ndim == 4 else 1
+    components = values.shape[3] if values.ndim == 4 else 1
     dims = [3, *values.shape[2::-1], 1, 1, 1, 1]
-    if parts > 1 and not colours:
-        dims = [5, *values.shape[2::-1], 1, parts, 1, 1]
+    if components > 1 and not colours:
+        dims = [5, *values.shape[2::-1], 1, components, 1, 1]
         values = np.moveaxis(values, -1, 0)
     fields = {"sizeof_hdr": 348, "dim": dims, "datatype": NIFTI_CODES[kind],
-              "bitpix": 8 * values.itemsize * (parts if colours else 1), "pixdim": [1] * 8,
+              "bitpix": 8 * values.itemsize * (components if colours else 1), "pixdim": [1] * 8,
               "vox_offset": 352, "sform_code": 1, "srow": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0],
               "intent_code": 1007 if dims[0] == 5 else 0, "magic": b"n+1\0", **more}
     header = bytearray(352)
@@ -99,9 +99,9 @@ def test_the_file_that_is_named_is_read(name, tmp_path):
 
 
 @pytest.mark.parametrize("packed", [False, True])
-@pytest.mark.parametrize("kind, parts", [("rgb", 3), ("rgba", 4)])
-def test_colours_are_components(kind, parts, packed, tmp_path):
-    values = np.arange(60 * parts, dtype=np.uint8).reshape(*SHAPE, parts)
+@pytest.mark.parametrize("kind, components", [("rgb", 3), ("rgba", 4)])
+def test_colours_are_components(kind, components, packed, tmp_path):
+    values = np.arange(60 * components, dtype=np.uint8).reshape(*SHAPE, components)
     path = tmp_path / f"a.nii{'.gz' if packed else ''}"
     path.write_bytes(nifti(values, kind, packed=packed))
     np.testing.assert_array_equal(volumes.read(path).values, values)
@@ -198,27 +198,27 @@ def test_numbers_have_points_in_every_locale(suffix, comma, tmp_path):
                              "out.json"], cwd=tmp_path, capture_output=True, text=True, check=False,
                             env={**os.environ, **comma})
     assert (result.returncode, result.stderr) == (0, "")
-    found = np.array([float(x) for x in result.stdout.split()])
-    np.testing.assert_allclose(found, [*volume.spacing, *volume.origin], rtol=1e-6)
+    numbers = np.array([float(x) for x in result.stdout.split()])
+    np.testing.assert_allclose(numbers, [*volume.spacing, *volume.origin], rtol=1e-6)
     again = volumes.read(tmp_path / f"out{suffix}")
-    np.testing.assert_allclose([*again.spacing, *again.origin], found, rtol=1e-6)
+    np.testing.assert_allclose([*again.spacing, *again.origin], numbers, rtol=1e-6)
     np.testing.assert_array_equal(again.values, volume.values)
     lattice.deform("move:1,1,1:0.25,0.5,0.75")
     np.testing.assert_array_equal(hwffd.Lattice.read(tmp_path / "out.json").control_points,
                                   lattice.control_points)
 
 
-@pytest.mark.parametrize("parts", [1, 3])
+@pytest.mark.parametrize("components", [1, 3])
 @pytest.mark.parametrize("kind", ["f4", "f8"])
 @pytest.mark.parametrize("how", [{}, {"packed": True}, {"order": ">"}, {"scl_slope": 2.0}])
-def test_what_is_no_number_stays_so(kind, parts, how, tmp_path):
-    values = np.arange(60 * parts, dtype=kind).reshape(*SHAPE, parts)
-    if parts > 1:
+def test_what_is_no_number_stays_so(kind, components, how, tmp_path):
+    values = np.arange(60 * components, dtype=kind).reshape(*SHAPE, components)
+    if components > 1:
         how = how | {"scl_slope": 1.0}
-    values[1, 2, 3, parts - 1] = np.nan
+    values[1, 2, 3, components - 1] = np.nan
     values[2, 0, 4, 0] = np.inf
     values[0, 1, 0, 0] = -np.inf
-    values = values if parts > 1 else values[..., 0]
+    values = values if components > 1 else values[..., 0]
     path = tmp_path / f"a.nii{'.gz' if how.get('packed') else ''}"
     path.write_bytes(nifti(values, **how))
     volume = volumes.read(path)
@@ -259,8 +259,8 @@ def test_names_are_bytes(suffix, tmp_path):
     path = folder / f"{NAME}{suffix}"
     volumes.write(path, volume)
     volumes.write(folder / f"plain{suffix}", volume)
-    for one in path, folder / f"plain{suffix}":
-        np.testing.assert_array_equal(volumes.read(one).values, volume.values)
+    for file in path, folder / f"plain{suffix}":
+        np.testing.assert_array_equal(volumes.read(file).values, volume.values)
     result = warped(folder, path.name, "box", f"{NAME}out{suffix}", "--field", f"{NAME}field{suffix}",
                     "--order", "0", "--like", path.name)
     assert (result.returncode, result.stderr) == (0, b"")
@@ -296,12 +296,12 @@ def lost(folder, source, target):
     """What hwffd warp says is dropped on the way from one file to another, and what is not."""
     result = warped(folder, source, "box", target, "--order", "0")
     assert result.returncode == 0, result.stderr
-    said = result.stderr.decode()
+    errors = result.stderr.decode()
     before = volumes.read(folder / source).metadata
     after = volumes.read(folder / target).metadata
-    names = said.removeprefix(f"hwffd-warp: warning: {target}: dropped: ").split(", ") if said else []
+    names = errors.removeprefix(f"hwffd-warp: warning: {target}: dropped: ").split(", ") if errors else []
     names = [name.strip() for name in names]
-    assert said.count("\n") == bool(names)
+    assert errors.count("\n") == bool(names)
     assert {name for name, value in before.items() if after.get(name) != value} == set(names)
     return names, after
 

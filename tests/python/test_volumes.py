@@ -126,14 +126,14 @@ def test_voxels_outside_the_lattice_do_what_it_says(outside):
     volume = phantom()
     lattice, _ = deformed(volume, **SMALL)
     lattice.set_outside(outside)
-    done = volumes.resample(volume, lattice, order=1, with_field=True)
-    assert 0.5 * VOXELS < done.outside_lattice < VOXELS
-    corner = done.field.values[0, 0, 0]
+    resampled = volumes.resample(volume, lattice, order=1, with_field=True)
+    assert 0.5 * VOXELS < resampled.outside_lattice < VOXELS
+    corner = resampled.field.values[0, 0, 0]
     assert (np.abs(corner).max() > 0.1) == (outside == "clamp")
     points = volume.points(np.argwhere(np.ones(COUNTS))[::97].astype(float))
     with warnings.catch_warnings(record=True):
         moved = hwffd.deform(lattice, points)
-    got = done.field.values.transpose(2, 1, 0, 3).reshape(-1, 3)[::97]
+    got = resampled.field.values.transpose(2, 1, 0, 3).reshape(-1, 3)[::97]
     np.testing.assert_allclose(got, moved - points, rtol=0, atol=1e-9)
 
 
@@ -144,12 +144,12 @@ def test_slabs_and_threads_change_no_bit(monkeypatch):
     for voxels, threads in (1, 1), (50, 2), (41 * 29 * 3, 5), (41 * 29 - 1, 1):
         monkeypatch.setattr(warping, "_VOXELS_AT_ONCE", voxels)
         hwffd.set_threads(threads)
-        told = []
-        part = volumes.resample(volume, lattice, with_field=True, progress=told.append)
+        fractions = []
+        part = volumes.resample(volume, lattice, with_field=True, progress=fractions.append)
         np.testing.assert_array_equal(part.volume.values, whole.volume.values)
         np.testing.assert_array_equal(part.field.values, whole.field.values)
         assert part.outside_volume == whole.outside_volume > 0
-        assert told == sorted(told) and told[-1] == 1 and len(told) > 5
+        assert fractions == sorted(fractions) and fractions[-1] == 1 and len(fractions) > 5
 
 
 def where():

@@ -136,19 +136,19 @@ def test_a_broken_package_of_hardware_is_told_where_it_is_wanted(environment, tm
     for name in {"two": ("libhwffd_rtl.so.0", "libhwffd_rtl.so.0.2.0"), "empty": ("libhwffd_rtl.so.0",)}.get(package, ()):
         (folder / name).touch()
     (folder / "__init__.py").write_text(real if package in (None, "two", "empty") else package)
-    said = environment("python", "-W", "error", "-c", SCENE + """
+    output = environment("python", "-W", "error", "-c", SCENE + """
 try:
     lattice.set_device("rtl")
 except hwffd.UsageError as error:
     print(error)
 """, PYTHONPATH=str(tmp_path))
-    assert said.startswith(f"device rtl: {problem}") and said.count("\n") == 1, said
+    assert output.startswith(f"device rtl: {problem}") and output.count("\n") == 1, output
 
 
 def test_it_is_used_in_a_new_environment(environment):
-    said = environment("python", "-c", USED)
-    assert "site-packages" in said
-    assert environment("hwffd-warp", "--version") == said.split()[0] + "\n"
+    output = environment("python", "-c", USED)
+    assert "site-packages" in output
+    assert environment("hwffd-warp", "--version") == output.split()[0] + "\n"
     lacks = environment("python", "-c", "import subprocess, sys, pathlib; print(subprocess.run([pathlib.Path("
                         "sys.executable).with_name('hwffd-warp'), 'in.nrrd', 'box', 'out.nrrd'], capture_output=True, "
                         "text=True, check=False))")

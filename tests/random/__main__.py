@@ -134,16 +134,16 @@ def main():
     tried = []
     if options.regressions:
         again = f"tests/random --words {options.words} --regressions --count 0"
-        tried += [(seed, partial(campaign.legal_one, one, seed), again)
-                  for seed, one in known(campaign.space.parameters[run.TOP])]
+        tried += [(seed, partial(campaign.legal_one, configuration, seed), again)
+                  for seed, configuration in known(campaign.space.parameters[run.TOP])]
     tried += [(seed, partial(campaign.one, seed), f"make random SEED={seed} N=1")
               for seed in range(first, first + options.count)]
-    for done, (seed, one, command) in enumerate(tried):
+    for finished, (seed, check, command) in enumerate(tried):
         if processor_seconds() > options.seconds:
             break
-        progress.step(done, len(tried), f"number {seed}, {failed} failed")
+        progress.step(finished, len(tried), f"number {seed}, {failed} failed")
         try:
-            one()
+            check()
         except run.Failure as failure:
             failed += 1
             progress.end()

@@ -34,13 +34,13 @@ def text(configuration):
 def process(command, folder, what):
     """What a program prints; Failure where it fails."""
     try:
-        status, said = rtl_sources.run(["timeout", str(LIMIT), *map(str, command)], folder)
+        status, output = rtl_sources.run(["timeout", str(LIMIT), *map(str, command)], folder)
     except subprocess.SubprocessError as error:
         raise Failure(f"{what}: {error}") from error
     if status:
-        lines = said.strip().splitlines() or [f"exit status {status}"]
+        lines = output.strip().splitlines() or [f"exit status {status}"]
         raise Failure(f"{what}: {lines[0]}")
-    return said
+    return output
 
 
 @dataclass(frozen=True)
@@ -64,11 +64,11 @@ class Legal:
         """(organization, N) with the same bits, or None: of the form, and in binary32 with the same order."""
         form, n = self.organization.form, self.configuration["N"]
         words = self.space.formats[self.configuration["FORMAT"]].words
-        others = [one for one in self.space.organizations.values()
-                  if one.form == form and one is not self.organization and self.modelled(one)]
+        others = [other for other in self.space.organizations.values()
+                  if other.form == form and other is not self.organization and self.modelled(other)]
         if form == "product" and words == "float":
-            others = [one for one in others if (one.n or n) == n]
-        others = [(one.name, one.n or n) for one in others]
+            others = [other for other in others if (other.n or n) == n]
+        others = [(other.name, other.n or n) for other in others]
         return others[self.configuration["AXIS"] % len(others)] if others else None
 
     def words(self, stream):
@@ -104,33 +104,33 @@ class Legal:
     def _lines(self, name):
         return (self.folder / name).read_text(encoding="ascii").splitlines()
 
-    def compare(self, said):
+    def compare(self, output):
         """Counts of results and clocks; Failure at the first difference."""
-        told = _TOLD.findall(said)
+        complaints = _TOLD.findall(output)
         model, got = self._lines("model.txt"), self._lines("results.txt")
         part = 0
-        for number, (wanted, found) in enumerate(zip(model, got)):
-            wrong = _difference(wanted, found)
+        for number, (wanted, line) in enumerate(zip(model, got)):
+            wrong = _difference(wanted, line)
             if wrong:
                 raise Failure(f"line {number + 1} of results.txt, part {part}: {wrong}"
-                              + "".join(f"; {one}" for one in told[:3]))
-            part += found.startswith("=")
-        if told:
-            raise Failure("; ".join(told[:3]))
+                              + "".join(f"; {complaint}" for complaint in complaints[:3]))
+            part += line.startswith("=")
+        if complaints:
+            raise Failure("; ".join(complaints[:3]))
         if len(model) != len(got):
             raise Failure(f"{len(got)} lines of results, {len(model)} wanted")
-        clocks = re.search(r"^clocks (\d+)", said, re.MULTILINE)
+        clocks = re.search(r"^clocks (\d+)", output, re.MULTILINE)
         return len(got) - part, int(clocks[1])
 
 
-def _difference(wanted, found):
+def _difference(wanted, line):
     """What differs between a line of the model and one of the bench, or nothing."""
-    if found.startswith("=") != wanted.startswith(("any", "memory")):
-        return f"'{found}', the model has '{wanted}'"
-    if not found.startswith("="):
-        return "" if wanted == found else f"'{found}', the model has '{wanted}'"
+    if line.startswith("=") != wanted.startswith(("any", "memory")):
+        return f"'{line}', the model has '{wanted}'"
+    if not line.startswith("="):
+        return "" if wanted == line else f"'{line}', the model has '{wanted}'"
     purpose, *counts = wanted.split()
-    _, *had = found.split()
+    _, *had = line.split()
     if counts != had[:EVENTS + 1]:
         return f"events and vertices {' '.join(had[:EVENTS + 1])}, the model has {' '.join(counts)}"
     if purpose == "memory" and had[EVENTS + 2] != "0":
@@ -157,9 +157,9 @@ def refused(sources, configuration, guard, others, folder):
         "yosys": ["yosys", "-Q", "-T", "-q", "-p", f"read_verilog {headers} {' '.join(files)} {top}"],
     }
     for tool, command in commands.items():
-        status, said = rtl_sources.run(["timeout", str(LIMIT), *command], folder)
-        met = sorted(set(_GUARD.findall(said)))
+        status, output = rtl_sources.run(["timeout", str(LIMIT), *command], folder)
+        met = sorted(set(_GUARD.findall(output)))
         wanted = [guard, *others] if tool == "yosys" else [guard]
-        if status == 0 or not any(re.fullmatch(pattern, one) for pattern in wanted for one in met):
+        if status == 0 or not any(re.fullmatch(pattern, guard) for pattern in wanted for guard in met):
             raise Failure(f"{tool} does not refuse it by {guard}: "
                           + (f"exit status {status}, guards {' '.join(met) or 'none'}"))

@@ -64,10 +64,10 @@ def copy(draw, text, corpus):
 
 
 def change_number(draw, text, corpus):
-    found = list(NUMBER.finditer(text))
-    if not found:
+    numbers = list(NUMBER.finditer(text))
+    if not numbers:
         return change_byte(draw, text, corpus)
-    number = draw.choice(found)
+    number = draw.choice(numbers)
     return text[:number.start()] + draw.choice(NUMBERS) + text[number.end():]
 
 
@@ -76,10 +76,10 @@ def swap_words(draw, text, corpus):
     words = list(WORD.finditer(text))
     if len(words) < 2:
         return change_byte(draw, text, corpus)
-    one, other = sorted(draw.sample(words, 2), key=re.Match.start)
-    new = draw.choice(((other, one), (one, one), (other, other)))
-    return (text[:one.start()] + new[0].group() + text[one.end():other.start()] + new[1].group()
-            + text[other.end():])
+    first, second = sorted(draw.sample(words, 2), key=re.Match.start)
+    new = draw.choice(((second, first), (first, first), (second, second)))
+    return (text[:first.start()] + new[0].group() + text[first.end():second.start()] + new[1].group()
+            + text[second.end():])
 
 
 def nest(draw, text, _):
@@ -190,13 +190,13 @@ def main():
     program, target = sys.argv[1:]
     seed = int(os.environ.get("HWFFD_FUZZ_SEED", 1))
     count = max(FEW, int(INPUTS.get(target, FEW) * float(os.environ.get("HWFFD_FUZZ_TIMES", 1))))
-    one = int(os.environ.get("HWFFD_FUZZ_INPUT", -1))
-    numbers = range(count) if one < 0 else [one]
+    replayed = int(os.environ.get("HWFFD_FUZZ_INPUT", -1))
+    numbers = range(count) if replayed < 0 else [replayed]
     valid, refused, failures = tried(program, target, seed, numbers)
     print(f"{target}: {valid + refused} inputs, {valid} valid, {refused} refused", *failures,
           sep="\n")
-    few = one < 0 and (refused <= count / 100 or (count >= 1000 and valid <= count / 100)
-                       or valid + refused < count)
+    few = replayed < 0 and (refused <= count / 100 or (count >= 1000 and valid <= count / 100)
+                            or valid + refused < count)
     if few:
         print("too few of a kind")
     return 1 if few or failures else 0

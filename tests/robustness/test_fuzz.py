@@ -65,8 +65,8 @@ class Fuzzer(unittest.TestCase):
             for status, failures in ((0, 0), (23, 1)):
                 reader.write_text(ANSWERS_AND_ENDS.format(python=sys.executable, status=status))
                 reader.chmod(0o755)
-                found = fuzz.tried(str(reader), "lattice", 1, range(10))
-                self.assertEqual((*found[:2], len(found[2])), (10, 0, failures), found)
+                outcome = fuzz.tried(str(reader), "lattice", 1, range(10))
+                self.assertEqual((*outcome[:2], len(outcome[2])), (10, 0, failures), outcome)
 
 
 if __name__ == "__main__":

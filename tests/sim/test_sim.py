@@ -154,9 +154,9 @@ class Sim(ProgramTest):
     def test_two_runs_give_the_same_files(self):
         for output in ("one", "two"):
             self.report(self.sim(*GOOD, "--seed", "7", output=output), output)
-        one, two = (self.files(output) for output in ("one", "two"))
-        self.assertEqual(one, two)
-        self.assertGreaterEqual(sum(content is not None for content in one.values()), 3)
+        first, second = (self.files(output) for output in ("one", "two"))
+        self.assertEqual(first, second)
+        self.assertGreaterEqual(sum(content is not None for content in first.values()), 3)
 
     def test_the_seed_of_the_bench_does_not_change_the_results(self):
         seen = [self.report(self.sim(*GOOD, "--deform", "bend:45", "--seed", seed))
@@ -186,9 +186,9 @@ class Sim(ProgramTest):
         # A packet of coefficients, one of 64 points, one of the vertices: header and descriptor each.
         read, written = BLOCK_VERTICES + 12 + 64 + 3 * 2, BLOCK_VERTICES
         line = next(line for line in result.stdout.splitlines() if line.startswith("  bus:"))
-        found = re.search(r"([\d.]+) % used: (\d+) beats read \(([\d.]+) %\), (\d+) written "
+        match = re.search(r"([\d.]+) % used: (\d+) beats read \(([\d.]+) %\), (\d+) written "
                           r"\(([\d.]+) %\) in (\d+) clocks", line)
-        both, beats_read, _, beats_written, _, clocks = map(float, found.groups())
+        both, beats_read, _, beats_written, _, clocks = map(float, match.groups())
         self.assertEqual((beats_read, beats_written), (read, written))
         self.assertAlmostEqual(run["bus_utilisation"], (read + written) / 2 / clocks)
         self.assertAlmostEqual(both, 100 * run["bus_utilisation"], delta=0.051)

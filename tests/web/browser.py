@@ -48,10 +48,10 @@ NO_WEBGL = """
 
 def program(name):
     """Where a program is; without it the tests are skipped."""
-    found = shutil.which(name)
-    if not found:
+    path = shutil.which(name)
+    if not path:
         pytest.exit(f"skipped: {name} is not there: tools/install web", returncode=77)
-    return found
+    return path
 
 
 @contextlib.contextmanager
@@ -82,7 +82,7 @@ class Open:
     def __init__(self, context, address, scripts=(WATCH,), has_core=True):
         self.errors = []
         self.page = context.new_page()
-        self.page.on("console", lambda said: said.type == "error" and self.errors.append(said.text))
+        self.page.on("console", lambda message: message.type == "error" and self.errors.append(message.text))
         self.page.on("pageerror", lambda error: self.errors.append(str(error)))
         for script in scripts:
             self.page.add_init_script(script)

@@ -50,7 +50,7 @@ def test_is_one_file(text):
 
 def test_has_licences(text):
     licences = json.loads(element(text, "data-licences"))
-    assert any("three.js" in one and "Permission is hereby granted" in one for one in licences)
+    assert any("three.js" in licence and "Permission is hereby granted" in licence for licence in licences)
 
 
 def test_has_figures_of_the_reports(text):
@@ -59,7 +59,7 @@ def test_has_figures_of_the_reports(text):
     readme = (ROOT / "README.md").read_text()
     (row,) = [row for row in table["rows"] if row[0] == "factored/3"]
     assert f"| `{row[0]}` | {' | '.join(row[1:])} |" in readme
-    names = {one["name"] for one in json.loads(element(text, "data-pareto"))}
+    names = {entry["name"] for entry in json.loads(element(text, "data-pareto"))}
     assert "factored3-fx18-overlapped" in names
 
 
@@ -73,13 +73,13 @@ def test_engine(engine, tmp_path):
     assert worker.startswith("// engine.js\n\n// drawings.js\n") and "<\\/script><\\!--" in worker
     packed = base64.b64decode(element(text, "packed-engine"))
     assert gzip.decompress(packed) == b"\0asm" * 100
-    assert any(one.startswith("verilator") for one in json.loads(element(text, "data-licences")))
+    assert any(licence.startswith("verilator") for licence in json.loads(element(text, "data-licences")))
 
 
 @pytest.mark.parametrize("missing", ["engine.js", "worker.js", "engine.wasm"])
 def test_missing(engine, tmp_path, missing):
     program("em++")
     (engine / missing).unlink()
-    status, said = bundle("--engine", engine, "--output", tmp_path / "page.html")
-    assert status == 1 and missing in said and len(said.splitlines()) == 1
+    status, errors = bundle("--engine", engine, "--output", tmp_path / "page.html")
+    assert status == 1 and missing in errors and len(errors.splitlines()) == 1
     assert not (tmp_path / "page.html").exists()

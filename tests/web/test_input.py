@@ -34,13 +34,14 @@ def ply(form, vertices=len(CORNERS)):
 
 
 def stl_text():
-    facets = ("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in (CORNERS[k] for k in one))
-              + "endloop\nendfacet\n" for one in TRIANGLES)
+    facets = ("facet normal 0 0 0\nouter loop\n"
+              + "".join(f"vertex {x} {y} {z}\n" for x, y, z in (CORNERS[k] for k in face))
+              + "endloop\nendfacet\n" for face in TRIANGLES)
     return "solid cube\n" + "".join(facets) + "endsolid cube\n"
 
 
 def stl_binary():
-    facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(w for k in one for w in CORNERS[k]), 0) for one in TRIANGLES)
+    facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(w for k in face for w in CORNERS[k]), 0) for face in TRIANGLES)
     return b"solid but binary".ljust(80) + struct.pack("<I", len(TRIANGLES)) + facets
 
 
@@ -78,8 +79,8 @@ def lattice(swapped=False):
 
 @pytest.fixture(scope="module")
 def browser():
-    with started() as made:
-        yield made
+    with started() as chromium:
+        yield chromium
 
 
 @pytest.fixture(scope="module")
@@ -110,8 +111,8 @@ def test_refused(tab, name):
     """One sentence names the file and says why; the page goes on with what it had."""
     content, why = BAD[name]
     tab.load(name, content)
-    said = tab.notice()
-    assert name in said and why in said and said.endswith(".")
+    notice = tab.notice()
+    assert name in notice and why in notice and notice.endswith(".")
     tab.page.click("#notice button")
     tab.page.select_option("#kind", "twist")
     tab.quiet()

@@ -34,20 +34,20 @@ def file(arguments, tmp_path_factory):
 @pytest.fixture(scope="session")
 def report(arguments, file):
     """Figures of the page with the simulated core, written when all tests have run."""
-    found = {"bytes": file.stat().st_size}
-    yield found
+    measured = {"bytes": file.stat().st_size}
+    yield measured
     if arguments:
         path = ROOT / "build" / "reports" / "web.json"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(found, indent=1) + "\n")
+        path.write_text(json.dumps(measured, indent=1) + "\n")
 
 
 @pytest.fixture(scope="module")
 def context(chromium):
     width, height = WIDTHS["wide"]
-    made = chromium.new_context(viewport={"width": width, "height": height}, color_scheme="light")
-    yield made
-    made.close()
+    opened = chromium.new_context(viewport={"width": width, "height": height}, color_scheme="light")
+    yield opened
+    opened.close()
 
 
 @pytest.fixture(scope="module")
@@ -115,7 +115,7 @@ def test_drag(opened, report, arguments):
     opened.quiet()
     assert opened.place() != before
     tries = [followed(opened) for _ in range(TRIES if arguments else 1)]
-    report.update({name: max(one[name] for one in tries) for name in tries[0]})
+    report.update({name: max(times[name] for times in tries) for name in tries[0]})
     report.update({name: int(opened.number(name)) for name in ("vertices", "mismatches")})
     assert report["vertices"] >= 1000 and report["mismatches"] == 0
     assert opened.number("words") >= 3 * report["vertices"]
@@ -133,7 +133,7 @@ def test_finger(chromium, file):
     for kind, places in (("touchStart", [(x, y)]), ("touchMove", [(x - 12, y - 9)]), ("touchMove", [(x - 24, y - 18)]),
                          ("touchEnd", [])):
         touch.send("Input.dispatchTouchEvent",
-                   {"type": kind, "touchPoints": [{"x": one[0], "y": one[1]} for one in places]})
+                   {"type": kind, "touchPoints": [{"x": place[0], "y": place[1]} for place in places]})
         if kind == "touchStart":
             before = tab.place()
     tab.quiet()
@@ -270,8 +270,8 @@ def test_looks(chromium, file, width, scheme):
     tab.page.screenshot(path=SHOTS / f"{width}-{scheme}.png", full_page=True)
     assert tab.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert tab.page.evaluate("getComputedStyle(document.querySelector('#drawing rect')).transitionDuration") == "0s"
-    found = Axe().run(tab.page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]})
-    assert found.violations_count == 0, found.generate_report()
+    violations = Axe().run(tab.page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]})
+    assert violations.violations_count == 0, violations.generate_report()
     assert not tab.errors
     context.close()
 

@@ -144,17 +144,17 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     try:
-        found = checks(options.root.absolute())
+        pending = checks(options.root.absolute())
     except TidyError as error:
         print(f"tidy: {error}", file=sys.stderr)
         return 1
-    job_pool.run(Check.run, found, options.jobs, Check.end, lambda check: check.file.name)
-    findings = sorted({line for check in found for line in check.findings})
-    findings += [f"{check.file}: left out: {check.left_out}" for check in found if check.left_out]
+    job_pool.run(Check.run, pending, options.jobs, Check.end, lambda check: check.file.name)
+    findings = sorted({line for check in pending for line in check.findings})
+    findings += [f"{check.file}: left out: {check.left_out}" for check in pending if check.left_out]
     for line in findings:
         print(line)
-    print(f"tidy: {len(found)} files, {len(findings)} findings")
-    return 1 if findings or not found else 0
+    print(f"tidy: {len(pending)} files, {len(findings)} findings")
+    return 1 if findings or not pending else 0
 
 
 if __name__ == "__main__":

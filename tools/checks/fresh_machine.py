@@ -196,7 +196,7 @@ def left_outside(root, upper, user):
     owned |= {re.sub(r"^(bin|sbin|lib|lib64)/", r"usr/\1/", name) for name in owned}
     mine = (*OF_PACKAGES, CLONES[user][1:], str(pathlib.Path(CLONES[user]).with_name("moved"))[1:],
             HOMES[user][1:] + "/hwffd", HOMES[user][1:] + "/work", "opt", "dev", "proc")
-    found = []
+    paths = []
     for folder, _, files in os.walk(upper):
         place = str(pathlib.Path(folder).relative_to(upper))
         for name in files:
@@ -204,10 +204,11 @@ def left_outside(root, upper, user):
             real = upper / path
             if real.is_symlink() and os.readlink(real).startswith("/etc/alternatives/"):
                 continue
-            if path in owned or "__pycache__" in path or any(path == one or path.startswith(one + "/") for one in mine):
+            if path in owned or "__pycache__" in path or any(path == folder or path.startswith(folder + "/")
+                                                             for folder in mine):
                 continue
-            found.append("/" + path)
-    return found
+            paths.append("/" + path)
+    return paths
 
 
 def snippets(machine, root, user, log):

@@ -41,15 +41,15 @@ def laboratory(tree, path):
 
 def headers(tree):
     """Name behind include/, or within a folder without one, -> folder."""
-    found = {}
+    rooms = {}
     for path in tree.cpp:
         room, *rest = path.relative_to(tree.root).parts
         if path.suffix == ".cpp" or room not in ROOMS:
             continue
         if "include" in rest:
             rest = rest[rest.index("include") + 1:]
-        found.setdefault("/".join(rest), set()).add(room)
-    return found
+        rooms.setdefault("/".join(rest), set()).add(room)
+    return rooms
 
 
 def arrows(tree):

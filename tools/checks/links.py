@@ -23,11 +23,11 @@ def _without_code(text):
 
 def anchors(text):
     """Names of a document's headings as GitHub makes them: lower case, words joined by hyphens."""
-    found = {}
+    counts = {}
     for heading in _HEADING.findall(_without_code(text)):
         name = re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
-        found[name] = found.get(name, -1) + 1
-    return {name if i == 0 else f"{name}-{i}" for name, last in found.items()
+        counts[name] = counts.get(name, -1) + 1
+    return {name if i == 0 else f"{name}-{i}" for name, last in counts.items()
             for i in range(last + 1)}
 
 

@@ -32,12 +32,12 @@ CLANG_FORMAT_BATCH = 20
 
 def complaints(status, output):
     """A tool's warnings and errors, a line each; all it printed if it failed without one."""
-    found = re.findall(r"^(?:%Warning|%Error|.*\b(?:warning|Warning|error|ERROR|sorry):).*$",
+    lines = re.findall(r"^(?:%Warning|%Error|.*\b(?:warning|Warning|error|ERROR|sorry):).*$",
                        output, re.MULTILINE)
-    found = [line for line in found if "Exiting due to" not in line]
-    if not found and (status != 0 or output.strip()):
-        found = [output.strip() or f"exit status {status}"]
-    return found
+    lines = [line for line in lines if "Exiting due to" not in line]
+    if not lines and (status != 0 or output.strip()):
+        lines = [output.strip() or f"exit status {status}"]
+    return lines
 
 
 class Job:
@@ -54,11 +54,11 @@ class Job:
     def run(self):
         """[(name, complaint)]; a failing batch is split to tell which of its members it was."""
         status, output = rtl_sources.run(self.command, self.folder)
-        found = complaints(status, output)
-        if found and self.split:
+        lines = complaints(status, output)
+        if lines and self.split:
             return [problem for job in self.split() for problem in job.run()] or [
-                (self.name, line) for line in found]
-        return [(self.name, line) for line in found]
+                (self.name, line) for line in lines]
+        return [(self.name, line) for line in lines]
 
 
 def rtl_jobs(sources, every=False):

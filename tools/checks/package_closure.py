@@ -27,23 +27,23 @@ _LIBRARY = re.compile(r"(/usr/lib/\S+?\.(?:so|a))\b")
 
 def sets(text):
     """{set: (sets that it includes, [(package, command, kind)])} of tools/packages.txt."""
-    found, rows = {}, None
+    package_sets, rows = {}, None
     for line in text.splitlines():
         line = line.split("#")[0].strip()
         if line.startswith("["):
             name, _, more = line[1:].partition("]")
             rows = []
-            found[name] = (more.split(), rows)
+            package_sets[name] = (more.split(), rows)
         elif line:
             package, command, *kind = line.split()
             rows.append((package, command, *kind))
-    return found
+    return package_sets
 
 
-def rows_of(found, name):
+def rows_of(package_sets, name):
     """The rows of a set and of those that it includes."""
-    more, rows = found[name]
-    return [row for other in more for row in rows_of(found, other)] + rows
+    more, rows = package_sets[name]
+    return [row for other in more for row in rows_of(package_sets, other)] + rows
 
 
 def _said(*words):
@@ -81,12 +81,12 @@ def used(root, build, rows):
 
 def owners(files):
     """{file: package}"""
-    found = {}
+    owners_by_file = {}
     for first in range(0, len(files), 400):
         for line in _said("dpkg", "-S", *files[first:first + 400]).splitlines():
             packages, _, file = line.partition(": ")
-            found[file] = packages.split(",")[0].split(":")[0]
-    return found
+            owners_by_file[file] = packages.split(",")[0].split(":")[0]
+    return owners_by_file
 
 
 def check(root, build):
@@ -97,9 +97,9 @@ def check(root, build):
     if not there:
         return 0, ["apt-get -s says nothing: run apt-get update"]
     files = used(root, build, rows)
-    found, missing = owners(files), {}
+    packages, missing = owners(files), {}
     for file in files:
-        package = found.get(file) or found.get(file.removeprefix("/usr"))
+        package = packages.get(file) or packages.get(file.removeprefix("/usr"))
         if package and package not in there:
             missing.setdefault(package, file)
     return len(files), [f"tools/packages.txt: no set of '{SET}' brings {package}, which a build uses: {file}"

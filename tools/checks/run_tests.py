@@ -45,36 +45,36 @@ def run(words):
 
 def skips(report):
     """Of what ctest has written, [(test, how many of it, why)], and {why: how many tests of configurations}."""
-    found, senseless = [], collections.Counter()
+    skipped, senseless = [], collections.Counter()
     for case in xml.etree.ElementTree.parse(report).iter("testcase"):
-        said = case.findtext("system-out") or ""
-        if (other := _OF_CONFIGURATION.search(said)):
+        output = case.findtext("system-out") or ""
+        if (other := _OF_CONFIGURATION.search(output)):
             senseless[other["reason"]] += 1
             continue
-        if (package := _OF_PACKAGE.search(said)):
-            found.append((case.get("name"), 0, package["reason"]))
+        if (package := _OF_PACKAGE.search(output)):
+            skipped.append((case.get("name"), 0, package["reason"]))
             continue
         reasons = [(int(match["count"] or 1), match["reason"] or match["why"] or match["whole"])
-                   for match in _SKIPPED.finditer(said)]
+                   for match in _SKIPPED.finditer(output)]
         if case.get("status") in ("notrun", "disabled"):
-            found.append((case.get("name"), 0, reasons[0][1] if reasons else "it says so by its exit status"))
+            skipped.append((case.get("name"), 0, reasons[0][1] if reasons else "it says so by its exit status"))
         else:
-            parts = collections.Counter()
+            counts = collections.Counter()
             for count, reason in reasons:
-                parts[reason] += count
-            found += [(case.get("name"), count, reason) for reason, count in parts.items()]
-    return found, senseless
+                counts[reason] += count
+            skipped += [(case.get("name"), count, reason) for reason, count in counts.items()]
+    return skipped, senseless
 
 
-def listed(found, senseless):
+def listed(skipped, senseless):
     """(lines that name what was skipped, whether all of it may be)."""
-    whole, inside = sum(not count for _, count, _ in found), sum(count for _, count, _ in found)
-    if not found and not senseless:
+    whole, inside = sum(not count for _, count, _ in skipped), sum(count for _, count, _ in skipped)
+    if not skipped and not senseless:
         return ["Skipped: nothing"], True
     lines = [f"Skipped: {whole + sum(senseless.values())} tests, and parts of others, {inside}. ctest counts them as passed:"]
     lines += [f"  {count} that make no sense for their configuration: {why}" for why, count in senseless.items()]
     allowed = True
-    for name, count, why in found:
+    for name, count, why in skipped:
         command = next((command for pattern, command in ALLOWED.items() if re.fullmatch(pattern, name)), "")
         allowed = allowed and bool(command)
         part = f", {count} of its parts" if count else ""
@@ -88,9 +88,9 @@ def main(report, *words):
     status, closing = run(words)
     lines, allowed = [], True
     if report.is_file():
-        found, senseless = skips(report)
-        lines, allowed = listed(found, senseless)
-        skipped = sum(not count for _, count, _ in found) + sum(senseless.values())
+        not_run, senseless = skips(report)
+        lines, allowed = listed(not_run, senseless)
+        skipped = sum(not count for _, count, _ in not_run) + sum(senseless.values())
         tests_tables.collect(report, skipped)
     if not allowed and os.environ.get("CI"):
         lines.append("Skips for want of a package are failures here: tools/install test")

@@ -67,11 +67,11 @@ class Tree:
 
     def _scripts(self):
         """Files without a suffix in tools/ and .ci/, and those at the top."""
-        found = []
+        paths = []
         for folder in (self.root / "tools", self.root / ".ci"):
-            found += [p for p in sorted(folder.glob("*")) if p.is_file() and not p.suffix]
+            paths += [p for p in sorted(folder.glob("*")) if p.is_file() and not p.suffix]
         names = ("Makefile", "CMakeLists.txt", "README.md", "hwffd.core", "fusesoc.conf")
-        return found + [self.root / name for name in names if (self.root / name).is_file()]
+        return paths + [self.root / name for name in names if (self.root / name).is_file()]
 
     def name(self, path):
         return str(path.relative_to(self.root))
@@ -164,8 +164,8 @@ def format_test(tree, path):
     if (tree.root / "rtl" / "number") in path.parents:
         return
     code = tree.code(path)
-    found = {line_of(code, match.start()) for match in FORMAT_TEST.finditer(code)}
-    found |= {line_of(code, match.start()) for match in FORMAT_DIRECTIVE.finditer(code)}
+    numbers = {line_of(code, match.start()) for match in FORMAT_TEST.finditer(code)}
+    numbers |= {line_of(code, match.start()) for match in FORMAT_DIRECTIVE.finditer(code)}
     for match in CONDITION.finditer(code):
         depth, end = 1, match.end()
         while depth and end < len(code):
@@ -173,8 +173,8 @@ def format_test(tree, path):
             end += 1
         word = FORMAT_WORD.search(code, match.end(), end)
         if word:
-            found.add(line_of(code, word.start()))
-    for number in sorted(found):
+            numbers.add(line_of(code, word.start()))
+    for number in sorted(numbers):
         yield number, "tests the number format outside rtl/number/"
 
 

@@ -25,11 +25,11 @@ def is_plain(row):
 
 def _bounds(reports):
     """(form, format) -> the smallest bound that is proved."""
-    found = {}
+    bounds = {}
     for row in reports.rows("bounds") if reports.has("bounds") else ():
         key = row["form"], row["format"]
-        found[key] = min(row["bound"], found.get(key, row["bound"]))
-    return found
+        bounds[key] = min(row["bound"], bounds.get(key, row["bound"]))
+    return bounds
 
 
 def _luts(area):
@@ -48,7 +48,7 @@ def organizations(reports, *names):
         name = label(row)
         if not is_plain(row) or names and name.replace(" ", "") not in names:
             continue
-        core, evaluator = (found.get(row["name"], {}) for found in (cores, evaluators))
+        core, evaluator = (operators.get(row["name"], {}) for operators in (cores, evaluators))
         routed = clocks.get(row["name"], {})
         clock, interval = routed.get("fmax_mhz"), row["interval_overlapped"]
         lines.append([

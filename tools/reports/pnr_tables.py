@@ -34,17 +34,17 @@ def document(reports):
     measures = [f"{target} ({device}): {report['multiplier_mhz'][target]:.1f} MHz"
                 for target, device in devices.items() if report["multiplier_mhz"].get(target)]
     absent = len(_wanted(reports)) - len(rows)
-    parts = ["# Clocks after routing",
-             "Median of the seeds routed, three when all are. Share: in parts of one registered "
-             "multiplier in the same flow. What is routed and how is in synth/README.md.",
-             "The multiplier: " + "; ".join(measures) + "." if measures else "",
-             listed(reports, rows).markdown(),
-             f"{absent} of {len(_wanted(reports))} rows have not been routed from the present "
-             "sources." if absent else "",
-             "Critical paths, of the slowest seed:",
-             *(f"* `{row['name']}`, `{row['top']}`, {row['target']}: {row['critical_path']}"
-               for row in rows)]
-    return "\n\n".join(part for part in parts if part) + "\n"
+    sections = ["# Clocks after routing",
+                "Median of the seeds routed, three when all are. Share: in parts of one registered "
+                "multiplier in the same flow. What is routed and how is in synth/README.md.",
+                "The multiplier: " + "; ".join(measures) + "." if measures else "",
+                listed(reports, rows).markdown(),
+                f"{absent} of {len(_wanted(reports))} rows have not been routed from the present "
+                "sources." if absent else "",
+                "Critical paths, of the slowest seed:",
+                *(f"* `{row['name']}`, `{row['top']}`, {row['target']}: {row['critical_path']}"
+                  for row in rows)]
+    return "\n\n".join(part for part in sections if part) + "\n"
 
 
 def _wanted(reports):

@@ -27,10 +27,10 @@ class RequestError(Exception):
 def read(path):
     """Raises RequestError for what is no report."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-        if not isinstance(found, dict):
+        content = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(content, dict):
             raise ValueError("no object")
-        return found
+        return content
     except (OSError, ValueError) as error:
         raise RequestError(f"{path}: cannot be read: {error}") from error
 
@@ -61,8 +61,8 @@ def is_wanted(row, wanted):
 
 def versions(root):
     """Those that have results, the newest last."""
-    found = [path.name for path in (pathlib.Path(root) / RELEASED).glob("*") if _VERSION.fullmatch(path.name)]
-    return sorted(found, key=lambda name: [int(part) for part in name.split(".")])
+    names = [path.name for path in (pathlib.Path(root) / RELEASED).glob("*") if _VERSION.fullmatch(path.name)]
+    return sorted(names, key=lambda name: [int(part) for part in name.split(".")])
 
 
 def released(root, version="", modules=()):
@@ -104,10 +104,10 @@ class Results:
         """Its rows, those that are as wanted; fields may be given as KEY! to exclude. A module without a
         report may have rows of its own."""
         own = getattr(self.modules.get(name), "rows", None)
-        found = own(self) if own and not self.has(name) else self.get(name).get(ROWS.get(name, "rows"))
-        if not isinstance(found, list) or not found:
+        entries = own(self) if own and not self.has(name) else self.get(name).get(ROWS.get(name, "rows"))
+        if not isinstance(entries, list) or not entries:
             raise RequestError(f"{name} has no rows")
-        return [row for row in found if is_wanted(row, wanted)]
+        return [row for row in entries if is_wanted(row, wanted)]
 
     def figure(self, name, field):
         """A field at the top of a report, or a figure that follows from it."""

@@ -16,18 +16,18 @@ def _meanings(top, names, lines):
     meanings = [[part.strip() for part in line.split(":", 1)] for line in lines]
     if any(len(pair) != 2 for pair in meanings):
         raise RequestError(f"{top}: each line is NAME: meaning")
-    found, used = {}, set()
+    by_name, used = {}, set()
     for name in names:
         for pattern, meaning in meanings:
             if name == pattern or pattern[-1] == "*" and name.startswith(pattern[:-1]):
-                found.setdefault(name, meaning)
+                by_name.setdefault(name, meaning)
                 used.add(pattern)
-        if name not in found:
+        if name not in by_name:
             raise RequestError(f"{top}.{name} has no meaning")
     for pattern, _ in meanings:
         if pattern not in used:
             raise RequestError(f"{top} has no {pattern}")
-    return found
+    return by_name
 
 
 def _header(reports, top):

@@ -16,9 +16,9 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="checkout to look at")
     parser.add_argument("names", nargs="+", metavar="NAME", choices=report_modules.MODULES)
     options = parser.parse_args()
-    found = results.Results(options.root, modules=report_modules.MODULES)
+    reports = results.Results(options.root, modules=report_modules.MODULES)
     try:
-        report_modules.show(found, options.names)
+        report_modules.show(reports, options.names)
     except (results.Missing, results.RequestError) as error:
         print(f"show: {error}", file=sys.stderr)
         return 1

@@ -56,9 +56,9 @@ def mapped(rows, target, name=lambda row: f"`{row['name']}`"):
 def organizations(reports, target="ecp5"):
     """Organizations in fx18, overlapped, on one target."""
     rows = [row for row in reports.rows("synth", target=target, format="fx18") if is_plain(row)]
-    made = mapped(rows, target, lambda row: f"`{row['name'].split('-')[0]}`")
-    made.heads[0] = "organization"
-    return made
+    table = mapped(rows, target, lambda row: f"`{row['name'].split('-')[0]}`")
+    table.heads[0] = "organization"
+    return table
 
 
 def cores(reports, target="ecp5", top=CORE):
@@ -115,13 +115,13 @@ def _targets(rows):
 
 
 def _target_parts(rows, target):
-    parts = [f"## {TITLES[target]}"]
+    sections = [f"## {TITLES[target]}"]
     for title, keep in GROUPS:
-        found = [row for row in rows if row["target"] == target and keep(row)]
-        if found:
-            method = "flat" if found[0]["flat"] else "units kept apart"
-            parts += [f"{title}, {method}:", mapped(found, target).markdown()]
-    return parts
+        mapped_rows = [row for row in rows if row["target"] == target and keep(row)]
+        if mapped_rows:
+            method = "flat" if mapped_rows[0]["flat"] else "units kept apart"
+            sections += [f"{title}, {method}:", mapped(mapped_rows, target).markdown()]
+    return sections
 
 
 def generality(reports, target="ecp5"):
@@ -183,37 +183,37 @@ def critical_paths(reports):
 def document(reports):
     """build/reports/synth.md"""
     report, rows = reports.get("synth"), reports.get("synth")["rows"]
-    parts = ["# Mapped by yosys",
-             f"{report['yosys']}, OpenSTA {report['sta'] or 'not here'}. Mapped, not placed: clocks "
-             "and power are of standard cells without wires. What each number counts is in "
-             "synth/README.md."]
+    sections = ["# Mapped by yosys",
+                f"{report['yosys']}, OpenSTA {report['sta'] or 'not here'}. Mapped, not placed: clocks "
+                "and power are of standard cells without wires. What each number counts is in "
+                "synth/README.md."]
     if len(rows) < report["wanted"]:
-        parts.append(f"{report['wanted'] - len(rows)} of {report['wanted']} rows have not been "
-                     "mapped from the present sources and are not shown; `make synth` maps them.")
-    parts += [f"Failed: {one['name']}, {one['top']}, {one['target']}: {one['error']}"
-              for one in report["failed"]]
+        sections.append(f"{report['wanted'] - len(rows)} of {report['wanted']} rows have not been "
+                        "mapped from the present sources and are not shown; `make synth` maps them.")
+    sections += [f"Failed: {failure['name']}, {failure['top']}, {failure['target']}: {failure['error']}"
+                 for failure in report["failed"]]
     targets = _targets(rows)
     for target in targets:
-        parts += _target_parts(rows, target)
+        sections += _target_parts(rows, target)
     if any(row.get("variant") for row in rows):
-        parts += ["## What features cost", "Cores of `synth/variants.csv` on ECP5, with the "
-                  "difference to their rows.", prices(reports).markdown()]
+        sections += ["## What features cost", "Cores of `synth/variants.csv` on ECP5, with the "
+                     "difference to their rows.", prices(reports).markdown()]
     priced = [(target, generality(reports, target)) for target in targets]
-    if any(made.rows for _, made in priced):
-        parts += ["## The price of generality", "`basic` with the general evaluator, whose blending "
-                  "functions are loaded, and with the uniform cubic B-spline wired in."]
-        parts += [part for target, made in priced if made.rows
-                  for part in (f"{TITLES[target]}:", made.markdown())]
-    parts.append("## Organizations side by side")
-    parts += [part for target in targets for part in _matrix_parts(reports, target)]
-    parts.append("## Cells by kind")
-    parts += [part for target in targets if kinds(reports, target).rows
-              for part in (f"{TITLES[target]}:", kinds(reports, target).markdown())]
+    if any(table.rows for _, table in priced):
+        sections += ["## The price of generality", "`basic` with the general evaluator, whose blending "
+                     "functions are loaded, and with the uniform cubic B-spline wired in."]
+        sections += [part for target, table in priced if table.rows
+                     for part in (f"{TITLES[target]}:", table.markdown())]
+    sections.append("## Organizations side by side")
+    sections += [part for target in targets for part in _matrix_parts(reports, target)]
+    sections.append("## Cells by kind")
+    sections += [part for target in targets if kinds(reports, target).rows
+                 for part in (f"{TITLES[target]}:", kinds(reports, target).markdown())]
     if any(row.get("critical_path") for row in rows):
-        parts += ["## Critical paths of standard cells",
-                  "A name is that of the register in the sources, or of a port.",
-                  critical_paths(reports).markdown()]
-    return "\n\n".join(parts) + "\n"
+        sections += ["## Critical paths of standard cells",
+                     "A name is that of the register in the sources, or of a port.",
+                     critical_paths(reports).markdown()]
+    return "\n\n".join(sections) + "\n"
 
 
 def listed(_, rows):

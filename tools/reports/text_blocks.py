@@ -103,10 +103,10 @@ def _written(reports, what, lines):
     """What stands in a block."""
     if what == "template":
         return template(reports, lines)
-    found = table(reports, what, lines)
-    if not getattr(found, "rows", True):
+    content = table(reports, what, lines)
+    if not getattr(content, "rows", True):
         raise RequestError(f"{what}: the table has no rows")
-    return found.markdown() + "\n"
+    return content.markdown() + "\n"
 
 
 def closing(release):
@@ -132,8 +132,8 @@ class Blocks:
     def _release(self, version):
         """(the results of a version, its release.json). Raises RequestError."""
         if version not in self._releases:
-            found = results.released(self.root, version, self.modules)
-            self._releases[version] = found, results.read(found.folder / results.RELEASE)
+            released = results.released(self.root, version, self.modules)
+            self._releases[version] = released, results.read(released.folder / results.RELEASE)
         return self._releases[version]
 
     def inside(self, match):

@@ -19,13 +19,13 @@ _FUNCTIONS = {"sum": sum, "max": max, "min": min, "count": len}
 
 def pairs(words):
     """KEY=VALUE ... as a dictionary. Raises RequestError."""
-    found = {}
+    values = {}
     for word in words:
         key, equal, value = word.partition("=")
         if not equal:
             raise RequestError(f"'{word}' is not KEY=VALUE")
-        found[key] = value
-    return found
+        values[key] = value
+    return values
 
 
 def _rows(reports, report, field, wanted):

@@ -65,9 +65,9 @@ def cell(row, what):
 
 def listing(rows, *columns):
     """A Table of rows; each column is "heading | field:FORMAT"."""
-    parts = [column.split(" | ") for column in columns]
-    return Table([head for head, _ in parts],
-                 [[cell(row, what) for _, what in parts] for row in rows])
+    pairs = [column.split(" | ") for column in columns]
+    return Table([head for head, _ in pairs],
+                 [[cell(row, what) for _, what in pairs] for row in rows])
 
 
 @dataclass

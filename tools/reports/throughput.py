@@ -71,7 +71,7 @@ def throughputs(reports, top=EVALUATOR):
     for mapped in reports.rows("synth", top=top):
         if _size(mapped):
             areas.setdefault(mapped["name"], []).append(mapped)
-    found = []
+    entries = []
     for row in reports.rows("organizations", schedule="overlapped"):
         if organizations.is_second_name(row):
             continue
@@ -79,37 +79,37 @@ def throughputs(reports, top=EVALUATOR):
             size, unit = _size(mapped)
             # A clock of which the router does not know everything is none here.
             clock = None if mapped.get("remark") else mapped.get("fmax_mhz")
-            found.append(Throughput(row["name"], label(row), mapped["target"], size, unit,
-                                    mapped.get("dsp"), clock, row["interval_overlapped"]))
-    return found
+            entries.append(Throughput(row["name"], label(row), mapped["target"], size, unit,
+                                      mapped.get("dsp"), clock, row["interval_overlapped"]))
+    return entries
 
 
 def by_row(reports):
     """Row -> target -> figures, as build/reports/organizations.json has them."""
-    found = {}
-    for one in throughputs(reports):
-        found.setdefault(one.name, {})[one.target] = {
-            "size": one.size, "unit": one.unit, "multipliers": one.multipliers,
-            "fmax_mhz": one.clock_mhz, "vertices_per_clock": 1 / one.interval,
-            "vertices_per_s": one.per_second, "per_size": one.per_size,
-            "per_multiplier": one.per_multiplier}
-    return found
+    rates = {}
+    for entry in throughputs(reports):
+        rates.setdefault(entry.name, {})[entry.target] = {
+            "size": entry.size, "unit": entry.unit, "multipliers": entry.multipliers,
+            "fmax_mhz": entry.clock_mhz, "vertices_per_clock": 1 / entry.interval,
+            "vertices_per_s": entry.per_second, "per_size": entry.per_size,
+            "per_multiplier": entry.per_multiplier}
+    return rates
 
 
-def unbeaten(found):
+def unbeaten(entries):
     """Those that no other beats, by size."""
-    best = [one for one in found if not any(other.beats(one) for other in found)]
-    return sorted(best, key=lambda one: one.size)
+    best = [entry for entry in entries if not any(other.beats(entry) for other in entries)]
+    return sorted(best, key=lambda entry: entry.size)
 
 
 def table(reports):
     """Whole cores first, then evaluators."""
-    found = [(top, one) for top in (CORE, EVALUATOR) for one in throughputs(reports, top)]
+    entries = [(top, entry) for top in (CORE, EVALUATOR) for entry in throughputs(reports, top)]
     return Table(
         ["top", "target", "row", "size", "", "multipliers", "MHz", "vertex/clock", "vertex/s",
          "per size", "per multiplier"],
-        [[top, one.target, one.name, shown(one.size, ".0f"), one.unit, shown(one.multipliers, "d"),
-          shown(one.clock_mhz, ".1f"), shown(1 / one.interval, ".4f"),
-          shown(one.per_second, ".4g"), shown(one.per_size, ".4g"),
-          shown(one.per_multiplier, ".4g")]
-         for top, one in found])
+        [[top, entry.target, entry.name, shown(entry.size, ".0f"), entry.unit, shown(entry.multipliers, "d"),
+          shown(entry.clock_mhz, ".1f"), shown(1 / entry.interval, ".4f"),
+          shown(entry.per_second, ".4g"), shown(entry.per_size, ".4g"),
+          shown(entry.per_multiplier, ".4g")]
+         for top, entry in entries])

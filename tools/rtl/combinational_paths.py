@@ -85,17 +85,17 @@ def paths(module):
                 names[bit] = label
             if port["direction"] != "input":
                 outputs.append((label, bit))
-    found = []
+    reached = []
     for label, bit in outputs:
-        seen, front = {bit}, [bit]
-        while front:
-            at = front.pop()
+        seen, pending = {bit}, [bit]
+        while pending:
+            at = pending.pop()
             if at in names:
-                found.append((names[at], label))
+                reached.append((names[at], label))
                 break
-            front += [b for b in sources.get(at, ()) if b not in seen]
+            pending += [b for b in sources.get(at, ()) if b not in seen]
             seen.update(sources.get(at, ()))
-    return found, len(outputs)
+    return reached, len(outputs)
 
 
 def main(arguments=None):
@@ -110,14 +110,14 @@ def main(arguments=None):
         for word in options.parameters:
             if not re.fullmatch(r"\w+=-?\w+", word):
                 raise PathError(f"'{word}' is not NAME=value")
-        found, looked_at = paths(netlist(sources, options.module, options.parameters))
+        reached, looked_at = paths(netlist(sources, options.module, options.parameters))
     except (PathError, OSError, subprocess.SubprocessError) as error:
         print(f"combinational_paths: {error}", file=sys.stderr)
         return 2
-    for start, end in found:
+    for start, end in reached:
         print(f"{options.module}: {end} depends on {start} in the same clock")
-    print(f"{options.module}: {looked_at} output bits, {len(found)} reached from an input")
-    return 1 if found else 0
+    print(f"{options.module}: {looked_at} output bits, {len(reached)} reached from an input")
+    return 1 if reached else 0
 
 
 if __name__ == "__main__":

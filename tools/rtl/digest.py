@@ -17,10 +17,10 @@ from tools.rtl import rtl_sources
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\w+|[^\w\s"]+')
 
 
-def of(*parts):
+def of(*texts):
     """The key of these strings, in this order."""
     digest = hashlib.sha256()
-    for part in parts:
+    for part in texts:
         digest.update(hashlib.sha256(part.encode()).digest())
     return digest.hexdigest()[:16]
 
@@ -37,15 +37,15 @@ def tokens(files, folders, *defined):
 @functools.lru_cache(maxsize=None)
 def statements(*modules):
     """Of Python modules, without comments and docstrings."""
-    found = []
+    texts = []
     for module in modules:
         tree = ast.parse(pathlib.Path(module.__file__).read_text(encoding="utf-8"))
         for node in ast.walk(tree):
             if isinstance(getattr(node, "body", None), list):
                 node.body = [line for line in node.body if not (
                     isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant))]
-        found.append(ast.unparse(tree))
-    return of(*found)
+        texts.append(ast.unparse(tree))
+    return of(*texts)
 
 
 @functools.lru_cache(maxsize=None)

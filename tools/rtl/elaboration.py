@@ -60,12 +60,12 @@ class Elaborations:
             circuit = pathlib.Path(folder) / "circuit"
             rtl_sources.run(["yosys", "-q", "-p", "; ".join((
                 design.read, design.hierarchy, f"write_rtlil {circuit}"))], self.root)
-            found = (digest.of(normal(circuit.read_text(encoding="utf-8")))
-                     if circuit.is_file() else design.sources)
+            key = (digest.of(normal(circuit.read_text(encoding="utf-8")))
+                   if circuit.is_file() else design.sources)
             draft = pathlib.Path(folder) / "key"
-            draft.write_text(found, encoding="utf-8")
+            draft.write_text(key, encoding="utf-8")
             draft.replace(self._path(design))
-        return found
+        return key
 
     def has(self, design):
         return self._path(design).is_file()
@@ -76,9 +76,9 @@ class Elaborations:
 
     def prepare(self, designs, jobs):
         """Elaborates those that are not known, `jobs` at a time."""
-        left = [one for one in dict.fromkeys(designs) if not self.has(one)]
+        left = [design for design in dict.fromkeys(designs) if not self.has(design)]
         progress = Progress()
         with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
-            for done, _ in enumerate(pool.map(self._elaborate, left), 1):
-                progress.step(done, len(left), "elaborated")
+            for finished, _ in enumerate(pool.map(self._elaborate, left), 1):
+                progress.step(finished, len(left), "elaborated")
         progress.end()

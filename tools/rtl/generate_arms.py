@@ -30,13 +30,13 @@ def _complaint(arm):
 
 def problems(code):
     """[(line, message)]"""
-    tree, found = syntax.SyntaxTree.fromText(code), []
+    tree, faults = syntax.SyntaxTree.fromText(code), []
 
     def visit(node):
         for arm in _arms(node) if isinstance(node, syntax.SyntaxNode) else ():
             if complaint := _complaint(arm):
                 line = tree.sourceManager.getLineNumber(arm.getFirstToken().location)
-                found.append((line, complaint))
+                faults.append((line, complaint))
 
     tree.root.visit(visit)
-    return found
+    return faults

@@ -35,10 +35,10 @@ class Header:
 
 def _constants(sources):
     """name -> number: the macros of the headers that are plain numbers."""
-    found = {}
+    values = {}
     for path in sorted(sources.rtl.glob("*/*.vh")):
-        found.update(_DEFINE.findall(rtl_sources.strip_comments(path.read_text())))
-    return found
+        values.update(_DEFINE.findall(rtl_sources.strip_comments(path.read_text())))
+    return values
 
 
 def _number(text, constants, where):
@@ -59,16 +59,16 @@ def read(sources, module):
     constants = _constants(sources)
     parameters, ports = {}, []
     for part in match.group(2).split(","):
-        found = _PARAMETER.fullmatch(part.rstrip())
-        if not found:
+        declared = _PARAMETER.fullmatch(part.rstrip())
+        if not declared:
             raise HeaderError(f"{module}: not a parameter: '{part.strip()}'")
-        name, value = found.groups()
+        name, value = declared.groups()
         parameters[name] = _number(value, constants, f"{module}.{name}")
     for part in match.group(3).split(","):
-        found = _PORT.fullmatch(part.rstrip())
-        if not found:
+        declared = _PORT.fullmatch(part.rstrip())
+        if not declared:
             raise HeaderError(f"{module}: not a port: '{part.strip()}'")
-        direction, high, name = found.groups()
+        direction, high, name = declared.groups()
         of_parameter, of_bytes, _ = (high or "").removesuffix("-1").partition("/8")
         if of_parameter in parameters:
             width = parameters[of_parameter] // (8 if of_bytes else 1)

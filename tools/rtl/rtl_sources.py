@@ -128,9 +128,9 @@ class Sources:
         """The source of a module without comments, and with the lists of ports that it includes."""
 
         def included(match):
-            found = [path for folder in self.includes
+            paths = [path for folder in self.includes
                      if (path := pathlib.Path(folder) / match.group(1)).is_file()]
-            return text_of(found[0]) if found else match.group(0)
+            return text_of(paths[0]) if paths else match.group(0)
 
         def text_of(path):
             return strip_comments(_INCLUDE.sub(included, path.read_text()))

@@ -15,12 +15,12 @@ from tools.synth import engine, liberty, selection, synth_report, synthesis
 
 
 def work(options, root):
-    found = synthesis.of_checkout(root)
-    left = selection.chosen(found, options.set, options)
+    subjects = synthesis.of_checkout(root)
+    left = selection.chosen(subjects, options.set, options)
     synthesis.require(left)
     mapping = synthesis.Synthesis(root)
     failed = synthesis.run(mapping, left, options.jobs)
-    shown = synth_report.write(mapping, found, failed, root / "build" / "reports")
+    shown = synth_report.write(mapping, subjects, failed, root / "build" / "reports")
     print(synth_tables.listed(None, [row for row in shown if row["subject"] in left]).text())
     for subject, complaint in failed:
         print(f"synth: {subject}: {complaint}", file=sys.stderr)

@@ -45,15 +45,15 @@ def text(version, results):
 
 def changes(old, new):
     """[(figure, before, now, more than PERCENT above?)] of those outside the bounds."""
-    found = []
+    differences = []
     for figure in FIGURES:
         before, now = old[figure], new.get(figure)
         if before is None or now is None:
             if before is not now:
-                found.append((figure, before, now, True))
+                differences.append((figure, before, now, True))
         elif 100 * abs(now - before) > PERCENT * before:
-            found.append((figure, before, now, now > before))
-    return found
+            differences.append((figure, before, now, now > before))
+    return differences
 
 
 def percent(before, now):
@@ -63,7 +63,7 @@ def percent(before, now):
 def compare(version, baseline, results, everything):
     """(lines that fail, lines that only tell, figures compared); `everything`: that it has all."""
     made_with, rows = baseline
-    grown, told, compared = [], [], 0
+    grown, notes, compared = [], [], 0
     for subject, result in results:
         if key(subject) not in rows:
             grown.append(f"{subject}: not in the baseline: {CURE}")
@@ -71,11 +71,11 @@ def compare(version, baseline, results, everything):
         compared += sum(1 for figure in FIGURES if result.get(figure) is not None)
         for figure, before, now, worse in changes(rows[key(subject)], result):
             line = f"{subject}: {figure} {before} -> {now} ({percent(before, now)})"
-            (grown if worse else told).append(line if worse else f"{line}: {CURE}")
+            (grown if worse else notes).append(line if worse else f"{line}: {CURE}")
     if everything:
         present = {key(subject) for subject, _ in results}
         grown += [f"{', '.join(gone)}: only in the baseline: {CURE}"
                   for gone in rows if gone not in present]
     if grown and made_with != version:
-        told.append(f"the baseline is of {made_with}, this is {version}")
-    return grown, told, compared
+        notes.append(f"the baseline is of {made_with}, this is {version}")
+    return grown, notes, compared

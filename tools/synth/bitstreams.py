@@ -41,11 +41,11 @@ def run(flow, wanted, jobs):
 
 
 def work(options, root):
-    found = boards.read(root / "synth" / "boards" / "boards.csv",
-                        configurations.read(root / "rtl" / "configurations.csv"))
-    if options.board is not None and options.board not in found:
-        raise command_line.Request(f"unknown BOARD '{options.board}': one of {', '.join(found)}")
-    wanted = [found[options.board]] if options.board else list(found.values())
+    by_name = boards.read(root / "synth" / "boards" / "boards.csv",
+                          configurations.read(root / "rtl" / "configurations.csv"))
+    if options.board is not None and options.board not in by_name:
+        raise command_line.Request(f"unknown BOARD '{options.board}': one of {', '.join(by_name)}")
+    wanted = [by_name[options.board]] if options.board else list(by_name.values())
     flow, results = boards.Flow(root, (options.seed,) if options.seed else nextpnr.SEEDS), []
     complaints = run(flow, wanted, options.jobs)
     for board in wanted:

@@ -41,7 +41,7 @@ class Board:
 
 def read(path, rows):
     """name -> Board. Raises TableError."""
-    found = {}
+    by_name = {}
     for where, fields in csv_table.read(path, COLUMNS):
         if fields["target"] not in FAMILIES:
             raise csv_table.TableError(f"{where}: no tools for target '{fields['target']}': one of "
@@ -51,8 +51,8 @@ def read(path, rows):
         except ValueError as error:
             raise csv_table.TableError(f"{where}: clock_mhz and baud are numbers") from error
         row = configurations.find(rows, fields["row"])
-        found[fields["name"]] = Board(**{**fields, **numbers, "row": row})
-    return found
+        by_name[fields["name"]] = Board(**{**fields, **numbers, "row": row})
+    return by_name
 
 
 class Flow:

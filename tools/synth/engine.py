@@ -30,10 +30,10 @@ class EngineError(Exception):
 def program():
     """Snakemake, of build/venv or of the system. Raises EngineError."""
     own = venv_packages.FOLDER / "bin"
-    found = shutil.which("snakemake", path=f"{own}{os.pathsep}{os.environ.get('PATH', '')}")
-    if not found:
+    path = shutil.which("snakemake", path=f"{own}{os.pathsep}{os.environ.get('PATH', '')}")
+    if not path:
         raise EngineError("snakemake not found: run tools/install engine")
-    return found
+    return path
 
 
 def run(root, name, wanted, jobs, config=(), items="rows", rules="synth/Snakefile"):
@@ -49,29 +49,29 @@ def run(root, name, wanted, jobs, config=(), items="rows", rules="synth/Snakefil
         return {}
     build = root / "build"
     build.mkdir(parents=True, exist_ok=True)
-    said = _follow([
+    output = _follow([
         program(), "--snakefile", str(ROOT / rules), "--directory", str(build),
         "--cores", str(max(1, jobs)), "--jobs", str(max(1, jobs)),
         "--config", f"root={root}", *config, "--",
         *(os.path.relpath(path, build) for paths in waiting.values() for path in paths)])
     absent = {item: [path for path in paths if not path.is_file()]
               for item, paths in waiting.items()}
-    return {item: complaint(root, paths[0], said) for item, paths in absent.items() if paths}
+    return {item: complaint(root, paths[0], output) for item, paths in absent.items() if paths}
 
 
 def _follow(command):
     """Runs Snakemake and shows how far it is: all that it said."""
-    said, words, name, progress = [], {}, "", Progress()
+    lines, words, name, progress = [], {}, "", Progress()
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, text=True, errors="replace",
                                start_new_session=True, env=project_root.environment())
     try:
         for line in process.stdout:
-            said.append(line.strip())
+            lines.append(line.strip())
             if job := _JOB.match(line):
                 words[job[1]] = job[2]
-            elif done := _DONE.match(line):
-                name = words.get(done[1], "")
+            elif finished := _DONE.match(line):
+                name = words.get(finished[1], "")
             elif steps := _STEPS.match(line):
                 progress.step(*steps.groups(), name)
         process.wait()
@@ -80,7 +80,7 @@ def _follow(command):
         raise
     finally:
         progress.end()
-    return said
+    return lines
 
 
 def _end(process):
@@ -98,7 +98,7 @@ def _end(process):
             continue
 
 
-def complaint(root, path, said):
+def complaint(root, path, output):
     """Why a file is not there, and where more of it stands: the last log with an error, of those of
     its steps, which begin with its name and key."""
     stem = re.match(r".*\.[0-9a-f]{16}", path.name)[0]
@@ -106,7 +106,7 @@ def complaint(root, path, said):
     texts = {log: log.read_text(errors="replace") for log in logs}
     broken = [log for log in logs if "ERROR: " in texts[log]] or logs
     if not broken:
-        errors = [line for line in said if re.search(r"Error|error", line)]
+        errors = [line for line in output if re.search(r"Error|error", line)]
         return f"snakemake: {' '.join(errors[:2]) or 'ended without a word'}"
     return f"{in_words(texts[broken[-1]])}: see {os.path.relpath(broken[-1], root)}"
 

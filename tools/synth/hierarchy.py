@@ -53,10 +53,10 @@ class Design:
     def counts(self, module):
         """Of one instance, with what is inside it."""
         if module not in self._counts:
-            found = mapped_netlist.count(TARGET, self.netlist, module)
+            counted = mapped_netlist.count(TARGET, self.netlist, module)
             self._counts[module] = Counter({
-                "lut": found["lut"] + found["lutram"],
-                **{name: found[name] for name in FIELDS if name != "lut"}})
+                "lut": counted["lut"] + counted["lutram"],
+                **{name: counted[name] for name in FIELDS if name != "lut"}})
         return self._counts[module]
 
     def tree(self):

@@ -17,7 +17,7 @@ LUT = re.compile(rf"(^module \S*{UNIT}\b(?:(?!endmodule).)*?"
 
 def spoiled(netlist):
     """(the text with the fault, how many faults)"""
-    return LUT.subn(lambda found: f"{found.group(1)}{0xFFFF ^ int(found.group(2), 16):04x}",
+    return LUT.subn(lambda match: f"{match.group(1)}{0xFFFF ^ int(match.group(2), 16):04x}",
                     netlist, count=1)
 
 

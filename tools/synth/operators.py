@@ -88,9 +88,9 @@ def drawn(design, top, row, built):
     if not instances[TREE]:
         return built
     # All evaluators of a tree are alike.
-    one = design.operators(design.find(EVALUATOR)[0])
+    operators = design.operators(design.find(EVALUATOR)[0])
     total = collections.Counter(built)
-    for kind, count in one.items():
+    for kind, count in operators.items():
         total[kind] += (3 * row.n - instances[EVALUATOR]) * count
     total["mul"] += 2 * row.n - instances[PRODUCT]
     return total
@@ -128,8 +128,8 @@ def main():
         rows = configurations.selected(configurations.read(), options)
         sources = rtl_sources.Sources()
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            found = pool.map(lambda row: count(sources, row), rows)
-            counts = {row.name: counted for row, counted in zip(rows, found)}
+            counted_rows = pool.map(lambda row: count(sources, row), rows)
+            counts = {row.name: counted for row, counted in zip(rows, counted_rows)}
         csv_table.write_if_changed(options.out, json.dumps(counts, indent=1) + "\n")
     except (configurations.TableError, OSError) as error:
         print(f"operators: {error}", file=sys.stderr)

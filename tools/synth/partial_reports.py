@@ -28,7 +28,7 @@ def write(path, content):
 
 def read(paths, fields):
     """The parts, each a dictionary with these fields. Raises PartError."""
-    found = []
+    parts = []
     for path in paths:
         try:
             part = json.loads(path.read_text(encoding="utf-8"))
@@ -37,18 +37,18 @@ def read(paths, fields):
         absent = [field for field in fields if field not in part]
         if absent:
             raise PartError(f"{path}: a part without {', '.join(absent)}: measure it anew with --part")
-        found.append(part)
-    return found
+        parts.append(part)
+    return parts
 
 
-def same(found, field):
+def same(parts, field):
     """What all parts have in a field. Raises PartError."""
-    values = list(dict.fromkeys(part[field] for part in found))
+    values = list(dict.fromkeys(part[field] for part in parts))
     if len(values) != 1:
         raise PartError(f"parts differ in {field}: {', '.join(map(str, values))}")
     return values[0]
 
 
-def rows(found, field="rows"):
+def rows(parts, field="rows"):
     """The rows of all parts, in their order."""
-    return [row for part in found for row in part[field]]
+    return [row for part in parts for row in part[field]]

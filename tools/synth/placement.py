@@ -94,9 +94,9 @@ class Aim:
         return all(judged) if judged else None
 
 
-def read(path, found):
-    """The lines of synth/clocks.csv, as subjects among `found`. Raises TableError."""
-    by_key = {(s.row.name, s.top, s.target): s for s in found}
+def read(path, subjects):
+    """The lines of synth/clocks.csv, as subjects among these. Raises TableError."""
+    by_key = {(s.row.name, s.top, s.target): s for s in subjects}
     aims = []
     for where, fields in csv_table.read(path, COLUMNS):
         subject = by_key.get((fields["name"], fields["top"], fields["target"]))
@@ -135,8 +135,8 @@ class Placement:
         ECP5 have not; none where there is no table, as for proofs. Raises TableError."""
         if not (self.root / TABLE).is_file():
             return []
-        parts = [name.split(".") for name in self.placers]
-        return [".".join(words) for words in parts
+        fields = [name.split(".") for name in self.placers]
+        return [".".join(words) for words in fields
                 if words[1] == synthesis.CORE and words[2] in synthesis.CORE_TARGETS]
 
     def options(self, subject):
@@ -191,10 +191,10 @@ class Placement:
         """{subject: its files} of these aims and of the measures of their targets."""
         targets = dict.fromkeys(aim.subject.target for aim in aims
                                 if not unknown(aim.subject.target))
-        found = [*map(Measure, targets), *(aim.subject for aim in aims)]
+        measures = [*map(Measure, targets), *(aim.subject for aim in aims)]
         files = {subject: [path for path, result in zip(self.files(subject), self._seeds(subject))
-                           if result is None] for subject in found}
-        for subject in found:
+                           if result is None] for subject in measures}
+        for subject in measures:
             if self.is_packed(subject) is False:
                 files[subject].append(self.bitstream(subject))
         return files
@@ -239,23 +239,23 @@ class Placement:
             return {"seed": seed, "fmax_mhz": round(nextpnr.clock(report), 2),
                     "critical_path": nextpnr.path_in_words(report)}
 
-        return [result(*one) for one in zip(DEVICES[subject.target].seeds, self.files(subject))]
+        return [result(*run) for run in zip(DEVICES[subject.target].seeds, self.files(subject))]
 
     def median(self, subject):
         """MHz, or None."""
-        found = self.results(subject)
-        return statistics.median(result["fmax_mhz"] for result in found) if found else None
+        results = self.results(subject)
+        return statistics.median(result["fmax_mhz"] for result in results) if results else None
 
     def clock(self, subject):
         """What is known of a subject's clock after routing, as in synth.json; None if nothing."""
         if subject.target not in DEVICES:
             return None
-        found = self.results(subject)
-        if not found:
+        results = self.results(subject)
+        if not results:
             return None
         unknown = DEVICES[subject.target].unknown
         fmax = self.median(subject)
         measure = None if unknown else self.median(Measure(subject.target))
         return {"fmax_mhz": fmax, "fmax_share": round(fmax / measure, 3) if measure else None,
                 "routed": True,
-                "seeds": [{"seed": r["seed"], "fmax_mhz": r["fmax_mhz"]} for r in found]}
+                "seeds": [{"seed": r["seed"], "fmax_mhz": r["fmax_mhz"]} for r in results]}

@@ -33,12 +33,12 @@ def report(place, aims):
     rows = []
     for aim in aims:
         subject = aim.subject
-        found = place.results(subject)
-        if not found:
+        results = place.results(subject)
+        if not results:
             continue
-        clocks = [result["fmax_mhz"] for result in found]
+        clocks = [result["fmax_mhz"] for result in results]
         clock = place.clock(subject)
-        slowest = min(found, key=lambda result: result["fmax_mhz"])
+        slowest = min(results, key=lambda result: result["fmax_mhz"])
         rows.append({
             "name": subject.row.name, "top": subject.top, "target": subject.target,
             "device": placement.DEVICES[subject.target].name, "fmax_mhz": clock["fmax_mhz"],
@@ -50,8 +50,8 @@ def report(place, aims):
 
 
 def work(options, root):
-    found, reports = synthesis.of_checkout(root), root / "build" / "reports"
-    aims = placement.read(root / placement.TABLE, found)
+    subjects, reports = synthesis.of_checkout(root), root / "build" / "reports"
+    aims = placement.read(root / placement.TABLE, subjects)
     left = chosen(aims, options)
     place = placement.Placement(synthesis.Synthesis(root))
     place.work.prepare([aim.subject for aim in left], options.jobs)
@@ -62,7 +62,7 @@ def work(options, root):
     whole_file.write(reports / "pnr.json", json.dumps(
         {"multiplier_mhz": measures, "rows": rows}, indent=1) + "\n")
     whole_file.write(reports / "pnr.md", pnr_tables.document(Results(root)))
-    synth_report.write(place.work, found, [], reports)
+    synth_report.write(place.work, subjects, [], reports)
     print(pnr_tables.listed(None, rows).text())
     for subject, complaint in failed.items():
         print(f"pnr: {subject.name}: {complaint}", file=sys.stderr)

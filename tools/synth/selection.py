@@ -28,15 +28,15 @@ def columns(options):
     }
 
 
-def chosen(found, name, options):
+def chosen(subjects, name, options):
     """The subjects asked for, of the set `name`. Raises Request."""
     if name not in synthesis.SETS:
         raise command_line.Request(f"unknown SET '{name}': one of {', '.join(synthesis.SETS)}")
-    left = synthesis.of_set(found, name)
+    left = synthesis.of_set(subjects, name)
     for word, (value, column) in columns(options).items():
         if value is None:
             continue
-        values = list(dict.fromkeys(column(subject) for subject in found))
+        values = list(dict.fromkeys(column(subject) for subject in subjects))
         if word == "TARGET":
             values = list(synthesis.TARGETS)
         if value not in values:

@@ -87,10 +87,10 @@ def main():
     try:
         sources = rtl_sources.Sources(root)
         rows = configurations.read(root / "rtl" / "configurations.csv")
-        found = [(top, configurations.find(rows, name), shown) for top, name, shown in DESIGNS]
+        chosen = [(top, configurations.find(rows, name), shown) for top, name, shown in DESIGNS]
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             designs = list(pool.map(
-                lambda one: measure(sources, *one, root / "build" / "structure"), found))
+                lambda design: measure(sources, *design, root / "build" / "structure"), chosen))
     except (StructureError, configurations.TableError, OSError) as error:
         print(f"structure: {error}", file=sys.stderr)
         return 1

@@ -26,8 +26,8 @@ def figures(mapping, wanted, jobs):
 
 
 def check(mapping, path, results, everything):
-    grown, told, compared = baseline.compare(mapping.version, baseline.read(path), results, everything)
-    for line in told:
+    grown, notes, compared = baseline.compare(mapping.version, baseline.read(path), results, everything)
+    for line in notes:
         print(f"synth_baseline: {line}")
     for line in grown:
         print(f"synth_baseline: {line}", file=sys.stderr)

@@ -27,10 +27,10 @@ def clock(place, subject, result):
             **({"remark": unknown} if unknown else {})}
 
 
-def collect(work, found):
+def collect(work, subjects):
     """One dictionary for each subject that has a result, in order."""
     shown, place = [], placement.Placement(work)
-    for subject in found:
+    for subject in subjects:
         result = work.result(subject)
         if result is not None:
             row, (variant, meaning) = subject.row, subject.variant
@@ -44,16 +44,16 @@ def collect(work, found):
     return shown
 
 
-def write(work, found, failed, folder):
+def write(work, subjects, failed, folder):
     """Writes both reports and returns the rows that they show."""
-    shown = collect(work, found)
+    shown = collect(work, subjects)
     rows = [{key: value for key, value in row.items() if key != "subject"} for row in shown]
     text = ",\n".join("    " + json.dumps(row) for row in rows)
     broken = json.dumps([{"name": s.row.name, "top": s.top, "target": s.target, "error": why}
                          for s, why in failed])
     whole_file.write(folder / "synth.json",
                      f'{{\n  "yosys": {json.dumps(work.version)},\n'
-                     f'  "sta": {json.dumps(work.sta_version)},\n  "wanted": {len(found)},\n'
+                     f'  "sta": {json.dumps(work.sta_version)},\n  "wanted": {len(subjects)},\n'
                      f'  "failed": {broken},\n  "rows": [\n{text}\n  ]\n}}\n')
     whole_file.write(folder / "synth.md", synth_tables.document(Results(work.root)))
     return shown

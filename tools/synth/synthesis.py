@@ -127,15 +127,15 @@ def subjects(rows, changed=()):
     every row on each target where it makes sense; and the binary32 units.
     """
     overlapped = [row for row in rows if row.schedule == "overlapped"]
-    found = [Subject(row, SYSTEM, "ecp5") for row in overlapped
-             if row.top == "axi" or (row.stream and row.organization.mapped == "every"
-                                     and row.evaluator == "pipelined")]
-    found += [Subject(row, CORE, "ecp5") for row in overlapped
-              if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every")]
-    found += [Subject(variant, top, "ecp5") for variant, top in changed]
-    found += [Subject(row, ORGANIZATION, target) for row in overlapped for target in mapped_netlist.TARGETS
-              if makes_sense(row, target)]
-    return found + units(overlapped)
+    collected = [Subject(row, SYSTEM, "ecp5") for row in overlapped
+                 if row.top == "axi" or (row.stream and row.organization.mapped == "every"
+                                         and row.evaluator == "pipelined")]
+    collected += [Subject(row, CORE, "ecp5") for row in overlapped
+                  if row.stream and (row.format.startswith("fx") or row.organization.mapped == "every")]
+    collected += [Subject(variant, top, "ecp5") for variant, top in changed]
+    collected += [Subject(row, ORGANIZATION, target) for row in overlapped for target in mapped_netlist.TARGETS
+                  if makes_sense(row, target)]
+    return collected + units(overlapped)
 
 
 def of_checkout(root):
@@ -156,21 +156,21 @@ def routed(path, rows, changed):
 
 def units(rows):
     """The binary32 units with one register, and with the latencies that rows of the table have."""
-    found = []
+    collected = []
     for top, (word, column) in FLOAT_UNITS.items():
         latencies = {getattr(row, column) for row in rows if row.format == "fp32"} - {0}
-        found += [Subject(Unit(word, latency), top, target)
-                  for latency in sorted(latencies | {1}) if latencies for target in UNIT_TARGETS]
-    return found
+        collected += [Subject(Unit(word, latency), top, target)
+                      for latency in sorted(latencies | {1}) if latencies for target in UNIT_TARGETS]
+    return collected
 
 
-def of_set(found, name):
+def of_set(everything, name):
     """Those of a set; `ci` is every organization in fx18 on ECP5, and `basic` where it is mapped;
     `baseline` those and the binary32 units.
     """
     if name == "all":
-        return found
-    return [s for s in found if (isinstance(s.row, Unit) and name == "baseline")
+        return everything
+    return [s for s in everything if (isinstance(s.row, Unit) and name == "baseline")
             or (s.row.format == "fx18" and s.top == ORGANIZATION
                 and (s.target == "ecp5" or s.row.tier == "sim"))]
 
@@ -221,10 +221,10 @@ class Synthesis:
         """What follows, up to the netlist."""
         parameters = "".join(
             f" -chparam {name} {value}" for name, value in subject.row.parameters.items())
-        kept = " ".join(f"*{unit}" for unit in UNITS)
+        patterns = " ".join(f"*{unit}" for unit in UNITS)
         return [
             f"hierarchy -check -top {subject.top}{parameters}",
-            *([] if subject.flat else [f"setattr -mod -set keep_hierarchy 1 {kept}"]),
+            *([] if subject.flat else [f"setattr -mod -set keep_hierarchy 1 {patterns}"]),
             "script synth/prepare.ys",
             f"script synth/{subject.target}.ys",
             *(CELL_STEPS if subject.target == CELLS else []),
@@ -250,10 +250,10 @@ class Synthesis:
         return digest.of(self.version, *steps, digest.lines(*scripts),
                          self._elaborations.key(self._elaborated(top, target, steps)))
 
-    def prepare(self, found, jobs):
+    def prepare(self, chosen, jobs):
         """What the keys of subjects need, `jobs` at a time."""
         self._elaborations.prepare(
-            [self._elaborated(s.top, s.target, self._steps(s)) for s in found], jobs)
+            [self._elaborated(s.top, s.target, self._steps(s)) for s in chosen], jobs)
 
     def netlist_key(self, subject):
         return self.design(subject.top, subject.target, self._steps(subject))
@@ -261,15 +261,15 @@ class Synthesis:
     def key(self, subject):
         """Of a result: of its netlist and of what counts it."""
         if subject not in self._keys:
-            parts = [self.netlist_key(subject), digest.statements(mapped_netlist)]
+            dependencies = [self.netlist_key(subject), digest.statements(mapped_netlist)]
             if subject.target in chips.TARGETS:
-                parts.append(digest.statements(chips))
+                dependencies.append(digest.statements(chips))
             if subject.target == CELLS:
                 texts = [path for path in (liberty.PATH, *sorted((self.root / "synth").glob(
                     f"{CELLS}.[!y]*"))) if path.is_file()]
-                parts += [self.sta_version, digest.lines(*texts),
-                          digest.statements(liberty, timing)]
-            self._keys[subject] = digest.of(*parts)
+                dependencies += [self.sta_version, digest.lines(*texts),
+                                 digest.statements(liberty, timing)]
+            self._keys[subject] = digest.of(*dependencies)
         return self._keys[subject]
 
     def file(self, subject):

@@ -34,20 +34,20 @@ class Variant:
 
 
 def _parameters(text, where):
-    found = [re.fullmatch(r"([A-Z][A-Z0-9_]*)=([0-9]+)", word) for word in text.split()]
-    if not found or None in found:
+    matches = [re.fullmatch(r"([A-Z][A-Z0-9_]*)=([0-9]+)", word) for word in text.split()]
+    if not matches or None in matches:
         raise csv_table.TableError(f"{where}: parameters are NAME=NUMBER, with spaces between")
-    return tuple((match[1], int(match[2])) for match in found)
+    return tuple((match[1], int(match[2])) for match in matches)
 
 
 def read(path, rows, tops):
     """[(variant, its top)] of rows of the table, in order. Raises TableError."""
-    found, known = {}, {row.name: row for row in rows}
+    by_key, known = {}, {row.name: row for row in rows}
     for where, fields in csv_table.read(path, COLUMNS):
         row = known[csv_table.word(fields, "name", where, known)]
         variant = Variant(row, fields["variant"], _parameters(fields["parameters"], where),
                           fields["meaning"])
-        one = (variant.name, csv_table.word(fields, "top", where, tops))
-        csv_table.unique(found, one, "variant", where)
-        found[one] = variant
-    return [(variant, top) for (_, top), variant in found.items()]
+        key = (variant.name, csv_table.word(fields, "top", where, tops))
+        csv_table.unique(by_key, key, "variant", where)
+        by_key[key] = variant
+    return [(variant, top) for (_, top), variant in by_key.items()]

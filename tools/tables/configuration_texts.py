@@ -157,9 +157,9 @@ def factory_text(configurations, core, suffix=""):
     classes = {c.name: f"V{c.identifier}{suffix}" for c in configurations}
     return _FACTORY.format(
         generated=GENERATED,
-        includes="\n".join(f'#include "{made}.h"' for made in classes.values()),
+        includes="\n".join(f'#include "{model}.h"' for model in classes.values()),
         rows="\n".join(
-            f'  if (name == "{name}") return make<{made}>;' for name, made in classes.items()),
+            f'  if (name == "{name}") return make<{model}>;' for name, model in classes.items()),
         core=core, Core=core.capitalize(), **_CORES[core])
 
 
@@ -209,7 +209,7 @@ def models_text(configurations, organizations):
     for kind in kinds:
         module, number_format, fused, powers = kind
         model = number_format.fused if fused else number_format.model
-        any_of = " || ".join(f'org == "{one.name}"' for one in organizations.values() if one.module == module)
+        any_of = " || ".join(f'org == "{row.name}"' for row in organizations.values() if row.module == module)
         lines += [
             f'  if (({any_of}) && format == "{number_format.name}" &&',
             f"      fused == {_cpp(fused)} && powers == {_cpp(powers)}) {{",

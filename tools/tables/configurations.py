@@ -136,14 +136,14 @@ def _read_row(fields, where, known, known_formats):
 def read(path=TABLE):
     """The rows in order. Raises TableError."""
     known, known_formats = organizations.read(), formats.read()
-    found = {}
+    by_name = {}
     for where, fields in csv_table.read(path, COLUMNS):
         configuration = _read_row(fields, where, known, known_formats)
-        csv_table.unique(found, configuration.name, "name", where)
-        found[configuration.name] = configuration
-    if not found:
+        csv_table.unique(by_name, configuration.name, "name", where)
+        by_name[configuration.name] = configuration
+    if not by_name:
         raise TableError(f"{path}: no configurations")
-    return list(found.values())
+    return list(by_name.values())
 
 
 def find(configurations, name):
@@ -219,9 +219,9 @@ def generated(rows, tier, wanted):
 
 
 def parser():
-    made = argparse.ArgumentParser(description="Reads the table of configurations.")
-    made.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
-    commands = made.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    arguments = argparse.ArgumentParser(description="Reads the table of configurations.")
+    arguments.add_argument("--table", default=TABLE, help="default: rtl/configurations.csv")
+    commands = arguments.add_subparsers(dest="command", required=True, metavar="COMMAND")
     listing = commands.add_parser("list", help="print the names of a tier (default: all)")
     smallest = commands.add_parser("tier", help="print the smallest tier that has such rows")
     parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
@@ -247,7 +247,7 @@ def parser():
     for command in (listing, smallest):
         command.add_argument("--schedule", default="", help="these rows only")
         command.add_argument("--top", choices=TOPS, default=TOPS[0], help="rows with at least this top")
-    return made
+    return arguments
 
 
 def main(arguments=None):

@@ -66,21 +66,21 @@ def _members(cells, where):
 def read(root=ROOT):
     """All of them. Raises TableError."""
     path = pathlib.Path(root) / TABLE
-    found, numbers, parts = {}, {}, []
+    by_name, numbers, ranges = {}, {}, []
     for where, cells in csv_table.read(path, COLUMNS):
         members = _members(cells, where)
         for member in members:
-            csv_table.unique(found, member.name, "format", where)
+            csv_table.unique(by_name, member.name, "format", where)
             if member.number in numbers:
                 raise TableError(f"{where}: number {member.number} is that of "
                                  f"'{numbers[member.number]}'")
-            found[member.name] = member
+            by_name[member.name] = member
             numbers[member.number] = member.name
         names = [members[0].name, members[-1].name]
-        parts.append(names[0] if len(members) == 1 else " to ".join(names))
-    if not found:
+        ranges.append(names[0] if len(members) == 1 else " to ".join(names))
+    if not by_name:
         raise TableError(f"{path}: no formats")
-    return Formats(found, ", ".join(parts[:-1]) + f", or {parts[-1]}" if parts[1:] else parts[0])
+    return Formats(by_name, ", ".join(ranges[:-1]) + f", or {ranges[-1]}" if ranges[1:] else ranges[0])
 
 
 def header_text(formats):

@@ -29,7 +29,7 @@ def _maker(source, make):
     return lambda root: make(root) if (root / source).exists() else {}
 
 
-MAKERS = [_maker(*one) for one in _SOURCES]
+MAKERS = [_maker(*source) for source in _SOURCES]
 
 
 def outputs(root=ROOT):

@@ -25,11 +25,11 @@ LATENCIES = """\
 
 def select_text(rtl):
     """ffd_org_select: the organization numbered ORG, if N is one that it has."""
-    found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
-    first = found[0]
-    refused = [f"ORG == {one.number} && N != {one.n}" for one in found if one.n]
+    rows = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
+    first = rows[0]
+    refused = [f"ORG == {row.number} && N != {row.n}" for row in rows if row.n]
     arms = []
-    for organization in found:
+    for organization in rows:
         own = "".join(f"        .{name}({value}),\n"
                       for name, value in organization.parameters.items())
         opening = "if" if organization is first else "end else if"
@@ -41,8 +41,8 @@ def select_text(rtl):
         `include "ffd_org_connections.vh"
       );
 """)
-    listing = ", ".join(f"{one.number} {one.name}" + (f" (N {one.n})" if one.n else "")
-                        for one in found)
+    listing = ", ".join(f"{row.number} {row.name}" + (f" (N {row.n})" if row.n else "")
+                        for row in rows)
     numbers = textwrap.fill(f"ORG is {listing}.", 100, initial_indent="// ",
                             subsequent_indent="// ")
     refusals = " ||\n        ".join(refused)
@@ -84,16 +84,16 @@ endmodule
 
 def header_text(rtl):
     """What other modules may ask of ORG."""
-    found = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
+    rows = sorted(organizations.read(rtl).values(), key=lambda organization: organization.number)
 
     def any_of(kind):
-        tests = [f"(ORG) == {one.number}" for one in found if kind(one)]
+        tests = [f"(ORG) == {row.number}" for row in rows if kind(row)]
         lines = (" || ".join(tests[i:i + 6]) for i in range(0, len(tests), 6))
         return " || \\\n    ".join(lines)
 
-    ports = "".join(f"(ORG) == {one.number} ? {one.ports} : " for one in found if one.ports > 1)
-    jacobian = " : ".join([f"(ORG) == {one.number} ? {one.fold // one.lanes}" for one in found
-                           if one.jacobian] + ["0"])
+    ports = "".join(f"(ORG) == {row.number} ? {row.ports} : " for row in rows if row.ports > 1)
+    jacobian = " : ".join([f"(ORG) == {row.number} ? {row.fold // row.lanes}" for row in rows
+                           if row.jacobian] + ["0"])
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -102,11 +102,11 @@ def header_text(rtl):
 
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \\
-  ({any_of(lambda one: one.in_turn)})
+  ({any_of(lambda row: row.in_turn)})
 
 // It takes for granted that the functions of an axis sum to one.
 `define FFD_ORG_AFFINE(ORG) \\
-  ({any_of(lambda one: one.form == "affine")})
+  ({any_of(lambda row: row.form == "affine")})
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)

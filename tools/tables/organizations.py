@@ -108,13 +108,13 @@ def _module(cells, where, rtl):
 
 
 def _formulas(cells, where):
-    found = {column: Formula(cells[column], TERMS, f"{where}: {column}") if cells[column] else None
-             for column in FORMULAS}
-    if found["overlapped"] is None:
+    formulas = {column: Formula(cells[column], TERMS, f"{where}: {column}") if cells[column] else None
+                for column in FORMULAS}
+    if formulas["overlapped"] is None:
         raise TableError(f"{where}: overlapped: no formula")
-    if (found["paper"] is None) != (found["last"] is None):
+    if (formulas["paper"] is None) != (formulas["last"] is None):
         raise TableError(f"{where}: last: a formula where paper has one, and only there")
-    return found
+    return formulas
 
 
 def _read_row(cells, where, rtl):
@@ -140,17 +140,17 @@ def _read_row(cells, where, rtl):
 def read(rtl=ROOT / "rtl"):
     """name -> Organization, of the table in that folder. Raises TableError."""
     path = pathlib.Path(rtl) / TABLE
-    found = {}
+    by_name = {}
     for where, cells in csv_table.read(path, COLUMNS):
         organization = _read_row(cells, where, rtl)
-        csv_table.unique(found, organization.name, "org", where)
-        for other in found.values():
+        csv_table.unique(by_name, organization.name, "org", where)
+        for other in by_name.values():
             if other.number == organization.number:
                 raise TableError(f"{where}: number {other.number} is that of '{other.name}'")
-        found[organization.name] = organization
-    if not found:
+        by_name[organization.name] = organization
+    if not by_name:
         raise TableError(f"{path}: no organizations")
-    return found
+    return by_name
 
 
 @functools.lru_cache(maxsize=None)

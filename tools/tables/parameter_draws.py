@@ -72,23 +72,23 @@ class Draw:
         """What a row of configurations.csv has."""
         every = self.space.organizations
         # Those whose N is chosen are as many as there are small N.
-        weighed = [number for number, one in every.items() for _ in range(1 if one.n else 4)]
-        one = every[fixed.get("ORG", self.random.choice(weighed))]
+        weighed = [number for number, organization in every.items() for _ in range(1 if organization.n else 4)]
+        org = every[fixed.get("ORG", self.random.choice(weighed))]
         words = ["fixed"] * 3
-        if one.form != "affine":
+        if org.form != "affine":
             words += ["float"]
-        if one.form in ("product", "factored"):
+        if org.form in ("product", "factored"):
             words += ["block"]
         word = self.random.choice(words)
         number = self.random.choice([n for n, f in self.formats.items() if f.words == word])
         evaluators = [spaces.PIPELINED]
-        if one.form != "nested":
-            evaluators += [spaces.BSPLINE] + [spaces.POWERS if one.weighs_axes else spaces.ITERATIVE] * 2
+        if org.form != "nested":
+            evaluators += [spaces.BSPLINE] + [spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2
         return {
-            "ORG": one.number,
-            "N": one.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5)),
+            "ORG": org.number,
+            "N": org.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5)),
             "FORMAT": number,
-            "SCHEDULE": int(one.formulas["paper"] is not None and self._chance(0.25)),
+            "SCHEDULE": int(org.formulas["paper"] is not None and self._chance(0.25)),
             "EVALUATOR": self.random.choice(evaluators),
             "MUL_LATENCY": self.random.choice((1, 1, 2, 2, 2, 3, 4, 5, 6)),
             "ADD_LATENCY": self.random.choice((1, 1, 1, 2, 2, 3, 4, 5, 7)),
@@ -137,16 +137,16 @@ class Draw:
 
 def size(space, configuration):
     """Of a configuration's arithmetic: about how many multipliers of 18 bits."""
-    one = space.organizations[configuration["ORG"]]
-    found = space.formats[configuration["FORMAT"]]
-    units = (one.units or configuration["N"]) * 3 / one.fold * (one.lanes if one.fold == 3 else 1)
-    return units * (4 if found.words != "fixed" else 1 if found.width <= 18 else 3)
+    org = space.organizations[configuration["ORG"]]
+    number_format = space.formats[configuration["FORMAT"]]
+    units = (org.units or configuration["N"]) * 3 / org.fold * (org.lanes if org.fold == 3 else 1)
+    return units * (4 if number_format.words != "fixed" else 1 if number_format.width <= 18 else 3)
 
 
 def ends(parameter):
     """The ends of a parameter's values, and a value within where a range has no end."""
-    found = set(parameter.values.ends())
+    values = set(parameter.values.ends())
     for part in parameter.values.parts:
         if part.most is None and isinstance(part, Between):
-            found.add(part.least + 3)
-    return sorted(found)
+            values.add(part.least + 3)
+    return sorted(values)

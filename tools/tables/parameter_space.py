@@ -59,8 +59,8 @@ class Space:
     """The space of one checkout: parameters by top, and rules."""
 
     def __init__(self):
-        self.organizations = {one.number: one for one in organizations.read().values()}
-        self.formats = {one.number: one for one in formats.read().by_name.values()}
+        self.organizations = {organization.number: organization for organization in organizations.read().values()}
+        self.formats = {member.number: member for member in formats.read().by_name.values()}
         stream = self._stream()
         bus = self._bus()
         self.parameters = {
@@ -141,15 +141,15 @@ class Space:
         ])}
 
     def _those(self, kind):
-        return [one for one in self.organizations.values() if kind(one)]
+        return [organization for organization in self.organizations.values() if kind(organization)]
 
     def _row_rules(self):
         """Of organization, format, schedule and evaluator."""
-        chosen = self._those(lambda one: one.n is None)
-        paper = self._those(lambda one: one.formulas["paper"])
-        axes = self._those(lambda one: one.weighs_axes)
-        affine = self._those(lambda one: one.form == "affine")
-        nested = self._those(lambda one: one.form == "nested")
+        chosen = self._those(lambda organization: organization.n is None)
+        paper = self._those(lambda organization: organization.formulas["paper"])
+        axes = self._those(lambda organization: organization.weighs_axes)
+        affine = self._those(lambda organization: organization.form == "affine")
+        nested = self._those(lambda organization: organization.form == "nested")
         of = self.organizations
         return [
             Rule(f"N is that of the organization; of {_names(chosen)} it may be any", ("ORG", "N"),
@@ -177,8 +177,8 @@ class Space:
         ]
 
     def _latency_rules(self):
-        nested = self._those(lambda one: one.form == "nested")
-        serial = self._those(lambda one: one.form == "affine" and one.fold == 64)
+        nested = self._those(lambda organization: organization.form == "nested")
+        serial = self._those(lambda organization: organization.form == "affine" and organization.fold == 64)
         of = self.organizations
         return [
             Rule("FMA_LATENCY is 0 but in binary32", ("FORMAT", "FMA_LATENCY"),
@@ -212,10 +212,10 @@ class Space:
                      has(p, "derivatives") or not has(p, "determinant")),
                  "ffd_stream_header_features_are_unknown"),
             Rule("FEATURES has none of 1, 16 and 32 without 256", ("FEATURES",),
-                 lambda p: has(p, "resident") or not any(has(p, one) for one in ("pages", "grids", "packed")),
+                 lambda p: has(p, "resident") or not any(has(p, feature) for feature in ("pages", "grids", "packed")),
                  "ffd_stream_header_features_are_unknown"),
             Rule("FEATURES has none of 2, 4 and 64 without 1", ("FEATURES",),
-                 lambda p: has(p, "pages") or not any(has(p, one) for one in ("large", "fourth", "marks")),
+                 lambda p: has(p, "pages") or not any(has(p, feature) for feature in ("large", "fourth", "marks")),
                  "ffd_stream_header_features_are_unknown"),
             Rule("AXIS is above 32 where FEATURES has 2, and only there", ("FEATURES", "AXIS"),
                  lambda p: (p.AXIS > 32) == has(p, "large"), "ffd_(stream_header|cache_points)_axis_.*"),
@@ -278,4 +278,4 @@ def _bus_rules():
 
 
 def _table(parameters):
-    return {one.name: one for one in parameters}
+    return {parameter.name: parameter for parameter in parameters}

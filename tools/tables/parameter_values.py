@@ -9,8 +9,8 @@ from typing import Optional
 
 def listed(words):
     """a, b and c"""
-    *front, last = map(str, words)
-    return f"{', '.join(front)} and {last}" if front else last
+    *others, last = map(str, words)
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 @dataclass(frozen=True)
@@ -77,16 +77,16 @@ class Values:
         return sorted({value for part in self.parts for value in part.neighbours() if value not in self})
 
 
-def of(*parts):
+def of(*values):
     """Values of numbers and sets; three numbers or more that follow each other are one set."""
-    numbers = sorted(part for part in parts if isinstance(part, int))
+    numbers = sorted(part for part in values if isinstance(part, int))
     runs = []
     for number in numbers:
         if runs and runs[-1][-1] + 1 == number:
             runs[-1].append(number)
         else:
             runs.append([number])
-    found = []
+    sets = []
     for run in runs:
-        found += [Between(run[0], run[-1])] if len(run) > 2 else [Between(one, one) for one in run]
-    return Values((*found, *(part for part in parts if not isinstance(part, int))))
+        sets += [Between(run[0], run[-1])] if len(run) > 2 else [Between(number, number) for number in run]
+    return Values((*sets, *(part for part in values if not isinstance(part, int))))

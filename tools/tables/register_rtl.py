@@ -98,17 +98,17 @@ class _Rtl:
     def setters(self, field):
         """Expressions that set a w1c field."""
         name = signal_name(field)[0]
-        found = []
+        expressions = []
         for target in field.linked("with"):
             if target in self.fields:
-                found.append(f"{signal_name(self.fields[target])[0]}_set")
+                expressions.append(f"{signal_name(self.fields[target])[0]}_set")
             else:
-                found.append("error_any_i")
+                expressions.append("error_any_i")
         others = self.fields.values()
-        found += [f"{signal_name(other)[0]}_refused" for other in others
-                  if field.path in other.linked("refused")]
-        return (found or [f"{name}_set_i"]) + [f"({self.written(other)})" for other in others
-                                               if field.path in other.linked("sets")]
+        expressions += [f"{signal_name(other)[0]}_refused" for other in others
+                        if field.path in other.linked("refused")]
+        return (expressions or [f"{name}_set_i"]) + [f"({self.written(other)})" for other in others
+                                                     if field.path in other.linked("sets")]
 
     def register(self, register):
         name = register.name.lower()
@@ -210,8 +210,8 @@ class _Rtl:
         if f"{name}_set_i" in setters:
             self.port("input  wire", 1, f"{name}_set_i")
         self.states.append(f"  reg {name}_q;")
-        found = self.more_sets if field.linked("with") else self.sets
-        found += [f"  wire {name}_set = {' || '.join(setters)};",
+        lines = self.more_sets if field.linked("with") else self.sets
+        lines += [f"  wire {name}_set = {' || '.join(setters)};",
                   f"  wire {name}_held = {name}_q && !({self.written(field)});"]
         self.resets.append(f"{name}_q <= 1'b{field.reset}")
         needs = self.needs(field)
@@ -249,19 +249,19 @@ class _Rtl:
         self.lines.append(f"{name}_q <= error_event_i | {name}_held")
 
     def read_value(self, register):
-        parts, at = [], 32
+        pieces, at = [], 32
         for field in sorted(register.fields, key=lambda field: -field.low):
             high = field.low + field.width
             if high < at:
-                parts.append(f"{at - high}'h0")
-            parts.append(self.value(field))
+                pieces.append(f"{at - high}'h0")
+            pieces.append(self.value(field))
             at = field.low
         if at:
-            parts.append(f"{at}'h0")
+            pieces.append(f"{at}'h0")
         if register.fields[0].access == "event":
             width = len(register.fields)
-            parts = [f"{32 - width}'h0"] * (width < 32) + [f"{register.name.lower()}_q"]
-        return parts[0] if len(parts) == 1 else "{" + ", ".join(parts) + "}"
+            pieces = [f"{32 - width}'h0"] * (width < 32) + [f"{register.name.lower()}_q"]
+        return pieces[0] if len(pieces) == 1 else "{" + ", ".join(pieces) + "}"
 
     def block_case(self, name, word):
         blocks = self.stored()[0]
@@ -275,9 +275,9 @@ class _Rtl:
         blocks, words = self.stored()
         width = max(len(blocks) - 1, 1).bit_length()
         hits = {name: textwrap.fill(
-            f"  wire write_{name} = " + " || ".join(f"write_{one.name.lower()}" for one in own) + ";",
+            f"  wire write_{name} = " + " || ".join(f"write_{register.name.lower()}" for register in own) + ";",
             100, subsequent_indent=" " * 4) for name, own in (
-                ("stored", words), ("high", [one for one in words if one.name.endswith("_HI")]))}
+                ("stored", words), ("high", [register for register in words if register.name.endswith("_HI")]))}
         return register_frame.STORED.format(
             width=_range(width), slot=_range(width + 2), words=4 << width,
             write_case=self.block_case("write_block", "s_write_word"),
@@ -287,8 +287,8 @@ class _Rtl:
     def read_parts(self):
         """(Name of the register that says so, words at which it is 1, value read there.)"""
         stored = self.stored()[1]
-        parts = [("at_stored_q", stored, "stored_word")]
-        return parts + [(f"at_{register.name.lower()}_q", [register], self.read_value(register))
+        reads = [("at_stored_q", stored, "stored_word")]
+        return reads + [(f"at_{register.name.lower()}_q", [register], self.read_value(register))
                         for register in self.registers if register not in stored]
 
     def write_parts(self):
@@ -306,9 +306,9 @@ class _Rtl:
         return set.intersection(*({f"{target} != 0 && " for target in field.linked("if")}
                                   for field in register.fields))
 
-    def hit(self, word, register, said):
+    def hit(self, word, register, unread):
         """That it is asked for; parameters that are said already are not said again."""
-        own = "".join(sorted(self.all_need(register) - said))
+        own = "".join(sorted(self.all_need(register) - unread))
         compared = f"{own}{word} == {_word(register)}"
         return (f"({compared})" if own else compared).replace(" ", "~")
 
@@ -320,8 +320,8 @@ class _Rtl:
                    if register.writable]
         lines = [f"  reg {name};" for name, _ in writes + reads]
         lines += ["", "  always @(posedge clk) begin"]
-        for parts, word in ((writes, "s_write_word"), (reads, "s_read_word")):
-            for name, words in parts:
+        for items, word in ((writes, "s_write_word"), (reads, "s_read_word")):
+            for name, words in items:
                 needs = set.intersection(*map(self.all_need, words))
                 # A comparison stays on a line.
                 hits = " || ".join(self.hit(word, register, needs) for register in words)
@@ -335,12 +335,12 @@ class _Rtl:
 
     def read_data(self):
         """What an unknown word reads is 0."""
-        parts = [textwrap.fill(f"({{32 {{{name}}}}} & {value})", 98, initial_indent=" " * 4,
+        terms = [textwrap.fill(f"({{32 {{{name}}}}} & {value})", 98, initial_indent=" " * 4,
                                subsequent_indent=" " * 6) for name, _, value in self.read_parts()]
         names = " || ".join(name for name, _, _ in self.read_parts())
         error = textwrap.fill(f"  assign s_read_error = !({names});", 100,
                               subsequent_indent=" " * 4)
-        return "\n".join(["  assign s_read_data =", " |\n".join(parts) + ";", error])
+        return "\n".join(["  assign s_read_data =", " |\n".join(terms) + ";", error])
 
     def interrupts(self):
         names = [f.name for r in self.registers if r.name == "IRQ_STATE" for f in r.fields]

@@ -42,7 +42,7 @@ class Field:
     description: str
 
     def linked(self, kind):
-        return [target for found, target in self.links if found == kind]
+        return [target for link, target in self.links if link == kind]
 
     @property
     def path(self):
@@ -154,8 +154,8 @@ def _check_links(registers):
                 if target not in PARAMETERS:
                     raise TableError(f"{field.path}: if:{target} is none of {', '.join(PARAMETERS)}")
                 continue
-            found = fields.get(target) or (events.get(target) if kind == "with" else None)
-            if found is None or found.access not in TARGETS[kind]:
+            linked = fields.get(target) or (events.get(target) if kind == "with" else None)
+            if linked is None or linked.access not in TARGETS[kind]:
                 raise TableError(f"{field.path}: {kind}:{target} does not name a field of access"
                                  f" {' or '.join(TARGETS[kind])}")
         if (field.linked("unless") or field.linked("needs")) and not field.linked("refused"):
@@ -164,20 +164,20 @@ def _check_links(registers):
 
 def parse(text, path, release):
     """The registers of a version, in order of their offsets. Raises TableError."""
-    found = []  # (offset, name, fields)
+    grouped = []  # (offset, name, fields)
     for where, cells in csv_table.parse(text, path, COLUMNS):
         offset, field = _read_row(cells, where, release)
-        if found and found[-1][:2] == (offset, field.register):
-            if field.name in [other.name for other in found[-1][2]]:
+        if grouped and grouped[-1][:2] == (offset, field.register):
+            if field.name in [other.name for other in grouped[-1][2]]:
                 raise TableError(f"{where}: {field.path} is there twice")
-            found[-1][2].append(field)
+            grouped[-1][2].append(field)
             continue
-        if found and offset <= found[-1][0]:
+        if grouped and offset <= grouped[-1][0]:
             raise TableError(f"{where}: offset of {field.register} is not above the one before")
-        if field.register in [name for _, name, _ in found]:
+        if field.register in [name for _, name, _ in grouped]:
             raise TableError(f"{where}: {field.register} has another offset above")
-        found.append((offset, field.register, [field]))
-    registers = [Register(name, offset, tuple(fields)) for offset, name, fields in found]
+        grouped.append((offset, field.register, [field]))
+    registers = [Register(name, offset, tuple(fields)) for offset, name, fields in grouped]
     if not registers:
         raise TableError(f"{path}: no registers")
     for register in registers:

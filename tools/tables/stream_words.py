@@ -38,12 +38,12 @@ class Field:
 def read(root=ROOT):
     """[Field], those of a word without gaps from bit 0 on. Raises TableError."""
     path = pathlib.Path(root) / TABLE
-    found, free = {}, dict.fromkeys(WORDS, 0)
+    fields, free = {}, dict.fromkeys(WORDS, 0)
     for where, cells in csv_table.read(path, COLUMNS):
         word = csv_table.word(cells, "word", where, WORDS)
         if not re.fullmatch(r"[a-z]+(_[a-z]+)*", cells["field"]):
             raise TableError(f"{where}: bad field '{cells['field']}': lower case letters, _ between words")
-        csv_table.unique(found, (word, cells["field"]), "field", where)
+        csv_table.unique(fields, (word, cells["field"]), "field", where)
         bits = re.fullmatch(r"(?:([0-9]{1,2}):)?([0-9]{1,2})", cells["bits"])
         high, low = (int(bits.group(1) or bits.group(2)), int(bits.group(2))) if bits else (-1, -1)
         if low != free[word] or high < low:
@@ -52,11 +52,11 @@ def read(root=ROOT):
         if not cells["description"]:
             raise TableError(f"{where}: no description")
         free[word] = high + 1
-        found[word, cells["field"]] = Field(word, cells["field"], high, low, cells["description"])
+        fields[word, cells["field"]] = Field(word, cells["field"], high, low, cells["description"])
     missing = [word for word in WORDS if not free[word]]
-    if missing or ("user", "status") not in found:
+    if missing or ("user", "status") not in fields:
         raise TableError(f"{path}: no {missing[0] if missing else 'status in user'}")
-    return list(found.values())
+    return list(fields.values())
 
 
 def _of(fields, word):

@@ -100,12 +100,12 @@ RESULT = {"form": "factored", "format": "fx16", "bound": 2e-4, "witness": 1e-4, 
           "checked_by": "gappa+coq", "hypothesis": "", "smaller_refused": True}
 
 
-@pytest.mark.parametrize("change, said", [
+@pytest.mark.parametrize("change, message", [
     ({}, None), ({"witness": 2.1e-4}, "is reached"), ({"witness": 0}, "no error was reached"),
     ({"smaller_refused": False}, "accepted too")])
-def test_what_does_not_hold_is_said(change, said):
-    found = rows.faults({**RESULT, **change})
-    assert (found == []) if said is None else any(said in line for line in found)
+def test_what_does_not_hold_is_said(change, message):
+    violations = rows.faults({**RESULT, **change})
+    assert (violations == []) if message is None else any(message in line for line in violations)
 
 
 def test_dyadic_numbers_are_no_smaller():

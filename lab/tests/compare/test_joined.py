@@ -68,13 +68,13 @@ def reports(checkout):
 
 def test_a_variant_with_other_features_has_the_clocks_of_its_row(reports):
     row, small = "affine4x3-fx17-overlapped-powers", "cg1-fx16-overlapped+small"
-    found = reports(pnr={"rows": [clock(f"{row}+resident", "hwffd_stream", 90.0),
-                                  clock(small, "hwffd_stream", 40.0)]},
-                    synth={"rows": [{"name": f"{row}+resident", "top": "hwffd_stream",
-                                     "target": "ecp5", "dsp": 150}]})
-    assert routed.names(found) == [row]
-    rows = routed.rows(found, core(row, (4 / 3, 4 / 3)))
-    assert [(one["what"], one["multipliers"]) for one in rows] == [
+    data = reports(pnr={"rows": [clock(f"{row}+resident", "hwffd_stream", 90.0),
+                                 clock(small, "hwffd_stream", 40.0)]},
+                   synth={"rows": [{"name": f"{row}+resident", "top": "hwffd_stream",
+                                    "target": "ecp5", "dsp": 150}]})
+    assert routed.names(data) == [row]
+    rows = routed.rows(data, core(row, (4 / 3, 4 / 3)))
+    assert [(row["what"], row["multipliers"]) for row in rows] == [
         (f"hwffd_stream {row}+resident", 150)] * 2
     assert rows[0]["vertices_per_s"] == pytest.approx(67.5e6)
 
@@ -126,17 +126,17 @@ def test_every_row_has_every_field(whole):
     assert json.loads(json.dumps(whole)) == whole
 
 
-@pytest.mark.parametrize("spoil, said", (
+@pytest.mark.parametrize("spoil, message", (
     ({"peers": []}, "no peer was measured"), ({"cores": []}, "no core was measured"),
     ({"measured": {**MEASURED, "software": []}}, "no own was measured; no model was measured"),
     ({"peers": [{**PEERS[0], "vertices_per_s": 0}]}, "peer 1.0, call: 0 vertices a second"),
     ({"peers": [{**PEERS[0], "vertices_per_s": float("nan")}]}, "nan vertices a second"),
     ({"peers": [{**PEERS[0], "error": float("nan")}]}, "an error of nan"),
     ({"peers": [{**PEERS[0], "error": 0.0}]}, "an error of 0.0")))
-def test_what_measured_nothing_is_no_report(reports, spoil, said):
-    parts = {"measured": MEASURED, "peers": PEERS, "cores": routed.rows(reports(), CORES), **spoil}
-    with pytest.raises(joined.CompareError, match=said):
-        joined.report(parts["measured"], parts["peers"], parts["cores"])
+def test_what_measured_nothing_is_no_report(reports, spoil, message):
+    inputs = {"measured": MEASURED, "peers": PEERS, "cores": routed.rows(reports(), CORES), **spoil}
+    with pytest.raises(joined.CompareError, match=message):
+        joined.report(inputs["measured"], inputs["peers"], inputs["cores"])
 
 
 def test_the_processor_says_its_name(tmp_path):

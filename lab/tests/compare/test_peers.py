@@ -48,9 +48,9 @@ def test_sorted_it_has_the_same_vertices_by_cell(scenes):
 
 @pytest.mark.parametrize("peer", peers.PEERS, ids=lambda peer: f"{peer.package} {peer.numbers}")
 def test_each_is_the_oracle_but_for_rounding(peer, scenes):
-    found = peers.rows(scenes, peers=[peer])
-    assert [row["sorted"] for row in found] == [False, True]
-    for row in found:
+    measured = peers.rows(scenes, peers=[peer])
+    assert [row["sorted"] for row in measured] == [False, True]
+    for row in measured:
         assert 0 < row["error"] <= peers.BOUNDS[peer.numbers]
         assert row["vertices_per_s"] > 0
 

@@ -49,7 +49,7 @@ def test_lines_of_a_branch_are_lines(tmp_path):
 
 def test_a_line_of_a_template_is_one_line():
     def line(count, *branches):
-        return {"line_number": 7, "count": count, "branches": [{"count": one} for one in branches]}
+        return {"line_number": 7, "count": count, "branches": [{"count": taken} for taken in branches]}
     assert cpp.merged([line(0, 0, 0), line(5, 5, 0), line(3, 0, 3)]) == {7: (True, [True, True])}
     assert cpp.merged([line(2, 2, 0), line(2, 2, 0, 0)]) == {7: (True, [True, False, False])}
     assert cpp.merged([line(0), line(0)]) == {7: (False, [])}

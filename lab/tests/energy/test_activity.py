@@ -65,11 +65,11 @@ def of(net):
 
 
 def test_changes_between_on_and_off():
-    found = counted(WHOLE)
-    assert found.clocks(10) == 3
-    assert of(found.nets["n1"]) == (6, 2, 9 + 1 + 7)
-    assert of(found.nets["n2"]) == (1, 1, 14)
-    assert not found.unknown()
+    activity = counted(WHOLE)
+    assert activity.clocks(10) == 3
+    assert of(activity.nets["n1"]) == (6, 2, 9 + 1 + 7)
+    assert of(activity.nets["n2"]) == (1, 1, 14)
+    assert not activity.unknown()
 
 
 def test_each_bit_of_a_bus_is_a_net():

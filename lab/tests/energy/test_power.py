@@ -79,8 +79,8 @@ def pin(name, text, capacitance=0.01, direction="input"):
             f"{text}  }}\n")
 
 
-def cell(name, *parts):
-    return f"cell ({name}) {{\narea : 32;\n  cell_leakage_power : 10;\n{''.join(parts)}}}\n\n"
+def cell(name, *groups):
+    return f"cell ({name}) {{\narea : 32;\n  cell_leakage_power : 10;\n{''.join(groups)}}}\n\n"
 
 
 LIBRARY = HEAD + "".join((
@@ -188,11 +188,11 @@ def test_functions_and_delays_are_those_of_the_library(cells):
     assert library.expression("(!((S A) + (!S B)))") == "(~((S&A)|(~S&B)))"
 
 
-@pytest.mark.parametrize("spoil, said", (
+@pytest.mark.parametrize("spoil, message", (
     (("NAND2X1 c0", "NAND9X1 c0"), "cells that the library does not have: NAND9X1"),
     (("NAND2X1 c0 (\n", "NAND2X1 \\c0 (\n"), "not one module of cells")))
-def test_what_is_not_understood_is_refused(cells, spoil, said):
-    with pytest.raises(flat.NetlistError, match=said):
+def test_what_is_not_understood_is_refused(cells, spoil, message):
+    with pytest.raises(flat.NetlistError, match=message):
         flat.read(NETLIST.replace(*spoil), cells[1])
 
 
@@ -210,28 +210,28 @@ def test_the_energy_is_what_the_library_adds_up_to(cells, netlist, nets, tmp_pat
     (tmp_path / "toggles.v").write_text(flat.with_toggles(netlist))
     files = (tmp_path / "cells.lib", tmp_path / "toggles.v")
     for toggles, (nand, register) in zip(row_report.counts(netlist, kinds, nets), ((6, 3), (4, 3), (0, 0))):
-        found = power.run(netlist, toggles, files, tmp_path)
+        measured = power.run(netlist, toggles, files, tmp_path)
         inside = nand * (0.03 + 0.04) + register * (0.04 + 0.03) + CLOCKS * 0.06
         driven = CHARGE * (nand * 0.01 + register * (0.01 + 0.02))
-        assert found.internal == pytest.approx(1e-4 * inside / CLOCKS, rel=1e-4)
-        assert found.switching == pytest.approx(1e-4 * driven / CLOCKS, rel=1e-4)
-        assert found.leakage == pytest.approx(30e-9)
+        assert measured.internal == pytest.approx(1e-4 * inside / CLOCKS, rel=1e-4)
+        assert measured.switching == pytest.approx(1e-4 * driven / CLOCKS, rel=1e-4)
+        assert measured.leakage == pytest.approx(30e-9)
     assert power.charged_pj(netlist, kinds, {"clk": 2, "d[1]": 1.5, "d[0]": 0}) == pytest.approx(
         (CHARGE * 2 * 0.02, CHARGE * 1.5 * 0.01))
 
 
-@pytest.mark.parametrize("said, why", (
+@pytest.mark.parametrize("output, why", (
     ("annotated 2 of 5\nTotal 1 2 3 4 100%\n", "the toggles of 2 of 5 nets"),
     ("annotated 5 of 5\n", "no power"), ("Error: no file\n", "no file")))
-def test_power_of_a_part_is_none(said, why):
+def test_power_of_a_part_is_none(output, why):
     with pytest.raises(power.PowerError, match=why):
-        power.parse(said)
+        power.parse(output)
 
 
-@pytest.mark.parametrize("said, why", (
+@pytest.mark.parametrize("output, why", (
     ("", "did not end"), ("compared 2 wrong 0\n", "2 results of 3 vertices"),
     ("compared 3 wrong 1\n", "1 of them wrong")))
-def test_results_are_all_there_and_right(said, why):
+def test_results_are_all_there_and_right(output, why):
     with pytest.raises(simulation.SimulationError, match=why):
-        simulation.checked(said, simulation.Run(first=1, vertices=3))
+        simulation.checked(output, simulation.Run(first=1, vertices=3))
     assert simulation.checked("compared 3 wrong 0\n", simulation.Run(first=1, vertices=3)) == 3

@@ -7,10 +7,10 @@ from lab.engines import planted, streams
 
 
 def test_no_x_comes_out_of_gates(recording):
-    mismatches, found = streams.simulate_gates(recording())
-    assert (mismatches, found.names) == (0, ()) and found.clocks > 10_000
+    mismatches, unknowns = streams.simulate_gates(recording())
+    assert (mismatches, unknowns.names) == (0, ()) and unknowns.clocks > 10_000
 
 
 def test_x_of_a_register_without_reset_comes_out(recording):
-    found = streams.simulate_gates(recording(600), (planted.RESET,))[1]
-    assert any("tready" in name for name in found.names)
+    unknowns = streams.simulate_gates(recording(600), (planted.RESET,))[1]
+    assert any("tready" in name for name in unknowns.names)

@@ -25,6 +25,6 @@ def test_icarus_answers_as_the_model(programs, tmp_path, name):
     row = configurations.find(configurations.read(), name)
     stream = streams.prepare(programs, row, tmp_path, FEW)
     assert len(stream.wanted.results) > 10
-    mismatches, found = streams.simulate_with_x(stream)
+    mismatches, unknowns = streams.simulate_with_x(stream)
     assert mismatches == 0
-    assert not [name for name in found.names if "u_evaluator" not in name]
+    assert not [name for name in unknowns.names if "u_evaluator" not in name]

@@ -18,11 +18,11 @@ def test_programs_answer_all_commands_as_the_model(programs, recording, engine):
 
 
 def test_icarus_answers_all_commands_as_the_model_and_knows_every_bit(recording):
-    mismatches, found = streams.simulate_with_x(recording())
-    assert (mismatches, found.names) == (0, ())
-    assert found.clocks > 10_000 and found.checked > 400
+    mismatches, unknowns = streams.simulate_with_x(recording())
+    assert (mismatches, unknowns.names) == (0, ())
+    assert unknowns.clocks > 10_000 and unknowns.checked > 400
 
 
 def test_a_wrong_bit_of_each_coefficient_is_found(recording):
-    mismatches, found = streams.simulate_with_x(recording(FEW), (planted.COEFFICIENT,))
-    assert mismatches > 0 and not found.names
+    mismatches, unknowns = streams.simulate_with_x(recording(FEW), (planted.COEFFICIENT,))
+    assert mismatches > 0 and not unknowns.names

@@ -48,13 +48,13 @@ def test_answers_differ_by_results_and_events():
     assert answers.mismatches(answers.Answers(BEATS[::-1], (1, 3)), wanted) == 3
 
 
-@pytest.mark.parametrize("files, said", (
+@pytest.mark.parametrize("files, message", (
     ({"events.txt": "1\n"}, "no beats"), ({"results.txt": "// none\n", "events.txt": "1\n"}, "no beats"),
     ({"results.txt": BEATS[0]}, "no counts")))
-def test_answers_that_are_not_there_are_none(tmp_path, files, said):
+def test_answers_that_are_not_there_are_none(tmp_path, files, message):
     for name, text in files.items():
         (tmp_path / name).write_text(text)
-    with pytest.raises(answers.AnswerError, match=said):
+    with pytest.raises(answers.AnswerError, match=message):
         answers.read(tmp_path)
 
 
@@ -104,15 +104,15 @@ def test_each_change_is_made_once(name, tmp_path):
         planted.changed(change, "")
 
 
-@pytest.mark.parametrize("engines, unknowns, said", (
+@pytest.mark.parametrize("engines, unknowns, message", (
     (report([row(mismatches=1)]), report(), "1 of 2 results"),
     (report(), report([unknown(names=["unknown x clock 1"])]), "unknown x"),
     (report(), report([unknown(mismatches=2)]), "2 results differ"),
     (report(faults=[row(fault="lut")]), report(), "'lut' was not found"),
     (report(), report(faults=[unknown(fault="reset")]), "'reset' was not found")))
-def test_what_does_not_hold_is_said(engines, unknowns, said):
-    found = measured.faults(engines, unknowns)
-    assert len(found) == 1 and said in found[0]
+def test_what_does_not_hold_is_said(engines, unknowns, message):
+    violations = measured.faults(engines, unknowns)
+    assert len(violations) == 1 and message in violations[0]
 
 
 def test_nothing_is_said_of_what_holds():

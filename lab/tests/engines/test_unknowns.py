@@ -12,9 +12,9 @@ BITS = {streams.simulate_in_memory: 2000, streams.simulate_with_x: 400}
 
 
 def test_in_a_system_every_bit_is_known(recording):
-    mismatches, found = streams.simulate_in_memory(recording(FEW))
-    assert (mismatches, found.names) == (0, ())
-    assert found.clocks > 1000 and found.checked > BITS[streams.simulate_in_memory]
+    mismatches, unknowns = streams.simulate_in_memory(recording(FEW))
+    assert (mismatches, unknowns.names) == (0, ())
+    assert unknowns.clocks > 1000 and unknowns.checked > BITS[streams.simulate_in_memory]
 
 
 def test_what_has_ended_is_not_run_again(recording, monkeypatch):
@@ -30,5 +30,5 @@ def test_what_has_ended_is_not_run_again(recording, monkeypatch):
 
 @pytest.mark.parametrize("simulate", BITS)
 def test_a_register_without_reset_is_found(recording, simulate):
-    found = simulate(recording(FEW), (planted.RESET,))[1]
-    assert any("used_q" in name for name in found.names)
+    unknowns = simulate(recording(FEW), (planted.RESET,))[1]
+    assert any("used_q" in name for name in unknowns.names)

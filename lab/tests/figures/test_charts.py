@@ -44,15 +44,15 @@ def drawn(name, reports, folder):
 
 
 def test_every_picture_has_its_words_and_the_same_bytes_again(reports, tmp_path):
-    found = reports(**REPORTS)
-    first, second = ([path for name in CHARTS for path in drawn(name, found, tmp_path / folder)]
+    data = reports(**REPORTS)
+    first, second = ([path for name in CHARTS for path in drawn(name, data, tmp_path / folder)]
                      for folder in ("first", "second"))
     assert [path.name for path in first] == list(WORDS)
-    for one, other in zip(first, second):
-        assert one.read_bytes() == other.read_bytes()
-        text = one.read_text(encoding="utf-8")
+    for path, other in zip(first, second):
+        assert path.read_bytes() == other.read_bytes()
+        text = path.read_text(encoding="utf-8")
         assert xml.etree.ElementTree.fromstring(text).tag[-3:] == "svg"
-        for word in WORDS[one.name]:
+        for word in WORDS[path.name]:
             assert f"<!-- {word} -->" in text
 
 
@@ -75,9 +75,9 @@ def test_without_a_whole_core_there_is_an_empty_picture(reports, tmp_path):
 @pytest.mark.parametrize("pattern, least", (
     ("structure-*.svg", 4), ("words.svg", 1), ("streams.svg", 1), ("organizations/*.svg", 15)))
 def test_pictures_that_documents_show_are_there(pattern, least):
-    found = list((ROOT / "docs").glob(pattern))
-    assert len(found) >= least
-    assert all(len(path.read_bytes()) > 10000 for path in found)
+    pictures = list((ROOT / "docs").glob(pattern))
+    assert len(pictures) >= least
+    assert all(len(path.read_bytes()) > 10000 for path in pictures)
 
 
 def test_the_last_operation_to_enter_counts():
@@ -121,7 +121,7 @@ def test_crowded_names_do_not_meet(labels):
     for mark in marks:
         labels.keep_free(*mark)
     boxes = [box(labels, *mark, "a name", "red") for mark in marks]
-    assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
+    assert not any(extent.overlaps(other) for i, extent in enumerate(boxes) for other in boxes[:i])
 
 
 def test_a_line_is_not_covered(labels):
@@ -130,5 +130,5 @@ def test_a_line_is_not_covered(labels):
     assert box(labels, 50, 50, "a name", "red").x0 < labels.axes.transData.transform((50, 50))[0]
     labels.keep_free(20, 50)
     labels.keep_line_free((20, 50), (20, 90))
-    found, line = box(labels, 20, 50, "a name", "red"), labels.axes.transData.transform((20, 50))[0]
-    assert found.x1 < line or found.x0 > line
+    extent, line = box(labels, 20, 50, "a name", "red"), labels.axes.transData.transform((20, 50))[0]
+    assert extent.x1 < line or extent.x0 > line

@@ -36,9 +36,9 @@ def test_what_the_rtl_took(reports):
 
 
 def test_words_of_one_mesh(reports):
-    made = streams.words(reports(streams=samples.STREAMS), "horse.3ds")
-    assert made.heads[2:] == ["4x4x4", "16x16x16"]
-    assert made.rows[-1] == ["resident", "file", "4.05", "8.09"]
+    table = streams.words(reports(streams=samples.STREAMS), "horse.3ds")
+    assert table.heads[2:] == ["4x4x4", "16x16x16"]
+    assert table.rows[-1] == ["resident", "file", "4.05", "8.09"]
 
 
 ENERGY = {"volts": 1.8, "period_ns": 10, "rows": [
@@ -66,11 +66,11 @@ def data(reports):
 
 
 def test_a_line_for_each_organization(data):
-    made = organizations.clocks(data)
-    assert [line[0] for line in made.rows] == ["`basic`", "`tree 8`", "`parallel`", "`nested`"]
-    assert made.rows[0][1:] == ["96", "96", "-", "4 + 3", "64 + 48", "64", "8 + 6", "2.31e-07",
-                                "8.65e-05", "-"]
-    assert made.rows[3][1:3] == ["-", "-"]
+    table = organizations.clocks(data)
+    assert [line[0] for line in table.rows] == ["`basic`", "`tree 8`", "`parallel`", "`nested`"]
+    assert table.rows[0][1:] == ["96", "96", "-", "4 + 3", "64 + 48", "64", "8 + 6", "2.31e-07",
+                                 "8.65e-05", "-"]
+    assert table.rows[3][1:3] == ["-", "-"]
 
 
 def test_units_of_organizations_that_are_named(data):
@@ -118,7 +118,7 @@ PRESENT = [name for name in MODULES if RELEASED.has(name)]
 
 
 def test_every_picture_is_of_reports_that_there_are():
-    assert {one for needed in CHARTS.values() for one in needed} <= set(MODULES)
+    assert {name for needed in CHARTS.values() for name in needed} <= set(MODULES)
     assert len(PRESENT) >= 25
 
 

@@ -106,7 +106,7 @@ def test_proved_by_either_method_and_kept(checkout, table, formal, report):
                     mutant="count_o <= 4'd14;"), row(name="loose", lemmas="bound"))
     status, lines, errors = formal()
     assert (status, errors) == (0, []), lines
-    assert [(one["name"], one["result"], one["negative_control"]) for one in report()] == [
+    assert [(row["name"], row["result"], row["negative_control"]) for row in report()] == [
         (name, "proved", "refuted") for name in ("bound", "narrow", "loose")]
     assert "3 of 3 properties" in checkout.text("build/reports/formal.md")
     assert "formal: 3 properties, 3 of them unchanged" in formal()[1]
@@ -213,13 +213,13 @@ SOURCES = rtl_sources.Sources(ROOT)
 SHARED = "".join(path.read_text() for path in (ROOT / "lab/formal").glob("properties_*.v"))
 
 
-@pytest.mark.parametrize("one", proofs.read(ROOT / "lab/formal/properties.csv"),
-                         ids=lambda one: one.full_name)
-def test_rows_of_this_tree(one):
-    assert one.module in SOURCES.files
-    assert SOURCES.files[one.file].read_text().count(one.original) == 1
-    text = (ROOT / "lab/formal" / f"{one.harness}.v").read_text() + SHARED
-    assert re.search(rf"\b{re.escape(one.name.split('.')[-1])}: assert", text)
+@pytest.mark.parametrize("prop", proofs.read(ROOT / "lab/formal/properties.csv"),
+                         ids=lambda prop: prop.full_name)
+def test_rows_of_this_tree(prop):
+    assert prop.module in SOURCES.files
+    assert SOURCES.files[prop.file].read_text().count(prop.original) == 1
+    text = (ROOT / "lab/formal" / f"{prop.harness}.v").read_text() + SHARED
+    assert re.search(rf"\b{re.escape(prop.name.split('.')[-1])}: assert", text)
 
 
 def test_what_changed_last_is_proved_first(checkout, table, formal):

@@ -144,9 +144,9 @@ def test_a_step_is_compared_from_states_that_are_reached(tmp_path, mode, alike):
 
 
 def test_registers_that_cannot_be_matched_are_no_step(tmp_path):
-    one = aiger.Graph([{"a"}], [{"r_q", "out"}], [2], {"out": 4}, [])
-    assert aiger.step(one, one, tmp_path / "same.aig")
+    graph = aiger.Graph([{"a"}], [{"r_q", "out"}], [2], {"out": 4}, [])
+    assert aiger.step(graph, graph, tmp_path / "same.aig")
     assert aiger.read(tmp_path / "same.aig").outputs == {}
     other = aiger.Graph([{"a"}], [{"s_q"}], [2], {"out": 4}, [])
-    assert not aiger.step(one, other, tmp_path / "no.aig")
+    assert not aiger.step(graph, other, tmp_path / "no.aig")
     assert not (tmp_path / "no.aig").exists()

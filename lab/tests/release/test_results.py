@@ -62,9 +62,9 @@ def test_all_are_of_one_commit_and_say_so(tree, measured):
     folder = tree.root / "docs" / "results" / "1.2.3"
     assert sorted(path.name for path in folder.iterdir()) == ["a.json", "b.json", "c.json", "release.json"]
     for name in "abc":
-        found = json.loads((folder / f"{name}.json").read_text())
-        assert (found["version"], found["commit"], found["rows"]) == ("1.2.3", head(tree), [{"of": name}])
-        assert found["machine"]["cores"] > 0 and "python3" in found["tools"]
+        report = json.loads((folder / f"{name}.json").read_text())
+        assert (report["version"], report["commit"], report["rows"]) == ("1.2.3", head(tree), [{"of": name}])
+        assert report["machine"]["cores"] > 0 and "python3" in report["tools"]
     release = json.loads((folder / "release.json").read_text())
     assert (release["commit"], release["mixed"], list(release["studies"])) == (head(tree), False, ["a", "b", "c"])
 
@@ -99,16 +99,16 @@ def test_commits_are_not_mixed(tree, measured):
     before = head(tree)
     tree.git("add", "--all")
     tree.commit()
-    said = f"results: docs/results/1.2.3 is there, of {before[:12]}; results of two commits are not mixed: " \
+    message = f"results: docs/results/1.2.3 is there, of {before[:12]}; results of two commits are not mixed: " \
         "raise VERSION, or remove that folder"
-    assert measured() == (2, [], [said], [])
+    assert measured() == (2, [], [message], [])
     tree.put({"VERSION": "1.2.4\n"})
     tree.commit()
     old, new = (tree.root / "build" / "results" / name[:12] for name in (before, head(tree)))
     new.mkdir()
     (new / "a.json").write_bytes((old / "a.json").read_bytes())
-    said = f"results: build/results/{head(tree)[:12]}/a.json is of commit {before[:12]}, not {head(tree)[:12]}: remove it"
-    assert measured() == (2, [], [said], [])
+    message = f"results: build/results/{head(tree)[:12]}/a.json is of commit {before[:12]}, not {head(tree)[:12]}: remove it"
+    assert measured() == (2, [], [message], [])
     (new / "a.json").unlink()
     assert measured()[::3] == (0, ["a", "b c"])
 
@@ -144,7 +144,7 @@ def test_the_table_of_this_tree():
     assert {row["name"] for row in rows} == set(MODULES) - {"results", "rtl"}
     assert len({row["name"] for row in rows}) == len(rows)
     for row in rows:
-        for one in row["command"].split(" && "):
-            laboratory, target = re.match(r"make (-C lab )?(\w+)", one).groups()
+        for command in row["command"].split(" && "):
+            laboratory, target = re.match(r"make (-C lab )?(\w+)", command).groups()
             makefile = ROOT / ("lab/Makefile" if laboratory else "Makefile")
-            assert re.search(rf"\b{target}\b", makefile.read_text(encoding="utf-8")), one
+            assert re.search(rf"\b{target}\b", makefile.read_text(encoding="utf-8")), command

@@ -74,8 +74,8 @@ def test_a_seed_that_finds_a_fault_is_kept_and_runs_first(build, fault):
     program(build, **{fault: 1016})
     result, report = soak(build, 0.0002)
     assert result.returncode == 1 and report["faults"] == 1 and "SEED=1016" in result.stderr
-    kept = (build / "corpus.csv").read_text().splitlines()
-    assert len(kept) == 2 and kept[1].startswith("dma,1016,")
+    lines = (build / "corpus.csv").read_text().splitlines()
+    assert len(lines) == 2 and lines[1].startswith("dma,1016,")
     again, report = soak(build, 0)
     assert again.returncode == 1 and report["rows"][0]["seeds"] == 1
     program(build)
@@ -101,9 +101,9 @@ def test_parts_are_joined_to_what_one_run_reports(build):
     row, = report["rows"]
     assert row == {"traffic": "dma", "seeds": 3, "tests": 3, "failed": 0, "results": 15, "clocks": 210}
     assert json.loads((build / "soak" / "next.json").read_text()) == 1048
-    _, one = soak(build, 0.00001)
-    assert set(one) == set(report) and set(one["rows"][0]) == set(row)
-    assert one["rows"][0]["seeds"] == 1 and json.loads((build / "soak" / "next.json").read_text()) == 1064
+    _, single = soak(build, 0.00001)
+    assert set(single) == set(report) and set(single["rows"][0]) == set(row)
+    assert single["rows"][0]["seeds"] == 1 and json.loads((build / "soak" / "next.json").read_text()) == 1064
     assert call(build, "--join", build / "1000.json")[0].returncode == 0
     assert json.loads((build / "soak" / "next.json").read_text()) == 1064
 
@@ -124,14 +124,14 @@ def test_parts_that_make_no_report_are_refused(build):
     (build / "other.json").write_text(second.read_text().replace('"dma"', '"bus"'))
     (build / "less.json").write_text('{"seed": 1}')
     (build / "none.json").write_text("{")
-    for names, said in (((first, first), "a seed is in two parts: 1000 1000"),
-                        ((first, build / "other.json"), "not every part has dma"),
-                        ((first, build / "less.json"), "less.json: a part without hours, rows, found: measure"),
-                        ((first, build / "none.json"), "none.json: no part: "),
-                        ((first, build / "gone.json"), "gone.json: no part: ")):
+    for names, message in (((first, first), "a seed is in two parts: 1000 1000"),
+                           ((first, build / "other.json"), "not every part has dma"),
+                           ((first, build / "less.json"), "less.json: a part without hours, rows, found: measure"),
+                           ((first, build / "none.json"), "none.json: no part: "),
+                           ((first, build / "gone.json"), "gone.json: no part: ")):
         result, report = call(build, "--join", *names)
         assert result.returncode == 1 and report is None
-        assert said in result.stderr and len(result.stderr.splitlines()) == 1
+        assert message in result.stderr and len(result.stderr.splitlines()) == 1
     for words in ("--seed", 7), ("--part", build / "x"), ("--seed", 7, "--join", first):
         result, _ = call(build, *words)
         assert result.returncode == 2 and "--seed and --part go together" in result.stderr

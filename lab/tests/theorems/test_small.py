@@ -21,25 +21,26 @@ UNITS = (("ffd_fp_add", {"LATENCY": 3}), ("ffd_fp_mul", {"LATENCY": 2}), ("ffd_f
 
 
 def named(name):
-    return next(one for one in (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *seams.THEOREMS, *floating.THEOREMS) if one.name == name)
+    return next(theorem for theorem in (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *seams.THEOREMS,
+                                    *floating.THEOREMS) if theorem.name == name)
 
 
 @pytest.mark.parametrize("name", ("fx.round", "num.add", "fx.sixth", "seam.powers"))
 def test_a_theorem_is_proved_and_its_planted_bug_refuted(name, tmp_path):
-    one = named(name)
-    row = prove.Prover(tmp_path).row(dataclasses.replace(one, cases=one.cases[:3], also=()))
+    theorem = named(name)
+    row = prove.Prover(tmp_path).row(dataclasses.replace(theorem, cases=theorem.cases[:3], also=()))
     assert (row["result"], row["negative_control"], row["cases"]) == ("proved", "refuted", 3)
     assert row["counterexample"]
 
 
 def test_latencies_of_the_multiplier_are_one_circuit_and_another_unit_is_not(tmp_path):
-    one, prover = named("fp32.mul"), prove.Prover(tmp_path)
-    circuits = [prover.unit(case).outputs for case in (one.cases[0], one.also[3], one.also[6])]
+    theorem, prover = named("fp32.mul"), prove.Prover(tmp_path)
+    circuits = [prover.unit(case).outputs for case in (theorem.cases[0], theorem.also[3], theorem.also[6])]
     assert circuits[0] == circuits[1] == circuits[2]
-    assert prover.unit(one.cases[0], one.bug).outputs != circuits[0]
+    assert prover.unit(theorem.cases[0], theorem.bug).outputs != circuits[0]
 
 
-@pytest.mark.parametrize("lemma", lemmas.LEMMAS, ids=lambda one: one.name)
+@pytest.mark.parametrize("lemma", lemmas.LEMMAS, ids=lambda lemma: lemma.name)
 def test_lemmas_hold_and_false_ones_do_not(lemma, tmp_path):
     row = prove.Prover(tmp_path).row(lemma)
     assert (row["result"], row["negative_control"]) == ("proved", "refuted")
@@ -49,9 +50,9 @@ def test_a_false_claim_is_open_and_says_where(tmp_path):
     def never(unit, _):
         return [], unit.outputs["sum_o"].ne(12345)
 
-    one = named("num.add")
-    case = dataclasses.replace(one.cases[0], claim=never)
-    row = prove.Prover(tmp_path).row(dataclasses.replace(one, cases=(case,)))
+    theorem = named("num.add")
+    case = dataclasses.replace(theorem.cases[0], claim=never)
+    row = prove.Prover(tmp_path).row(dataclasses.replace(theorem, cases=(case,)))
     assert row["result"] == "open" and "sat" in row["left"][0]
 
 
@@ -86,15 +87,15 @@ endmodule
     subprocess.run(["iverilog", "-g2005", "-I", ROOT / "rtl" / "common",
                     "-I", ROOT / "rtl" / "number", "-s", "bench", "-o", "run", "bench.v",
                     *sources], cwd=folder, check=True, capture_output=True)
-    said = subprocess.run(["vvp", "run"], cwd=folder, check=True, capture_output=True, text=True).stdout
-    return [int(line, 16) for line in said.split()]
+    output = subprocess.run(["vvp", "run"], cwd=folder, check=True, capture_output=True, text=True).stdout
+    return [int(line, 16) for line in output.split()]
 
 
 OUTPUTS = {"ffd_fp_add": {"result_o": 32}, "ffd_fp_mul": {"result_o": 32}, "ffd_fp_fma": {"result_o": 32},
            "ffd_num_step": {"weight_o": 33}}
 
 
-@pytest.mark.parametrize("name,parameters", UNITS, ids=lambda one: one if isinstance(one, str) else "")
+@pytest.mark.parametrize("name,parameters", UNITS, ids=lambda value: value if isinstance(value, str) else "")
 def test_terms_say_what_icarus_says(name, parameters, tmp_path):
     unit, = netlist.read([(name, parameters, {})], tmp_path)
     out = next(iter(OUTPUTS[name]))
@@ -139,7 +140,7 @@ def test_what_a_number_rounds_to_is_what_the_host_says():
         x, y = (chosen.getrandbits(32) & 0x807FFFFF | chosen.choice((0, 1, 60, 64, 127, 190, 254, 255)) << 23 for _ in "ab")
         with numpy.errstate(all="ignore"):
             wanted = numpy.array([x], "uint32").view("float32") * numpy.array([y], "uint32").view("float32")
-        said = int(wanted.view("uint32")[0])
-        said = 0x7FC00000 if numpy.isnan(wanted[0]) else 0 if wanted[0] == 0 else said
-        parts = [(word & 0x7FFFFF) | (0x800000 if word >> 23 & 255 else 0) for word in (x, y)]
-        assert terms.value(product, {"a": x, "b": y, "m": parts[0] * parts[1]}) == said
+        expected = int(wanted.view("uint32")[0])
+        expected = 0x7FC00000 if numpy.isnan(wanted[0]) else 0 if wanted[0] == 0 else expected
+        significands = [(word & 0x7FFFFF) | (0x800000 if word >> 23 & 255 else 0) for word in (x, y)]
+        assert terms.value(product, {"a": x, "b": y, "m": significands[0] * significands[1]}) == expected

@@ -15,8 +15,8 @@ LINES = ("3,ffd_a,u_a.x_q[2],0,0,no_effect,1,1,0\n", "4,ffd_a,u_a.x_q[3],0,0,han
 
 @pytest.fixture(name="file")
 def _file(tmp_path):
-    def write(*parts):
-        (tmp_path / "flips.csv").write_text("".join(parts))
+    def write(*lines):
+        (tmp_path / "flips.csv").write_text("".join(lines))
         return tmp_path / "flips.csv"
     return write
 
@@ -33,12 +33,12 @@ def test_lines_are_counted(file):
         [("ffd_a", 2), ("ffd_b", 2)]
 
 
-@pytest.mark.parametrize("parts, said", (
+@pytest.mark.parametrize("lines, message", (
     ((), "0 flips"), ((HEAD, COLUMNS), "0 flips"), ((COLUMNS, *LINES), "0 flips"),
     ((HEAD, COLUMNS, LINES[0].replace("no_effect", "well")), "called well")))
-def test_a_campaign_that_measured_nothing_is_an_error(file, parts, said):
-    with pytest.raises(counted.UpsetError, match=said):
-        counted.read(file(*parts))
+def test_a_campaign_that_measured_nothing_is_an_error(file, lines, message):
+    with pytest.raises(counted.UpsetError, match=message):
+        counted.read(file(*lines))
 
 
 def test_intervals_are_those_of_wilson():

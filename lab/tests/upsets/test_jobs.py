@@ -27,8 +27,8 @@ def _study(checkout):
         status, _, errors = checkout.run(
             sys.executable, "-B", "-m", "lab.upsets", "--programs", "programs", "--output", ".", "--flips",
             "12", *words, env={**os.environ, "PATH": f"{checkout.root}/bin:{os.environ['PATH']}"})
-        said = [line for line in errors.splitlines() if "flips in" not in line and "costs" not in line]
-        return status, said, json.loads(report.read_text()) if report.exists() else None
+        complaints = [line for line in errors.splitlines() if "flips in" not in line and "costs" not in line]
+        return status, complaints, json.loads(report.read_text()) if report.exists() else None
 
     checkout.put({"bin/yosys": stand_ins.yosys()}, 0o755)
     return run
@@ -59,10 +59,10 @@ def test_parts_that_make_no_report_are_refused(study, checkout):
     stream, axi = measured(study)
     checkout.put({"seed.json": checkout.text(axi).replace('"seed": 1', '"seed": 2'),
                   "flips.json": checkout.text(axi).replace('"flips": 12', '"flips": 13')})
-    for names, said in (((stream,), "parts have 4 rows, not each kind of bits of each core once"),
-                        ((stream, stream), "parts have 8 rows"),
-                        ((stream, "seed.json"), "parts differ in seed: 1, 2"),
-                        ((stream, "flips.json"), "parts differ in flips: 12, 13"),
-                        ((stream, "gone.json"), "gone.json: no part: ")):
+    for names, message in (((stream,), "parts have 4 rows, not each kind of bits of each core once"),
+                           ((stream, stream), "parts have 8 rows"),
+                           ((stream, "seed.json"), "parts differ in seed: 1, 2"),
+                           ((stream, "flips.json"), "parts differ in flips: 12, 13"),
+                           ((stream, "gone.json"), "gone.json: no part: ")):
         status, (complaint,), report = study("--join", *names)
-        assert status == 1 and report is None and said in complaint
+        assert status == 1 and report is None and message in complaint

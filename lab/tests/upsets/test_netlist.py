@@ -61,5 +61,5 @@ def test_a_flip_is_of_one_bit_at_one_clock(tmp_path, bit, seen):
     subprocess.run(["yosys", "-qq", "-p", f"read_json {flat}; write_verilog {tmp_path / 'out.v'}"], check=True)
     (tmp_path / "bench.v").write_text(BENCH.replace("BIT", str(bit)))
     subprocess.run(["iverilog", "-o", tmp_path / "run", tmp_path / "out.v", tmp_path / "bench.v"], check=True)
-    said = subprocess.run([tmp_path / "run"], check=True, capture_output=True, text=True).stdout
-    assert said.split()[2:] == seen.split()[2:]
+    output = subprocess.run([tmp_path / "run"], check=True, capture_output=True, text=True).stdout
+    assert output.split()[2:] == seen.split()[2:]

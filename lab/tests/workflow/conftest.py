@@ -67,10 +67,10 @@ class Tree:
         return status, out + errors
 
 
-def counted(said):
+def counted(output):
     """Jobs of each rule, as Snakemake's table has them."""
-    rows = re.search(r"^job +count\n-+ +-+\n((?:\w+ +\d+\n)+)", said, re.MULTILINE)
-    assert rows, said
+    rows = re.search(r"^job +count\n-+ +-+\n((?:\w+ +\d+\n)+)", output, re.MULTILINE)
+    assert rows, output
     return {name: int(number) for name, number in map(str.split, rows[1].splitlines())}
 
 

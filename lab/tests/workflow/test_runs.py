@@ -56,22 +56,22 @@ def report(tree):
 
 def test_parts_are_run_and_joined(tree, kinds):
     tree.buildable()
-    status, said = tree.snakemake("local", work="soak", soak_seeds=2)
-    assert status == 0, said[-3000:]
-    found = report(tree)
-    assert len(found["rows"]) == kinds and {(row["seeds"], row["results"]) for row in found["rows"]} == {(2, 10)}
+    status, output = tree.snakemake("local", work="soak", soak_seeds=2)
+    assert status == 0, output[-3000:]
+    joined = report(tree)
+    assert len(joined["rows"]) == kinds and {(row["seeds"], row["results"]) for row in joined["rows"]} == {(2, 10)}
     assert json.loads(tree.text("build/lab/soak/next.json")) == 1032
     assert "--build lab -j" in tree.text("built") and tree.text("built").count("--target") == 1
-    status, said = tree.snakemake("local", "--dry-run", work="soak", soak_seeds=2)
-    assert status == 0 and counted(said)["soak"] == 2 and "seed 1048" in said
+    status, output = tree.snakemake("local", "--dry-run", work="soak", soak_seeds=2)
+    assert status == 0 and counted(output)["soak"] == 2 and "seed 1048" in output
 
 
 def test_parts_of_upsets_are_tops(tree):
     tree.buildable()
-    status, said = tree.snakemake("local", work="upsets")
-    assert status == 0, said[-3000:]
-    found = json.loads(tree.text("build/reports/upsets.json"))
-    assert [row["flips"] for row in found["rows"]] == 8 * [9604] and len(found["cost"]) == 4
+    status, output = tree.snakemake("local", work="upsets")
+    assert status == 0, output[-3000:]
+    joined = json.loads(tree.text("build/reports/upsets.json"))
+    assert [row["flips"] for row in joined["rows"]] == 8 * [9604] and len(joined["cost"]) == 4
     assert "hwffd_upsets_programs" in tree.text("built")
     assert len(list((tree.root / "build" / "upsets").glob("*.csv"))) == 8
 
@@ -80,8 +80,8 @@ def test_a_part_that_cannot_be_measured_leaves_its_log(tree):
     tree.buildable()
     head, first, *_ = tree.text("lab/mutants/subjects.csv").splitlines()
     tree.put({"lab/mutants/subjects.csv": f"{head}\n{first}\n"})
-    status, said = tree.snakemake("local", work="mutants")
-    assert status == 1 and "Error in rule mutants" in said
+    status, output = tree.snakemake("local", work="mutants")
+    assert status == 1 and "Error in rule mutants" in output
     log, = (tree.root / "build" / "workflow" / "mutants").glob("*.log")
     assert "make -C lab mutants builds it" in log.read_text() and log.name.startswith(first.split(",", maxsplit=1)[0])
     assert not (tree.root / "build" / "reports").exists()
@@ -89,8 +89,8 @@ def test_a_part_that_cannot_be_measured_leaves_its_log(tree):
 
 def test_a_fault_in_a_part_fails_the_report(tree, kinds):
     tree.buildable(fails=1016)
-    status, said = tree.snakemake("local", work="soak", soak_seeds=2)
-    assert status == 1 and "report_soak" in said
+    status, output = tree.snakemake("local", work="soak", soak_seeds=2)
+    assert status == 1 and "report_soak" in output
     assert report(tree)["faults"] == kinds
     assert tree.text("lab/soak/corpus.csv").count(",1016,Few.Lines") == kinds
 
@@ -98,16 +98,16 @@ def test_a_fault_in_a_part_fails_the_report(tree, kinds):
 def test_a_build_that_fails_ends_it(tree):
     tree.buildable()
     tree.put({"bin/cmake": "#!/bin/sh\necho no room; exit 1\n"}, 0o755)
-    status, said = tree.snakemake("local", work="soak", soak_seeds=2)
-    assert status == 1 and "Error in rule build" in said
+    status, output = tree.snakemake("local", work="soak", soak_seeds=2)
+    assert status == 1 and "Error in rule build" in output
     assert tree.text("build/workflow/soak.built.log") == "no room\n"
     assert not (tree.root / "build" / "reports").exists()
 
 
 def test_jobs_of_kubernetes_are_parts(tree, site, kinds):
     tree.buildable()
-    status, said = tree.snakemake(site, "--seconds-between-status-checks", "1", work="soak", soak_seeds=2)
-    assert status == 0, said[-3000:]
+    status, output = tree.snakemake(site, "--seconds-between-status-checks", "1", work="soak", soak_seeds=2)
+    assert status == 0, output[-3000:]
     assert {(row["seeds"], row["results"]) for row in report(tree)["rows"]} == {(2, 10)}
     jobs = [json.loads(path.read_text())["spec"] for path in (tree.root / "jobs").glob("*.json")]
     asked = sorted((job["activeDeadlineSeconds"], *job["template"]["spec"]["containers"][0]["resources"]
@@ -126,9 +126,9 @@ def test_jobs_of_kubernetes_are_parts(tree, site, kinds):
 def test_a_job_of_kubernetes_that_fails_is_seen(tree, site):
     tree.buildable()
     tree.put({"bin/cmake": "#!/bin/sh\nexit 1\n"}, 0o755)
-    status, said = tree.snakemake(site, "--seconds-between-status-checks", "1", "--retries", "0",
-                                  work="soak", soak_seeds=2)
-    assert status == 1 and "Error in rule build" in said
+    status, output = tree.snakemake(site, "--seconds-between-status-checks", "1", "--retries", "0",
+                                    work="soak", soak_seeds=2)
+    assert status == 1 and "Error in rule build" in output
     assert len(list((tree.root / "jobs").glob("*.json"))) == 1
 
 

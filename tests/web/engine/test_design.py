@@ -23,8 +23,8 @@ def run(folder, *rows):
     return result.returncode, result.stdout, result.stderr
 
 
-@pytest.fixture(scope="module", name="made")
-def made_fixture(tmp_path_factory):
+@pytest.fixture(scope="module", name="design")
+def design_fixture(tmp_path_factory):
     """(row -> drawing, C++)"""
     folder = tmp_path_factory.mktemp("design")
     assert run(folder, *ROWS) == (0, "", "")
@@ -40,19 +40,19 @@ def blocks(drawing):
             if element.get("class") == "block"}
 
 
-def test_each_row_has_a_drawing(made):
-    assert tuple(made[0]) == ROWS
+def test_each_row_has_a_drawing(design):
+    assert tuple(design[0]) == ROWS
 
 
 @pytest.mark.parametrize("row", ROWS)
-def test_blocks_are_those_of_the_cpp(made, row):
-    drawings, cpp = made
+def test_blocks_are_those_of_the_cpp(design, row):
+    drawings, cpp = design
     part = cpp[cpp.index(f'{{"{row}"'):].split("}},")[0]
     assert list(blocks(drawings[row])) == re.findall(r'^ +\{"([a-z-]+)"', part, re.MULTILINE)
 
 
-def test_only_what_is_elaborated_is_drawn(made):
-    factored, cg1 = (blocks(made[0][row]) for row in ROWS)
+def test_only_what_is_elaborated_is_drawn(design):
+    factored, cg1 = (blocks(design[0][row]) for row in ROWS)
     assert "sum-u" in factored and "sum-u" not in cg1
     assert "generator" in cg1 and "generator" not in factored
     names = {text.text for text in factored["memory"].iter(f"{SVG}text")}
@@ -60,8 +60,8 @@ def test_only_what_is_elaborated_is_drawn(made):
 
 
 @pytest.mark.parametrize("row", ROWS)
-def test_a_drawing_has_no_colours_and_stays_inside(made, row):
-    drawing = made[0][row]
+def test_a_drawing_has_no_colours_and_stays_inside(design, row):
+    drawing = design[0][row]
     _, _, width, height = map(int, drawing.get("viewBox").split())
     for element in drawing.iter():
         for name in ("fill", "stroke"):
