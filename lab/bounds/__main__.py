@@ -19,8 +19,7 @@ import sys
 
 from lab.bounds import gappa, rows, weights
 from tools import command_line, whole_file
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tools.project_root import ROOT
 
 
 def facts(options):

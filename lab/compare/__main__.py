@@ -23,10 +23,9 @@ for _variable in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS"
                   "MKL_NUM_THREADS", "VTK_SMP_MAX_THREADS"):
     os.environ[_variable] = "1"
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-
 from lab.compare import joined, peers, routed
 from tools import project_root
+from tools.project_root import ROOT
 from tools.reports.results import Missing, RequestError, Results, released
 from tools.tables import configurations
 

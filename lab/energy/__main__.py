@@ -17,10 +17,9 @@ import sys
 
 from lab.energy import activity, flat, library, power, row_report, simulation
 from tools import whole_file
+from tools.project_root import ROOT
 from tools.synth import liberty, synthesis
 from tools.tables import configurations
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 DEVICE = "OSU 0.18 um standard cells"
 # Vertices in front, until the evaluator is full, and of whole periods in which it takes them: cg1

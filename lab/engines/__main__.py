@@ -18,9 +18,8 @@ import sys
 
 from lab.engines import answers, axi, icarus, measured, planted, registers, streams
 from tools import command_line, whole_file
+from tools.project_root import ROOT
 from tools.tables import configurations
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # One of each format, of few cells. Programs with a fault are built of the first.
 ROWS = ("basic-fx18-overlapped", "basic-fx32-overlapped", "affine64-fx17-overlapped",

@@ -4,10 +4,10 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import csv
-import pathlib
 from dataclasses import dataclass
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tools.project_root import ROOT
+
 BEAT = 16
 RING, PACKETS = 0x0, 0x10000  # in bytes; results lie behind the packets
 PAGE = 0x1000

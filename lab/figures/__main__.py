@@ -15,9 +15,8 @@ import sys
 
 from lab.figures.modules import CHARTS, MODULES, TEXTS
 from tools import venv_packages, whole_file
+from tools.project_root import ROOT
 from tools.reports import report_modules, results, text_blocks
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def draw(reports, folder, names=None):

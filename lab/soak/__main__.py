@@ -23,9 +23,8 @@ from lab.soak import seeds
 from lab.soak.corpus import Corpus, FaultySeed, traffic
 from lab.soak.runs import Round, SoakError, Sums, run_round
 from tools import command_line, job_pool
+from tools.project_root import ROOT
 from tools.synth import partial_reports
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 HERE = pathlib.Path(__file__).resolve().parent
 

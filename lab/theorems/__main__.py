@@ -17,8 +17,7 @@ import sys
 
 from lab.theorems import fixed, floating, lemmas, powers, prove, seams, solve, words
 from tools import command_line, whole_file
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tools.project_root import ROOT
 
 EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS, *seams.THEOREMS,
               *floating.THEOREMS)

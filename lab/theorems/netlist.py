@@ -13,9 +13,9 @@ import subprocess
 from dataclasses import dataclass
 
 from lab.theorems import terms
+from tools.project_root import ROOT
 from tools.rtl import rtl_sources
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What holds words, by unit: its outputs are inputs of the unit, any words.
 BOXES = {"ffd_eval_poly_pipelined": "ffd_eval_coefficient_file"}
 FOLDERS = ("rtl/number", "rtl/common", "rtl/evaluator")

@@ -19,9 +19,8 @@ import sys
 from lab.upsets import cost, counted
 from lab.upsets.cores import CORES, KINDS
 from tools import command_line
+from tools.project_root import ROOT
 from tools.synth import partial_reports
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 ROW = "basic-fx18-overlapped"
 FLIPS = 9604  # a share is known to 1 % with a confidence of 95 %, whatever it is

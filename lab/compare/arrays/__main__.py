@@ -18,8 +18,8 @@ import sys
 import time
 
 from tools import command_line, whole_file
+from tools.project_root import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
 THREADS_OF_LIBRARIES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS",
                         "VTK_SMP_MAX_THREADS")
 RUNS = 3  # behind one that is not counted
