@@ -11,8 +11,8 @@
 `define FFD_USER_RETIRE(WIDTH) WIDTH-1 -: `FFD_RETIRE_W
 
 // What a beat would be as a header of the kind that ffd_stream_opcode says: what of it the core
-// takes, good dimensions, a count of 0; points of a part of a page; vertices until tlast; spans, and
-// whether they are beyond the table.
+// takes, good dimensions, a count of 0; points of a part of a page; vertices until tlast; spans,
+// and whether they are beyond the table.
 `define FFD_KIND_COEFFICIENTS 0
 `define FFD_KIND_LATTICE      1
 `define FFD_KIND_DIMENSIONS   2
@@ -79,9 +79,9 @@
 `define FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES) \
   (1 + `FFD_FEATURE_FOURTH(FEATURES) + 3 * `FFD_HIGH_W(AXIS) + `FFD_AT_W(SLOTS, PAGES))
 
-// The most vertices inside at once, from their last beat to the clock behind their last result: that
-// many evaluations, that many waiting before them, and up to 8 in the registers between. Every queue
-// and every count of vertices is as large as this says.
+// The most vertices inside at once, from their last beat to the clock behind their last result:
+// evaluations, those that wait before them, and up to 8 in the registers between. Every queue and
+// every count of vertices is as large as this says.
 `define FFD_MOST_INSIDE(IN_FLIGHT, WAITING) ((IN_FLIGHT) + (WAITING) + 8)
 
 // What is known of the header of a page, and of its payload.

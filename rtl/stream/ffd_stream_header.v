@@ -4,8 +4,8 @@
 //
 // Formats:    packet as in ffd_stream_opcode; kind as FFD_KIND_* in ffd_stream.vh: what of it the
 //             core takes, whether dimensions are good, whether the count is 0, whether spans are
-//             beyond the table. Pages are lattices, and their vertices are vertices; what else their headers
-//             say, ffd_stream_pages checks.
+//             beyond the table. Pages are lattices, and their vertices are vertices; what else
+//             their headers say, ffd_stream_pages checks.
 // Pipeline:   combinational.
 // Parameters: AXIS 4 to 32, or to 64 where FEATURES says so, the most points an axis of a lattice;
 //             FEATURES as in ffd_stream.vh, with the bit of spans where SPANS is above 1.
