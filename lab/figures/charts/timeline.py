@@ -38,9 +38,11 @@ def panel(axes, row):
     lanes = row["lanes"]
     numbers = in_order(lanes)
     for line, lane in enumerate(lanes):
+        bars = {}
         for first, length, vertex in runs(lane, row["clocks"]):
-            axes.broken_barh([(first, length)], (line - 0.4, 0.8), linewidth=0,
-                             facecolors=COLOURS[numbers[vertex] % len(COLOURS)])
+            bars.setdefault(COLOURS[numbers[vertex] % len(COLOURS)], []).append((first, length))
+        for colour, places in bars.items():
+            axes.broken_barh(places, (line - 0.4, 0.8), linewidth=0, facecolors=colour)
     axes.axvline(row["first_done"], color="black", linewidth=1)
     axes.annotate("first vertex done", (row["first_done"], -0.6), (-3, 2), ha="right",
                   textcoords="offset points", fontsize=8)
