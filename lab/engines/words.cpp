@@ -28,8 +28,7 @@ std::vector<Beat> beginning(std::vector<Beat> beats, std::size_t wanted) {
 
 void write(const std::string& name, std::size_t wanted, const std::filesystem::path& folder) {
   const Configuration& row = find_configuration(name);
-  const auto beats =
-      beginning(test::read_stream(test::stream_path("commands", row.format)), wanted);
+  const auto beats = beginning(test::read_recorded_stream("commands", row.format), wanted);
   model::StreamModel model(row);
   const std::vector<Beat> results = model.run(beats);
   std::filesystem::create_directories(folder);

@@ -67,15 +67,15 @@ void record_all() {
   for (const Configuration& row : recorded_rows()) formats.insert(row.format);
   for (const std::string& format : formats) {
     const WordCodec codec(format);
-    write_stream(stream_path("commands", format), command_stream(codec));
-    write_stream(stream_path("read_port", format), read_port_stream(codec));
+    write_recorded_stream("commands", format, command_stream(codec));
+    write_recorded_stream("read_port", format, read_port_stream(codec));
   }
   std::vector<Recording> commands;
   std::vector<Recording> read_port;
   for (const Configuration& row : recorded_rows()) {
-    commands.push_back(model_answers(row, read_stream(stream_path("commands", row.format))));
+    commands.push_back(model_answers(row, read_recorded_stream("commands", row.format)));
     read_port.push_back(
-        model_answers_at_read_port(row, read_stream(stream_path("read_port", row.format))));
+        model_answers_at_read_port(row, read_recorded_stream("read_port", row.format)));
   }
   write_table(table_path("commands"), commands);
   write_table(table_path("read_port"), read_port);

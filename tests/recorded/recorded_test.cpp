@@ -15,7 +15,7 @@ namespace {
 class Recorded : public PerConfiguration {
  protected:
   std::vector<Beat> stream(const std::string& kind) const {
-    return read_stream(stream_path(kind, GetParam().format));
+    return read_recorded_stream(kind, GetParam().format);
   }
 };
 class RecordedStream : public Recorded {};

@@ -12,6 +12,7 @@
 namespace hwffd::test {
 namespace {
 
+constexpr std::size_t kRecordedBytes = 17;  // of a beat
 constexpr std::size_t kBankBeats = 1 + 2 * kCoefficientBeats;
 
 std::string line_of(const Beat& beat) {
@@ -125,6 +126,10 @@ tb::EvaluatorStimulus stimulus_of(const std::vector<Beat>& packet) {
   return stimulus;
 }
 
+std::string stream_path(const std::string& kind, const std::string& format) {
+  return fmt::format("{}/{}/{}.bin", HWFFD_RECORDINGS, kind, format);
+}
+
 }  // namespace
 
 RecordedEvents recorded_events(const std::array<std::uint64_t, kStreamEvents>& events) {
@@ -152,10 +157,6 @@ std::uint64_t hash_of(const std::vector<Beat>& beats) {
   return hash;
 }
 
-std::string stream_path(const std::string& kind, const std::string& format) {
-  return fmt::format("{}/{}/{}.txt", HWFFD_RECORDINGS, kind, format);
-}
-
 std::string table_path(const std::string& kind) {
   return fmt::format("{}/{}/results.csv", HWFFD_RECORDINGS, kind);
 }
@@ -164,6 +165,38 @@ std::vector<Beat> read_stream(const std::string& path) { return read_lines<Beat>
 
 void write_stream(const std::string& path, const std::vector<Beat>& beats) {
   write_lines(path, "// tlast, then words 3 to 0\n", beats);
+}
+
+std::vector<Beat> read_recorded_stream(const std::string& kind, const std::string& format) {
+  const std::string path = stream_path(kind, format);
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty() || bytes.size() % kRecordedBytes != 0) {
+    throw Error(
+        fmt::format("{}: {} bytes, beats of {} wanted", path, bytes.size(), kRecordedBytes));
+  }
+  std::vector<Beat> beats(bytes.size() / kRecordedBytes);
+  auto byte = bytes.begin();
+  for (Beat& beat : beats) {
+    for (std::uint32_t& word : beat.words) {
+      word = 0;
+      for (int b = 0; b < 4; ++b) word |= static_cast<std::uint32_t>(*byte++ & 0xFF) << (8 * b);
+    }
+    beat.last = *byte++ != 0;
+  }
+  return beats;
+}
+
+void write_recorded_stream(const std::string& kind, const std::string& format,
+                           const std::vector<Beat>& beats) {
+  std::string bytes;
+  for (const Beat& beat : beats) {
+    for (const std::uint32_t word : beat.words) {
+      for (int b = 0; b < 4; ++b) bytes += static_cast<char>(word >> (8 * b) & 0xFF);
+    }
+    bytes += beat.last ? '\1' : '\0';
+  }
+  write_files({{stream_path(kind, format), bytes}});
 }
 
 std::vector<Recording> read_table(const std::string& path) { return read_lines<Recording>(path); }

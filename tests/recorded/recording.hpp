@@ -35,13 +35,19 @@ struct Recording {
 /// FNV-1a, 64 bits, over the little-endian words of each beat and one byte for its tlast.
 std::uint64_t hash_of(const std::vector<Beat>& beats);
 
-/// The file of a format's stream of commands, or of its interleaved vertices for the read port.
-std::string stream_path(const std::string& kind, const std::string& format);
+/// The recorded stream of a format: of commands, or of interleaved vertices for the read port. In
+/// its file a beat is 17 bytes: words 0 to 3, each with its lowest byte first, then 1 for tlast,
+/// else 0. Throws hwffd::Error with the file.
+std::vector<Beat> read_recorded_stream(const std::string& kind, const std::string& format);
+void write_recorded_stream(const std::string& kind, const std::string& format,
+                           const std::vector<Beat>& beats);
+
 /// The table of recordings of a kind.
 std::string table_path(const std::string& kind);
 
-/// A beat a line, `L_WWWWWWWW_WWWWWWWW_WWWWWWWW_WWWWWWWW` in hexadecimal: tlast, then words 3 to 0,
-/// which Verilog's $readmemh reads as 129 bits. Throws hwffd::Error with file and line.
+/// Streams for simulators: a beat a line, `L_WWWWWWWW_WWWWWWWW_WWWWWWWW_WWWWWWWW` in hexadecimal:
+/// tlast, then words 3 to 0, which Verilog's $readmemh reads as 129 bits. Throws hwffd::Error with
+/// file and line.
 std::vector<Beat> read_stream(const std::string& path);
 void write_stream(const std::string& path, const std::vector<Beat>& beats);
 
