@@ -27,7 +27,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/HwffdPython.cmake)
 set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
-  ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
+  ${HWFFD_RTL_DIR}/gone.csv ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
   ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/bus/registers.csv
   ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${hwffd_SOURCE_DIR}/VERSION)
 file(GLOB modules CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/tools/tables/*.py)

@@ -351,7 +351,6 @@ module formal_cg_weights #(
 
   always @* if (!first_q && !rst) begin
     if (SIZE == 1) cg1_weights: assert (good);
-    if (SIZE == 2) cg2_weights: assert (good);
     if (SIZE == 3) cg3_weights: assert (good);
   end
 endmodule

@@ -169,7 +169,6 @@ module formal_product_form #(
     if (TREE && N == 64 && !PAPER) parallel: assert (whole);
     if (TREE && N == 64 && PAPER) parallel_paper: assert (whole);
     if (CG == 1) cg1: assert (whole);
-    if (CG == 2) cg2: assert (whole);
     if (CG == 3) cg3: assert (whole);
   end
 endmodule

@@ -6,7 +6,7 @@
 //
 // Pipeline:   1 clock, II 1. A weight can be read in the clock after the one in which it comes;
 //             with FORWARD in that very clock.
-// Parameters: WEIGHT_W >= 1, SIZE 1 to 3, SETS >= 2, FORWARD 0 or 1. At most one evaluator fills an
+// Parameters: WEIGHT_W >= 1, SIZE 1 or 3, SETS >= 2, FORWARD 0 or 1. At most one evaluator fills an
 //             axis at a time.
 // Model:      golden/include/hwffd/model/org_cg.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -30,8 +30,8 @@ module ffd_eval_generator #(
   output wire [3*WEIGHT_W-1:0]    combination_o
 );
   generate
-    if (SIZE < 1 || SIZE > 3) begin : gen_bad_size
-      ERROR_ffd_eval_generator_size_must_be_1_to_3 u_error ();
+    if (SIZE != 1 && SIZE != 3) begin : gen_bad_size
+      ERROR_ffd_eval_generator_size_must_be_1_or_3 u_error ();
     end
   endgenerate
 

@@ -11,7 +11,7 @@
 //             iterative evaluator 36.
 // Pipeline:   polynomials | set of 12 weights | step | 1: generator | ffd_eval_summation.
 // Freezes:    never; a vertex enters when a set of weights is free.
-// Parameters: those of every organization (docs/architecture.md); N is 1; SIZE 1, 2 or 3.
+// Parameters: those of every organization (docs/architecture.md); N is 1; SIZE 1 or 3.
 // Model:      golden/include/hwffd/model/org_cg.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -52,8 +52,8 @@ module ffd_org_cg #(
   localparam SELECT_W     = SIZE == 3 ? `FFD_OWN_W(SPANS) : `FFD_SHARED_W(SPANS);
 
   generate
-    if (SIZE < 1 || SIZE > 3) begin : gen_bad_size
-      ERROR_ffd_org_cg_size_must_be_1_to_3 u_error ();
+    if (SIZE != 1 && SIZE != 3) begin : gen_bad_size
+      ERROR_ffd_org_cg_size_must_be_1_or_3 u_error ();
     end
     if (N != 1) begin : gen_bad_n
       ERROR_ffd_org_cg_n_must_be_1 u_error ();

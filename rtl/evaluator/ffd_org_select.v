@@ -1,10 +1,10 @@
 // ffd_org_select: the organization numbered ORG
 //
-// ORG is 0 basic (N 1), 1 cg1 (N 1), 2 cg2 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6
-// factored (N 64), 7 factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11
-// affine/3 (N 64), 12 affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N
-// 32), 16 affine/4 (N 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 19 jacobian/3x3 (N 64), 20
-// jet/3 (N 64), 21 scan/4 (N 16).
+// ORG is 0 basic (N 1), 1 cg1 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6 factored (N 64), 7
+// factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 64), 12
+// affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N
+// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 19 jacobian/3x3 (N 64), 20 jet/3 (N 64), 21
+// scan/4 (N 16).
 // Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -34,7 +34,6 @@ module ffd_org_select #(
   generate
     if (ORG == 0 && N != 1 ||
         ORG == 1 && N != 1 ||
-        ORG == 2 && N != 1 ||
         ORG == 3 && N != 1 ||
         ORG == 5 && N != 64 ||
         ORG == 6 && N != 64 ||
@@ -65,13 +64,6 @@ module ffd_org_select #(
     end else if (ORG == 1) begin : gen_cg1
       ffd_org_cg #(
         .SIZE(1),
-        `include "ffd_org_arguments.vh"
-      ) u_org (
-        `include "ffd_org_connections.vh"
-      );
-    end else if (ORG == 2) begin : gen_cg2
-      ffd_org_cg #(
-        .SIZE(2),
         `include "ffd_org_arguments.vh"
       ) u_org (
         `include "ffd_org_connections.vh"

@@ -6,8 +6,8 @@
 
 // It takes the 64 points of a vertex in turn, N in a clock.
 `define FFD_ORG_IN_TURN(ORG) \
-  ((ORG) == 0 || (ORG) == 1 || (ORG) == 2 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || \
-    (ORG) == 13 || (ORG) == 16)
+  ((ORG) == 0 || (ORG) == 1 || (ORG) == 3 || (ORG) == 4 || (ORG) == 5 || (ORG) == 13 || \
+    (ORG) == 16)
 
 // It takes for granted that the functions of an axis sum to one.
 `define FFD_ORG_AFFINE(ORG) \

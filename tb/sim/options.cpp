@@ -42,6 +42,8 @@ void keep(std::vector<Configuration>& rows, const char* option, const std::strin
   std::set<std::string> known;
   for (const Configuration& row : rows) known.insert(column(row));
   if (known.count(wanted) == 0) {
+    const std::string gone = gone_text(wanted);
+    if (!gone.empty()) throw UsageError(gone);
     throw UsageError(fmt::format("{}={}: unknown; known here: {}", option, wanted, joined(known)));
   }
   rows.erase(std::remove_if(rows.begin(), rows.end(),

@@ -84,7 +84,7 @@ TEST_P(Determinism, OrganizationsAgreeInFixedPoint) {
   if (codec.is_block()) {
     ASSERT_EQ(models.size(), 9U) << "basic, two cg, five trees, parallel";
   } else {
-    ASSERT_EQ(models.size(), 11U) << "basic, three cg, six trees, parallel";
+    ASSERT_EQ(models.size(), 10U) << "basic, two cg, six trees, parallel";
   }
   std::mt19937_64 engine(2);
   model::VertexWords words;

@@ -7,7 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
 
+#include "errors.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
@@ -272,6 +276,21 @@ TEST(Device, EveryRowCanBeChosen) {
             "model basic-fx18-overlapped-bspline");
 }
 
+TEST(Device, NamesThatWentSayWhatReplacesThem) {
+  const std::string cg2 = "cg2 went with 0.3.0: take cg1";
+  const std::map<std::string, std::string> gone{{"cg2", cg2}, {"cg2-fx18-overlapped", cg2}};
+  for (const auto& one : gone) {
+    const auto& name = one.first;
+    const auto& text = one.second;
+    EXPECT_USAGE_ERROR(make_device({"model", name, ""}), "device model: " + text);
+    EXPECT_USAGE_ERROR(make_device({"rtl", name, "fx18"}), "device rtl: " + text);
+    EXPECT_EQ(message_of<std::invalid_argument>([&] { find_configuration(name); }), text);
+    EXPECT_EQ(gone_text(name), text);
+  }
+  for (const char* name : {"cg1", "cg22", "", "cg1-fx18-overlapped"})
+    EXPECT_EQ(gone_text(name), "");
+}
+
 TEST(Device, UnknownNamesAreListed) {
   const auto message = [](const DeviceChoice& choice) -> std::string {
     try {
@@ -286,7 +305,7 @@ TEST(Device, UnknownNamesAreListed) {
     EXPECT_LT(expected.size(), 240u);
   };
   const std::string organizations =
-      "basic, cg1 to cg3, tree1 to tree32, parallel, factored, factored3, affine to affine64, "
+      "basic, cg1, cg3, tree1 to tree32, parallel, factored, factored3, affine to affine64, "
       "jacobian3, jacobian3x3, jet3, scan4, nested, nested3";
   expect({"model", std::string(100, 'x'), "fp32"}, "device model: no organization '" +
                                                        std::string(27, 'x') + "...' here; one of " +
@@ -305,7 +324,7 @@ TEST(Device, UnknownNamesAreListed) {
                                       " is not among the simulated cores here: make hwffd TIER=" +
                                       row.stream_tier + " builds it, or take device model");
   }
-  EXPECT_NE(message({"rtl", "cg2", "fx18"}).find("no organization 'cg2' here"), std::string::npos);
+  EXPECT_NE(message({"rtl", "cg9", "fx18"}).find("no organization 'cg9' here"), std::string::npos);
   EXPECT_NE(message({"fpga", "basic", "fp32"}).find("model, rtl, reference"), std::string::npos);
   EXPECT_NE(message({"model", "cg9", "fp32"}).find("cg3, "), std::string::npos);
   EXPECT_NE(message({"rtl", "basic", "fx99"}).find("fx18"), std::string::npos);

@@ -21,6 +21,7 @@ REFUSED = {
     "deform": (USAGE, "input"),
     "deform solid.obj -o out.ply --family melted": (USAGE, "melted", "catmull-rom"),
     "deform solid.obj -o out.ply --family linear --family bspline": (USAGE, "given twice"),
+    "deform solid.obj -o out.ply --device model --org cg2": (USAGE, "device model: cg2 went with 0.3.0: take cg1"),
     "deform solid.obj -o out.ply --family bernstein --dims 5x5x5": (FAILURE, "bernstein", "4, 7, 10"),
     "completion csh": (USAGE, "csh"),
     "deform solid.obj": (USAGE, "--output", "-o out.ply"),

@@ -101,6 +101,7 @@ def test_a_wrong_word_is_refused_before_anything_is_built(make, words, complaint
 
 @pytest.mark.parametrize("word, complaint", (
     ("FORMAT=fp16", "FORMAT=fp16: unknown here: one of fp32"), ("ORG=foo", "ORG=foo: unknown here: one of basic"),
+    ("ORG=cg2", "configurations: cg2 went with 0.3.0: take cg1\n"),
     ("SCHEDULE=x", "SCHEDULE=x: unknown here: one of paper, overlapped")))
 def test_a_row_that_is_not_there_is_refused_before_anything_is_built(make, checkout, word, complaint):
     shutil.rmtree(checkout.root / "tools" / "tables")

@@ -33,6 +33,7 @@ REFUSED = {
     ("--lattice", "4x4"): (USAGE, "LATTICE=4x4:", "as 4x4x4"),
     ("--lattice", "4x4x4x4"): (USAGE, "LATTICE=4x4x4x4", "as 4x4x4"),
     ("--org", "foo"): (USAGE, "ORG=foo", "basic"),
+    ("--org", "cg2"): (USAGE, "cg2 went with 0.3.0: take cg1"),
     ("--schedule", "foo"): (USAGE, "SCHEDULE=foo", "overlapped, paper"),
     ("--stream", "foo"): (USAGE, "STREAM=foo", "dma, interleaved, resident"),
     ("--stream", "dma", "--schedule", "paper"):

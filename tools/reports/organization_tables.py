@@ -46,7 +46,8 @@ def organizations(reports, *names):
     evaluators, lines = _by_name(reports, "synth", EVALUATOR), []
     for row in rows(reports, format="fx18", schedule="overlapped"):
         name = label(row)
-        if not is_plain(row) or names and name.replace(" ", "") not in names:
+        own = known().get(row["org"])  # none: it went since
+        if not is_plain(row) or own is None or names and name.replace(" ", "") not in names:
             continue
         core, evaluator = (operators.get(row["name"], {}) for operators in (cores, evaluators))
         routed = clocks.get(row["name"], {})
@@ -55,7 +56,7 @@ def organizations(reports, *names):
             f"`{name}`", shown(interval, "g"), shown(core.get("dsp")), _luts(core),
             _luts(evaluator), shown(clock, ".1f"),
             shown(clock / interval if clock else None, ".2f"),
-            shown(bounds.get((known()[row["org"]].form, row["format"])), ".1e"),
+            shown(bounds.get((own.form, row["format"])), ".1e"),
             shown(row["max_error"], ".1e")])
     return Table(["organization", "cycles per vertex", "multipliers", "LUT", "of these, evaluator",
                   "MHz", "million vertices per second", "error, proved bound", "error, sample"], lines)

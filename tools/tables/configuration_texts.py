@@ -52,6 +52,13 @@ const std::vector<Configuration>& configurations() {{
   return table;
 }}
 
+const std::vector<Gone>& gone_names() {{
+  static const std::vector<Gone> table = {{
+{gone}
+  }};
+  return table;
+}}
+
 }}  // namespace hwffd
 """
 
@@ -79,11 +86,12 @@ def _configuration(c):
             f' "{c.tier}", "{c.stream_tier}"}},')
 
 
-def table_text(configurations, organizations):
-    """C++: the rows of both tables."""
+def table_text(configurations, organizations, gone):
+    """C++: the rows of these tables."""
     return _TABLE.format(generated=GENERATED,
                          organizations="\n".join(map(_organization, organizations.values())),
-                         configurations="\n".join(map(_configuration, configurations)))
+                         configurations="\n".join(map(_configuration, configurations)),
+                         gone="\n".join(f'      {{"{one.name}", "{one}"}},' for one in gone))
 
 
 _FACTORY = """\

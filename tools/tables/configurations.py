@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from tools import csv_table
 from tools.csv_table import TableError, write_if_changed
 from tools.project_root import ROOT
-from tools.tables import configuration_texts as texts, formats, organizations
+from tools.tables import configuration_texts as texts, formats, gone, organizations
 from tools.tables.organizations import Organization
 
 TABLE = ROOT / "rtl" / "configurations.csv"
@@ -105,6 +105,8 @@ class Configuration:
 def _read_row(fields, where, known, known_formats):
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", fields["name"]):
         raise TableError(f"{where}: bad name '{fields['name']}': lower case words joined by '-'")
+    for column in gone.KINDS:
+        gone.check(column, where, fields[column])
     organization = known[csv_table.word(fields, "org", where, known)]
     for column, words in WORDS.items():
         csv_table.word(fields, column, where, words)
@@ -151,6 +153,7 @@ def find(configurations, name):
     for configuration in configurations:
         if configuration.name == name:
             return configuration
+    gone.refuse(name)
     raise TableError(f"no configuration named '{name}'")
 
 
@@ -173,6 +176,7 @@ def select(configurations, org="", n="", fmt="", schedule=""):
         known = list(dict.fromkeys(str(getattr(c, column)) for c in configurations))
         configurations = [c for c in configurations if str(getattr(c, column)) == wanted]
         if not configurations:
+            gone.refuse(wanted)
             raise TableError(f"{column.upper()}={wanted}: unknown here: one of {', '.join(known)}")
     return configurations
 
@@ -208,7 +212,7 @@ def generated(rows, tier, wanted):
     """file -> what a build of a tier has of the table and of the rows selected. Raises TableError."""
     tiered, stream, axi = (of_tier(rows, tier, top) for top in TOPS)
     return {
-        "configurations.cpp": texts.table_text(rows, organizations.read()),
+        "configurations.cpp": texts.table_text(rows, organizations.read(), gone.read()),
         "models.cpp": texts.models_text(rows, organizations.read()),
         "stream_core_factory.cpp": texts.factory_text(stream, "stream"),
         "axi_core_factory.cpp": texts.factory_text(axi, "axi", "_axi"),

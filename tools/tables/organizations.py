@@ -17,6 +17,7 @@ from tools import csv_table
 from tools.csv_table import TableError
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources as sources
+from tools.tables import gone
 from tools.tables.formulas import Formula
 
 TABLE = "organizations.csv"
@@ -127,9 +128,11 @@ def _read_row(cells, where, rtl):
         return csv_table.number(cells, column, where, range(1, 1000) if column == "units" else UNITS
                                 ) if cells[column] else None
 
+    number = csv_table.number(cells, "number", where, NUMBERS)
+    gone.check("org", where, name, number)
     module, parameters = _module(cells, where, rtl)
     return Organization(
-        name, csv_table.number(cells, "number", where, NUMBERS), module, parameters, units("n"),
+        name, number, module, parameters, units("n"),
         csv_table.word(cells, "form", where, FORMS), units("units"), _formulas(cells, where),
         csv_table.number(cells, "seam_float", where, SEAMS),
         csv_table.number(cells, "seam_fixed", where, SEAMS),

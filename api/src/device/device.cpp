@@ -130,6 +130,8 @@ void refuse_not_built(const DeviceChoice& choice) {
   constexpr std::size_t kQuoted = 30;
   const std::string start = fmt::format("device {}: no", choice.device);
   const std::string org = excerpt(choice.org, kQuoted);
+  const std::string gone = gone_text(choice.org);
+  if (!gone.empty()) throw UsageError(fmt::format("device {}: {}", choice.device, gone));
   if (choice.org.find('-') != std::string::npos) {
     throw UsageError(fmt::format("{} row '{}' here; hwffd info lists them", start, org));
   }

@@ -14,6 +14,8 @@ const Row& find(const std::vector<Row>& rows, const std::string& name, const std
     if (name == row.name) return row;
     names += (names.empty() ? "" : ", ") + std::string(row.name);
   }
+  const std::string gone = gone_text(name);
+  if (!gone.empty()) throw std::invalid_argument(gone);
   throw std::invalid_argument("no " + what + " named '" + name + "': one of " + names);
 }
 
@@ -21,6 +23,14 @@ const Row& find(const std::vector<Row>& rows, const std::string& name, const std
 
 const Configuration& find_configuration(const std::string& name) {
   return find(configurations(), name, "configuration");
+}
+
+std::string gone_text(const std::string& name) {
+  const std::string words = "-" + name + "-";
+  for (const Gone& one : gone_names()) {
+    if (words.find("-" + std::string(one.name) + "-") != std::string::npos) return one.text;
+  }
+  return "";
 }
 
 const Organization& organization_of(const Configuration& row) {

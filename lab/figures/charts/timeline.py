@@ -53,7 +53,8 @@ def panel(axes, row):
 
 
 def shown(rows):
-    """Of an organization of any number of units one, if it is there."""
+    """Those of organizations that there are; of one of any number of units one, if it is there."""
+    rows = [row for row in rows if row["org"] in organizations.known()]
     free = {row["org"] for row in rows if row["n"] == UNITS}
     return [row for row in rows if row["org"] not in free or row["n"] == UNITS]
 

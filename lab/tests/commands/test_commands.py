@@ -3,7 +3,11 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import shutil
+
 import pytest
+
+from tools.project_root import ROOT
 
 SHOW = """for word; do printf '<%s>' "$word"; done"""
 
@@ -74,6 +78,16 @@ def test_what_an_earlier_command_configured_does_not_stay(lab, programs):
 def test_a_wrong_word_is_refused_before_anything_is_built(lab, words, complaint):
     status, lines, errors = lab(*words)
     assert status == 2 and complaint in errors
+    assert not any(line.startswith("cmake") for line in lines)
+
+
+def test_an_organization_that_went_is_refused_before_anything_is_built(lab, checkout):
+    shutil.rmtree(checkout.root / "tools" / "tables", ignore_errors=True)
+    checkout.copy("rtl", "VERSION", "tools/tables", "tools/rtl")
+    for module in (ROOT / "tools").glob("*.py"):
+        checkout.copy(f"tools/{module.name}")
+    status, lines, errors = lab("organizations", "ORG=cg2")
+    assert status == 2 and "configurations: cg2 went with 0.3.0: take cg1\n" in errors
     assert not any(line.startswith("cmake") for line in lines)
 
 

@@ -96,6 +96,10 @@ def test_a_tree_is_shown_with_eight_units_where_there_is_one():
     assert timeline.shown(rows[:1]) == rows[:1]
 
 
+def test_an_organization_that_went_is_not_drawn():
+    assert timeline.shown([{"org": "cg2", "n": 1}]) == []
+
+
 @pytest.fixture
 def labels():
     figure, axes = pyplot.subplots()

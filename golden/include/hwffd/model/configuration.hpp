@@ -33,6 +33,18 @@ inline bool wired_in(const Configuration& row) {
 const std::vector<Configuration>& configurations();
 
 /// The row of that name. Throws std::invalid_argument, which lists the names.
+/// One row of rtl/gone.csv: an organization or an evaluator that no core has any more.
+struct Gone {
+  const char* name;
+  const char* text;  ///< "cg2 went with 0.3.0: take cg1"
+};
+
+/// Every row of the table, in its order.
+const std::vector<Gone>& gone_names();
+
+/// That text for the name of an organization that went, or of a row that had what went; else empty.
+std::string gone_text(const std::string& name);
+
 const Configuration& find_configuration(const std::string& name);
 
 }  // namespace hwffd
