@@ -66,7 +66,6 @@ evaluator/ffd_eval_halves.v
 evaluator/ffd_eval_horner.v
 evaluator/ffd_eval_order.v
 evaluator/ffd_eval_poly.v
-evaluator/ffd_eval_poly_bspline.v
 evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
 evaluator/ffd_eval_powers.v
@@ -94,7 +93,6 @@ number/ffd_num_add.v
 number/ffd_num_base_term.v
 number/ffd_num_begin.v
 number/ffd_num_binomial.v
-number/ffd_num_bspline.v
 number/ffd_num_centre.v
 number/ffd_num_coordinate.v
 number/ffd_num_cut.v

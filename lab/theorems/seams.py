@@ -64,16 +64,6 @@ def _joins(stride, function, end, begin):
     return every(end.eq(begin), implies(function < stride, end.eq(0)))
 
 
-def wired(unit, p):
-    """The evaluator with the B-spline wired in, functions and derivatives."""
-    address, ends = unit.inputs["address_i"], _end(p["FORMAT"])
-    function = address.bits(1, 0)
-    before = concat(address.bits(address.width - 1, 2), function - 1)
-    end, begin = (terms.substituted(unit.outputs["weight_o"], {"coordinate_i": x, "address_i": place})
-                  for x, place in zip(ends, (address, before)))
-    return [], _joins(1, function, end, begin)
-
-
 def of_powers(unit, p):
     """The evaluator from powers, by bank: the next cell's banks are turned by one."""
     residue, flag = unit.inputs["residue_i"], unit.inputs["coordinate_i"].bit(width(p["FORMAT"]))
@@ -135,32 +125,27 @@ class Family:
     __str__ = label
 
 
-def _poly(unit, form, mul, add, claim, fma=0):
+def _poly(form, mul, add, claim, fma=0):
     step = fma or mul + add
     late = {FILE + "coefficient_o": (2 * step, step, 0, 0), FILE + "shift_o": 3 * step}
-    return Case(unit, {"FORMAT": form, "MUL_LATENCY": mul, "ADD_LATENCY": add, "FMA_LATENCY": fma}, 3 * step, claim,
-                late if unit == "ffd_eval_poly_pipelined" else {})
+    return Case("ffd_eval_poly_pipelined", {"FORMAT": form, "MUL_LATENCY": mul, "ADD_LATENCY": add, "FMA_LATENCY": fma},
+                3 * step, claim, late)
 
 
 def _families():
-    floats = [_poly("ffd_eval_poly_pipelined", FP32, 4, 4, Family(name), fma) for fma in (0, 4) for name in FAMILIES]
-    return (*(_poly("ffd_eval_poly_pipelined", form, 2, 1, Family(name)) for name in FAMILIES for form in FORMATS),
-            *floats)
+    floats = [_poly(FP32, 4, 4, Family(name), fma) for fma in (0, 4) for name in FAMILIES]
+    return (*(_poly(form, 2, 1, Family(name)) for name in FAMILIES for form in FORMATS), *floats)
 
 
 THEOREMS = (
     Theorem("seam.loaded", "Coefficients, any whose sums by Horner's rule at 1 fit: the weight at 1 is that at 0 of "
             "functions that begin with their sum.", "W 8 to 35",
             Bug("ffd_num_step", ".addend_i   (coefficient[W-1:0])", ".addend_i   ({coefficient[W-1:1], 1'b0})"),
-            tuple(_poly("ffd_eval_poly_pipelined", form, 2, 1, loaded) for form in FORMATS),
+            tuple(_poly(form, 2, 1, loaded) for form in FORMATS),
             note="evaluator pipelined"),
     Theorem("seam.families", "bspline, bernstein, hermite, catmull-rom and linear, loaded: what function l gives at 1 "
             "is what l - stride gives at 0, and 0 where there is none.", "all formats, binary32 also fused",
             Bug("ffd_num_step", ".DROP (W - 2)", ".DROP (W - 3)"), _families(), note="evaluator pipelined"),
-    Theorem("seam.bspline", "The same of the B-spline and its derivative wired in.", "all formats, binary32 also fused",
-            Bug("ffd_num_bspline", "REST_OF  = (1 << FRACTION) - 2 * SIXTH", "REST_OF  = ((2 << FRACTION) + 1) / 3"),
-            (*(_poly("ffd_eval_poly_bspline", form, 2, 1, wired) for form in FORMATS),
-             *(_poly("ffd_eval_poly_bspline", FP32, 4, 4, wired, fma) for fma in (0, 4)),), note="evaluator bspline"),
     Theorem("seam.powers", "Of weights from s^2 and s^3, by bank: those at 1 are those at 0 of the next cell, and 0 in "
             "the bank of the layers that only one of them has; of derivatives too.", "W 8 to 32",
             Bug("ffd_num_powers", "RIGHT = ABOVE ? ZERO - UNIT : UNIT", "RIGHT = ABOVE ? UNIT : ZERO - UNIT"),

@@ -10,7 +10,6 @@
 
 `define FFD_EVALUATOR_PIPELINED 0
 `define FFD_EVALUATOR_ITERATIVE 1
-`define FFD_EVALUATOR_BSPLINE   2
 `define FFD_EVALUATOR_POWERS    3
 
 // Clocks around the loop of the iterative evaluator: one step, and one more where the second or
@@ -84,7 +83,7 @@
 // Whether functions that are loaded must sum to one: the organization wants it, and it evaluates
 // what is loaded.
 `define FFD_FUNCTIONS_SUM(ORG, EVALUATOR) \
-  (`FFD_ORG_AFFINE(ORG) && (EVALUATOR) < `FFD_EVALUATOR_BSPLINE)
+  (`FFD_ORG_AFFINE(ORG) && (EVALUATOR) != `FFD_EVALUATOR_POWERS)
 
 // Evaluations inside, and places for their results: MOST, or with 0 what an organization needs to
 // keep its rate. Pipelines are some 100 clocks long, and at long intervals ten vertices take turns.

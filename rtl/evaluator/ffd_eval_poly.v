@@ -1,4 +1,4 @@
-// ffd_eval_poly: the polynomial evaluator: pipelined, iterative, or B-spline
+// ffd_eval_poly: the polynomial evaluator: pipelined or iterative
 //
 // Pipeline:   FFD_POLY_LATENCY; starts are FFD_POLY_INTERVAL clocks apart, or a multiple of it. All
 //             but the iterative form need no start and give a weight for every clock.
@@ -30,8 +30,9 @@ module ffd_eval_poly #(
   output wire [`FFD_WEIGHT_W(FORMAT)-1:0]                weight_o
 );
   generate
-    if (EVALUATOR < 0 || EVALUATOR > 2) begin : gen_bad_evaluator
-      ERROR_ffd_eval_poly_evaluator_must_be_0_1_or_2 u_error ();
+    if (EVALUATOR != `FFD_EVALUATOR_PIPELINED && EVALUATOR != `FFD_EVALUATOR_ITERATIVE)
+    begin : gen_bad_evaluator
+      ERROR_ffd_eval_poly_evaluator_must_be_0_or_1 u_error ();
     end
     if (FILE_LATENCY < 0 || FILE_LATENCY > (EVALUATOR == `FFD_EVALUATOR_ITERATIVE ? 2 : 1))
     begin : gen_bad_file_latency
@@ -73,36 +74,6 @@ module ffd_eval_poly #(
         .address_i     (address_i),
         .weight_o      (weight_o)
       );
-    end else if (EVALUATOR == `FFD_EVALUATOR_BSPLINE) begin : gen_bspline
-      wire [ADDRESS_W-1:0] address;
-
-      ffd_num_delay #(
-        .WIDTH  (ADDRESS_W),
-        .LATENCY(FILE_LATENCY)
-      ) u_address (
-        .clk(clk),
-        .rst(1'b0),
-        .d_i(address_i),
-        .q_o(address)
-      );
-
-      ffd_eval_poly_bspline #(
-        .FORMAT         (FORMAT),
-        .MUL_LATENCY    (MUL_LATENCY),
-        .ADD_LATENCY    (ADD_LATENCY),
-        .FMA_LATENCY    (FMA_LATENCY),
-        .CONVERT_LATENCY(CONVERT_LATENCY),
-        .ADDRESS_W      (ADDRESS_W)
-      ) u_poly (
-        .clk           (clk),
-        .load_i        (load_i),
-        .load_address_i(load_address_i),
-        .load_entry_i  (load_entry_i),
-        .coordinate_i  (coordinate),
-        .address_i     (address),
-        .weight_o      (weight_o)
-      );
-      wire unused_ok = &{1'b0, start_i};
     end else begin : gen_pipelined
       ffd_eval_poly_pipelined #(
         .FORMAT         (FORMAT),

@@ -1,8 +1,8 @@
 // ffd_eval_powers: the four weights of an axis by bank, the uniform cubic B-spline wired in
 //
-// What ffd_eval_poly_bspline is for one weight, from the powers s^2 and s^3: two multiplications
-// for all four weights of an axis. What is loaded is ignored, and the bits are not those of the
-// loaded B-spline: weights sum to one exactly, those of a derivative to zero.
+// From the powers s^2 and s^3: two multiplications for all four weights of an axis. What is loaded
+// is ignored, and the bits are not those of the loaded B-spline: weights sum to one exactly, those
+// of a derivative to zero.
 //
 // Formats, rounding: those of ffd_num_powers.
 // Pipeline:   ffd_num_powers | CONVERT_LATENCY: FFD_POLY_LATENCY in all, without a file. II 1,

@@ -23,7 +23,7 @@
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
 //             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1;
-//             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 2; the
+//             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 3; the
 //             others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
@@ -95,7 +95,7 @@ module ffd_eval_stream #(
     if (SPANS > 1 && SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_eval_stream_spans_want_the_overlapped_schedule u_error ();
     end
-    if (SPANS > 1 && EVALUATOR >= `FFD_EVALUATOR_BSPLINE) begin : gen_bad_evaluator
+    if (SPANS > 1 && EVALUATOR == `FFD_EVALUATOR_POWERS) begin : gen_bad_evaluator
       ERROR_ffd_eval_stream_spans_want_functions_that_are_loaded u_error ();
     end
   endgenerate

@@ -4,8 +4,8 @@
 
 // 0: a step begins as soon as the units are free; 1: when the one before has ended (the paper's).
 parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-// Of polynomials: 0 pipelined, 1 iterative, 2 pipelined with the B-spline wired in, 3 all four of
-// the B-spline from powers (factored, affine).
+// Of polynomials: 0 pipelined, 1 iterative, 3 all four of the B-spline from powers (factored,
+// affine).
 parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
 // Clocks of a multiplication and of an addition.
 parameter MUL_LATENCY     = 2,

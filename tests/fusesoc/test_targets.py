@@ -72,7 +72,7 @@ def test_lint_refuses_a_bad_parameter(fusesoc):
 @pytest.mark.parametrize("name, summary", (
     ("basic-fx18-overlapped", r"fixed-point words: 27 of 27 results, 0 differ, \d+ clocks\n"),
     ("basic-fp32-overlapped", r"binary32 words: 27 of 27 results, 0 differ, \d+ clocks\n"),
-    ("basic-fx18-overlapped-bspline", r"27 of 27 results, [1-9]\d* differ")))
+    ("affine3-fx17-overlapped-powers", r"27 of 27 results, [1-9]\d* differ")))
 def test_sim(fusesoc, name, summary):
     status, output = fusesoc("sim", *row(name))
     assert (status == 0) == (" 0 differ" in summary), output

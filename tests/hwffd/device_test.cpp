@@ -272,13 +272,15 @@ TEST(Device, EveryRowCanBeChosen) {
   EXPECT_EQ(make_device({"model", "factored/3", "fx18"})->name(),
             "model factored3-fx18-overlapped");
   EXPECT_EQ(make_device({"model", "tree 8", "fx18"})->name(), "model tree8-fx18-overlapped");
-  EXPECT_EQ(make_device({"model", "basic-fx18-overlapped-bspline", "fx18"})->name(),
-            "model basic-fx18-overlapped-bspline");
+  EXPECT_EQ(make_device({"model", "affine-fx17-overlapped-powers", "fx17"})->name(),
+            "model affine-fx17-overlapped-powers");
 }
 
 TEST(Device, NamesThatWentSayWhatReplacesThem) {
   const std::string cg2 = "cg2 went with 0.3.0: take cg1";
-  const std::map<std::string, std::string> gone{{"cg2", cg2}, {"cg2-fx18-overlapped", cg2}};
+  const std::string bspline = "bspline went with 0.3.0: take pipelined";
+  const std::map<std::string, std::string> gone{
+      {"cg2", cg2}, {"cg2-fx18-overlapped", cg2}, {"basic-fx18-overlapped-bspline", bspline}};
   for (const auto& one : gone) {
     const auto& name = one.first;
     const auto& text = one.second;

@@ -242,7 +242,7 @@ class Command(CommandTest):
                 ("basic-fp32-overlapped-fmac",): "basic-fp32-overlapped-fmac",
                 ("basic-fp32-overlapped-deep", "--format", "fp32"): "basic-fp32-overlapped-deep",
                 ("basic-fx32-overlapped-iterative",): "basic-fx32-overlapped-iterative",
-                ("basic-fx18-overlapped-bspline",): "basic-fx18-overlapped-bspline"}.items():
+                ("affine-fx17-overlapped-powers",): "affine-fx17-overlapped-powers"}.items():
             self.good("deform", "points.xyz", "-o", "out.xyz", "--json", "r.json", "--device", "model",
                       "--org", *words)
             report = self.report()

@@ -9,8 +9,9 @@ import pytest
 from tools.csv_table import TableError
 from tools.tables import configurations, gone, organizations
 
-GONE = {("org", "cg2", 2): "cg1"}
+GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined"}
 CG2 = "cg2 went with 0.3.0: take cg1"
+BSPLINE = "bspline went with 0.3.0: take pipelined"
 
 
 def test_what_went_stays_there():
@@ -19,7 +20,7 @@ def test_what_went_stays_there():
 
 
 def test_neither_a_name_nor_a_number_is_given_again_and_what_to_take_is_there():
-    live = {"org": {name: one.number for name, one in organizations.read().items()}, "evaluator": dict(zip(configurations.EVALUATORS, range(4)))}
+    live = {"org": {name: one.number for name, one in organizations.read().items()}, "evaluator": configurations.EVALUATORS}
     for one in gone.read():
         assert one.name not in live[one.kind] and one.number not in live[one.kind].values()
         assert one.instead in live[one.kind]
@@ -36,12 +37,14 @@ def test_bad_tables(checkout, rows, words):
 @pytest.mark.parametrize("words, said", (
     (("list", "--org", "cg2"), CG2), (("list", "--org", "cg2", "--format", "fx18"), CG2),
     (("build", "out", "--org", "cg2"), CG2), (("parameters", "cg2-fx18-overlapped"), CG2),
-    (("models", "out.cpp", "--rows", "cg2-fx18-paper"), CG2)))
+    (("models", "out.cpp", "--rows", "cg2-fx18-paper"), CG2),
+    (("parameters", "basic-fx18-overlapped-bspline"), BSPLINE)))
 def test_what_went_is_refused(call, words, said):
     assert call(configurations.main, *words) == (1, [], [f"configurations: {said}"])
 
 
-@pytest.mark.parametrize("old, new, said", (("good-row,basic", "good-row,cg2", CG2),))
+@pytest.mark.parametrize("old, new, said", (
+    ("good-row,basic", "good-row,cg2", CG2), ("pipelined", "bspline", BSPLINE)))
 def test_a_row_that_has_what_went_is_refused(checkout, call, old, new, said):
     table = "\n".join((",".join(configurations.COLUMNS),
                        "good-row,basic,1,fx18,overlapped,pipelined,2,1,0,1,stream,test,test".replace(old, new)))

@@ -53,7 +53,7 @@ basic-fx18-paper,basic,1,fx18,paper,iterative,1,1,0,0,evaluator,all,none
 basic-fx18-overlapped,basic,1,fx18,overlapped,pipelined,2,1,0,1,evaluator,sim,none
 tree2-fx18-overlapped,tree,2,fx18,overlapped,pipelined,2,1,0,1,evaluator,test,none
 basic-fp32-overlapped,basic,1,fp32,overlapped,pipelined,4,4,0,1,evaluator,test,none
-basic-fx18-overlapped-bspline,basic,1,fx18,overlapped,bspline,2,1,0,1,evaluator,test,none
+basic-fx18-overlapped-iterative,basic,1,fx18,overlapped,iterative,2,1,0,1,evaluator,test,none
 """
 STAND_IN = """\
 #!{python}
@@ -219,7 +219,7 @@ def test_bad_rows_are_refused_and_leave_the_others(real):
         assert (real.root / line.split(": see ")[1]).is_file()
     assert len(real.report()["failed"]) == len(FAULTS)
     assert [row["name"] for row in real.report()["rows"]] == [
-        "basic-fx18-overlapped", "basic-fx18-overlapped-bspline"]
+        "basic-fx18-overlapped", "basic-fx18-overlapped-iterative"]
     assert "Failed: tree2-fx18-overlapped" in real.text("build/reports/synth.md")
     assert real.drafts() == []
 

@@ -18,8 +18,6 @@ def test_rows_of_this_tree():
         *synthesis.FLOAT_UNITS}
     assert {subject.row.name for subject in subjects if subject.top == synthesis.SYSTEM} >= {
         row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}
-    wired = {name for name in names if name.split(".")[0].endswith("-bspline")}
-    assert wired and {name.replace("-bspline", "") for name in wired} <= set(names)
     few = synthesis.of_set(subjects, "ci")
     assert {subject.target for subject in few} == set(synthesis.TARGETS) - {
         "hx8k", *chips.TARGETS}

@@ -53,7 +53,7 @@ class Campaign:
     def _has_model(self, p, organization):
         return (organization.weighs_axes or p["EVALUATOR"] != parameter_space.POWERS) and texts.model_kind(
             organization, self.space.formats[p["FORMAT"]], p["FMA_LATENCY"],
-            configurations.EVALUATORS[p["EVALUATOR"]]) in self.kinds
+            configurations.evaluator_of(p["EVALUATOR"])) in self.kinds
 
     def one(self, seed):
         """Runs a number. Raises run.Failure, with the configuration in front."""

@@ -10,7 +10,7 @@ import subprocess
 from dataclasses import dataclass
 
 from tools.rtl import rtl_sources
-from tools.tables.configurations import EVALUATORS, SCHEDULES
+from tools.tables.configurations import SCHEDULES, evaluator_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 BENCH = "ffd_bench_random"
@@ -77,7 +77,7 @@ class Legal:
         interval = 64 // p["N"] if self.organization.in_turn else self.organization.fold
         process([stream.program, "--org", self.organization.name, "--n", p["N"],
                  "--format", self.space.formats[p["FORMAT"]].name, "--schedule", SCHEDULES[p["SCHEDULE"]],
-                 "--evaluator", EVALUATORS[p["EVALUATOR"]], "--fma", p["FMA_LATENCY"],
+                 "--evaluator", evaluator_of(p["EVALUATOR"]), "--fma", p["FMA_LATENCY"],
                  "--features", p["FEATURES"], "--axis", p["AXIS"], "--pages", p["PAGES"], "--spans", p["SPANS"],
                  "--interval", interval * (8 if p["SCHEDULE"] else 1), "--parts", stream.parts,
                  "--seed", stream.seed, "--folder", ".",

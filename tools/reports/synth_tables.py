@@ -25,7 +25,6 @@ DSP = {"ecp5": "MULT18X18D", "up5k": "SB_MAC16", "hx8k": "none", "xilinx7": "DSP
 BRAM = {"ecp5": "DP16KD", "up5k": "SB_RAM40_4K", "hx8k": "SB_RAM40_4K", "xilinx7": "RAMB18E1",
         "nexus": "PDPSC16K", "gowin": "SDPB, SDPX9B", "gw5a": "SDPB, SDPX9B",
         "gatemate": "CC_BRAM_20K"}
-WIRED = "-bspline"
 
 
 def head(target, field):
@@ -124,24 +123,6 @@ def _target_parts(rows, target):
     return sections
 
 
-def generality(reports, target="ecp5"):
-    """The wired-in B-spline beside the general evaluator on one target."""
-    rows = reports.rows("synth", target=target)
-    by_key = {(row["name"], row["top"]): row for row in rows}
-    fields, lines = columns(rows), []
-    for wired in rows:
-        general = by_key.get((wired["name"].removesuffix(WIRED), wired["top"]))
-        if not wired["name"].endswith(WIRED) or general is None:
-            continue
-        lines += [[f"`{general['name']}`, `{wired['top']}`" if row is general else "", word,
-                   *(number(row.get(field)) for field in fields)]
-                  for word, row in (("general", general), ("wired in", wired))]
-        lines.append(["", "general / wired in", *(
-            shown(general[field] / wired[field], ".2f") if wired.get(field) else "-"
-            for field in fields)])
-    return Table(["row", "evaluator", *(head(target, field) for field in fields)], lines)
-
-
 def matrix(reports, target, *fields):
     """Organizations down, formats across: sums of fields."""
     rows = [row for row in reports.rows("synth", target=target) if is_plain(row)]
@@ -198,17 +179,11 @@ def document(reports):
     if any(row.get("variant") for row in rows):
         sections += ["## What features cost", "Cores of `synth/variants.csv` on ECP5, with the "
                      "difference to their rows.", prices(reports).markdown()]
-    priced = [(target, generality(reports, target)) for target in targets]
-    if any(table.rows for _, table in priced):
-        sections += ["## The price of generality", "`basic` with the general evaluator, whose blending "
-                     "functions are loaded, and with the uniform cubic B-spline wired in."]
-        sections += [part for target, table in priced if table.rows
-                     for part in (f"{TITLES[target]}:", table.markdown())]
     sections.append("## Organizations side by side")
     sections += [part for target in targets for part in _matrix_parts(reports, target)]
     sections.append("## Cells by kind")
     sections += [part for target in targets if kinds(reports, target).rows
-                 for part in (f"{TITLES[target]}:", kinds(reports, target).markdown())]
+              for part in (f"{TITLES[target]}:", kinds(reports, target).markdown())]
     if any(row.get("critical_path") for row in rows):
         sections += ["## Critical paths of standard cells",
                      "A name is that of the register in the sources, or of a port.",
@@ -235,5 +210,5 @@ def missing(reports):
 
 
 TABLES = {"organizations": organizations, "cores": cores, "systems": systems, "prices": prices,
-          "generality": generality, "matrix": matrix, "critical_paths": critical_paths}
+          "matrix": matrix, "critical_paths": critical_paths}
 FIGURES = {"rows": lambda reports: len(reports.rows("synth"))}

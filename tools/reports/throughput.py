@@ -55,7 +55,7 @@ class Throughput:
 
 
 def label(row):
-    """Organization, what its name has behind the schedule, and format: "basic bspline fx18"."""
+    """Organization, what its name has behind the schedule, and format: "basic deep fp32"."""
     more = row["name"].split(row["schedule"], 1)[1].replace("-", " ")
     return f"{organizations.label(row)}{more} {row['format']}"
 

@@ -198,17 +198,14 @@ def models_text(configurations, organizations):
     lines += [f'#include "hwffd/model/org_{name}.hpp"' for name in dict.fromkeys(map(_model_class, kinds))]
     lines += [
         '#include "hwffd/model/evaluator.hpp"',
-        '#include "hwffd/model/hard_wired.hpp"',
         *(f'#include "hwffd/numerics/{header}.hpp"' for header in headers),
         "",
         "#include <stdexcept>",
         "#include <string>",
-        "#include <utility>",
         "",
         "namespace hwffd::model {",
-        "namespace {",
         "",
-        "std::unique_ptr<EvaluatorModel> make_general(const Configuration& row) {",
+        "std::unique_ptr<EvaluatorModel> make_evaluator_model(const Configuration& row) {",
         "  const std::string org = row.org;",
         "  const std::string format = row.format;",
         "  const bool fused = row.fma_latency > 0;",
@@ -226,14 +223,6 @@ def models_text(configurations, organizations):
         ]
     lines += [
         '  throw std::invalid_argument("no model of " + org + " in " + format);',
-        "}",
-        "",
-        "}  // namespace",
-        "",
-        "std::unique_ptr<EvaluatorModel> make_evaluator_model(const Configuration& row) {",
-        "  auto model = make_general(row);",
-        '  if (std::string(row.evaluator) != "bspline") return model;',
-        "  return std::make_unique<HardWiredBspline>(std::move(model), row.format);",
         "}",
         "",
         "}  // namespace hwffd::model",

@@ -22,10 +22,10 @@ from tools.tables.organizations import Organization
 
 TABLE = ROOT / "rtl" / "configurations.csv"
 
-# The enumerations of the RTL's parameters: a word's place is its number. (Organizations have a table
-# of their own.)
+# The enumerations of the RTL's parameters: a word's place is its number, or the number stands with it.
+# (Organizations have a table of their own, and names that went another, whose numbers stay free.)
 SCHEDULES = ("overlapped", "paper")
-EVALUATORS = ("pipelined", "iterative", "bspline", "powers")
+EVALUATORS = {"pipelined": 0, "iterative": 1, "powers": 3}
 
 # A tier includes those before it.
 TIERS = ("sim", "cover", "test", "all")
@@ -84,7 +84,7 @@ class Configuration:
             "N": self.n,
             "FORMAT": self.number_format.number,
             "SCHEDULE": SCHEDULES.index(self.schedule),
-            "EVALUATOR": EVALUATORS.index(self.evaluator),
+            "EVALUATOR": EVALUATORS[self.evaluator],
             "MUL_LATENCY": self.mul_latency,
             "ADD_LATENCY": self.add_latency,
             "FMA_LATENCY": self.fma_latency,
@@ -185,6 +185,11 @@ def add_selection(parser):
     """The options that `selected` reads."""
     for column in ("org", "n", "format"):
         parser.add_argument(f"--{column}", default="", help="these rows only")
+
+
+def evaluator_of(number):
+    """The word of a value of the parameter EVALUATOR."""
+    return next(word for word, own in EVALUATORS.items() if own == number)
 
 
 def listed(configurations, options):

@@ -83,7 +83,7 @@ class Draw:
         number = self.random.choice([n for n, f in self.formats.items() if f.words == word])
         evaluators = [spaces.PIPELINED]
         if org.form != "nested":
-            evaluators += [spaces.BSPLINE] + [spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2
+            evaluators += [spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2
         return {
             "ORG": org.number,
             "N": org.n or 1 << self.random.choice((0, 1, 1, 2, 2, 3, 3, 4, 5)),

@@ -18,7 +18,7 @@ from tools.tables.parameter_values import Between, Powers
 # Bits of FEATURES (rtl/stream/ffd_stream.vh).
 FEATURES = {"pages": 1, "large": 2, "fourth": 4, "spans": 8, "grids": 16, "packed": 32, "marks": 64,
             "resident": 256, "interleaved": 512, "derivatives": 1024, "determinant": 2048}
-PIPELINED, ITERATIVE, BSPLINE, POWERS = range(len(EVALUATORS))
+PIPELINED, ITERATIVE, POWERS = EVALUATORS.values()
 OVERLAPPED = SCHEDULES.index("overlapped")
 FP32 = 0
 TIMEOUT_MOST = 1 << 30
@@ -98,7 +98,7 @@ class Space:
             Parameter("N", values.of(Powers(1, 64)), "ffd_(org_tree|org_select|org_affine|cache_points)_n_.*"),
             Parameter("FORMAT", values.of(*self.formats), "ffd_num_\\w+_format_is_unknown", unnamed),
             Parameter("SCHEDULE", values.of(*range(len(SCHEDULES))), "ffd_org_\\w+_schedule_must_be_.*"),
-            Parameter("EVALUATOR", values.of(*range(len(EVALUATORS))),
+            Parameter("EVALUATOR", values.of(*EVALUATORS.values()),
                       "ffd_(eval_poly|org_nested)_evaluator_must_be_.*"),
             Parameter("MUL_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("ADD_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
@@ -165,7 +165,7 @@ class Space:
                  "ffd_eval_axis_weights_evaluator_must_not_be_iterative"),
             Rule(f"EVALUATOR {POWERS} is of {_names(axes)} only", ("ORG", "EVALUATOR"),
                  lambda p: of[p.ORG] in (*axes, *nested) or p.EVALUATOR != POWERS,
-                 "ffd_eval_poly_evaluator_must_be_0_1_or_2"),
+                 "ffd_eval_poly_evaluator_must_be_0_or_1"),
             Rule(f"EVALUATOR {POWERS} wants fixed point", ("ORG", "EVALUATOR", "FORMAT"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != POWERS or self.words(p) == "fixed",
                  "ffd_num_\\w+_needs_fixed_point"),
@@ -229,7 +229,7 @@ class Space:
                  lambda p: p.SPANS == 1 or p.SCHEDULE == OVERLAPPED,
                  "ffd_eval_stream_spans_want_the_overlapped_schedule"),
             Rule(f"SPANS above 1 wants EVALUATOR {PIPELINED} or {ITERATIVE}", ("SPANS", "EVALUATOR"),
-                 lambda p: p.SPANS == 1 or p.EVALUATOR < BSPLINE,
+                 lambda p: p.SPANS == 1 or p.EVALUATOR != POWERS,
                  "ffd_eval_stream_spans_want_functions_that_are_loaded"),
             Rule("with 512 in FEATURES, PAGES and AXIS give a place to each interleaved vertex inside: five, or of "
                  "organizations that accumulate four more than ADD_LATENCY or FMA_LATENCY",

@@ -30,7 +30,7 @@ struct CoreIdentity {
   unsigned n;              ///< units of a step
   unsigned format;         ///< 0 fp32, W fxW, 99 bfp32
   unsigned schedule;       ///< 0 overlapped, 1 paper
-  unsigned evaluator;      ///< 0 pipelined, 1 iterative, 2 bspline, 3 powers
+  unsigned evaluator;      ///< 0 pipelined, 1 iterative, 3 powers
   unsigned in_flight;      ///< most vertices inside
   unsigned points_axis;    ///< of the resident lattice; 0: none
   std::uint32_t features;  ///< HWFFD_FEATURES_*_MASK
