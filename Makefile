@@ -46,7 +46,7 @@ help:
 	@echo 'Check it'
 	@echo '  make test           build the tests and run them'
 	@echo '  make test-all       every configuration, and the long tests'
-	@echo '  make lint           Verilator, Icarus, yosys, clang and text rules: no warning is allowed'
+	@echo '  make lint           Verilator, Icarus, yosys, clang, ruff and text rules: no warning is allowed'
 	@echo '  make random         N= cores of random parameters on random packets, from SEED= on'
 	@echo 'Build hardware'
 	@echo '  make synth          size on FPGAs and in standard cells, by yosys (half an hour)'

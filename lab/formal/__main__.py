@@ -15,7 +15,6 @@ import time
 from lab.figures.studies import formal as properties
 from lab.formal import proofs, report
 from tools import command_line
-from tools.project_root import ROOT
 from tools.synth import engine
 
 # Properties between two looks at the clock, where there is a time.

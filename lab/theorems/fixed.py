@@ -7,7 +7,7 @@ SPDX-License-Identifier: Apache-2.0
 
 from lab.theorems.netlist import Bug
 from lab.theorems.prove import Case, Theorem, shared
-from lab.theorems.terms import concat, const, either, every, implies, ite
+from lab.theorems.terms import concat, const, every, ite
 
 FIXED, BLOCK = range(8, 33), range(72, 100)
 FORMATS = (*FIXED, *BLOCK)

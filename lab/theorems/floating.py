@@ -10,7 +10,7 @@ SPDX-License-Identifier: Apache-2.0
 from lab.theorems import ieee, lemmas
 from lab.theorems.netlist import Bug
 from lab.theorems.prove import Case, Theorem, shared
-from lab.theorems.terms import concat, const, either, every, ite, raw
+from lab.theorems.terms import const, either, every, ite, raw
 
 LATENCIES = tuple(range(1, 13))
 _SUM = "(fp.add RNE ((_ to_fp 8 24) {0}) ((_ to_fp 8 24) {1}))"

@@ -4,10 +4,10 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 from lab.theorems import ieee
-from lab.theorems.fixed import BLOCK, FIXED, FORMATS, flags, half_up, saturated, total, width
+from lab.theorems.fixed import FORMATS, flags, half_up, saturated, total, width
 from lab.theorems.netlist import Bug
 from lab.theorems.prove import Case, Theorem
-from lab.theorems.terms import concat, const, either, every, ite
+from lab.theorems.terms import concat, const, every, ite
 
 FP32 = 0
 COORDINATE, COEFFICIENT, POINT = 0, 1, 2

@@ -194,7 +194,7 @@ class Mesh3(GlTest):
         gl.Map3d(gl.MAP3_VERTEX_3, *near, 12, 2, *near, 6, 2, *near, 3, 2, CORNERS)
         for segments in range(1, 100):
             gl.MapGrid3d(segments, 0.1, last, segments, 0.2, last, segments, 0.3, last)
-            got = seen(lambda: draw(gl.POINTS, gl.EvalPoint3, [(segments,) * 3]))
+            got = seen(lambda count=segments: draw(gl.POINTS, gl.EvalPoint3, [(count,) * 3]))
             self.assert_near(got.positions, seen_at([(last,) * 3]).positions, 0, f"{segments}")
 
     def test_grid_can_be_asked_for(self):

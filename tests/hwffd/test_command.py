@@ -14,7 +14,7 @@ import re
 import subprocess
 import unittest
 
-from tests.hwffd.command import FLAT, MESH, CommandTest, triangle_in_gltf
+from tests.hwffd.command import MESH, CommandTest, triangle_in_gltf
 from tests.support.program import FAILURE, PROGRAM, USAGE, vertices
 
 

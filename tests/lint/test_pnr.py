@@ -13,7 +13,6 @@ import pytest
 
 from tools.project_root import ROOT
 from tools.synth import nextpnr, placement, synthesis
-from tools.tables import configurations
 
 # A clock by seed; the measure is routed at 100, 101 and 102 MHz.
 STAND_IN = """\

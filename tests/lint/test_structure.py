@@ -8,7 +8,6 @@ import sys
 
 import pytest
 
-from tools.project_root import ROOT
 from tools.synth import hierarchy, structure
 
 

@@ -16,7 +16,6 @@ import time
 import pytest
 
 from tools import csv_table
-from tools.project_root import ROOT
 from tools.synth import liberty, selection, synthesis, timing, variants
 from tools.tables import configurations
 

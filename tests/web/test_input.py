@@ -21,8 +21,8 @@ def obj():
     return "\n".join([*lines, *("f " + " ".join(f"{k + 1}//1" for k in face) for face in FACES), ""])
 
 
-def ply(form, vertices=len(CORNERS)):
-    head = (f"ply\nformat {form} 1.0\ncomment a cube\nelement vertex {vertices}\nproperty float x\n"
+def ply(form, vertices=None):
+    head = (f"ply\nformat {form} 1.0\ncomment a cube\nelement vertex {vertices or len(CORNERS)}\nproperty float x\n"
             "property double y\nproperty float z\nproperty uchar red\n"
             f"element face {len(FACES)}\nproperty list uchar int vertex_indices\nend_header\n")
     if form == "ascii":

@@ -133,6 +133,11 @@ def packages(root):
     return package_closure.check(root, root / "build")
 
 
+def python_jobs(root):
+    """By ruff, whose rules stand in pyproject.toml."""
+    return [Job("ruff", [sys.executable, "-m", "ruff", "check", "--quiet", "--no-cache", "--output-format", "concise", str(root)])]
+
+
 def clang_format_jobs(root):
     files = [str(path) for path in text_rules.Tree(root).cpp]
     return [
@@ -184,6 +189,9 @@ def main():
     checks += texts
     warnings += wrong + text_blocks.releases(root)
     if not options.text:
+        if importlib.util.find_spec("ruff") is None:
+            print("lint: ruff not found: run tools/install lint", file=sys.stderr)
+            return 1
         needed = ("verilator", "iverilog", "yosys", "clang-format", "clang-tidy")
         absent = [tool for tool in needed if not shutil.which(tool)]
         if absent:
@@ -192,7 +200,7 @@ def main():
         try:
             generated = generated_files.stale(root)
             jobs = (rtl_jobs(rtl_sources.Sources(root), options.every) + clang_format_jobs(root)
-                    + clang_tidy_jobs(root))
+                    + clang_tidy_jobs(root) + python_jobs(root))
         except (csv_table.TableError, clang_tidy.TidyError, OSError) as error:
             print(f"lint: {error}", file=sys.stderr)
             return 1

@@ -79,7 +79,7 @@ def file_list_text(folder):
     lines = [_FOLDER + str(path.relative_to(folder)) for path in folders]
     lines += [WAIVERS] if (folder / WAIVERS).is_file() else []
     lines += [str(path.relative_to(folder)) for path in sources]
-    return f"""// Every source of the core and every folder with headers, one a line, relative to this folder:
+    return """// Every source of the core and every folder with headers, one a line, relative to this folder:
 // `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
 // not matter, but for the first one, which is Verilator's.
 // Made by tools/tables/generated_files.py from what is there; changes here are lost.

@@ -7,7 +7,6 @@ import sys
 
 import pytest
 
-from tools.project_root import ROOT
 
 WRITE = """import json, pathlib, sys
 path = pathlib.Path("build/reports/plates.json")
