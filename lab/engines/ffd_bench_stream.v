@@ -15,6 +15,7 @@
 `default_nettype none
 `timescale 1ns/1ns
 `include "ffd_eval.vh"
+`include "ffd_events.vh"
 
 module ffd_bench_stream #(
   `include "ffd_row_parameters.vh"
@@ -24,7 +25,7 @@ module ffd_bench_stream #(
   parameter SEED     = 1,
   parameter PATIENCE = 20000
 );
-  localparam EVENTS   = 15;
+  localparam EVENTS   = `FFD_EVENTS;
   localparam TAIL     = 256;  // clocks in which no result may come any more
   localparam SETTLING = 4;    // registers.py
 
@@ -38,7 +39,7 @@ module ffd_bench_stream #(
   wire [127:0] m_data;
   wire         m_last;
   wire         m_user;
-  wire [14:0]  events;
+  wire [EVENTS-1:0] events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;
@@ -89,7 +90,7 @@ module ffd_bench_stream #(
   wire    check_e = watched && events != 0;
   ffd_bench_known #(1, "tready")                 k_ready (aclk, watched, s_ready);
   ffd_bench_known #(1, "tvalid")                 k_valid (aclk, watched, m_valid);
-  ffd_bench_known #(15, "event_o")               k_event (aclk, watched, events);
+  ffd_bench_known #(EVENTS, "event_o")           k_event (aclk, watched, events);
   ffd_bench_known #(1, "vertex_o")               k_vertex(aclk, watched, vertex);
   ffd_bench_known #(3, "wait_o")                 k_wait  (aclk, watched, waits);
   ffd_bench_known #(1, "idle_o")                 k_idle  (aclk, watched, idle);

@@ -5,9 +5,10 @@
 // register in the clock before and after.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_events.vh"
 
 module formal_bus_registers #(
-  parameter ERRORS = 29
+  parameter ERRORS = `FFD_ERRORS
 ) (
   input wire        clk,
   input wire        rst,

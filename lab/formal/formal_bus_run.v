@@ -4,6 +4,7 @@
 // the start was written.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_events.vh"
 
 module formal_bus_run (
   input wire        clk,
@@ -88,7 +89,7 @@ module formal_bus_run (
     .irq_state_packet_set_i  (1'b0),
     .irq_state_descriptor_set_i(1'b0),
     .error_any_i             (1'b0),
-    .error_event_i           (29'd0),
+    .error_event_i           ({`FFD_ERRORS{1'b0}}),
     .error_packet_i          (32'd0),
     .error_beat_i            (32'd0),
     .error_address_valid_i   (1'b0),

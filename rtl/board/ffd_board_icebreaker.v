@@ -12,6 +12,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_eval.vh"
+`include "ffd_events.vh"
 
 module ffd_board_icebreaker #(
   parameter ORG             = 0,
@@ -43,7 +44,7 @@ module ffd_board_icebreaker #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
-  wire [14:0]  events;
+  wire [`FFD_EVENTS-1:0] events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_eval.vh"
+`include "ffd_events.vh"
 
 module ffd_board_ulx3s #(
   `include "ffd_row_parameters.vh"
@@ -28,7 +29,7 @@ module ffd_board_ulx3s #(
   wire         result_ready;
   wire [127:0] result_data;
   wire         result_last;
-  wire [14:0]  events;
+  wire [`FFD_EVENTS-1:0] events;
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;

@@ -192,7 +192,7 @@ module ffd_bus_core #(
   wire         vertex;
   wire         stall;
   wire         error_any;
-  wire [28:0]  error_event;
+  wire [`FFD_ERRORS-1:0] error_event;
   wire [31:0]  error_packet;
   wire [31:0]  error_beat;
   wire         error_address_valid;
@@ -322,7 +322,7 @@ module ffd_bus_core #(
   wire        core_rst;
   wire        core_idle;
   reg         core_idle_q;
-  wire [14:0] core_event;
+  wire [`FFD_EVENTS-1:0] core_event;
   wire [2:0]  core_wait;
   wire [31:0] core_packet;
   wire [31:0] core_beat;

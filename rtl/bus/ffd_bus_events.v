@@ -1,10 +1,10 @@
 // ffd_bus_events: what went wrong in the core and in the DMA, as events of the registers
 //
-// Bits 0 to 9 and 24 to 28 are the core's events (ffd_stream.vh), 10 to 14 the DMA's refusals (its
-// codes 1 to 5, of either half), 15 and 16 the bus's answer to a read and to a write (codes 6 and
-// 7), 17 a result that the area has no room for, once a run, 18 a ring refused for its size or head
-// (code 8), 19 to 23 channels that waited too long. rtl/bus/registers.csv names them. Packet and
-// beat are the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
+// Bits 0 to 9 and from 24 on are the core's events (ffd_events.vh), 10 to 14 the DMA's refusals
+// (its codes 1 to 5, of either half), 15 and 16 the bus's answer to a read and to a write (codes 6
+// and 7), 17 a result that the area has no room for, once a run, 18 a ring refused for its size or
+// head (code 8), 19 to 23 channels that waited too long. rtl/bus/registers.csv names them. Packet
+// and beat are the core's, 0 where it has no event; the address is that of the DMA's lowest bit.
 // error_any_o: whether there is an event.
 //
 // Pipeline:   2 clocks, overflow and channels 1.  Freezes: never.
@@ -12,11 +12,12 @@
 // Model:      none.  Test: tests/bus/axil/events_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
+`include "ffd_events.vh"
 
 module ffd_bus_events (
   input  wire        clk,
   input  wire        rst,
-  input  wire [14:0] core_event_i,
+  input  wire [`FFD_EVENTS-1:0] core_event_i,
   input  wire [31:0] core_packet_i,
   input  wire [31:0] core_beat_i,
   input  wire        read_error_i,
@@ -28,7 +29,7 @@ module ffd_bus_events (
   input  wire        result_overflow_i,
   input  wire [4:0]  timeout_i,
   output reg         error_any_o,
-  output reg  [28:0] error_event_o,
+  output reg  [`FFD_ERRORS-1:0] error_event_o,
   output reg  [31:0] error_packet_o,
   output reg  [31:0] error_beat_o,
   output reg         error_address_valid_o,
@@ -39,7 +40,7 @@ module ffd_bus_events (
 
   // Once more in a register on their way here, with what is to be known of them.
   reg        core_q;         // there is an event
-  reg [14:0] core_event_q;
+  reg [`FFD_EVENTS-1:0] core_event_q;
   reg [31:0] core_packet_q;
   reg [31:0] core_beat_q;
   reg [8:1]  read_codes_q;   // bit c: an error of code c
@@ -61,12 +62,12 @@ module ffd_bus_events (
     if (rst) begin
       overflow_q            <= 1'b0;
       core_q                <= 1'b0;
-      core_event_q          <= 15'd0;
+      core_event_q          <= {`FFD_EVENTS{1'b0}};
       read_codes_q          <= 8'd0;
       write_codes_q         <= 7'd0;
       dma_q                 <= 1'b0;
       error_any_o           <= 1'b0;
-      error_event_o         <= 29'd0;
+      error_event_o         <= {`FFD_ERRORS{1'b0}};
       error_address_valid_o <= 1'b0;
     end else begin
       overflow_q            <= result_overflow_i;
@@ -76,9 +77,10 @@ module ffd_bus_events (
       write_codes_q         <= write_codes[7:1];
       dma_q                 <= read_error_i || write_error_i;
       error_any_o           <= core_q || dma_q || overflow || timeout_i != 5'd0;
-      error_event_o         <= {core_event_q[14:10], timeout_i, read_codes_q[8], overflow,
-                                |write_codes_q[7:6], |read_codes_q[7:6],
-                                read_codes_q[5:1] | write_codes_q[5:1], core_event_q[9:0]};
+      error_event_o         <= {core_event_q[`FFD_EVENTS-1:`FFD_EVENT_SATURATED+1], timeout_i,
+                                read_codes_q[8], overflow, |write_codes_q[7:6],
+                                |read_codes_q[7:6], read_codes_q[5:1] | write_codes_q[5:1],
+                                core_event_q[`FFD_EVENT_SATURATED:0]};
       error_address_valid_o <= dma_q;
     end
   end

@@ -92,9 +92,4 @@
 `define FFD_PAGE_FOURTH  4
 `define FFD_PAGE_W       5
 
-// Events of the core, a pulse each (docs/interface.md section 5), and the bit of one of them. In
-// ERROR_STATUS those of the DMA lie between the first ten and the others.
-`define FFD_EVENTS            15
-`define FFD_STREAM_EVENT(BIT) ((BIT) > `FFD_EVENT_SATURATED ? (BIT) - 14 : (BIT))
-
 `endif

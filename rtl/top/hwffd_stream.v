@@ -51,7 +51,7 @@ module hwffd_stream #(
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
   output wire         m_axis_tuser,  // with the last beat of a packet with the flag I
-  output wire [14:0]  event_o,
+  output wire [`FFD_EVENTS-1:0] event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,

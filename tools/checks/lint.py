@@ -94,7 +94,7 @@ def integrator_jobs(sources, top, axes):
     """A top as users take it: by the file list from another folder; and with every parameter given
     on the command line, where it has 32 bits, with these values of AXIS."""
     jobs = [Job(f"verilator -F hwffd.f {top}", rtl_sources.verilator_list(sources, top), folder=os.sep)]
-    defaults = module_header.read(sources, top).parameters
+    defaults = module_header.parameters(sources, top)
     for axis in axes:
         given = [f"{name}={value}" for name, value in {**defaults, "AXIS": axis}.items()]
         jobs.append(Job(f"verilator {top} (all parameters given, AXIS={axis})",

@@ -11,7 +11,7 @@ from tools.rtl import rtl_sources
 
 _HEADER = re.compile(r"\bmodule\s+(\w+)\s*#\((.*?)\n\)\s*\((.*?)\n\);", re.DOTALL)
 _PARAMETER = re.compile(r"\s*parameter\s+(\w+)\s*=\s*(\S+)")
-_PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+|[A-Z]\w*(?:/8)?-1):0\]\s*)?(\w+)")
+_PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+|`?[A-Z]\w*(?:/8)?-1):0\]\s*)?(\w+)")
 _DEFINE = re.compile(r"^`define\s+(\w+)\s+(\d+)\s*$", re.MULTILINE)
 
 
@@ -48,33 +48,47 @@ def _number(text, constants, where):
     return int(value)
 
 
-def read(sources, module):
-    """The header of a module whose ports have the width of a number or a parameter, or an eighth of one,
-    with its default. Raises HeaderError."""
+def _lists(sources, module):
+    """Its parameters and its ports as text. Raises HeaderError."""
     if module not in sources.files:
         raise HeaderError(f"no module {module} in rtl/hwffd.f")
     match = _HEADER.search(sources.whole(module))
     if not match:
         raise HeaderError(f"{module}: parameters and ports not found")
-    constants = _constants(sources)
-    parameters, ports = {}, []
-    for part in match.group(2).split(","):
+    return match.group(2).split(","), match.group(3).split(",")
+
+
+def parameters(sources, module):
+    """name -> default, of a module. Raises HeaderError."""
+    constants, found = _constants(sources), {}
+    for part in _lists(sources, module)[0]:
         declared = _PARAMETER.fullmatch(part.rstrip())
         if not declared:
             raise HeaderError(f"{module}: not a parameter: '{part.strip()}'")
         name, value = declared.groups()
-        parameters[name] = _number(value, constants, f"{module}.{name}")
-    for part in match.group(3).split(","):
+        found[name] = _number(value, constants, f"{module}.{name}")
+    return found
+
+
+def _width(high, of_module, constants, where):
+    """Of a port, whose highest bit is a number, or one below a parameter, an eighth of one or a macro."""
+    name, of_bytes, _ = (high or "0").removesuffix("-1").partition("/8")
+    if name.isdigit():
+        return int(name) + 1
+    if name.startswith("`"):
+        return _number(name, constants, f"{where}: width")
+    if name not in of_module:
+        raise HeaderError(f"{where}: no parameter {name}")
+    return of_module[name] // (8 if of_bytes else 1)
+
+
+def read(sources, module):
+    """The header of a module, with the widths that its ports have with its defaults. Raises HeaderError."""
+    of_module, constants, ports = parameters(sources, module), _constants(sources), []
+    for part in _lists(sources, module)[1]:
         declared = _PORT.fullmatch(part.rstrip())
         if not declared:
             raise HeaderError(f"{module}: not a port: '{part.strip()}'")
         direction, high, name = declared.groups()
-        of_parameter, of_bytes, _ = (high or "").removesuffix("-1").partition("/8")
-        if of_parameter in parameters:
-            width = parameters[of_parameter] // (8 if of_bytes else 1)
-        elif (high or "0").isdigit():
-            width = int(high or 0) + 1
-        else:
-            raise HeaderError(f"{module}: port {name}: no parameter {of_parameter}")
-        ports.append(Port(direction, width, name))
-    return Header(module, parameters, tuple(ports))
+        ports.append(Port(direction, _width(high, of_module, constants, f"{module}: port {name}"), name))
+    return Header(module, of_module, tuple(ports))

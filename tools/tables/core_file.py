@@ -93,7 +93,7 @@ def _example_lines():
 def text(root):
     """What hwffd.core must be."""
     sources = rtl_sources.Sources(root)
-    stream, axi = (module_header.read(sources, top).parameters for top in TOPS)
+    stream, axi = (module_header.parameters(sources, top) for top in TOPS)
     row = configurations.read(root / "rtl" / "configurations.csv")[0].parameters
     parameters = []
     for name, value in axi.items():

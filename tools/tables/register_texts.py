@@ -28,31 +28,50 @@ def events(registers):
     return next(register.fields for register in registers if register.fields[0].access == "event")
 
 
+# Events of the stream are those up to the first of these and from the second on; the DMA's lie between.
+LAST_BEFORE_DMA, FIRST_AFTER_DMA = "saturated", "page_points"
+
+
+def _between(registers):
+    """How many bits of ERROR_STATUS are no events of the stream."""
+    names = [field.name for field in events(registers)]
+    return names.index(FIRST_AFTER_DMA) - names.index(LAST_BEFORE_DMA) - 1
+
+
 def events_rtl_text(registers):
+    count, between = len(events(registers)), _between(registers)
     lines = [f"`define FFD_EVENT_{field.name.upper():<20} {field.low}" for field in events(registers)]
     return "\n".join([f"// {GENERATED}",
                       "// Events of the core and of its buses: bits of ERROR_STATUS (docs/registers.md).",
                       "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_EVENTS_VH",
-                      "`define FFD_EVENTS_VH", *lines, "`endif"]) + "\n"
+                      "`define FFD_EVENTS_VH", *lines, "",
+                      "// How many these are; how many of them are events of the stream, and which of those one is: a",
+                      "// pulse of event_o each (docs/interface.md section 5).",
+                      f"`define FFD_ERRORS                     {count}",
+                      f"`define FFD_EVENTS                     {count - between}",
+                      "`define FFD_STREAM_EVENT(BIT) \\",
+                      f"  ((BIT) > `FFD_EVENT_{LAST_BEFORE_DMA.upper()} ? (BIT) - {between} : (BIT))", "`endif"]) + "\n"
 
 
 def events_header_text(registers):
-    def constant(field):
-        return "k" + "".join(word.capitalize() for word in field.name.split("_"))
+    def constant(name):
+        return "k" + "".join(word.capitalize() for word in name.split("_"))
 
-    lines = ",\n".join(f"  {constant(field)} = {field.low}" for field in events(registers))
-    last = constant(events(registers)[-1])
+    lines = ",\n".join(f"  {constant(field.name)} = {field.low}" for field in events(registers))
+    before, after = constant(LAST_BEFORE_DMA), constant(FIRST_AFTER_DMA)
+    last = constant(events(registers)[-1].name)
     return "\n".join([f"// {GENERATED}", "#pragma once", "", "namespace hwffd::event {", "",
                       "/// What may go wrong in the core and on its buses: bits of ERROR_STATUS",
-                      "/// (docs/registers.md). Those up to kSaturated and from kPagePoints on are",
+                      f"/// (docs/registers.md). Those up to {before} and from {after} on are",
                       "/// events of the stream.",
                       "enum Code : unsigned {", lines, "};", "",
                       "}  // namespace hwffd::event", "", "namespace hwffd {", "",
                       "/// The bit of event_o: those of the DMA lie between in ERROR_STATUS.",
                       "constexpr unsigned stream_event(event::Code code) {",
-                      "  return code <= event::kSaturated ? code : code - event::kPagePoints + 1 + "
-                      "event::kSaturated;",
+                      f"  return code <= event::{before} ? code : code - event::{after} + 1 + event::{before};",
                       "}", "",
+                      "/// Kinds of all of them.",
+                      f"constexpr int kErrors = event::{last} + 1;", "",
                       "/// Kinds of events of the stream.",
                       f"constexpr int kStreamEvents = stream_event(event::{last}) + 1;", "",
                       "}  // namespace hwffd"]) + "\n"

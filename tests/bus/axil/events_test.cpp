@@ -1,9 +1,12 @@
 // The errors of the core and of the DMA as events of the registers: bits, places, addresses; by
 // their names in the registers, under all errors at once and alone.
+#include "hwffd/stream/events.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <set>
+#include <type_traits>
 
 #include "Vbus_events.h"
 #include "hwffd/registers.h"
@@ -71,13 +74,16 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
   std::uint32_t core = 0, core_packet = 0, core_beat = 0;  // of the clock before
   DmaErrors dma;                                           // of the clock before
   std::set<std::uint32_t> alone;
+  constexpr std::uint32_t kAny = (1U << kStreamEvents) - 1;
   for (int clock = 0; clock < 200'000; ++clock) {
     const DmaErrors next_dma = DmaErrors::any(random);
     const auto next_core = static_cast<std::uint32_t>(
-        random.chance(0.5) ? 0 : random.pick({1U << random.below(15), random.word() & 0x7FFF}));
+        random.chance(0.5)
+            ? 0
+            : random.pick({1U << random.below(kStreamEvents), random.word() & kAny}));
     const unsigned late = random.chance(0.5) ? 0 : random.word() & 31;
     const bool full = random.chance(was_full ? 0.8 : 0.2);
-    dut.core_event_i = static_cast<SData>(next_core);
+    dut.core_event_i = static_cast<std::decay_t<decltype(dut.core_event_i)>>(next_core);
     dut.core_packet_i = random.word();
     dut.core_beat_i = random.word();
     next_dma.drive(dut, random);
@@ -86,8 +92,10 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     sim.tick();
 
     const std::uint32_t of_read = named(dma.read, true), of_write = named(dma.write, false);
-    // Of the core ten, then those of the DMA, then the others of the core.
-    const std::uint32_t of_core = (core & 0x3FF) | core >> 10 << 24;
+    // Of the core the first, then those of the DMA, then the others of the core.
+    constexpr std::uint32_t kFirst = (2U << event::kSaturated) - 1;
+    const std::uint32_t of_core = (core & kFirst) | core >> (event::kSaturated + 1)
+                                                                << event::kPagePoints;
     std::uint32_t events = of_core | of_read | of_write;
     for (unsigned channel = 0; channel < 5; ++channel) {
       if ((late >> channel & 1) != 0) events |= kLate[channel];
@@ -111,7 +119,7 @@ TEST(Events, HaveTheirNamesAndThePlaceOfTheLowest) {
     core_packet = dut.core_packet_i;
     core_beat = dut.core_beat_i;
   }
-  EXPECT_EQ(alone.size(), 30U) << "none, and each of 29";
+  EXPECT_EQ(alone.size(), kErrors + 1U) << "none, and each of them";
   EXPECT_EQ(HWFFD_ERROR_STATUS_LATTICE_SIZE_SHIFT, 5);
   EXPECT_EQ(HWFFD_ERROR_STATUS_SATURATED_SHIFT, 9);
 }

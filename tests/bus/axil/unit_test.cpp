@@ -13,6 +13,7 @@
 #include "Vbus_registers.h"
 #include "Vbus_waits.h"
 #include "hwffd/registers.h"
+#include "hwffd/stream/events.hpp"
 #include "hwffd/tb/random.hpp"
 #include "hwffd/tb/sim.hpp"
 
@@ -298,12 +299,12 @@ TEST(RegisterBlock, AStartInTheClockOfThePulseIsRefused) {
 /// Bits of counts that no traffic of a test reaches, 22 and of errors 27 of them with both values:
 /// an event of each kind in every clock.
 TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
-  constexpr std::uint32_t kErrors = (1u << 29) - 1;
+  constexpr std::uint32_t kEvery = (1u << kErrors) - 1;
   tb::Sim<Vbus_registers> sim(2);
   auto& dut = sim.dut();
   const auto events = [&](bool now) {
     dut.counter_vertices_event_i = dut.counter_stalls_event_i = dut.counter_busy_event_i = now;
-    dut.error_event_i = now ? kErrors : 0;
+    dut.error_event_i = now ? kEvery : 0;
   };
   const auto get = [&](unsigned offset) {
     dut.s_read_word = offset / 4;
@@ -329,8 +330,8 @@ TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
       EXPECT_EQ(get(offset), clocks);
       EXPECT_EQ(get(offset + 4), 0u);
     }
-    EXPECT_EQ(get(HWFFD_ERROR_COUNT_OFFSET), 29 * clocks);
-    EXPECT_EQ(get(HWFFD_ERROR_STATUS_OFFSET), kErrors);
+    EXPECT_EQ(get(HWFFD_ERROR_COUNT_OFFSET), kErrors * clocks);
+    EXPECT_EQ(get(HWFFD_ERROR_STATUS_OFFSET), kEvery);
   }
 }
 

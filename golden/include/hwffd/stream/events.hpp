@@ -47,6 +47,9 @@ constexpr unsigned stream_event(event::Code code) {
   return code <= event::kSaturated ? code : code - event::kPagePoints + 1 + event::kSaturated;
 }
 
+/// Kinds of all of them.
+constexpr int kErrors = event::kFunctionsSum + 1;
+
 /// Kinds of events of the stream.
 constexpr int kStreamEvents = stream_event(event::kFunctionsSum) + 1;
 
