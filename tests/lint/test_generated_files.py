@@ -89,6 +89,9 @@ REACHED = (
     (stream_words.TABLE, (("clamped,1,", "nan,1,"), ("nan,2,", "clamped,2,")), {
         stream_words.RTL: "`define FFD_STATUS_CLAMPED   2",
         stream_words.HEADER: "kStatusClamped = 1U << 18;"}),
+    (stream_words.TABLE, ((",page,4,", ",pages,4,"),), {
+        stream_words.RTL: "`define FFD_PACKET_PAGES     4",
+        stream_words.OPCODES: "  kPages = 5,"}),
     (registers.TABLE, (("value,3:0,rw,0", "value,4:0,rw,5"),), {
         "rtl/bus/ffd_bus_registers.v": "ring_log2_size_o <= 5'h5;",
         "cores/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
@@ -197,7 +200,7 @@ def test_formats():
 
 
 def test_what_is_committed_is_up_to_date(call):
-    assert len(PATHS) == 13
+    assert len(PATHS) == 14
     assert call(generated_files.main, "check") == (0, [], [])
     assert call(registers.main, "check") == (0, [], [])
     assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"

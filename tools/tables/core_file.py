@@ -12,8 +12,8 @@ GENERATED = "Made by python3 -m tools.tables.generated_files write; changes here
 TOPS = ("hwffd_stream", "hwffd_axi")  # hwffd_wishbone has the parameters of hwffd_axi
 EXAMPLE_SOURCES = ("examples/fusesoc/main.cpp", "golden/src/excerpt.cpp",
                    "golden/src/stream/packets.cpp", "golden/src/stream/word_codec.cpp")
-EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/formats.hpp", "stream/packets.hpp", "stream/status.hpp",
-                   "stream/word_codec.hpp", "error.hpp",
+EXAMPLE_HEADERS = ("stream/beat.hpp", "stream/formats.hpp", "stream/opcodes.hpp", "stream/packets.hpp",
+                   "stream/status.hpp", "stream/word_codec.hpp", "error.hpp",
                    "excerpt.hpp", "numerics/bits.hpp")
 GOLDEN = "golden/include"
 

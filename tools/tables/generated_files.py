@@ -18,7 +18,8 @@ _SOURCES = (
     (formats.TABLE, lambda root: {formats.HEADER: formats.header_text(formats.read(root))}),
     (stream_words.TABLE, lambda root: {
         stream_words.RTL: stream_words.rtl_text(stream_words.read(root)),
-        stream_words.HEADER: stream_words.header_text(stream_words.read(root))}),
+        stream_words.HEADER: stream_words.header_text(stream_words.read(root)),
+        stream_words.OPCODES: stream_words.opcodes_text(stream_words.read(root))}),
     (registers.TABLE, registers.outputs),
     (organization_rtl.TABLE, lambda root: {"rtl/hwffd.f": rtl_sources.file_list_text(root / "rtl")}),
     (version.FILE, lambda root: {core_file.NAME: core_file.text(root)}),

@@ -1,5 +1,5 @@
 """The table of the fields of the stream's inner words, rtl/stream/fields.csv, and the headers that
-follow from it: macros of the RTL, and the status bits of a result in C++.
+follow from it: macros of the RTL, and in C++ the status bits of a result and the opcodes of packets.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -15,6 +15,7 @@ from tools.project_root import ROOT
 TABLE = "rtl/stream/fields.csv"
 RTL = "rtl/stream/ffd_fields.vh"
 HEADER = "golden/include/hwffd/stream/status.hpp"
+OPCODES = "golden/include/hwffd/stream/opcodes.hpp"
 COLUMNS = ("word", "field", "bits", "description")
 # A vertex's way around the evaluator; what of it says that banks are free again; the status of a
 # result, most of which is known before and comes in the first; the kind of a packet; what a beat is in it.
@@ -80,13 +81,35 @@ def rtl_text(fields):
                       "`define FFD_FIELDS_VH", *lines, "`endif"]) + "\n"
 
 
+def _aligned(lines):
+    """Their comments below each other."""
+    width = max(len(line.split("///<")[0]) for line in lines)
+    return ["///<".join([left.ljust(width), right]) for left, right in (line.split("///<") for line in lines)]
+
+
+def _header(*lines):
+    return "\n".join([f"// {GENERATED}", "#pragma once", "", "#include <cstdint>", "", "namespace hwffd {", "",
+                      *lines, "", "}  // namespace hwffd"]) + "\n"
+
+
+def opcodes_text(fields):
+    """Bit n of the kind of a packet is opcode n + 1."""
+    packets = _of(fields, "packet")
+
+    def constant(field):
+        return "k" + "".join(word.capitalize() for word in field.name.split("_"))
+
+    return _header(
+        "/// Packet opcodes, in the low byte of a header's word 0. docs/interface.md section 2.",
+        "enum class Opcode : std::uint8_t {",
+        *_aligned([f"  {constant(field)} = {field.low + 1}{',' if field is not packets[-1] else ''}"
+                   f"  ///< {field.description.partition(': ')[2]}" for field in packets]),
+        "};", "", "/// The last of them; the first is 1.",
+        f"constexpr unsigned kOpcodes = {packets[-1].low + 1};")
+
+
 def header_text(fields):
     low = _status(fields).low
     bits = [f"constexpr std::uint32_t kStatus{field.name.capitalize()} = 1U << {low + field.low};"
             f"  ///< {field.description}" for field in _of(fields, "status")]
-    width = max(len(line.split("///<")[0]) for line in bits)
-    bits = ["///<".join([left.ljust(width), right]) for left, right in
-            (line.split("///<") for line in bits)]
-    return "\n".join([f"// {GENERATED}", "#pragma once", "", "#include <cstdint>", "",
-                      "namespace hwffd {", "", "// Status bits of a result, in its word 3.", *bits,
-                      "", "}  // namespace hwffd"]) + "\n"
+    return _header("// Status bits of a result, in its word 3.", *_aligned(bits))

@@ -160,7 +160,8 @@ void check_packet(const CoreIdentity& core, const PacketHeader& header) {
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);
       return check_spans(core, header);
     default:
-      throw DriverError("opcode " + std::to_string(header[0] & 0xFF) + ": 1 to 9 are known");
+      throw DriverError("opcode " + std::to_string(header[0] & 0xFF) + ": 1 to " +
+                        std::to_string(kOpcodes) + " are known");
   }
 }
 

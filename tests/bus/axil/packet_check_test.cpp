@@ -3,6 +3,7 @@
 
 #include "hwffd/driver.hpp"
 #include "hwffd/registers.h"
+#include "hwffd/stream/opcodes.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -127,7 +128,7 @@ TEST(PacketCheck, KnowsTheLimits) {
   EXPECT_NE(complaint(core, {9, 0xFFFFFFFF, 1 << 8, 0}), "") << "no wrap";
   EXPECT_NE(complaint(core, {3, 1, 0x300, 0}), "") << "results 3";
   EXPECT_NE(complaint(core, {0, 0, 0, 0}), "");
-  EXPECT_NE(complaint(core, {10, 0, 0, 0}), "");
+  EXPECT_NE(complaint(core, {kOpcodes + 1, 0, 0, 0}), "");
 }
 
 TEST(PacketCheck, KnowsTheFlagsOfEachOpcode) {

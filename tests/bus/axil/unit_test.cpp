@@ -299,12 +299,12 @@ TEST(RegisterBlock, AStartInTheClockOfThePulseIsRefused) {
 /// Bits of counts that no traffic of a test reaches, 22 and of errors 27 of them with both values:
 /// an event of each kind in every clock.
 TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
-  constexpr std::uint32_t kEvery = (1u << kErrors) - 1;
+  constexpr std::uint32_t kAllErrors = (1u << kErrors) - 1;
   tb::Sim<Vbus_registers> sim(2);
   auto& dut = sim.dut();
   const auto events = [&](bool now) {
     dut.counter_vertices_event_i = dut.counter_stalls_event_i = dut.counter_busy_event_i = now;
-    dut.error_event_i = now ? kEvery : 0;
+    dut.error_event_i = now ? kAllErrors : 0;
   };
   const auto get = [&](unsigned offset) {
     dut.s_read_word = offset / 4;
@@ -331,7 +331,7 @@ TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
       EXPECT_EQ(get(offset + 4), 0u);
     }
     EXPECT_EQ(get(HWFFD_ERROR_COUNT_OFFSET), kErrors * clocks);
-    EXPECT_EQ(get(HWFFD_ERROR_STATUS_OFFSET), kEvery);
+    EXPECT_EQ(get(HWFFD_ERROR_STATUS_OFFSET), kAllErrors);
   }
 }
 

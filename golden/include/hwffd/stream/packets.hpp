@@ -6,22 +6,10 @@
 #include <vector>
 
 #include "hwffd/stream/beat.hpp"
+#include "hwffd/stream/opcodes.hpp"
 #include "hwffd/stream/status.hpp"
 
 namespace hwffd {
-
-/// Packet opcodes, in the low byte of a header's word 0. docs/interface.md section 2.
-enum class Opcode : std::uint8_t {
-  kCoefficients = 1,
-  kLattice = 2,
-  kVertices = 3,
-  kInterleaved = 4,
-  kPage = 5,
-  kPoints = 6,
-  kPageVertices = 7,
-  kGrid = 8,  ///< hwffd/stream/grid.hpp
-  kSpans = 9  ///< hwffd/stream/spans.hpp
-};
 
 /// Flags of opcodes 5 to 8, bits of a header's word 0. docs/interface.md section 2.
 constexpr std::uint32_t kEveryFlag = 1U << 16;   ///< vertices come until tlast
