@@ -3,6 +3,7 @@
 // Writes and reads come as any bus hands them on (that they are the bus's is proved of each), with
 // the word a clock before the valid, and not while the block clears its memory. Looks at each
 // register in the clock before and after.
+// registers_at_rest.vh, connections of what is only read, is made by proofs.py.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_events.vh"
@@ -71,28 +72,7 @@ module formal_bus_registers #(
     .s_read_valid            (read),
     .s_read_word             (read_word),
     .s_read_data             (read_data),
-    .config_org_i            (8'd0),
-    .config_n_i              (8'd0),
-    .config_format_i         (8'd0),
-    .config_schedule_i       (1'b0),
-    .config_evaluator_i      (2'd0),
-    .limits_in_flight_i      (16'd0),
-    .limits_points_axis_i    (8'd0),
-    .features_pages_i        (1'b0),
-    .features_large_i        (1'b0),
-    .features_fourth_i       (1'b0),
-    .features_spans_i        (1'b0),
-    .features_grids_i        (1'b0),
-    .features_packed_i       (1'b0),
-    .features_marks_i        (1'b0),
-    .features_resident_i     (1'b0),
-    .features_interleaved_i  (1'b0),
-    .features_derivatives_i  (1'b0),
-    .features_determinant_i  (1'b0),
-    .limits2_pages_i         (16'd0),
-    .limits2_spans_i         (8'd0),
-    .limits2_count_width_i   (6'd0),
-    .limits2_hardened_i      (1'b0),
+    `include "registers_at_rest.vh"
     .control_start_o         (start),
     .status_busy_i           (busy),
     .status_idle_i           (1'b0),
@@ -102,10 +82,8 @@ module formal_bus_registers #(
     .ring_base_o             (ring_base),
     .ring_log2_size_o        (ring_log2_size),
     .ring_head_o             (ring_head),
-    .ring_tail_i             (16'd0),
     .result_base_o           (result_base),
     .result_size_o           (result_size),
-    .result_count_i          (32'd0),
     .read_window_base_o      (read_base),
     .read_window_limit_o     (read_limit),
     .write_window_base_o     (write_base),
@@ -113,12 +91,6 @@ module formal_bus_registers #(
     .window_lock_windows_o   (lock),
     .counter_vertices_event_i(count[0]),
     .counter_stalls_event_i  (count[1]),
-    .wait_input_i            (32'd0),
-    .wait_memory_i           (32'd0),
-    .wait_evaluator_i        (32'd0),
-    .wait_forming_i          (32'd0),
-    .wait_read_i             (32'd0),
-    .wait_write_i            (32'd0),
     .counter_busy_event_i    (count[2]),
     .error_any_i             (error != 0),
     .error_event_i           (error),

@@ -2,6 +2,7 @@
 //
 // What the DMA takes with a start is compared with what the registers held in the clock in which
 // the start was written.
+// registers_at_rest.vh, connections of what is only read, is made by proofs.py.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_events.vh"
@@ -39,28 +40,7 @@ module formal_bus_run (
     .s_write_strobe          (strobe),
     .s_read_valid            (1'b0),
     .s_read_word             (10'd0),
-    .config_org_i            (8'd0),
-    .config_n_i              (8'd0),
-    .config_format_i         (8'd0),
-    .config_schedule_i       (1'b0),
-    .config_evaluator_i      (2'd0),
-    .limits_in_flight_i      (16'd0),
-    .limits_points_axis_i    (8'd0),
-    .features_pages_i        (1'b0),
-    .features_large_i        (1'b0),
-    .features_fourth_i       (1'b0),
-    .features_spans_i        (1'b0),
-    .features_grids_i        (1'b0),
-    .features_packed_i       (1'b0),
-    .features_marks_i        (1'b0),
-    .features_resident_i     (1'b0),
-    .features_interleaved_i  (1'b0),
-    .features_derivatives_i  (1'b0),
-    .features_determinant_i  (1'b0),
-    .limits2_pages_i         (16'd0),
-    .limits2_spans_i         (8'd0),
-    .limits2_count_width_i   (6'd0),
-    .limits2_hardened_i      (1'b0),
+    `include "registers_at_rest.vh"
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .status_busy_i           (busy),
@@ -68,18 +48,10 @@ module formal_bus_run (
     .status_stopped_i        (stopped),
     .status_ring_running_i   (1'b0),
     .status_done_set_i       (1'b0),
-    .ring_tail_i             (16'd0),
     .result_base_o           (result_base),
     .result_size_o           (result_size),
-    .result_count_i          (32'd0),
     .counter_vertices_event_i(1'b0),
     .counter_stalls_event_i  (1'b0),
-    .wait_input_i            (32'd0),
-    .wait_memory_i           (32'd0),
-    .wait_evaluator_i        (32'd0),
-    .wait_forming_i          (32'd0),
-    .wait_read_i             (32'd0),
-    .wait_write_i            (32'd0),
     .counter_busy_event_i    (1'b0),
     .upset_status_memory_set_i(1'b0),
     .upset_status_state_set_i(1'b0),

@@ -15,8 +15,10 @@ import dataclasses
 import pathlib
 import re
 
+from tools.csv_table import write_if_changed
 from tools.rtl import digest, rtl_sources
 from tools.synth import engine
+from tools.tables import register_rtl, registers
 
 TABLE = "lab/formal/properties.csv"
 COLUMNS = ("module", "name", "harness", "parameters", "method", "lemmas", "file", "original",
@@ -95,6 +97,16 @@ def read(path):
     return properties
 
 
+def registers_at_rest(of_table):
+    """Connections of ffd_bus_registers: what software only reads is 0, but for STATUS, of which harnesses say more."""
+    ports = {}
+    for field in (field for register in of_table for field in register.fields):
+        if field.access == "ro" and field.register != "STATUS":
+            name, half = register_rtl.signal_name(field)
+            ports[name] = 64 if half else field.width
+    return "".join(f".{name}_i({width}'d0),\n" for name, width in ports.items())
+
+
 class Proofs:
     """The properties of one checkout as steps of yosys and ABC; verdicts lie in build/formal/, their
     keys in their names."""
@@ -105,6 +117,10 @@ class Proofs:
         self.harnesses = self.root / "lab" / "formal"
         self.sources = rtl_sources.Sources(self.root)
         self.version = rtl_sources.run(["yosys", "-V"])[1].strip()
+        made = self.folder / "headers"
+        self.includes = [*self.sources.includes, str(made)]
+        if (self.root / registers.TABLE).is_file():
+            write_if_changed(made / "registers_at_rest.vh", registers_at_rest(registers.read(self.root)))
 
     def sources_of(self, prop):
         """(the modules under proof by name, the harness and what it shares). Raises ProofError."""
@@ -150,7 +166,7 @@ class Proofs:
         lemmas = [] if planted else prop.lemmas.split()
         if planted:
             needed[prop.file] = planted
-        folders = "".join(f"-I {folder} " for folder in self.sources.includes)
+        folders = "".join(f"-I {folder} " for folder in self.includes)
         values = "".join(f" -chparam {word.replace('=', ' ')}" for word in prop.parameters.split())
 
         def assertion(name):
@@ -203,7 +219,7 @@ class Proofs:
         """Changes with whatever a verdict depends on. Raises ProofError."""
         needed, harness = self.sources_of(prop)
         self.mutated(prop)
-        folders = tuple(self.sources.includes)
+        folders = tuple(self.includes)
         return digest.of(
             self.version, prop.method, str((BASE, STEPS)), prop.file, prop.original, prop.mutant,
             *self.script(prop)[2:],
@@ -264,7 +280,7 @@ def changed_since(proofs, everything, commit):
             for name in re.findall(r'^\s*`include "([^"]+)"', text, re.MULTILINE):
                 if name not in names:
                     names.add(name)
-                    texts += [(folder / name).read_text() for folder in map(pathlib.Path, proofs.sources.includes)
+                    texts += [(folder / name).read_text() for folder in map(pathlib.Path, proofs.includes)
                               if (folder / name).is_file()]
         return names
 

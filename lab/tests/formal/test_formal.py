@@ -15,6 +15,7 @@ import pytest
 from lab.formal import proofs
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
+from tools.tables import registers
 
 SOURCE, HARNESSED = "rtl/stream/ffd_stream_count.v", "lab/formal/formal_count.v"
 COUNTER = """\
@@ -220,6 +221,15 @@ def test_rows_of_this_tree(prop):
     assert SOURCES.files[prop.file].read_text().count(prop.original) == 1
     text = (ROOT / "lab/formal" / f"{prop.harness}.v").read_text() + SHARED
     assert re.search(rf"\b{re.escape(prop.name.split('.')[-1])}: assert", text)
+
+
+def test_what_software_only_reads_is_at_rest_in_each_harness():
+    connections = proofs.registers_at_rest(registers.read(ROOT)).splitlines()
+    assert {".limits_in_flight_i(16'd0),", ".features_pages_i(1'd0),", ".wait_read_i(32'd0),"} <= set(connections)
+    assert len(set(connections)) == len(connections) and "status" not in "".join(connections)
+    for path in (ROOT / "lab/formal").glob("*.v"):
+        text = path.read_text()
+        assert ("registers_at_rest.vh" in text) == bool(re.search(r"^ +ffd_bus_registers ", text, re.MULTILINE)), path
 
 
 def test_what_changed_last_is_proved_first(checkout, table, formal):
