@@ -102,7 +102,7 @@ void add_summation(std::vector<Lane>& lanes, const Configuration& c, const Sched
   }
 }
 
-bool is_affine(const Configuration& c) { return organization_of(c).form == Form::kAffine; }
+bool is_affine(const Configuration& c) { return completes(organization_of(c).form); }
 
 /// What an affine contraction does before it has its weights.
 void add_differences(std::vector<Lane>& lanes, Pipeline& pipeline, const Configuration& c, int sums,

@@ -46,7 +46,7 @@ double bound(const Configuration& row) {
 bool hard_wired(const Configuration& row) { return wired_in(row); }
 
 /// Whether bank 3 of an axis has what the others leave of one.
-bool completes(const Configuration& row) { return organization_of(row).form == Form::kAffine; }
+bool completes(const Configuration& row) { return completes(organization_of(row).form); }
 
 /// The function of a cell's axis that stands in bank 3.
 int last_function(const InterleavedVertex& vertex, std::size_t axis) {

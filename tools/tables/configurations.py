@@ -116,7 +116,7 @@ def _read_row(fields, where, known, known_formats):
     if organization.n not in (None, fields["n"]):
         raise TableError(f"{where}: n is {fields['n']}, that of {organization.name} is "
                          f"{organization.n}")
-    if organization.form == "affine" and number_format.words != "fixed":
+    if organization.of_form.words == ("fixed",) and number_format.words != "fixed":
         raise TableError(f"{where}: format is {fields['format']}: {organization.name} is exact in "
                          "fixed point only")
     if fields["evaluator"] == "powers" and not (

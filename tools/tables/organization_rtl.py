@@ -1,4 +1,5 @@
-"""The RTL that follows from the table of organizations: ffd_org_select, and what kind each of them is.
+"""The RTL that follows from the table of organizations: ffd_org_select, and what kind each of them is; and their
+forms in C++.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -11,6 +12,7 @@ from tools.tables import organizations
 TABLE = f"rtl/{organizations.TABLE}"
 SELECT = "rtl/evaluator/ffd_org_select.v"
 HEADER = "rtl/evaluator/ffd_organizations.vh"
+FORMS = "golden/include/hwffd/model/form.hpp"
 GENERATED = "by tools/tables/generated_files.py; changes here are lost."
 LATENCIES = """\
   ffd_num_latencies #(
@@ -106,7 +108,7 @@ def header_text(rtl):
 
 // It takes for granted that the functions of an axis sum to one.
 `define FFD_ORG_AFFINE(ORG) \\
-  ({any_of(lambda row: row.form == "affine")})
+  ({any_of(lambda row: row.of_form.completes)})
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)
@@ -119,7 +121,42 @@ def header_text(rtl):
 """
 
 
+def forms_text():
+    """C++: the forms, and what the model and the cores ask of them."""
+    forms = list(organizations.FORMS.values())
+    width = max(len(form.name) for form in forms)
+    names = "\n".join(f"  k{form.name.capitalize()},".ljust(width + 6) + f"///< {form.meaning}" for form in forms)
+
+    def any_of(kind):
+        return " || ".join(f"form == Form::k{form.name.capitalize()}" for form in forms if kind(form)) or "false"
+
+    return f"""// Made from the forms of tools/tables/organizations.py by tools/tables/generated_files.py; changes here are lost.
+#pragma once
+
+namespace hwffd {{
+
+// clang-format off
+/// How an organization computes eq. (1), which decides what it rounds.
+enum class Form {{
+{names}
+}};
+
+/// Whether it takes one axis after the other.
+constexpr bool contracts(Form form) {{
+  return {any_of(lambda form: form.contracts)};
+}}
+
+/// Whether it takes for granted that the functions of an axis sum to one.
+constexpr bool completes(Form form) {{
+  return {any_of(lambda form: form.completes)};
+}}
+// clang-format on
+
+}}  // namespace hwffd
+"""
+
+
 def outputs(root):
     """path below root -> the text that it must have"""
     rtl = pathlib.Path(root) / "rtl"
-    return {SELECT: select_text(rtl), HEADER: header_text(rtl)}
+    return {SELECT: select_text(rtl), HEADER: header_text(rtl), FORMS: forms_text()}

@@ -26,7 +26,6 @@ COLUMNS = ("org", "number", "module", "n", "form", "units", "paper", "last", "ov
 NUMBERS = range(256)  # what CONFIG.org has bits for
 UNITS = range(1, 65)
 SEAMS = range(1000)
-FORMS = ("product", "factored", "affine", "nested")
 # On which targets besides ECP5: none, those of `fx18`, or those of every format.
 MAPPED = ("", "fx18", "every")
 
@@ -38,13 +37,36 @@ NAME = re.compile(r"[a-z]+[0-9]*(/[0-9]+(x[0-9]+)?)?")
 
 
 @dataclass(frozen=True)
+class Form:
+    """How eq. (1) is computed, which decides what it rounds."""
+
+    name: str
+    words: tuple  # of the formats that it has
+    evaluators: tuple  # that it has beside the pipelined one
+    contracts: bool  # whether it takes one axis after the other
+    completes: bool  # whether it takes for granted that the functions of an axis sum to one
+    meaning: str
+
+
+# The one place that says what a form is; `enum class Form` of the model follows.
+FORMS = {form.name: form for form in (
+    Form("product", ("float", "block", "fixed"), ("iterative",), False, False, "the sum of ((B_l B_m) B_n) P"),
+    Form("factored", ("float", "block", "fixed"), ("powers",), True, False, "one axis after the other"),
+    Form("affine", ("fixed",), ("powers",), True, True,
+         "the same, of functions that sum to one, by differences of points"),
+    Form("nested", ("float", "fixed"), (), False, False,
+         "a polynomial of the cell, formed when its first vertex comes"),
+)}
+
+
+@dataclass(frozen=True)
 class Organization:
     name: str
     number: int  # the value of the parameter ORG, which software reads: it stays for ever
     module: str  # tree, of ffd_org_tree
     parameters: dict  # those of its own that make it this organization
     n: Optional[int]  # None where the rows choose
-    form: str
+    form: str  # a name of FORMS
     units: Optional[int]  # None: N
     formulas: dict  # column -> Formula, or None where there is nothing of that kind
     seam_float: int
@@ -53,19 +75,33 @@ class Organization:
     mapped_n: range
 
     @property
+    def of_form(self):
+        return FORMS[self.form]
+
+    @property
+    def keeps_cell(self):
+        """Whether it keeps what it forms for a cell from vertex to vertex."""
+        return self.formulas["formed"] is not None
+
+    @property
     def fold(self):
         return self.parameters.get("FOLD", 1)
 
     @property
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
-        return self.form == "product" or self.fold == 64 or (
+        return not (self.of_form.contracts or self.keeps_cell) or self.fold == 64 or (
             self.fold == 4 and self.lanes == 1 and not self.scan)
 
     @property
     def weighs_axes(self):
         """Whether it takes the four weights of an axis at once."""
-        return self.form in ("factored", "affine") and self.fold != 64
+        return self.of_form.contracts and self.fold != 64
+
+    @property
+    def in_sequence(self):
+        """Whether it contracts a point at a time."""
+        return self.of_form.contracts and self.fold == 64
 
     @property
     def lanes(self):

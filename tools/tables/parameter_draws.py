@@ -75,14 +75,11 @@ class Draw:
         weighed = [number for number, organization in every.items() for _ in range(1 if organization.n else 4)]
         org = every[fixed.get("ORG", self.random.choice(weighed))]
         words = ["fixed"] * 3
-        if org.form != "affine":
-            words += ["float"]
-        if org.form in ("product", "factored"):
-            words += ["block"]
+        words += [word for word in ("float", "block") if word in org.of_form.words]
         word = self.random.choice(words)
         number = self.random.choice([n for n, f in self.formats.items() if f.words == word])
         evaluators = [spaces.PIPELINED]
-        if org.form != "nested":
+        if org.of_form.evaluators:
             evaluators += [spaces.POWERS if org.weighs_axes else spaces.ITERATIVE] * 2
         return {
             "ORG": org.number,

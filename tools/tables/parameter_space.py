@@ -99,7 +99,7 @@ class Space:
             Parameter("FORMAT", values.of(*self.formats), "ffd_num_\\w+_format_is_unknown", unnamed),
             Parameter("SCHEDULE", values.of(*range(len(SCHEDULES))), "ffd_org_\\w+_schedule_must_be_.*"),
             Parameter("EVALUATOR", values.of(*EVALUATORS.values()),
-                      "ffd_(eval_poly|org_nested)_evaluator_must_be_.*"),
+                      "ffd_(eval_poly|org_\\w+)_evaluator_must_be_.*"),
             Parameter("MUL_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("ADD_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("FMA_LATENCY", values.of(Between(0)), "\\w+_fused_needs_fp32"),
@@ -148,8 +148,10 @@ class Space:
         chosen = self._those(lambda organization: organization.n is None)
         paper = self._those(lambda organization: organization.formulas["paper"])
         axes = self._those(lambda organization: organization.weighs_axes)
-        affine = self._those(lambda organization: organization.form == "affine")
-        nested = self._those(lambda organization: organization.form == "nested")
+        fixed = self._those(lambda organization: organization.of_form.words == ("fixed",))
+        blockless = self._those(lambda organization: "float" in organization.of_form.words
+                                and "block" not in organization.of_form.words)
+        pipelined = self._those(lambda organization: not organization.of_form.evaluators)
         of = self.organizations
         return [
             Rule(f"N is that of the organization; of {_names(chosen)} it may be any", ("ORG", "N"),
@@ -157,28 +159,28 @@ class Space:
             Rule(f"the paper's schedule is of {_names(paper)}", ("ORG", "SCHEDULE"),
                  lambda p: p.SCHEDULE == OVERLAPPED or of[p.ORG] in paper,
                  "ffd_org_\\w+_schedule_must_be_overlapped"),
-            Rule(f"{_names(nested)} have EVALUATOR {PIPELINED}", ("ORG", "EVALUATOR"),
-                 lambda p: of[p.ORG] not in nested or p.EVALUATOR == PIPELINED,
-                 "ffd_org_nested_evaluator_must_be_pipelined"),
+            Rule(f"{_names(pipelined)} have EVALUATOR {PIPELINED}", ("ORG", "EVALUATOR"),
+                 lambda p: of[p.ORG] not in pipelined or p.EVALUATOR == PIPELINED,
+                 "ffd_org_\\w+_evaluator_must_be_pipelined"),
             Rule(f"EVALUATOR {ITERATIVE} is not of {_names(axes)}", ("ORG", "EVALUATOR"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != ITERATIVE,
                  "ffd_eval_axis_weights_evaluator_must_not_be_iterative"),
             Rule(f"EVALUATOR {POWERS} is of {_names(axes)} only", ("ORG", "EVALUATOR"),
-                 lambda p: of[p.ORG] in (*axes, *nested) or p.EVALUATOR != POWERS,
+                 lambda p: of[p.ORG] in (*axes, *pipelined) or p.EVALUATOR != POWERS,
                  "ffd_eval_poly_evaluator_must_be_0_or_1"),
             Rule(f"EVALUATOR {POWERS} wants fixed point", ("ORG", "EVALUATOR", "FORMAT"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != POWERS or self.words(p) == "fixed",
                  "ffd_num_\\w+_needs_fixed_point"),
-            Rule(f"{_names(affine)} want fixed point", ("ORG", "FORMAT"),
-                 lambda p: of[p.ORG] not in affine or self.words(p) == "fixed", "ffd_num_\\w+_needs_fixed_point"),
-            Rule(f"{_names(nested)} have no block floating point", ("ORG", "FORMAT"),
-                 lambda p: of[p.ORG] not in nested or self.words(p) != "block",
-                 "ffd_org_nested_points_and_weights_must_be_equally_wide"),
+            Rule(f"{_names(fixed)} want fixed point", ("ORG", "FORMAT"),
+                 lambda p: of[p.ORG] not in fixed or self.words(p) == "fixed", "ffd_num_\\w+_needs_fixed_point"),
+            Rule(f"{_names(blockless)} have no block floating point", ("ORG", "FORMAT"),
+                 lambda p: of[p.ORG] not in blockless or self.words(p) != "block",
+                 "ffd_org_\\w+_points_and_weights_must_be_equally_wide"),
         ]
 
     def _latency_rules(self):
-        nested = self._those(lambda organization: organization.form == "nested")
-        serial = self._those(lambda organization: organization.form == "affine" and organization.fold == 64)
+        nested = self._those(lambda organization: organization.keeps_cell)
+        serial = self._those(lambda organization: organization.in_sequence)
         of = self.organizations
         return [
             Rule("FMA_LATENCY is 0 but in binary32", ("FORMAT", "FMA_LATENCY"),

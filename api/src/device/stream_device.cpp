@@ -84,7 +84,7 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name),
       format_(row.format),
-      affine_(organization_of(row).form == Form::kAffine),
+      affine_(completes(organization_of(row).form)),
       stream_(std::move(stream)),
       store_(stream_->store()) {
   if (store_.pages > 0) pages_.emplace(store_);

@@ -27,10 +27,7 @@ std::optional<double> clocks(const Configuration& row, Organization::Clocks form
 
 }  // namespace
 
-bool contracts(const Configuration& row) {
-  const Form form = organization_of(row).form;
-  return form == Form::kFactored || form == Form::kAffine;
-}
+bool contracts(const Configuration& row) { return contracts(organization_of(row).form); }
 
 bool keeps_cell(const Configuration& row) { return organization_of(row).formed != nullptr; }
 

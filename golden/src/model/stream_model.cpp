@@ -16,8 +16,7 @@ StreamModel::StreamModel(const Configuration& configuration, std::uint32_t featu
       axis_points_(axis_points),
       pages_(pages),
       spans_(spans),
-      sums_wanted_(organization_of(configuration).form == Form::kAffine &&
-                   !wired_in(configuration)) {}
+      sums_wanted_(completes(organization_of(configuration).form) && !wired_in(configuration)) {}
 
 void StreamModel::reset() {
   state_ = State::kHeader;

@@ -3,16 +3,9 @@
 #include <vector>
 
 #include "hwffd/model/configuration.hpp"
+#include "hwffd/model/form.hpp"
 
 namespace hwffd {
-
-/// How an organization computes eq. (1), which decides what it rounds.
-enum class Form {
-  kProduct,   ///< the sum of ((B_l B_m) B_n) P
-  kFactored,  ///< one axis after the other
-  kAffine,    ///< the same, of functions that sum to one, by differences of points
-  kNested,    ///< a polynomial of the cell, formed when its first vertex comes
-};
 
 /// What the formulas of rtl/organizations.csv name, in clocks but for `n`.
 struct ClockTerms {
