@@ -30,6 +30,16 @@ def test_a_study_builds_one_program_and_runs_it(lab, programs, name):
     assert lines[-1] == f"{name}<>"
 
 
+def test_a_study_of_the_table_needs_no_rule(lab, programs, checkout):
+    checkout.put({"lab/release/studies.csv": "name,report,command\nfee,fee,make -C lab fee\nfoe,foe,make -C lab foe\n"
+                                             "words,words,make words\n", "lab/foe/CMakeLists.txt": ""})
+    programs(lab__fee="echo fee", build__lab__foe__hwffd_foe="echo foe")
+    assert lab("fee")[1][-1] == "fee" and not any(line.startswith("cmake") for line in lab("fee")[1])
+    lines = lab("foe")[1]
+    assert lines[-2].endswith(" --target hwffd-foe") and lines[-1] == "foe"
+    assert {"  fee", "  foe"} <= set(lab()[1])
+
+
 def test_compare_builds_its_program_and_runs_it_beside_others(lab, programs):
     programs(lab__compare="echo compare")
     lines = lab("compare")[1]
