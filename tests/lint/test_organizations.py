@@ -92,6 +92,13 @@ def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
     assert organizations.read()["nested/3"].formulas["formed"].value(**unfused) == 238
 
 
+def test_a_formula_is_said_with_what_is_known():
+    rows = organizations.read()
+    assert rows["cg1"].formulas["paper"].said(n=1, poly=6, add=1) == "392"
+    assert rows["tree"].formulas["paper"].said(poly=6, add=1) == "(6 + 3 + log2(n)) * 64 / n"
+    assert [name for name, own in rows.items() if own.has_iterative] == ["basic", "cg1", "cg3", "tree", "parallel", "affine/64"]
+
+
 def test_numbers_are_those_that_software_knows():
     numbers = {name: organization.number for name, organization in organizations.read().items()}
     assert {**numbers, **NUMBERS} == numbers

@@ -8,7 +8,7 @@ import dataclasses
 from tools.reports.results import RequestError
 from tools.reports.text_table import Table
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations, parameter_space
+from tools.tables import configurations, organizations, parameter_space
 
 
 def _meanings(top, names, lines):
@@ -46,6 +46,20 @@ def parameters(reports, top, lines=()):
         for name, value in header.parameters.items()])
 
 
+def clocks(reports):
+    """What each organization takes with units of one clock: by the paper's schedule, in which fused units spare an
+    addition, and overlapped, with pipelined and with iterative evaluators."""
+    rows = []
+    for own in organizations.read(reports.root / "rtl").values():
+        n = {"n": own.n} if own.n else {}
+        cells = [own.formulas[column].said(**terms, **n) if own.formulas[column] else "-" for column, terms in (
+            ("paper", {"poly": 6, "add": 1}), ("paper", {"poly": 3, "add": 0}), ("overlapped", {"start": 1}))]
+        iterative = own.formulas["overlapped"].said(start=3, **n) if own.has_iterative else "-"
+        rows.append([f"`{own.name}`", *cells, iterative])
+    return Table(["organization", "paper, clocks a vertex", "fused", "overlapped, clocks between vertices", "iterative"],
+                 rows)
+
+
 def rules(reports, top):
     """What binds parameters of a top to each other; the guard is the module that stops elaboration."""
     _header(reports, top)
@@ -81,4 +95,4 @@ def rows(reports):
     return [dataclasses.asdict(row) for row in table]
 
 
-TABLES = {"parameters": parameters, "rules": rules, "ports": ports}
+TABLES = {"parameters": parameters, "rules": rules, "ports": ports, "clocks": clocks}

@@ -99,6 +99,11 @@ class Organization:
         return self.of_form.contracts and self.fold != 64
 
     @property
+    def has_iterative(self):
+        """Whether it has the iterative evaluator too."""
+        return not self.weighs_axes and not self.keeps_cell
+
+    @property
     def in_sequence(self):
         """Whether it contracts a point at a time."""
         return self.of_form.contracts and self.fold == 64
