@@ -21,6 +21,9 @@ FORMULAS = {
 DISTANCES = {"product": "a + 16*unit2*g + 64*unit2", "product by pairs": "64*unit2 + r*g + e"}
 ORDERS = {"sequence": (False, 65, 128), "tree": (True, 7, 127)}
 FUSED_ORDERS = {"sequence": (False, 64, 64), "tree": (True, 7, 95)}
+# Of a form of fixed point the weights that the search calls so; and all forms in the order of the report.
+WEIGHTS = {"product": "bspline", "factored": "bspline", "affine": "affine", "powers": "powers", "nested": "centred"}
+NAMES = (*WEIGHTS, *ORDERS)
 
 BLOCK_WEIGHT = -33  # what weights of bfp32 are rounded to multiples of, as a power of two
 

@@ -132,8 +132,7 @@ def fixed_rows(measured):
         if form.is_float() or not fact["all"]:
             continue
         known = known_of(fact)
-        for name in {"bspline": ("factored", "product"), "affine": ("affine",), "powers": ("powers",),
-                     "centred": ("nested",)}.get(fact["weights"], ()):
+        for name in sorted(name for name, of_form in forms.WEIGHTS.items() if of_form == fact["weights"]):
             reached = of(measured, "forms", form=name, format=form.name)
             if reached:
                 yield fixed_row(name, form, known, reached["error"], fact)

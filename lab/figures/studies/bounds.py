@@ -3,9 +3,10 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from lab.bounds import forms as proved
 from tools.reports.text_table import Table, shown
 
-FORMS = ("product", "factored", "affine", "powers", "nested", "sequence", "tree")
+FORMS = proved.NAMES
 # Of a form, what its ratio shall be at most.
 AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
 FORMATS = ("fx16", "fx17", "fx18", "fx32", "bfp32", "fp32", "fp32-fused")
@@ -70,7 +71,7 @@ def axes(reports):
     """What the search has looked at all of, in units of a weight."""
     lines = []
     for row in reports.get("bounds")["axes"]:
-        if row["weights"] not in ("bspline", "affine", "powers", "centred"):
+        if row["weights"] not in proved.WEIGHTS.values():
             continue
         unit = _unit(row["format"])
         lines.append([f"`{row['weights']}`", f"`{row['format']}`", shown(row["coordinates"], ","),
