@@ -145,9 +145,16 @@ module model_intake #(
     below = place[3:0] <= last[3:0] && place[7:4] <= last[7:4] && place[11:8] <= last[11:8];
   endfunction
 
+  wire [`FFD_PACKET_W-1:0] m_packet;
+  ffd_stream_opcode u_framed (
+    .opcode_i(m_data[7:0]),
+    .packet_o(m_packet)
+  );
+
   wire one_kind = (!there_o || (kinds & (kinds - 5'd1)) == 0)
                && (next_kinds & (next_kinds - 6'd1)) == 0;
-  wire legal    = (!finish || vertex || points) && (finish || !m_last || !(vertex || points))
+  wire legal    = m_frame[`FFD_FRAME_PACKET] == m_packet
+               && (!finish || vertex || points) && (finish || !m_last || !(vertex || points))
                && (header || !(bank || buffer)) && (!buffer || at_least_3(header_top))
                && (!bank || m_data[7:0] == 1) && (!buffer || m_data[7:0] == 2)
                && (!point || below(index, size_top))

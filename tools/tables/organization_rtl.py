@@ -130,7 +130,7 @@ def forms_text():
     def any_of(kind):
         return " || ".join(f"form == Form::k{form.name.capitalize()}" for form in forms if kind(form)) or "false"
 
-    return f"""// Made from the forms of tools/tables/organizations.py by tools/tables/generated_files.py; changes here are lost.
+    return f"""// Made from the forms of organizations.py by tools/tables/generated_files.py; changes are lost.
 #pragma once
 
 namespace hwffd {{

@@ -1,4 +1,4 @@
-// Made from the forms of tools/tables/organizations.py by tools/tables/generated_files.py; changes here are lost.
+// Made from the forms of organizations.py by tools/tables/generated_files.py; changes are lost.
 #pragma once
 
 namespace hwffd {
