@@ -27,8 +27,8 @@ def portions(groups, everything, minutes):
         groups = [[prop for group in groups for prop in group]]
     end, tried = time.monotonic() + 60 * (minutes or 0), set()
     for group in groups:
-        at_once = len(group) if minutes is None else AT_ONCE
-        for place in range(0, len(group), max(at_once, 1)):
+        at_once = AT_ONCE if minutes is not None else len(group) or 1
+        for place in range(0, len(group), at_once):
             if minutes is not None and tried and time.monotonic() >= end:
                 return
             portion = group[place:place + at_once]
@@ -75,13 +75,11 @@ def work(options, root):
             return 0
     if not wanted:
         raise command_line.Request(f"no property matches '{options.only}'")
-    verdicts, failed = {}, {}
-    tried = set()
+    verdicts, failed, wanted = {}, {}, []
     for portion in portions(groups, everything, options.minutes):
         for whole, part in zip((verdicts, failed), run(proving, portion, options.jobs)):
             whole.update(part)
-        tried.update(portion)
-    wanted = [prop for prop in everything if prop in tried]
+        wanted += portion
     shown = report.write(proving, everything, verdicts, failed, root / "build" / "reports")
     complaints = {(row["module"], row["name"]): (properties.complaint(row), row) for row in shown}
     bad = 0
@@ -93,7 +91,7 @@ def work(options, root):
                 "" if row["result"] == "error" else f": see {proving.log(prop)}"), file=sys.stderr)
     print(f"formal: {len(wanted) - bad} of {len(wanted)} properties proved, each with its planted"
           " bug found")
-    left = len({prop for group in groups for prop in group} - tried)
+    left = len({prop for group in groups for prop in group} - set(wanted))
     if left:
         print(f"formal: {left} that changed earlier were not tried: {options.minutes:g} minutes were up")
     print("wrote build/reports/formal.json and build/reports/formal.md")

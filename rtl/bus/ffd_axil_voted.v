@@ -12,6 +12,40 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
+// Ports of a copy: all that it drives is the vector out.
+`define FFD_AXIL_COPY \
+  .clk           (clk), \
+  .rst           (rst || again[k]), \
+  .s_axil_awvalid(s_axil_awvalid), \
+  .s_axil_awready(out[1]), \
+  .s_axil_awaddr (s_axil_awaddr), \
+  .s_axil_awprot (s_axil_awprot), \
+  .s_axil_wvalid (s_axil_wvalid), \
+  .s_axil_wready (out[2]), \
+  .s_axil_wdata  (s_axil_wdata), \
+  .s_axil_wstrb  (s_axil_wstrb), \
+  .s_axil_bvalid (out[3]), \
+  .s_axil_bready (s_axil_bready), \
+  .s_axil_bresp  (out[SHAKES +: 2]), \
+  .s_axil_arvalid(s_axil_arvalid), \
+  .s_axil_arready(out[4]), \
+  .s_axil_araddr (s_axil_araddr), \
+  .s_axil_arprot (s_axil_arprot), \
+  .s_axil_rvalid (out[5]), \
+  .s_axil_rready (s_axil_rready), \
+  .s_axil_rdata  (out[SHAKES + 4 +: 32]), \
+  .s_axil_rresp  (out[SHAKES + 2 +: 2]), \
+  .m_awake       (out[0]), \
+  .m_write_valid (out[6]), \
+  .m_write_word  (out[SHAKES + 72 +: ADDRESS_W - 2]), \
+  .m_write_data  (out[SHAKES + 36 +: 32]), \
+  .m_write_strobe(out[SHAKES + 68 +: 4]), \
+  .m_write_error (m_write_error), \
+  .m_read_valid  (out[7]), \
+  .m_read_word   (out[SHAKES + 72 + ADDRESS_W - 2 +: ADDRESS_W - 2]), \
+  .m_read_data   (m_read_data), \
+  .m_read_error  (m_read_error)
+
 module ffd_axil_voted #(
   parameter ADDRESS_W   = 12,
   parameter SECURE_ONLY = 0,
@@ -75,37 +109,7 @@ module ffd_axil_voted #(
           .ADDRESS_W  (ADDRESS_W),
           .SECURE_ONLY(SECURE_ONLY)
         ) u_slave (
-          .clk           (clk),
-          .rst           (rst || again[k]),
-          .s_axil_awvalid(s_axil_awvalid),
-          .s_axil_awready(out[1]),
-          .s_axil_awaddr (s_axil_awaddr),
-          .s_axil_awprot (s_axil_awprot),
-          .s_axil_wvalid (s_axil_wvalid),
-          .s_axil_wready (out[2]),
-          .s_axil_wdata  (s_axil_wdata),
-          .s_axil_wstrb  (s_axil_wstrb),
-          .s_axil_bvalid (out[3]),
-          .s_axil_bready (s_axil_bready),
-          .s_axil_bresp  (out[SHAKES +: 2]),
-          .s_axil_arvalid(s_axil_arvalid),
-          .s_axil_arready(out[4]),
-          .s_axil_araddr (s_axil_araddr),
-          .s_axil_arprot (s_axil_arprot),
-          .s_axil_rvalid (out[5]),
-          .s_axil_rready (s_axil_rready),
-          .s_axil_rdata  (out[SHAKES + 4 +: 32]),
-          .s_axil_rresp  (out[SHAKES + 2 +: 2]),
-          .m_awake       (out[0]),
-          .m_write_valid (out[6]),
-          .m_write_word  (out[SHAKES + 72 +: ADDRESS_W - 2]),
-          .m_write_data  (out[SHAKES + 36 +: 32]),
-          .m_write_strobe(out[SHAKES + 68 +: 4]),
-          .m_write_error (m_write_error),
-          .m_read_valid  (out[7]),
-          .m_read_word   (out[SHAKES + 72 + ADDRESS_W - 2 +: ADDRESS_W - 2]),
-          .m_read_data   (m_read_data),
-          .m_read_error  (m_read_error)
+          `FFD_AXIL_COPY
         );
       end else begin : gen_plain
         (* keep_hierarchy = "yes", dont_touch = "yes", syn_hier = "hard" *)
@@ -113,37 +117,7 @@ module ffd_axil_voted #(
           .ADDRESS_W  (ADDRESS_W),
           .SECURE_ONLY(SECURE_ONLY)
         ) u_slave (
-          .clk           (clk),
-          .rst           (rst || again[k]),
-          .s_axil_awvalid(s_axil_awvalid),
-          .s_axil_awready(out[1]),
-          .s_axil_awaddr (s_axil_awaddr),
-          .s_axil_awprot (s_axil_awprot),
-          .s_axil_wvalid (s_axil_wvalid),
-          .s_axil_wready (out[2]),
-          .s_axil_wdata  (s_axil_wdata),
-          .s_axil_wstrb  (s_axil_wstrb),
-          .s_axil_bvalid (out[3]),
-          .s_axil_bready (s_axil_bready),
-          .s_axil_bresp  (out[SHAKES +: 2]),
-          .s_axil_arvalid(s_axil_arvalid),
-          .s_axil_arready(out[4]),
-          .s_axil_araddr (s_axil_araddr),
-          .s_axil_arprot (s_axil_arprot),
-          .s_axil_rvalid (out[5]),
-          .s_axil_rready (s_axil_rready),
-          .s_axil_rdata  (out[SHAKES + 4 +: 32]),
-          .s_axil_rresp  (out[SHAKES + 2 +: 2]),
-          .m_awake       (out[0]),
-          .m_write_valid (out[6]),
-          .m_write_word  (out[SHAKES + 72 +: ADDRESS_W - 2]),
-          .m_write_data  (out[SHAKES + 36 +: 32]),
-          .m_write_strobe(out[SHAKES + 68 +: 4]),
-          .m_write_error (m_write_error),
-          .m_read_valid  (out[7]),
-          .m_read_word   (out[SHAKES + 72 + ADDRESS_W - 2 +: ADDRESS_W - 2]),
-          .m_read_data   (m_read_data),
-          .m_read_error  (m_read_error)
+          `FFD_AXIL_COPY
         );
       end
     end
@@ -193,5 +167,7 @@ module ffd_axil_voted #(
     end
   endgenerate
 endmodule
+
+`undef FFD_AXIL_COPY
 
 `default_nettype wire

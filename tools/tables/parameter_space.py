@@ -55,6 +55,11 @@ def _names(members):
     return values.listed(member.name for member in members)
 
 
+def _modules(members):
+    """A pattern of the modules of these organizations, as guards name them."""
+    return "|".join(sorted({f"org_{member.module}" for member in members}))
+
+
 class Space:
     """The space of one checkout: parameters by top, and rules."""
 
@@ -99,7 +104,7 @@ class Space:
             Parameter("FORMAT", values.of(*self.formats), "ffd_num_\\w+_format_is_unknown", unnamed),
             Parameter("SCHEDULE", values.of(*range(len(SCHEDULES))), "ffd_org_\\w+_schedule_must_be_.*"),
             Parameter("EVALUATOR", values.of(*EVALUATORS.values()),
-                      "ffd_(eval_poly|org_\\w+)_evaluator_must_be_.*"),
+                      f"ffd_(eval_poly|{_modules(self._pipelined())})_evaluator_must_be_.*"),
             Parameter("MUL_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("ADD_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
             Parameter("FMA_LATENCY", values.of(Between(0)), "\\w+_fused_needs_fp32"),
@@ -143,6 +148,10 @@ class Space:
     def _those(self, kind):
         return [organization for organization in self.organizations.values() if kind(organization)]
 
+    def _pipelined(self):
+        """Organizations without a choice of evaluators."""
+        return self._those(lambda organization: not organization.of_form.evaluators)
+
     def _row_rules(self):
         """Of organization, format, schedule and evaluator."""
         chosen = self._those(lambda organization: organization.n is None)
@@ -151,7 +160,7 @@ class Space:
         fixed = self._those(lambda organization: organization.of_form.words == ("fixed",))
         blockless = self._those(lambda organization: "float" in organization.of_form.words
                                 and "block" not in organization.of_form.words)
-        pipelined = self._those(lambda organization: not organization.of_form.evaluators)
+        pipelined = self._pipelined()
         of = self.organizations
         return [
             Rule(f"N is that of the organization; of {_names(chosen)} it may be any", ("ORG", "N"),
@@ -161,7 +170,7 @@ class Space:
                  "ffd_org_\\w+_schedule_must_be_overlapped"),
             Rule(f"{_names(pipelined)} have EVALUATOR {PIPELINED}", ("ORG", "EVALUATOR"),
                  lambda p: of[p.ORG] not in pipelined or p.EVALUATOR == PIPELINED,
-                 "ffd_org_\\w+_evaluator_must_be_pipelined"),
+                 f"ffd_({_modules(pipelined)})_evaluator_must_be_pipelined"),
             Rule(f"EVALUATOR {ITERATIVE} is not of {_names(axes)}", ("ORG", "EVALUATOR"),
                  lambda p: of[p.ORG] not in axes or p.EVALUATOR != ITERATIVE,
                  "ffd_eval_axis_weights_evaluator_must_not_be_iterative"),
@@ -175,7 +184,7 @@ class Space:
                  lambda p: of[p.ORG] not in fixed or self.words(p) == "fixed", "ffd_num_\\w+_needs_fixed_point"),
             Rule(f"{_names(blockless)} have no block floating point", ("ORG", "FORMAT"),
                  lambda p: of[p.ORG] not in blockless or self.words(p) != "block",
-                 "ffd_org_\\w+_points_and_weights_must_be_equally_wide"),
+                 f"ffd_({_modules(blockless)})_points_and_weights_must_be_equally_wide"),
         ]
 
     def _latency_rules(self):
