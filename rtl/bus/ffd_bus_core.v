@@ -135,7 +135,6 @@ module ffd_bus_core #(
   localparam [31:0] AXIS_WORD      = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? AXIS : 0;
   localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
   localparam [31:0] SPANS_WORD     = SPANS;
-  localparam [31:0] FEATURES_WORD  = FEATURES;
   localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
@@ -236,17 +235,17 @@ module ffd_bus_core #(
     .limits2_spans_i         (SPANS_WORD[7:0]),
     .limits2_count_width_i   (COUNT_WORD[5:0]),
     .limits2_hardened_i      (HARDENED != 0),
-    .features_pages_i        (FEATURES_WORD[0]),
-    .features_large_i        (FEATURES_WORD[1]),
-    .features_fourth_i       (FEATURES_WORD[2]),
-    .features_spans_i        (FEATURES_WORD[3]),
-    .features_grids_i        (FEATURES_WORD[4]),
-    .features_packed_i       (FEATURES_WORD[5]),
-    .features_marks_i        (FEATURES_WORD[6]),
-    .features_resident_i     (FEATURES_WORD[8]),
-    .features_interleaved_i  (FEATURES_WORD[9]),
-    .features_derivatives_i  (FEATURES_WORD[10]),
-    .features_determinant_i  (FEATURES_WORD[11]),
+    .features_pages_i        (`FFD_FEATURE_PAGES(FEATURES) != 0),
+    .features_large_i        (`FFD_FEATURE_LARGE(FEATURES) != 0),
+    .features_fourth_i       (`FFD_FEATURE_FOURTH(FEATURES) != 0),
+    .features_spans_i        (`FFD_FEATURE_SPANS(FEATURES) != 0),
+    .features_grids_i        (`FFD_FEATURE_GRIDS(FEATURES) != 0),
+    .features_packed_i       (`FFD_FEATURE_PACKED(FEATURES) != 0),
+    .features_marks_i        (`FFD_FEATURE_MARKS(FEATURES) != 0),
+    .features_resident_i     (`FFD_FEATURE_RESIDENT(FEATURES) != 0),
+    .features_interleaved_i  (`FFD_FEATURE_INTERLEAVED(FEATURES) != 0),
+    .features_derivatives_i  (`FFD_FEATURE_DERIVATIVES(FEATURES) != 0),
+    .features_determinant_i  (`FFD_FEATURE_DETERMINANT(FEATURES) != 0),
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),

@@ -4,6 +4,7 @@
 `define FFD_STREAM_VH
 
 `include "ffd_events.vh"
+`include "ffd_features.vh"
 `include "ffd_fields.vh"
 
 // Of the user word, a vertex's way around the evaluator: its highest bits, which say what is free
@@ -41,20 +42,11 @@
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
 
-// What a core has, bits of FEATURES; docs/interface.md section 1.
-`define FFD_FEATURE_PAGES(FEATURES)       ((FEATURES) % 2)
-`define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
-`define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
-`define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
-`define FFD_FEATURE_GRIDS(FEATURES)       (((FEATURES) >> 4) % 2)
-`define FFD_FEATURE_PACKED(FEATURES)      (((FEATURES) >> 5) % 2)
-`define FFD_FEATURE_EXPANDED(FEATURES)    (((FEATURES) >> 4) % 4 != 0)
-`define FFD_FEATURE_MARKS(FEATURES)       (((FEATURES) >> 6) % 2)
-`define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
-`define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
-`define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
-`define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
-`define FFD_FEATURES                      3840
+// Of FEATURES (ffd_features.vh): grids or packed vertices, which ffd_stream_expand makes; what a core
+// has unless told; and what it cannot have.
+`define FFD_FEATURE_EXPANDED(FEATURES) \
+  (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
+`define FFD_FEATURES 3840
 `define FFD_FEATURES_BAD(FEATURES) \
   ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 \
    || (FEATURES) / 128 % 2 != 0 \

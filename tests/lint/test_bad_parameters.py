@@ -5,7 +5,7 @@ three.
 make test takes every eighth row; test-all takes all, and looks whether they meet every guard.
 
 A row is module,parameter,value; parameters that are bad only together are joined by ';', as are
-their values.
+their values. A value of FEATURES is by its names, where its bits have some.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -21,7 +21,7 @@ import pytest
 
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
-from tools.tables import organizations
+from tools.tables import features, organizations
 
 SOURCES = rtl_sources.Sources()
 TABLE = ROOT / "tests" / "lint" / "bad_parameters.csv"
@@ -75,7 +75,8 @@ def read_table():
     with TABLE.open(newline="") as file:
         rows = [(row["module"], row["parameter"].split(";"), row["value"].split(";"))
                 for row in csv.DictReader(file)]
-    return rows + shared_rows()
+    return [(module, names, [value if value[-1].isdigit() else str(features.value(value, TABLE)) for value in values])
+            for module, names, values in rows] + shared_rows()
 
 
 ROWS = read_table()

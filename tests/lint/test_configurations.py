@@ -5,7 +5,9 @@ SPDX-License-Identifier: Apache-2.0
 
 import os
 import re
+import subprocess
 
+from tools.project_root import ROOT
 from tools.tables import configurations
 
 import pytest
@@ -195,3 +197,21 @@ def test_output_is_written_only_when_changed(checkout, script):
     script("build", "out", text=ROWS.replace(",4,fx18", ",8,fx18"))
     assert [file.name for file in files if file.stat().st_mtime != 1] == [
         "configurations.cmake", "configurations.cpp"]
+
+
+@pytest.mark.parametrize("head, row, wrong", (
+    ("FEATURES,PAGES", "pages+resident,2", ""),
+    ("FEATURES,PAGES", "pages+page,2", "cores.csv:7: FEATURES=pages+page: unknown feature 'page': some of pages, resident wanted"),
+    ("FEATURES PAGES", "257", "cores.csv:7: 1 cells, 2 wanted: FEATURES PAGES")))
+def test_a_row_of_a_table_of_cmake(tmp_path, head, row, wrong):
+    (tmp_path / "row.cmake").write_text(f"""
+include({ROOT}/cmake/HwffdTable.cmake)
+set(HWFFD_FEATURES pages resident)
+set(HWFFD_FEATURE_pages 1)
+set(HWFFD_FEATURE_resident 256)
+hwffd_row(cores.csv:7 "{head}" "{row}")
+message("${{parameters}} ${{PAGES}}")
+""")
+    done = subprocess.run(["cmake", "-P", str(tmp_path / "row.cmake")], capture_output=True, text=True, check=False)
+    assert (done.returncode == 0) == (not wrong)
+    assert (wrong or "FEATURES=257;PAGES=2 2") in " ".join(done.stderr.split())

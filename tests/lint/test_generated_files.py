@@ -200,7 +200,7 @@ def test_formats():
 
 
 def test_what_is_committed_is_up_to_date(call):
-    assert len(PATHS) == 15
+    assert len(PATHS) == 17
     assert call(generated_files.main, "check") == (0, [], [])
     assert call(registers.main, "check") == (0, [], [])
     assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"

@@ -357,8 +357,12 @@ def interrupt(tree, number):
 @pytest.mark.parametrize("line, wrong", (
     ("basic,more,hwffd_stream,A=1,-", "unknown name 'basic'"),
     ("basic-fx18-overlapped,more,ffd_org_select,A=1,-", "unknown top 'ffd_org_select'"),
-    ("basic-fx18-overlapped,more,hwffd_stream,A=x,-", "parameters are NAME=NUMBER"),
-    ("basic-fx18-overlapped,more,hwffd_stream,,-", "parameters are NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,A=x,-", "parameters 'A=x': NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,,-", "parameters '': NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=256,-", ":2: parameters 'FEATURES=256': NAME=NUMBER"),
+    ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=resident+page,-",
+     "csv:2: parameters: FEATURES=resident.page: unknown feature 'page': some of pages, large, .*, determinant wanted"),
+    ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=pages+pages,-", "FEATURES=pages.pages: twice 'pages'"),
     ("basic-fx18-overlapped,more,hwffd_stream,A=1,-\n" * 2, "is there twice")))
 def test_variants_that_make_no_sense(tree, line, wrong):
     tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n" + line + "\n"})
@@ -368,7 +372,7 @@ def test_variants_that_make_no_sense(tree, line, wrong):
 
 def test_a_variant_has_the_parameters_of_its_row_and_its_own(tree):
     tree.put({"synth/variants.csv": ",".join(variants.COLUMNS) + "\n"
-              "basic-fx18-overlapped,few,hwffd_stream,FORMAT=16 FEATURES=256,only a few\n"})
+              "basic-fx18-overlapped,few,hwffd_stream,FORMAT=16 FEATURES=resident,only a few\n"})
     variant, = (subject for subject in synthesis.of_checkout(tree.root) if subject.variant[0])
     assert (variant.name, variant.variant) == ("basic-fx18-overlapped+few.hwffd_stream.ecp5",
                                                ("few", "only a few"))

@@ -25,7 +25,7 @@ from tests.random import run
 from tools import csv_table
 from tools.progress import Progress
 from tools.rtl import digest, rtl_sources
-from tools.tables import configuration_texts as texts, configurations, parameter_draws, parameter_space
+from tools.tables import configuration_texts as texts, configurations, features, parameter_draws, parameter_space
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -103,7 +103,8 @@ class Campaign:
 
 def known(parameters):
     """(seed, configuration) of each row of regressions.csv."""
-    for _, cells in csv_table.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
+    for where, cells in csv_table.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
+        cells["FEATURES"] = features.value(cells["FEATURES"], where)
         yield int(cells["SEED"]), {name: int(cells[name]) for name in parameters}
 
 

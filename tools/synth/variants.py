@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 from tools import csv_table
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 COLUMNS = ("name", "variant", "top", "parameters", "meaning")
 
@@ -34,10 +34,13 @@ class Variant:
 
 
 def _parameters(text, where):
-    matches = [re.fullmatch(r"([A-Z][A-Z0-9_]*)=([0-9]+)", word) for word in text.split()]
-    if not matches or None in matches:
-        raise csv_table.TableError(f"{where}: parameters are NAME=NUMBER, with spaces between")
-    return tuple((match[1], int(match[2])) for match in matches)
+    pairs = [word.partition("=")[::2] for word in text.split()]
+    if not pairs or not all(re.fullmatch(r"[A-Z][A-Z0-9_]*", name) and re.fullmatch(
+            r"[a-z+]+" if name == "FEATURES" else r"[0-9]+", value) for name, value in pairs):
+        raise csv_table.TableError(f"{where}: parameters '{text}': NAME=NUMBER wanted, with spaces between, or "
+                                   f"FEATURES=NAME+NAME of {', '.join(features.BITS)}")
+    return tuple((name, features.value(value, f"{where}: parameters") if name == "FEATURES" else int(value))
+                 for name, value in pairs)
 
 
 def read(path, rows, tops):

@@ -3,6 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+from tools.tables import features
+
 GENERATED = "Made from rtl/configurations.csv by tools/tables/configurations.py; changes here are lost."
 
 
@@ -24,6 +26,8 @@ def cmake_text(configurations, tiered, streams, buses, selected):
         lines.append(f"set(HWFFD_CONFIGURATION_OPTIONS_{c.identifier} {'WIDE' if c.wide else ''})")
         lines.append(
             f"set(HWFFD_CONFIGURATION_PARAMETERS_{c.identifier} {' '.join(c.assignments())})")
+    lines.append(f"set(HWFFD_FEATURES {' '.join(features.BITS)})")
+    lines += [f"set(HWFFD_FEATURE_{name} {bit})" for name, bit in features.BITS.items()]
     return "\n".join(lines) + "\n"
 
 

@@ -5,7 +5,7 @@ Small cores are drawn more often than large ones, since they are built and run i
 SPDX-License-Identifier: Apache-2.0
 """
 
-from tools.tables import parameter_space as spaces
+from tools.tables import features, parameter_space as spaces
 from tools.tables.parameter_values import Between, Powers
 
 TRIES = 20_000  # until a rule is broken, and no other
@@ -105,10 +105,10 @@ class Draw:
         for name in ("large", "fourth", "marks"):
             has[name] = has[name] and has["pages"]
         if "FEATURES" in fixed:
-            has = {name: bool(fixed["FEATURES"] & bit) for name, bit in spaces.FEATURES.items()}
+            has = {name: bool(fixed["FEATURES"] & bit) for name, bit in features.BITS.items()}
         axis = self.random.choice((4, 4, 4, 5, 6, 7, 8, 9, 12, 16, 17, 20))
         return {
-            "FEATURES": sum(bit for name, bit in spaces.FEATURES.items() if has[name]),
+            "FEATURES": sum(bit for name, bit in features.BITS.items() if has[name]),
             "AXIS": self.random.choice((33, 40, 64)) if has["large"] else axis,
             "PAGES": self.random.choice((1, 1, 2, 2, 3, 3, 4, 5, 7)) if has["pages"] else 2,
             "SPANS": self.random.choice((2, 3, 4, 5, 8, 13, 16)) if has["spans"] else 1,

@@ -11,13 +11,10 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Callable
 
-from tools.tables import formats, organizations, parameter_values as values
+from tools.tables import features, formats, organizations, parameter_values as values
 from tools.tables.configurations import EVALUATORS, SCHEDULES
 from tools.tables.parameter_values import Between, Powers
 
-# Bits of FEATURES (rtl/stream/ffd_stream.vh).
-FEATURES = {"pages": 1, "large": 2, "fourth": 4, "spans": 8, "grids": 16, "packed": 32, "marks": 64,
-            "resident": 256, "interleaved": 512, "derivatives": 1024, "determinant": 2048}
 PIPELINED, ITERATIVE, POWERS = EVALUATORS.values()
 OVERLAPPED = SCHEDULES.index("overlapped")
 FP32 = 0
@@ -116,7 +113,7 @@ class Space:
             Parameter("IN_FLIGHT", values.of(0, Powers(4)),
                       "ffd_(eval_stream_in_flight_.*|stream_fifo_depth_must_be_a_power_of_two)"),
             Parameter("WAITING", values.of(Powers(2)), "ffd_stream_fifo_depth_must_be_a_power_of_two"),
-            Parameter("FEATURES", values.of(Between(256, sum(FEATURES.values()))),
+            Parameter("FEATURES", values.of(Between(256, sum(features.BITS.values()))),
                       "ffd_stream_header_features_are_unknown"),
             Parameter("SPANS", values.of(Between(1, 128)), "ffd_eval_stream_spans_must_be_1_to_128"),
             Parameter("HARDENED", values.of(0, 1), "ffd_cache_stores_hardened_must_be_0_or_1"),
@@ -218,22 +215,23 @@ class Space:
         """Of what is built around the evaluator."""
         has, of = _has, self.organizations
         return [
-            Rule("FEATURES has 256 or 512, no 128, no 2048 without 1024", ("FEATURES",),
-                 lambda p: (has(p, "resident") or has(p, "interleaved")) and not p.FEATURES & 128 and (
+            Rule("FEATURES has resident or interleaved, no determinant without derivatives, and no other bits", ("FEATURES",),
+                 lambda p: (has(p, "resident") or has(p, "interleaved")) and not (
+                     p.FEATURES & ~sum(features.BITS.values())) and (
                      has(p, "derivatives") or not has(p, "determinant")),
                  "ffd_stream_header_features_are_unknown"),
-            Rule("FEATURES has none of 1, 16 and 32 without 256", ("FEATURES",),
+            Rule("FEATURES has none of pages, grids and packed without resident", ("FEATURES",),
                  lambda p: has(p, "resident") or not any(has(p, feature) for feature in ("pages", "grids", "packed")),
                  "ffd_stream_header_features_are_unknown"),
-            Rule("FEATURES has none of 2, 4 and 64 without 1", ("FEATURES",),
+            Rule("FEATURES has none of large, fourth and marks without pages", ("FEATURES",),
                  lambda p: has(p, "pages") or not any(has(p, feature) for feature in ("large", "fourth", "marks")),
                  "ffd_stream_header_features_are_unknown"),
-            Rule("AXIS is above 32 where FEATURES has 2, and only there", ("FEATURES", "AXIS"),
+            Rule("AXIS is above 32 where FEATURES has large, and only there", ("FEATURES", "AXIS"),
                  lambda p: (p.AXIS > 32) == has(p, "large"), "ffd_(stream_header|cache_points)_axis_.*"),
-            Rule("PAGES is 2 without 1 in FEATURES", ("FEATURES", "PAGES"),
+            Rule("PAGES is 2 without pages in FEATURES", ("FEATURES", "PAGES"),
                  lambda p: has(p, "pages") or p.PAGES == 2,
                  "ffd_stream_resident_has_two_buffers_without_pages"),
-            Rule("SPANS is above 1 where FEATURES has 8, and only there", ("FEATURES", "SPANS"),
+            Rule("SPANS is above 1 where FEATURES has spans, and only there", ("FEATURES", "SPANS"),
                  lambda p: (p.SPANS > 1) == has(p, "spans"),
                  "ffd_stream_header_spans_and_their_feature_come_together"),
             Rule("SPANS above 1 wants the overlapped schedule", ("SPANS", "SCHEDULE"),
@@ -242,7 +240,7 @@ class Space:
             Rule(f"SPANS above 1 wants EVALUATOR {PIPELINED} or {ITERATIVE}", ("SPANS", "EVALUATOR"),
                  lambda p: p.SPANS == 1 or p.EVALUATOR != POWERS,
                  "ffd_eval_stream_spans_want_functions_that_are_loaded"),
-            Rule("with 512 in FEATURES, PAGES and AXIS give a place to each interleaved vertex inside: five, or of "
+            Rule("with interleaved in FEATURES, PAGES and AXIS give a place to each interleaved vertex inside: five, or of "
                  "organizations that accumulate four more than ADD_LATENCY or FMA_LATENCY",
                  ("ORG", "N", "ADD_LATENCY", "FMA_LATENCY", "FEATURES", "AXIS", "PAGES"),
                  lambda p: not has(p, "interleaved") or _slot_bits(p, of[p.ORG]) <= _place_bits(p),
@@ -251,7 +249,7 @@ class Space:
 
 
 def _has(p, feature):
-    return p.FEATURES & FEATURES[feature] != 0
+    return p.FEATURES & features.BITS[feature] != 0
 
 
 def _bits(count):

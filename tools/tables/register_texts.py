@@ -77,6 +77,26 @@ def events_header_text(registers):
                       "}  // namespace hwffd"]) + "\n"
 
 
+def features(registers):
+    """[Field] of the register FEATURES, whose bits are those of the parameter; none where there is no such register."""
+    return [field for register in registers if register.name == "FEATURES" for field in register.fields]
+
+
+def features_rtl_text(registers):
+    lines = [f"`define {f'FFD_FEATURE_{field.name.upper()}(FEATURES)':<33} (((FEATURES) >> {field.low}) % 2)"
+             for field in features(registers)]
+    return "\n".join([f"// {GENERATED}", "// What a core has, bits of FEATURES; docs/interface.md section 1.",
+                      "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_FEATURES_VH", "`define FFD_FEATURES_VH",
+                      *lines, "`endif"]) + "\n"
+
+
+def features_header_text(registers):
+    lines = [f"  k{field.name.capitalize()}Feature = 1U << {field.low}," for field in features(registers)]
+    return "\n".join([f"// {GENERATED}", "#pragma once", "", "#include <cstdint>", "", "namespace hwffd::model {", "",
+                      "/// What a core has, as the parameter FEATURES of `hwffd_stream` says it.",
+                      "enum Feature : std::uint32_t {", *lines, "};", "", "}  // namespace hwffd::model"]) + "\n"
+
+
 def _bits(field):
     high = field.low + field.width - 1
     return f"{high}" if high == field.low else f"{high}:{field.low}"

@@ -202,6 +202,8 @@ def outputs(root=ROOT):
         "cores/include/hwffd/registers.h": register_texts.header_text(registers),
         "rtl/stream/ffd_events.vh": register_texts.events_rtl_text(registers),
         "golden/include/hwffd/stream/events.hpp": register_texts.events_header_text(registers),
+        "rtl/stream/ffd_features.vh": register_texts.features_rtl_text(registers),
+        "golden/include/hwffd/stream/features.hpp": register_texts.features_header_text(registers),
         "docs/registers.md": register_texts.docs_text(registers, csv_table.read_text(root / PREAMBLE)),
         version.HEADER: version.header_text(version.read(root)),
     }

@@ -9,6 +9,7 @@
 #include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
+#include "hwffd/stream/features.hpp"
 #include "hwffd/stream/packets.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
@@ -17,21 +18,9 @@ namespace hwffd::model {
 /// How often each event of the stream occurred, by its number in `event::Code`.
 using StreamEvents = std::array<std::uint64_t, kStreamEvents>;
 
-/// What a core has, as the parameter FEATURES of `hwffd_stream` says it.
-enum Feature : std::uint32_t {
-  kPagesFeature = 1U << 0,
-  kLargeFeature = 1U << 1,
-  kFourthFeature = 1U << 2,
-  kSpansFeature = 1U << 3,
-  kGridsFeature = 1U << 4,
-  kPackedFeature = 1U << 5,
-  kMarksFeature = 1U << 6,
-  kResidentFeature = 1U << 8,
-  kInterleavedFeature = 1U << 9,
-  kDerivativesFeature = 1U << 10,
-  kDeterminantFeature = 1U << 11,
-  kAllFeatures = 0xFU << 8,  ///< of a core as it comes
-};
+/// Bits of `Feature` of a core as it comes.
+constexpr std::uint32_t kAllFeatures =
+    kResidentFeature | kInterleavedFeature | kDerivativesFeature | kDeterminantFeature;
 
 /// The bit-true model of `hwffd_stream`: command beats in, result beats out, bad packets included.
 /// docs/interface.md section 2. It knows order and bits, not clocks.

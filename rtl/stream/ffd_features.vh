@@ -1,0 +1,17 @@
+// Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
+// What a core has, bits of FEATURES; docs/interface.md section 1.
+// SPDX-License-Identifier: Apache-2.0
+`ifndef FFD_FEATURES_VH
+`define FFD_FEATURES_VH
+`define FFD_FEATURE_PAGES(FEATURES)       (((FEATURES) >> 0) % 2)
+`define FFD_FEATURE_LARGE(FEATURES)       (((FEATURES) >> 1) % 2)
+`define FFD_FEATURE_FOURTH(FEATURES)      (((FEATURES) >> 2) % 2)
+`define FFD_FEATURE_SPANS(FEATURES)       (((FEATURES) >> 3) % 2)
+`define FFD_FEATURE_GRIDS(FEATURES)       (((FEATURES) >> 4) % 2)
+`define FFD_FEATURE_PACKED(FEATURES)      (((FEATURES) >> 5) % 2)
+`define FFD_FEATURE_MARKS(FEATURES)       (((FEATURES) >> 6) % 2)
+`define FFD_FEATURE_RESIDENT(FEATURES)    (((FEATURES) >> 8) % 2)
+`define FFD_FEATURE_INTERLEAVED(FEATURES) (((FEATURES) >> 9) % 2)
+`define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
+`define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
+`endif
