@@ -42,8 +42,8 @@
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
 
-// Of FEATURES (ffd_features.vh): grids or packed vertices, which ffd_stream_expand makes; what a core
-// has unless told; and what it cannot have.
+// Of FEATURES (ffd_features.vh): grids or packed vertices, which ffd_stream_expand makes; what a
+// core has unless told; and what it cannot have.
 `define FFD_FEATURE_EXPANDED(FEATURES) \
   (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
 `define FFD_FEATURES 3840
