@@ -1,6 +1,7 @@
 # Verilated models as ordinary build steps: they run in parallel, only where a target asks for them,
 # and never while CMake configures (which the function shipped with Verilator does).
 
+include(${CMAKE_CURRENT_LIST_DIR}/HwffdTable.cmake)
 hwffd_find_program(VERILATOR verilator)
 execute_process(
   COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
@@ -47,6 +48,20 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     " --param=dse-max-alias-queries-per-store=4")
 endif()
 set(HWFFD_NATIVE_OPTIONS "-march=native")
+
+# hwffd_verilate_table(<program> <prefix> TOP <module> [SOURCES <file>...] TABLE <head> <row>...)
+#
+# A model of each row of a table (hwffd_row), for a program; its first cell stands behind the prefix in its name.
+function(hwffd_verilate_table program prefix)
+  cmake_parse_arguments(ARG "" "TOP" "SOURCES;TABLE" ${ARGN})
+  list(POP_FRONT ARG_TABLE head)
+  foreach(row IN LISTS ARG_TABLE)
+    hwffd_row("${program}: ${row}" ${head} ${row})
+    string(REGEX MATCH "^[^ ]+" first ${row})
+    hwffd_verilate(${prefix}${first} TOP ${ARG_TOP} SOURCES ${ARG_SOURCES} PARAMETERS ${parameters})
+    target_link_libraries(${program} PUBLIC ${prefix}${first})
+  endforeach()
+endfunction()
 
 # hwffd_verilate(<target> [NETLIST] [NATIVE] [WIDE] TOP <module> [SOURCES <file>...]
 #                [PARAMETERS NAME=value...] [LIBRARY <file>] [AFTER <target>] [CONTROL <file>...])
@@ -117,6 +132,10 @@ function(hwffd_verilate target)
     list(APPEND flags -fno-gate)
   endif()
   foreach(parameter IN LISTS ARG_PARAMETERS)
+    if(parameter MATCHES "^FEATURES=([a-z+]+)$")
+      hwffd_features(value ${target} ${CMAKE_MATCH_1})
+      set(parameter FEATURES=${value})
+    endif()
     list(APPEND flags -G${parameter})
   endforeach()
   if(HWFFD_TRACE)

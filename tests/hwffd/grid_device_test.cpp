@@ -2,7 +2,7 @@
 // of its model and of the same places one by one.
 #include <gtest/gtest.h>
 
-#include "Vcg1_fx18_overlapped_3888.h"
+#include "Vfeatures_cg1_expanded.h"
 #include "device/stream_device.hpp"
 #include "hwffd/cores/verilated_stream_core.hpp"
 #include "hwffd/device/deformable_lattice.hpp"
@@ -61,7 +61,7 @@ Evaluated evaluated(std::unique_ptr<CommandStream> stream, const Lattice& lattic
 }
 
 std::unique_ptr<CommandStream> rtl_with_grids() {
-  using Core = cores::VerilatedStreamCore<Vcg1_fx18_overlapped_3888>;
+  using Core = cores::VerilatedStreamCore<Vfeatures_cg1_expanded>;
   return rtl_stream(std::make_unique<Core>(1), kRow, {}, true);
 }
 

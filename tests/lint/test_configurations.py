@@ -209,6 +209,7 @@ include({ROOT}/cmake/HwffdTable.cmake)
 set(HWFFD_FEATURES pages resident)
 set(HWFFD_FEATURE_pages 1)
 set(HWFFD_FEATURE_resident 256)
+hwffd_row(cores.csv:6 "FEATURES PAGES" "resident 1")  # what a row has set does not change how the next is read
 hwffd_row(cores.csv:7 "{head}" "{row}")
 message("${{parameters}} ${{PAGES}}")
 """)

@@ -2,7 +2,7 @@
 // 5, sentence by sentence. Events and places are made by hand, not by the model.
 #include <gtest/gtest.h>
 
-#include "expand_builds.hpp"
+#include "expand_run.hpp"
 #include "named.hpp"
 
 namespace hwffd::test {
@@ -275,7 +275,7 @@ TEST_P(EventPlaces, ModesAndTheStatusOfACoordinateOutside) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, EventPlaces, ::testing::ValuesIn(expand_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, EventPlaces, ::testing::ValuesIn(page_builds()), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bad_packets.hpp"
-#include "expand_builds.hpp"
+#include "expand_run.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "named.hpp"
 
@@ -385,8 +385,8 @@ TEST_P(Grids, AResetEndsThem) {
   EXPECT_EQ(run.bench().results().size(), 8U);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Grids, ::testing::ValuesIn(expand_builds()), by_name);
-INSTANTIATE_TEST_SUITE_P(, BadGrids, ::testing::ValuesIn(expand_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Grids, ::testing::ValuesIn(page_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, BadGrids, ::testing::ValuesIn(page_builds()), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "named.hpp"
-#include "page_builds.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {

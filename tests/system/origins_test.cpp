@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "Vorigins_basic.h"
-#include "Vorigins_cg1.h"
 #include "hwffd/stream/spans.hpp"
 #include "named.hpp"
 #include "page_run.hpp"
@@ -153,15 +151,7 @@ TEST_P(Origins, PacketsWithoutPagesHaveNone) {
   EXPECT_EQ(run.words(20, 20), run.words(60, 20));
 }
 
-constexpr std::uint32_t kBoth = model::kAllFeatures | model::kPagesFeature | model::kSpansFeature;
-const PageBuild kBuilds[] = {
-    {"cg1", "cg1-fx18-overlapped", {kBoth, 16, 4, 16}, make_page_core<Vorigins_cg1>},
-    {"basic",
-     "basic-fp32-overlapped",
-     {kBoth | model::kLargeFeature | model::kFourthFeature, 64, 3, 70},
-     make_page_core<Vorigins_basic>},
-};
-INSTANTIATE_TEST_SUITE_P(, Origins, ::testing::ValuesIn(kBuilds), by_name);
+INSTANTIATE_TEST_SUITE_P(, Origins, ::testing::ValuesIn(page_builds()), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bad_packets.hpp"
-#include "expand_builds.hpp"
+#include "expand_run.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "named.hpp"
 
@@ -280,7 +280,7 @@ TEST_P(Packed, AnyPacketsInAnyOrder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Packed, ::testing::ValuesIn(expand_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Packed, ::testing::ValuesIn(page_builds()), by_name);
 
 }  // namespace
 }  // namespace hwffd::test

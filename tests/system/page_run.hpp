@@ -19,7 +19,7 @@ std::unique_ptr<cores::StreamCore> make_page_core(std::uint64_t seed) {
   return std::make_unique<cores::VerilatedStreamCore<Dut>>(seed);
 }
 
-/// A core with pages or spans of tests/system/CMakeLists.txt.
+/// A core of cores.csv.
 struct PageBuild {
   std::string name;
   const char* row;
@@ -28,6 +28,11 @@ struct PageBuild {
 };
 
 inline void PrintTo(const PageBuild& build, std::ostream* out) { *out << build.name; }
+
+/// Those of the program, which CMake makes of the table, or some of them.
+std::vector<PageBuild> page_builds(bool (*wanted)(const PageBuild&) = [](const PageBuild&) {
+  return true;
+});
 
 /// Such a core, its model and the bench between them.
 class PageRun {

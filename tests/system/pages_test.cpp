@@ -8,7 +8,6 @@
 #include "bad_pages.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "named.hpp"
-#include "page_builds.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {

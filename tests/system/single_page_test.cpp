@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "named.hpp"
-#include "page_builds.hpp"
 #include "page_run.hpp"
 
 namespace hwffd::test {

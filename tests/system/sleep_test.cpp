@@ -3,17 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "Vcg1_fx18_overlapped_1792.h"
-#include "Vcg1_fx18_overlapped_3888.h"
-#include "Vtree8_fx18_overlapped_512.h"
+#include <algorithm>
+
 #include "bad_packets.hpp"
-#include "hwffd/cores/verilated_stream_core.hpp"
-#include "hwffd/model/stream_model.hpp"
-#include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packed.hpp"
-#include "hwffd/tb/stream_bench.hpp"
-#include "named.hpp"
+#include "page_run.hpp"
 #include "stimulus.hpp"
 
 namespace hwffd::test {
@@ -21,37 +16,36 @@ namespace {
 
 /// A core whose clock stands still in half of the clocks in which it may: idle, and no beat
 /// offered.
-template <class Dut>
 class SleepyCore final : public cores::StreamCore {
  public:
   /// @param deaf  it does not look whether a beat is offered
-  SleepyCore(std::uint64_t seed, bool deaf, std::uint64_t& stopped)
-      : core_(seed), random_(seed + 1), deaf_(deaf), stopped_(stopped) {}
+  SleepyCore(const PageBuild& build, std::uint64_t seed, bool deaf, std::uint64_t& stopped)
+      : core_(build.make(seed)), random_(seed + 1), deaf_(deaf), stopped_(stopped) {}
 
   void drive_reset(bool asserted) override {
     in_reset_ = asserted;
-    core_.drive_reset(asserted);
+    core_->drive_reset(asserted);
   }
   void drive_input(bool valid, const Beat& beat) override {
     offered_ = valid;
-    core_.drive_input(valid, beat);
+    core_->drive_input(valid, beat);
   }
-  void drive_output_ready(bool ready) override { core_.drive_output_ready(ready); }
-  void settle() override { core_.settle(); }
+  void drive_output_ready(bool ready) override { core_->drive_output_ready(ready); }
+  void settle() override { core_->settle(); }
   void clock() override {
-    const bool may = core_.idle() && !in_reset_ && (deaf_ || !offered_);
+    const bool may = core_->idle() && !in_reset_ && (deaf_ || !offered_);
     const bool stop = may && random_.chance(0.5);
     stopped_ += stop ? 1 : 0;
-    if (!stop) core_.clock();
+    if (!stop) core_->clock();
   }
-  bool input_ready() const override { return core_.input_ready(); }
-  bool output_valid() const override { return core_.output_valid(); }
-  Beat output() const override { return core_.output(); }
-  std::uint32_t events() const override { return core_.events(); }
-  bool idle() const override { return core_.idle(); }
+  bool input_ready() const override { return core_->input_ready(); }
+  bool output_valid() const override { return core_->output_valid(); }
+  Beat output() const override { return core_->output(); }
+  std::uint32_t events() const override { return core_->events(); }
+  bool idle() const override { return core_->idle(); }
 
  private:
-  cores::VerilatedStreamCore<Dut> core_;
+  std::unique_ptr<cores::StreamCore> core_;
   tb::Random random_;
   bool deaf_;
   std::uint64_t& stopped_;
@@ -59,19 +53,21 @@ class SleepyCore final : public cores::StreamCore {
 };
 
 /// Packets of every kind with pauses between them: whether all was right.
-template <class Dut>
-::testing::AssertionResult run_stopping(const char* name, std::uint32_t features, bool deaf,
+::testing::AssertionResult run_stopping(const std::string& name, bool deaf,
                                         std::uint64_t& stopped) {
-  const Configuration& row = find_configuration(name);
+  const std::vector<PageBuild> builds = page_builds();
+  const PageBuild& build = *std::find_if(builds.begin(), builds.end(),
+                                         [&](const PageBuild& b) { return b.name == name; });
+  const Configuration& row = find_configuration(build.row);
   const WordCodec codec(row.format);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SleepyCore<Dut> core(seed, deaf, stopped);
+    SleepyCore core(build, seed, deaf, stopped);
     tb::StreamBenchOptions options;
     options.test = {name, seed, "SEED=" + std::to_string(seed)};
     options.source_throttle = "bernoulli";
     options.sink_throttle = seed == 1 ? "always" : "bursts";
     tb::StreamBench bench(core, options);
-    model::StreamModel model(row, features);
+    model::StreamModel model(row, build.core.features);
     tb::Random random(seed);
     bench.reset(3);
     for (int round = 0; round < 30; ++round) {
@@ -94,31 +90,22 @@ template <class Dut>
   return ::testing::AssertionSuccess();
 }
 
-constexpr std::uint32_t kTree8 = model::kInterleavedFeature;
-constexpr std::uint32_t kExpands =
-    model::kAllFeatures | model::kGridsFeature | model::kPackedFeature;
-constexpr std::uint32_t kCg1 =
-    model::kResidentFeature | model::kInterleavedFeature | model::kDerivativesFeature;
-
 TEST(Sleep, AStoppedClockLosesNothing) {
   std::uint64_t stopped = 0;
-  EXPECT_TRUE(run_stopping<Vcg1_fx18_overlapped_1792>("cg1-fx18-overlapped", kCg1, false, stopped));
+  EXPECT_TRUE(run_stopping("cg1_derivatives", false, stopped));
   EXPECT_GT(stopped, 1000U);
   std::uint64_t more = 0;
-  EXPECT_TRUE(
-      run_stopping<Vtree8_fx18_overlapped_512>("tree8-fx18-overlapped", kTree8, false, more));
+  EXPECT_TRUE(run_stopping("tree8_interleaved", false, more));
   EXPECT_GT(more, 1000U);
   std::uint64_t most = 0;
-  EXPECT_TRUE(
-      run_stopping<Vcg1_fx18_overlapped_3888>("cg1-fx18-overlapped", kExpands, false, most));
+  EXPECT_TRUE(run_stopping("cg1_expanded", false, most));
   EXPECT_GT(most, 500U);
   fmt::print("{} clocks stopped\n", stopped + more + most);
 }
 
 TEST(Sleep, ABeatMustWakeIt) {
   std::uint64_t stopped = 0;
-  EXPECT_FALSE(
-      run_stopping<Vtree8_fx18_overlapped_512>("tree8-fx18-overlapped", kTree8, true, stopped));
+  EXPECT_FALSE(run_stopping("tree8_interleaved", true, stopped));
 }
 
 }  // namespace

@@ -7,12 +7,6 @@
 #include <cmath>
 
 #include "../golden/de_boor.hpp"
-#include "Vaffine64_fx17_overlapped_spans16.h"
-#include "Vbasic_fp32_overlapped_spans16.h"
-#include "Vcg1_fx18_overlapped_spans16.h"
-#include "Vnested3_fx18_overlapped_spans16.h"
-#include "Vnested_fp32_overlapped_spans5.h"
-#include "Vtree8_fx18_overlapped_spans5.h"
 #include "hwffd/model/organizations.hpp"
 #include "named.hpp"
 #include "page_run.hpp"
@@ -363,38 +357,11 @@ TEST_P(ExactSpans, SeamsAreWatertight) {
   EXPECT_GE(compared, 150);
 }
 
-constexpr std::uint32_t kAll = model::kAllFeatures | model::kSpansFeature;
-constexpr std::uint32_t kFew =
-    model::kResidentFeature | model::kInterleavedFeature | model::kSpansFeature;
-const PageBuild kBuilds[] = {
-    {"affine64_fx17_16",
-     "affine64-fx17-overlapped",
-     {kAll, kAxisPoints, kPages, 16},
-     make_page_core<Vaffine64_fx17_overlapped_spans16>},
-    {"cg1_fx18_16",
-     "cg1-fx18-overlapped",
-     {kAll, kAxisPoints, kPages, 16},
-     make_page_core<Vcg1_fx18_overlapped_spans16>},
-    {"basic_fp32_16",
-     "basic-fp32-overlapped",
-     {kAll, kAxisPoints, kPages, 16},
-     make_page_core<Vbasic_fp32_overlapped_spans16>},
-    {"tree8_fx18_5",
-     "tree8-fx18-overlapped",
-     {kFew, kAxisPoints, kPages, 5},
-     make_page_core<Vtree8_fx18_overlapped_spans5>},
-    {"nested3_fx18_16",
-     "nested3-fx18-overlapped",
-     {kAll, kAxisPoints, kPages, 16},
-     make_page_core<Vnested3_fx18_overlapped_spans16>},
-    {"nested_fp32_5",
-     "nested-fp32-overlapped",
-     {kFew, kAxisPoints, kPages, 5},
-     make_page_core<Vnested_fp32_overlapped_spans5>},
-};
-constexpr std::size_t kExact = 4;
-INSTANTIATE_TEST_SUITE_P(, Spans, ::testing::ValuesIn(kBuilds), by_name);
-INSTANTIATE_TEST_SUITE_P(, ExactSpans, ::testing::ValuesIn(kBuilds, kBuilds + kExact), by_name);
+INSTANTIATE_TEST_SUITE_P(, Spans, ::testing::ValuesIn(page_builds()), by_name);
+INSTANTIATE_TEST_SUITE_P(, ExactSpans, ::testing::ValuesIn(page_builds([](const PageBuild& build) {
+                           return std::string(build.row).rfind("nested", 0) != 0;
+                         })),
+                         by_name);
 
 }  // namespace
 }  // namespace hwffd::test

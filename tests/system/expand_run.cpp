@@ -1,47 +1,6 @@
-#include "expand_builds.hpp"
-
-#include <iterator>
-
-#include "Vexpand_affine.h"
-#include "Vexpand_basic.h"
-#include "Vexpand_bfp.h"
-#include "Vexpand_cg1.h"
-#include "Vexpand_fx32.h"
-#include "Vexpand_scan.h"
-#include "Vexpand_tree8.h"
+#include "expand_run.hpp"
 
 namespace hwffd::test {
-namespace {
-
-constexpr std::uint32_t kPlain =
-    model::kResidentFeature | model::kGridsFeature | model::kPackedFeature;
-constexpr std::uint32_t kInPages = model::kPagesFeature | model::kFourthFeature;
-const PageBuild kBuilds[] = {
-    {"cg1",
-     "cg1-fx18-overlapped",
-     {model::kAllFeatures | kPlain | kInPages | model::kMarksFeature, 16, 4},
-     make_page_core<Vexpand_cg1>},
-    {"basic",
-     "basic-fp32-overlapped",
-     {model::kAllFeatures | kPlain | model::kSpansFeature, 32, 2, 16},
-     make_page_core<Vexpand_basic>},
-    {"bfp",
-     "basic-bfp32-overlapped",
-     {kPlain | model::kInterleavedFeature | model::kPagesFeature, 20, 2},
-     make_page_core<Vexpand_bfp>},
-    {"fx32", "cg1-fx32-overlapped", {kPlain, 8, 2}, make_page_core<Vexpand_fx32>},
-    {"tree8",
-     "tree8-fx18-overlapped",
-     {kPlain | model::kInterleavedFeature | kInPages | model::kLargeFeature | model::kMarksFeature,
-      64, 3},
-     make_page_core<Vexpand_tree8>},
-    {"affine", "affine-fx17-overlapped", {kPlain, 16, 2}, make_page_core<Vexpand_affine>},
-    {"scan", "scan4-fx17-overlapped", {kPlain, 16, 2}, make_page_core<Vexpand_scan>},
-};
-
-}  // namespace
-
-std::vector<PageBuild> expand_builds() { return {std::begin(kBuilds), std::end(kBuilds)}; }
 
 void ExpandRun::send_lattice(const LatticeWords& lattice) {
   send(has(model::kPagesFeature) ? page_packet(page(), lattice) : lattice_packet(lattice));

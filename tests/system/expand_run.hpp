@@ -8,10 +8,8 @@
 
 namespace hwffd::test {
 
-/// The cores with grids and packed vertices of tests/system/CMakeLists.txt.
-std::vector<PageBuild> expand_builds();
-
-/// Such a core with a lattice in it: in its last page, or resident where there are no pages.
+/// A core with grids and packed vertices, and a lattice in it: in its last page, or resident where
+/// there are no pages.
 class ExpandRun : public PageRun {
  public:
   using PageRun::PageRun;
