@@ -14,7 +14,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
 #include "hwffd/lattice/fold.hpp"
-#include "hwffd/lattice/keyframe.hpp"
+#include "hwffd/lattice/lattice.hpp"
 #include "mask.hpp"
 #include "outputs.hpp"
 #include "points_file.hpp"

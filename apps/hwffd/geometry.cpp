@@ -7,7 +7,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/extension.hpp"
-#include "hwffd/mesh/settled.hpp"
+#include "hwffd/mesh/mesh.hpp"
 #include "outputs.hpp"
 
 namespace hwffd::command {

@@ -3,17 +3,40 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
+#include "hwffd/cores/evaluator_core_factory.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/model/organizations.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/on_threads.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "hwffd/tb/evaluator_bench.hpp"
 #include "reference.hpp"
-#include "simulation_speed.hpp"
 
 namespace hwffd::organizations {
 namespace {
+
+constexpr std::size_t kFewest = 250;  // vertices
+constexpr double kEnough = 0.25;      // seconds
+
+/// Vertices a second of a row's simulated RTL at its read port, on the calling thread. Timed alone
+/// only if nothing else runs: processors share caches and their clock.
+/// @throws std::invalid_argument where this build does not have the row
+double simulated_vertices_per_s(const Configuration& row, std::uint64_t seed) {
+  const WordCodec codec(row.format);
+  const std::unique_ptr<cores::EvaluatorCore> core = cores::make_evaluator_core(row, seed);
+  const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(row);
+  const AxisWords bspline = encode(watertight_bspline(codec), codec);
+  tb::EvaluatorBench bench(*core, *model, {bspline, bspline, bspline});
+  for (std::size_t vertices = kFewest;; vertices *= 2) {
+    const double before = bench.simulation_seconds();
+    bench.run(tb::random_stimulus(codec, vertices, seed, keeps_cell(row) ? vertices : 1));
+    const double seconds = bench.simulation_seconds() - before;
+    if (seconds >= kEnough) return static_cast<double>(vertices) / seconds;
+  }
+}
 
 bool is_same(const Configuration& a, const Configuration& b) {
   return std::string(a.org) == b.org && a.n == b.n && std::string(a.format) == b.format &&

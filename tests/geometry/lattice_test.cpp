@@ -12,7 +12,6 @@
 #include "hwffd/lattice/closure.hpp"
 #include "hwffd/lattice/cylinder.hpp"
 #include "hwffd/lattice/deformation.hpp"
-#include "hwffd/lattice/keyframe.hpp"
 #include "hwffd/lattice/sphere.hpp"
 #include "same_bits.hpp"
 #include "uniform.hpp"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "circular.hpp"
 #include "generate.hpp"
 #include "hwffd/lattice/shape.hpp"
-#include "round.hpp"
 
 namespace hwffd {
 

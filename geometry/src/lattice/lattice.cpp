@@ -6,6 +6,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/coordinates.hpp"
+#include "same_dims.hpp"
 
 namespace hwffd {
 
@@ -58,6 +59,13 @@ Support Lattice::support(const Index3& cell) const {
     }
   }
   return support;
+}
+
+Lattice between(const Lattice& a, const Lattice& b, double fraction) {
+  check_same_dims("second keyframe", b.dims(), a.dims());
+  if (fraction == 0.0) return a;
+  if (fraction == 1.0) return b;
+  return Lattice(a.dims(), a.points() + fraction * (b.points() - a.points()));
 }
 
 }  // namespace hwffd

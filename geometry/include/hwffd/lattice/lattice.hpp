@@ -55,6 +55,11 @@ class Lattice {
   Points points_;
 };
 
+/// The lattice between two: every point on the straight line from its place in a to its place
+/// in b. At 0 it is a, at 1 it is b, bit for bit; below 0 and above 1 the lines go on.
+/// @throws Error if the dimensions differ or a point would not be finite
+Lattice between(const Lattice& a, const Lattice& b, double fraction);
+
 /// Where a vertex lies in the lattice that it was embedded in: eq. (1) with the cell's support and
 /// these local coordinates gives the vertex back.
 struct Embedded {

@@ -221,4 +221,9 @@ std::filesystem::path find_model(const std::string& name,
 /// is not installed.
 Mesh load_model(const std::string& name);
 
+/// Positions after a deformation, in which those that rounding alone has moved, by some units in
+/// the last place of the largest coordinate, are those at rest, bit for bit.
+/// @param rest  as many rows
+Points settled(Points positions, const Points& rest);
+
 }  // namespace hwffd

@@ -13,6 +13,9 @@ struct TestIdentity {
 };
 
 /// The command that repeats the run.
-std::string replay_command(const TestIdentity& test);
+inline std::string replay_command(const TestIdentity& test) {
+  if (!test.replay.empty()) return test.replay;
+  return "SEED=" + std::to_string(test.seed) + " ctest -R '" + test.name + "'";
+}
 
 }  // namespace hwffd::tb

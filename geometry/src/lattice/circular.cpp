@@ -1,4 +1,4 @@
-#include "round.hpp"
+#include "circular.hpp"
 
 #include <fmt/format.h>
 
