@@ -15,7 +15,7 @@ import shutil
 import subprocess
 import sys
 
-from apps.docs import doxygen, python_reference, reference, staging
+from apps.docs import doxygen, python_reference, staging
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -23,6 +23,7 @@ HERE = ROOT / "apps" / "docs"
 LIVE = "---\nhide: [navigation, toc]\n---\n# The live page\n\nThe simulated hardware in the browser: drag a control point, and the mesh follows.\n\n"
 LIVE_HERE = ('[The page by itself](live-page.html){target=_blank}\n\n<iframe class="live" src="live-page.html" '
              'title="The live page"></iframe>\n')
+CPP = "# C and C++\n\n[The reference of the C and C++ libraries](cpp/index.html) has pages and a search of its own.\n"
 LIVE_ABSENT = "It is not part of this build: `make web` makes it, and `make docs` then takes it in.\n"
 
 
@@ -34,18 +35,17 @@ def write_live_page(build, target):
     (target / "docs" / "live.md").write_text(LIVE + (LIVE_HERE if page.is_file() else LIVE_ABSENT), encoding="utf-8")
 
 
-def write_reference(build, target):
+def write_reference(target):
+    """That of C and C++ is pages of Doxygen, with a search of their own."""
     folder = target / "docs" / "reference"
-    folder.mkdir()
-    written = reference.pages(doxygen.headers(doxygen.run(ROOT, build / "docs-doxygen")))
-    written["python"] = python_reference.page(ROOT)
-    for name, text in written.items():
-        (folder / f"{name}.md").write_text(text, encoding="utf-8")
-    return len(written)
+    doxygen.run(ROOT, folder / "cpp")
+    (folder / "cpp.md").write_text(CPP, encoding="utf-8")
+    (folder / "python.md").write_text(python_reference.page(ROOT), encoding="utf-8")
+    return 2
 
 
 def write_pages(build, target):
-    pages = len(staging.stage(ROOT, target)) + write_reference(build, target) + 1
+    pages = len(staging.stage(ROOT, target)) + write_reference(target) + 1
     write_live_page(build, target)
     for name in ("site.css", "iframe-worker.js"):
         shutil.copyfile(HERE / name, target / name)
@@ -80,7 +80,7 @@ def main():
         if not options.source:
             write_pages(build, source)
         return make_site(source, build / "docs")
-    except (staging.PageError, doxygen.DoxygenError, reference.HeaderError, OSError) as error:
+    except (staging.PageError, doxygen.DoxygenError, OSError) as error:
         print(f"docs: {error}", file=sys.stderr)
     return 1
 

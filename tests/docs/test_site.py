@@ -11,26 +11,29 @@ import sys
 
 import pytest
 
-from apps.docs import bindings, doxygen, flowchart, python_reference, reference, staging
+from apps.docs import bindings, doxygen, flowchart, python_reference, staging
 from tools.project_root import ROOT
 
+HEADERS = ("apps/docs", "api/include", "api/gl/include", "cores/include", "geometry/include", "golden/include")
 HEADER = """#pragma once
+/// @file
+/// What is planted here.
 namespace hwffd {
 /// A thing with *stars* (docs/lattice.md section 1).
 /// @throws Error if it is none
-class Thing : public Base {
+class Thing {
  public:
-  explicit Thing(const Base& of, int n = 3);
+  explicit Thing(int n = 3);
   Thing(const Thing&) = delete;
   int size = 0;  ///< in cells
  private:
-  int hidden_;
+  int concealed_;
 };
 enum class Kind : int { kOne /**< the first */, kTwo };
 /// Two of them.
 template <class F>
 std::vector<F> pair(const F& one, const F* other);
-namespace detail { int inner(); }
+namespace detail { int unspoken(); }
 }
 """
 
@@ -72,40 +75,39 @@ def test_flowchart_that_is_not_understood(text):
 
 
 @pytest.fixture
-def header(checkout):
-    """What is found in a header."""
+def planted(checkout):
+    """Doxygen's pages of the public headers and one more of this text."""
     if not shutil.which("doxygen"):
         pytest.skip("no doxygen")
-    checkout.put({"golden/include/hwffd/error.hpp": HEADER})
-    parsed = doxygen.headers(doxygen.run(checkout.root, checkout.root / "build"))
-    assert list(parsed) == ["hwffd/error.hpp"]
-    return parsed["hwffd/error.hpp"]
+    for name in HEADERS:
+        shutil.copytree(ROOT / name, checkout.root / name, dirs_exist_ok=True)
+
+    def pages(text):
+        checkout.put({"golden/include/hwffd/planted.hpp": text})
+        doxygen.run(checkout.root, checkout.root / "build/with blank")
+        return {path.name: path.read_text() for path in (checkout.root / "build/with blank").rglob("*.html")}
+    return pages
 
 
-def test_declarations(header):
-    assert [declaration.text for declaration in header.declarations] == [
-        "class Thing : public Base", "enum class Kind : int",
-        "template<class F> std::vector<F> pair(const F& one, const F* other)"]
-    thing, kind, _ = header.declarations
-    assert [member.text for member in thing.members] == ["explicit Thing(const Base& of, int n=3)", "int size = 0"]
-    assert [(value.name, reference.comment(value)) for value in kind.members] == [("kOne", "the first"), ("kTwo", "")]
+def test_pages_of_a_header(planted):
+    pages = planted(HEADER)
+    thing, header, names = (pages[f"{page}.html"] for page in ("classhwffd_1_1Thing", "planted_8hpp", "namespacehwffd"))
+    assert 'A thing with <em>stars</em> (<a href="../../lattice.html">docs/lattice.md</a> section 1)' in thing
+    assert "in cells" in thing and "if it is none" in thing and "What is planted here." in header
+    assert "pair" in header and "kTwo" in header and "the first" in names
+    assert not [name for name, text in pages.items() if "concealed_" in text or "unspoken" in text]
 
 
-def test_page_of_a_header(header):
-    text = reference.pages({header.path: header})["meshes"]
-    assert "### Thing\n" in text and "hidden" not in text and "inner" not in text
-    assert "A thing with <em>stars</em> ([docs/lattice.md](../lattice.md) section 1)." in text
-    assert "throws <code>Error</code> if it is none" in text
-    assert "| <code>int size = 0</code> | in cells |" in text
+@pytest.mark.parametrize("fault, word", (("\\nothing", "nothing"), ("@param m of them", "'m'")))
+def test_a_comment_that_doxygen_does_not_understand_fails(planted, fault, word):
+    with pytest.raises(doxygen.DoxygenError, match=f"planted.hpp:.*{word}"):
+        planted(HEADER.replace("/// Two of them.", f"/// Two of them.\n/// {fault}"))
 
 
-def test_a_header_needs_a_page():
-    with pytest.raises(reference.HeaderError, match="hwffd/new/x.hpp: on no page"):
-        reference.pages({"hwffd/new/x.hpp": doxygen.Header("hwffd/new/x.hpp", [])})
-
-
-def test_nothing_is_read_as_markdown():
-    assert not re.search(r"[*_`\[\]|<>]", reference.escaped("a*b_c[0] | `x` <T>").replace("&lt;", "").replace("&gt;", ""))
+def test_a_folder_of_headers_that_is_gone_fails(checkout):
+    shutil.copytree(ROOT / "apps/docs", checkout.root / "apps/docs")
+    with pytest.raises(doxygen.DoxygenError, match="api/include"):
+        doxygen.run(checkout.root, checkout.root / "build")
 
 
 def test_every_name_of_the_python_package_has_a_docstring():
@@ -141,9 +143,20 @@ def site(tmp_path_factory):
 def test_the_site_is_whole(site):
     home = (site / "docs" / "index.html").read_text()
     assert "<!-- results" not in home
-    for page in ("docs/reference/lattices.html", "docs/tutorial/10-bitstream.html", "docs/organizations/nested.html"):
+    for page in ("docs/reference/cpp.html", "docs/tutorial/10-bitstream.html", "docs/organizations/nested.html"):
         assert (site / "docs" / page).is_file()
-    assert "Embedder" in (site / "docs" / "search" / "search_index.js").read_text()
+    assert "Embedding" in (site / "docs" / "search" / "search_index.js").read_text()
+
+
+def test_the_reference_has_every_header_and_its_links_lead_to_pages(site):
+    pages = {path.name: path.read_text() for path in (site / "docs/docs/reference/cpp").glob("*.html")}
+    assert 'href="driver_8hpp.html"' in pages["index.html"] and "classhwffd_1_1Driver.html" in pages
+    for folder in ("api/include", "api/gl/include", "geometry/include", "golden/include"):
+        for path in (ROOT / folder).rglob("*.h*"):
+            assert f">{path.name}<" in pages["files.html"], path
+    links = {link for text in pages.values() for link in re.findall(r'href="\.\./\.\./([^"#]*)"', text)}
+    assert len(links) > 5
+    assert not [link for link in links if not (site / "docs/docs" / link).is_file()]
 
 
 def test_nothing_is_fetched_from_other_hosts(site):

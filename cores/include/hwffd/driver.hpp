@@ -70,7 +70,7 @@ struct CoreCounters {
   std::uint64_t busy = 0;
 };
 
-/// Clocks in which something waited; each wraps at 2^CoreIdentity::count_width.
+/// Clocks in which something waited; each wraps at 2 to the power of CoreIdentity::count_width.
 struct CoreWaits {
   std::uint32_t input = 0;      ///< the core for a beat, during a run
   std::uint32_t memory = 0;     ///< coefficients or a lattice, for what they overwrite

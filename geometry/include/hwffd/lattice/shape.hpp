@@ -16,7 +16,7 @@ struct Placement {
 };
 
 /// A kind of lattice that is made, not given by its points. geometry/CMakeLists.txt lists them by
-/// name; the file of that name has the function <name>_shape(), which is all that others know.
+/// name; the file of that name has the function NAME_shape(), which is all that others know.
 struct Shape {
   const char* name;
   Index3 usual;    ///< points an axis that suit it
