@@ -40,7 +40,8 @@ def write_reference(target):
     folder = target / "docs" / "reference"
     doxygen.run(ROOT, folder / "cpp")
     (folder / "cpp.md").write_text(CPP, encoding="utf-8")
-    (folder / "python.md").write_text(python_reference.page(ROOT), encoding="utf-8")
+    (folder / "python.md").write_text(python_reference.PAGE, encoding="utf-8")
+    python_reference.stage(ROOT, target)
     return 2
 
 

@@ -122,6 +122,19 @@ def test_every_name_of_the_python_package_has_a_docstring():
     assert len(names) > 40 and not unsaid
 
 
+def test_docstrings_of_the_bindings_stand_in_the_stub(checkout):
+    checkout.put({"api/python/src/a.cpp": 'module.def("f", &f, "An *array_ of x.");\npy::class_<A>(module, "A", "Of A.")\n'
+                                          '.def_readonly("n", &A::n, "How many.");\n',
+                  "api/python/hwffd/__init__.pyi": "def f() -> int: ...\nclass A:\n    n: int\n",
+                  "api/python/hwffd/volumes/b.py": 'def g():\n    """Its\n    own_.\n\n        x_y\n    """\n    return 1\n'})
+    python_reference.stage(checkout.root, checkout.root / "build")
+    package = ast.parse(checkout.text("build/hwffd/__init__.py"))
+    assert ast.get_docstring(package.body[0]) == r"An \*array\_ of x."
+    assert ast.get_docstring(package.body[1]) == "Of A." and package.body[1].body[2].value.value == "How many."
+    own = ast.get_docstring(ast.parse(checkout.text("build/hwffd/volumes/b.py")).body[0])
+    assert own == "Its\nown\\_.\n\n    x_y"
+
+
 def test_a_docstring_may_hold_brackets_and_calls():
     text = 'type.def("f", &f, py::arg("a") = g(1, 2), "One (two), " "three.")'
     assert bindings.arguments(text, text.index("(") + 1)[-1] == '"One (two), " "three."'
@@ -145,7 +158,15 @@ def test_the_site_is_whole(site):
     assert "<!-- results" not in home
     for page in ("docs/reference/cpp.html", "docs/tutorial/10-bitstream.html", "docs/organizations/nested.html"):
         assert (site / "docs" / page).is_file()
-    assert "Embedding" in (site / "docs" / "search" / "search_index.js").read_text()
+    assert "pull_back" in (site / "docs" / "search" / "search_index.js").read_text()
+
+
+def test_the_page_of_python_has_every_name_with_its_words(site):
+    page = (site / "docs/docs/reference/python.html").read_text()
+    for name in ("hwffd.deform", "hwffd.Lattice.around", "hwffd.Lattice.control_points", "hwffd.volumes.warp"):
+        assert f'id="{name}"' in page, name
+    assert "Points attached to a lattice at rest" in page and "The rows that set_device takes" in page
+    assert "_refusals" not in page and "hwffd._" not in page
 
 
 def test_the_reference_has_every_header_and_its_links_lead_to_pages(site):
