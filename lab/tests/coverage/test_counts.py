@@ -5,7 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import pytest
 
-from lab.rtl_coverage import annotated, counts as counting, cpp, exclusions, report as reporting
+from lab.rtl_coverage import annotated, counts as counting, exclusions, report as reporting
 
 SOURCE = ["module ffd_a;", "wire w;", "always @*", "if (x)", "y = 1;", "endmodule"]
 WIDE = """v_line/ffd_a\t3\t1\tblock\t3\t7
@@ -45,16 +45,6 @@ def test_lines_of_a_branch_are_lines(tmp_path):
     row = rows(read(tmp_path, WIDE))[0]
     assert (row["lines"], row["line"]) == (3, 66.67)  # line 4 is of `else`, too
     assert "line 5" in row["missed_places"]
-
-
-def test_a_line_of_a_template_is_one_line():
-    def line(count, *branches):
-        return {"line_number": 7, "count": count, "branches": [{"count": taken} for taken in branches]}
-    assert cpp.merged([line(0, 0, 0), line(5, 5, 0), line(3, 0, 3)]) == {7: (True, [True, True])}
-    assert cpp.merged([line(2, 2, 0), line(2, 2, 0, 0)]) == {7: (True, [True, False, False])}
-    assert cpp.merged([line(0), line(0)]) == {7: (False, [])}
-    skipped = {**line(0, 0, 0), "gcovr/excluded": True}
-    assert not cpp.merged([skipped])
 
 
 def test_what_falls_short_is_named(tmp_path):
