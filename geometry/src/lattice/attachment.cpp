@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kSingularPivot = 1e-9;           // of the largest pivot
 constexpr Eigen::Index kRowsAtOnce = 4096;        // between two looks at who waits
-constexpr std::size_t kPointsOfABlock = 1 << 16;  // that are embedded at once
+constexpr std::size_t kEmbeddedAtOnce = 1 << 16;  // that are embedded at once
 constexpr std::size_t kGradientsAtOnce = 256;     // places that a thread takes at once
 
 Oracle::Jet jet_at(const Embedded& place, const Lattice& lattice, const Family& family) {
@@ -58,7 +58,7 @@ void Attachment::embed(const Embedder& embedder) {
   outcomes_.reserve(count);
   std::vector<Embedding> block;
   for (std::size_t first = 0; first < count; first += block.size()) {
-    const auto size = static_cast<Eigen::Index>(std::min(kPointsOfABlock, count - first));
+    const auto size = static_cast<Eigen::Index>(std::min(kEmbeddedAtOnce, count - first));
     block = embedder.embed(Points(points_.middleRows(static_cast<Eigen::Index>(first), size)));
     summary_ = joined(summary_, summarize(block));
     for (const Embedding& embedding : block) {

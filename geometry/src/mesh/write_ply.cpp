@@ -13,7 +13,7 @@
 namespace hwffd {
 namespace {
 
-constexpr unsigned kMostCorners = 255;  // of a face whose corners are counted in a byte
+constexpr unsigned kMostCountedCorners = 255;  // of a face whose corners are counted in a byte
 
 template <typename T>
 void append(std::string& bytes, T value) {
@@ -79,7 +79,7 @@ std::string header_of(const Output& output, const Layout& layout, std::size_t ve
   if (layout.textures) properties("float", {"s", "t"});
   if (layout.colours) properties("uchar", {"red", "green", "blue", "alpha"});
   if (layout.faces > 0) {
-    const char* const count = layout.most_corners > kMostCorners ? "uint" : "uchar";
+    const char* const count = layout.most_corners > kMostCountedCorners ? "uint" : "uchar";
     text +=
         fmt::format("element face {}\nproperty list {} uint vertex_indices\n", layout.faces, count);
   }
@@ -129,7 +129,7 @@ Files write_ply(const Output& output) {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
       if (face.mNumIndices < 2) continue;
-      if (layout.most_corners > kMostCorners) {
+      if (layout.most_corners > kMostCountedCorners) {
         append(bytes, std::uint32_t{face.mNumIndices});
       } else {
         append(bytes, static_cast<std::uint8_t>(face.mNumIndices));
