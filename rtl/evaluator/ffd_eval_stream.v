@@ -126,17 +126,6 @@ module ffd_eval_stream #(
       always @(posedge clk) offer_q <= !rst && s_vertex_valid && room && !enter;
       assign offer          = offer_q;
       assign s_vertex_ready = ready && offer_q;
-    end else if (JACOBIAN > 0 && JACOBIAN < 3 && DETERMINANT != 0) begin : gen_columns_apart
-      // The columns of a determinant take three clocks: no vertex for two behind one that wants it.
-      reg  [1:0] wait_q;
-      wire       may = room && wait_q == 2'd0;
-      always @(posedge clk) begin
-        if (rst) wait_q <= 2'd0;
-        else if (enter && s_vertex_column == LAST_COLUMN) wait_q <= 2'd2;
-        else if (wait_q != 2'd0) wait_q <= wait_q - 2'd1;
-      end
-      assign offer          = s_vertex_valid && may;
-      assign s_vertex_ready = ready && may;
     end else begin : gen_at_once
       assign offer          = s_vertex_valid && room;
       assign s_vertex_ready = ready && room;
@@ -247,7 +236,7 @@ module ffd_eval_stream #(
       ffd_eval_words #(
         .FORMAT         (FORMAT),
         .CONVERT_LATENCY(CONVERT_LATENCY),
-        .SERIAL         (`FFD_RESULT_INTERVAL(ORG, N) >= 3 || JACOBIAN >= 3)
+        .SERIAL         (`FFD_RESULT_INTERVAL(ORG, N) >= 3 || JACOBIAN != 0)
       ) u_words (
         .clk         (clk),
         .rst         (rst),

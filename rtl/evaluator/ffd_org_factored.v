@@ -21,7 +21,7 @@
 // Parameters: those of every organization (docs/architecture.md); SCHEDULE overlapped, EVALUATOR
 //             not iterative; FOLD 1, 2, 3, 6, if AFFINE 4, with the same bits; N 64, of FOLD 2 and
 //             6 32, of 4 16; LANES 1, of FOLD 3 to 3, of 4 to 4; PORTS as many of FOLD 4, else 1;
-//             AFFINE 1: ffd_org_affine; JACOBIAN 0, of FOLD 3 also 1.
+//             AFFINE 1: ffd_org_affine; JACOBIAN 0, of FOLD 3 and a lane also 1.
 // Model:      golden/include/hwffd/model/org_factored.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -40,7 +40,7 @@ module ffd_org_factored #(
 ) (
   `include "ffd_org_ports.vh"
 );
-  localparam WIDTH    = 12 * `FFD_SUM_W(FORMAT);
+  localparam WIDTH    = 3 * `FFD_SUM_W(FORMAT);
   localparam POINTS_W = N * 3 * `FFD_POINT_W(FORMAT);
 
   generate
@@ -53,8 +53,8 @@ module ffd_org_factored #(
     if (PORTS != (FOLD == 4 ? LANES : 1)) begin : gen_bad_ports
       ERROR_ffd_org_factored_ports_must_be_1_with_fold_4_as_many_as_lanes u_error ();
     end
-    if (JACOBIAN != 0 && FOLD != 3) begin : gen_bad_jacobian
-      ERROR_ffd_org_factored_jacobian_wants_fold_3 u_error ();
+    if (JACOBIAN != 0 && (FOLD != 3 || LANES != 1)) begin : gen_bad_jacobian
+      ERROR_ffd_org_factored_jacobian_wants_fold_3_and_a_lane u_error ();
     end
     if (N != 64 / `FFD_FOLD_PARTS(FOLD)) begin : gen_bad_n
       ERROR_ffd_org_factored_n_must_be_64_by_its_parts u_error ();
@@ -74,6 +74,7 @@ module ffd_org_factored #(
   wire [LANES*6-1:0]        read_index;
   wire [LANES-1:0]          sum_valid;
   wire [LANES*WIDTH-1:0]    sum;
+  wire [LANES*3*WIDTH-1:0]  jacobian;
 
   genvar lane;
   generate
@@ -117,8 +118,8 @@ module ffd_org_factored #(
         .read_points_i       (read_points_i[POINTS_W*(lane % PORTS) +: POINTS_W]),
         .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
-        .result_sum_o        (sum[lane*WIDTH +: WIDTH/4]),
-        .result_jacobian_o   (sum[lane*WIDTH+WIDTH/4 +: WIDTH/4*3])
+        .result_sum_o        (sum[lane*WIDTH +: WIDTH]),
+        .result_jacobian_o   (jacobian[lane*3*WIDTH +: 3*WIDTH])
       );
       wire unused_ok = &{1'b0, forming};
     end
@@ -167,9 +168,10 @@ module ffd_org_factored #(
 
   generate
     if (LANES == 1) begin : gen_alone
-      assign turn           = 1'b1;
-      assign result_valid_o = sum_valid;
-      assign {result_jacobian_o, result_sum_o} = sum;
+      assign turn              = 1'b1;
+      assign result_valid_o    = sum_valid;
+      assign result_sum_o      = sum;
+      assign result_jacobian_o = jacobian;
     end else begin : gen_together
       localparam [LANES-1:0] FIRST = 1;
       reg [LANES-1:0] turn_q;
@@ -190,9 +192,11 @@ module ffd_org_factored #(
         sum_q       <= sum_d;
       end
 
-      assign turn           = turn_q;
-      assign result_valid_o = sum_valid_q;
-      assign {result_jacobian_o, result_sum_o} = sum_q;
+      assign turn              = turn_q;
+      assign result_valid_o    = sum_valid_q;
+      assign result_sum_o      = sum_q;
+      assign result_jacobian_o = {3 * WIDTH{1'b0}};
+      wire unused_ok = &{1'b0, jacobian};
     end
   endgenerate
 endmodule

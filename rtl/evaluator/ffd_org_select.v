@@ -3,8 +3,7 @@
 // ORG is 0 basic (N 1), 1 cg1 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6 factored (N 64), 7
 // factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 64), 12
 // affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N
-// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 19 jacobian/3x3 (N 64), 20 jet/3 (N 64), 21
-// scan/4 (N 16).
+// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 20 jet/3 (N 64), 21 scan/4 (N 16).
 // Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -49,7 +48,6 @@ module ffd_org_select #(
         ORG == 16 && N != 16 ||
         ORG == 17 && N != 16 ||
         ORG == 18 && N != 64 ||
-        ORG == 19 && N != 64 ||
         ORG == 20 && N != 64 ||
         ORG == 21 && N != 16) begin : gen_bad_n
       ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
@@ -173,15 +171,6 @@ module ffd_org_select #(
     end else if (ORG == 18) begin : gen_jacobian_by_3
       ffd_org_affine #(
         .FOLD(3),
-        .JACOBIAN(1),
-        `include "ffd_org_arguments.vh"
-      ) u_org (
-        `include "ffd_org_connections.vh"
-      );
-    end else if (ORG == 19) begin : gen_jacobian_by_3x3
-      ffd_org_affine #(
-        .FOLD(3),
-        .LANES(3),
         .JACOBIAN(1),
         `include "ffd_org_arguments.vh"
       ) u_org (

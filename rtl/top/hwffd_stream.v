@@ -278,7 +278,7 @@ module hwffd_stream #(
     .SOURCE_W(READ_W - 1),
     .USER_W  (USER_W),
     .SPANS   (SPANS),
-    .JACOBIAN(`FFD_ORG_JACOBIAN(ORG) != 0)
+    .JACOBIAN(`FFD_ORG_JACOBIAN(ORG))
   ) u_derivatives (
     .clk             (clk),
     .rst             (rst),

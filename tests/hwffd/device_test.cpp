@@ -279,8 +279,13 @@ TEST(Device, EveryRowCanBeChosen) {
 TEST(Device, NamesThatWentSayWhatReplacesThem) {
   const std::string cg2 = "cg2 went with 0.3.0: take cg1";
   const std::string bspline = "bspline went with 0.3.0: take pipelined";
-  const std::map<std::string, std::string> gone{
-      {"cg2", cg2}, {"cg2-fx18-overlapped", cg2}, {"basic-fx18-overlapped-bspline", bspline}};
+  const std::string jacobian = "jacobian/3x3 went with 0.3.0: take jacobian/3";
+  const std::map<std::string, std::string> gone{{"cg2", cg2},
+                                                {"cg2-fx18-overlapped", cg2},
+                                                {"basic-fx18-overlapped-bspline", bspline},
+                                                {"jacobian/3x3", jacobian},
+                                                {"jacobian3x3", jacobian},
+                                                {"jacobian3x3-fx17-overlapped", jacobian}};
   for (const auto& one : gone) {
     const auto& name = one.first;
     const auto& text = one.second;
@@ -289,7 +294,7 @@ TEST(Device, NamesThatWentSayWhatReplacesThem) {
     EXPECT_EQ(message_of<std::invalid_argument>([&] { find_configuration(name); }), text);
     EXPECT_EQ(gone_text(name), text);
   }
-  for (const char* name : {"cg1", "cg22", "", "cg1-fx18-overlapped"})
+  for (const char* name : {"cg1", "cg22", "", "cg1-fx18-overlapped", "jacobian/3"})
     EXPECT_EQ(gone_text(name), "");
 }
 
@@ -308,7 +313,7 @@ TEST(Device, UnknownNamesAreListed) {
   };
   const std::string organizations =
       "basic, cg1, cg3, tree1 to tree32, parallel, factored, factored3, affine to affine64, "
-      "jacobian3, jacobian3x3, jet3, scan4, nested, nested3";
+      "jacobian3, jet3, scan4, nested, nested3";
   expect({"model", std::string(100, 'x'), "fp32"}, "device model: no organization '" +
                                                        std::string(27, 'x') + "...' here; one of " +
                                                        organizations);

@@ -9,9 +9,10 @@ import pytest
 from tools.csv_table import TableError
 from tools.tables import configurations, gone, organizations
 
-GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined"}
+GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined", ("org", "jacobian/3x3", 19): "jacobian/3"}
 CG2 = "cg2 went with 0.3.0: take cg1"
 BSPLINE = "bspline went with 0.3.0: take pipelined"
+JACOBIAN = "jacobian/3x3 went with 0.3.0: take jacobian/3"
 
 
 def test_what_went_stays_there():
@@ -38,7 +39,8 @@ def test_bad_tables(checkout, rows, words):
     (("list", "--org", "cg2"), CG2), (("list", "--org", "cg2", "--format", "fx18"), CG2),
     (("build", "out", "--org", "cg2"), CG2), (("parameters", "cg2-fx18-overlapped"), CG2),
     (("models", "out.cpp", "--rows", "cg2-fx18-paper"), CG2),
-    (("parameters", "basic-fx18-overlapped-bspline"), BSPLINE)))
+    (("parameters", "basic-fx18-overlapped-bspline"), BSPLINE), (("list", "--org", "jacobian/3x3"), JACOBIAN),
+    (("parameters", "jacobian3x3-fx17-overlapped"), JACOBIAN)))
 def test_what_went_is_refused(call, words, said):
     assert call(configurations.main, *words) == (1, [], [f"configurations: {said}"])
 

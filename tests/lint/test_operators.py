@@ -80,7 +80,6 @@ COUNTED = (
     # 3 x 4 along t, 4 along s, and differences for 16, 2 x 4 and 3 of them.
     ("jacobian/3", "jacobian3-fx17-overlapped", (18 + 3 * 48, 18 + 3 * 27 + 3 * 48),
      (18 + 3 * 48, 18 + 3 * 27 + 3 * 48), 6),
-    ("jacobian/3x3", "jacobian3x3-fx17-overlapped", (3 * 162, 3 * 243), (3 * 162, 3 * 243), 18),
     # The same with four products and no differences, and four evaluators of each kind.
     ("jet/3", "jet3-fx18-overlapped", (24 + 4 * 48, 24 + 3 * 48), (24 + 4 * 48, 24 + 3 * 48), 8),
     # A polynomial evaluator; a product a component, which every unit above shares.

@@ -49,5 +49,5 @@ def check(kind, where, name, number=None):
 def refuse(name):
     """Raises TableError for the name of an organization that went, or of a row that had what went."""
     for one in read():
-        if one.name in name.split("-"):
+        if one.name.replace("/", "") in name.replace("/", "").split("-"):
             raise TableError(str(one))

@@ -94,8 +94,6 @@ def header_text(rtl):
         return " || \\\n    ".join(lines)
 
     ports = "".join(f"(ORG) == {row.number} ? {row.ports} : " for row in rows if row.ports > 1)
-    jacobian = " : ".join([f"(ORG) == {row.number} ? {row.fold // row.lanes}" for row in rows
-                           if row.jacobian] + ["0"])
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
 // SPDX-License-Identifier: Apache-2.0
@@ -113,9 +111,9 @@ def header_text(rtl):
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)
 
-// Clocks between vertices where a pass gives their Jacobian too; 0: it gives one sum.
+// One pass of it gives the position and its three derivatives.
 `define FFD_ORG_JACOBIAN(ORG) \\
-  ({jacobian})
+  ({any_of(lambda row: row.jacobian)})
 
 `endif
 """

@@ -17,8 +17,8 @@ class DrawError(Exception):
 
 
 class Draw:
-    """Draws of one top; `random` is a random.Random. What is drawn has at most so many units of `size`, and
-    one of these formats, by number, or any."""
+    """Draws of one top; `random` is a random.Random. What is drawn has at most so many units of `size`, or
+    those of an organization that is asked for, and one of these formats, by number, or any."""
 
     def __init__(self, space, top, random, units=UNITS, formats=None):
         self.space, self.top, self.random, self.units = space, top, random, units
@@ -27,9 +27,12 @@ class Draw:
 
     def legal(self, **fixed):
         """A legal configuration, {name: value}, with these values. Raises DrawError."""
+        most = self.units
+        if "ORG" in fixed and (org := self.space.organizations[fixed["ORG"]]).n:
+            most = max(most, products(org, org.n))
         for _ in range(TRIES):
             drawn = self._proposal(fixed) | fixed
-            if not self.space.faults(self.top, drawn) and size(self.space, drawn) <= self.units:
+            if not self.space.faults(self.top, drawn) and size(self.space, drawn) <= most:
                 return drawn
         raise DrawError(f"{self.top}: no legal configuration with {fixed}")
 
@@ -132,12 +135,15 @@ class Draw:
         }
 
 
+def products(organization, n):
+    """Multiplications of sums that it does side by side."""
+    return (organization.units or n) * 3 / organization.fold * (organization.lanes if organization.fold == 3 else 1)
+
+
 def size(space, configuration):
     """Of a configuration's arithmetic: about how many multipliers of 18 bits."""
-    org = space.organizations[configuration["ORG"]]
     number_format = space.formats[configuration["FORMAT"]]
-    units = (org.units or configuration["N"]) * 3 / org.fold * (org.lanes if org.fold == 3 else 1)
-    return units * (4 if number_format.words != "fixed" else 1 if number_format.width <= 18 else 3)
+    return products(space.organizations[configuration["ORG"]], configuration["N"]) * (4 if number_format.words != "fixed" else 1 if number_format.width <= 18 else 3)
 
 
 def ends(parameter):

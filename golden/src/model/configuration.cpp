@@ -1,5 +1,6 @@
 #include "hwffd/model/configuration.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "hwffd/model/organizations.hpp"
@@ -19,6 +20,12 @@ const Row& find(const std::vector<Row>& rows, const std::string& name, const std
   throw std::invalid_argument("no " + what + " named '" + name + "': one of " + names);
 }
 
+/// An organization as the names of rows have it, without its slash, between hyphens.
+std::string word_of_rows(std::string name) {
+  name.erase(std::remove(name.begin(), name.end(), '/'), name.end());
+  return "-" + name + "-";
+}
+
 }  // namespace
 
 const Configuration& find_configuration(const std::string& name) {
@@ -26,9 +33,9 @@ const Configuration& find_configuration(const std::string& name) {
 }
 
 std::string gone_text(const std::string& name) {
-  const std::string words = "-" + name + "-";
+  const std::string words = word_of_rows(name);
   for (const Gone& one : gone_names()) {
-    if (words.find("-" + std::string(one.name) + "-") != std::string::npos) return one.text;
+    if (words.find(word_of_rows(one.name)) != std::string::npos) return one.text;
   }
   return "";
 }
