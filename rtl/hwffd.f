@@ -70,7 +70,6 @@ evaluator/ffd_eval_poly_iterative.v
 evaluator/ffd_eval_poly_pipelined.v
 evaluator/ffd_eval_powers.v
 evaluator/ffd_eval_quarters.v
-evaluator/ffd_eval_scan.v
 evaluator/ffd_eval_sequencer.v
 evaluator/ffd_eval_serial.v
 evaluator/ffd_eval_serial_component.v
@@ -79,6 +78,7 @@ evaluator/ffd_eval_stream.v
 evaluator/ffd_eval_summation.v
 evaluator/ffd_eval_tree.v
 evaluator/ffd_eval_trivariate.v
+evaluator/ffd_eval_walk.v
 evaluator/ffd_eval_weight_product.v
 evaluator/ffd_eval_words.v
 evaluator/ffd_org_affine.v

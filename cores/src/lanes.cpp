@@ -146,14 +146,27 @@ void add_contraction(std::vector<Lane>& lanes, const Configuration& c, const Uni
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, 4 * components / folds_of_turn * (1 + more), "t");
   add_contract(lanes, points, c, 4 * components / folds_of_turn * (1 + 2 * more), "t");
-  if (scans(c)) {  // what vertices do along s is not of these steps, and not shown
-    points.expect(schedule.sums, c.name);
-    return;
-  }
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, components * (1 + 2 * more), "s", folds_of_turn == 4);
   add_contract(lanes, points, c, components * (1 + 3 * more), "s", folds_of_turn == 4);
   points.expect(schedule.sums, c.name);
+}
+
+/// `walk`: planes, four points a clock. What vertices do along s is not of these steps, and not
+/// shown.
+void add_walk(std::vector<Lane>& lanes, const Configuration& c, const Schedule& schedule) {
+  constexpr int kComponents = 3;
+  Pipeline polynomials(schedule, schedule.polynomials);
+  polynomials.pass(lanes, "axis chosen", 1);
+  polynomials.pass(lanes, "polynomial evaluators", polynomial_latency(c));
+  Pipeline points(schedule, schedule.steps);
+  points.pass(lanes, count_of(c.n, "point") + " read", 2);
+  add_differences(lanes, points, c, kComponents, "u");
+  points.expect(polynomials, c.name);
+  add_contract(lanes, points, c, kComponents, "u");
+  points.pass(lanes, "narrowed", c.convert_latency);
+  add_differences(lanes, points, c, kComponents, "t", true);
+  add_contract(lanes, points, c, kComponents, "t", true);
 }
 
 /// In sequence: a point a clock. Products along t and s take the clocks of the bases and are not
@@ -208,6 +221,8 @@ std::vector<Lane> lanes_of(const Configuration& row, const Units& units, const S
   if (contracts(row)) {
     if (row.n == 1) {
       add_sequence(lanes, row, schedule);
+    } else if (walks(row)) {
+      add_walk(lanes, row, schedule);
     } else {
       add_contraction(lanes, row, units, schedule);
     }

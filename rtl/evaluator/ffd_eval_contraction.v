@@ -13,8 +13,6 @@
 // four, it takes 16 of the banks, from the last of s to the first, and the last sum is made one
 // term after the other (ffd_eval_quarters).
 //
-// With AXES 2, u and t only are contracted: folded by four, a step leaves one point, as a sum.
-//
 // With the Jacobian there are derivative weights too, and a pass gives four sums: q, dq/ds, dq/dt
 // and dq/du. They share what they have in common: along u there are two sums of each four points,
 // along t three, along s four. Chain 0 is that of q, whose every sum has a companion with the
@@ -26,7 +24,7 @@
 // Freezes:    never.
 // Parameters: FOLD 1, 2, 3, 4 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
 //             ADD_LATENCY clocks after the points, FOLD 4 only so; JACOBIAN 1: four sums, FOLD 1 or
-//             3; AXES 3, of FOLD 4 also 2; the others as in every organization.
+//             3; the others as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -36,7 +34,6 @@
 
 module ffd_eval_contraction #(
   parameter FOLD            = 1,
-  parameter AXES            = 3,
   parameter AFFINE          = 0,
   parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
@@ -76,7 +73,7 @@ module ffd_eval_contraction #(
   localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
-  localparam LATENCY    = READ_LATENCY + AXES * CONTRACT - CONVERT_LATENCY;  // the last is a sum
+  localparam LATENCY    = READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY;  // the last is a sum
 
   generate
     if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
@@ -87,9 +84,6 @@ module ffd_eval_contraction #(
     end
     if (JACOBIAN != 0 && PARTS != 1) begin : gen_bad_jacobian
       ERROR_ffd_eval_contraction_jacobian_wants_whole_cells u_error ();
-    end
-    if (AXES != 3 && (AXES != 2 || PARTS != 4)) begin : gen_bad_axes
-      ERROR_ffd_eval_contraction_axes_must_be_3_folded_by_four_also_2 u_error ();
     end
   endgenerate
 
@@ -146,7 +140,7 @@ module ffd_eval_contraction #(
   genvar n;
   generate
     for (c = 0; c < COMPONENTS; c = c + 1) begin : gen_component
-      for (stage = 0; stage < AXES; stage = stage + 1) begin : gen_stage
+      for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
         localparam AXIS = 2 - stage;
         localparam BANKS  = stage == 2 ? 4 / PARTS : 4;
         localparam GROUPS = stage == 2 ? 1 : (16 >> 2 * stage) / PARTS;  // of a chain
@@ -250,7 +244,7 @@ module ffd_eval_contraction #(
         end
       end
 
-      assign sums[c*SUM_W +: SUM_W] = gen_stage[AXES-1].gen_group[0].sum[0 +: SUM_W];
+      assign sums[c*SUM_W +: SUM_W] = gen_stage[2].gen_group[0].sum[0 +: SUM_W];
       if (CHAINED) begin : gen_jacobian
         assign sums[(1*COMPONENTS+c)*SUM_W +: SUM_W] =
           gen_stage[2].gen_group[0].sum[SUM_W +: SUM_W];
@@ -274,7 +268,7 @@ module ffd_eval_contraction #(
     end
   endgenerate
 
-  assign result_valid_o = sum_valid && (sum_last || AXES == 2);
+  assign result_valid_o = sum_valid && sum_last;
   wire unused_ok = &{1'b0, part, weights_i, slopes_i};
 endmodule
 

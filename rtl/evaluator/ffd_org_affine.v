@@ -10,7 +10,7 @@
 // Jacobian:   in one pass of 144 multiplications a component; derivative weights leave P3 out.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
-//             unused. SCAN 1, of FOLD 4 and one lane: ffd_eval_scan.
+//             unused; and 16, along rows of vertices: ffd_eval_walk, N 4, one lane.
 // Not checked: that the functions loaded sum to one; bank 3 has what the others leave, and
 //             ffd_stream_sums tells.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
@@ -23,7 +23,6 @@ module ffd_org_affine #(
   parameter FOLD            = 1,
   parameter LANES           = 1,
   parameter JACOBIAN        = 0,
-  parameter SCAN            = 0,
   parameter FORMAT          = 17,
   parameter N               = 64,
   parameter PORTS           = 1,
@@ -34,11 +33,11 @@ module ffd_org_affine #(
   generate
     if (SCHEDULE != `FFD_SCHEDULE_OVERLAPPED) begin : gen_bad_schedule
       ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
-    end else if (FOLD != 64 && `FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
-      ERROR_ffd_org_affine_fold_must_be_1_2_3_4_6_or_64 u_error ();
-    end else if (N != (FOLD == 64 ? 1 : 64 / `FFD_FOLD_PARTS(FOLD))) begin : gen_bad_n
-      ERROR_ffd_org_affine_n_must_be_64_by_its_parts_or_1_folded_by_64 u_error ();
-    end else if (FOLD == 64 && JACOBIAN != 0) begin : gen_bad_jacobian
+    end else if (FOLD != 16 && FOLD != 64 && `FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
+      ERROR_ffd_org_affine_fold_must_be_1_2_3_4_6_16_or_64 u_error ();
+    end else if (N != (FOLD >= 16 ? 64 / FOLD : 64 / `FFD_FOLD_PARTS(FOLD))) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64_by_its_parts u_error ();
+    end else if (FOLD >= 16 && JACOBIAN != 0) begin : gen_bad_jacobian
       ERROR_ffd_org_affine_jacobian_wants_fold_3 u_error ();
     end else if (FOLD == 64) begin : gen_serial
       ffd_eval_serial #(
@@ -46,12 +45,12 @@ module ffd_org_affine #(
       ) u_serial (
         `include "ffd_org_connections.vh"
       );
-    end else if (SCAN != 0 && (FOLD != 4 || LANES != 1)) begin : gen_bad_scan
-      ERROR_ffd_org_affine_scan_wants_fold_4_and_a_lane u_error ();
-    end else if (SCAN != 0) begin : gen_scan
-      ffd_eval_scan #(
+    end else if (FOLD == 16 && LANES != 1) begin : gen_bad_lanes
+      ERROR_ffd_org_affine_folded_by_16_has_one_lane u_error ();
+    end else if (FOLD == 16) begin : gen_walk
+      ffd_eval_walk #(
         `include "ffd_org_arguments.vh"
-      ) u_scan (
+      ) u_walk (
         `include "ffd_org_connections.vh"
       );
     end else begin : gen_affine

@@ -12,7 +12,7 @@
 // It takes for granted that the functions of an axis sum to one.
 `define FFD_ORG_AFFINE(ORG) \
   ((ORG) == 10 || (ORG) == 11 || (ORG) == 12 || (ORG) == 13 || (ORG) == 14 || (ORG) == 15 || \
-    (ORG) == 16 || (ORG) == 17 || (ORG) == 18 || (ORG) == 21)
+    (ORG) == 16 || (ORG) == 17 || (ORG) == 18 || (ORG) == 22)
 
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ((ORG) == 17 ? 3 : 1)

@@ -23,8 +23,11 @@ cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::siz
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }
   pins.support = vertex.support;
-  // Supports are written before a run; in the core a bank comes into use when it is loaded.
-  pins.changed = index == 0 || vertex.bank != stimulus.vertices[index - 1].bank;
+  // Supports are written before a run; in the core a bank comes into use when it is loaded. The
+  // same support in another cell is another part of a lattice.
+  const EvaluatorVertex& before = stimulus.vertices[index > 0 ? index - 1 : 0];
+  pins.changed = index == 0 || vertex.bank != before.bank ||
+                 (vertex.support == before.support && vertex.cell != before.cell);
   unsigned bank = vertex.bank != 0 ? kBankOfEachAxis : 0;
   if (vertex.derivative >= 0) bank |= kDerivative << (2 * vertex.derivative);
   if (vertex.jacobian) bank |= kJacobian;

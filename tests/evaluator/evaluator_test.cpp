@@ -33,9 +33,9 @@ std::vector<Configuration> jacobian_rows() {
 }
 
 /// The rows that this build has and that share what comes before s.
-std::vector<Configuration> scan_rows() {
+std::vector<Configuration> walk_rows() {
   return rows_where(
-      [](const Configuration& row) { return scans(row) && cores::has_evaluator_core(row); });
+      [](const Configuration& row) { return walks(row) && cores::has_evaluator_core(row); });
 }
 
 /// The rows that this build has, or those of one schedule.
@@ -108,7 +108,7 @@ class Evaluator : public ::testing::TestWithParam<Configuration> {
 class PaperSchedule : public Evaluator {};
 class KeepsCell : public Evaluator {};
 class GivesJacobian : public Evaluator {};
-class Scans : public Evaluator {
+class Walks : public Evaluator {
  protected:
   /// Runs of vertices that differ in s only, positions and derivatives along s mixed.
   tb::EvaluatorStimulus draw_runs(std::size_t runs, std::uint64_t seed, std::size_t together) {
@@ -126,7 +126,7 @@ class Scans : public Evaluator {
 };
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);      // no row of tier sim does
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Scans);          // nor shares that
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Walks);          // nor shares that
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
   const auto stimulus = draw(share_of(800), tb::seed_from_environment(1));
@@ -266,11 +266,11 @@ TEST_P(KeepsCell, BitsUnderRandomStallsWithinCells) {
 }
 
 // A vertex a clock in runs of as many as there are folds and more; shorter runs take as long as
-// that.
-TEST_P(Scans, ClocksOfRuns) {
+// that. How a run goes on in the next cell is seen in tests/system/walk_test.cpp.
+TEST_P(Walks, ClocksOfRuns) {
   const std::uint64_t folded = folds(GetParam());
   std::size_t before = 0;
-  for (const std::size_t together : {1, 2, 3, 4, 5, 40}) {
+  for (const std::size_t together : {1, 2, 3, 5, 15, 16, 17, 40}) {
     bench_.run(draw_runs(12, together, together));
     const auto& clocks = bench_.result_clocks();
     for (std::size_t v = before; v + together < clocks.size(); v += together) {
@@ -283,7 +283,7 @@ TEST_P(Scans, ClocksOfRuns) {
 }
 
 // Each of what a run shares ends it when it changes, alone: t, u, the cell, the support, the bank.
-TEST_P(Scans, WhatEndsARun) {
+TEST_P(Walks, WhatEndsARun) {
   auto stimulus = draw_runs(60, tb::seed_from_environment(4), 4);
   tb::Random random(7);
   const auto other = draw(stimulus.vertices.size(), 9).vertices;
@@ -360,7 +360,7 @@ TEST_P(PaperSchedule, DoesNotOverlap) {
 INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, GivesJacobian, ::testing::ValuesIn(jacobian_rows()), by_name);
-INSTANTIATE_TEST_SUITE_P(, Scans, ::testing::ValuesIn(scan_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Walks, ::testing::ValuesIn(walk_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), by_name);
 
 }  // namespace

@@ -313,7 +313,7 @@ TEST(Device, UnknownNamesAreListed) {
   };
   const std::string organizations =
       "basic, cg1, cg3, tree1 to tree32, parallel, factored, factored3, affine to affine64, "
-      "jacobian3, jet3, scan4, nested, nested3";
+      "jacobian3, jet3, walk, nested, nested3";
   expect({"model", std::string(100, 'x'), "fp32"}, "device model: no organization '" +
                                                        std::string(27, 'x') + "...' here; one of " +
                                                        organizations);

@@ -9,7 +9,8 @@ import pytest
 from tools.csv_table import TableError
 from tools.tables import configurations, gone, organizations
 
-GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined", ("org", "jacobian/3x3", 19): "jacobian/3"}
+GONE = {("org", "cg2", 2): "cg1", ("evaluator", "bspline", 2): "pipelined",
+        ("org", "jacobian/3x3", 19): "jacobian/3", ("org", "scan/4", 21): "walk"}
 CG2 = "cg2 went with 0.3.0: take cg1"
 BSPLINE = "bspline went with 0.3.0: take pipelined"
 JACOBIAN = "jacobian/3x3 went with 0.3.0: take jacobian/3"

@@ -14,7 +14,7 @@ HEADER = ",".join(organizations.COLUMNS)
 NUMBERS = {"basic": 0, "cg1": 1, "cg3": 3, "tree": 4, "parallel": 5, "factored": 6,
            "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11, "affine/3x2": 12,
            "affine/64": 13, "affine/2": 14, "affine/6": 15, "affine/4": 16, "affine/4x3": 17,
-           "jacobian/3": 18, "jet/3": 20, "scan/4": 21}
+           "jacobian/3": 18, "jet/3": 20, "walk": 22}
 
 ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,,0,0,every,"
 

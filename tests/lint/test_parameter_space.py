@@ -57,7 +57,7 @@ def kinds(draw):
     for _ in range(1000):
         drawn = draw.legal()
         organization = SPACE.organizations[drawn["ORG"]]
-        by_kind.setdefault((organization.module, organization.in_turn, organization.scan, drawn["EVALUATOR"]),
+        by_kind.setdefault((organization.module, organization.in_turn, organization.walks, drawn["EVALUATOR"]),
                            {name: drawn[name] for name in ("ORG", "EVALUATOR")})
     return by_kind.values()
 

@@ -157,7 +157,7 @@ TEST_P(Derivatives, SameBitsAsInterleaved) {
 /// J is behind them; where one pass gives all, one of them, or a clock for each result beat.
 double clocks_of(const Configuration& row, std::size_t results) {
   const double interval = scattered_interval(row);
-  if (scans(row)) return 3 * interval;  // the position and the derivative along s are one run
+  if (walks(row)) return 3 * interval;  // the position and the derivative along s are one run
   return gives_jacobian(row) ? std::max(interval, static_cast<double>(results)) : 4 * interval;
 }
 

@@ -91,7 +91,7 @@ class Organization:
     def in_turn(self):
         """Whether it takes the 64 points of a vertex in turn, N in a clock."""
         return not (self.of_form.contracts or self.keeps_cell) or self.fold == 64 or (
-            self.fold == 4 and self.lanes == 1 and not self.scan)
+            self.fold == 4 and self.lanes == 1)
 
     @property
     def weighs_axes(self):
@@ -118,9 +118,9 @@ class Organization:
         return self.lanes if self.fold == 4 else 1
 
     @property
-    def scan(self):
-        """Whether vertices that differ in s only share what comes before s."""
-        return self.parameters.get("SCAN", 0) != 0
+    def walks(self):
+        """Whether vertices of a row along s share what comes before s, and neighbouring cells most of it."""
+        return self.of_form.contracts and self.fold == 16
 
     @property
     def jacobian(self):

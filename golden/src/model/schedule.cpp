@@ -37,7 +37,7 @@ int lanes(const Configuration& row) { return organization_of(row).lanes; }
 
 bool gives_jacobian(const Configuration& row) { return organization_of(row).jacobian; }
 
-bool scans(const Configuration& row) { return organization_of(row).scan; }
+bool walks(const Configuration& row) { return organization_of(row).walks; }
 
 std::optional<double> paper_clocks(const Configuration& row) {
   return clocks(row, organization_of(row).paper);

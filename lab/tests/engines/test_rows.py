@@ -16,7 +16,7 @@ ROWS = (
     "cg3-fx18-overlapped", "tree2-fx18-paper", "tree4-fx18-overlapped", "tree8-fx18-overlapped",
     "basic-fx18-overlapped-iterative", "factored3-fx18-overlapped", "affine3-fx17-overlapped-powers",
     "nested3-fx18-overlapped", "basic-fx32-overlapped", "cg1-fx32-overlapped",
-    "scan4-fx17-overlapped", "affine64-fx17-overlapped", "basic-bfp32-overlapped")
+    "walk-fx17-overlapped", "affine64-fx17-overlapped", "basic-bfp32-overlapped")
 
 
 @pytest.mark.parametrize("name", ROWS)

@@ -29,7 +29,7 @@ struct Organization {
   int fold;           ///< how often its units are used for one vertex
   int lanes;          ///< vertices that are evaluated side by side
   bool jacobian;      ///< whether a pass gives the position and its three derivatives
-  bool scan;          ///< whether vertices that differ in s only share what comes before s
+  bool walks;         ///< whether vertices of a row along s share what comes before s
   Clocks paper;       ///< of a vertex at the paper's schedule
   Clocks last;        ///< of the last accumulation, which that formula does not count
   Clocks overlapped;  ///< between vertices when steps overlap; of one cell, if it keeps one

@@ -23,9 +23,10 @@ int lanes(const Configuration& row);
 /// Whether an organization gives the position of a vertex and its three derivatives in one pass.
 bool gives_jacobian(const Configuration& row);
 
-/// Whether it evaluates a vertex a clock while only s changes, in runs of as many vertices as it
-/// has folds and more.
-bool scans(const Configuration& row);
+/// Whether it evaluates a vertex a clock along rows in which only s and the cell along s change.
+/// Four clocks bring it a plane of control points, of which a row wants three more than it has
+/// cells.
+bool walks(const Configuration& row);
 
 /// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
 /// that the paper does not have.
