@@ -147,6 +147,7 @@ void add_contraction(std::vector<Lane>& lanes, const Configuration& c, const Uni
   add_differences(lanes, points, c, 4 * components / folds_of_turn * (1 + more), "t");
   add_contract(lanes, points, c, 4 * components / folds_of_turn * (1 + 2 * more), "t");
   points.pass(lanes, "narrowed", c.convert_latency);
+  if (folds(c) == 3 && c.n == 32) points.pass(lanes, "the half read first waits", 1);
   add_differences(lanes, points, c, components * (1 + 2 * more), "s", folds_of_turn == 4);
   add_contract(lanes, points, c, components * (1 + 3 * more), "s", folds_of_turn == 4);
   points.expect(schedule.sums, c.name);

@@ -29,6 +29,9 @@
 `define FFD_FOLD_TURNS(FOLD) ((FOLD) % 3 == 0 ? 3 : 1)
 `define FFD_FOLD_PARTS(FOLD) ((FOLD) % 4 == 0 ? 4 : (FOLD) % 2 == 0 ? 2 : 1)
 `define FFD_FOLD_SETS(FOLD)  ((FOLD) < 3 ? 3 : 1)
+// 1: an organization that reads the points of a vertex in one of three clocks has them in half as
+// many banks of two rows, and reads them in two.
+`define FFD_READ_HALVES(FOLD, N) ((FOLD) == 3 && (N) == 32 ? 1 : 0)
 `define FFD_FOLD_BAD(FOLD) \
   ((FOLD) > 6 || (FOLD) != `FFD_FOLD_TURNS(FOLD) * `FFD_FOLD_PARTS(FOLD))
 

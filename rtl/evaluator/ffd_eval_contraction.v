@@ -7,7 +7,10 @@
 // tree of 64, pair by pair. Between contractions a sum becomes a point again (ffd_num_narrow).
 //
 // Unfolded, a step takes the 64 points of a vertex. Folded by three, it takes a component of them,
-// x first; the points are read once, and y and z wait here. Folded by two, it takes 32 of the
+// x first; the points are read once, and y and z wait here. With N 32 they are read in two halves,
+// the banks of s that come last first, and what is done with the second half is a clock behind
+// until both meet along s: so a store of 32 banks is enough, which is read in two of three clocks.
+// Folded by two, it takes 32 of the
 // banks, those of s that come last first, and the last sum of four is made in halves
 // (ffd_eval_halves). Folded by six, it is both, x, y and z of a half one after the other. Folded by
 // four, it takes 16 of the banks, from the last of s to the first, and the last sum is made one
@@ -20,11 +23,12 @@
 //
 // Formats, rounding: those of the number layer; docs/numerics.md section 4.
 // Pipeline:   step: the read | READ_LATENCY: points, weights of u | FFD_CONTRACT_LATENCY: weights
-//             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step.
+//             of t | FFD_CONTRACT_LATENCY: weights of s | FFD_TREE_LATENCY: sum. II 1 step. Read in
+//             halves, a clock more.
 // Freezes:    never.
 // Parameters: FOLD 1, 2, 3, 4 or 6; AFFINE 1: by differences (ffd_eval_affine), the weights
 //             ADD_LATENCY clocks after the points, FOLD 4 only so; JACOBIAN 1: four sums, FOLD 1 or
-//             3; the others as in every organization.
+//             3; N 64 / FFD_FOLD_PARTS, of FOLD 3 also 32; the others as in every organization.
 // Model:      golden/include/hwffd/model/org_factored.hpp, org_affine.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -37,6 +41,7 @@ module ffd_eval_contraction #(
   parameter AFFINE          = 0,
   parameter JACOBIAN        = 0,
   parameter FORMAT          = 18,
+  parameter N               = 64 / `FFD_FOLD_PARTS(FOLD),
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
@@ -59,7 +64,7 @@ module ffd_eval_contraction #(
   output wire [SOURCE_W-1:0]                     read_source_o,
   output wire [11:0]                             read_cell_o,
   output wire [5:0]                              read_index_o,
-  input  wire [64/`FFD_FOLD_PARTS(FOLD)*3*`FFD_POINT_W(FORMAT)-1:0] read_points_i,
+  input  wire [N*3*`FFD_POINT_W(FORMAT)-1:0]     read_points_i,
   output wire                                    result_valid_o,
   output wire [3*`FFD_RESULTS(JACOBIAN)*`FFD_SUM_W(FORMAT)-1:0] result_sums_o
 );
@@ -73,7 +78,8 @@ module ffd_eval_contraction #(
   localparam COMPONENTS = 3 / TURNS;
   localparam CONTRACT   = `FFD_CONTRACT_LATENCY(AFFINE, MUL_LATENCY, ADD_LATENCY, FMA_LATENCY,
                                                 CONVERT_LATENCY);
-  localparam LATENCY    = READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY;  // the last is a sum
+  localparam HALVES     = `FFD_READ_HALVES(FOLD, N);
+  localparam LATENCY    = READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY + HALVES;  // a sum is last
 
   generate
     if (`FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
@@ -107,16 +113,31 @@ module ffd_eval_contraction #(
     .q_o({sum_valid, sum_last})
   );
 
-  wire first;  // of the steps of what is read: its points are here
+  wire [1:0] first;  // of the steps of what is read, of the lower and the upper half: it is here
 
   ffd_num_delay #(
-    .WIDTH  (1),
+    .WIDTH  (2),
     .LATENCY(READ_LATENCY)
   ) u_first (
     .clk(clk),
     .rst(rst),
-    .d_i(step_reads_i),
+    .d_i({step_reads_i && (HALVES == 0 || step_part_i[0]),
+          step_reads_i && (HALVES == 0 || !step_part_i[0])}),
     .q_o(first)
+  );
+
+  // Of the half that is a clock behind, and of what comes after both have met.
+  wire [3*4*WEIGHT_W-1:0] late_weights;
+  wire [3*4*WEIGHT_W-1:0] late_slopes;
+
+  ffd_num_delay #(
+    .WIDTH  (2*3*4*WEIGHT_W),
+    .LATENCY(HALVES)
+  ) u_late (
+    .clk(clk),
+    .rst(1'b0),
+    .d_i({slopes_i, weights_i}),
+    .q_o({late_slopes, late_weights})
   );
 
   wire [1:0] part;  // along s
@@ -152,29 +173,45 @@ module ffd_eval_contraction #(
           // chain 2 those of chain 1.
           localparam BEFORE    = 4 * g - (CHAIN > 0 ? 4 * GROUPS : 0);
           localparam COMPANION = CHAIN == 1 ? 1 : 0;
+          // Whether it is of the half that is read first.
+          localparam UPPER     = stage < 2 && g % GROUPS >= GROUPS / 2 ? 1 : 0;
           wire [BANKS*POINT_W-1:0] points;
           wire [SUMS*SUM_W-1:0]    sum;
-          wire [8*WEIGHT_W-1:0]    weights = {slopes_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W],
-                                              weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]};
+          wire [8*WEIGHT_W-1:0]    weights = UPPER
+            ? {slopes_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W], weights_i[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]}
+            : {late_slopes[4*AXIS*WEIGHT_W +: 4*WEIGHT_W],
+               late_weights[4*AXIS*WEIGHT_W +: 4*WEIGHT_W]};
 
           for (b = 0; b < BANKS; b = b + 1) begin : gen_bank
-            localparam FIRST = 3 * (4 * g + b);  // of the components of a point
+            localparam FIRST = 3 * ((4 * g + b) % N);  // of the components of a point
+            // Along s the banks of the half that came first wait for the others.
+            localparam WAITS = stage == 2 && b >= 2 ? HALVES : 0;
             wire [POINT_W-1:0] point;
             if (stage > 0) begin : gen_narrow
+              wire [POINT_W-1:0] narrowed;
+              ffd_num_delay #(
+                .WIDTH  (POINT_W),
+                .LATENCY(WAITS)
+              ) u_point (
+                .clk(clk),
+                .rst(1'b0),
+                .d_i(narrowed),
+                .q_o(point)
+              );
               ffd_num_narrow #(
                 .FORMAT (FORMAT),
                 .LATENCY(CONVERT_LATENCY)
               ) u_narrow (
                 .clk    (clk),
                 .sum_i  (gen_stage[stage-1].gen_group[BEFORE+b].sum[COMPANION*SUM_W +: SUM_W]),
-                .point_o(point)
+                .point_o(narrowed)
               );
             end else if (TURNS == 1) begin : gen_own
               assign point = read_points_i[(FIRST+c)*POINT_W +: POINT_W];
             end else begin : gen_in_turn
               reg  [2*POINT_W-1:0] rest_q;
-              wire [3*POINT_W-1:0] left = first ? read_points_i[FIRST*POINT_W +: 3*POINT_W]
-                                                : {{POINT_W{1'b0}}, rest_q};
+              wire [3*POINT_W-1:0] left = first[UPPER] ? read_points_i[FIRST*POINT_W +: 3*POINT_W]
+                                                       : {{POINT_W{1'b0}}, rest_q};
               always @(posedge clk) rest_q <= left[3*POINT_W-1:POINT_W];
               assign point = left[POINT_W-1:0];
             end

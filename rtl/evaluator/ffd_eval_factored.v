@@ -32,6 +32,7 @@ module ffd_eval_factored #(
   localparam KINDS        = JACOBIAN == 0 ? 1 : 2;
   localparam TURNS        = `FFD_FOLD_TURNS(FOLD);
   localparam PARTS        = `FFD_FOLD_PARTS(FOLD);
+  localparam HALVES       = `FFD_READ_HALVES(FOLD, N);
   localparam STEP_W       = FOLD > 1 ? $clog2(FOLD) : 1;
   localparam STEP_LATENCY = `FFD_STEP_LATENCY(MUL_LATENCY, ADD_LATENCY, FMA_LATENCY);
   localparam FILE_LATENCY = `FFD_FILE_LATENCY(SCHEDULE, EVALUATOR);
@@ -60,9 +61,9 @@ module ffd_eval_factored #(
   // The first three steps evaluate an axis each; a step reads points where a part of them begins.
   wire [2:0] count = {{(3 - STEP_W) {1'b0}}, step_count};
   wire [1:0] step  = count[2] ? 2'd3 : count[1:0];
-  wire       reads = TURNS == 1 || count == 3'd0 || count == 3'd3;
-  wire       later = TURNS == 1 ? count[0] : count >= 3'd3;  // of two halves
-  wire [1:0] part  = PARTS == 4 ? ~count[1:0] : {1'b0, PARTS == 2 && !later};
+  wire       reads = TURNS == 1 || count == 3'd0 || count == (HALVES != 0 ? 3'd1 : 3'd3);
+  wire       later = TURNS == 1 || HALVES != 0 ? count[0] : count >= 3'd3;  // of two halves
+  wire [1:0] part  = PARTS == 4 ? ~count[1:0] : {1'b0, (PARTS == 2 || HALVES != 0) && !later};
 
   ffd_eval_sequencer #(
     .PAYLOAD_W(3 * WEIGHT_W + 12 + SOURCE_W + 3 * PLACE_W),
@@ -162,6 +163,7 @@ module ffd_eval_factored #(
     .AFFINE         (AFFINE),
     .JACOBIAN       (JACOBIAN),
     .FORMAT         (FORMAT),
+    .N              (N),
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
     .FMA_LATENCY    (FMA_LATENCY),
@@ -197,7 +199,7 @@ module ffd_eval_factored #(
 
       ffd_num_delay #(
         .WIDTH  (3),
-        .LATENCY(READ_DELAY + READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY)
+        .LATENCY(READ_DELAY + READ_LATENCY + 3 * CONTRACT - CONVERT_LATENCY + HALVES)
       ) u_only (
         .clk(clk),
         .rst(1'b0),

@@ -35,8 +35,8 @@ module ffd_org_affine #(
       ERROR_ffd_org_affine_schedule_must_be_overlapped u_error ();
     end else if (FOLD != 16 && FOLD != 64 && `FFD_FOLD_BAD(FOLD)) begin : gen_bad_fold
       ERROR_ffd_org_affine_fold_must_be_1_2_3_4_6_16_or_64 u_error ();
-    end else if (N != (FOLD >= 16 ? 64 / FOLD : 64 / `FFD_FOLD_PARTS(FOLD))) begin : gen_bad_n
-      ERROR_ffd_org_affine_n_must_be_64_by_its_parts u_error ();
+    end else if (FOLD >= 16 && N != 64 / FOLD) begin : gen_bad_n
+      ERROR_ffd_org_affine_n_must_be_64_by_its_fold u_error ();
     end else if (FOLD >= 16 && JACOBIAN != 0) begin : gen_bad_jacobian
       ERROR_ffd_org_affine_jacobian_wants_fold_3 u_error ();
     end else if (FOLD == 64) begin : gen_serial

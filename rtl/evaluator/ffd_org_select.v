@@ -1,9 +1,9 @@
 // ffd_org_select: the organization numbered ORG
 //
 // ORG is 0 basic (N 1), 1 cg1 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6 factored (N 64), 7
-// factored/3 (N 64), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 64), 12
+// factored/3 (N 32), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 32), 12
 // affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N
-// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 64), 20 jet/3 (N 64), 22 walk (N 4).
+// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 32), 20 jet/3 (N 32), 22 walk (N 4).
 // Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -36,19 +36,19 @@ module ffd_org_select #(
         ORG == 3 && N != 1 ||
         ORG == 5 && N != 64 ||
         ORG == 6 && N != 64 ||
-        ORG == 7 && N != 64 ||
+        ORG == 7 && N != 32 ||
         ORG == 8 && N != 4 ||
         ORG == 9 && N != 4 ||
         ORG == 10 && N != 64 ||
-        ORG == 11 && N != 64 ||
+        ORG == 11 && N != 32 ||
         ORG == 12 && N != 64 ||
         ORG == 13 && N != 1 ||
         ORG == 14 && N != 32 ||
         ORG == 15 && N != 32 ||
         ORG == 16 && N != 16 ||
         ORG == 17 && N != 16 ||
-        ORG == 18 && N != 64 ||
-        ORG == 20 && N != 64 ||
+        ORG == 18 && N != 32 ||
+        ORG == 20 && N != 32 ||
         ORG == 22 && N != 4) begin : gen_bad_n
       ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
     end

@@ -62,9 +62,9 @@ module hwffd_stream #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
   localparam PORTS        = `FFD_ORG_PORTS(ORG);
-  // Registers around the memories of a lane, in front of those of 64 and of several stores; not
+  // Registers around the memories of a lane, in front of those of 32 and more and of several stores; not
   // with the paper's units.
-  localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N == 64 || PORTS > 1 ? 3 : 2;
+  localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N >= 32 || PORTS > 1 ? 3 : 2;
   // An organization that accumulates works on as many vertices in turn as its accumulator is deep,
   // and `cg` holds two more; one drains, one loads.
   localparam ACCUMULATE   = !`FFD_ORG_IN_TURN(ORG) ? 1
