@@ -306,8 +306,7 @@ module ffd_eval_walk #(
 
   ffd_stream_queue #(
     .WIDTH(3 + 4 + 2 + OWN_W),
-    .DEPTH(QUEUE),
-    .BLOCK(0)
+    .DEPTH(QUEUE)
   ) u_queue (
     .clk         (clk),
     .rst         (rst),
