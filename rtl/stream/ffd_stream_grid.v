@@ -115,7 +115,15 @@ module ffd_stream_grid #(
         else if (again) left_q <= top_q;
         else if (goes) left_q <= left_q - 1'b1;
       end
-      assign at_last[a] = left_q == {COUNT_W{1'b0}};
+      // left_q is 0, known from a register: it decides what all axes do next. A walk begins clocks
+      // after the last bit has passed by.
+      reg top_last_q;
+      reg last_q;
+      always @(posedge clk) begin
+        top_last_q <= top_q == {COUNT_W{1'b0}};
+        last_q     <= again ? top_last_q : left_q == {{(COUNT_W - 1) {1'b0}}, goes};
+      end
+      assign at_last[a] = last_q;
       assign zero[a]    = zero_q;
       assign beyond[a]  = far_q || (wide_q && top_q != {COUNT_W{1'b0}});
 
