@@ -7,7 +7,7 @@
 // a row's first cell, or that of a vertex of which anything but s and its cell along s is new.
 //
 // What is read is ahead of what is contracted along s: planes are read when the first vertex that
-// wants them comes, and it waits in a queue until they are here, with up to 63 behind it. So the
+// wants them comes, and it waits in a queue until they are here, with those behind it. So the
 // planes of the next rows are read while the vertices of this one pass, and a row takes as many
 // clocks as it has vertices, or four for each plane that it wants, whichever is more.
 //

@@ -62,8 +62,8 @@ module hwffd_stream #(
   localparam WEIGHT_W     = `FFD_WEIGHT_W(FORMAT);
   localparam POINT_W      = `FFD_POINT_W(FORMAT);
   localparam PORTS        = `FFD_ORG_PORTS(ORG);
-  // Registers around the memories of a lane, in front of those of 32 and more and of several stores; not
-  // with the paper's units.
+  // Registers around the memories of a lane, in front of those of 32 and more and of several
+  // stores; not with the paper's units.
   localparam READ_LATENCY = MUL_LATENCY < 2 ? 2 : N == 1 ? 4 : N >= 32 || PORTS > 1 ? 3 : 2;
   // An organization that accumulates works on as many vertices in turn as its accumulator is deep,
   // and `cg` holds two more; one drains, one loads.
