@@ -124,4 +124,19 @@ Oracle::Jet Oracle::jet(const Support& support, const Eigen::Vector3d& local) co
   return {sum.col(0), sum.rightCols<3>()};
 }
 
+Support Oracle::pull_back(const Eigen::Vector3d& gradient, const Eigen::Vector3d& local,
+                          int derivative) const {
+  std::array<Eigen::Vector4d, 3> b;
+  for (int a = 0; a < 3; ++a) {
+    const double x = local[a];
+    b[a] = a == derivative ? coefficients_[a] * Eigen::Vector4d(0.0, 1.0, 2 * x, 3 * x * x)
+                           : blending(static_cast<Axis>(a), x);
+  }
+  Support result;
+  for (int p = 0; p < 64; ++p) {
+    result.row(p) = b[kS][p / 16] * b[kT][p / 4 % 4] * b[kU][p % 4] * gradient.transpose();
+  }
+  return result;
+}
+
 }  // namespace hwffd

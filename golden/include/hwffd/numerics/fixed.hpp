@@ -38,6 +38,8 @@ struct Fixed {
   using Sum = Flagged<SumWord, OfSum>;
   using Weight = Number;
   using Point = Number;
+  /// Of what a gradient is expanded into: a bit more than a point, in the same units.
+  using Part = Number;
 
   static constexpr int kWeightFraction = W - 2;
   static constexpr int kPointFraction = W - 1;
@@ -114,6 +116,23 @@ struct Fixed {
   /// Twice the product, exact: one point's digits as a weight.
   static Sum product(Point a, Point b) { return term(a, b); }
   static Sum negate(Sum sum) { return {-sum.value, sum.saturated}; }
+
+  /// The sum of two weights as a weight.
+  static Weight cumulate(Weight a, Weight b) {
+    return with_flag(round_to(static_cast<Wide>(a.value) + b.value, 0, W),
+                     either(a.saturated, b.saturated));
+  }
+  /// A weight times a part, rounded to a part.
+  static Part share(Weight weight, Part part) {
+    return with_flag(round_to(static_cast<Wide>(weight.value) * part.value, kWeightFraction, W + 1),
+                     either(weight.saturated, part.saturated));
+  }
+  /// The difference of two parts.
+  static Part less(Part a, Part b) {
+    return with_flag(round_to(static_cast<Wide>(a.value) - b.value, 0, W + 1),
+                     either(a.saturated, b.saturated));
+  }
+
   /// The sum times 2^-shift, in units of the word that the stream returns.
   static Number out_units(Sum sum, int shift = 0) {
     const int fraction = kSumFraction + shift;

@@ -62,6 +62,14 @@ class Oracle {
   /// @param local s, t, u
   Jet jet(const Support& support, const Eigen::Vector3d& local) const;
 
+  /// The transpose: what a gradient with respect to q adds to that with respect to each of the 64
+  /// control points, in the order of a support.
+  /// @param local s, t, u
+  /// @param derivative  the gradient is that with respect to the derivative along this axis; -1: to
+  ///   q
+  Support pull_back(const Eigen::Vector3d& gradient, const Eigen::Vector3d& local,
+                    int derivative = -1) const;
+
  private:
   std::array<Coefficients, 3> coefficients_;
 };
