@@ -88,6 +88,21 @@ VertexBeat grid_vertex(const Grid& grid, const std::array<int, 3>& dims, const W
   return vertex;
 }
 
+std::array<std::vector<AxisPlace>, 3> axis_places(const Grid& grid, const std::array<int, 3>& dims,
+                                                  const WordCodec& codec) {
+  std::array<std::vector<AxisPlace>, 3> places;
+  for (int axis = 0; axis < 3; ++axis) {
+    places[axis].reserve(grid.count[axis]);
+    for (std::uint32_t n = 0; n < grid.count[axis]; ++n) {
+      std::array<std::uint32_t, 3> at{};
+      at[axis] = n;
+      const VertexBeat vertex = grid_vertex(grid, dims, codec, at);
+      places[axis].push_back({vertex.cell[axis], vertex.local[axis]});
+    }
+  }
+  return places;
+}
+
 std::vector<VertexBeat> grid_vertices(const Grid& grid, const std::array<int, 3>& dims,
                                       const WordCodec& codec) {
   if (!grid_fits(grid, dims)) throw std::invalid_argument("a grid that leaves its lattice");

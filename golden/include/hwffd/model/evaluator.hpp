@@ -8,6 +8,7 @@
 
 #include "hwffd/model/configuration.hpp"
 #include "hwffd/model/determinant.hpp"
+#include "hwffd/model/grid_walker.hpp"
 #include "hwffd/model/lane_evaluator.hpp"
 #include "hwffd/model/organization.hpp"
 #include "hwffd/model/resident_vertex.hpp"
@@ -46,6 +47,14 @@ class EvaluatorModel {
   virtual void evaluate(int bank, const ResidentPoints& points,
                         const std::vector<ResidentVertex>& vertices, int derivative,
                         std::vector<ResultWords>& results) const = 0;
+  /// A walker over the vertices of a grid of such a lattice, with the functions that are loaded
+  /// now: what `evaluate` gives of each. None where the organization does not contract one axis
+  /// after the other.
+  /// @param points  stay until it is gone
+  /// @param places  as of `axis_places`
+  virtual std::unique_ptr<GridWalker> walker(int bank, const ResidentPoints& points,
+                                             const std::array<std::vector<AxisPlace>, 3>& places,
+                                             int derivative = VertexWords::kPosition) const = 0;
   /// det J of a vertex, whatever its `derivative` says: the word x, with y and z 0.
   virtual ResultWords determinant(int bank, const VertexWords& vertex) const = 0;
   /// The word of a coordinate that could not be computed.
@@ -104,6 +113,17 @@ class EvaluatorModelOf final : public EvaluatorModel {
         words.derivative = derivative;
         results.push_back(evaluate(bank, words));
       }
+    }
+  }
+
+  std::unique_ptr<GridWalker> walker(int bank, const ResidentPoints& points,
+                                     const std::array<std::vector<AxisPlace>, 3>& places,
+                                     int derivative) const override {
+    if constexpr (kContracts<Organization<F>>) {
+      return MakeWalker<F>::of(points,
+                               walked_axes<F, Organization<F>>(banks_[bank], places, derivative));
+    } else {
+      return nullptr;
     }
   }
 

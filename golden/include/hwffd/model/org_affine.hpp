@@ -15,9 +15,14 @@ class OrgAffine {
 
   VectorSum<F> evaluate(const LocalVertex<F>& vertex, const Support<F>& support,
                         const CoefficientBank<F>& bank) const {
+    return contract_axes<F>(weights(vertex, bank), by_bank<F>(support, vertex.cell));
+  }
+
+  /// Those that the axes are contracted with.
+  static AxisWeights<F> weights(const LocalVertex<F>& vertex, const CoefficientBank<F>& bank) {
     AxisWeights<F> weight = weights_of<F>(vertex, bank);
     for (int axis = 0; axis < 3; ++axis) complete(weight[axis], axis != vertex.derivative);
-    return contract_axes<F>(weight, by_bank<F>(support, vertex.cell));
+    return weight;
   }
 
  private:

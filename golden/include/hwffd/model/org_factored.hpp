@@ -41,7 +41,12 @@ class OrgFactored {
 
   VectorSum<F> evaluate(const LocalVertex<F>& vertex, const Support<F>& support,
                         const CoefficientBank<F>& bank) const {
-    return contract_axes<F>(weights_of<F>(vertex, bank), by_bank<F>(support, vertex.cell));
+    return contract_axes<F>(weights(vertex, bank), by_bank<F>(support, vertex.cell));
+  }
+
+  /// Those that the axes are contracted with.
+  static AxisWeights<F> weights(const LocalVertex<F>& vertex, const CoefficientBank<F>& bank) {
+    return weights_of<F>(vertex, bank);
   }
 };
 

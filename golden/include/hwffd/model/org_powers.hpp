@@ -84,8 +84,13 @@ class OrgPowers {
   explicit OrgPowers(const Configuration& /*configuration*/) {}
 
   VectorSum<F> evaluate(const LocalVertex<F>& vertex, const Support<F>& support,
-                        const CoefficientBank<F>& /*bank*/) const {
-    return contract_axes<F>(powers_of<F>(vertex), by_bank<F>(support, vertex.cell));
+                        const CoefficientBank<F>& bank) const {
+    return contract_axes<F>(weights(vertex, bank), by_bank<F>(support, vertex.cell));
+  }
+
+  /// Those that the axes are contracted with.
+  static AxisWeights<F> weights(const LocalVertex<F>& vertex, const CoefficientBank<F>& /*bank*/) {
+    return powers_of<F>(vertex);
   }
 };
 

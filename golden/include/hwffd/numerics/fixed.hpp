@@ -15,7 +15,8 @@ __extension__ using Int128 = __int128;
 /// The number format `fxW`: weights Q2.(W-2), points Q1.(W-1), sums Q9.(2W-3), exact; one rounding,
 /// half up; saturation flagged, and the flag stays with the number (docs/numerics.md section 3).
 ///
-/// `WordType` is a number, or `Lanes` of as many vertices (W to 24), whose bits are the same.
+/// `WordType` is a number, or `Lanes` of as many vertices, whose bits are the same: W to 24, or
+/// where whoever takes them has made sure that 64 bits hold what is computed.
 ///
 /// Mirrors rtl/number with FORMAT = W.
 template <int W, class WordType = std::int64_t>
@@ -26,9 +27,9 @@ struct Fixed {
   using Flag = FlagOf<Word>;
   /// Whether 64 bits hold whatever is computed on the way.
   static constexpr bool kShort = 2 * W + 14 <= 62;
-  static_assert(kShort || std::is_same_v<Word, std::int64_t>, "lanes have 64 bits");
-  using Wide = std::conditional_t<kShort, Word, Int128>;
-  using SumWord = std::conditional_t<2 * W + 6 <= 62, Word, Int128>;
+  static constexpr bool kLaned = std::is_same_v<Word, Lanes>;
+  using Wide = std::conditional_t<kShort || kLaned, Word, Int128>;
+  using SumWord = std::conditional_t<2 * W + 6 <= 62 || kLaned, Word, Int128>;
 
   /// A weight (also coordinate, coefficient) or a point: `value` counts units in the last place.
   struct OfNumber;

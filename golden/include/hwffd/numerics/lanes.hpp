@@ -24,9 +24,11 @@ struct Flagged {
   Word value{};
   bool saturated = false;
 };
-/// Eight of them; without values until they are given some, since arrays of them are large.
+/// Eight of them; without values until they are given some, since arrays of them are large. Without
+/// a word of it, a compiler aligns lanes as the kind of processor likes that it compiles for, and
+/// functions for different kinds could not share them in memory.
 template <class What>
-struct Flagged<Lanes, What> {
+struct alignas(sizeof(Lanes)) Flagged<Lanes, What> {
   Lanes value;
   Lanes saturated;
 };

@@ -61,6 +61,17 @@ struct GridPlace {
 GridPlace grid_place(const Grid& grid, const std::array<int, 3>& dims,
                      const std::array<std::uint32_t, 3>& at);
 
+/// Where a vertex of a grid is along one axis: its cell, and its coordinate as a word.
+struct AxisPlace {
+  int cell = 0;
+  std::uint32_t local = 0;
+};
+
+/// The places of a grid that fits along s, t and u. Vertex (a, b, c) is at place a of s, b of t and
+/// c of u.
+std::array<std::vector<AxisPlace>, 3> axis_places(const Grid& grid, const std::array<int, 3>& dims,
+                                                  const WordCodec& codec);
+
 /// Vertex (a, b, c) of a grid that fits: what a driver would send in its place.
 VertexBeat grid_vertex(const Grid& grid, const std::array<int, 3>& dims, const WordCodec& codec,
                        const std::array<std::uint32_t, 3>& at);
