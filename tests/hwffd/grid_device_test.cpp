@@ -9,6 +9,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
+#include "hwffd/on_threads.hpp"
 #include "sample_lattices.hpp"
 
 namespace hwffd {
@@ -111,6 +112,60 @@ TEST(GridDevice, LargeLatticesHaveTheSameBits) {
   const Points expected = plain.evaluate(lattice, places_of(grid, lattice.cells()));
   EXPECT_EQ(evaluated(rtl_with_grids(), lattice, grid).positions, expected);
   EXPECT_EQ(evaluated(model_stream(row, {16, 4}, true), lattice, grid).positions, expected);
+}
+
+// Models of rows that contract one axis after the other go along the grid's rows, on any number of
+// threads, and lattices of any size whole; a stream of the places has the same bits.
+TEST(GridDevice, ModelsThatWalkGiveTheBitsOfPlacesOneByOne) {
+  std::uint64_t saturated = 0;
+  for (const auto& [org, format] : {std::pair{"walk", "fx17"},
+                                    {"walk-fx17-overlapped-powers", ""},
+                                    {"affine", "fx32"},
+                                    {"factored", "fx18"},
+                                    {"factored", "fp32"},
+                                    {"factored", "bfp32"},
+                                    {"basic", "fx18"}}) {
+    for (const Index3& dims : {Index3{6, 5, 7}, Index3{40, 5, 20}}) {
+      const Lattice lattice = twisted(dims);
+      const Grid grid = some_grid(lattice);
+      const std::vector<Embedded> places = places_of(grid, lattice.cells());
+      const auto by_place = make_device({"model", org, format});
+      const Points expected = by_place->evaluate(lattice, places);
+      for (const std::size_t threads : {1, 3}) {
+        set_thread_count(threads);
+        const auto device = make_device({"model", org, format});
+        double done = 0;
+        device->on_progress([&](double fraction) { done = fraction; });
+        EXPECT_EQ(device->evaluate_grid(lattice, grid), expected) << org << " " << threads;
+        EXPECT_EQ(done, 1) << org;
+        EXPECT_EQ(device->counts().vertices, places.size()) << org;
+        EXPECT_EQ(device->counts().saturated, by_place->counts().saturated) << org;
+      }
+      set_thread_count(0);
+      saturated += by_place->counts().saturated;
+    }
+  }
+  EXPECT_EQ(saturated, 0U);
+}
+
+/// Four functions, each so many times a Bernstein polynomial: of more than one they make points
+/// beyond the lattice, which fixed point does not hold.
+Device::Blending larger_blending(double times) {
+  const Oracle::Coefficients larger = times * Oracle::family("bernstein");
+  return {larger, larger, larger};
+}
+
+TEST(GridDevice, ModelsThatWalkCountWhatSaturates) {
+  const Lattice lattice = twisted({6, 5, 7});
+  const Grid grid = some_grid(lattice);
+  const auto walking = make_device({"model", "factored", "fx18"});
+  const auto by_place = make_device({"model", "factored", "fx18"});
+  EXPECT_EQ(walking->evaluate_grid(lattice, grid, larger_blending(1.3)),
+            by_place->evaluate(lattice, places_of(grid, lattice.cells()), larger_blending(1.3)));
+  EXPECT_GT(walking->counts().saturated, 10U);
+  EXPECT_EQ(walking->counts().saturated, by_place->counts().saturated);
+  const auto affine = make_device({"model", "walk", "fx17"});
+  EXPECT_THROW(affine->evaluate_grid(lattice, grid, larger_blending(1.3)), Error);
 }
 
 TEST(GridDevice, FamiliesAreEvaluatedAtTheirOwnCells) {

@@ -333,7 +333,7 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
   if (choice.device == "rtl") {
     return std::make_unique<StreamDevice>(choice.device, row, rtl_stream(row));
   }
-  return std::make_unique<SpreadDevice>([&row, store] {
+  return std::make_unique<SpreadDevice>(row, [&row, store] {
     return std::make_unique<StreamDevice>("model", row, model_stream(row, store));
   });
 }

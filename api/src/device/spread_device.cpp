@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/model_grid.hpp"
+#include "hwffd/model/schedule.hpp"
 #include "hwffd/on_threads.hpp"
 
 namespace hwffd {
@@ -13,7 +15,8 @@ constexpr std::size_t kVerticesOfAThread = 8192;
 
 }  // namespace
 
-SpreadDevice::SpreadDevice(Make make) : make_(std::move(make)) {
+SpreadDevice::SpreadDevice(const Configuration& row, Make make)
+    : row_(row), make_(std::move(make)) {
   idle_.push_back(make_());
   name_ = idle_.front()->name();
 }
@@ -68,6 +71,15 @@ Points SpreadDevice::run(const Lattice& lattice, const std::vector<Embedded>& ve
         model.run(lattice, some, blending);
   });
   return positions;
+}
+
+Points SpreadDevice::run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) {
+  if (!contracts(row_)) return Device::run_grid(lattice, grid, blending);
+  ModelGrid result =
+      evaluate_on_model(row_, name_, lattice, grid, blending, [this](double done) { show(done); });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_.saturated += result.saturated;
+  return std::move(result.positions);
 }
 
 Points SpreadDevice::run(const std::vector<SupportedVertex>& vertices, const Blending& blending) {

@@ -15,8 +15,9 @@ class SpreadDevice final : public Device {
  public:
   using Make = std::function<std::unique_ptr<StreamDevice>()>;
 
+  /// @param row  of the models
   /// @param make  one more model; called when a thread needs one
-  explicit SpreadDevice(Make make);
+  SpreadDevice(const Configuration& row, Make make);
 
   std::string name() const override { return name_; }
   bool concurrent() const override { return !shows(); }
@@ -27,6 +28,8 @@ class SpreadDevice final : public Device {
   Points run(const std::vector<SupportedVertex>& vertices, const Blending& blending) override;
   Points run(const Lattice& lattice, const std::vector<Embedded>& vertices,
              const Blending& blending) override;
+  /// Row by row where the model can (model_grid.hpp).
+  Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) override;
 
  private:
   using Part = std::function<void(StreamDevice& model, const std::vector<Embedded>& vertices,
@@ -38,6 +41,7 @@ class SpreadDevice final : public Device {
   /// Counts what the model did, and keeps it for the next.
   void give_back(std::unique_ptr<StreamDevice> model);
 
+  Configuration row_;
   Make make_;
   std::string name_;
   std::mutex mutex_;

@@ -5,32 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/function_words.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/lattice/interleave.hpp"
-#include "hwffd/model/organizations.hpp"
 #include "hwffd/model/stream_model.hpp"
-#include "hwffd/stream/blending.hpp"
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd {
 namespace {
-
-Blending blending_words(const Oracle::Coefficients& axis, const WordCodec& codec) {
-  if (axis == Oracle::uniform_bspline()) return watertight_bspline(codec);
-  std::array<std::array<double, 4>, 4> rows{};
-  for (int function = 0; function < 4; ++function) {
-    for (int power = 0; power < 4; ++power) rows[function][power] = axis(function, power);
-  }
-  return user_blending(rows);
-}
-
-bool all_sum_to_one(const Device::Blending& blending) {
-  return std::all_of(blending.begin(), blending.end(), Oracle::sum_to_one);
-}
-
-Normalization::Origin origin_for(const Device::Blending& blending) {
-  return all_sum_to_one(blending) ? Normalization::Origin::kCentre : Normalization::Origin::kWorld;
-}
 
 constexpr std::size_t kMostBeats = 4096;  // between two looks at who waits; a model likes many
 constexpr std::size_t kStepsSeen = 100;   // of progress, where somebody wants to know it
@@ -84,7 +66,7 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name),
       format_(row.format),
-      affine_(completes(organization_of(row).form)),
+      row_(row),
       stream_(std::move(stream)),
       store_(stream_->store()) {
   if (store_.pages > 0) pages_.emplace(store_);
@@ -92,15 +74,7 @@ StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
 
 std::array<AxisWords, 3> StreamDevice::axes_of(const Blending& blending,
                                                const WordCodec& codec) const {
-  if (affine_ && !all_sum_to_one(blending)) {
-    throw Error(
-        fmt::format("{}: takes blending functions that sum to one only; these do not: "
-                    "take factored",
-                    name_));
-  }
-  return {encode(blending_words(blending[0], codec), codec),
-          encode(blending_words(blending[1], codec), codec),
-          encode(blending_words(blending[2], codec), codec)};
+  return function_words(blending, codec, row_, name_);
 }
 
 int StreamDevice::axis_points() const {

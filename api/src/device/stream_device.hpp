@@ -95,7 +95,7 @@ class StreamDevice final : public Device {
 
   std::string name_;
   std::string format_;
-  bool affine_;  ///< whether it takes only functions that sum to one
+  Configuration row_;
   std::unique_ptr<CommandStream> stream_;
   PointStore store_;
   std::optional<ResidentPages> pages_;  // in a core that has any
