@@ -153,13 +153,12 @@ void add_contraction(std::vector<Lane>& lanes, const Configuration& c, const Uni
   points.expect(schedule.sums, c.name);
 }
 
-/// `walk`: planes, four points a clock. What vertices do along s is not of these steps, and not
-/// shown.
+/// `walk`: planes, four points a clock, and what vertices do with them along s.
 void add_walk(std::vector<Lane>& lanes, const Configuration& c, const Schedule& schedule) {
   constexpr int kComponents = 3;
   Pipeline polynomials(schedule, schedule.polynomials);
   polynomials.pass(lanes, "axis chosen", 1);
-  polynomials.pass(lanes, "polynomial evaluators", polynomial_latency(c));
+  polynomials.pass(lanes, "3 polynomial evaluators of u and t", polynomial_latency(c));
   Pipeline points(schedule, schedule.steps);
   points.pass(lanes, count_of(c.n, "point") + " read", 2);
   add_differences(lanes, points, c, kComponents, "u");
@@ -168,6 +167,17 @@ void add_walk(std::vector<Lane>& lanes, const Configuration& c, const Schedule& 
   points.pass(lanes, "narrowed", c.convert_latency);
   add_differences(lanes, points, c, kComponents, "t", true);
   add_contract(lanes, points, c, kComponents, "t", true);
+  const auto before = static_cast<std::uint64_t>(c.mul_latency + 2 * c.add_latency);
+  std::vector<Entry> weights, held;
+  for (std::size_t v = 0; v < schedule.results.size(); ++v) {
+    const std::uint64_t multiplied = schedule.results[v] - before;
+    weights.push_back({multiplied - static_cast<std::uint64_t>(polynomial_latency(c)), v});
+    held.push_back({multiplied - static_cast<std::uint64_t>(c.add_latency), v});
+  }
+  Pipeline(schedule, weights).pass(lanes, "3 polynomial evaluators of s", polynomial_latency(c));
+  Pipeline vertices(schedule, held);
+  add_differences(lanes, vertices, c, kComponents, "s");
+  add_contract(lanes, vertices, c, kComponents, "s");
 }
 
 /// In sequence: a point a clock. Products along t and s take the clocks of the bases and are not

@@ -31,6 +31,7 @@ cores::Schedule schedule_of(const tb::ScheduleRecorder& recorded) {
   }
   schedule.steps = entries_of(recorded.steps(), recorded);
   schedule.sums = recorded.sums();
+  schedule.results = recorded.results();
   schedule.end = std::numeric_limits<std::uint64_t>::max();
   return schedule;
 }

@@ -43,8 +43,8 @@ Grid grid_of_rows(tb::Random& random, const std::array<int, 3>& dims, int count,
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = dims[axis] - 3;
     from[axis] = cells * random.unit();
-    to[axis] = axis == 0 && random.chance(0.3) ? cells * random.pick({0.0, 1.0})
-                                               : cells * random.unit();
+    to[axis] =
+        axis == 0 && random.chance(0.3) ? cells * random.pick({0.0, 1.0}) : cells * random.unit();
   }
   return grid_between(from, to, {count, rows, 1});
 }
@@ -100,8 +100,10 @@ TEST_P(Walk, BitsOfAnyOrder) {
         vertex.local[0] = run.codec().coordinate(random.unit());
         if (!random.chance(0.1)) continue;
         const auto axis = random.between(1, 2);
-        if (random.chance(0.5)) vertex.local[axis] = run.codec().coordinate(random.unit());
-        else vertex.cell[axis] = static_cast<int>(random.below(3));
+        if (random.chance(0.5))
+          vertex.local[axis] = run.codec().coordinate(random.unit());
+        else
+          vertex.cell[axis] = static_cast<int>(random.below(3));
       }
       run.send_lattice(lattice);
       run.send_vertices(vertices);
