@@ -589,8 +589,8 @@ TEST(ScatterPage, EpochsMayWrap) {
 TEST(ScatterPage, ABeginWaitsForTheSweepOfTheOneBefore) {
   const std::vector<Added> vertices = some_vertices(1, 12);
   const auto& cell = vertices[0].cell;
-  const auto point =
-      static_cast<std::size_t>(((cell[0] + 1) * kDims[1] + cell[1] + 1) * kDims[2] + cell[2] + 1);
+  const int number = ((cell[0] + 1) * kDims[1] + cell[1] + 1) * kDims[2] + cell[2] + 1;
+  const auto point = static_cast<std::size_t>(number);
   VertexParts parts;
   parts.parts[21] = {7, 8, 9};
   ScatterPage page(kWidth, kDims);

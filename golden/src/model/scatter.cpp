@@ -106,7 +106,8 @@ void ScatterPage::put(std::size_t point, int component, std::uint64_t sum) {
 void ScatterPage::add(const std::array<int, 3>& cell, const VertexParts& vertex) {
   for (int p = 0; p < 64; ++p) {
     const int row = (cell[0] + p / 16) * dims_[1] + cell[1] + p / 4 % 4;
-    const auto point = static_cast<std::size_t>(row * dims_[2] + cell[2] + p % 4);
+    const int number = row * dims_[2] + cell[2] + p % 4;
+    const auto point = static_cast<std::size_t>(number);
     for (int c = 0; c < 3; ++c) {
       put(point, c, static_cast<std::uint64_t>(sum(point, c) + vertex.parts[p][c]));
     }
