@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "axis_points.hpp"
 #include "hwffd/error.hpp"
@@ -41,6 +42,34 @@ Oracle::Coefficients clamped(int points, int cell) {
     }
   }
   return functions;
+}
+
+constexpr int kBernsteinStep = 4;  // points that a cell has of its own, for devices
+
+/// The control points that devices evaluate.
+struct OtherPoints {
+  Index3 dims;
+  AxisPoints point_of;
+};
+
+/// Those of a lattice of so many points an axis, where they are not the lattice's own.
+std::optional<OtherPoints> points_evaluated(const Family& family, const Index3& dims) {
+  Index3 cells = family.cells(dims);
+  if (family.kind() == Family::Kind::kClamped) {
+    return OtherPoints{dims, [=](int axis, int at) {
+                         const auto a = static_cast<std::size_t>(axis);
+                         const int cell = std::min(at, cells[a] - 1);
+                         const Eigen::Matrix4d map =
+                             conversion(family.functions(dims[a], cell), Oracle::uniform_bspline());
+                         return AxisPoint{cell, map.row(at - cell)};
+                       }};
+  }
+  if (family.kind() != Family::Kind::kBernstein) return std::nullopt;
+  for (int& n : cells) n *= kBernsteinStep;
+  return OtherPoints{
+      cells, [](int, int at) {
+        return AxisPoint{at / kBernsteinStep * 3, Eigen::RowVector4d::Unit(at % kBernsteinStep)};
+      }};
 }
 
 }  // namespace
@@ -136,28 +165,19 @@ Lattice Family::from_bspline(const Lattice& lattice) const {
 Family::Evaluable Family::evaluable(const Lattice& lattice) const {
   const Index3& dims = lattice.dims();
   check_dims(dims);
-  if (kind_ == Kind::kClamped) {
-    const Oracle::Coefficients bspline = Oracle::uniform_bspline();
-    const Index3 cells = lattice.cells();
-    return {mapped(lattice, dims,
-                   [&](int axis, int at) {
-                     const auto a = static_cast<std::size_t>(axis);
-                     const int cell = std::min(at, cells[a] - 1);
-                     const Eigen::Matrix4d map = conversion(functions(dims[a], cell), bspline);
-                     return AxisPoint{cell, map.row(at - cell)};
-                   }),
-            {bspline, bspline, bspline}};
-  }
-  const Oracle::Coefficients all = functions(0, 0);
-  if (kind_ != Kind::kBernstein) return {lattice, {all, all, all}};
-  Index3 apart = cells(dims);
-  for (int& n : apart) n *= 4;
-  return {mapped(lattice, apart,
-                 [](int, int at) {
-                   return AxisPoint{at / 4 * 3, Eigen::RowVector4d::Unit(at % 4)};
-                 }),
+  const Oracle::Coefficients all =
+      kind_ == Kind::kClamped ? Oracle::uniform_bspline() : functions(0, 0);
+  const std::optional<OtherPoints> other = points_evaluated(*this, dims);
+  if (!other) return {lattice, {all, all, all}};
+  return {mapped(lattice, other->dims, other->point_of),
           {all, all, all},
-          4};
+          kind_ == Kind::kBernstein ? kBernsteinStep : 1};
+}
+
+Points Family::pull_back(const Index3& dims, const Points& gradient) const {
+  check_dims(dims);
+  const std::optional<OtherPoints> other = points_evaluated(*this, dims);
+  return other ? mapped_back(gradient, other->dims, dims, other->point_of) : gradient;
 }
 
 Embedded Family::Evaluable::at(const Embedded& place) const {

@@ -74,6 +74,9 @@ class Family {
     Embedded at(const Embedded& place) const;
   };
   Evaluable evaluable(const Lattice& lattice) const;
+  /// The transpose of evaluable(): of a gradient with respect to the points of the lattice that
+  /// devices evaluate, that with respect to those of a lattice of so many points an axis.
+  Points pull_back(const Index3& dims, const Points& gradient) const;
 
  private:
   Kind kind_ = Kind::kBspline;
