@@ -15,6 +15,20 @@ namespace {
 
 constexpr Eigen::Index kPointsOfAPart = 8192;  // whose attachment stays in the caches
 
+std::vector<Embedded> clamped(std::vector<Embedded> vertices) {
+  for (Embedded& vertex : vertices) {
+    // What is no number stays one, for the device to refuse.
+    if (!vertex.local.hasNaN()) vertex.local = vertex.local.cwiseMax(0.0).cwiseMin(1.0);
+  }
+  return vertices;
+}
+
+/// What call(device) gives, of the device or of one of that kind.
+template <typename Call>
+Points on_device(Device& device, const std::string& kind, const Call& call) {
+  return kind.empty() ? call(device) : call(*make_pull_back_device(kind));
+}
+
 }  // namespace
 
 DeformableLattice::DeformableLattice(Lattice rest, const Family& family)
@@ -37,15 +51,26 @@ void DeformableLattice::set_device(const DeviceChoice& choice) {
 }
 
 Points DeformableLattice::evaluate(std::vector<Embedded> vertices) {
-  for (Embedded& vertex : vertices) {
-    // What is no number stays one, for the device to refuse.
-    if (!vertex.local.hasNaN()) vertex.local = vertex.local.cwiseMax(0.0).cwiseMin(1.0);
-  }
-  return device_->evaluate(deformed_, vertices, family());
+  return device_->evaluate(deformed_, clamped(std::move(vertices)), family());
 }
 
 Points DeformableLattice::evaluate_grid(const Grid& grid) {
   return device_->evaluate_grid(deformed_, grid, family());
+}
+
+Points DeformableLattice::pull_back(std::vector<Embedded> vertices, const Points& gradient,
+                                    const std::string& kind) {
+  const std::vector<Embedded> places = clamped(std::move(vertices));
+  return on_device(*device_, kind, [&](Device& device) {
+    return device.pull_back(rest().dims(), places, gradient, family());
+  });
+}
+
+Points DeformableLattice::pull_back_grid(const Grid& grid, const Points& gradient,
+                                         const std::string& kind) {
+  return on_device(*device_, kind, [&](Device& device) {
+    return device.pull_back_grid(rest().dims(), grid, gradient, family());
+  });
 }
 
 void DeformableLattice::check_own(const Attachment& attachment) const {

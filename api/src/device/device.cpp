@@ -33,6 +33,24 @@ void check_kind(const std::string& kind) {
       fmt::format("device '{}' is unknown; one of {}", excerpt(kind), fmt::join(kinds, ", ")));
 }
 
+/// @throws Error for gradients that are not of so many vertices, or not finite
+void check_gradient(const Points& gradient, std::size_t vertices) {
+  if (static_cast<std::size_t>(gradient.rows()) != vertices) {
+    throw Error(fmt::format("gradient of {} positions for {} vertices; give a row for each",
+                            gradient.rows(), vertices));
+  }
+  for (Eigen::Index row = 0; row < gradient.rows(); ++row) {
+    if (!gradient.row(row).allFinite()) throw Error(fmt::format("gradient {} is not finite", row));
+  }
+}
+
+std::string no_pull_back(const std::string& device) {
+  return fmt::format(
+      "{}: no core adds gradients up yet; take device reference, or model with organization affine "
+      "and format fx17",
+      device);
+}
+
 /// @throws Error for a grid that the lattice has no places for
 void check_grid(const Grid& grid, const Index3& dims) {
   if (grid_fits(grid, dims)) return;
@@ -42,10 +60,10 @@ void check_grid(const Grid& grid, const Index3& dims) {
       grid.count[0], grid.count[1], grid.count[2], dims[0] - 3, dims[1] - 3, dims[2] - 3));
 }
 
-/// @throws Error for a vertex that the lattice has no place for
-void check(const Lattice& lattice, const std::vector<Embedded>& vertices) {
-  Lattice::check_dims(lattice.dims());
-  const Index3 cells = lattice.cells();
+/// @throws Error for a vertex that a lattice of so many points an axis has no place for
+void check(const Index3& dims, const std::vector<Embedded>& vertices) {
+  Lattice::check_dims(dims);
+  const Index3 cells{dims[0] - 3, dims[1] - 3, dims[2] - 3};
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!vertices[v].local.allFinite()) {
       throw Error(fmt::format("vertex {}: a local coordinate is not finite; embed it first", v));
@@ -232,7 +250,7 @@ void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex) {
 Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& vertices,
                         const Blending& blending) {
   check(blending);
-  check(lattice, vertices);
+  check(lattice.dims(), vertices);
   count(vertices.size());
   if (vertices.empty()) return Points(0, 3);
   return finite(run(lattice, vertices, blending));
@@ -248,7 +266,7 @@ Points Device::evaluate(const Lattice& lattice, const std::vector<Embedded>& pla
 Device::Tangents Device::tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                                   const Blending& blending) {
   check(blending);
-  check(lattice, vertices);
+  check(lattice.dims(), vertices);
   count(vertices.size());
   if (vertices.empty()) return {Points(0, 3), {}};
   Tangents tangents = run_tangents(lattice, vertices, blending);
@@ -294,6 +312,43 @@ Points Device::evaluate(const std::vector<SupportedVertex>& vertices, const Blen
   return finite(run(vertices, blending));
 }
 
+Points Device::pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                         const Points& gradient, const Blending& blending) {
+  check(blending);
+  check(dims, vertices);
+  check_gradient(gradient, vertices.size());
+  Points pulled = run_pull_back(dims, vertices, gradient, blending);
+  count(vertices.size());
+  if (!pulled.allFinite()) {
+    throw Error("a sum of gradients is beyond what double holds; scale them");
+  }
+  return pulled;
+}
+
+Points Device::pull_back(const Index3& dims, const std::vector<Embedded>& places,
+                         const Points& gradient, const Family& family) {
+  if (family.kind() == Family::Kind::kBspline) {
+    return pull_back(dims, places, gradient, all_bspline());
+  }
+  family.check_dims(dims);
+  const Eigen::Index points = static_cast<Eigen::Index>(dims[0]) * dims[1] * dims[2];
+  const Lattice lattice(dims, Points::Zero(points, 3));
+  const Family::Evaluable evaluable = family.evaluable(lattice);
+  return family.pull_back(
+      dims, pull_back(evaluable.lattice.dims(), there(places, lattice, family, evaluable), gradient,
+                      evaluable.blending));
+}
+
+Points Device::pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                              const Family& family) {
+  return pull_back(dims, places_of(grid, family.cells(dims)), gradient, family);
+}
+
+Points Device::run_pull_back(const Index3& /*dims*/, const std::vector<Embedded>& /*vertices*/,
+                             const Points& /*gradient*/, const Blending& /*blending*/) {
+  throw Error(no_pull_back(name()));
+}
+
 Points Device::finite(Points positions) const {
   for (Eigen::Index row = 0; row < positions.rows(); ++row) {
     if (!positions.row(row).allFinite()) throw_not_finite(static_cast<std::size_t>(row), name());
@@ -336,6 +391,12 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
   return std::make_unique<SpreadDevice>(row, [&row, store] {
     return std::make_unique<StreamDevice>("model", row, model_stream(row, store));
   });
+}
+
+std::unique_ptr<Device> make_pull_back_device(const std::string& kind) {
+  check_kind(kind);
+  if (kind == "rtl") throw UsageError(no_pull_back("device rtl"));
+  return make_device({kind, "affine", "fx17"});
 }
 
 }  // namespace hwffd

@@ -1,6 +1,7 @@
 #include "device/reference_device.hpp"
 
 #include "hwffd/lattice/lattice_evaluator.hpp"
+#include "hwffd/lattice/pull_back.hpp"
 #include "hwffd/on_threads.hpp"
 
 namespace hwffd {
@@ -35,6 +36,11 @@ class ReferenceDevice final : public Device {
       }
     });
     return tangents;
+  }
+
+  Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                       const Points& gradient, const Blending& blending) override {
+    return pull_back_in(dims, vertices, gradient, blending);
   }
 };
 

@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "device/model_grid.hpp"
+#include "device/model_pull_back.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/model/scatter.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/on_threads.hpp"
 
@@ -88,6 +91,22 @@ Points SpreadDevice::run(const std::vector<SupportedVertex>& vertices, const Ble
   Points positions = model->run(vertices, blending);
   give_back(std::move(model));
   return positions;
+}
+
+Points SpreadDevice::run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                                   const Points& gradient, const Blending& blending) {
+  if (!model::has_scatter(row_)) {
+    throw Error(name_ +
+                ": has no transpose; take organization affine and format fx17, or device "
+                "reference");
+  }
+  std::uint64_t saturated = 0;
+  Points pulled =
+      model_pull_back(row_, dims, vertices, gradient,
+                      function_words(blending, WordCodec(row_.format), row_, name_), saturated);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_.saturated += saturated;
+  return pulled;
 }
 
 Device::Tangents SpreadDevice::run_tangents(const Lattice& lattice,

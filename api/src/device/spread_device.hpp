@@ -30,6 +30,8 @@ class SpreadDevice final : public Device {
              const Blending& blending) override;
   /// Row by row where the model can (model_grid.hpp).
   Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) override;
+  Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                       const Points& gradient, const Blending& blending) override;
 
  private:
   using Part = std::function<void(StreamDevice& model, const std::vector<Embedded>& vertices,

@@ -65,16 +65,10 @@ std::unique_ptr<CommandStream> model_stream(const Configuration& row, const Poin
 StreamDevice::StreamDevice(const std::string& kind, const Configuration& row,
                            std::unique_ptr<CommandStream> stream)
     : name_(kind + " " + row.name),
-      format_(row.format),
       row_(row),
       stream_(std::move(stream)),
       store_(stream_->store()) {
   if (store_.pages > 0) pages_.emplace(store_);
-}
-
-std::array<AxisWords, 3> StreamDevice::axes_of(const Blending& blending,
-                                               const WordCodec& codec) const {
-  return function_words(blending, codec, row_, name_);
 }
 
 int StreamDevice::axis_points() const {
@@ -168,9 +162,10 @@ std::vector<Beat> StreamDevice::answer(const std::array<AxisWords, 3>& axes,
 
 Points StreamDevice::run(const Lattice& lattice, const std::vector<Embedded>& vertices,
                          const Device::Blending& blending) {
-  const WordCodec codec(format_);
+  const WordCodec codec(row_.format);
   const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
-  return positions_of(answer(axes_of(blending, codec), lattice_words(lattice, codec, normalization),
+  return positions_of(answer(function_words(blending, codec, row_, name_),
+                             lattice_words(lattice, codec, normalization),
                              vertex_beats(vertices, codec), Results::kPosition),
                       codec, normalization);
 }
@@ -179,9 +174,9 @@ Points StreamDevice::run_grid(const Lattice& lattice, const Grid& grid, const Bl
   if (!stream_->has_grids() || !takes_whole(lattice.dims())) {
     return Device::run_grid(lattice, grid, blending);
   }
-  const WordCodec codec(format_);
+  const WordCodec codec(row_.format);
   const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
-  std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
+  std::vector<Beat> commands = coefficients_packet(function_words(blending, codec, row_, name_));
   append(commands, lattice_packet(lattice_words(lattice, codec, normalization)));
   append(commands, grid_packet(grid));
   const std::size_t count = vertex_count(grid);
@@ -192,9 +187,9 @@ Points StreamDevice::run_grid(const Lattice& lattice, const Grid& grid, const Bl
 Device::Tangents StreamDevice::run_tangents(const Lattice& lattice,
                                             const std::vector<Embedded>& vertices,
                                             const Device::Blending& blending) {
-  const WordCodec codec(format_);
+  const WordCodec codec(row_.format);
   const Normalization normalization = Normalization::of(lattice, codec, origin_for(blending));
-  const std::array<AxisWords, 3> axes = axes_of(blending, codec);
+  const std::array<AxisWords, 3> axes = function_words(blending, codec, row_, name_);
   const std::vector<Beat> beats = answer(axes, lattice_words(lattice, codec, normalization),
                                          vertex_beats(vertices, codec), Results::kDerivatives);
   constexpr std::size_t kEach = results_of(Results::kDerivatives);
@@ -213,13 +208,13 @@ Device::Tangents StreamDevice::run_tangents(const Lattice& lattice,
 
 Points StreamDevice::run(const std::vector<SupportedVertex>& vertices,
                          const Device::Blending& blending) {
-  const WordCodec codec(format_);
+  const WordCodec codec(row_.format);
   Points points(64 * static_cast<Eigen::Index>(vertices.size()), 3);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     points.middleRows<64>(64 * static_cast<Eigen::Index>(v)) = vertices[v].support;
   }
   const Normalization normalization = Normalization::of(points, codec, origin_for(blending));
-  std::vector<Beat> commands = coefficients_packet(axes_of(blending, codec));
+  std::vector<Beat> commands = coefficients_packet(function_words(blending, codec, row_, name_));
   append(commands, interleaved_packets(interleave(vertices, codec, normalization)));
   return positions_of(answer(commands, asked_in_order(vertices.size()), 1), codec, normalization);
 }

@@ -77,9 +77,6 @@ class StreamDevice final : public Device {
   int axis_points() const;
   /// Whether the core takes a lattice whole, by opcode 2.
   bool takes_whole(const Index3& dims) const;
-  /// The words of functions. Throws Error where the row cannot evaluate them.
-  std::array<AxisWords, 3> axes_of(const Blending& blending, const WordCodec& codec) const;
-
   static Questions asked_in_order(std::size_t vertices, std::uint32_t tag = 0,
                                   std::size_t packet = kPacketVertices);
   static Questions asked_by_page(const PagedVertices& paged, const std::vector<LatticePage>& pages);
@@ -94,7 +91,6 @@ class StreamDevice final : public Device {
                            const std::vector<VertexBeat>& vertices, Results results);
 
   std::string name_;
-  std::string format_;
   Configuration row_;
   std::unique_ptr<CommandStream> stream_;
   PointStore store_;

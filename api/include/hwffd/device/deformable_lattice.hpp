@@ -57,6 +57,15 @@ class DeformableLattice {
   /// The same at the places of a regular grid, s fastest, then t, then u.
   /// @throws as Device::evaluate()
   Points evaluate_grid(const Grid& grid);
+  /// The transpose of evaluate(): of the gradient of a number with respect to the points at these
+  /// places, n x 3, that with respect to the control points, m x 3. It does not depend on where the
+  /// control points are. Coordinates beyond [0, 1] are clamped.
+  /// @param kind  what adds up (make_pull_back_device()); empty: device()
+  /// @throws as Device::pull_back() and make_pull_back_device()
+  Points pull_back(std::vector<Embedded> vertices, const Points& gradient,
+                   const std::string& kind = "");
+  /// The same at the places of a regular grid, s fastest, then t, then u.
+  Points pull_back_grid(const Grid& grid, const Points& gradient, const std::string& kind = "");
   /// Where the deformation takes attached points, n x 3.
   /// @throws Error if they were attached to another lattice; as Device::evaluate()
   Points carry(const Attachment& attachment);

@@ -76,6 +76,25 @@ class Device {
   /// @throws Error for a number that is not finite, and as evaluate() of a lattice
   Points evaluate(const std::vector<SupportedVertex>& vertices, const Blending& blending);
 
+  /// The transpose of evaluate(): of the gradient of a number with respect to the positions, n x 3,
+  /// that with respect to the control points, m x 3, of a lattice of so many points an axis. It is
+  /// the same, bit for bit, for vertices in any order and any number of threads.
+  ///
+  /// `reference` adds in double (pull_back_in). `model` adds whole numbers, as a core of the
+  /// organization `scatter` would (numerics.md section 11), and only rows of `affine` with words of
+  /// 12 to 18 bits have it. No core has it yet, so `rtl` has not.
+  /// @param vertices  local coordinates in [0, 1]; hardware clamps others
+  /// @throws Error from a device that has it not, for another number of gradients, a gradient that
+  ///   is not finite, a sum that is not, and as evaluate()
+  Points pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                   const Points& gradient, const Blending& blending);
+  /// The same at places in the cells of a family, by default of the uniform B-spline.
+  Points pull_back(const Index3& dims, const std::vector<Embedded>& places, const Points& gradient,
+                   const Family& family = {});
+  /// At the vertices of a regular grid, s fastest, then t, then u, as evaluate_grid() has them.
+  Points pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                        const Family& family = {});
+
   /// Whether several threads may evaluate at once.
   virtual bool concurrent() const { return false; }
 
@@ -91,6 +110,9 @@ class Device {
   virtual Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending);
   virtual Tangents run_tangents(const Lattice& lattice, const std::vector<Embedded>& vertices,
                                 const Blending& blending) = 0;
+  /// Unless a device knows better, an Error.
+  virtual Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                               const Points& gradient, const Blending& blending);
 
   /// Whether somebody wants to know how far a call is.
   bool shows() const { return progress_ != nullptr; }
@@ -138,6 +160,10 @@ const std::vector<std::string>& device_kinds();
 /// the verilated ones with streams for the RTL, none for the reference.
 /// @throws UsageError for an unknown kind
 std::vector<std::string> device_rows(const std::string& kind);
+
+/// A device that pulls gradients back, of a kind: the reference, or the model of `affine` in fx17.
+/// @throws UsageError for an unknown kind, and for `rtl`
+std::unique_ptr<Device> make_pull_back_device(const std::string& kind);
 
 /// @throws UsageError for an unknown device, and for an organization, format or row that it does
 ///   not have; it lists the devices, organizations or formats that there are

@@ -1,0 +1,233 @@
+// Gradients pulled back on devices: the transpose of evaluation on the reference, the bits of the
+// model of a scatter core, and who has it not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "device/stream_device.hpp"
+#include "errors.hpp"
+#include "hwffd/device/deformable_lattice.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/model/scatter.hpp"
+#include "hwffd/on_threads.hpp"
+#include "hwffd/stream/blending.hpp"
+#include "sample_lattices.hpp"
+
+namespace hwffd {
+namespace {
+
+struct GradientScene {
+  explicit GradientScene(std::size_t count)
+      : vertices(test::known_places(lattice, count, 1)),
+        gradient(Points::Random(static_cast<Eigen::Index>(count), 3)) {}
+
+  Lattice lattice =
+      Deformation::parse("random:3").apply(lattice_around("box", test::corners(), {6, 5, 7}));
+  std::vector<Embedded> vertices;
+  Points gradient;
+};
+
+double largest_of(const Points& difference) { return difference.cwiseAbs().maxCoeff(); }
+
+double sum_of_products(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
+
+class PullBackDevice : public ::testing::Test {
+ protected:
+  ~PullBackDevice() override { set_thread_count(0); }
+};
+
+TEST_F(PullBackDevice, ReferenceIsTheTransposeInEveryFamily) {
+  for (const std::string& name : Family::names()) {
+    const Family family = Family::parse(name);
+    const Lattice lattice({7, 4, 10}, lattice_around("box", test::corners(), {7, 4, 10}).points() +
+                                          0.1 * Points::Random(280, 3));
+    const Index3 cells = family.cells(lattice.dims());
+    const Grid grid = grid_between({0, 0.3, 0}, {double(cells[0]), 1, double(cells[2])}, {9, 4, 6});
+    const std::vector<Embedded> places = places_of(grid, cells);
+    const Points gradient = Points::Random(9 * 4 * 6, 3);
+    const auto device = make_device({"reference"});
+    const Points pulled = device->pull_back(lattice.dims(), places, gradient, family);
+    ASSERT_EQ(pulled.rows(), 280);
+    EXPECT_NEAR(sum_of_products(device->evaluate(lattice, places, family), gradient),
+                sum_of_products(lattice.points(), pulled), 1e-10)
+        << name;
+    EXPECT_EQ(device->pull_back_grid(lattice.dims(), grid, gradient, family), pulled) << name;
+    const auto model = make_pull_back_device("model");
+    const Points near = model->pull_back(lattice.dims(), places, gradient, family);
+    EXPECT_LT(largest_of(near - pulled), 2e-2) << name;
+    EXPECT_GT(largest_of(near - pulled), 0) << name;
+    EXPECT_EQ(model->pull_back_grid(lattice.dims(), grid, gradient, family), near) << name;
+  }
+}
+
+// More vertices than a page takes, so that several threads add several pages.
+TEST_F(PullBackDevice, BitsDoNotDependOnThreadsOrOrder) {
+  constexpr std::size_t kCount = 40000;
+  const GradientScene scene(kCount);
+  std::vector<Embedded> backwards(scene.vertices.rbegin(), scene.vertices.rend());
+  const Points turned = scene.gradient.colwise().reverse();
+  const Index3& dims = scene.lattice.dims();
+  for (const std::string kind : {"reference", "model"}) {
+    set_thread_count(1);
+    const Points expected =
+        make_pull_back_device(kind)->pull_back(dims, scene.vertices, scene.gradient);
+    for (const std::size_t threads : {1, 2, 3, 5}) {
+      set_thread_count(threads);
+      const auto device = make_pull_back_device(kind);
+      EXPECT_EQ(device->pull_back(dims, scene.vertices, scene.gradient), expected) << kind;
+      EXPECT_EQ(device->pull_back(dims, backwards, turned), expected) << kind;
+      EXPECT_EQ(device->counts().vertices, 2 * kCount);
+      EXPECT_EQ(device->counts().saturated, 0U) << kind;
+    }
+  }
+}
+
+/// What a page of the model has, added up vertex by vertex, in whole numbers.
+Points added_by_model(const GradientScene& scene, const char* row, int exponent) {
+  constexpr int kWidth = 17;
+  const WordCodec codec("fx17");
+  const auto scatter = model::make_scatter_model(find_configuration(row));
+  for (int axis = 0; axis < 3; ++axis) {
+    scatter->load(axis, encode(watertight_bspline(codec), codec));
+  }
+  model::ScatterPage page(kWidth, scene.lattice.dims());
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    model::GradientWords words;
+    words.cell = scene.vertices[v].cell;
+    for (int c = 0; c < 3; ++c) {
+      words.local[c] = codec.coordinate(scene.vertices[v].local[c]);
+      words.gradient[c] =
+          codec.point(std::ldexp(scene.gradient(static_cast<Eigen::Index>(v), c), -exponent));
+    }
+    page.add(words.cell, scatter->parts(words));
+  }
+  Points result(scene.lattice.points().rows(), 3);
+  for (Eigen::Index point = 0; point < result.rows(); ++point) {
+    for (int c = 0; c < 3; ++c) {
+      result(point, c) = std::ldexp(
+          static_cast<double>(page.sum(static_cast<std::size_t>(point), c)), exponent - kWidth + 1);
+    }
+  }
+  return result;
+}
+
+TEST_F(PullBackDevice, ModelsHaveTheBitsOfAScatterCoreWithTheirWeights) {
+  GradientScene scene(3000);
+  scene.gradient *= 11;
+  scene.gradient(7, 1) = 13;
+  const Index3& dims = scene.lattice.dims();
+  int rows = 0;
+  for (const std::string& row : device_rows("model")) {
+    if (!model::has_scatter(find_configuration(row))) continue;
+    const auto device = make_device({"model", row});
+    EXPECT_EQ(device->pull_back(dims, scene.vertices, scene.gradient),
+              added_by_model(scene, row.c_str(), 4))
+        << row;
+    ++rows;
+  }
+  EXPECT_GT(rows, 8);
+  const Points exact = make_device({"reference"})->pull_back(dims, scene.vertices, scene.gradient);
+  EXPECT_LT(largest_of(exact - added_by_model(scene, "affine-fx17-overlapped", 4)), 0.05);
+}
+
+// What vertices add sums to their gradients, to the bit of their words.
+TEST_F(PullBackDevice, ModelsConserveGradients) {
+  const GradientScene scene(2000);
+  Points rounded = scene.gradient;
+  rounded = rounded.unaryExpr([](double g) { return std::ldexp(std::floor(g * 0x1p12), -12); });
+  const Points pulled =
+      make_pull_back_device("model")->pull_back(scene.lattice.dims(), scene.vertices, rounded);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(pulled.col(c).sum(), rounded.col(c).sum());
+}
+
+// Gradients whose largest is a power of two, or just below one, saturate nothing.
+TEST_F(PullBackDevice, GradientsOfAnySizeFit) {
+  const Lattice lattice = lattice_around("box", test::corners(), {4, 4, 4});
+  const std::vector<Embedded> corner = {{{0, 0, 0}, {1, 0, 1}}};
+  for (const double size : {1.0, -1.0, 1 - 0x1p-20, -1 + 0x1p-20, 0x1.fffep299, 0x1p-300, 1e-308}) {
+    const auto device = make_pull_back_device("model");
+    const Points gradient = size * (Points(1, 3) << 1, -1, 0.25).finished();
+    const Points pulled = device->pull_back({4, 4, 4}, corner, gradient);
+    EXPECT_EQ(device->counts().saturated, 0U) << size;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(pulled.col(c).sum() / size, gradient(0, c) / size, 0x1p-16) << size;
+    }
+  }
+  EXPECT_TRUE(make_pull_back_device("model")->pull_back({4, 4, 5}, {}, Points(0, 3)).isZero());
+  EXPECT_TRUE(
+      make_pull_back_device("model")->pull_back({4, 4, 4}, corner, Points::Zero(1, 3)).isZero());
+}
+
+TEST_F(PullBackDevice, WhatHasItNotSaysWhatHas) {
+  const GradientScene scene(10);
+  const Index3& dims = scene.lattice.dims();
+  const auto pull = [&](const DeviceChoice& choice) {
+    return make_device(choice)->pull_back(dims, scene.vertices, scene.gradient);
+  };
+  EXPECT_ERROR(
+      pull({"rtl"}),
+      "rtl basic-fp32-overlapped: no core adds gradients up yet; take device reference, or "
+      "model with organization affine and format fx17");
+  EXPECT_ERROR(pull({"model"}),
+               "model basic-fp32-overlapped: has no transpose; take organization affine and format "
+               "fx17, or device reference");
+  EXPECT_ERROR_PART(pull({"model", "affine", "fx32"}),
+                    "has no transpose; take organization affine");
+  EXPECT_USAGE_ERROR(make_pull_back_device("rtl"),
+                     "device rtl: no core adds gradients up yet; take device reference, or model "
+                     "with organization affine and format fx17");
+  EXPECT_THROW(make_pull_back_device("fpga"), UsageError);
+}
+
+TEST_F(PullBackDevice, RefusesWhatItCannotAdd) {
+  const GradientScene scene(10);
+  const Index3& dims = scene.lattice.dims();
+  for (const std::string kind : {"reference", "model"}) {
+    const auto device = make_pull_back_device(kind);
+    Points gradient = scene.gradient;
+    EXPECT_ERROR(device->pull_back(dims, scene.vertices, gradient.topRows(9)),
+                 "gradient of 9 positions for 10 vertices; give a row for each");
+    gradient(4, 1) = std::nan("");
+    EXPECT_ERROR(device->pull_back(dims, scene.vertices, gradient), "gradient 4 is not finite");
+    std::vector<Embedded> away = scene.vertices;
+    away[3].cell[2] = 4;
+    EXPECT_ERROR_PART(device->pull_back(dims, away, scene.gradient), "vertex 3: cell");
+    const Points largest = Points::Constant(10, 3, 1.7e308);
+    const std::vector<Embedded> same(10, scene.vertices[0]);
+    EXPECT_ERROR_PART(device->pull_back(dims, same, largest), "beyond what double holds");
+  }
+  const Oracle::Coefficients hermite = Oracle::hermite();
+  EXPECT_ERROR_PART(
+      make_pull_back_device("model")->pull_back(dims, scene.vertices, scene.gradient,
+                                                Device::Blending{hermite, hermite, hermite}),
+      "functions that sum to one only");
+}
+
+TEST_F(PullBackDevice, LatticesClampPlacesAndChooseWhatAdds) {
+  const GradientScene scene(300);
+  DeformableLattice lattice(scene.lattice);
+  std::vector<Embedded> outside = scene.vertices;
+  outside[0].local = {-0.5, 0.25, 1.5};
+  std::vector<Embedded> inside = scene.vertices;
+  inside[0].local = {0, 0.25, 1};
+  const Index3& dims = scene.lattice.dims();
+  for (const std::string kind : {"reference", "model"}) {
+    EXPECT_EQ(lattice.pull_back(outside, scene.gradient, kind),
+              make_pull_back_device(kind)->pull_back(dims, inside, scene.gradient));
+  }
+  EXPECT_EQ(lattice.pull_back(outside, scene.gradient),
+            lattice.pull_back(outside, scene.gradient, "reference"));
+  lattice.set_device({"model", "affine/3", "fx17"});
+  EXPECT_EQ(lattice.pull_back(outside, scene.gradient),
+            lattice.pull_back(outside, scene.gradient, "model"));
+  const Grid grid = grid_between({0, 0, 0}, {3, 2, 4}, {5, 6, 10});
+  EXPECT_EQ(lattice.pull_back_grid(grid, scene.gradient),
+            lattice.pull_back(places_of(grid, {3, 2, 4}), scene.gradient));
+}
+
+}  // namespace
+}  // namespace hwffd
