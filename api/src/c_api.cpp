@@ -52,6 +52,16 @@ Lattice checked_lattice(const int dims[3], const double* points) {
   return Lattice(counts, copied(points, static_cast<std::size_t>(dims[0]) * dims[1] * dims[2]));
 }
 
+std::vector<Embedded> places_of(const hwffd_embedding* embeddings, std::size_t n) {
+  std::vector<Embedded> places(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const hwffd_embedding& e = embeddings[i];
+    places[i].cell = {e.cell[0], e.cell[1], e.cell[2]};
+    places[i].local = Eigen::Map<const Eigen::Vector3d>(e.local);
+  }
+  return places;
+}
+
 int status_of(EmbeddingStatus status) {
   switch (status) {
     case EmbeddingStatus::kInside:
@@ -182,13 +192,20 @@ int hwffd_evaluate(hwffd_lattice* lattice, const hwffd_embedding* embeddings, si
     need(lattice, "lattice");
     need(embeddings, "embeddings", n);
     need(out, "out", n);
-    std::vector<Embedded> places(n);
-    for (size_t i = 0; i < n; ++i) {
-      const hwffd_embedding& e = embeddings[i];
-      places[i].cell = {e.cell[0], e.cell[1], e.cell[2]};
-      places[i].local = Eigen::Map<const Eigen::Vector3d>(e.local);
-    }
-    copy_out(lattice->evaluate(std::move(places)), out);
+    copy_out(lattice->evaluate(places_of(embeddings, n)), out);
+  });
+}
+
+int hwffd_pull_back(hwffd_lattice* lattice, const char* device, const hwffd_embedding* embeddings,
+                    size_t n, const double* gradient, double* out) {
+  return guarded([&] {
+    need(lattice, "lattice");
+    need(embeddings, "embeddings", n);
+    need(gradient, "gradient", n);
+    need(out, "out");
+    copy_out(lattice->pull_back(places_of(embeddings, n), copied(gradient, n),
+                                device == nullptr ? "" : device),
+             out);
   });
 }
 

@@ -100,6 +100,38 @@ TEST(CApi, DevicesAgree) {
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(model[i], reference[i], 1e-6);
 }
 
+// <evaluate(P), g> = <P, pull_back(g)>, in double and nearly so on the model.
+TEST(CApi, PullBackIsTheTransposeOfEvaluate) {
+  const Lattice lattice = ball();
+  ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "twist:40"), HWFFD_OK);
+  hwffd_embedding where[3];
+  ASSERT_EQ(hwffd_embed(lattice.get(), kPoints, 3, where), HWFFD_OK);
+  const double gradient[9] = {1, -2, 0.5, 0.25, 3, 0, -1, 0.125, 2};
+  double moved[9];
+  ASSERT_EQ(hwffd_evaluate(lattice.get(), where, 3, moved), HWFFD_OK);
+  double forward = 0;
+  for (int i = 0; i < 9; ++i) forward += moved[i] * gradient[i];
+  int dims[3];
+  ASSERT_EQ(hwffd_lattice_dims(lattice.get(), dims), HWFFD_OK);
+  const auto size = static_cast<std::size_t>(3 * dims[0] * dims[1] * dims[2]);
+  std::vector<double> points(size);
+  std::vector<double> pulled(size);
+  ASSERT_EQ(hwffd_lattice_points(lattice.get(), points.data()), HWFFD_OK);
+  for (const char* device : {static_cast<const char*>(nullptr), "reference", "model"}) {
+    ASSERT_EQ(hwffd_pull_back(lattice.get(), device, where, 3, gradient, pulled.data()), HWFFD_OK)
+        << hwffd_error();
+    double back = 0;
+    for (std::size_t i = 0; i < size; ++i) back += points[i] * pulled[i];
+    EXPECT_NEAR(back, forward, device != nullptr && *device == 'm' ? 1e-3 : 1e-13);
+  }
+  EXPECT_EQ(hwffd_pull_back(lattice.get(), "rtl", where, 3, gradient, pulled.data()), HWFFD_USAGE);
+  EXPECT_TRUE(says("no core adds gradients up yet")) << hwffd_error();
+  EXPECT_EQ(hwffd_pull_back(lattice.get(), nullptr, where, 3, nullptr, pulled.data()), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_pull_back(nullptr, nullptr, where, 3, gradient, pulled.data()), HWFFD_USAGE);
+  EXPECT_EQ(hwffd_pull_back(lattice.get(), nullptr, nullptr, 0, nullptr, pulled.data()), HWFFD_OK);
+  EXPECT_EQ(pulled[0], 0);
+}
+
 TEST(CApi, PointsOutside) {
   const Lattice lattice = ball();
   ASSERT_EQ(hwffd_lattice_deform(lattice.get(), "scale:2"), HWFFD_OK);
