@@ -145,6 +145,15 @@ def test_places(cells, local, out):
     assert result is None or (result.shape[1] == 3 and np.isfinite(result).all())
 
 
+@hypothesis.given(st.sampled_from(sorted(FAMILIES)),
+                  st.one_of(ANYTHING, st.tuples(ANYTHING, ANYTHING, ANYTHING)), ANYTHING,
+                  st.one_of(st.none(), st.sampled_from(["model", "reference", "rtl"]), TEXTS))
+def test_gradients(family, places, gradient, device):
+    lattice = a_lattice(family)
+    pulled = tried(lattice.pull_back, places, gradient, device=device)
+    assert pulled is None or (pulled.shape == lattice.control_points.shape and np.isfinite(pulled).all())
+
+
 @hypothesis.given(TEXTS, TEXTS, TEXTS, TEXTS, st.integers(-2**40, 2**40),
                   st.integers(-2**40, 2**40))
 def test_texts(deformation, outside, device, org, pages, axis_points):

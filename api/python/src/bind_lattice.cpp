@@ -12,6 +12,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "hwffd/error.hpp"
+#include "hwffd/lattice/coordinates.hpp"
 #include "hwffd/lattice/few_points.hpp"
 #include "hwffd/lattice/fold.hpp"
 #include "hwffd/lattice/lattice_file.hpp"
@@ -155,6 +156,57 @@ py::array evaluate_grid(PyLattice& lattice, const py::object& first, const py::o
                                    read_numbers(last, "last", "(s, t, u)"), counts);
   Target target(out, {counts[2], counts[1], counts[0], 3}, false);
   return target.take(lattice.alone([&](DeformableLattice& of) { return of.evaluate_grid(grid); }));
+}
+
+/// Places in a lattice of so many cells, in cells from its first face on.
+std::vector<Embedded> places_in(const Points& at, const Index3& cells) {
+  std::vector<Embedded> places(static_cast<std::size_t>(at.rows()));
+  for (Eigen::Index row = 0; row < at.rows(); ++row) {
+    Embedded& place = places[static_cast<std::size_t>(row)];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double s = at(row, static_cast<Eigen::Index>(axis));
+      if (!(s >= 0 && s <= cells[axis])) {
+        throw Error("places: row " + std::to_string(row) + " is not in the lattice; give 0 to (" +
+                    std::to_string(cells[0]) + ", " + std::to_string(cells[1]) + ", " +
+                    std::to_string(cells[2]) + "), in cells");
+      }
+      place.cell[axis] = std::min(static_cast<int>(s), cells[axis] - 1);
+      place.local[static_cast<Eigen::Index>(axis)] = s - place.cell[axis];
+    }
+  }
+  return places;
+}
+
+/// What pulls a gradient back: of (first, last, counts) a grid, else places (..., 3).
+py::array pull_back_places(PyLattice& lattice, const py::object& places, const py::object& gradient,
+                           const std::optional<std::string>& device) {
+  const std::string kind = device.value_or("");
+  if (device && kind.empty()) throw UsageError("device: ''; give model or reference");
+  Points pulled;
+  if (py::isinstance<py::tuple>(places)) {
+    const auto grid_numbers = py::reinterpret_borrow<py::tuple>(places);
+    if (grid_numbers.size() != 3) {
+      throw UsageError("places: a tuple of " + std::to_string(grid_numbers.size()) +
+                       "; give an array (..., 3), or (first, last, counts) of a grid");
+    }
+    const Index3 counts = read_integers(grid_numbers[2], "counts", "(cs, ct, cu)");
+    const Grid grid = grid_of_places(read_numbers(grid_numbers[0], "first", "(s, t, u)"),
+                                     read_numbers(grid_numbers[1], "last", "(s, t, u)"), counts);
+    const Points read =
+        read_rows(gradient, "gradient", static_cast<Eigen::Index>(vertex_count(grid)));
+    check_coordinates("gradient", read);
+    pulled =
+        lattice.alone([&](DeformableLattice& of) { return of.pull_back_grid(grid, read, kind); });
+  } else {
+    const Points at = read_points(places, "places").points();
+    const Points read = read_rows(gradient, "gradient", at.rows());
+    check_coordinates("gradient", read);
+    pulled = lattice.alone([&](DeformableLattice& of) {
+      return of.pull_back(places_in(at, of.family().cells(of.rest().dims())), read, kind);
+    });
+  }
+  const Index3 dims = lattice.alone([](const DeformableLattice& of) { return of.rest().dims(); });
+  return new_array(grid_shape(dims), pulled.data());
 }
 
 /// Why the package with the simulated hardware is not used, if it is there.
@@ -324,7 +376,15 @@ void bind_lattice(py::module_& module) {
            py::kw_only(), py::arg("out") = py::none(),
            "Points (cu, ct, cs, 3) of the deformed lattice on the regular grid of counts (cs, ct, "
            "cu) vertices from place first to place last, (s, t, u) in cells from the first face "
-           "on. Coordinates in a cell have 24 bits, as the grids of a core do.");
+           "on. Coordinates in a cell have 24 bits, as the grids of a core do.")
+      .def("pull_back", &pull_back_places, py::arg("places"), py::arg("gradient"), py::kw_only(),
+           py::arg("device") = py::none(),
+           "(ns, nt, nu, 3): of a gradient (..., 3) with respect to the points of the deformed "
+           "lattice at places that with respect to its control points, the same bits in any order "
+           "of the places.\n\nplaces: (..., 3), (s, t, u) in cells from the first face on, or a "
+           "tuple (first, last, counts) as evaluate_grid() takes them, with a gradient for each "
+           "vertex, (cu, ct, cs, 3). device: reference, or model for that of affine in fx17; None, "
+           "that of the lattice.");
 }
 
 }  // namespace hwffd::python
