@@ -113,7 +113,8 @@ TEST(CApi, PullBackIsTheTransposeOfEvaluate) {
   for (int i = 0; i < 9; ++i) forward += moved[i] * gradient[i];
   int dims[3];
   ASSERT_EQ(hwffd_lattice_dims(lattice.get(), dims), HWFFD_OK);
-  const auto size = static_cast<std::size_t>(3 * dims[0] * dims[1] * dims[2]);
+  const auto size = 3 * static_cast<std::size_t>(dims[0]) * static_cast<std::size_t>(dims[1]) *
+                    static_cast<std::size_t>(dims[2]);
   std::vector<double> points(size);
   std::vector<double> pulled(size);
   ASSERT_EQ(hwffd_lattice_points(lattice.get(), points.data()), HWFFD_OK);
