@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/function_words.hpp"
 #include "device/model_grid.hpp"
 #include "device/model_pull_back.hpp"
 #include "hwffd/error.hpp"
