@@ -51,8 +51,4 @@ double WordCodec::decode_coordinate(std::uint32_t word) const {
   return std::ldexp(static_cast<std::int32_t>(word - kHalf), -31) + 0.5;
 }
 
-double WordCodec::decode_point(std::uint32_t word) const {
-  return is_float() ? float_of_bits(word) : 0x1p-31 * static_cast<std::int32_t>(word);
-}
-
 }  // namespace hwffd

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "hwffd/model/lane_evaluator.hpp"
@@ -64,7 +65,7 @@ struct WalkedAxis {
 };
 
 /// The axes of a grid, with the weights of an organization.
-/// @param places  as of `axis_places`
+/// @param places  as of `axis_places`, one an axis at least
 template <class F, class Organization>
 std::array<WalkedAxis<F>, 3> walked_axes(const CoefficientBank<F>& bank,
                                          const std::array<std::vector<AxisPlace>, 3>& places,

@@ -86,8 +86,8 @@ class LaneEvaluator {
         local.local[axis].saturated[lane] = x.saturated ? -1 : 0;
       }
     }
-    Words words;
-    Lanes saturated;
+    alignas(sizeof(Lanes)) Words words;
+    alignas(sizeof(Lanes)) Lanes saturated;
     run(points, corner, local, words, saturated);
     for (std::size_t lane = 0; lane < count; ++lane) {
       ResultWords& result = results[number[lane]];

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "hwffd/numerics/bits.hpp"
+
 namespace hwffd {
 
 /// Doubles to stream words of one number format and back (docs/interface.md section 3).
@@ -29,7 +31,10 @@ class WordCodec {
   std::uint32_t coefficient(double value, int shift) const;  ///< binary32 or Q2.30, times 2^-shift
   std::uint32_t point(double value) const;                   ///< binary32 or Q1.31
   double decode_coordinate(std::uint32_t word) const;
-  double decode_point(std::uint32_t word) const;  ///< of a point, or of a result
+  /// Of a point, or of a result.
+  double decode_point(std::uint32_t word) const {
+    return is_float() ? float_of_bits(word) : 0x1p-31 * static_cast<std::int32_t>(word);
+  }
 
  private:
   int width_ = 0;  // of weights, at most that of a word; 0: binary32
