@@ -32,7 +32,8 @@ def one_by_one(lattice, first, last, counts):
 
 
 @pytest.mark.parametrize("device", [("reference",), ("model",), ("model", "cg1", "fx32"),
-                                    ("model", "cg1", "fx18")])
+                                    ("model", "cg1", "fx18"), ("model", "walk", "fx17"),
+                                    ("model", "factored", "fp32")])
 def test_a_grid_has_the_bits_of_its_places(device):
     lattice = hwffd.Lattice.around("box", [[-1, -1, -1], [1, 2, 3]], (5, 6, 7))
     lattice.deform("random:2")
@@ -86,14 +87,15 @@ def scene(name):
     return phantom(), deformed(phantom(), **part)[0]
 
 
+@pytest.mark.parametrize("org", ["cg1", "affine"])  # one by one, and row by row
 @pytest.mark.parametrize("name", ["whole", "part", "other order"])
-def test_voxels_are_walked_as_a_grid(name, monkeypatch):
+def test_voxels_are_walked_as_a_grid(name, org, monkeypatch):
     volume, lattice = scene(name)
     points = volume.points(np.argwhere(np.ones(COUNTS)).astype(float))
     points = points.reshape(*COUNTS, 3).transpose(2, 1, 0, 3)
     held = np.count_nonzero(lattice.embed(points).inside)
     exact = volumes.resample(volume, lattice, with_field=True)
-    lattice.set_device("model", "cg1", "fx32")
+    lattice.set_device("model", org, "fx32")
     part, positions = RegularVoxels.of(lattice, volume).moved(tuple(slice(0, n) for n in COUNTS[::-1]))
     assert positions[..., 0].size == held == np.prod(COUNTS) - exact.outside_lattice
     assert (held < 0.5 * np.prod(COUNTS)) == (name == "part")

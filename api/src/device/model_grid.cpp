@@ -13,7 +13,7 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kVerticesAtOnce = 8192;  // whose results stay in the caches
+constexpr std::size_t kVerticesAtOnce = 4096;  // whose results stay in the caches
 
 std::unique_ptr<model::EvaluatorModel> model_of(const Configuration& row,
                                                 const std::array<AxisWords, 3>& axes) {
