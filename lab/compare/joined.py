@@ -8,7 +8,7 @@ import re
 
 FIELDS = ("what", "kind", "device", "vertices_per_s", "per_multiplier", "error", "sorted", "source",
           "latency_ns", "bytes_per_vertex", "energy_nj_per_vertex")
-KINDS = ("own", "model", "peer", "core")
+KINDS = ("own", "model", "grid", "peer", "core")
 _POWERCAP = pathlib.Path("/sys/class/powercap")
 
 
@@ -30,6 +30,13 @@ def watts():
     if any(_POWERCAP.glob("*/energy_uj")):
         return "watts are not read from this processor's counters"
     return "this processor shows no counter of its energy"
+
+
+def _kind(what):
+    """Of a program of the project."""
+    if what.startswith("GridWalker ") or what.endswith(", a grid"):
+        return "grid"
+    return "model" if " model " in what else "own"
 
 
 def _program(row, kind, device, source):
@@ -61,10 +68,9 @@ def report(measured, peers, cores):
     name = processor()
     device = f"{name}, one core"
     best = "the best of several runs on one core"
-    own = [_program(row, "model", device, f"hwffd-compare, {best}")
-           if " model " in row["what"] else
-           _program(row, "own", device, f"hwffd-compare, {best}, {measured['vector_units']}")
-           for row in measured["software"]]
+    own = [_program(row, kind, device, f"hwffd-compare, {best}"
+                    + (f", {measured['vector_units']}" if kind == "own" else ""))
+           for row in measured["software"] for kind in [_kind(row["what"])]]
     others = [_program(row, "peer", device, f"its package of the index, {best}") for row in peers]
     rows = [*own, *others, *cores]
     wrong = faults(rows)

@@ -23,6 +23,7 @@ struct Options {
   std::int64_t milliseconds = 1'500;
   std::uint64_t seed = 1;
   std::vector<std::string> models;
+  std::vector<std::string> walkers;
   std::vector<std::string> rows;
   std::string scene;
 };
@@ -32,6 +33,13 @@ struct Options {
 std::vector<std::string> models_of(const Options& options) {
   if (!options.models.empty()) return options.models;
   return {"factored-fx18-overlapped", "affine3-fx17-overlapped", "basic-fp32-overlapped"};
+}
+
+/// Of those that walk along rows of grids the ones that are asked for, else one of each format.
+std::vector<std::string> walkers_of(const Options& options) {
+  if (!options.walkers.empty()) return options.walkers;
+  return {"walk-fx17-overlapped", "factored-fx18-overlapped", "affine-fx32-overlapped",
+          "factored-fp32-overlapped", "factored-bfp32-overlapped"};
 }
 
 /// What a core is counted for: rows that this build has.
@@ -56,7 +64,9 @@ Measured measure(const Options& options) {
   const std::vector<std::string> models = models_of(options);
   Measured measured;
   measured.vertices = random.vertices.size();
-  const double steps = 2.0 * static_cast<double>(3 + models.size() + counted.size());
+  const std::vector<std::string> walkers = walkers_of(options);
+  const double steps =
+      2.0 * static_cast<double>(3 + models.size() + counted.size() + walkers.size()) + 1;
   const auto show = [&](const std::string& what) {
     const std::size_t done = measured.software.size() + measured.cores.size();
     show_progress(what, static_cast<double>(done) / steps);
@@ -79,6 +89,12 @@ Measured measure(const Options& options) {
       show(row.name);
     }
   }
+  const GridScene grid = grid_scene(random.lattice, static_cast<std::size_t>(options.vertices));
+  add(grid_device("", grid, seconds));
+  for (const std::string& row : walkers) {
+    add(walker(row, grid, seconds));
+    add(grid_device(row, grid, seconds));
+  }
   return measured;
 }
 
@@ -92,6 +108,8 @@ int carry_out(StudyProgram& program) {
                  1'000'000);
   program.number("--milliseconds", options.milliseconds, "for which each program runs", 1, 100'000);
   program.app().add_option("--model", options.models, "rows whose bit-true models are timed");
+  program.app().add_option("--walker", options.walkers,
+                           "rows whose bit-true models are timed along a grid");
   program.app().add_option("--row", options.rows, "rows whose cores are counted");
   program.app().add_option("--scene", options.scene, "folder for what is evaluated");
   program.seed(options.seed, "points and vertices");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hwffd/atomic_file.hpp"
+#include "hwffd/device/device.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/numerics/largest_error.hpp"
 #include "hwffd/oracle/oracle.hpp"
@@ -89,6 +90,27 @@ Scene first_of(const Scene& scene, std::size_t vertices) {
   return {scene.lattice,
           {begin, begin + static_cast<std::ptrdiff_t>(count)},
           scene.exact.topRows(static_cast<Eigen::Index>(count))};
+}
+
+GridScene grid_scene(const Lattice& lattice, std::size_t vertices) {
+  const double of_axis = std::cbrt(static_cast<double>(vertices));
+  const auto count = static_cast<std::uint16_t>(std::clamp(std::lround(of_axis), 2L, 1000L));
+  GridScene result{{lattice, {}, {}}, {}};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t steps = std::int64_t{lattice.cells()[a]} * kSteps / (count - 1);
+    result.grid.step[a] = steps * ((std::int64_t{1} << kGridFraction) / kSteps);
+    result.grid.count[a] = count;
+  }
+  Scene& scene = result.scene;
+  scene.vertices = places_of(result.grid, lattice.cells());
+  scene.exact.resize(static_cast<Eigen::Index>(scene.vertices.size()), 3);
+  const Oracle oracle;
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    const Embedded& at = scene.vertices[v];
+    scene.exact.row(static_cast<Eigen::Index>(v)) =
+        oracle.evaluate(lattice.support(at.cell), at.local[0], at.local[1], at.local[2]);
+  }
+  return result;
 }
 
 double largest_error(const Scene& scene, const Points& positions) {

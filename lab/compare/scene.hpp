@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hwffd/lattice/lattice.hpp"
+#include "hwffd/stream/grid.hpp"
 
 namespace hwffd::compare {
 
@@ -26,6 +27,16 @@ Scene sorted_by_cell(const Scene& scene);
 
 /// The first of its vertices.
 Scene first_of(const Scene& scene, std::size_t vertices);
+
+/// The vertices of a regular grid.
+struct GridScene {
+  Scene scene;
+  Grid grid;
+};
+
+/// A grid over all cells of that lattice, of as many vertices along each axis as give about so
+/// many, at multiples of 2^-16.
+GridScene grid_scene(const Lattice& lattice, std::size_t vertices);
 
 /// The largest difference of a component from the oracle's.
 double largest_error(const Scene& scene, const Points& positions);

@@ -12,6 +12,8 @@
 #include "hwffd/device/device.hpp"
 #include "hwffd/lattice/lattice_evaluator.hpp"
 #include "hwffd/model/configuration.hpp"
+#include "hwffd/model/evaluator.hpp"
+#include "hwffd/stream/blending.hpp"
 
 namespace hwffd::compare {
 namespace {
@@ -85,6 +87,18 @@ SoftwareRow timed(const std::string& what, const Scene& scene, bool sorted, doub
   return row;
 }
 
+/// The reference, where no row is named.
+std::unique_ptr<Device> device_of(const std::string& row) {
+  DeviceChoice choice;
+  choice.device = row.empty() ? "reference" : "model";
+  if (!row.empty()) choice.org = row;
+  return make_device(choice);
+}
+
+double bound_of(const std::string& row) {
+  return error_bound(row.empty() ? "fx32" : find_configuration(row).format);
+}
+
 }  // namespace
 
 template <class Real>
@@ -114,16 +128,70 @@ template SoftwareRow evaluator<float>(const Scene& scene, bool sorted, double se
 template SoftwareRow evaluator<double>(const Scene& scene, bool sorted, double seconds);
 
 SoftwareRow device(const std::string& name, const Scene& scene, bool sorted, double seconds) {
-  DeviceChoice choice;
-  choice.device = name.empty() ? "reference" : "model";
-  if (!name.empty()) choice.org = name;
-  const std::unique_ptr<Device> device = make_device(choice);
+  const std::unique_ptr<Device> device = device_of(name);
   Points positions;
   SoftwareRow row = timed("device " + device->name(), scene, sorted, seconds,
                           [&] { positions = device->evaluate(scene.lattice, scene.vertices); });
   row.error = largest_error(scene, positions);
-  row.bound = name.empty() ? error_bound("fx32") : error_bound(find_configuration(name).format);
+  row.bound = bound_of(name);
   row.bytes_per_vertex = sizeof(Embedded) + 3 * sizeof(double);
+  return row;
+}
+
+SoftwareRow walker(const std::string& name, const GridScene& grid, double seconds) {
+  const Scene& scene = grid.scene;
+  const Configuration& configuration = find_configuration(name);
+  const WordCodec codec(configuration.format);
+  const std::unique_ptr<model::EvaluatorModel> model = model::make_evaluator_model(configuration);
+  const AxisWords axis = encode(watertight_bspline(codec), codec);
+  for (int a = 0; a < 3; ++a) {
+    for (int f = 0; f < 4; ++f) model->load(0, a, f, axis.degree, axis.shift, axis.word[f]);
+  }
+  model::ResidentPoints points;
+  points.dims = scene.lattice.dims();
+  for (const auto& point : scene.lattice.points().rowwise()) {
+    points.points.push_back({codec.point(point[0]), codec.point(point[1]), codec.point(point[2])});
+  }
+  // As many rows at once as stay in the caches, as a device does.
+  constexpr std::size_t kVerticesAtOnce = 8192;
+  const std::size_t of_row = grid.grid.count[0];
+  const std::size_t rows = scene.vertices.size() / of_row;
+  const std::size_t at_once = std::max<std::size_t>(1, kVerticesAtOnce / of_row);
+  std::vector<model::ResultWords> words;
+  Points positions(static_cast<Eigen::Index>(scene.vertices.size()), 3);
+  const auto run = [&](const auto& take) {
+    const auto walker =
+        model->walker(0, points, axis_places(grid.grid, scene.lattice.dims(), codec));
+    for (std::size_t first = 0; first < rows; first += at_once) {
+      walker->evaluate(first, std::min(rows, first + at_once), words);
+      take(first * of_row);
+    }
+  };
+  SoftwareRow row = timed("GridWalker of model " + name, scene, true, seconds,
+                          [&] { run([](std::size_t /*first*/) {}); });
+  run([&](std::size_t first) {
+    for (std::size_t v = 0; v < words.size(); ++v) {
+      for (Eigen::Index c = 0; c < 3; ++c) {
+        positions(static_cast<Eigen::Index>(first + v), c) =
+            codec.decode_point(words[v].words[static_cast<std::size_t>(c)]);
+      }
+    }
+  });
+  row.error = largest_error(scene, positions);
+  row.bound = bound_of(name);
+  row.bytes_per_vertex = sizeof(model::ResultWords);
+  return row;
+}
+
+SoftwareRow grid_device(const std::string& name, const GridScene& grid, double seconds) {
+  const std::unique_ptr<Device> device = device_of(name);
+  Points positions;
+  SoftwareRow row = timed("device " + device->name() + ", a grid", grid.scene, true, seconds, [&] {
+    positions = device->evaluate_grid(grid.scene.lattice, grid.grid);
+  });
+  row.error = largest_error(grid.scene, positions);
+  row.bound = bound_of(name);
+  row.bytes_per_vertex = 3 * sizeof(double);
   return row;
 }
 

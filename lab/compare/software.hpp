@@ -27,6 +27,13 @@ SoftwareRow evaluator(const Scene& scene, bool sorted, double seconds);
 /// @param row  empty for the reference
 SoftwareRow device(const std::string& row, const Scene& scene, bool sorted, double seconds);
 
+/// The walker of a row's bit-true model over a grid, to words.
+/// @param row  one that contracts one axis after the other
+SoftwareRow walker(const std::string& row, const GridScene& grid, double seconds);
+
+/// A device as above that is given a grid.
+SoftwareRow grid_device(const std::string& row, const GridScene& grid, double seconds);
+
 /// The vector units for which LatticeEvaluator is compiled that this processor has, the widest.
 std::string vector_units();
 

@@ -62,13 +62,27 @@ def programs(reports):
                   "max error"], lines + cells(reports))
 
 
+def grids(reports):
+    """The vertices of a regular grid: models that walk along its rows, and devices."""
+    rows = sorted((row for row in reports.rows("compare") if row["kind"] == "grid"),
+                  key=lambda row: -row["vertices_per_s"])
+    if not rows:
+        raise RequestError("compare has no rows of kind grid")
+    return Table(["what", "on", "million vertices per second", "bytes per vertex", "max error"],
+                 [[name(row), row["device"], _rate(row), _scaled(row, "bytes_per_vertex", 1, ".0f"),
+                   shown(row["error"], ".1e")] for row in rows])
+
+
 def printed(reports):
     report = reports.get("compare")
     remarks = sorted({row["remark"] for row in report["rows"] if row.get("remark")})
     return "\n\n".join([
         f"{report['vertices']:,} vertices in a lattice of 16 x 16 x 16 points; "
         f"{report['processor']}, {report['vector_units']}",
-        programs(reports).text(), *(f"(1) {remark}" for remark in remarks)])
+        programs(reports).text(),
+        *([f"a regular grid over the same lattice\n\n{grids(reports).text()}"]
+          if any(row["kind"] == "grid" for row in report["rows"]) else []),
+        *(f"(1) {remark}" for remark in remarks)])
 
 
 def _rows(reports, kind, is_sorted):
@@ -122,7 +136,7 @@ def missing(reports):
     return f"rows of kind {', '.join(absent)}" if absent else ""
 
 
-TABLES = {"programs": programs}
+TABLES = {"programs": programs, "grids": grids}
 FIGURES = {
     "float_random": _million(FLOAT, False), "float_sorted": _million(FLOAT, True),
     "double_random": _million(DOUBLE, False), "double_sorted": _million(DOUBLE, True),

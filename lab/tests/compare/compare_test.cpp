@@ -63,6 +63,32 @@ TEST(CompareScene, ALostResultIsAnErrorOfItsOwn) {
   EXPECT_EQ(largest_error(scene, spoilt), HUGE_VAL);
 }
 
+TEST(CompareScene, AGridIsHeldByEveryFormatToo) {
+  const Scene scene = random_scene(1, 6);
+  const GridScene grid = grid_scene(scene.lattice, 1100);
+  EXPECT_EQ(grid.grid.count, (std::array<std::uint16_t, 3>{10, 10, 10}));
+  ASSERT_EQ(grid.scene.vertices.size(), 1000U);
+  for (const Embedded& vertex : grid.scene.vertices) {
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      EXPECT_EQ(std::ldexp(vertex.local[a], 16), std::rint(std::ldexp(vertex.local[a], 16)));
+    }
+  }
+  EXPECT_EQ(grid.scene.vertices.front().cell, (Index3{0, 0, 0}));
+  EXPECT_EQ(grid.scene.vertices.back().cell, (Index3{12, 12, 12}));
+}
+
+TEST(CompareSoftware, AWalkerAndItsDeviceHaveTheSameError) {
+  const GridScene grid = grid_scene(random_scene(1, 7).lattice, 4096);
+  for (const char* row : {"walk-fx17-overlapped", "factored-fp32-overlapped"}) {
+    const SoftwareRow walked = walker(row, grid, 0.001);
+    const SoftwareRow device = grid_device(row, grid, 0.001);
+    EXPECT_GT(walked.error, 0) << row;
+    EXPECT_EQ(walked.error, device.error) << row;
+    EXPECT_LE(walked.error, walked.bound) << row;
+    EXPECT_GT(walked.vertices_per_s, 0) << row;
+  }
+}
+
 TEST(CompareCore, LatencyIsThatOfTheInterface) {
   const Scene scene = random_scene(40, 5);
   const CoreRow row = count(find_configuration("basic-fx18-overlapped"), scene, false, 1);

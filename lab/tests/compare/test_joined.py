@@ -24,7 +24,11 @@ MEASURED = {"vertices": 100, "vector_units": "AVX2", "cores": [], "software": [
      "error": 1e-7, "latency_ns": 50.0, "bytes_per_vertex": 28.0}
     for is_sorted in (False, True) for what, rate in (
         ("LatticeEvaluator<float>", 70e6), ("LatticeEvaluator<double>", 40e6),
-        ("device model basic-fx18-overlapped", 5e5))]}
+        ("device model basic-fx18-overlapped", 5e5))] + [
+    {"what": what, "sorted": True, "vertices_per_s": rate, "error": 1e-5, "latency_ns": None,
+     "bytes_per_vertex": 16.0}
+    for what, rate in (("device model walk-fx17-overlapped, a grid", 2e7),
+                       ("GridWalker of model walk-fx17-overlapped", 4e7))]}
 PEERS = [{"what": "peer 1.0, call", "sorted": is_sorted, "vertices_per_s": 8e6, "error": 1e-15,
           "latency_ns": None, "bytes_per_vertex": 48.0} for is_sorted in (False, True)]
 
@@ -161,6 +165,21 @@ def test_table_and_figures(reports, whole):
     assert data.figure("compare", "times_peer_random") == 5
     assert "AVX2" in printed(MODULES["compare"], data)
     assert missing(data, "compare") == ""
+
+
+def test_grids_have_a_table_of_their_own(reports, whole):
+    data = reports(compare=whole)
+    lines = text_blocks.table(data, "compare.grids").rows
+    assert [line[0] for line in lines] == ["`GridWalker of model walk-fx17-overlapped`",
+                                           "`device model walk-fx17-overlapped, a grid`"]
+    assert [line[2] for line in lines] == ["40.00", "20.00"]
+    assert lines[0][3:] == ["16", "1.0e-05"]
+    assert data.figure("compare", "model_random") == 0.5
+    assert "a regular grid" in printed(MODULES["compare"], data)
+    without = {**whole, "rows": [row for row in whole["rows"] if row["kind"] != "grid"]}
+    assert "a regular grid" not in printed(MODULES["compare"], reports(compare=without))
+    with pytest.raises(RequestError, match="no rows of kind grid"):
+        text_blocks.table(reports(compare=without), "compare.grids")
 
 
 def test_standard_cells_have_an_energy_and_no_clock(reports, whole):
