@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import collections
 import csv
 import re
+import statistics
 
 from tools.reports.text_table import Table, shown
 
@@ -16,6 +17,11 @@ HEADS = ["mutants", "killed", "equivalent", "undecided", "survived", "killed, %"
 def _subjects(reports):
     lines = (reports.root / "lab" / "mutants" / "subjects.csv").read_text(encoding="utf-8").splitlines()
     return {row["name"]: row for row in csv.DictReader(lines)}
+
+
+def _aim(aims, name):
+    """In percent; of a subject that has gone since it was measured, that of most subjects."""
+    return aims[name]["aim"] if name in aims else statistics.mode(row["aim"] for row in aims.values())
 
 
 def _sums(reports, field):
@@ -35,7 +41,7 @@ def subjects(reports):
     """Each subject and its aim."""
     aims = _subjects(reports)
     return Table(["subject", "aim, %", *HEADS],
-                 [[f"`{name}`", aims[name]["aim"], *_cells(sums)]
+                 [[f"`{name}`", _aim(aims, name), *_cells(sums)]
                   for name, sums in _sums(reports, "subject").items()])
 
 
@@ -68,7 +74,7 @@ def _below(reports):
     aims = _subjects(reports)
     cells = {name: _cells(sums)[-1] for name, sums in _sums(reports, "subject").items()}
     return ", ".join(f"{name} {percent} %" for name, percent in cells.items()
-                     if percent != "-" and float(percent) < float(aims[name]["aim"]))
+                     if percent != "-" and float(percent) < float(_aim(aims, name)))
 
 
 FIGURES = {"below": _below, "subjects": lambda reports: len(_subjects(reports)), **{verdict: _of(verdict) for verdict in VERDICTS}, "percent": _of("killed_percent"),
