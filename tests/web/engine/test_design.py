@@ -56,7 +56,7 @@ def test_only_what_is_elaborated_is_drawn(design):
     assert "sum-u" in factored and "sum-u" not in cg1
     assert "generator" in cg1 and "generator" not in factored
     names = {text.text for text in factored["memory"].iter(f"{SVG}text")}
-    assert names == {"Memories x 64"}
+    assert names == {"Memories x 32"}
 
 
 @pytest.mark.parametrize("row", ROWS)
