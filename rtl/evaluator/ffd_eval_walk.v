@@ -214,13 +214,6 @@ module ffd_eval_walk #(
     .weights_o     (weights)
   );
 
-  wire                read_valid;
-  wire                read_last;
-  wire [1:0]          read_t;
-  wire [1:0]          read_s;
-  wire [SOURCE_W-1:0] read_source;
-  wire [11:0]         read_cell;
-
   ffd_num_delay #(
     .WIDTH  (2),
     .LATENCY(READ_DELAY),
@@ -229,7 +222,7 @@ module ffd_eval_walk #(
     .clk(clk),
     .rst(rst),
     .d_i({step_valid, step_valid && step_last && step_final}),
-    .q_o({read_valid, read_last})
+    .q_o({read_o, read_last_o})
   );
 
   ffd_num_delay #(
@@ -239,14 +232,10 @@ module ffd_eval_walk #(
     .clk(clk),
     .rst(1'b0),
     .d_i({bank, ~step, source, cell_index}),
-    .q_o({read_s, read_t, read_source, read_cell})
+    .q_o({read_index_o[5:2], read_source_o, read_cell_o})
   );
 
-  assign read_o        = read_valid;
-  assign read_last_o   = read_last;
-  assign read_source_o = read_source;
-  assign read_cell_o   = read_cell;
-  assign read_index_o  = {read_s, read_t, 2'd0};
+  assign read_index_o[1:0] = 2'd0;
 
   wire [1:0] bank_t;       // of the point that comes along t
   wire       plane_valid;  // the last step of a plane leaves its point
@@ -259,7 +248,7 @@ module ffd_eval_walk #(
   ) u_bank_t (
     .clk(clk),
     .rst(1'b0),
-    .d_i(read_t),
+    .d_i(read_index_o[3:2]),
     .q_o(bank_t)
   );
 
@@ -431,7 +420,7 @@ module ffd_eval_walk #(
 
   ffd_num_delay #(
     .WIDTH  (1),
-    .LATENCY(READ_DELAY + READ_LATENCY + 2 * CONTRACT - CONVERT_LATENCY),
+    .LATENCY(PLANE_DELAY - CONVERT_LATENCY),
     .RESET  (1)
   ) u_sum_valid (
     .clk(clk),
