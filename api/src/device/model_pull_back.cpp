@@ -52,7 +52,7 @@ Points model_pull_back(const Configuration& row, const Index3& dims,
       page.add(words.cell, parts);
       if (parts.saturated) ++saturated_here;
     }
-    const std::vector<model::ResultWords> collected = page.collect(0);
+    const std::vector<model::CollectedPoint> collected = page.collect(0);
     const std::lock_guard<std::mutex> lock(joining);
     for (std::size_t point = 0; point < points; ++point) {
       for (std::size_t c = 0; c < 3; ++c) {

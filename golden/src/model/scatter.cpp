@@ -130,20 +130,20 @@ bool ScatterPage::overflowed() const {
   return vertices_ > static_cast<std::uint64_t>(scatter_most_vertices(width_));
 }
 
-std::vector<ResultWords> ScatterPage::collect(int shift) {
+std::vector<CollectedPoint> ScatterPage::collect(int shift) {
   constexpr std::int64_t kTop = INT32_MAX;
   constexpr std::int64_t kBottom = INT32_MIN;
   const std::int64_t half = (std::int64_t{1} << shift) >> 1;
-  std::vector<ResultWords> results(words_.size());
+  std::vector<CollectedPoint> results(words_.size());
   for (std::size_t point = 0; point < words_.size(); ++point) {
-    results[point].saturated = saturated_;
     for (int c = 0; c < 3; ++c) {
       const std::int64_t rounded = (sum(point, c) + half) >> shift;
       const std::int64_t word = std::clamp(rounded, kBottom, kTop);
       results[point].words[c] = static_cast<std::uint32_t>(word);
-      results[point].saturated |= word != rounded;
+      results[point].word_saturated |= word != rounded;
       put(point, c, 0);
     }
+    results[point].saturated = saturated_ || results[point].word_saturated;
   }
   forget();
   return results;

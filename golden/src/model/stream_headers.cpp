@@ -74,11 +74,11 @@ bool StreamModel::packed() const {
          (opcode == Opcode::kVertices || opcode == Opcode::kPageVertices);
 }
 
-/// Whether a header of opcodes 5 to 8 has that flag; the others have none.
-bool StreamModel::flagged(std::uint32_t flag) const {
+/// Of the header, as they stand in word 0, if it is of opcodes 5 to 8; the others have none.
+std::uint32_t StreamModel::flags() const {
   const auto opcode = static_cast<Opcode>(header_.words[0] & 0xFF);
   const bool of_page = opcode >= Opcode::kPage && opcode <= Opcode::kGrid;
-  return of_page && (header_.words[0] & flag) != 0;
+  return of_page ? header_.words[0] & 0xFFFF0000 : 0;
 }
 
 }  // namespace hwffd::model

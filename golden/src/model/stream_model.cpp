@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hwffd/model/coefficient_beat.hpp"
 #include "hwffd/model/organizations.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
@@ -64,7 +65,7 @@ void StreamModel::take(const Beat& beat) {
       part_point(beat);
       break;
     case State::kVertex:
-      vertex(read_vertex(beat), beat.last);
+      vertex(vertex_of(beat, axis_points_, flagged(kLargeFlag)), beat.last);
       break;
     case State::kPair:
       pair(beat);
@@ -193,25 +194,21 @@ bool StreamModel::start_vertices(Opcode opcode, int number) {
 }
 
 void StreamModel::coefficients(const Beat& beat) {
-  const bool derivatives = (header_.words[2] & kDerivativesFollow) != 0;
-  const int axis = beat_ % kCoefficientBeats / 4;
-  const auto field = [&](int low) {
-    return static_cast<int>(header_.words[2] >> (low + 2 * axis)) & 3;
-  };
-  if (beat_ < kCoefficientBeats) {
-    evaluator_->load(1 - bank_, axis, beat_ % 4, field(0), field(8), beat.words);
+  const CoefficientBeat read = coefficient_of(header_, beat_, beat);
+  const FunctionWords& words = read.words;
+  if (read.derivative) {
+    evaluator_->load_derivative(1 - bank_, read.axis, read.function, words.degree, words.shift,
+                                words.words);
   } else {
-    evaluator_->load_derivative(1 - bank_, axis, beat_ % 4, field(0), field(16), beat.words);
+    evaluator_->load(1 - bank_, read.axis, read.function, words.degree, words.shift, words.words);
   }
-  const bool of_derivative = beat_ >= kCoefficientBeats;
-  const FunctionWords words{field(0), field(of_derivative ? 16 : 8), beat.words};
-  spans_.set_common(axis, beat_ % 4, of_derivative, words);
-  check_sums(beat_ % 4, of_derivative, words);
-  if (++beat_ == (derivatives ? 2 : 1) * kCoefficientBeats) {
+  spans_.set_common(read.axis, read.function, read.derivative, words);
+  check_sums(read.function, read.derivative, words);
+  if (++beat_ == coefficient_beats(header_)) {
     bank_ = 1 - bank_;
     spans_.take_common();
     loaded_ = true;
-    derivatives_loaded_ = derivatives;
+    derivatives_loaded_ = brings_derivatives(header_);
     state_ = State::kDone;
   }
 }
@@ -303,17 +300,9 @@ void StreamModel::vertex(const VertexBeat& read, bool last) {
 
 void StreamModel::check_vertex() {
   const bool clamp = static_cast<OutsideMode>(header_.words[2] & 3) == OutsideMode::kClamp;
-  nan_ = outside_ = cell_outside_ = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const CoordinateRange range = evaluator_->range(vertex_.local[axis]);
-    nan_ |= range.nan;
-    outside_ |= range.outside;
-    if (clamp) vertex_.local[axis] = range.clamped;
-    if (page_ == nullptr || vertex_.cell[axis] <= page_->dims[axis] - 4) continue;
-    cell_outside_ = true;
-    vertex_.cell[axis] = page_->dims[axis] - 4;
-    if (clamp) vertex_.local[axis] = evaluator_->one_word();
-  }
+  outside_ = bring_inside(vertex_.local, vertex_.cell, page_ != nullptr ? &page_->dims : nullptr,
+                          clamp, evaluator_->one_word(),
+                          [&](std::uint32_t word) { return evaluator_->range(word); });
 }
 
 void StreamModel::points(const Beat& beat) {

@@ -12,21 +12,21 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
   const bool no_lattice = resident_ && page_ == nullptr;
   const bool no_functions = !loaded_ || (wanted_ != Results::kPosition && !derivatives_loaded_);
   const bool unloaded = no_functions || no_lattice || refused_;
-  const bool out = outside_ || cell_outside_;
+  const bool out = outside_.any();
   const auto mode = static_cast<OutsideMode>(header_.words[2] & 3);
   const bool clamp = mode == OutsideMode::kClamp;
   const bool refused = out && !clamp && mode != OutsideMode::kPass;
   events_[event::kNoCoefficients] += no_functions ? 1 : 0;
   events_[event::kNoLattice] += no_lattice ? 1 : 0;
-  events_[event::kCoordinateNan] += nan_ ? 1 : 0;
-  events_[event::kCoordinateOutside] += outside_ ? 1 : 0;
-  events_[event::kCellOutside] += cell_outside_ ? 1 : 0;
+  events_[event::kCoordinateNan] += outside_.nan ? 1 : 0;
+  events_[event::kCoordinateOutside] += outside_.coordinate ? 1 : 0;
+  events_[event::kCellOutside] += outside_.cell ? 1 : 0;
 
   Beat result;
-  result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (nan_ ? kStatusNan : 0) |
+  result.words[3] = tag_ | (out && clamp ? kStatusClamped : 0) | (outside_.nan ? kStatusNan : 0) |
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
-  const bool blank = truncated || unloaded || nan_ || refused;
+  const bool blank = truncated || unloaded || outside_.nan || refused;
   const bool later = !blank && can_wait();
   if (later) wait();
   if (!blank) use_spans();
@@ -39,9 +39,7 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
       ++packet_results_;
     }
   }
-  if (last && flagged(kCountFlag)) results_.push_back({{packet_results_, 0, 0, ~0U}, false});
-  results_.back().last = last;
-  results_.back().user = last && flagged(kInterruptFlag);
+  if (last) end_results(results_, packet_results_, flags());
 }
 
 Beat StreamModel::blank_result(Beat result) const {

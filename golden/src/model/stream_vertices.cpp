@@ -5,21 +5,6 @@
 
 namespace hwffd::model {
 
-/// A vertex as it stands in its beat.
-VertexBeat StreamModel::read_vertex(const Beat& beat) const {
-  VertexBeat read;
-  const bool large = flagged(kLargeFlag);
-  const std::uint32_t word = beat.words[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    read.local[axis] = beat.words[axis];
-    const std::uint32_t fifth = axis_points_ > 16 ? word >> (28 + axis) & 1 : 0;
-    read.cell[axis] = static_cast<int>(large ? word >> (14 + 6 * axis) & 63
-                                             : (word >> (16 + 4 * axis) & 15) | fifth << 4);
-  }
-  read.tag = static_cast<std::uint16_t>(word);
-  return read;
-}
-
 /// Two packed vertices; the second half of the last beat may be empty, and behind the last vertex
 /// it is not read.
 void StreamModel::pair(const Beat& beat) {

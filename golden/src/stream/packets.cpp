@@ -190,6 +190,25 @@ std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vert
   return in_packets(vertices, [](const auto& some) { return interleaved_packet(some); });
 }
 
+VertexBeat vertex_of(const Beat& beat, int axis_points, bool large) {
+  VertexBeat vertex;
+  const std::uint32_t word = beat.words[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    vertex.local[axis] = beat.words[axis];
+    const std::uint32_t fifth = axis_points > kAxisPoints ? word >> (28 + axis) & 1 : 0;
+    vertex.cell[axis] = static_cast<int>(large ? word >> (14 + 6 * axis) & 63
+                                               : (word >> (16 + 4 * axis) & 15) | fifth << 4);
+  }
+  vertex.tag = static_cast<std::uint16_t>(word);
+  return vertex;
+}
+
+void end_results(std::vector<Beat>& results, std::uint32_t count, std::uint32_t flags) {
+  if ((flags & kCountFlag) != 0) results.push_back({{count, 0, 0, ~0U}, false});
+  results.back().last = true;
+  results.back().user = (flags & kInterruptFlag) != 0;
+}
+
 void append(std::vector<Beat>& beats, const std::vector<Beat>& more) {
   beats.insert(beats.end(), more.begin(), more.end());
 }

@@ -139,6 +139,11 @@ bool has_scatter(const Configuration& row);
 /// @throws std::invalid_argument for one that has none
 std::unique_ptr<ScatterModel> make_scatter_model(const Configuration& row);
 
+/// A point as a collect gives it: `saturated` where a word of it did, or any vertex of the page.
+struct CollectedPoint : ResultWords {
+  bool word_saturated = false;  ///< a word of this point did
+};
+
 /// The sums of a page: of each control point three words {epoch, sum} of 36 bits.
 class ScatterPage {
  public:
@@ -154,7 +159,7 @@ class ScatterPage {
 
   /// The words of all points in their order, sum / 2^shift each, and leaves zeros.
   /// @param shift  0 to 3
-  std::vector<ResultWords> collect(int shift);
+  std::vector<CollectedPoint> collect(int shift);
 
   /// All sums are zero from now on. What had the epoch before is swept later; what a begin before
   /// left is swept first.

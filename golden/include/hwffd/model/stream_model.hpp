@@ -6,6 +6,7 @@
 
 #include "hwffd/model/evaluator.hpp"
 #include "hwffd/model/function_sums.hpp"
+#include "hwffd/model/outside.hpp"
 #include "hwffd/model/span_table.hpp"
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
@@ -84,7 +85,8 @@ class StreamModel {
   bool known_of_page(const Beat& header) const;
   bool known_grid(const Beat& header) const;
   bool packed() const;
-  bool flagged(std::uint32_t flag) const;
+  std::uint32_t flags() const;
+  bool flagged(std::uint32_t flag) const { return (flags() & flag) != 0; }
   void header(const Beat& beat);
   bool start(Opcode opcode, int number);
   bool refuse(event::Code code);
@@ -103,7 +105,6 @@ class StreamModel {
   void packed_vertex(std::uint64_t bits, bool last);
   void grid_beat(const Beat& beat);
   void grid();
-  VertexBeat read_vertex(const Beat& beat) const;
   void points(const Beat& beat);
   void check_vertex();
   bool can_wait() const;
@@ -151,9 +152,7 @@ class StreamModel {
   VertexWords vertex_;
   Waiting waiting_;
   std::uint16_t tag_ = 0;
-  bool nan_ = false;
-  bool outside_ = false;  // a coordinate
-  bool cell_outside_ = false;
+  Outside outside_;
 };
 
 }  // namespace hwffd::model

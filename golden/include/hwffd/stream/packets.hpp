@@ -160,6 +160,14 @@ std::vector<Beat> vertices_packets(const std::vector<VertexBeat>& vertices,
                                    Results results = Results::kPosition);
 std::vector<Beat> interleaved_packets(const std::vector<InterleavedVertex>& vertices);
 
+/// The vertex in a beat, as a core reads it that keeps lattices of so many points an axis.
+/// @param large  with `kLargeFlag`; the tag then has two bits that do not come back
+VertexBeat vertex_of(const Beat& beat, int axis_points, bool large);
+
+/// Ends the results of a packet with these flags, of which there are so many: with kCountFlag a
+/// unit says so, and with kInterruptFlag the last beat asks for an interrupt.
+void end_results(std::vector<Beat>& results, std::uint32_t count, std::uint32_t flags);
+
 void append(std::vector<Beat>& beats, const std::vector<Beat>& more);
 
 }  // namespace hwffd
