@@ -102,7 +102,7 @@ module ffd_bus_registers #(
   input  wire [31:0] wait_read_i,
   input  wire [31:0] wait_write_i,
   input  wire        error_any_i,
-  input  wire [28:0] error_event_i,
+  input  wire [29:0] error_event_i,
   input  wire [31:0] error_packet_i,
   input  wire [31:0] error_beat_i,
   input  wire        error_address_valid_i,
@@ -307,7 +307,7 @@ module ffd_bus_registers #(
   wire [63:0] counter_vertices;
   wire [63:0] counter_stalls;
   wire [63:0] counter_busy;
-  reg [28:0] error_status_q;
+  reg [29:0] error_status_q;
   reg error_first_valid_q;
   reg upset_status_memory_q;
   reg upset_status_state_q;
@@ -327,7 +327,7 @@ module ffd_bus_registers #(
   wire status_done_held = status_done_q && !(write_status && ones[8]);
   wire status_start_refused_set = control_start_refused;
   wire status_start_refused_held = status_start_refused_q && !(write_status && ones[9]);
-  wire [28:0] error_status_held = error_status_q & ~(ones[28:0] & {29 {write_error_status}});
+  wire [29:0] error_status_held = error_status_q & ~(ones[29:0] & {30 {write_error_status}});
   wire upset_status_memory_set = upset_status_memory_set_i;
   wire upset_status_memory_held = upset_status_memory_q && !(write_upset_status && ones[0]);
   wire upset_status_state_set = upset_status_state_set_i;
@@ -411,7 +411,7 @@ module ffd_bus_registers #(
   );
 
   ffd_bus_errors #(
-    .CODES(29)
+    .CODES(30)
   ) u_errors (
     .clk            (clk),
     .rst            (rst),
@@ -701,7 +701,7 @@ module ffd_bus_registers #(
   // 0x100 ERROR_STATUS
   always @(posedge clk) begin
     if (rst) begin
-      error_status_q <= 29'h0;
+      error_status_q <= 30'h0;
     end else begin
       error_status_q <= error_event_i | error_status_held;
     end
@@ -821,7 +821,7 @@ module ffd_bus_registers #(
     ({32 {at_wait_forming_q}} & wait_forming_i) |
     ({32 {at_wait_read_q}} & wait_read_i) |
     ({32 {at_wait_write_q}} & wait_write_i) |
-    ({32 {at_error_status_q}} & {3'h0, error_status_q}) |
+    ({32 {at_error_status_q}} & {2'h0, error_status_q}) |
     ({32 {at_error_count_q}} & log_count) |
     ({32 {at_error_first_q}} & {error_first_valid_q, 26'h0, log_code}) |
     ({32 {at_error_packet_q}} & log_packet) |

@@ -32,11 +32,12 @@
 `define FFD_EVENT_NO_FOURTH            26
 `define FFD_EVENT_GRID_COUNT           27
 `define FFD_EVENT_FUNCTIONS_SUM        28
+`define FFD_EVENT_PAGE_OVERFLOWED      29
 
 // How many these are; how many of them are events of the stream, and which of those one is: a
 // pulse of event_o each (docs/interface.md section 5).
-`define FFD_ERRORS                     29
-`define FFD_EVENTS                     15
+`define FFD_ERRORS                     30
+`define FFD_EVENTS                     16
 `define FFD_STREAM_EVENT(BIT) \
   ((BIT) > `FFD_EVENT_SATURATED ? (BIT) - 14 : (BIT))
 `endif

@@ -29,6 +29,8 @@
 `define FFD_PACKET_PAGE_VERTICES 6     // opcode 7: vertices of a page
 `define FFD_PACKET_GRID      7     // opcode 8: vertices of a grid
 `define FFD_PACKET_SPANS     8     // opcode 9: functions of spans
+`define FFD_PACKET_GRADIENTS 9     // opcode 10: vertices and their gradients
+`define FFD_PACKET_COLLECT   10    // opcode 11: the sums of a page
 `define FFD_FRAME_INDEX      11:0  // place in the payload, three digits, the fastest lowest
 `define FFD_FRAME_TOP        12    // every digit of it is at its last value
 `define FFD_FRAME_HEADER     13    // the header of a packet
@@ -48,7 +50,7 @@
 `define FFD_FRAME_PAGE       32    // a header that waits for what is known of its page
 `define FFD_FRAME_SPAN       33    // event: spans beyond the table
 `define FFD_FRAME_REFUSED    34    // event: a grid or a packed vertex that is refused
-`define FFD_FRAME_PACKET     43:35 // of a header: the kind of its packet
+`define FFD_FRAME_PACKET     45:35 // of a header: the kind of its packet
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -58,6 +60,6 @@
 `define FFD_USER_W           27    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
-`define FFD_PACKET_W         9     // width
-`define FFD_FRAME_W          44    // width
+`define FFD_PACKET_W         11    // width
+`define FFD_FRAME_W          46    // width
 `endif

@@ -5,14 +5,16 @@
 //
 // Formats:    packet as FFD_PACKET_* in ffd_fields.vh, bit n for opcode n + 1.
 // Pipeline:   combinational.
-// Parameters: FEATURES as in ffd_stream.vh.
+// Parameters: FEATURES as in ffd_stream.vh; SCATTER 1: gradients and collects, coefficients, and no
+//             other, FEATURES 0.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_stream.vh"
 
 module ffd_stream_opcode #(
-  parameter FEATURES = `FFD_FEATURES
+  parameter FEATURES = `FFD_FEATURES,
+  parameter SCATTER  = 0
 ) (
   input  wire [7:0]               opcode_i,
   output wire [`FFD_PACKET_W-1:0] packet_o
@@ -27,6 +29,8 @@ module ffd_stream_opcode #(
   assign built[`FFD_PACKET_PAGE_VERTICES] = `FFD_FEATURE_PAGES(FEATURES) != 0;
   assign built[`FFD_PACKET_GRID]          = `FFD_FEATURE_GRIDS(FEATURES) != 0;
   assign built[`FFD_PACKET_SPANS]         = `FFD_FEATURE_SPANS(FEATURES) != 0;
+  assign built[`FFD_PACKET_GRADIENTS]     = SCATTER != 0;
+  assign built[`FFD_PACKET_COLLECT]       = SCATTER != 0;
 
   genvar n;
   generate

@@ -35,7 +35,8 @@ enum Code : unsigned {
   kSpanBeyond = 25,
   kNoFourth = 26,
   kGridCount = 27,
-  kFunctionsSum = 28
+  kFunctionsSum = 28,
+  kPageOverflowed = 29
 };
 
 }  // namespace hwffd::event
@@ -48,9 +49,9 @@ constexpr unsigned stream_event(event::Code code) {
 }
 
 /// Kinds of all of them.
-constexpr int kErrors = event::kFunctionsSum + 1;
+constexpr int kErrors = event::kPageOverflowed + 1;
 
 /// Kinds of events of the stream.
-constexpr int kStreamEvents = stream_event(event::kFunctionsSum) + 1;
+constexpr int kStreamEvents = stream_event(event::kPageOverflowed) + 1;
 
 }  // namespace hwffd

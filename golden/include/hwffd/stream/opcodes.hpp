@@ -15,10 +15,12 @@ enum class Opcode : std::uint8_t {
   kPoints = 6,        ///< points of a page
   kPageVertices = 7,  ///< vertices of a page
   kGrid = 8,          ///< vertices of a grid
-  kSpans = 9          ///< functions of spans
+  kSpans = 9,         ///< functions of spans
+  kGradients = 10,    ///< vertices and their gradients
+  kCollect = 11       ///< the sums of a page
 };
 
 /// The last of them; the first is 1.
-constexpr unsigned kOpcodes = 9;
+constexpr unsigned kOpcodes = 11;
 
 }  // namespace hwffd
