@@ -124,13 +124,13 @@ void ScatterStreamModel::header(const Beat& beat) {
 
 /// Makes ready for the payload, if there shall be any; false: the packet is refused.
 bool ScatterStreamModel::start() {
-  switch (header_.words[0] & 0xFF) {
-    case static_cast<std::uint32_t>(Opcode::kCoefficients):
+  switch (static_cast<Opcode>(header_.words[0] & 0xFF)) {
+    case Opcode::kCoefficients:
       state_ = State::kCoefficients;
       return true;
-    case kGradientsOpcode:
+    case Opcode::kGradients:
       return start_gradients();
-    case kCollectOpcode:
+    case Opcode::kCollect:
       return start_collect();
     default:
       return refuse(event::kUnknownOpcode);
@@ -225,7 +225,7 @@ void ScatterStreamModel::add(const VertexBeat& vertex, const Beat& gradient) {
   page_->sums.add(words.cell, parts);
   ++vertices_;
   tell(event::kSaturated, parts.saturated);
-  tell(kOverflowedEvent, page_->sums.overflowed() && !overflowed);
+  tell(stream_event(event::kPageOverflowed), page_->sums.overflowed() && !overflowed);
 }
 
 bool ScatterStreamModel::start_collect() {

@@ -13,8 +13,8 @@ void make_header(Beat& header, const Gradients& how, std::uint32_t flags) {
   if (how.mode != OutsideMode::kClamp && how.mode != OutsideMode::kBlank) {
     throw std::invalid_argument("a gradient outside is clamped or blank");
   }
-  header.words[0] =
-      (header.words[0] & 0xFF00) | kGradientsOpcode | flags | (how.begin ? kBeginFlag : 0);
+  header.words[0] = (header.words[0] & 0xFF00) | static_cast<std::uint32_t>(Opcode::kGradients) |
+                    flags | (how.begin ? kBeginFlag : 0);
   header.words[2] =
       static_cast<std::uint32_t>(how.mode) << 24 | static_cast<std::uint32_t>(how.along) << 26;
   for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ std::vector<Beat> collect_packet(int page, const Collect& how) {
   flags.count = how.count;
   flags.interrupt = how.interrupt;
   Beat header = page_vertices_packet(page, {}, flags)[0];
-  header.words = {(header.words[0] & ~0xFFU) | kCollectOpcode, 0,
+  header.words = {(header.words[0] & ~0xFFU) | static_cast<std::uint32_t>(Opcode::kCollect), 0,
                   static_cast<std::uint32_t>(how.shift), how.tag};
   return {header};
 }

@@ -16,7 +16,7 @@
 namespace hwffd::model {
 
 /// A pulse of an event of `hwffd_scatter`, and its place. That of event::kSaturated and of
-/// kOverflowedEvent is what the model reads then; a core, whose vertices take their time, has
+/// event::kPageOverflowed is what the model reads then; a core, whose vertices take their time, has
 /// another.
 struct ScatterEvent {
   unsigned event = 0;        ///< bit of event_o

@@ -12,20 +12,12 @@
 /// collected. docs/interface.md section 2, opcodes 10 and 11.
 namespace hwffd {
 
-constexpr std::uint32_t kGradientsOpcode = 10;
-constexpr std::uint32_t kCollectOpcode = 11;
-
 // Flags of gradients, in word 0 of their header.
 constexpr std::uint32_t kGridGradientsFlag = 1U << 22;  ///< the vertices are those of a grid
 constexpr std::uint32_t kBeginFlag = 1U << 23;          ///< the sums of the page are zero before
 
 /// In the status of a point that is collected: more vertices added than sums can surely hold.
 constexpr std::uint32_t kStatusOverflowed = 1U << 23;
-
-/// The event that goes with it: the first vertex that is one too many.
-constexpr unsigned kOverflowedEvent = 15;
-/// Kinds of events of such a core.
-constexpr int kScatterEvents = kOverflowedEvent + 1;
 
 /// A vertex and its gradient as stream words; the tag is not looked at.
 struct GradientBeats : VertexBeat {
