@@ -5,6 +5,7 @@
 +incdir+common
 +incdir+evaluator
 +incdir+number
++incdir+scatter
 +incdir+stream
 lint/hwffd.vlt
 board/ffd_board_bridge.v
@@ -95,9 +96,11 @@ number/ffd_num_begin.v
 number/ffd_num_binomial.v
 number/ffd_num_centre.v
 number/ffd_num_coordinate.v
+number/ffd_num_cumulate.v
 number/ffd_num_cut.v
 number/ffd_num_in.v
 number/ffd_num_latencies.v
+number/ffd_num_less.v
 number/ffd_num_mac.v
 number/ffd_num_mul.v
 number/ffd_num_narrow.v
@@ -110,6 +113,7 @@ number/ffd_num_product.v
 number/ffd_num_range.v
 number/ffd_num_rescale.v
 number/ffd_num_scale.v
+number/ffd_num_share.v
 number/ffd_num_step.v
 number/ffd_num_term.v
 number/ffd_num_widen.v
@@ -127,6 +131,16 @@ number/float/ffd_fp_shift_left.v
 number/float/ffd_fp_shift_right.v
 number/float/ffd_fp_stage.v
 number/float/ffd_fp_unpack.v
+scatter/ffd_scatter_bank.v
+scatter/ffd_scatter_choice.v
+scatter/ffd_scatter_collect.v
+scatter/ffd_scatter_core.v
+scatter/ffd_scatter_expand.v
+scatter/ffd_scatter_parts.v
+scatter/ffd_scatter_slots.v
+scatter/ffd_scatter_sums.v
+scatter/ffd_scatter_sweep.v
+scatter/ffd_scatter_weights.v
 stream/ffd_stream_buffers.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v

@@ -39,6 +39,11 @@
 `define FFD_OFFSET_W(FORMAT)   (`FFD_FIXED_W(FORMAT) + 2)
 `define FFD_OFFSET_BAD(FORMAT) ((FORMAT) < 8 || (FORMAT) > 32)
 
+// Of what a gradient is expanded into, as wide as an offset without its flag; in fixed point of 12
+// to 18 bits only.
+`define FFD_PART_W(FORMAT)   (`FFD_FIXED_W(FORMAT) + 1)
+`define FFD_PART_BAD(FORMAT) ((FORMAT) < 12 || (FORMAT) > 18)
+
 // The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
 `define FFD_EXPONENT_W 10
 
