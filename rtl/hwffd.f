@@ -135,11 +135,18 @@ scatter/ffd_scatter_bank.v
 scatter/ffd_scatter_choice.v
 scatter/ffd_scatter_collect.v
 scatter/ffd_scatter_core.v
+scatter/ffd_scatter_decoder.v
+scatter/ffd_scatter_encoder.v
 scatter/ffd_scatter_expand.v
+scatter/ffd_scatter_framer.v
+scatter/ffd_scatter_header.v
+scatter/ffd_scatter_inside.v
+scatter/ffd_scatter_pages.v
 scatter/ffd_scatter_parts.v
 scatter/ffd_scatter_slots.v
 scatter/ffd_scatter_sums.v
 scatter/ffd_scatter_sweep.v
+scatter/ffd_scatter_vertex.v
 scatter/ffd_scatter_weights.v
 stream/ffd_stream_buffers.v
 stream/ffd_stream_decoder.v
@@ -167,6 +174,7 @@ stream/ffd_stream_units_in.v
 stream/ffd_stream_units_out.v
 stream/ffd_stream_vertex.v
 top/hwffd_axi.v
+top/hwffd_scatter.v
 top/hwffd_stream.v
 top/hwffd_stream_bus.v
 top/hwffd_wishbone.v
