@@ -14,7 +14,7 @@ struct EventPlace {
   std::uint32_t packet = 0, beat = 0;
 };
 
-/// The pins of a Verilated `hwffd_stream`, whatever its configuration.
+/// The pins of a Verilated `hwffd_stream`, whatever its configuration, or of a `hwffd_scatter`.
 ///
 /// A cycle is: drive the inputs, `settle`, read ready and valid, `clock`.
 class StreamCore {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "hwffd/cores/stream_core.hpp"
@@ -15,7 +17,14 @@
 
 namespace hwffd::cores {
 
-/// `StreamCore` over any Verilated `hwffd_stream`: `VDut` is the class that Verilator made.
+/// Whether a Verilated class has a pin upset_o.
+template <class VDut, class = void>
+constexpr bool kHasUpset = false;
+template <class VDut>
+constexpr bool kHasUpset<VDut, std::void_t<decltype(std::declval<VDut>().upset_o)>> = true;
+
+/// `StreamCore` over any Verilated `hwffd_stream` or `hwffd_scatter`: `VDut` is the class that
+/// Verilator made.
 ///
 /// Starts with the clock low, in reset, nothing offered and nothing taken.
 template <class VDut>
@@ -65,7 +74,13 @@ class VerilatedStreamCore final : public StreamCore {
   std::uint32_t events() const override { return dut_->event_o; }
   EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
   std::uint32_t waits() const override { return dut_->wait_o; }
-  bool upset() const override { return dut_->upset_o != 0; }
+  bool upset() const override {
+    if constexpr (kHasUpset<VDut>) {
+      return dut_->upset_o != 0;
+    } else {
+      return false;
+    }
+  }
   bool idle() const override { return dut_->idle_o != 0; }
   std::vector<Signal> signals() const override { return visible_signals(dut_.context()); }
 
