@@ -5,9 +5,8 @@
 // Formats:    coordinates {u, t, s} as weights, gradient {z, y, x} as points, cell {k, j, i}; bank
 //             of each axis {derivative, bank}; along 0 for the position, 1 to 3 for the derivative
 //             along s, t, u, which takes the derivatives of that axis's functions.
-// Pipeline:   cell_i with finish_i, numbers LATENCY clocks behind vertex_i and finish_i; a vertex is
-//             offered 3 clocks behind those of its gradient. What the header says of it (page_i,
-//             along_i, bank_i) stays for longer than that.
+// Pipeline:   cell_i, page_i, along_i and bank_i with finish_i, numbers LATENCY clocks behind
+//             vertex_i and finish_i; a vertex is offered 3 clocks behind those of its gradient.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the core.
 // Parameters: FORMAT fixed point, AXIS as in ffd_scatter_header, PAGE_W >= 1, LATENCY >= 1, WAITING
 //             a power of two >= 2.
@@ -67,6 +66,9 @@ module ffd_scatter_vertex #(
   wire               vertex_there;
   wire               finish_there;
   wire [PLACE_W-1:0] cell_there;
+  wire [PAGE_W-1:0]  page_there;
+  wire [1:0]         along_there;
+  wire               bank_there;
   ffd_num_delay #(
     .WIDTH  (2),
     .LATENCY(LATENCY),
@@ -78,13 +80,13 @@ module ffd_scatter_vertex #(
     .q_o({vertex_there, finish_there})
   );
   ffd_num_delay #(
-    .WIDTH  (PLACE_W),
+    .WIDTH  (PAGE_W + 2 + 1 + PLACE_W),
     .LATENCY(LATENCY)
-  ) u_cell (
+  ) u_vertex (
     .clk(clk),
     .rst(1'b0),
-    .d_i(cell_i),
-    .q_o(cell_there)
+    .d_i({page_i, along_i, bank_i, cell_i}),
+    .q_o({page_there, along_there, bank_there, cell_there})
   );
 
   wire [3*WEIGHT_W-1:0] coordinates;
@@ -101,7 +103,7 @@ module ffd_scatter_vertex #(
       assign coordinates[a*WEIGHT_W +: WEIGHT_W] = numbers_i[a*POINT_W +: WEIGHT_W];
       assign coordinate_saturated[a]             = coordinates_q[(a+1)*WEIGHT_W-1];
       assign gradient_saturated[a]               = numbers_i[(a+1)*POINT_W-1];
-      assign bank[a*`FFD_PLACE_W(1) +: `FFD_PLACE_W(1)] = {along_i == ALONG, bank_i};
+      assign bank[a*`FFD_PLACE_W(1) +: `FFD_PLACE_W(1)] = {along_there == ALONG, bank_there};
     end
   endgenerate
   wire saturated = |{coordinate_saturated, gradient_saturated};
@@ -118,7 +120,7 @@ module ffd_scatter_vertex #(
     .rst         (rst),
     .s_word_valid(finish_there),
     .s_word_ready(queue_ready),
-    .s_word_data ({saturated, page_i, along_i, bank, cell_there, numbers_i, coordinates_q}),
+    .s_word_data ({saturated, page_there, along_there, bank, cell_there, numbers_i, coordinates_q}),
     .m_word_valid(m_vertex_valid),
     .m_word_ready(m_vertex_ready),
     .m_word_data ({m_vertex_saturated, m_vertex_page, m_vertex_along, m_vertex_bank, m_vertex_cell,
