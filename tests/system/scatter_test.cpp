@@ -1,0 +1,519 @@
+// The core that adds gradients up, beside its model: words, events, clocks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "hwffd/stream/blending.hpp"
+#include "named.hpp"
+#include "scatter_run.hpp"
+#include "scatter_stimulus.hpp"
+#include "share.hpp"
+
+namespace hwffd::test {
+namespace {
+
+constexpr std::size_t kVertexBeats = 2;
+constexpr std::uint64_t kSlot = 3;  // clocks of a vertex, or of a point of a collect
+
+class Scatter : public ::testing::TestWithParam<ScatterBuild> {
+ protected:
+  int axis() const { return GetParam().axis; }
+  int pages() const { return GetParam().pages; }
+};
+
+std::size_t points_of(const std::array<int, 3>& dims) {
+  return static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+}
+
+TEST_P(Scatter, AnyPacketsInAnyOrder) {
+  std::array<std::uint64_t, kStreamEvents> events{};
+  const std::uint64_t first = tb::seed_from_environment(1);
+  for (std::uint64_t seed = first; seed < first + share_of(24); ++seed) {
+    const auto throttle = [&](std::uint64_t of) {
+      const auto& names = tb::throttle_names();
+      return names[(seed / of) % names.size()];
+    };
+    ScatterRun run(GetParam(), seed, throttle(1), throttle(5));
+    tb::Random random(seed);
+    ScatterPackets packets(run.codec(), random, axis(), pages());
+    run.send(packets.functions());
+    run.send(packets.any(60));
+    const std::array<int, 3> dims = {4, 5, 6};
+    run.send(gradients_packet(0, random_gradients(run.codec(), random, dims, 2),
+                              gradients_to(dims, true)));
+    run.send(collect_packet(0));
+    ASSERT_TRUE(run.run());
+    for (const model::ScatterEvent& event : run.events()) ++events.at(event.event);
+  }
+  for (const event::Code code :
+       {event::kUnknownOpcode, event::kPacketShort, event::kPacketLong, event::kNoLattice,
+        event::kLatticeSize, event::kCellOutside, event::kCoordinateOutside, event::kSaturated,
+        event::kPagePoints, event::kGridCount}) {
+    EXPECT_GT(events[stream_event(code)], 0U) << "event " << stream_event(code);
+  }
+}
+
+// Nothing that comes hangs it, and what comes behind is exact.
+TEST_P(Scatter, Garbage) {
+  const std::uint64_t first = tb::seed_from_environment(1);
+  for (std::uint64_t seed = first; seed < first + share_of(12); ++seed) {
+    ScatterRun run(GetParam(), seed, seed % 2 == 0 ? "always" : "bursts",
+                   seed % 3 == 0 ? "always" : "bernoulli");
+    tb::Random random(seed);
+    ScatterPackets packets(run.codec(), random, axis(), pages());
+    if (seed % 4 != 0) run.send_functions();
+    for (int round = 0; round < 8; ++round) {
+      run.send(packets.garbage(60));
+      const auto vertices = random_gradients(run.codec(), random, {4, 4, 5}, 4);
+      run.send(gradients_packet(0, vertices, gradients_to({4, 4, 5}, true)));
+      run.send(collect_packet(0));
+    }
+    ASSERT_TRUE(run.run());
+    EXPECT_GE(run.bench().results().size(), 8 * 80U);
+  }
+}
+
+// What is expected here does not come from the model: the events and where they are told, and that
+// the words of the packet behind are as before.
+TEST_P(Scatter, BadPackets) {
+  tb::Random random(3);
+  const std::array<int, 3> dims = {5, 4, 6};
+  ScatterRun run(GetParam(), 1, "bernoulli", "bursts");
+  const auto good =
+      gradients_packet(0, random_gradients(run.codec(), random, dims, 3), gradients_to(dims, true));
+  const auto bad = bad_gradients(run.codec(), random, dims, axis(), pages());
+  for (const BadGradients& packet : bad) {
+    SCOPED_TRACE(packet.name);
+    run.reset();
+    run.send_functions();
+    run.send(good);
+    run.send(collect_packet(0));
+    run.send(good);
+    run.send(packet.packet);
+    run.send(good);
+    run.send(collect_packet(0));
+    ASSERT_TRUE(run.run());
+    std::vector<model::ScatterEvent> expected;
+    for (const auto& [code, beat] : packet.events) expected.push_back({code, 4, beat});
+    ASSERT_EQ(sorted_text(run.placed_events()), sorted_text(expected));
+    ASSERT_EQ(run.bench().results().size(), 2 * points_of(dims));
+    ASSERT_EQ(run.words(0, 120), run.words(120, 120));
+  }
+  std::printf("%zu bad packets\n", bad.size());
+}
+
+// A header of a collect with beats behind it has its words all the same.
+TEST_P(Scatter, ACollectThatIsTooLong) {
+  tb::Random random(4);
+  ScatterRun run(GetParam(), 1, "bernoulli", "bernoulli");
+  const std::array<int, 3> dims = {4, 5, 4};
+  const auto packet =
+      gradients_packet(1, random_gradients(run.codec(), random, dims, 3), gradients_to(dims));
+  Collect how;
+  how.count = how.interrupt = true;
+  run.send_functions();
+  run.send(packet);
+  run.send(sized(collect_packet(1, how), 5));
+  run.send(packet);
+  run.send(collect_packet(1));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text({{event::kPacketLong, 2, 1}}));
+  EXPECT_EQ(run.bench().results().size(), 161U);
+  EXPECT_EQ(run.words(0, 80), run.words(81, 80));
+}
+
+TEST_P(Scatter, VerticesBeforeTheirFunctions) {
+  tb::Random random(5);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {4, 4, 4};
+  const auto vertices = random_gradients(run.codec(), random, dims, 2);
+  Gradients along = gradients_to(dims);
+  along.along = 2;
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  run.send(coefficients_packet(family("bspline", run.codec()), run.codec()));
+  run.send(gradients_packet(0, vertices, along));
+  run.send(collect_packet(0));
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  run.send(collect_packet(0));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text({{event::kNoCoefficients, 0, 2},
+                                                           {event::kNoCoefficients, 0, 4},
+                                                           {event::kNoCoefficients, 2, 2},
+                                                           {event::kNoCoefficients, 2, 4}}));
+  for (const auto& words : run.words(0, 64)) {
+    EXPECT_EQ(words, (std::array<std::uint32_t, 3>{0, 0, 0}));
+  }
+}
+
+// Functions that do not sum to 1 are told with the fourth of their axis, unless the B-spline is
+// wired in; what the other three are changes the words, then.
+TEST_P(Scatter, FunctionsThatDoNotSumUp) {
+  tb::Random random(6);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {4, 4, 4};
+  const auto packet =
+      gradients_packet(0, random_gradients(run.codec(), random, dims, 2), gradients_to(dims));
+  std::vector<Beat> functions =
+      coefficients_packet(family("bspline", run.codec()), run.codec(), Functions::kDerivativesToo);
+  run.send(functions);
+  run.send(packet);
+  run.send(collect_packet(0));
+  functions[6].words[0] ^= 0x1000000;
+  functions[21].words[2] ^= 0x1000000;
+  run.send(functions);
+  run.send(packet);
+  run.send(collect_packet(0));
+  ASSERT_TRUE(run.run());
+  const bool looks = !wired_in(GetParam().row);
+  std::vector<model::ScatterEvent> expected;
+  if (looks)
+    expected = {{stream_event(event::kFunctionsSum), 3, 8},
+                {stream_event(event::kFunctionsSum), 3, 24}};
+  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text(expected));
+  EXPECT_EQ(run.words(0, 64) != run.words(64, 64), looks);
+}
+
+// A set of vertices in any order, over packets, pages and grids of one: the same words when the
+// pages are added.
+TEST_P(Scatter, AnyOrderAndPartitionGivesTheSameWords) {
+  const std::uint64_t permutations = share_of(1'000);
+  const std::array<int, 3> dims = {5, 4, 4};
+  tb::Random random(7);
+  ScatterRun run(GetParam(), 1, "always", "always");
+  auto vertices = random_gradients(run.codec(), random, dims, 12);
+  run.send_functions();
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  run.send(collect_packet(0));
+  for (std::uint64_t permutation = 0; permutation < permutations; ++permutation) {
+    for (std::size_t v = vertices.size() - 1; v > 0; --v) {
+      std::swap(vertices[v], vertices[random.below(v + 1)]);
+    }
+    // So that both pages have points an axis.
+    for (int page = 0; page < 2; ++page) {
+      run.send(sized(gradients_packet(page, vertices, gradients_to(dims)), 1));
+    }
+    for (auto next = vertices.cbegin(); next != vertices.cend();) {
+      const auto left = static_cast<std::uint64_t>(vertices.cend() - next);
+      const auto end = next + static_cast<std::ptrdiff_t>(random.between(1, left));
+      run.send(
+          gradients_packet(static_cast<int>(random.below(2)), {next, end}, gradients_to(dims)));
+      next = end;
+    }
+    for (int page = 0; page < 2; ++page) run.send(collect_packet(page));
+  }
+  ASSERT_TRUE(run.run());
+  const auto expected = run.words(0, 80);
+  for (std::uint64_t permutation = 0; permutation < permutations; ++permutation) {
+    auto sums = run.words(80 + 160 * permutation, 80);
+    const auto others = run.words(160 + 160 * permutation, 80);
+    for (std::size_t p = 0; p < sums.size(); ++p) {
+      for (int c = 0; c < 3; ++c) sums[p][c] += others[p][c];
+    }
+    ASSERT_EQ(sums, expected) << "permutation " << permutation;
+  }
+  std::printf("%llu permutations\n", static_cast<unsigned long long>(permutations));
+}
+
+// Every cell of the longest lattice, positions and derivatives, each page.
+TEST_P(Scatter, EveryCellOfTheLongestLattice) {
+  tb::Random random(8);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {axis(), axis(), axis()};
+  run.send_functions();
+  for (int page = 0; page < pages(); ++page) {
+    Gradients how = gradients_to(dims);
+    how.along = page;
+    std::vector<GradientBeats> vertices;
+    for (int cell = 0; cell < axis() - 3; ++cell) {
+      for (int a = 0; a < 3; ++a) {
+        auto some = random_gradients(run.codec(), random, dims, 2);
+        some[0].cell[a] = some[1].cell[a] = cell;
+        vertices.insert(vertices.end(), some.begin(), some.end());
+      }
+    }
+    run.send(gradients_packet(page, vertices, how));
+  }
+  for (int page = pages() - 1; page >= 0; --page) run.send(collect_packet(page));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(run.bench().results().size(), static_cast<std::size_t>(pages()) * points_of(dims));
+}
+
+// Vertex after vertex of one cell: each reads what the one before wrote.
+TEST_P(Scatter, VerticesOfOneCellFollowEachOther) {
+  tb::Random random(9);
+  for (const char* source : {"always", "gaps", "bernoulli", "bursts"}) {
+    ScatterRun run(GetParam(), 1, source);
+    const std::array<int, 3> dims = {4, 4, 4};
+    run.send_functions();
+    for (int packet = 0; packet < 30; ++packet) {
+      run.send(gradients_packet(0,
+                                random_gradients(run.codec(), random, dims, random.between(1, 9)),
+                                gradients_to(dims)));
+    }
+    run.send(collect_packet(0));
+    ASSERT_TRUE(run.run());
+  }
+}
+
+// A grid gives the words of its vertices.
+TEST_P(Scatter, AGridIsItsVertices) {
+  tb::Random random(10);
+  ScatterRun run(GetParam(), 1, "bursts", "bernoulli");
+  std::vector<std::size_t> sizes;
+  run.send_functions();
+  for (int round = 0; round < 12; ++round) {
+    std::array<int, 3> dims;
+    for (int& points : dims) points = static_cast<int>(random.between(4, 8));
+    Gradients how = gradients_to(dims);
+    how.along = round % 4;
+    const Grid grid = small_grid(random, dims);
+    const auto packet = random_grid_packet(random, 0, grid, how);
+    std::vector<GradientBeats> vertices;
+    for (const VertexBeat& vertex : grid_vertices(grid, dims, run.codec())) {
+      const auto& words = packet[4 + vertices.size()].words;
+      vertices.push_back({vertex, {words[0], words[1], words[2]}});
+    }
+    run.send(packet);
+    run.send(gradients_packet(1, vertices, how));
+    for (int page = 0; page < 2; ++page) run.send(collect_packet(page));
+    sizes.push_back(points_of(dims));
+  }
+  ASSERT_TRUE(run.run());
+  EXPECT_TRUE(run.placed_events().empty());
+  std::size_t first = 0;
+  for (const std::size_t size : sizes) {
+    EXPECT_EQ(run.words(first, size), run.words(first + size, size));
+    first += 2 * size;
+  }
+}
+
+// Begins that follow each other at once and later, with other points an axis and with vertices that
+// come while the sweep of the one before is under way.
+TEST_P(Scatter, BeginsWithSweeps) {
+  tb::Random random(11);
+  for (std::uint64_t round = 0; round < share_of(8); ++round) {
+    ScatterRun run(GetParam(), round, round % 2 == 0 ? "always" : "bursts", "bernoulli");
+    run.send_functions();
+    for (int packet = 0; packet < 80; ++packet) {
+      const int page = static_cast<int>(random.below(static_cast<std::uint64_t>(pages())));
+      const int points = random.chance(0.2) ? axis() : 4;
+      const std::array<int, 3> dims = {4, points, 5};
+      run.send(gradients_packet(page,
+                                random_gradients(run.codec(), random, dims, random.between(1, 20)),
+                                gradients_to(dims, true)));
+      if (random.chance(0.3)) run.send(collect_packet(page));
+    }
+    ASSERT_TRUE(run.run());
+  }
+}
+
+// So many vertices of the whole of a gradient that the sum is beyond a word.
+TEST_P(Scatter, AWordSaturatesByItself) {
+  if (wired_in(GetParam().row)) GTEST_SKIP() << "no functions that give all to one point";
+  ScatterRun run(GetParam(), 1);
+  const int width = std::stoi(GetParam().row.format + 2);
+  GradientBeats vertex;
+  vertex.gradient = {0x80000000, 0x7F000000, 0x01000000};
+  const std::size_t exact = std::size_t{1} << (32 - width);
+  const std::vector<GradientBeats> vertices(exact + exact / 8, vertex);
+  run.send_functions("linear");
+  run.send(gradients_packet(0, vertices, gradients_to({4, 4, 4})));
+  run.send(collect_packet(0));
+  ASSERT_TRUE(run.run());
+  std::size_t saturated = 0;
+  for (const Beat& beat : run.bench().results()) {
+    if ((beat.words[3] & kStatusSaturated) == 0) continue;
+    ++saturated;
+    EXPECT_EQ(beat.words[0], 0x80000000U);
+    EXPECT_EQ(beat.words[1], 0x7FFFFFFFU);
+  }
+  EXPECT_EQ(saturated, 1U);
+  EXPECT_EQ(run.pulses(event::kSaturated), 1U);
+}
+
+// One vertex more than sums can surely hold is told once, and in every point; then the page begins
+// anew.
+TEST_P(Scatter, OverflowIsToldOnce) {
+  const int width = std::stoi(GetParam().row.format + 2);
+  if (width < 18) GTEST_SKIP() << "takes twice as long with fewer bits";
+  tb::Random random(12);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {4, 4, 4};
+  const auto most = static_cast<std::size_t>(model::scatter_most_vertices(width));
+  const auto some = random_gradients(run.codec(), random, dims, 256);
+  std::vector<GradientBeats> vertices;
+  while (vertices.size() < most) vertices.insert(vertices.end(), some.begin(), some.end());
+  run.send_functions();
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  ASSERT_TRUE(run.bench().run());
+  EXPECT_EQ(run.pulses(event::kPageOverflowed), 0U);
+  run.send(gradients_packet(0, some, gradients_to(dims)));
+  run.send(collect_packet(0));
+  run.send(gradients_packet(0, some, gradients_to(dims)));
+  run.send(collect_packet(0));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(run.pulses(event::kPageOverflowed), 1U);
+  for (std::size_t r = 0; r < 128; ++r) {
+    EXPECT_EQ((run.bench().results()[r].words[3] & kStatusOverflowed) != 0, r < 64);
+  }
+}
+
+// A vertex takes three clocks, exactly, in its own beats or in those of a grid.
+TEST_P(Scatter, AVertexTakesThreeClocks) {
+  constexpr std::size_t kVertices = 200;
+  tb::Random random(13);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {7, 7, 7};
+  const auto vertices = random_gradients(run.codec(), random, dims, kVertices);
+  run.send_functions();
+  const std::size_t single = run.sent() + 1;
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  const std::size_t of_grid = run.sent() + 4;
+  const Grid grid = grid_between({0, 0, 0}, {4, 4, 4}, {10, 5, 4});
+  run.send(random_grid_packet(random, 1, grid, gradients_to(dims)));
+  for (int page = 0; page < 2; ++page) run.send(collect_packet(page));
+  ASSERT_TRUE(run.run());
+  const auto& taken = run.bench().accept_clocks();
+  for (std::size_t v = 60; v < kVertices; v += 20) {
+    EXPECT_EQ(taken[single + kVertexBeats * v] - taken[single + kVertexBeats * (v - 20)],
+              20 * kSlot);
+    EXPECT_EQ(taken[of_grid + v] - taken[of_grid + v - 20], 20 * kSlot);
+  }
+}
+
+// A point takes a slot where no vertex wants it, and every second one where vertices come.
+TEST_P(Scatter, ClocksOfACollect) {
+  tb::Random random(14);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {5, 6, 7};
+  const std::size_t points = points_of(dims);
+  const auto few = random_gradients(run.codec(), random, dims, 4);
+  const auto many = random_gradients(run.codec(), random, dims, 2 * points);
+  run.send_functions();
+  run.send(gradients_packet(0, few, gradients_to(dims)));
+  run.send(collect_packet(0));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(run.bench().clocks_per_result(0, points - 1), static_cast<double>(kSlot));
+  run.send(gradients_packet(0, few, gradients_to(dims)));
+  run.send(collect_packet(0));
+  const std::size_t first = run.sent() + 1;
+  run.send(gradients_packet(1, many, gradients_to(dims)));
+  run.send(collect_packet(1));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(run.bench().clocks_per_result(points + 40, 2 * points - 1), 2.0 * kSlot);
+  // Meanwhile vertices have the other slots.
+  const auto& taken = run.bench().accept_clocks();
+  EXPECT_EQ(taken[first + kVertexBeats * 140] - taken[first + kVertexBeats * 100], 40 * 2 * kSlot);
+}
+
+// While a page is collected another one fills; vertices of the page itself wait.
+TEST_P(Scatter, AnotherPageFillsMeanwhile) {
+  constexpr std::size_t kVertices = 20;
+  tb::Random random(15);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {6, 6, 6};
+  const std::size_t points = points_of(dims);
+  const auto packet = [&](int page) {
+    return gradients_packet(page, random_gradients(run.codec(), random, dims, kVertices),
+                            gradients_to(dims));
+  };
+  run.send_functions();
+  run.send(packet(0));
+  run.send(collect_packet(0));
+  run.send(packet(1));
+  const std::size_t other = run.sent() - 1;
+  run.send(packet(0));
+  const std::size_t own = run.sent() - 1;
+  for (int page = 0; page < 2; ++page) run.send(collect_packet(page));
+  ASSERT_TRUE(run.run());
+  const auto& taken = run.bench().accept_clocks();
+  const auto& left = run.bench().result_clocks();
+  EXPECT_LT(taken[other], left[points / 2]) << "the other page had to wait";
+  EXPECT_GT(taken[own], left[points - 1]) << "vertices of a page that was being read";
+}
+
+// Where results have to wait, vertices of other pages do not.
+TEST_P(Scatter, WordsThatWaitHoldNoOtherPageBack) {
+  tb::Random random(16);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {6, 6, 6};
+  const auto vertices = random_gradients(run.codec(), random, dims, 40);
+  run.send_functions();
+  run.send(gradients_packet(0, vertices, gradients_to(dims)));
+  run.send(collect_packet(0));
+  run.send(gradients_packet(1, vertices, gradients_to(dims)));
+  const std::size_t beats = run.sent();
+  const std::uint64_t before = run.bench().driver().accepted();
+  EXPECT_TRUE(run.bench().raises_valid_without_ready(5'000, 2'000));
+  EXPECT_EQ(run.bench().driver().accepted() - before, beats);
+  EXPECT_EQ(run.bench().results().size(), 0U);
+  run.send(collect_packet(1));
+  ASSERT_TRUE(run.run());
+  EXPECT_EQ(run.words(0, 216), run.words(216, 216));
+}
+
+// At any moment: then all pages are zero, and nothing is loaded.
+TEST_P(Scatter, AResetEndsAnything) {
+  tb::Random random(17);
+  ScatterRun run(GetParam(), 1, "always", "bernoulli");
+  for (std::uint64_t round = 0; round < share_of(40); ++round) {
+    run.send_functions();
+    ScatterPackets packets(run.codec(), random, axis(), pages());
+    run.send(packets.any(20));
+    run.bench().run_for(1 + random.below(1'500));
+    run.reset(1 + random.below(3));
+    const std::array<int, 3> dims = {4, 6, 5};
+    for (int page = 0; page < pages(); ++page) {
+      const auto vertices = random_gradients(run.codec(), random, dims, 5);
+      if (page == 0) run.send(gradients_packet(page, vertices, gradients_to(dims)));
+      if (page == 0) run.send_functions();
+      run.send(gradients_packet(page, vertices, gradients_to(dims)));
+    }
+    for (int page = 0; page < pages(); ++page) run.send(collect_packet(page));
+    ASSERT_TRUE(run.run()) << "round " << round;
+    EXPECT_EQ(run.pulses(event::kNoCoefficients), 5U);
+    run.reset();
+  }
+}
+
+// When everything has ended, nothing is under way.
+TEST_P(Scatter, IsIdleAtTheEnd) {
+  tb::Random random(18);
+  ScatterRun run(GetParam(), 1);
+  run.bench().run_for(10'000);
+  EXPECT_TRUE(run.idle()) << "after the sweep of a reset";
+  ScatterPackets packets(run.codec(), random, axis(), pages());
+  for (int round = 0; round < 6; ++round) {
+    const std::array<int, 3> dims = {4, 6, 5};
+    const auto vertices = random_gradients(run.codec(), random, dims, 5);
+    run.send_functions();
+    run.send(packets.any(10));
+    run.send(gradients_packet(0, vertices, gradients_to(dims, true)));
+    run.send(collect_packet(0));
+    run.bench().run_for(20);
+    EXPECT_FALSE(run.idle());
+    ASSERT_TRUE(run.run());
+    run.bench().run_for(10'000);
+    EXPECT_TRUE(run.idle());
+  }
+}
+
+// A wrong bit of a word is found.
+TEST_P(Scatter, AFaultIsFound) {
+  tb::Random random(19);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {4, 4, 4};
+  run.send_functions();
+  run.send(gradients_packet(0, random_gradients(run.codec(), random, dims, 5), gradients_to(dims)));
+  run.send(collect_packet(0));
+  run.bench().plant({tb::Fault::Kind::kFlip, 10, 40});
+  EXPECT_FALSE(run.run());
+}
+
+INSTANTIATE_TEST_SUITE_P(, Scatter, ::testing::ValuesIn(scatter_builds()), by_name);
+
+}  // namespace
+}  // namespace hwffd::test
