@@ -120,16 +120,26 @@ Gradients ScatterPackets::how(int page) {
     if (random_.chance(0.2))
       how.dims[random_.below(3)] = axis_ - static_cast<int>(random_.below(3));
     if (random_.chance(0.03)) how.dims = {axis_, axis_, axis_};
+    if (random_.chance(0.1)) how.dims[random_.below(3)] = random_.pick({0, 3, axis_ + 1, 255});
   }
-  if (page < pages_) dims_[static_cast<std::size_t>(page)] = how.dims;
+  if (page < pages_ && near_lattice(how.dims) == how.dims) {
+    dims_[static_cast<std::size_t>(page)] = how.dims;
+  }
   how.along = static_cast<int>(random_.below(4));
   how.mode = random_.chance(0.7) ? OutsideMode::kClamp : OutsideMode::kBlank;
   return how;
 }
 
+/// Points an axis of some lattice, where these are of none.
+std::array<int, 3> ScatterPackets::near_lattice(std::array<int, 3> dims) const {
+  for (int& points : dims) points = std::clamp(points, 4, axis_);
+  return dims;
+}
+
 std::vector<Beat> ScatterPackets::vertices(int page) {
   const Gradients gradients = how(page);
-  auto some = random_gradients(codec_, random_, gradients.dims, random_.between(1, 12), true);
+  auto some =
+      random_gradients(codec_, random_, near_lattice(gradients.dims), random_.between(1, 12), true);
   for (GradientBeats& vertex : some) {
     if (random_.chance(0.05)) vertex.cell[random_.below(3)] = static_cast<int>(random_.below(32));
   }
@@ -138,7 +148,7 @@ std::vector<Beat> ScatterPackets::vertices(int page) {
 
 std::vector<Beat> ScatterPackets::grid(int page) {
   const Gradients gradients = how(page);
-  Grid grid = small_grid(random_, gradients.dims);
+  Grid grid = small_grid(random_, near_lattice(gradients.dims));
   if (random_.chance(0.03)) grid.count[random_.below(3)] = 0;
   if (random_.chance(0.05)) grid.start[random_.below(3)] = random_.bits() >> random_.below(24);
   if (random_.chance(0.05)) {

@@ -57,6 +57,7 @@ class ScatterPackets {
   std::vector<Beat> collect(int page);
   std::vector<Beat> spoil(std::vector<Beat> packet);
   Gradients how(int page);
+  std::array<int, 3> near_lattice(std::array<int, 3> dims) const;
   Beat garbage_header();
 
   const WordCodec& codec_;
