@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "stream_core_exports.hpp"
 
@@ -38,9 +39,12 @@ struct Library {
     if (version == nullptr || std::strcmp(version(), HWFFD_PROJECT_VERSION) != 0) return;
     has = reinterpret_cast<decltype(has)>(dlsym(library, "hwffd_rtl_has"));
     make = reinterpret_cast<decltype(make)>(dlsym(library, "hwffd_rtl_make"));
+    make_scatter =
+        reinterpret_cast<decltype(make_scatter)>(dlsym(library, "hwffd_rtl_make_scatter"));
   }
   decltype(&hwffd_rtl_has) has = nullptr;
   decltype(&hwffd_rtl_make) make = nullptr;
+  decltype(&hwffd_rtl_make_scatter) make_scatter = nullptr;
 };
 
 const Library& library() {
@@ -62,6 +66,13 @@ std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration,
     throw std::invalid_argument(fmt::format("no core of row {}", configuration.name));
   }
   return std::unique_ptr<StreamCore>(library().make(configuration.name, seed));
+}
+
+bool has_scatter_core() { return library().make_scatter != nullptr; }
+
+std::unique_ptr<StreamCore> make_scatter_core(std::uint64_t seed) {
+  if (!has_scatter_core()) throw std::invalid_argument("no core that adds gradients up");
+  return std::unique_ptr<StreamCore>(library().make_scatter(seed));
 }
 
 }  // namespace hwffd::cores

@@ -1,5 +1,6 @@
 #include "stream_core_exports.hpp"
 
+#include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/model/configuration.hpp"
 
@@ -16,6 +17,14 @@ int hwffd_rtl_has(const char* row) {
 hwffd::cores::StreamCore* hwffd_rtl_make(const char* row, std::uint64_t seed) {
   try {
     return hwffd::cores::make_stream_core(hwffd::find_configuration(row), seed).release();
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+hwffd::cores::StreamCore* hwffd_rtl_make_scatter(std::uint64_t seed) {
+  try {
+    return hwffd::cores::make_scatter_core(seed).release();
   } catch (...) {
     return nullptr;
   }

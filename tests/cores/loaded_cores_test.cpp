@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "stream_core_exports.hpp"
 
@@ -21,6 +22,7 @@ const Configuration& some_row() {
 TEST(LoadedCores, AreThoseOfThisVersion) {
   EXPECT_EQ(has_stream_core(some_row()), HWFFD_IS_THERE == 1);
   EXPECT_FALSE(stream_cores_can_trace());
+  EXPECT_EQ(has_scatter_core(), HWFFD_IS_THERE == 1);
 }
 
 TEST(LoadedCores, NoneIsMadeWithAWaveformOrOfAnotherRow) {
@@ -31,6 +33,12 @@ TEST(LoadedCores, NoneIsMadeWithAWaveformOrOfAnotherRow) {
   }
 }
 
+#if !HWFFD_IS_THERE
+TEST(LoadedCores, NoneAddsGradientsUp) {
+  EXPECT_THROW(make_scatter_core(1), std::invalid_argument);
+}
+#endif
+
 #if HWFFD_IS_THERE
 TEST(LoadedCores, Run) {
   const std::unique_ptr<StreamCore> core = make_stream_core(some_row(), 1);
@@ -39,6 +47,19 @@ TEST(LoadedCores, Run) {
     core->settle();
     core->clock();
   }
+  EXPECT_TRUE(core->idle());
+  EXPECT_FALSE(core->output_valid());
+}
+
+TEST(LoadedCores, OneAddsGradientsUp) {
+  const std::unique_ptr<StreamCore> core = make_scatter_core(1);
+  int clocks = 0;
+  for (; clocks < 4 || (!core->idle() && clocks < 10'000); ++clocks) {
+    core->drive_reset(clocks < 2);
+    core->settle();
+    core->clock();
+  }
+  EXPECT_GT(clocks, 200) << "a sweep comes first";
   EXPECT_TRUE(core->idle());
   EXPECT_FALSE(core->output_valid());
 }

@@ -61,6 +61,8 @@ TEST_F(PullBackDevice, ReferenceIsTheTransposeInEveryFamily) {
     EXPECT_LT(largest_of(near - pulled), 2e-2) << name;
     EXPECT_GT(largest_of(near - pulled), 0) << name;
     EXPECT_EQ(model->pull_back_grid(lattice.dims(), grid, gradient, family), near) << name;
+    const auto core = make_pull_back_device("rtl");
+    EXPECT_EQ(core->pull_back(lattice.dims(), places, gradient, family), near) << name;
   }
 }
 
@@ -84,6 +86,57 @@ TEST_F(PullBackDevice, BitsDoNotDependOnThreadsOrOrder) {
       EXPECT_EQ(device->counts().saturated, 0U) << kind;
     }
   }
+}
+
+// Three pages of sums, one after the other, and what came before is no part of them.
+TEST_F(PullBackDevice, TheSimulatedCoreHasTheBitsOfTheModel) {
+  constexpr std::size_t kCount = 40000;
+  const GradientScene scene(kCount);
+  const Index3& dims = scene.lattice.dims();
+  const Points expected =
+      make_pull_back_device("model")->pull_back(dims, scene.vertices, scene.gradient);
+  const auto core = make_pull_back_device("rtl");
+  EXPECT_EQ(core->name(), "rtl scatter-fx17");
+  const std::vector<Embedded> few = {{{0, 1, 0}, {0.25, 0.5, 1}}};
+  EXPECT_TRUE(core->pull_back({4, 5, 16}, few, Points::Constant(1, 3, 2)).any());
+  double shown = 0;
+  core->on_progress([&](double done) { shown = done; });
+  EXPECT_EQ(core->pull_back(dims, scene.vertices, scene.gradient), expected);
+  EXPECT_EQ(shown, 1);
+  EXPECT_EQ(core->counts().vertices, kCount + 1);
+  EXPECT_EQ(core->counts().saturated, 0U);
+  EXPECT_GE(core->counts().clocks, 3 * kCount);
+  EXPECT_LT(core->counts().clocks, 3 * kCount + 10'000);
+}
+
+TEST_F(PullBackDevice, TheSimulatedCoreTellsOfSaturation) {
+  const GradientScene scene(20);
+  Oracle::Coefficients steep = Oracle::Coefficients::Zero();
+  steep(0, 0) = 4;  // no weight is as large
+  steep(1, 0) = -3;
+  const Device::Blending blending{steep, steep, steep};
+  const Index3& dims = scene.lattice.dims();
+  const auto core = make_pull_back_device("rtl");
+  const auto model = make_pull_back_device("model");
+  EXPECT_EQ(core->pull_back(dims, scene.vertices, scene.gradient, blending),
+            model->pull_back(dims, scene.vertices, scene.gradient, blending));
+  EXPECT_EQ(model->counts().saturated, 20U);
+  EXPECT_EQ(core->counts().saturated, 1U) << "of one page";
+}
+
+TEST_F(PullBackDevice, TheSimulatedCoreDoesNothingElse) {
+  const GradientScene scene(10);
+  const auto core = make_pull_back_device("rtl");
+  const char* const kRefusal =
+      "rtl scatter-fx17: pulls gradients back, and evaluates nothing; take another device";
+  EXPECT_ERROR(core->evaluate(scene.lattice, scene.vertices), kRefusal);
+  EXPECT_ERROR(core->tangents(scene.lattice, scene.vertices), kRefusal);
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  EXPECT_ERROR(core->evaluate(std::vector<SupportedVertex>(1), {bspline, bspline, bspline}),
+               kRefusal);
+  EXPECT_ERROR(core->pull_back({4, 17, 5}, scene.vertices, scene.gradient),
+               "rtl scatter-fx17: a lattice of 4 x 17 x 5 points, and its pages have up to 16 an "
+               "axis; take device model, which has the same bits");
 }
 
 /// What a page of the model has, added up vertex by vertex, in whole numbers.
@@ -146,20 +199,22 @@ TEST_F(PullBackDevice, ModelsConserveGradients) {
 
 // Gradients whose largest is a power of two, or just below one, saturate nothing.
 TEST_F(PullBackDevice, GradientsOfAnySizeFit) {
-  const Lattice lattice = lattice_around("box", test::corners(), {4, 4, 4});
   const std::vector<Embedded> corner = {{{0, 0, 0}, {1, 0, 1}}};
-  for (const double size : {1.0, -1.0, 1 - 0x1p-20, -1 + 0x1p-20, 0x1.fffep299, 0x1p-300, 1e-308}) {
-    const auto device = make_pull_back_device("model");
-    const Points gradient = size * (Points(1, 3) << 1, -1, 0.25).finished();
-    const Points pulled = device->pull_back({4, 4, 4}, corner, gradient);
-    EXPECT_EQ(device->counts().saturated, 0U) << size;
-    for (int c = 0; c < 3; ++c) {
-      EXPECT_NEAR(pulled.col(c).sum() / size, gradient(0, c) / size, 0x1p-16) << size;
+  for (const std::string kind : {"model", "rtl"}) {
+    for (const double size :
+         {1.0, -1.0, 1 - 0x1p-20, -1 + 0x1p-20, 0x1.fffep299, 0x1p-300, 1e-308}) {
+      const auto device = make_pull_back_device(kind);
+      const Points gradient = size * (Points(1, 3) << 1, -1, 0.25).finished();
+      const Points pulled = device->pull_back({4, 4, 4}, corner, gradient);
+      EXPECT_EQ(device->counts().saturated, 0U) << size;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(pulled.col(c).sum() / size, gradient(0, c) / size, 0x1p-16) << size;
+      }
     }
+    EXPECT_TRUE(make_pull_back_device(kind)->pull_back({4, 4, 5}, {}, Points(0, 3)).isZero());
+    EXPECT_TRUE(
+        make_pull_back_device(kind)->pull_back({4, 4, 4}, corner, Points::Zero(1, 3)).isZero());
   }
-  EXPECT_TRUE(make_pull_back_device("model")->pull_back({4, 4, 5}, {}, Points(0, 3)).isZero());
-  EXPECT_TRUE(
-      make_pull_back_device("model")->pull_back({4, 4, 4}, corner, Points::Zero(1, 3)).isZero());
 }
 
 TEST_F(PullBackDevice, WhatHasItNotSaysWhatHas) {
@@ -168,25 +223,21 @@ TEST_F(PullBackDevice, WhatHasItNotSaysWhatHas) {
   const auto pull = [&](const DeviceChoice& choice) {
     return make_device(choice)->pull_back(dims, scene.vertices, scene.gradient);
   };
-  EXPECT_ERROR(
-      pull({"rtl"}),
-      "rtl basic-fp32-overlapped: no core adds gradients up yet; take device reference, or "
-      "model with organization affine and format fx17");
+  EXPECT_ERROR(pull({"rtl"}),
+               "rtl basic-fp32-overlapped: its core evaluates, and adds no gradients up; name "
+               "device rtl, model or reference where they are pulled back");
   EXPECT_ERROR(pull({"model"}),
                "model basic-fp32-overlapped: has no transpose; take organization affine and format "
                "fx17, or device reference");
   EXPECT_ERROR_PART(pull({"model", "affine", "fx32"}),
                     "has no transpose; take organization affine");
-  EXPECT_USAGE_ERROR(make_pull_back_device("rtl"),
-                     "device rtl: no core adds gradients up yet; take device reference, or model "
-                     "with organization affine and format fx17");
   EXPECT_THROW(make_pull_back_device("fpga"), UsageError);
 }
 
 TEST_F(PullBackDevice, RefusesWhatItCannotAdd) {
   const GradientScene scene(10);
   const Index3& dims = scene.lattice.dims();
-  for (const std::string kind : {"reference", "model"}) {
+  for (const std::string kind : {"reference", "model", "rtl"}) {
     const auto device = make_pull_back_device(kind);
     Points gradient = scene.gradient;
     EXPECT_ERROR(device->pull_back(dims, scene.vertices, gradient.topRows(9)),
@@ -215,7 +266,7 @@ TEST_F(PullBackDevice, LatticesClampPlacesAndChooseWhatAdds) {
   std::vector<Embedded> inside = scene.vertices;
   inside[0].local = {0, 0.25, 1};
   const Index3& dims = scene.lattice.dims();
-  for (const std::string kind : {"reference", "model"}) {
+  for (const std::string kind : {"reference", "model", "rtl"}) {
     EXPECT_EQ(lattice.pull_back(outside, scene.gradient, kind),
               make_pull_back_device(kind)->pull_back(dims, inside, scene.gradient));
   }

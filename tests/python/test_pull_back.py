@@ -22,7 +22,7 @@ def evaluated(lattice, places):
     return lattice.evaluate(cells, places - cells)
 
 
-@pytest.mark.parametrize("device, limit", [("reference", 1e-10), ("model", 5e-2), (None, 1e-10)])
+@pytest.mark.parametrize("device, limit", [("reference", 1e-10), ("model", 5e-2), ("rtl", 5e-2), (None, 1e-10)])
 def test_it_is_the_transpose_of_evaluation(lattice, device, limit):
     places = RANDOM.uniform(0, 1, (200, 3)) * lattice.cells
     places[:2] = (0, 0, 0), lattice.cells
@@ -59,6 +59,7 @@ def test_the_model_conserves_gradients_and_needs_no_affine_lattice():
     np.testing.assert_array_equal(pulled.sum(axis=(0, 1, 2)), gradient.sum(axis=0))
     lattice.set_device("model", "affine", "fx17")
     np.testing.assert_array_equal(lattice.pull_back(places, gradient), pulled)
+    np.testing.assert_array_equal(lattice.pull_back(places, gradient, device="rtl"), pulled)
 
 
 def test_threads_change_no_bit():
@@ -86,9 +87,8 @@ def test_what_is_refused():
             ((1, 2), one, None, r"^places: a tuple of 2; give an array \(..., 3\), or \(first, last, counts\)"),
             (((0, 0, 0), (1, 2, 4), (1, 1, 2)), one * 2, None, "not within the 1 x 2 x 3 cells"),
             (((0, 0, 0), (1, 2, 3), (2, 2, 2)), one, None, "^gradient: 1 rows; give 8, one for each point$"),
-            (one, one, "rtl", "^device rtl: no core adds gradients up yet; take device reference, or model"),
             (one, one, "fpga", "^device 'fpga' is unknown"),
-            (one, one, "", "^device: ''; give model or reference$"),
+            (one, one, "", "^device: ''; give model, rtl or reference$"),
             (one, one, 3, "^pull_back: arguments")):
         with pytest.raises(hwffd.Error, match=text) as caught:
             lattice.pull_back(places, gradient, device=device)

@@ -181,7 +181,8 @@ std::vector<Embedded> places_in(const Points& at, const Index3& cells) {
 py::array pull_back_places(PyLattice& lattice, const py::object& places, const py::object& gradient,
                            const std::optional<std::string>& device) {
   const std::string kind = device.value_or("");
-  if (device && kind.empty()) throw UsageError("device: ''; give model or reference");
+  if (device && kind.empty()) throw UsageError("device: ''; give model, rtl or reference");
+  if (kind == "rtl") check_rtl();
   Points pulled;
   if (py::isinstance<py::tuple>(places)) {
     const auto grid_numbers = py::reinterpret_borrow<py::tuple>(places);
@@ -383,8 +384,8 @@ void bind_lattice(py::module_& module) {
            "lattice at places that with respect to its control points, the same bits in any order "
            "of the places.\n\nplaces: (..., 3), (s, t, u) in cells from the first face on, or a "
            "tuple (first, last, counts) as evaluate_grid() takes them, with a gradient for each "
-           "vertex, (cu, ct, cs, 3). device: reference, or model for that of affine in fx17; None, "
-           "that of the lattice.");
+           "vertex, (cu, ct, cs, 3). device: reference, model for that of affine in fx17, or rtl "
+           "for the simulated core with the same bits; None, that of the lattice.");
 }
 
 }  // namespace hwffd::python

@@ -6,14 +6,20 @@
 #include <algorithm>
 
 #include "device/reference_device.hpp"
+#include "device/scatter_device.hpp"
 #include "device/spread_device.hpp"
 #include "device/stream_device.hpp"
+#include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/excerpt.hpp"
 
 namespace hwffd {
 namespace {
+
+const char* const kNoHardware =
+    "device rtl: this library has no simulated hardware (hwffd_rtl) beside it; take device model, "
+    "which has the same bits";
 
 bool is_there(const std::string& kind, const Configuration& row) {
   if (!overlaps(row)) return false;
@@ -46,8 +52,8 @@ void check_gradient(const Points& gradient, std::size_t vertices) {
 
 std::string no_pull_back(const std::string& device) {
   return fmt::format(
-      "{}: no core adds gradients up yet; take device reference, or model with organization affine "
-      "and format fx17",
+      "{}: its core evaluates, and adds no gradients up; name device rtl, model or reference where "
+      "they are pulled back",
       device);
 }
 
@@ -379,9 +385,7 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
   check_kind(choice.device);
   if (choice.device == "reference") return reference_device();
   if (choice.device == "rtl" && device_rows("rtl").empty()) {
-    throw UsageError(
-        "device rtl: this library has no simulated hardware (hwffd_rtl) beside it; take device "
-        "model, which has the same bits");
+    throw UsageError(kNoHardware);
   }
   const Configuration& row = row_of(choice);
   const PointStore store = store_of(choice);
@@ -395,8 +399,9 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
 
 std::unique_ptr<Device> make_pull_back_device(const std::string& kind) {
   check_kind(kind);
-  if (kind == "rtl") throw UsageError(no_pull_back("device rtl"));
-  return make_device({kind, "affine", "fx17"});
+  if (kind != "rtl") return make_device({kind, "affine", "fx17"});
+  if (!cores::has_scatter_core()) throw UsageError(kNoHardware);
+  return scatter_device();
 }
 
 }  // namespace hwffd

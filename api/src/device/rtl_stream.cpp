@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "device/stream_device.hpp"
+#include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/cores/stream_loop.hpp"
 #include "hwffd/error.hpp"
@@ -95,6 +96,10 @@ class RtlStream final : public CommandStream {
 
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row) {
   return rtl_stream(cores::make_stream_core(row, kSeed), row.name, {});
+}
+
+std::unique_ptr<CommandStream> rtl_scatter_stream(const std::string& name) {
+  return rtl_stream(cores::make_scatter_core(kSeed), name, {});
 }
 
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,

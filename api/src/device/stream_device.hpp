@@ -41,6 +41,8 @@ std::unique_ptr<CommandStream> model_stream(const Configuration& row, const Poin
                                             bool grids = false);
 /// Its Verilated RTL, just out of reset.
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row);
+/// The Verilated core that adds gradients up, just out of reset.
+std::unique_ptr<CommandStream> rtl_scatter_stream(const std::string& name);
 /// A Verilated core that is there already, and has that store and grids or not.
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
                                           const std::string& name, const PointStore& store,

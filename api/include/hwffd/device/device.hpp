@@ -80,9 +80,10 @@ class Device {
   /// that with respect to the control points, m x 3, of a lattice of so many points an axis. It is
   /// the same, bit for bit, for vertices in any order and any number of threads.
   ///
-  /// `reference` adds in double (pull_back_in). `model` adds whole numbers, as a core of the
-  /// organization `scatter` would (numerics.md section 11), and only rows of `affine` with words of
-  /// 12 to 18 bits have it. No core has it yet, so `rtl` has not.
+  /// `reference` adds in double (pull_back_in). `model` adds whole numbers, as the core
+  /// `hwffd_scatter` does (numerics.md section 11), and only rows of `affine` with words of 12 to
+  /// 18 bits have it. Of simulated hardware only the device of make_pull_back_device("rtl") has it,
+  /// with the bits of that model.
   /// @param vertices  local coordinates in [0, 1]; hardware clamps others
   /// @throws Error from a device that has it not, for another number of gradients, a gradient that
   ///   is not finite, a sum that is not, and as evaluate()
@@ -161,8 +162,11 @@ const std::vector<std::string>& device_kinds();
 /// @throws UsageError for an unknown kind
 std::vector<std::string> device_rows(const std::string& kind);
 
-/// A device that pulls gradients back, of a kind: the reference, or the model of `affine` in fx17.
-/// @throws UsageError for an unknown kind, and for `rtl`
+/// A device that pulls gradients back, of a kind: the reference, the model of `affine` in fx17, or
+/// the simulated core `hwffd_scatter` with the same bits. That evaluates nothing, takes up to
+/// kAxisPoints points an axis, and counts as saturated each page of sums that a vertex with a
+/// saturation went to, one of 16,384 vertices.
+/// @throws UsageError for an unknown kind, and for `rtl` where no simulated hardware is there
 std::unique_ptr<Device> make_pull_back_device(const std::string& kind);
 
 /// @throws UsageError for an unknown device, and for an organization, format or row that it does

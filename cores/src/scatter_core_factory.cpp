@@ -1,0 +1,14 @@
+#include "hwffd/cores/scatter_core_factory.hpp"
+
+#include "Vhwffd_scatter_core.h"
+#include "hwffd/cores/verilated_stream_core.hpp"
+
+namespace hwffd::cores {
+
+bool has_scatter_core() { return true; }
+
+std::unique_ptr<StreamCore> make_scatter_core(std::uint64_t seed) {
+  return std::make_unique<VerilatedStreamCore<Vhwffd_scatter_core>>(seed);
+}
+
+}  // namespace hwffd::cores
