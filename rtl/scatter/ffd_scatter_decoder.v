@@ -335,7 +335,7 @@ module ffd_scatter_decoder #(
   // ---- where a vertex is
 
   wire [95:0]        words;
-  wire [PLACE_W-1:0] inside;   // its cell, brought inside
+  wire [PLACE_W-1:0] cell_here;  // brought inside
   wire [2:0]         beyond;
   wire [2:0]         outside;
   genvar a;
@@ -362,9 +362,9 @@ module ffd_scatter_decoder #(
         .outside_o(outside[a]),
         .clamped_o(clamped)
       );
-      assign words[32*a +: 32]           = made ? grid_word : data[32*a +: 32];
-      assign beyond[a]                   = !made && index_here > index_last;
-      assign inside[AXIS_W*a +: AXIS_W]  = beyond[a] ? index_last : index_here;
+      assign words[32*a +: 32]              = made ? grid_word : data[32*a +: 32];
+      assign beyond[a]                      = !made && index_here > index_last;
+      assign cell_here[AXIS_W*a +: AXIS_W]   = beyond[a] ? index_last : index_here;
       wire unused_ok = &{1'b0, nan, clamped, sent, index_made};
     end
   endgenerate
@@ -374,7 +374,7 @@ module ffd_scatter_decoder #(
   reg                outside_q;
   always @(posedge clk) begin
     if (vertex) begin
-      cell_q    <= inside;
+      cell_q    <= cell_here;
       beyond_q  <= |beyond;
       outside_q <= !made && |outside;
     end
