@@ -134,8 +134,8 @@ TEST_F(PullBackDevice, TheSimulatedCoreDoesNothingElse) {
   const Oracle::Coefficients bspline = Oracle::uniform_bspline();
   EXPECT_ERROR(core->evaluate(std::vector<SupportedVertex>(1), {bspline, bspline, bspline}),
                kRefusal);
-  EXPECT_ERROR(core->pull_back({4, 17, 5}, scene.vertices, scene.gradient),
-               "rtl scatter-fx17: a lattice of 4 x 17 x 5 points, and its pages have up to 16 an "
+  EXPECT_ERROR(core->pull_back({6, 17, 7}, scene.vertices, scene.gradient),
+               "rtl scatter-fx17: a lattice of 6 x 17 x 7 points, and its pages have up to 16 an "
                "axis; take device model, which has the same bits");
 }
 
