@@ -177,6 +177,13 @@ std::vector<Embedded> places_in(const Points& at, const Index3& cells) {
   return places;
 }
 
+/// Why the package with the simulated hardware is not used, if it is there.
+void check_rtl() {
+  if (!device_rows("rtl").empty()) return;
+  const auto problem = py::module_::import("hwffd._rtl").attr("PROBLEM").cast<std::string>();
+  if (!problem.empty()) throw UsageError("device rtl: " + problem);
+}
+
 /// What pulls a gradient back: of (first, last, counts) a grid, else places (..., 3).
 py::array pull_back_places(PyLattice& lattice, const py::object& places, const py::object& gradient,
                            const std::optional<std::string>& device) {
@@ -208,13 +215,6 @@ py::array pull_back_places(PyLattice& lattice, const py::object& places, const p
   }
   const Index3 dims = lattice.alone([](const DeformableLattice& of) { return of.rest().dims(); });
   return new_array(grid_shape(dims), pulled.data());
-}
-
-/// Why the package with the simulated hardware is not used, if it is there.
-void check_rtl() {
-  if (!device_rows("rtl").empty()) return;
-  const auto problem = py::module_::import("hwffd._rtl").attr("PROBLEM").cast<std::string>();
-  if (!problem.empty()) throw UsageError("device rtl: " + problem);
 }
 
 void set_device(PyLattice& lattice, const std::string& device, const std::string& org,
