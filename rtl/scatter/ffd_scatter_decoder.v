@@ -4,9 +4,9 @@
 // old, vertices after them the new. Words of a function, of a vertex and of a gradient pass one row
 // of converters, in turn; vertices of a grid are made here, and pass it in front of their gradient.
 //
-// Bad input:  a vertex outside is brought inside or adds nothing, by the mode of its packet; without
-//             functions it adds nothing. Each event is a pulse of event_o (FFD_EVENT_*) with the
-//             packet's number since reset and the beat's in it.
+// Bad input:  a vertex outside is brought inside or adds nothing, by the mode of its packet; it
+//             adds nothing without functions. Each event is a pulse of event_o (FFD_EVENT_*) with
+//             the packet's number since reset and the beat's in it.
 // Formats:    as in ffd_scatter_vertex and ffd_scatter_pages; entry {shift, c3, c2, c1, c0}.
 // Pipeline:   a vertex is offered 5 clocks behind the beat of its gradient; II 2. Events
 //             FFD_IN_LATENCY behind their beat.
@@ -15,7 +15,7 @@
 // Cuts:       s_beat_ready and outputs follow registers through gates, none an input of its stream.
 // Parameters: FORMAT, PAGES as in ffd_scatter_pages; EVALUATOR pipelined or powers; AXIS 4 to 32;
 //             WAITING as in ffd_scatter_vertex; INSIDE >= the most vertices inside.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"

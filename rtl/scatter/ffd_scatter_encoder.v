@@ -8,7 +8,7 @@
 //             collect's start_i until collected_o.
 // Pipeline:   1 clock: the last register of the stream. II 1, and one more for a count.
 // Freezes:    s_word_ready is 0 while a beat waits to be taken.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

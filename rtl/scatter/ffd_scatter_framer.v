@@ -1,19 +1,19 @@
 // ffd_scatter_framer: what each beat is in its packet, and when it goes on
 //
 //   1  coefficients  12 beats, one a blending function, or 24 with their derivatives
-//   10 gradients     count vertices of two beats: the vertex, and its gradient. Of a grid three beats
-//                    of its axes, then a beat a vertex: in front of each the vertex is made here,
-//                    in a clock without a beat
+//   10 gradients     count vertices of two beats: the vertex, and its gradient. Of a grid three
+//                    beats of its axes, then a beat a vertex: in front of each the vertex is made
+//                    here, in a clock without a beat
 //   11 collect       nothing
-// A beat stays until take_o. A header waits for go_i, the last axis until the grid is checked, and a
-// gradient for room.
+// A beat stays until take_o. A header waits for go_i, the last axis until the grid is checked, and
+// a gradient for room.
 //
-// Bad input:  what header_refused_i or grid_bad_i refuses, and beats after a packet's end, belong to
-//             nothing, up to tlast. A tlast between the beats of a vertex drops that vertex.
+// Bad input:  what header_refused_i or grid_bad_i refuses, and beats after a packet's end, belong
+//             to nothing, up to tlast. A tlast between the beats of a vertex drops that vertex.
 // Formats:    index {derivative, axis, function}, four bits each, as FFD_FRAME_INDEX.
 // Pipeline:   combinational, of a state and the beat; a beat a clock, of a grid one in two clocks.
 // Freezes:    as above; of any beats none waits for one behind it.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 

@@ -3,12 +3,12 @@
 // Fields of opcodes 10 and 11 (docs/interface.md section 2), and whether they are good. Of opcode 1
 // all bits are taken.
 //
-// Bad input:  unknown_o where the opcode is, or a flag, a mode or a bit that must be 0; size_o where
-//             gradients have bad points an axis.
+// Bad input:  unknown_o where the opcode is, or a flag, a mode or a bit that must be 0; size_o
+//             where gradients have bad points an axis.
 // Formats:    packet as in ffd_stream_opcode; tops, points an axis - 1, {u, t, s}.
 // Pipeline:   combinational.
 // Parameters: AXIS 4 to 32, the most points an axis.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_stream.vh"

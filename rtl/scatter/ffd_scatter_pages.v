@@ -14,14 +14,14 @@
 // Overflow:   a page's count ends at 2^(34 - FORMAT): up to so many vertices no sum can overflow.
 // Formats:    verdict {other points, bad points an axis, no page, unknown}; tops and last cell
 //             {u, t, s}, tops = points an axis - 1.
-// Pipeline:   look up | verdict | go: 3 clocks behind the first in which the header is held. What it
-//             says stays until the next one is looked up.
+// Pipeline:   look up | verdict | go: 3 clocks behind the first in which the header is held. What
+//             it says stays until the next one is looked up.
 // Parameters: FORMAT 12 to 18; PAGES 1 to 256; AXIS as in ffd_scatter_header.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_assert.vh"
-`include "ffd_stream.vh"
+`include "ffd_scatter.vh"
 
 module ffd_scatter_pages #(
   parameter FORMAT  = 17,
@@ -72,7 +72,7 @@ module ffd_scatter_pages #(
   output wire                     collecting_o
 );
   generate
-    if (FORMAT < 12 || FORMAT > 18) begin : gen_bad_format
+    if (`FFD_SCATTER_FORMAT_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_scatter_pages_format_must_be_fixed_point_of_12_to_18_bits u_error ();
     end
     if (PAGES < 1 || PAGES > 256) begin : gen_bad_pages
@@ -81,7 +81,7 @@ module ffd_scatter_pages #(
   endgenerate
 
   localparam AXIS_W             = `FFD_AXIS_W(AXIS);
-  localparam COUNT_W            = 35 - FORMAT;
+  localparam COUNT_W            = `FFD_SCATTER_SUM_W - FORMAT;
   localparam DEPTH              = PAGES > 1 ? PAGES : 2;  // of a memory
   localparam [31:0] PAGES_WORD  = PAGES;  // 32 bits where set from outside
   localparam [8:0]  MOST        = PAGES_WORD[8:0];

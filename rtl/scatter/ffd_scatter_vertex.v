@@ -10,7 +10,7 @@
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the core.
 // Parameters: FORMAT fixed point, AXIS as in ffd_scatter_header, PAGE_W >= 1, LATENCY >= 1, WAITING
 //             a power of two >= 2.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_assert.vh"

@@ -9,10 +9,10 @@
 // Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind; wait_o says
 //             what waits, bit 0 a header for what is inside, bit 1 a vertex for room, bit 2 never;
 //             idle_o: no packet, vertex or collect is under way, no page is swept.
-// Parameters: FORMAT 12 to 18, fixed point; EVALUATOR pipelined or powers; latencies as in the rows
-//             of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1 to 256;
-//             WAITING a power of two >= 2, the most vertices in front of the datapath.
-// Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/system.
+// Parameters: FORMAT 12 to 18, fixed point; EVALUATOR pipelined or powers; latencies as in the
+//             rows of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1
+//             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath.
+// Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
