@@ -16,7 +16,7 @@
 //             {u, t, s}, tops = points an axis - 1.
 // Pipeline:   look up | verdict | go: 3 clocks behind the first in which the header is held. What
 //             it says stays until the next one is looked up.
-// Parameters: FORMAT 12 to 18; PAGES 1 to 256; AXIS as in ffd_scatter_header.
+// Parameters: FORMAT as in ffd_scatter_core; PAGES 1 to 256; AXIS as in ffd_scatter_header.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -72,9 +72,6 @@ module ffd_scatter_pages #(
   output wire                     collecting_o
 );
   generate
-    if (`FFD_SCATTER_FORMAT_BAD(FORMAT)) begin : gen_bad_format
-      ERROR_ffd_scatter_pages_format_must_be_fixed_point_of_12_to_18_bits u_error ();
-    end
     if (PAGES < 1 || PAGES > 256) begin : gen_bad_pages
       ERROR_ffd_scatter_pages_pages_must_be_1_to_256 u_error ();
     end
