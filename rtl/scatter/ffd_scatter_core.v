@@ -24,7 +24,7 @@
 //             is collected; a vertex whose s_vertex_along is not what s_vertex_bank says. Not
 //             checked: cells and pages beyond the last. Functions before they are loaded are any.
 // Parameters: FORMAT 12 to 18; EVALUATOR pipelined or powers; latencies >= 1; AXIS 4 to 64;
-//             PAGES >= 1.
+//             PAGES >= 1. Parts of it look at them.
 // Model:      golden/include/hwffd/model/scatter.hpp.  Test: tests/scatter.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -100,12 +100,6 @@ module ffd_scatter_core #(
   localparam WRITTEN  = 4;
   localparam ADDED    = `FFD_SCATTER_ADDED_LATENCY(EVALUATOR, MUL_LATENCY, ADD_LATENCY);
   `FFD_TAKES(ADDED)
-
-  generate
-    if (MUL_LATENCY < 1 || ADD_LATENCY < 1) begin : gen_bad_latency
-      ERROR_ffd_scatter_core_latencies_must_be_at_least_1 u_error ();
-    end
-  endgenerate
 
   // ---- a vertex stays for three steps, of an axis and of a component each
 
