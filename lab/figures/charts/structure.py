@@ -14,7 +14,7 @@ from tools.reports.structure_tables import FIELDS
 COLOURS = {
     "top": ("#e3e5e8", "#24292f"), "bus": ("#fde2c8", "#7a3b00"), "stream": ("#d8e8fb", "#0b3d7a"),
     "cache": ("#f9dbe6", "#7d1544"), "common": ("#eef0c8", "#4d4f00"),
-    "evaluator": ("#d9f0dc", "#0d5220"), "number": ("#e9e0fa", "#45207f"),
+    "evaluator": ("#d9f0dc", "#0d5220"), "number": ("#e9e0fa", "#45207f"), "scatter": ("#d3f1f3", "#0b4f55"),
 }
 # In pixels, 96 an inch.
 LINE, TOP, LEFT, STEP = 24, 84, 16, 22
