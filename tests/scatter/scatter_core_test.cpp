@@ -120,6 +120,8 @@ class ScatterCore : public ::testing::Test {
 
   void expect_no_mismatch() {
     EXPECT_EQ(bench_.mismatches(), 0U) << bench_.first_mismatch();
+    RecordProperty("vertices", std::to_string(bench_.checked_vertices()));
+    RecordProperty("points", std::to_string(bench_.checked_words()));
     EXPECT_GT(bench_.checked_words(), 0U);
   }
 
