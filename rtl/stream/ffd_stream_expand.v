@@ -51,14 +51,14 @@ module ffd_stream_expand #(
   localparam PACKED = `FFD_FEATURE_PACKED(FEATURES);
   localparam PAGES  = `FFD_FEATURE_PAGES(FEATURES);
   localparam LARGE  = `FFD_FEATURE_LARGE(FEATURES);
-  localparam [2:0] HEADER = 3'd0;
-  localparam [2:0] PASS   = 3'd1;
-  localparam [2:0] PAIRS  = 3'd2;
-  localparam [2:0] AXES   = 3'd3;
-  localparam [2:0] CHECK  = 3'd4;
-  localparam [2:0] WALK   = 3'd5;
-  localparam [2:0] CLOSE  = 3'd6;
-  localparam [2:0] DROP   = 3'd7;
+  localparam [3:0] HEADER = 4'd0;
+  localparam [3:0] PASS   = 4'd1;
+  localparam [3:0] PAIRS  = 4'd2;
+  localparam [3:0] AXES   = 4'd3;
+  localparam [3:0] CHECK  = 4'd4;
+  localparam [3:0] CLOSE  = 4'd5;
+  localparam [3:0] DROP   = 4'd6;
+  localparam [3:0] WALK   = 4'd8;  // bit 3 alone: what a walk enables waits for nothing else
 
   // ---- the beat that goes on
 
@@ -72,9 +72,11 @@ module ffd_stream_expand #(
   reg          rest_q;     // the second vertex of a pair waits
   reg  [63:0]  rest_data_q;
   reg          rest_last_q;
-  reg  [2:0]   state_q;
+  reg  [3:0]   state_q;
   wire         free = !valid_q || m_beat_ready;
-  wire         pass = state_q == HEADER || state_q == PASS || state_q == PAIRS;
+  wire         walks = state_q[3];
+  wire         paired = PACKED != 0 && state_q == PAIRS;
+  wire         pass = state_q == HEADER || state_q == PASS || paired;
   wire         sink = state_q == AXES || state_q == DROP;
   wire         take = s_beat_valid && s_beat_ready;
   assign s_beat_ready = open_q && ((pass && free && !rest_q) || sink);
@@ -107,7 +109,7 @@ module ffd_stream_expand #(
 
   wire [63:0] half  = rest_q ? rest_data_q : s_beat_data[63:0];
   wire        alone = s_beat_last && &s_beat_data[127:64];  // the second one is empty
-  wire        take_pair   = take && state_q == PAIRS;
+  wire        take_pair   = take && paired;
   wire        other = rest_q && free;
 
   always @(posedge clk) begin
@@ -128,7 +130,7 @@ module ffd_stream_expand #(
   reg         large_q;
   wire        axis_taken = take && state_q == AXES;
   wire        end_axes   = axis_taken && (axis_q == 2'd2 || s_beat_last);
-  wire        walk       = state_q == WALK && free;
+  wire        walk       = walks && free;
   wire        close      = state_q == CLOSE && free;
   wire        checked;
   wire        bad;
@@ -180,20 +182,19 @@ module ffd_stream_expand #(
   // ---- the vertex of either: its number is its tag, for a grid from a given one on
 
   reg  [15:0] tag_q;
-  wire        of_grid  = state_q == WALK;
-  wire        vertex   = take_pair || other || walk;
-  wire [17:0] in_cell  = of_grid ? grid_cells
+  wire        vertex   = walks || paired || rest_q;  // or nothing goes on
+  wire [17:0] in_cell  = walks ? grid_cells
                        : {2'd0, half[62:59], 2'd0, half[58:55], 2'd0, half[54:51]};
   wire [31:0] few      = {1'b0, in_cell[16], in_cell[10], in_cell[4],
                           in_cell[15:12], in_cell[9:6], in_cell[3:0], tag_q};
-  wire [31:0] fourth   = of_grid && large_q ? {in_cell, tag_q[13:0]} : few;
-  wire [74:0] place    = of_grid ? grid_coordinates
+  wire [31:0] fourth   = walks && large_q ? {in_cell, tag_q[13:0]} : few;
+  wire [74:0] place    = walks ? grid_coordinates
                        : {half[50:34], 8'd0, half[33:17], 8'd0, half[16:0], 8'd0};
   wire [127:0] vertex_data = {fourth, 7'd0, place[74:50], 7'd0, place[49:25], 7'd0, place[24:0]};
 
   always @(posedge clk) begin
     if (header) tag_q <= grid ? s_beat_data[127:112] : 16'd0;
-    else if (vertex) tag_q <= tag_q + 16'd1;
+    else if (take_pair || other || walk) tag_q <= tag_q + 16'd1;
   end
 
   // ---- what comes next
@@ -206,14 +207,14 @@ module ffd_stream_expand #(
     if (free) begin
       vertex_q <= vertex;
       second_q <= rest_q;
-      data_q   <= vertex ? vertex_data : header ? new_header : s_beat_data;
+      data_q   <= vertex ? vertex_data : state_q == HEADER ? new_header : s_beat_data;
       packet_q <= grid ? OF_GRID : known;
-      last_q   <= rest_q ? rest_last_q : of_grid ? walk_last : state_q == CLOSE
-               || (state_q == PAIRS ? alone : s_beat_last);
-      as_q     <= rest_q || state_q == PAIRS ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
-                : of_grid            ? (walk_last && !ended_q ? `FFD_AS_LONG : `FFD_AS_IT_IS)
+      last_q   <= rest_q ? rest_last_q : walks ? walk_last : state_q == CLOSE
+               || (paired ? alone : s_beat_last);
+      as_q     <= rest_q || paired ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
+                : walks              ? (walk_last && !ended_q ? `FFD_AS_LONG : `FFD_AS_IT_IS)
                 : state_q == CLOSE   ? (short_q ? `FFD_AS_SHORT : `FFD_AS_NO_GRID)
-                : header && grid     ? `FFD_AS_GRID : `FFD_AS_IT_IS;
+                : state_q == HEADER && grid ? `FFD_AS_GRID : `FFD_AS_IT_IS;
     end
   end
 

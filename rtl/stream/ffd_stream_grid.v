@@ -10,8 +10,9 @@
 // Formats:    data of a header: counts of s and t in word 1, of u in word 3; of an axis: start,
 //             unsigned, and step, signed, 24 bits before the point and 40 behind it. Coordinates
 //             Q1.24, cells six bits, {u, t, s}.
-// Pipeline:   checked 20 clocks after check_i; then a vertex in every clock, in that of next_i the
-//             one before. A header makes checked_o 0.
+// Pipeline:   checked 20 clocks after check_i, and the first vertex is there; then a vertex in every
+//             clock, in that of next_i the one before. A vertex leaves registers, a clock behind the
+//             sums. A header makes checked_o 0.
 // Parameters: AXIS as in ffd_stream_header.
 // Model:      golden/include/hwffd/stream/grid.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
@@ -32,10 +33,10 @@ module ffd_stream_grid #(
   input  wire [3*`FFD_AXIS_W(AXIS)-1:0] last_cell_i,  // {k, j, i}
   input  wire                           next_i,
   output reg                            checked_o,
-  output reg                            bad_o,
-  output wire                           last_o,
-  output wire [17:0]                    cells_o,
-  output wire [74:0]                    coordinates_o
+  output wire                           bad_o,
+  output reg                            last_o,
+  output reg  [17:0]                    cells_o,
+  output reg  [74:0]                    coordinates_o
 );
   localparam AXIS_W   = `FFD_AXIS_W(AXIS);
   localparam FRACTION = 40;
@@ -44,42 +45,57 @@ module ffd_stream_grid #(
   // A sum of two times what fits and once; whatever fits has three equal bits on top.
   localparam SUM_W    = START_W + 3;
   localparam COUNT_W  = 16;
-  localparam [4:0] LAST_DOUBLING = COUNT_W - 1;
-  localparam [4:0] END           = COUNT_W;
-  localparam [4:0] FIRST         = COUNT_W + 1;
-  localparam [4:0] DONE          = COUNT_W + 2;
 
   // ---- the check: doublings, the end, back to the start
 
-  reg  [4:0] phase_q;
-  reg        checking_q;
-  wire       doubling = checking_q && phase_q <= LAST_DOUBLING;
-  wire       ending   = checking_q && phase_q == END;
-  wire       first    = checking_q && phase_q == FIRST;
-  wire       begins   = phase_q == 5'd0;
+  reg  [3:0] bit_q;
+  reg        doubling_q;
+  reg        ending_q;
+  reg        first_q;    // the sums are of the end, and then of the start
+  reg        done_q;     // of the start, and then of the vertex behind it
+  // What a sum and its term are made of, known a clock before.
+  reg        summing_q;  // doubling or ending
+  reg        empty_q;    // the sum begins anew
+  reg        starts_q;   // with the start, or the start comes to it
+  reg        changes_q;  // the check changes it
+  wire       last_bit = doubling_q && &bit_q;
   wire [2:0] zero;
-  wire [2:0] beyond;   // what is known without the sum
-  wire [2:0] over;     // a multiple of the step that no lattice has room for
+  wire [2:0] beyond;     // what is known without the sum
+  wire [2:0] over;       // a multiple of the step that no lattice has room for
   wire [2:0] outside;
+  reg        bad_q;
+  reg        outside_q;
 
   always @(posedge clk) begin
-    if (rst) checking_q <= 1'b0;
-    else checking_q <= check_i || (checking_q && phase_q != DONE);
-    phase_q <= check_i ? 5'd0 : phase_q + 5'd1;
+    if (rst) begin
+      {doubling_q, ending_q, first_q, done_q, summing_q, empty_q, starts_q, changes_q} <= 8'd0;
+    end else begin
+      doubling_q <= check_i || (doubling_q && !last_bit);
+      ending_q   <= last_bit;
+      first_q    <= ending_q;
+      done_q     <= first_q;
+      summing_q  <= check_i || doubling_q;
+      empty_q    <= check_i || ending_q;
+      starts_q   <= last_bit || ending_q;
+      changes_q  <= check_i || summing_q;
+    end
   end
+  always @(posedge clk) bit_q <= check_i ? 4'd0 : bit_q + 4'd1;
   always @(posedge clk) begin
     if (header_i) checked_o <= 1'b0;
-    else if (checking_q && phase_q == DONE) checked_o <= 1'b1;
-    if (check_i) bad_o <= !loaded_i || |zero || |beyond;
-    else if (doubling || ending) bad_o <= bad_o || (!begins && |over);
-    else if (checking_q) bad_o <= bad_o || |outside;
+    else if (done_q) checked_o <= 1'b1;
+    outside_q <= (first_q || done_q) && |outside;
+    if (check_i) bad_q <= !loaded_i || |zero || |beyond;
+    else bad_q <= bad_q || outside_q || (summing_q && !empty_q && |over);
   end
+  assign bad_o = bad_q || outside_q;
 
   // ---- three axes
 
+  wire       next   = next_i || done_q;
   wire [2:0] at_last;
-  wire [2:0] moves = {at_last[1] && at_last[0], at_last[0], 1'b1};
-  assign last_o = &at_last;
+  wire [2:0] behind = {at_last[1] && at_last[0], at_last[0], 1'b1};  // those below are at their last
+  always @(posedge clk) if (next) last_o <= &at_last;
 
   genvar a;
   generate
@@ -90,7 +106,9 @@ module ffd_stream_grid #(
       reg                wide_q;    // the same of the step
       reg  [COUNT_W-1:0] top_q;     // count - 1
       reg                zero_q;
+      reg                single_q;  // count is 1
       reg  [COUNT_W-1:0] left_q;    // in the check its bits pass by, the highest first
+      reg                last_q;    // left_q is 0
       reg  [SUM_W-1:0]   sum_q;
 
       always @(posedge clk) begin
@@ -102,40 +120,36 @@ module ffd_stream_grid #(
         end
       end
 
+      // The last vertex of an axis, and of all below it, is followed by its first.
       wire [COUNT_W-1:0] count = a == 2 ? data_i[96 +: COUNT_W] : data_i[32+16*(a%2) +: COUNT_W];
-      wire               again = next_i && moves[a] && at_last[a];
-      wire               goes  = next_i && moves[a] && !at_last[a];
+      wire               moves = next && behind[a];
+      wire               wraps = last_q && behind[a];
       always @(posedge clk) begin
         if (header_i) begin
           top_q  <= count - 1'b1;
           zero_q <= count == {COUNT_W{1'b0}};
         end
+        single_q <= top_q == {COUNT_W{1'b0}};
         if (header_i) left_q <= count - 1'b1;
-        else if (doubling) left_q <= {left_q[COUNT_W-2:0], left_q[COUNT_W-1]};
-        else if (again) left_q <= top_q;
-        else if (goes) left_q <= left_q - 1'b1;
-      end
-      // left_q is 0, known from a register: it decides what all axes do next. A walk begins clocks
-      // after the last bit has passed by.
-      reg top_last_q;
-      reg last_q;
-      always @(posedge clk) begin
-        top_last_q <= top_q == {COUNT_W{1'b0}};
-        last_q     <= again ? top_last_q : left_q == {{(COUNT_W - 1) {1'b0}}, goes};
+        else if (doubling_q) left_q <= {left_q[COUNT_W-2:0], left_q[COUNT_W-1]};
+        else if (moves) left_q <= last_q ? top_q : left_q - 1'b1;
+        if (first_q) last_q <= single_q;
+        else if (moves) last_q <= last_q ? single_q : left_q == {{(COUNT_W - 1) {1'b0}}, 1'b1};
       end
       assign at_last[a] = last_q;
       assign zero[a]    = zero_q;
-      assign beyond[a]  = far_q || (wide_q && top_q != {COUNT_W{1'b0}});
+      assign beyond[a]  = far_q || (wide_q && !single_q);
 
-      // From nothing to the end of the doublings, then to the end, then back.
-      wire             starts = first || ending || again;
-      wire             steps  = goes || (doubling && left_q[COUNT_W-1]);
-      wire [SUM_W-1:0] base   = sum_q & {SUM_W{!first && !again && !(doubling && begins)}};
-      wire [SUM_W-1:0] from   = doubling ? {base[SUM_W-2:0], 1'b0} : base;
+      // From nothing to the end of the doublings, then to the end, then back and along.
+      wire             again  = !summing_q && wraps;
+      wire             empty  = empty_q || again;
+      wire             starts = starts_q || again;
+      wire             steps  = !doubling_q || left_q[COUNT_W-1];
+      wire [SUM_W-1:0] from   = (doubling_q ? {sum_q[SUM_W-2:0], 1'b0} : sum_q) & {SUM_W{!empty}};
       wire [SUM_W-1:0] more   = starts ? {3'd0, start_q}
                               : {{(SUM_W - STEP_W) {step_q[STEP_W-1]}}, step_q} & {SUM_W{steps}};
       always @(posedge clk) begin
-        if (doubling || starts || goes) sum_q <= from + more;
+        if (moves || changes_q) sum_q <= from + more;
       end
       assign over[a] = sum_q[SUM_W-1 -: 3] != {3{sum_q[SUM_W-1]}};
 
@@ -153,8 +167,12 @@ module ffd_stream_grid #(
         assign here = inner;
       end
       assign outside[a] = sum_q[SUM_W-1] || (above && !face) || (here[5] && !large_i);
-      assign cells_o[6*a +: 6]         = here;
-      assign coordinates_o[25*a +: 25] = above ? 25'h100_0000 : {1'b0, fraction};
+      always @(posedge clk) begin
+        if (next) begin
+          cells_o[6*a +: 6]         <= here;
+          coordinates_o[25*a +: 25] <= above ? 25'h100_0000 : {1'b0, fraction};
+        end
+      end
     end
   endgenerate
 endmodule
