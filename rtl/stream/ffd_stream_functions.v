@@ -62,18 +62,26 @@ module ffd_stream_functions #(
 
   // ---- what the header says, word 2
 
+  // Two bits an axis, from the one on that the next function is of.
   reg  [5:0] degree_q;
   reg  [5:0] shift_q;
   reg  [5:0] derivative_shift_q;
   reg        twice_q;
+  wire       turns;     // to the next axis
   always @(posedge clk) begin
     if (take_i && header) begin
       degree_q           <= data_i[69:64];
       shift_q            <= data_i[77:72];
       derivative_shift_q <= data_i[85:80];
       twice_q            <= data_i[95];
+    end else if (turns) begin
+      degree_q           <= {degree_q[1:0], degree_q[5:2]};
+      shift_q            <= {shift_q[1:0], shift_q[5:2]};
+      derivative_shift_q <= {derivative_shift_q[1:0], derivative_shift_q[5:2]};
     end
   end
+
+  assign degree_o = degree_q[1:0];
 
   always @(posedge clk) begin
     if (rst) bank_o <= 1'b0;
@@ -107,11 +115,9 @@ module ffd_stream_functions #(
 
   generate
     if (SPANS == 1) begin : gen_single
-      wire [1:0] axis  = index[5:4];
-      wire [5:0] shift = index[8] ? derivative_shift_q : shift_q;
-      assign function_shift = shift[2*axis +: 2];
+      assign function_shift = index[8] ? derivative_shift_q[1:0] : shift_q[1:0];
       assign of_derivative  = index[8];
-      assign degree_o = degree_q[2*axis +: 2];
+      assign turns    = take_i && function_beat && index[1:0] == 2'd3;
       assign change_o = done;
       assign busy_o   = 1'b0;
       assign places_o = bank_o;
@@ -170,12 +176,11 @@ module ffd_stream_functions #(
 
       wire [1:0] axis       = spans_q ? axis_q : index[5:4];
       wire       derivative = spans_q ? index[4] : index[8];
-      wire [1:0] field      = spans_q ? 2'd0 : axis;
-      wire [1:0] own_shift  = spans_q ? degree_q[5:4] : shift_q[2*axis +: 2];
-      wire [1:0] its_shift  = derivative_shift_q[2*(spans_q ? 2'd1 : axis) +: 2];
+      wire [1:0] own_shift  = spans_q ? degree_q[5:4] : shift_q[1:0];
+      wire [1:0] its_shift  = spans_q ? derivative_shift_q[3:2] : derivative_shift_q[1:0];
       assign function_shift = derivative ? its_shift : own_shift;
       assign of_derivative  = derivative;
-      assign degree_o = degree_q[2*field +: 2];
+      assign turns    = take_i && function_beat && index[1:0] == 2'd3 && !spans_q;
       assign change_o = done && (!spans_q || (ends_q && frame_i[`FFD_FRAME_FINAL]));
 
       reg plain_q;  // a span of this set has no derivatives
