@@ -77,10 +77,10 @@ module ffd_eval_walk #(
   reg  [OWN_W-1:0] own_q;
   reg  [2:0]       count_q;   // of planes
   reg  [1:0]       first_q;   // of them, the lowest, from the cell on
-  wire [3:0]       full;      // banks of which no more planes may be asked for
-  wire             may_begin;
-  wire             queue_ready;
-  wire             go     = held_q && queue_ready && (count_q == 3'd0 || may_begin);
+  wire             take;         // a vertex leaves the queue
+  reg              may_go_q;     // one that wants none
+  reg              may_begin_q;  // one that wants planes
+  wire             go     = held_q && (count_q == 3'd0 ? may_go_q : may_begin_q);
   wire             stays  = known_q && !s_vertex_changed && offered == row_q;
   // How many cells further, with its sign; beyond three nothing is shared.
   wire [4:0]       by     = {1'b0, i} - {1'b0, i_q};
@@ -128,8 +128,35 @@ module ffd_eval_walk #(
   reg  [3:0]           walked_i_q;
   wire                 begins = go && count_q != 3'd0;
 
-  assign may_begin     = requests_ready && (banks & full) == 4'd0;
   assign request_ready = left_q == 3'd0 || (left_q == 3'd1 && plane_ready);
+
+  // Whether there is room, whatever banks a vertex wants, is known a clock before, so that what is
+  // in front waits for no more than that: there is room for one that goes meanwhile, too. One that
+  // is taken from the queue makes room a clock later.
+  localparam QUEUE_W    = $clog2(QUEUE);
+  localparam REQUESTS_W = $clog2(REQUESTS);
+  reg  [QUEUE_W:0]    queued_q;
+  reg                 taken_valid_q;
+  wire                queue_full = queued_q[QUEUE_W] || &queued_q[QUEUE_W-1:0];
+  wire [3:0]          full;         // banks of which no more than one plane may be asked for
+  reg  [REQUESTS_W:0] requests_q;   // that wait
+  wire                request_goes = request_valid && request_ready;
+  wire                requests_full = requests_q[REQUESTS_W] || &requests_q[REQUESTS_W-1:0];
+
+  always @(posedge clk) begin
+    if (rst) requests_q <= {(REQUESTS_W + 1) {1'b0}};
+    else if (begins && !request_goes) requests_q <= requests_q + 1'b1;
+    else if (request_goes && !begins) requests_q <= requests_q - 1'b1;
+  end
+  always @(posedge clk) begin
+    if (rst) queued_q <= {(QUEUE_W + 1) {1'b0}};
+    else if (go && !taken_valid_q) queued_q <= queued_q + 1'b1;
+    else if (taken_valid_q && !go) queued_q <= queued_q - 1'b1;
+    taken_valid_q <= take && !rst;
+    may_go_q      <= !rst && !queue_full;
+    may_begin_q   <= !rst && !queue_full && !requests_full && full == 4'd0;
+  end
+  `FFD_ASSERT(a_request_comes_and_the_queue_is_full, !begins || requests_ready)
 
   ffd_stream_fifo #(
     .WIDTH(REQUEST_W),
@@ -287,15 +314,19 @@ module ffd_eval_walk #(
   // ---- vertices wait until their planes are here
 
   wire             queue_valid;
+  wire             queue_ready;  // always
   wire [2:0]       queue_count;
   wire [3:0]       queue_banks;
   wire [1:0]       queue_residue;
   wire [OWN_W-1:0] queue_own;
   reg  [5:0]       here_q;  // planes that no vertex has taken
 
+  assign take = queue_valid && here_q >= {3'd0, queue_count};
+
   ffd_stream_queue #(
-    .WIDTH(3 + 4 + 2 + OWN_W),
-    .DEPTH(QUEUE)
+    .WIDTH  (3 + 4 + 2 + OWN_W),
+    .DEPTH  (QUEUE),
+    .COUNTED(1)
   ) u_queue (
     .clk         (clk),
     .rst         (rst),
@@ -306,8 +337,6 @@ module ffd_eval_walk #(
     .m_word_ready(take),
     .m_word_data ({queue_count, queue_banks, queue_residue, queue_own})
   );
-
-  wire             take = queue_valid && here_q >= {3'd0, queue_count};
 
   always @(posedge clk) begin
     if (rst) here_q <= 6'd0;
@@ -365,7 +394,7 @@ module ffd_eval_walk #(
       wire       asks    = begins && banks[b];
       wire       takes   = take && queue_banks[b];
 
-      assign full[b] = &ahead_q;
+      assign full[b] = &ahead_q[3:1];
 
       always @(posedge clk) begin
         if (rst) ahead_q <= 4'd0;
@@ -378,6 +407,7 @@ module ffd_eval_walk #(
         else if (write) written_q <= written;
       end
       `FFD_ASSERT(a_point_is_taken_that_nobody_asked_for, !takes || ahead_q != 4'd0)
+      `FFD_ASSERT(more_points_are_asked_for_than_the_ring_has, !asks || takes || !(&ahead_q))
 
       always @(posedge clk) begin
         if (rst) taken_q <= 4'd0;
@@ -511,7 +541,8 @@ module ffd_eval_walk #(
 
   assign result_jacobian_o = {9 * SUM_W {1'b0}};
   assign forming_o         = 1'b0;
-  wire unused_ok = &{1'b0, step_first, sum_valid, weights[0 +: 4*WEIGHT_W]};
+  wire unused_ok = &{1'b0, requests_ready, queue_ready, step_first, sum_valid,
+                     weights[0 +: 4*WEIGHT_W]};
 
 endmodule
 
