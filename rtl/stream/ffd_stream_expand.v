@@ -38,6 +38,7 @@ module ffd_stream_expand #(
   output wire                           m_beat_valid,
   input  wire                           m_beat_ready,
   output wire [127:0]                   m_beat_data,
+  output wire [127:0]                   m_beat_header,  // where it is one: data, sooner
   output wire [`FFD_PACKET_W-1:0]       m_beat_packet,
   output wire                           m_beat_last,
   output wire [2:0]                     as_o,
@@ -70,6 +71,7 @@ module ffd_stream_expand #(
   reg  [2:0]   as_q;
   reg          second_q;   // it may be behind the last vertex, which the framer knows
   reg          rest_q;     // the second vertex of a pair waits
+  wire         rest = PACKED != 0 && rest_q;
   reg  [63:0]  rest_data_q;
   reg          rest_last_q;
   reg  [3:0]   state_q;
@@ -79,8 +81,8 @@ module ffd_stream_expand #(
   wire         pass = state_q == HEADER || state_q == PASS || paired;
   wire         sink = state_q == AXES || state_q == DROP;
   wire         take = s_beat_valid && s_beat_ready;
-  assign s_beat_ready = open_q && ((pass && free && !rest_q) || sink);
-  assign idle_o       = !valid_q && !rest_q && state_q == HEADER;
+  assign s_beat_ready = open_q && ((pass && free && !rest) || sink);
+  assign idle_o       = !valid_q && !rest && state_q == HEADER;
   always @(posedge clk) open_q <= !rst;
 
   // ---- headers
@@ -90,7 +92,8 @@ module ffd_stream_expand #(
   wire       strange = s_beat_data[16] || s_beat_data[18] || s_beat_data[65:64] != 2'd0
                     || (PAGES == 0 && (s_beat_data[31:8] != 24'd0 || s_beat_data[71:66] != 6'd0
                                        || s_beat_data[95:74] != 22'd0));
-  wire       header  = take && state_q == HEADER;
+  // What a header says is read in every clock in which the next beat is one, as in the framer.
+  wire       header  = state_q == HEADER && !rest;
   wire       grid    = s_beat_packet[`FFD_PACKET_GRID] && !strange;
   wire       pairs   = PACKED != 0 && s_beat_data[18]
                     && (s_beat_packet[`FFD_PACKET_VERTICES] || (of_page && !s_beat_data[19]));
@@ -107,14 +110,14 @@ module ffd_stream_expand #(
 
   // ---- a pair of vertices
 
-  wire [63:0] half  = rest_q ? rest_data_q : s_beat_data[63:0];
+  wire [63:0] half  = rest ? rest_data_q : s_beat_data[63:0];
   wire        alone = s_beat_last && &s_beat_data[127:64];  // the second one is empty
   wire        take_pair   = take && paired;
-  wire        other = rest_q && free;
+  wire        other = rest && free;
 
   always @(posedge clk) begin
     if (rst) rest_q <= 1'b0;
-    else rest_q <= (take_pair && !alone) || (rest_q && !free);
+    else rest_q <= (take_pair && !alone) || (rest && !free);
   end
   always @(posedge clk) begin
     if (take_pair) rest_data_q <= s_beat_data[127:64];
@@ -128,9 +131,9 @@ module ffd_stream_expand #(
   reg         short_q;
   reg         known_q;   // its header has gone on
   reg         large_q;
-  wire        axis_taken = take && state_q == AXES;
+  wire        axis_taken = s_beat_valid && open_q && state_q == AXES;
   wire        end_axes   = axis_taken && (axis_q == 2'd2 || s_beat_last);
-  wire        walk       = walks && free;
+  wire        walk       = walks && m_beat_ready;  // nothing waits here before its first vertex
   wire        close      = state_q == CLOSE && free;
   wire        checked;
   wire        bad;
@@ -182,7 +185,7 @@ module ffd_stream_expand #(
   // ---- the vertex of either: its number is its tag, for a grid from a given one on
 
   reg  [15:0] tag_q;
-  wire        vertex   = walks || paired || rest_q;  // or nothing goes on
+  wire        vertex   = walks || paired || rest;  // or nothing goes on
   wire [17:0] in_cell  = walks ? grid_cells
                        : {2'd0, half[62:59], 2'd0, half[58:55], 2'd0, half[54:51]};
   wire [31:0] few      = {1'b0, in_cell[16], in_cell[10], in_cell[4],
@@ -206,12 +209,12 @@ module ffd_stream_expand #(
   always @(posedge clk) begin
     if (free) begin
       vertex_q <= vertex;
-      second_q <= rest_q;
+      second_q <= rest;
       data_q   <= vertex ? vertex_data : state_q == HEADER ? new_header : s_beat_data;
       packet_q <= grid ? OF_GRID : known;
-      last_q   <= rest_q ? rest_last_q : walks ? walk_last : state_q == CLOSE
+      last_q   <= rest ? rest_last_q : walks ? walk_last : state_q == CLOSE
                || (paired ? alone : s_beat_last);
-      as_q     <= rest_q || paired ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
+      as_q     <= rest || paired ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
                 : walks              ? (walk_last && !ended_q ? `FFD_AS_LONG : `FFD_AS_IT_IS)
                 : state_q == CLOSE   ? (short_q ? `FFD_AS_SHORT : `FFD_AS_NO_GRID)
                 : state_q == HEADER && grid ? `FFD_AS_GRID : `FFD_AS_IT_IS;
@@ -235,6 +238,7 @@ module ffd_stream_expand #(
   assign m_beat_valid = valid_q;
   assign m_beat_last   = last_q;
   assign m_beat_packet = packet_q;
+  assign m_beat_header = data_q;
   assign as_o         = second_q && !expects_i ? `FFD_AS_NOTHING : as_q;
   assign m_beat_data[127:96] = data_q[127:96];
   genvar a;

@@ -10,9 +10,9 @@
 // Formats:    data of a header: counts of s and t in word 1, of u in word 3; of an axis: start,
 //             unsigned, and step, signed, 24 bits before the point and 40 behind it. Coordinates
 //             Q1.24, cells six bits, {u, t, s}.
-// Pipeline:   checked 20 clocks after check_i, and the first vertex is there; then a vertex in every
-//             clock, in that of next_i the one before. A vertex leaves registers, a clock behind the
-//             sums. A header makes checked_o 0.
+// Pipeline:   checked 20 clocks after check_i, with the first vertex; then a vertex in every clock, in
+//             that of next_i the one before. A vertex leaves registers, a clock behind its sums. A
+//             header makes checked_o 0; what it says is that of the last clock of header_i.
 // Parameters: AXIS as in ffd_stream_header.
 // Model:      golden/include/hwffd/stream/grid.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
@@ -93,9 +93,14 @@ module ffd_stream_grid #(
   // ---- three axes
 
   wire       next   = next_i || done_q;
-  wire [2:0] at_last;
-  wire [2:0] behind = {at_last[1] && at_last[0], at_last[0], 1'b1};  // those below are at their last
-  always @(posedge clk) if (next) last_o <= &at_last;
+  wire [2:0] to_last;   // an axis will be at its last vertex
+  reg  [2:0] all_q;     // it is, and all before it are
+  wire [2:0] behind = {all_q[1:0], 1'b1};
+  always @(posedge clk) begin
+    if (check_i) all_q <= 3'd0;
+    else if (first_q || next) all_q <= {&to_last, &to_last[1:0], to_last[0]};
+    if (next) last_o <= all_q[2];
+  end
 
   genvar a;
   generate
@@ -120,10 +125,10 @@ module ffd_stream_grid #(
         end
       end
 
-      // The last vertex of an axis, and of all below it, is followed by its first.
+      // The last vertex of an axis, and of all before it, is followed by its first.
       wire [COUNT_W-1:0] count = a == 2 ? data_i[96 +: COUNT_W] : data_i[32+16*(a%2) +: COUNT_W];
       wire               moves = next && behind[a];
-      wire               wraps = last_q && behind[a];
+      wire               wraps = all_q[a];
       always @(posedge clk) begin
         if (header_i) begin
           top_q  <= count - 1'b1;
@@ -133,17 +138,16 @@ module ffd_stream_grid #(
         if (header_i) left_q <= count - 1'b1;
         else if (doubling_q) left_q <= {left_q[COUNT_W-2:0], left_q[COUNT_W-1]};
         else if (moves) left_q <= last_q ? top_q : left_q - 1'b1;
-        if (first_q) last_q <= single_q;
-        else if (moves) last_q <= last_q ? single_q : left_q == {{(COUNT_W - 1) {1'b0}}, 1'b1};
+        if (first_q || next) last_q <= to_last[a];
       end
-      assign at_last[a] = last_q;
+      wire to_one = left_q == {{(COUNT_W - 1) {1'b0}}, 1'b1};
+      assign to_last[a] = first_q || wraps ? single_q : behind[a] ? to_one : last_q;
       assign zero[a]    = zero_q;
       assign beyond[a]  = far_q || (wide_q && !single_q);
 
       // From nothing to the end of the doublings, then to the end, then back and along.
-      wire             again  = !summing_q && wraps;
-      wire             empty  = empty_q || again;
-      wire             starts = starts_q || again;
+      wire             empty  = empty_q || wraps;
+      wire             starts = starts_q || wraps;
       wire             steps  = !doubling_q || left_q[COUNT_W-1];
       wire [SUM_W-1:0] from   = (doubling_q ? {sum_q[SUM_W-2:0], 1'b0} : sum_q) & {SUM_W{!empty}};
       wire [SUM_W-1:0] more   = starts ? {3'd0, start_q}
@@ -154,12 +158,17 @@ module ffd_stream_grid #(
       assign over[a] = sum_q[SUM_W-1 -: 3] != {3{sum_q[SUM_W-1]}};
 
       // Where that is.
-      wire [AXIS_W-1:0] last     = last_cell_i[AXIS_W*a +: AXIS_W];
+      reg  [AXIS_W-1:0] end_cell_q;
+      reg  [AXIS_W:0]   end_q;       // of the lattice, known long before
+      always @(posedge clk) begin
+        end_cell_q <= last_cell_i[AXIS_W*a +: AXIS_W];
+        end_q      <= {1'b0, last_cell_i[AXIS_W*a +: AXIS_W]} + 1'b1;
+      end
       wire [AXIS_W+1:0] whole    = sum_q[SUM_W-2:FRACTION];
       wire [23:0]       fraction = sum_q[FRACTION-1 -: 24];
-      wire              above    = whole > {2'd0, last};
-      wire              face     = whole == {2'd0, last} + 1'b1 && fraction == 24'd0;
-      wire [AXIS_W-1:0] inner    = above ? last : whole[AXIS_W-1:0];
+      wire              above    = whole > {2'd0, end_cell_q};
+      wire              face     = whole == {1'b0, end_q} && fraction == 24'd0;
+      wire [AXIS_W-1:0] inner    = above ? end_cell_q : whole[AXIS_W-1:0];
       wire [5:0]        here;
       if (AXIS_W < 6) begin : gen_few
         assign here = {{(6 - AXIS_W) {1'b0}}, inner};

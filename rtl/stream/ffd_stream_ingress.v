@@ -47,6 +47,7 @@ module ffd_stream_ingress #(
   wire                    valid;
   wire                    ready;
   wire [127:0]            data;
+  wire [127:0]            header;    // the same where it is one
   wire                    last;
   wire [2:0]              as;
   wire                    expects;
@@ -81,6 +82,7 @@ module ffd_stream_ingress #(
         .m_beat_valid (valid),
         .m_beat_ready (ready),
         .m_beat_data  (data),
+        .m_beat_header(header),
         .m_beat_packet(packet),
         .m_beat_last  (last),
         .as_o         (as),
@@ -94,6 +96,7 @@ module ffd_stream_ingress #(
       assign valid        = s_beat_valid;
       assign s_beat_ready = ready;
       assign data         = s_beat_data;
+      assign header       = s_beat_data;
       assign packet       = s_packet;
       assign last         = s_beat_last;
       assign as           = `FFD_AS_IT_IS;
@@ -110,7 +113,7 @@ module ffd_stream_ingress #(
     .clk     (clk),
     .rst     (rst),
     .take_i  (valid && ready),
-    .data_i  (data),
+    .data_i  (header),
     .packet_i(packet),
     .last_i  (last),
     .as_i    (as),
