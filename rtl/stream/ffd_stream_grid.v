@@ -10,9 +10,9 @@
 // Formats:    data of a header: counts of s and t in word 1, of u in word 3; of an axis: start,
 //             unsigned, and step, signed, 24 bits before the point and 40 behind it. Coordinates
 //             Q1.24, cells six bits, {u, t, s}.
-// Pipeline:   checked 20 clocks after check_i, with the first vertex; then a vertex in every clock, in
-//             that of next_i the one before. A vertex leaves registers, a clock behind its sums. A
-//             header makes checked_o 0; what it says is that of the last clock of header_i.
+// Pipeline:   checked 20 clocks after check_i, with the first vertex; then a vertex in every clock,
+//             in that of next_i the one before. A vertex leaves registers, a clock behind its sums.
+//             A header makes checked_o 0; what it says is that of the last clock of header_i.
 // Parameters: AXIS as in ffd_stream_header.
 // Model:      golden/include/hwffd/stream/grid.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
