@@ -73,6 +73,7 @@ module ffd_bench_stream #(
     .m_axis_tdata  (m_data),
     .m_axis_tlast  (m_last),
     .m_axis_tuser  (m_user),
+    .grid_stop_i   (1'b0),
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),

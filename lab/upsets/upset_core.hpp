@@ -76,7 +76,9 @@ class UpsetDut {
 template <class VDut>
 class UpsetStreamCore final : public cores::StreamCore {
  public:
-  UpsetStreamCore(std::uint64_t seed, Trigger& trigger) : dut_(seed, trigger) {}
+  UpsetStreamCore(std::uint64_t seed, Trigger& trigger) : dut_(seed, trigger) {
+    dut_.dut().grid_stop_i = 0;
+  }
 
   void drive_reset(bool asserted) override { dut_.dut().aresetn = asserted ? 0 : 1; }
   void drive_input(bool valid, const Beat& beat) override {

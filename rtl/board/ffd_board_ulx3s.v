@@ -77,6 +77,7 @@ module ffd_board_ulx3s #(
     .m_axis_tdata  (result_data),
     .m_axis_tlast  (result_last),
     .m_axis_tuser  (user),
+    .grid_stop_i   (1'b0),
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),

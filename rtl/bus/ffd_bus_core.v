@@ -489,6 +489,7 @@ module ffd_bus_core #(
     .m_axis_tdata  (result_data),
     .m_axis_tlast  (result_last),
     .m_axis_tuser  (result_mark),
+    .grid_stop_i   (1'b0),
     .event_o       (core_event),
     .event_packet_o(core_packet),
     .event_beat_o  (core_beat),

@@ -51,6 +51,7 @@
 `define FFD_FRAME_SPAN       33    // event: spans beyond the table
 `define FFD_FRAME_REFUSED    34    // event: a grid or a packed vertex that is refused
 `define FFD_FRAME_PACKET     45:35 // of a header: the kind of its packet
+`define FFD_FRAME_STOPPED    46    // event: a grid that is stopped, at its last vertex
 `define FFD_USER_SATURATED   16    // of user's status
 `define FFD_USER_CLAMPED     17    // of user's status
 `define FFD_USER_NAN         18    // of user's status
@@ -61,5 +62,5 @@
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
 `define FFD_PACKET_W         11    // width
-`define FFD_FRAME_W          46    // width
+`define FFD_FRAME_W          47    // width
 `endif

@@ -36,6 +36,7 @@
 `define FFD_AS_SHORT    3'd4
 `define FFD_AS_LONG     3'd5
 `define FFD_AS_NOTHING  3'd6
+`define FFD_AS_STOPPED  3'd7
 
 // What a packet of vertices asks for; docs/interface.md section 2.
 `define FFD_RESULTS_POSITION    2'd0

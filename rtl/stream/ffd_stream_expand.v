@@ -9,6 +9,7 @@
 //             that belongs to nothing; what is behind a grid is dropped up to tlast. Of a packed
 //             vertex bit 63 refuses it. as_o tells the framer (FFD_AS_*). A header with bits that
 //             mean nothing keeps its opcode or flag, which are then unknown.
+// Stop:       a grid under way in a clock of grid_stop_i ends with the next vertex.
 // Formats:    docs/interface.md section 2; last_cell {k, j, i}.
 // Pipeline:   1 clock; a beat a clock, of packed ones one in two clocks. The first vertex of a grid
 //             23 clocks behind its last beat, then one a clock.
@@ -46,6 +47,7 @@ module ffd_stream_expand #(
   input  wire                           header_i,     // one goes on to the decoder
   input  wire                           loaded_i,     // the lattice of that header
   input  wire [3*`FFD_AXIS_W(AXIS)-1:0] last_cell_i,
+  input  wire                           grid_stop_i,
   output wire                           idle_o
 );
   localparam GRIDS  = `FFD_FEATURE_GRIDS(FEATURES);
@@ -141,10 +143,13 @@ module ffd_stream_expand #(
   wire [17:0] grid_cells;
   wire [74:0] grid_coordinates;
   wire        decided = state_q == CHECK && known_q && checked;
+  reg         stop_q;    // it ends with its next vertex
+  wire        walk_ends  = walk_last || stop_q;
 
   always @(posedge clk) begin
     if (header) large_q <= LARGE != 0 && PAGES != 0 && s_beat_data[19];
     axis_q  <= header ? 2'd0 : axis_q + {1'b0, axis_taken};
+    stop_q  <= state_q != HEADER && (stop_q || grid_stop_i);
     known_q <= state_q != HEADER && !(valid_q && as_q == `FFD_AS_GRID) && (known_q || header_i);
     if (end_axes) ended_q <= s_beat_last;
     if (end_axes) short_q <= axis_q != 2'd2;
@@ -212,10 +217,12 @@ module ffd_stream_expand #(
       second_q <= rest;
       data_q   <= vertex ? vertex_data : state_q == HEADER ? new_header : s_beat_data;
       packet_q <= grid ? OF_GRID : known;
-      last_q   <= rest ? rest_last_q : walks ? walk_last : state_q == CLOSE
+      last_q   <= rest ? rest_last_q : walks ? walk_ends : state_q == CLOSE
                || (paired ? alone : s_beat_last);
       as_q     <= rest || paired ? (half[63] ? `FFD_AS_REFUSED : `FFD_AS_IT_IS)
-                : walks              ? (walk_last && !ended_q ? `FFD_AS_LONG : `FFD_AS_IT_IS)
+                : walks && walk_last && !ended_q ? `FFD_AS_LONG
+                : walks && walk_ends && !walk_last ? `FFD_AS_STOPPED
+                : walks              ? `FFD_AS_IT_IS
                 : state_q == CLOSE   ? (short_q ? `FFD_AS_SHORT : `FFD_AS_NO_GRID)
                 : state_q == HEADER && grid ? `FFD_AS_GRID : `FFD_AS_IT_IS;
     end
@@ -227,7 +234,7 @@ module ffd_stream_expand #(
       HEADER: if (take && !s_beat_last) state_q <= grid ? AXES : pairs ? PAIRS : PASS;
       AXES:   if (end_axes) state_q <= CHECK;
       CHECK:  if (decided) state_q <= expects_i && !short_q && !bad ? WALK : CLOSE;
-      WALK:   if (walk && walk_last) state_q <= ended_q ? HEADER : DROP;
+      WALK:   if (walk && walk_ends) state_q <= ended_q ? HEADER : DROP;
       CLOSE:  if (close) state_q <= ended_q ? HEADER : DROP;
       default: if (take && s_beat_last) state_q <= HEADER;
     endcase

@@ -221,6 +221,7 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_PAGE]     = header_q && of_page;
   assign frame_o[`FFD_FRAME_SPAN]     = header_q && is_spans && !good_spans;
   assign frame_o[`FFD_FRAME_REFUSED]  = vertex_q && (as == `FFD_AS_REFUSED || no_grid);
+  assign frame_o[`FFD_FRAME_STOPPED]  = vertex_q && as == `FFD_AS_STOPPED;
   assign frame_o[`FFD_FRAME_PACKET]   = packet_i;
   assign claims_o                     = vertex_q && own;
   assign expects_o                    = vertex_q;

@@ -42,6 +42,7 @@ module ffd_stream_ingress #(
   input  wire                     rooms_i,
   input  wire                     loaded_i,     // the lattice of the header that went on last
   input  wire [PLACE_W-1:0]       last_cell_i,
+  input  wire                     grid_stop_i,
   output wire                     idle_o
 );
   wire                    valid;
@@ -90,6 +91,7 @@ module ffd_stream_ingress #(
         .header_i     (beat_valid_o && frame_o[`FFD_FRAME_HEADER]),
         .loaded_i     (loaded_i),
         .last_cell_i  (last_cell_i),
+        .grid_stop_i  (grid_stop_i),
         .idle_o       (nothing)
       );
     end else begin : gen_as_it_is
@@ -101,7 +103,7 @@ module ffd_stream_ingress #(
       assign last         = s_beat_last;
       assign as           = `FFD_AS_IT_IS;
       assign nothing      = 1'b1;
-      wire unused_ok = &{1'b0, expects, loaded_i, last_cell_i};
+      wire unused_ok = &{1'b0, expects, loaded_i, last_cell_i, grid_stop_i};
     end
   endgenerate
 

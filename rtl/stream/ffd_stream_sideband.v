@@ -63,7 +63,7 @@ module ffd_stream_sideband #(
                       frame_i[`FFD_FRAME_FINISH]};
   wire       points_top = frame_i[`FFD_FRAME_POINTS] && frame_i[`FFD_FRAME_TOP];
 
-  wire        refused;
+  wire        refused;  // or a grid is stopped
   wire        taken;
   wire        taken_last;
   wire [7:0]  framing;
@@ -76,7 +76,8 @@ module ffd_stream_sideband #(
   ) u_taken (
     .clk(clk),
     .rst(rst),
-    .d_i({15{take_i}} & {frame_i[`FFD_FRAME_REFUSED], 1'b1, kinds, raised}),
+    .d_i({15{take_i}} & {frame_i[`FFD_FRAME_REFUSED] || frame_i[`FFD_FRAME_STOPPED], 1'b1, kinds,
+                         raised}),
     .q_o({refused, taken, load_o, lattice_write_o, slot_write_o, vertex_o, finish_o, framing})
   );
 

@@ -9,6 +9,7 @@
 // Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind, vertex_o one
 //             for each vertex, a clock after its last result has left the evaluator; wait_o says
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
+// Stop:       grid_stop_i ends a grid that is under way with the next vertex.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
 //             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
 //             a power of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one
@@ -51,6 +52,7 @@ module hwffd_stream #(
   output wire [127:0] m_axis_tdata,
   output wire         m_axis_tlast,
   output wire         m_axis_tuser,  // with the last beat of a packet with the flag I
+  input  wire         grid_stop_i,   // ends a grid that is under way
   output wire [`FFD_EVENTS-1:0] event_o,
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
@@ -125,6 +127,7 @@ module hwffd_stream #(
     .rooms_i      (rooms),
     .loaded_i     (lattice_loaded),
     .last_cell_i  (last_cell),
+    .grid_stop_i  (grid_stop_i),
     .idle_o       (ingress_idle)
   );
 

@@ -51,6 +51,7 @@ module hwffd_stream_bus #(
   output wire [DATA_WIDTH/8-1:0] m_axis_tkeep,
   output wire                    m_axis_tlast,
   output wire                    m_axis_tuser,  // with the last beat of a packet with the flag I
+  input  wire                    grid_stop_i,   // ends a grid that is under way
   output wire [`FFD_EVENTS-1:0]  event_o,
   output wire [31:0]             event_packet_o,
   output wire [31:0]             event_beat_o,
@@ -92,6 +93,7 @@ module hwffd_stream_bus #(
     .m_axis_tdata  (out_data),
     .m_axis_tlast  (out_last),
     .m_axis_tuser  (out_user),
+    .grid_stop_i   (grid_stop_i),
     .event_o       (event_o),
     .event_packet_o(event_packet_o),
     .event_beat_o  (event_beat_o),

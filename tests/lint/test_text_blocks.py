@@ -127,7 +127,7 @@ def test_every_port_and_parameter_needs_a_meaning():
         text = "\n".join([f"<!-- sources: {opening}", *lines, "-->", "<!-- end sources -->", ""])
         return "; ".join(message for _, message in blocks.fill(text)[1])
 
-    ports = ("a*: clock, reset", "s_axis_*: in", "m_axis_*: out", "event_*: event",
+    ports = ("a*: clock, reset", "s_axis_*: in", "m_axis_*: out", "grid_stop_i: stop", "event_*: event",
              "vertex_o: vertex", "wait_o: waits", "idle_o: idle", "upset_o: upset")
     assert fault_of("rtl.ports hwffd_stream", *ports) == ""
     assert "hwffd_stream.aresetn has no meaning" in fault_of("rtl.ports hwffd_stream", "aclk: clock")

@@ -117,6 +117,7 @@ module ffd_bench_random #(
     .m_axis_tkeep  (out_keep),
     .m_axis_tlast  (out_last),
     .m_axis_tuser  (out_user),
+    .grid_stop_i   (1'b0),
     .event_o       (events),
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),

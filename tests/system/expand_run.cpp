@@ -2,17 +2,24 @@
 
 namespace hwffd::test {
 
-void ExpandRun::send_lattice(const LatticeWords& lattice) {
-  send(has(model::kPagesFeature) ? page_packet(page(), lattice) : lattice_packet(lattice));
+std::vector<Beat> ExpandRun::packet_of(const LatticeWords& lattice) const {
+  return has(model::kPagesFeature) ? page_packet(page(), lattice) : lattice_packet(lattice);
 }
+
+std::vector<Beat> ExpandRun::packet_of(const std::vector<VertexBeat>& vertices,
+                                       const PageVertices& how) const {
+  return has(model::kPagesFeature) ? page_vertices_packet(page(), vertices, how)
+                                   : vertices_packet(vertices, how.mode, how.results);
+}
+
+void ExpandRun::send_lattice(const LatticeWords& lattice) { send(packet_of(lattice)); }
 
 void ExpandRun::send_grid(const Grid& grid, const PageVertices& how) {
   send(grid_packet(grid, page(), how));
 }
 
 void ExpandRun::send_vertices(const std::vector<VertexBeat>& vertices, const PageVertices& how) {
-  send(has(model::kPagesFeature) ? page_vertices_packet(page(), vertices, how)
-                                 : vertices_packet(vertices, how.mode, how.results));
+  send(packet_of(vertices, how));
 }
 
 void ExpandRun::send_packed(const std::vector<PackedVertex>& vertices, const PageVertices& how) {

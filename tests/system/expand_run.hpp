@@ -18,6 +18,9 @@ class ExpandRun : public PageRun {
   int page() const { return has(model::kPagesFeature) ? build_.core.pages - 1 : 0; }
   int axis_points() const { return build_.core.axis; }
 
+  std::vector<Beat> packet_of(const LatticeWords& lattice) const;
+  std::vector<Beat> packet_of(const std::vector<VertexBeat>& vertices,
+                              const PageVertices& how = {}) const;
   void send_lattice(const LatticeWords& lattice);
   void send_grid(const Grid& grid, const PageVertices& how = {});
   void send_vertices(const std::vector<VertexBeat>& vertices, const PageVertices& how = {});

@@ -1,12 +1,15 @@
 // Grids: the core makes the vertices, and gives the bits of the same vertices sent one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <string>
 
 #include "bad_packets.hpp"
 #include "expand_run.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "named.hpp"
+#include "share.hpp"
 
 namespace hwffd::test {
 namespace {
@@ -384,6 +387,84 @@ TEST_P(Grids, AResetEndsThem) {
   run.send_grid(grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2}));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.bench().results().size(), 8U);
+}
+
+/// Results of a core, and pulses of event 13, without a bench: nobody knows beforehand how many
+/// vertices a grid has made when it is stopped.
+struct Stopped {
+  std::vector<Beat> results;
+  std::size_t refusals = 0;
+};
+
+/// Sends all beats, with a pulse of grid_stop_i in a clock, and takes what comes until it is idle.
+Stopped stopped_at(cores::StreamCore& core, tb::Random& random, const std::vector<Beat>& beats,
+                   std::uint64_t at) {
+  constexpr std::uint64_t kMost = 100'000;
+  const double source = random.pick({1.0, 0.5}), sink = random.pick({1.0, 0.5});
+  Stopped out;
+  std::size_t taken = 0;
+  bool offered = false;
+  for (std::uint64_t clock = 0; clock < kMost; ++clock) {
+    core.drive_reset(clock < 3);
+    offered = clock > 3 && taken < beats.size() && (offered || random.chance(source));
+    const bool ready = random.chance(sink);
+    core.drive_input(offered, beats[std::min(taken, beats.size() - 1)]);
+    core.drive_output_ready(ready);
+    core.drive_grid_stop(clock == at);
+    core.settle();
+    if (clock > 3 && taken == beats.size() && core.idle()) break;
+    if (clock > 3) out.refusals += core.events() >> stream_event(kGridCount) & 1;
+    if (offered && core.input_ready()) {
+      ++taken;
+      offered = false;
+    }
+    if (clock > 3 && ready && core.output_valid()) out.results.push_back(core.output());
+    core.clock();
+  }
+  return out;
+}
+
+// A stopped grid has the results of its first vertices, the last of them with tlast and event 13,
+// and what follows is as if no more had been asked for. In any other clock the pin does nothing.
+TEST_P(Grids, AStopEndsThem) {
+  std::size_t stops = 0, wholes = 0;
+  for (std::uint64_t round = 0; round < share_of(40); ++round) {
+    SCOPED_TRACE(round);
+    tb::Random random(round);
+    ExpandRun run(GetParam(), round);
+    const LatticeWords lattice = run.random_lattice(random, 5);
+    const std::vector<Grid> grids = {grid_between({0, 0, 0}, {1, 1, 1}, {5, 4, 3}),
+                                     grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2})};
+    std::vector<Beat> sent =
+        coefficients_packet(watertight_bspline(run.codec()), run.codec(), Functions::kBlending);
+    append(sent, run.packet_of(lattice));
+    std::vector<Beat> wanted = sent;
+    const auto interval = static_cast<std::uint64_t>(scattered_interval(run.row()));
+    const std::uint64_t at = sent.size() + random.below(100 + 2 * vertices_of(grids[0]) * interval);
+    for (const Grid& grid : grids) append(sent, grid_packet(grid, run.page()));
+    const std::unique_ptr<cores::StreamCore> core = GetParam().make(round);
+    const Stopped out = stopped_at(*core, random, sent, at);
+
+    std::size_t stopped = 0;
+    auto begin = out.results.begin();
+    for (const Grid& grid : grids) {
+      const auto last =
+          std::find_if(begin, out.results.end(), [](const Beat& beat) { return beat.last; });
+      ASSERT_NE(last, out.results.end());
+      std::vector<VertexBeat> vertices = grid_vertices(grid, lattice.dims, run.codec());
+      const auto made = static_cast<std::size_t>(last - begin) + 1;
+      ASSERT_LE(made, vertices.size());
+      (made < vertices.size() ? stopped : wholes) += 1;
+      vertices.resize(made);
+      append(wanted, run.packet_of(vertices));
+      begin = last + 1;
+    }
+    EXPECT_EQ(out.refusals, stopped);
+    EXPECT_TRUE(out.results == run.model_of(wanted));
+    stops += stopped;
+  }
+  EXPECT_GT(stops, 0U);
+  EXPECT_GT(wholes, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Grids, ::testing::ValuesIn(page_builds()), by_name);

@@ -71,6 +71,8 @@ class PageRun {
     return ::testing::AssertionSuccess();
   }
 
+  /// What the model makes of beats that no core was sent.
+  std::vector<Beat> model_of(const std::vector<Beat>& beats) { return model_.run(beats); }
   /// What is loaded and what came of a packet is forgotten.
   void reset() {
     bench_->reset(1);

@@ -291,6 +291,7 @@ void whole_core(unsigned width, bool wrong_keep) {
     std::size_t at = 0, got = 0;
     bool offered = false;
     dut.aresetn = 0;
+    dut.grid_stop_i = 0;
     for (std::uint64_t clock = 0; got < expected.size() || dut.idle_o == 0; ++clock) {
       ASSERT_LT(clock, 2'000'000U) << got << " of " << expected.size();
       offered = clock > 3 && at < sent.size() && (offered || !random.chance(waits.source));

@@ -27,6 +27,8 @@ class StreamCore {
   virtual void drive_input(bool valid, const Beat& beat) = 0;
   /// Drives m_axis_tready.
   virtual void drive_output_ready(bool ready) = 0;
+  /// Drives grid_stop_i, which is low before. A core without grids has none.
+  virtual void drive_grid_stop(bool /*stop*/) {}
 
   /// Lowers aclk and settles the combinational paths.
   virtual void settle() = 0;

@@ -36,6 +36,7 @@ class VerilatedStreamCore final : public StreamCore {
     dut_->aresetn = 0;
     dut_->s_axis_tvalid = 0;
     dut_->m_axis_tready = 0;
+    dut_->grid_stop_i = 0;
     dut_->eval();
   }
 
@@ -46,6 +47,7 @@ class VerilatedStreamCore final : public StreamCore {
     dut_->s_axis_tlast = beat.last ? 1 : 0;
   }
   void drive_output_ready(bool ready) override { dut_->m_axis_tready = ready ? 1 : 0; }
+  void drive_grid_stop(bool stop) override { dut_->grid_stop_i = stop ? 1 : 0; }
 
   void settle() override {
     dut_->aclk = 0;
