@@ -17,7 +17,7 @@
 //             it its lattice, is known.
 // Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready by gates.
 // Parameters: FORMAT as in ffd_num.vh; FEATURES and AXIS as in ffd_stream_header, with one of the
-//             bits of grids and packed vertices.
+//             bits of grids and packed vertices; GRID_LIMIT as LIMIT of ffd_stream_grid.
 // Model:      golden/include/hwffd/stream/grid.hpp, packed.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,9 +25,10 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_expand #(
-  parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES + 48,
-  parameter AXIS     = 16
+  parameter FORMAT     = 18,
+  parameter FEATURES   = `FFD_FEATURES + 48,
+  parameter AXIS       = 16,
+  parameter GRID_LIMIT = 48
 ) (
   input  wire                           clk,
   input  wire                           rst,
@@ -163,7 +164,8 @@ module ffd_stream_expand #(
   generate
     if (GRIDS != 0) begin : gen_grid
       ffd_stream_grid #(
-        .AXIS(AXIS)
+        .AXIS (AXIS),
+        .LIMIT(GRID_LIMIT)
       ) u_grid (
         .clk          (clk),
         .rst          (rst),

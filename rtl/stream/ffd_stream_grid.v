@@ -5,22 +5,24 @@
 // in the last cell at 1. Before the first vertex the end, start + (count - 1) * step, is found by
 // as many doublings as a count has bits: whatever lies between both ends is inside if they are.
 //
-// Bad input:  bad_o, when checked: a count of 0, an end outside the lattice, no lattice, or without
-//             the flag L a cell beyond the 32nd.
+// Bad input:  bad_o, when checked: a count of 0, an end outside the lattice, no lattice, a cell
+//             beyond the 32nd without the flag L, or more than 2^LIMIT vertices: these are counted
+//             from the header on, two bits of a count a clock, and known before the check is done.
 // Formats:    data of a header: counts of s and t in word 1, of u in word 3; of an axis: start,
 //             unsigned, and step, signed, 24 bits before the point and 40 behind it. Coordinates
 //             Q1.24, cells six bits, {u, t, s}.
 // Pipeline:   checked 20 clocks after check_i, with the first vertex; then a vertex in every clock,
 //             in that of next_i the one before. A vertex leaves registers, a clock behind its sums.
 //             A header makes checked_o 0; what it says is that of the last clock of header_i.
-// Parameters: AXIS as in ffd_stream_header.
+// Parameters: AXIS as in ffd_stream_header; LIMIT 0 to 48, and with 48 there is none.
 // Model:      golden/include/hwffd/stream/grid.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_stream.vh"
 
 module ffd_stream_grid #(
-  parameter AXIS = 16
+  parameter AXIS  = 16,
+  parameter LIMIT = 48
 ) (
   input  wire                           clk,
   input  wire                           rst,
@@ -45,6 +47,51 @@ module ffd_stream_grid #(
   // A sum of two times what fits and once; whatever fits has three equal bits on top.
   localparam SUM_W    = START_W + 3;
   localparam COUNT_W  = 16;
+
+  // ---- how many: n_s n_t and then n_u of them, from the highest bits on
+
+  wire many;
+  generate
+    if (LIMIT < 0 || LIMIT > 3 * COUNT_W) begin : gen_bad_limit
+      ERROR_ffd_stream_grid_limit_must_be_0_to_48 u_error ();
+    end
+    if (LIMIT < 3 * COUNT_W) begin : gen_limit
+      localparam                PRODUCT_W = LIMIT < COUNT_W ? COUNT_W : LIMIT + 1;
+      localparam [PRODUCT_W+2:0] ONE      = 1;
+      localparam [PRODUCT_W+2:0] MOST     = ONE << LIMIT;
+      reg  [4:0]           step_q;     // eight for each product
+      reg  [PRODUCT_W-1:0] product_q;  // of no meaning where it is too many
+      reg  [PRODUCT_W-1:0] factor_q;
+      reg  [COUNT_W-1:0]   bits_q;
+      reg  [COUNT_W-1:0]   last_bits_q;
+      reg                  many_q;
+      wire [PRODUCT_W+2:0] factor = {3'd0, factor_q};
+      wire [PRODUCT_W+2:0] next   = {1'b0, product_q, 2'd0}
+                                  + (bits_q[COUNT_W-1] ? {factor[PRODUCT_W+1:0], 1'b0}
+                                                       : {(PRODUCT_W + 3) {1'b0}})
+                                  + (factor & {(PRODUCT_W + 3) {bits_q[COUNT_W-2]}});
+      wire                 turns  = step_q[2:0] == 3'd7;
+      always @(posedge clk) begin
+        if (header_i) begin
+          step_q      <= 5'd0;
+          product_q   <= {PRODUCT_W{1'b0}};
+          factor_q    <= {{(PRODUCT_W - COUNT_W) {1'b0}}, data_i[32 +: COUNT_W]};
+          bits_q      <= data_i[48 +: COUNT_W];
+          last_bits_q <= data_i[96 +: COUNT_W];
+          many_q      <= 1'b0;
+        end else if (!step_q[4]) begin
+          step_q    <= step_q + 5'd1;
+          product_q <= turns ? {PRODUCT_W{1'b0}} : next[PRODUCT_W-1:0];
+          if (turns) factor_q <= next[PRODUCT_W-1:0];
+          bits_q    <= turns ? last_bits_q : {bits_q[COUNT_W-3:0], 2'd0};
+          many_q    <= many_q || next > MOST;
+        end
+      end
+      assign many = many_q;
+    end else begin : gen_no_limit
+      assign many = 1'b0;
+    end
+  endgenerate
 
   // ---- the check: doublings, the end, back to the start
 
@@ -88,7 +135,7 @@ module ffd_stream_grid #(
     if (check_i) bad_q <= !loaded_i || |zero || |beyond;
     else bad_q <= bad_q || outside_q || (summing_q && !empty_q && |over);
   end
-  assign bad_o = bad_q || outside_q;
+  assign bad_o = bad_q || outside_q || many;
 
   // ---- three axes
 

@@ -16,11 +16,12 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_ingress #(
-  parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
-  parameter AXIS     = 16,
-  parameter SPANS    = 1,
-  parameter PLACE_W  = 3 * `FFD_AXIS_W(AXIS)
+  parameter FORMAT     = 18,
+  parameter FEATURES   = `FFD_FEATURES,
+  parameter AXIS       = 16,
+  parameter SPANS      = 1,
+  parameter GRID_LIMIT = 48,
+  parameter PLACE_W    = 3 * `FFD_AXIS_W(AXIS)
 ) (
   input  wire                     clk,
   input  wire                     rst,
@@ -69,9 +70,10 @@ module ffd_stream_ingress #(
   generate
     if (`FFD_FEATURE_EXPANDED(FEATURES)) begin : gen_expand
       ffd_stream_expand #(
-        .FORMAT  (FORMAT),
-        .FEATURES(FEATURES),
-        .AXIS    (AXIS)
+        .FORMAT    (FORMAT),
+        .FEATURES  (FEATURES),
+        .AXIS      (AXIS),
+        .GRID_LIMIT(GRID_LIMIT)
       ) u_expand (
         .clk          (clk),
         .rst          (rst),

@@ -14,8 +14,9 @@
 //             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
 //             a power of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one
 //             >= 2, the most vertices before them; FEATURES, what is built, as in ffd_stream.vh;
-//             SPANS 1 to 128, runs of cells of an axis with functions of their own; HARDENED 0, or
-//             1: points have a parity, and upset_o is a pulse for one that is wrong.
+//             SPANS 1 to 128, runs of cells of an axis with functions of their own; GRID_LIMIT 0 to
+//             48, log2 of the most vertices of a grid; HARDENED 0, or 1: points have a parity, and
+//             upset_o is a pulse for one that is wrong.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -39,6 +40,7 @@ module hwffd_stream #(
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1,
+  parameter GRID_LIMIT      = 48,
   parameter HARDENED        = 0
 ) (
   input  wire         aclk,
@@ -102,10 +104,11 @@ module hwffd_stream #(
   wire [PLACE_W-1:0]       last_cell;
 
   ffd_stream_ingress #(
-    .FORMAT  (FORMAT),
-    .FEATURES(FEATURES),
-    .AXIS    (AXIS),
-    .SPANS   (SPANS)
+    .FORMAT    (FORMAT),
+    .FEATURES  (FEATURES),
+    .AXIS      (AXIS),
+    .SPANS     (SPANS),
+    .GRID_LIMIT(GRID_LIMIT)
   ) u_ingress (
     .clk          (clk),
     .rst          (rst),

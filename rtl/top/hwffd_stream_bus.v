@@ -35,6 +35,7 @@ module hwffd_stream_bus #(
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1,
+  parameter GRID_LIMIT      = 48,
   parameter HARDENED        = 0,
   parameter DATA_WIDTH      = 64
 ) (
@@ -80,6 +81,7 @@ module hwffd_stream_bus #(
   wire         out_user;
 
   hwffd_stream #(
+    .GRID_LIMIT     (GRID_LIMIT),
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),

@@ -43,7 +43,8 @@ class PageRun {
         row_(find_configuration(build.row)),
         codec_(row_.format),
         core_(build.make(seed)),
-        model_(row_, build.core.features, build.core.axis, build.core.pages, build.core.spans) {
+        model_(row_, build.core.features, build.core.axis, build.core.pages, build.core.spans,
+               build.core.grid_limit) {
     tb::StreamBenchOptions options;
     options.test = {build.name, seed, "SEED=" + std::to_string(seed)};
     options.source_throttle = source;

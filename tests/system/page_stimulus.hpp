@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hwffd/stream/grid.hpp"
 #include "stimulus.hpp"
 
 namespace hwffd::test {
@@ -14,6 +15,7 @@ struct PageCore {
   int axis = kAxisPoints;
   int pages = kPages;
   int spans = 1;
+  int grid_limit = kGridLimit;
 };
 
 /// A lattice with a fourth component of its own words.

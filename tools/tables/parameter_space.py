@@ -64,10 +64,11 @@ class Space:
         self.organizations = {organization.number: organization for organization in organizations.read().values()}
         self.formats = {member.number: member for member in formats.read().by_name.values()}
         stream = self._stream()
+        limit = _table([Parameter("GRID_LIMIT", values.of(Between(0, 48)), "ffd_stream_grid_limit_must_be_0_to_48")])
         bus = self._bus()
         self.parameters = {
-            "hwffd_stream": stream,
-            "hwffd_stream_bus": {**stream, **_table([Parameter(
+            "hwffd_stream": {**stream, **limit},
+            "hwffd_stream_bus": {**stream, **limit, **_table([Parameter(
                 "DATA_WIDTH", values.of(64, 128, 256), "hwffd_stream_bus_data_width_.*")])},
             "hwffd_wishbone": bus,
             "hwffd_axi": {**bus, **_table([Parameter(

@@ -10,13 +10,14 @@
 namespace hwffd::model {
 
 StreamModel::StreamModel(const Configuration& configuration, std::uint32_t features,
-                         int axis_points, int pages, int spans)
+                         int axis_points, int pages, int spans, int grid_limit)
     : evaluator_(make_evaluator_model(configuration)),
       codec_(configuration.format),
       features_(features),
       axis_points_(axis_points),
       pages_(pages),
       spans_(spans),
+      grid_limit_(grid_limit),
       sums_wanted_(completes(organization_of(configuration).form) && !wired_in(configuration)) {}
 
 void StreamModel::reset() {

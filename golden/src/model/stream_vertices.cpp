@@ -28,11 +28,12 @@ void StreamModel::grid_beat(const Beat& beat) {
   if (beat_ == 3) grid();
 }
 
-/// All vertices, if all of them are in the lattice.
+/// All vertices, if all of them are in the lattice and they are not too many.
 void StreamModel::grid() {
   const Grid grid = grid_of(grid_);
   const int cells = flagged(kLargeFlag) ? kLargeAxisPoints : kSmallAxisPoints;
-  if (page_ == nullptr || !grid_fits(grid, page_->dims, cells)) {
+  if (page_ == nullptr || !grid_fits(grid, page_->dims, cells) ||
+      vertex_count(grid) > std::uint64_t{1} << grid_limit_) {
     refuse(event::kGridCount);
     state_ = State::kDrop;
     return;

@@ -11,6 +11,7 @@
 #include "hwffd/stream/beat.hpp"
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/features.hpp"
+#include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packets.hpp"
 #include "hwffd/stream/word_codec.hpp"
 
@@ -31,8 +32,10 @@ class StreamModel {
   /// @param axis_points  of a resident lattice, at most
   /// @param pages        of the point store
   /// @param spans        of an axis, more than 1 with `kSpansFeature`
+  /// @param grid_limit   a grid of more than 2^grid_limit vertices is refused
   explicit StreamModel(const Configuration& configuration, std::uint32_t features = kAllFeatures,
-                       int axis_points = kAxisPoints, int pages = kPages, int spans = 1);
+                       int axis_points = kAxisPoints, int pages = kPages, int spans = 1,
+                       int grid_limit = kGridLimit);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -129,6 +132,7 @@ class StreamModel {
   Page* page_ = nullptr;   // of the packet under way; of vertices, none if there is none
   std::size_t place_ = 0;  // of the next point of a part
   SpanTable spans_;
+  int grid_limit_;
   bool sums_wanted_;  // functions must sum to one
   FunctionSums sums_;
   std::vector<Beat> results_;

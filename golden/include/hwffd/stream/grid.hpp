@@ -13,6 +13,8 @@ namespace hwffd {
 /// Bits behind the point of a grid's start and step, and of the coordinate that they give.
 constexpr int kGridFraction = 40;
 constexpr int kGridCoordinate = 24;
+/// log2 of more vertices than any grid has.
+constexpr int kGridLimit = 48;
 
 /// A regular grid of vertices of a lattice, in the words of its packet. Along an axis vertex n is
 /// at start + n * step cells, a sum without any rounding; the coordinate is cut to its first
