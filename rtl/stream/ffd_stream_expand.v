@@ -82,7 +82,7 @@ module ffd_stream_expand #(
   wire         walks = state_q[3];
   wire         paired = PACKED != 0 && state_q == PAIRS;
   wire         pass = state_q == HEADER || state_q == PASS || paired;
-  wire         sink = state_q == AXES || state_q == DROP;
+  wire         sink = state_q == AXES || state_q[2:1] == DROP[2:1];  // 7 is no state: it drops, too
   wire         take = s_beat_valid && s_beat_ready;
   assign s_beat_ready = open_q && ((pass && free && !rest) || sink);
   assign idle_o       = !valid_q && !rest && state_q == HEADER;
@@ -232,11 +232,12 @@ module ffd_stream_expand #(
 
   always @(posedge clk) begin
     if (rst) state_q <= HEADER;
-    else case (state_q)
+    else if (walks) begin
+      if (walk && walk_ends) state_q <= ended_q ? HEADER : DROP;
+    end else case (state_q)
       HEADER: if (take && !s_beat_last) state_q <= grid ? AXES : pairs ? PAIRS : PASS;
       AXES:   if (end_axes) state_q <= CHECK;
       CHECK:  if (decided) state_q <= expects_i && !short_q && !bad ? WALK : CLOSE;
-      WALK:   if (walk && walk_ends) state_q <= ended_q ? HEADER : DROP;
       CLOSE:  if (close) state_q <= ended_q ? HEADER : DROP;
       default: if (take && s_beat_last) state_q <= HEADER;
     endcase
