@@ -5,7 +5,7 @@
 //
 // With SUMS 4 a vertex has one user word, and its four results are queued side by side. RESULTS 1:
 // they leave one after the other, as many as the vertex wants: its position; that and its three
-// derivatives; or that and det J. RESULTS 4: all leave at once.
+// derivatives; that and det J; or det J alone. RESULTS 4: all leave at once.
 //
 // Formats:    words {z, y, x} of each result, flags {folded, nan, saturated} of each; of a
 //             determinant the words are {any, any, det J}.
@@ -33,6 +33,7 @@ module ffd_eval_order #(
   // A vertex that has come, and what of it is wanted.
   input  wire                  take_i,
   input  wire                  take_determinant_i,
+  input  wire                  take_alone_i,  // of one pass: no position
   input  wire                  take_four_i,
   input  wire [USER_W-1:0]     take_user_i,
   input  wire                  word_valid_i,
@@ -71,6 +72,7 @@ module ffd_eval_order #(
   wire                users_ready;
   wire                user_valid;
   wire                user_determinant;
+  wire                user_alone;
   wire                user_four;
   wire                waiting_valid;
   wire [2:0]          waiting_flags;
@@ -106,15 +108,15 @@ module ffd_eval_order #(
 
   // A user word is there whenever its result is. Beside it what it wants, as far as that is not
   // known otherwise.
-  localparam EXTRA = SUMS != 1 ? 2 : TOGETHER ? 0 : 1;
-  wire [USER_W+1:0] user = {take_four_i, take_determinant_i, take_user_i};
-  wire [USER_W+1:0] head;
+  localparam EXTRA = SUMS != 1 ? 3 : TOGETHER ? 0 : 1;
+  wire [USER_W+2:0] user = {take_alone_i, take_four_i, take_determinant_i, take_user_i};
+  wire [USER_W+2:0] head;
   generate
-    if (EXTRA < 2) begin : gen_known
-      assign head[USER_W+1 : USER_W+EXTRA] = {2 - EXTRA {1'b0}};
+    if (EXTRA < 3) begin : gen_known
+      assign head[USER_W+2 : USER_W+EXTRA] = {3 - EXTRA {1'b0}};
     end
   endgenerate
-  assign {user_four, user_determinant, m_result_user} = head;
+  assign {user_alone, user_four, user_determinant, m_result_user} = head;
 
   ffd_stream_queue #(
     .WIDTH(USER_W + EXTRA),
@@ -160,14 +162,14 @@ module ffd_eval_order #(
   generate
     if (SUMS != 1 && RESULTS == 1) begin : gen_in_turn
       reg  [1:0] part_q;
-      wire [1:0] last = user_determinant ? 2'd1 : user_four ? 2'd3 : 2'd0;
+      wire [1:0] last = user_alone ? 2'd0 : user_determinant ? 2'd1 : user_four ? 2'd3 : 2'd0;
       always @(posedge clk) begin
         if (rst) part_q <= 2'd0;
         else if (m_result_valid && m_result_ready) part_q <= m_result_last ? 2'd0 : part_q + 2'd1;
       end
       wire [95:0] words = result_words[96*part_q +: 96];
       assign result_ready         = leave;
-      assign m_result_determinant = user_determinant && part_q[0];
+      assign m_result_determinant = user_determinant && (part_q[0] || user_alone);
       assign m_result_last        = part_q == last;
       assign m_result_valid = user_valid && result_valid
                            && (waiting_valid || !m_result_determinant);
@@ -182,7 +184,7 @@ module ffd_eval_order #(
       assign m_result_words = {result_words[95:32],
                                user_determinant ? waiting : result_words[31:0]};
       assign m_result_flags = user_determinant ? waiting_flags : result_flags;
-      wire unused_ok = &{1'b0, result_determinant, user_four};
+      wire unused_ok = &{1'b0, result_determinant, user_four, user_alone};
     end else begin : gen_as_they_come
       assign result_ready         = m_result_ready;
       assign m_result_determinant = result_determinant;
@@ -190,7 +192,7 @@ module ffd_eval_order #(
       assign m_result_valid       = result_valid;
       assign m_result_words       = result_words;
       assign m_result_flags       = result_flags;
-      wire unused_ok = &{1'b0, user_valid, user_determinant, user_four, waiting_valid,
+      wire unused_ok = &{1'b0, user_valid, user_determinant, user_four, user_alone, waiting_valid,
                          waiting_flags, waiting};
     end
   endgenerate

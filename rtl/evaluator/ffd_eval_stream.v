@@ -9,7 +9,8 @@
 // of column 0, waits in a queue of its own and leaves in its place in the order.
 //
 // Where the organization gives the Jacobian in one pass, a vertex comes once, whatever it wants:
-// det J with column 3, three derivatives with places of derivatives on all axes and column 0. Its
+// det J with column 3, and with column 2 without the position; three derivatives with places of
+// derivatives on all axes and column 0. Its
 // results leave one after the other with one user word, as ffd_eval_order has them, or with
 // RESULTS 4 all at once.
 //
@@ -252,14 +253,16 @@ module ffd_eval_stream #(
   endgenerate
 
   // What is wanted of a vertex, and its user word, go on a clock later: nothing is done so soon.
-  wire             last_column = s_vertex_column == LAST_COLUMN;
+  wire             last_column = SUMS == 1 ? s_vertex_column == LAST_COLUMN : s_vertex_column[1];
   reg              takes_q;
   reg              determinant_q;
+  reg              alone_q;
   reg              four_q;
   reg [USER_W-1:0] user_q;
   always @(posedge clk) begin
     takes_q       <= enter && (s_vertex_column == 2'd0 || last_column) && !rst;
     determinant_q <= last_column;
+    alone_q       <= SUMS != 1 && last_column && !s_vertex_column[0];
     four_q        <= s_vertex_bank[1] && s_vertex_bank[PLACE_W+1] && s_vertex_bank[2*PLACE_W+1];
     user_q        <= s_vertex_user;
   end
@@ -292,7 +295,7 @@ module ffd_eval_stream #(
         ) u_columns (
           .clk           (clk),
           .rst           (rst),
-          .valid_i       (sum_valid && column == LAST_COLUMN),
+          .valid_i       (sum_valid && column[1]),
           .columns_i     (jacobian),
           .exponent_i    (exponent),
           .column_valid_o(column_valid),
@@ -343,6 +346,7 @@ module ffd_eval_stream #(
     .rst                 (rst),
     .take_i              (takes_q),
     .take_determinant_i  (determinant_q),
+    .take_alone_i        (alone_q),
     .take_four_i         (four_q),
     .take_user_i         (user_q),
     .word_valid_i        (word_valid[0]),

@@ -42,6 +42,7 @@
 `define FFD_RESULTS_POSITION    2'd0
 `define FFD_RESULTS_DERIVATIVES 2'd1
 `define FFD_RESULTS_DETERMINANT 2'd2
+`define FFD_RESULTS_ALONE       2'd3  // det J without the position
 
 // Of FEATURES (ffd_features.vh): grids or packed vertices, which ffd_stream_expand makes; what a
 // core has unless told; and what it cannot have.

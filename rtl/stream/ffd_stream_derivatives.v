@@ -1,8 +1,9 @@
-// ffd_stream_derivatives: a vertex is evaluated once, or four times, each perhaps twice
+// ffd_stream_derivatives: a vertex is evaluated once, three or four times, each perhaps twice
 //
 // Between decoder and evaluator. By what its packet asks for (docs/interface.md section 2) a vertex
 // goes on as it is, or four times with the same coordinates, cell and points: the position, then
-// the derivatives along s, t and u, for which that axis takes its derivative functions. With a
+// the derivatives along s, t and u, for which that axis takes its derivative functions; or, for det
+// J alone, three times, without the position. With a
 // fourth component each of them goes twice, the second time for that component alone. The vertex
 // waits in the decoder until the last time.
 //
@@ -12,8 +13,8 @@
 //
 // Formats:    bank {u, t, s}, each FFD_PLACE_W; source {again, that of the decoder}: 1 where
 //             the points are read once more, so that a slot is freed behind the last time; column 0
-//             a result of its own, 1 to 3 a column of J, from whose three comes one result, of one
-//             pass 3: det J too; user {result_final, that of the decoder}: 1 with the vertex's last
+//             a result of its own, 1 to 3 a column of J, from whose three comes one result; of one
+//             pass 3: det J too, 2: det J alone; user {result_final, that of the decoder}: 1 with the vertex's last
 //             evaluation. The bit of source that asks for the fourth component (ffd_stream.vh)
 //             becomes the one that says that this evaluation is of it.
 // Pipeline:   combinational but for the count of evaluations.
@@ -51,10 +52,13 @@ module ffd_stream_derivatives #(
 );
   // 0 the position, 1 to 3 the derivative along s, t, u.
   reg  [1:0] part_q;
+  wire       alone      = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
+                       && s_vertex_results == `FFD_RESULTS_ALONE;
+  wire [1:0] part       = alone && part_q == 2'd0 ? 2'd1 : part_q;
   wire       position   = `FFD_FEATURE_DERIVATIVES(FEATURES) == 0
                        || s_vertex_results == `FFD_RESULTS_POSITION;
   wire       whole;  // position and derivatives at once
-  wire       part_final = position || whole || part_q == 2'd3;
+  wire       part_final = position || whole || part == 2'd3;
   wire       part_whole;
   wire       fourth;
   wire       result_final = part_final && part_whole;
@@ -62,7 +66,7 @@ module ffd_stream_derivatives #(
 
   always @(posedge clk) begin
     if (rst) part_q <= 2'd0;
-    else if (next && part_whole) part_q <= part_final ? 2'd0 : part_q + 2'd1;
+    else if (next && part_whole) part_q <= part_final ? 2'd0 : part + 2'd1;
   end
 
   wire [SOURCE_W-1:0] source;
@@ -89,15 +93,16 @@ module ffd_stream_derivatives #(
   assign m_vertex_valid  = s_vertex_valid;
   assign m_vertex_source = {!result_final, source};
   assign m_vertex_fourth = fourth;
-  assign m_vertex_column = `FFD_FEATURE_DETERMINANT(FEATURES) == 0
-                        || s_vertex_results != `FFD_RESULTS_DETERMINANT ? 2'd0
-                         : part_q | {2{whole}};
+  wire determinant = `FFD_FEATURE_DETERMINANT(FEATURES) != 0
+                  && s_vertex_results == `FFD_RESULTS_DETERMINANT;
+  assign m_vertex_column = !determinant && !alone ? 2'd0
+                         : whole ? {1'b1, !alone} : part;
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
       localparam [1:0] PART = a + 1;
-      wire derivative = whole || part_q == PART;
+      wire derivative = whole || part == PART;
       if (SPANS == 1) begin : gen_bank
         assign m_vertex_bank[2*a +: 2] = {derivative, s_vertex_bank};
       end else begin : gen_place

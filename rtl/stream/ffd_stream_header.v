@@ -49,7 +49,8 @@ module ffd_stream_header #(
   wire [1:0] results      = data_i[73:72];
   wire       good_results = results == `FFD_RESULTS_POSITION
                          || (results == `FFD_RESULTS_DERIVATIVES && DERIVATIVES != 0)
-                         || (results == `FFD_RESULTS_DETERMINANT && DETERMINANT != 0);
+                         || ((results == `FFD_RESULTS_DETERMINANT || results == `FFD_RESULTS_ALONE)
+                             && DETERMINANT != 0);
   wire       twice        = data_i[95];
   wire       page         = packet_i[`FFD_PACKET_PAGE];
   wire       of_page      = packet_i[`FFD_PACKET_PAGE_VERTICES];

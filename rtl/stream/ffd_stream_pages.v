@@ -161,7 +161,8 @@ module ffd_stream_pages #(
 
   // ---- the second clock: what is wrong with it
 
-  wire determinant = data_i[73:72] == `FFD_RESULTS_DETERMINANT;
+  wire determinant = data_i[73:72] == `FFD_RESULTS_DETERMINANT
+                  || data_i[73:72] == `FFD_RESULTS_ALONE;
   wire bad_points  = !hit_q || many_q || place_end_q > {{(20 - COUNT_W) {1'b0}}, size}
                   || (BLOCK && exponent != exponent_o);
   wire bad_fourth  = wants_fourth_q && !(hit_q && has_fourth && !(vertices_q && determinant));

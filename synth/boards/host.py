@@ -18,7 +18,7 @@ import time
 
 BEAT = 16
 COEFFICIENTS, LATTICE, VERTICES, INTERLEAVED = 1, 2, 3, 4
-RESULTS = {0: 1, 1: 4, 2: 2}  # kind -> beats a vertex
+RESULTS = {0: 1, 1: 4, 2: 2, 3: 1}  # kind -> beats a vertex
 MOST_RESULTS = 64             # of a frame, so that the board never has to refuse a byte
 PAUSE = 0.1                   # seconds: longer than the board's, 2^20 clocks
 LAST = 1 << 31                # of a result's word 3

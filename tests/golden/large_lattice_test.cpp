@@ -85,8 +85,8 @@ TEST(LargeLattice, PagesGiveTheBeatsOfALongerAxis) {
     std::mt19937_64 random(2);
     const LatticeWords lattice = random_words(codec, {kLong, 17, 18}, random);
     for (const auto mode : {OutsideMode::kClamp, OutsideMode::kPass, OutsideMode::kBlank}) {
-      for (const auto results :
-           {Results::kPosition, Results::kDerivatives, Results::kDeterminant}) {
+      for (const auto results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant,
+                                 Results::kDeterminantAlone}) {
         const auto vertices = random_beats(codec, lattice.dims, 150, random, true, 16);
         const std::size_t each = results_of(results);
         model::StreamModel model(row, model::kAllFeatures, kLong);

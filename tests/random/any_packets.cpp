@@ -88,8 +88,9 @@ PageVertices AnyPackets::flags(int page) {
   how.interrupt = has(model::kMarksFeature) && random_.chance(0.5);
   how.fourth = fourth && random_.chance(0.5);
   if (has(model::kDerivativesFeature)) how.results = static_cast<Results>(random_.below(2));
-  if (has(model::kDeterminantFeature) && !how.fourth && random_.chance(0.3))
-    how.results = Results::kDeterminant;
+  if (has(model::kDeterminantFeature) && !how.fourth && random_.chance(0.3)) {
+    how.results = random_.chance(0.5) ? Results::kDeterminant : Results::kDeterminantAlone;
+  }
   return how;
 }
 

@@ -19,7 +19,6 @@ std::vector<BadPacket> bad_packets(const WordCodec& codec, tb::Random& random,
   };
   header(some, 0, 0x77, kUnknownOpcode);
   header(vertices_packet(vertices(1)), 1, 0, kPacketShort);
-  header(some, 2, some[0].words[2] | 3U << 8, kUnknownOpcode);  // results of no kind
   for (const std::uint32_t dimensions : {0x040403U, 0x040304U, 0x110404U, 0xFF0404U, 0U}) {
     header(loads, 2, dimensions, kLatticeSize);
   }

@@ -1,5 +1,5 @@
-// Vertices with their derivatives, and with det J: four results or two a vertex, in the core with
-// streams; every bit against the model, values against the oracle.
+// Vertices with their derivatives, and with det J: four results, two or one a vertex, in the core
+// with streams; every bit against the model, values against the oracle.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -137,7 +137,8 @@ TEST_P(Derivatives, DeterminantAndItsSign) {
 
 TEST_P(Derivatives, SameBitsAsInterleaved) {
   const Scene scene("twist:90", share_of(20), 3);
-  for (const Results wanted : {Results::kDerivatives, Results::kDeterminant}) {
+  for (const Results wanted :
+       {Results::kDerivatives, Results::kDeterminant, Results::kDeterminantAlone}) {
     SystemRun run(GetParam(), 1, "gaps", "bernoulli");
     const Normalization normalization = Normalization::of(scene.lattice, run.codec());
     const std::vector<Beat> resident = scene.results(run, normalization, wanted);
@@ -153,27 +154,49 @@ TEST_P(Derivatives, SameBitsAsInterleaved) {
   }
 }
 
+// Alone it is the det J that comes with the position, in every bit.
+TEST_P(Derivatives, DeterminantAloneIsThatOfTwo) {
+  const Scene scene("random:7", share_of(50), 5);
+  SystemRun run(GetParam(), 1, "bursts", "gaps");
+  const Normalization normalization = Normalization::of(scene.lattice, run.codec());
+  const std::vector<Beat> two = scene.results(run, normalization, Results::kDeterminant);
+  ASSERT_FALSE(HasFailure());
+  run.send(vertices_packet(vertex_beats(scene.vertices, run.codec()), OutsideMode::kClamp,
+                           Results::kDeterminantAlone));
+  ASSERT_TRUE(run.run());
+  const std::vector<Beat>& results = run.bench().results();
+  ASSERT_EQ(results.size(), two.size() + scene.vertices.size());
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    EXPECT_EQ(results[two.size() + v].words, two[2 * v + 1].words) << "vertex " << v;
+    EXPECT_EQ(results[two.size() + v].last, v + 1 == scene.vertices.size());
+  }
+}
+
 /// Clocks of a vertex: evaluations follow each other as vertices do, so 4 intervals, also where det
-/// J is behind them; where one pass gives all, one of them, or a clock for each result beat.
-double clocks_of(const Configuration& row, std::size_t results) {
+/// J is behind them, and 3 for det J alone; where one pass gives all, one of them, or a clock for
+/// each result beat.
+double clocks_of(const Configuration& row, Results wanted) {
   const double interval = scattered_interval(row);
-  if (walks(row)) return 3 * interval;  // the position and the derivative along s are one run
-  return gives_jacobian(row) ? std::max(interval, static_cast<double>(results)) : 4 * interval;
+  if (gives_jacobian(row)) return std::max(interval, static_cast<double>(results_of(wanted)));
+  // In `walk` the position and the derivative along s are one run.
+  return walks(row) || wanted == Results::kDeterminantAlone ? 3 * interval : 4 * interval;
 }
 
 TEST_P(Derivatives, ClocksAVertex) {
-  for (const Results wanted : {Results::kDerivatives, Results::kDeterminant}) {
+  for (const Results wanted :
+       {Results::kDerivatives, Results::kDeterminant, Results::kDeterminantAlone}) {
     SystemRun run(GetParam(), 1);
     tb::Random random(1);
     const LatticeWords lattice = random_lattice(run.codec(), random, 16);
     const std::size_t each = results_of(wanted);
     run.send_bspline();
     run.send(lattice_packet(lattice));
-    run.send(vertices_packet(random_vertices(run.codec(), random, lattice.dims, 20 + 30 + 1),
+    run.send(vertices_packet(random_vertices(run.codec(), random, lattice.dims, 20 + 32 + 1),
                              OutsideMode::kClamp, wanted));
     ASSERT_TRUE(run.run());
-    EXPECT_EQ(run.bench().clocks_per_result(20 * each, 50 * each) * static_cast<double>(each),
-              clocks_of(GetParam(), each));
+    // 32: an accumulator takes up to four evaluations in turn.
+    EXPECT_EQ(run.bench().clocks_per_result(20 * each, 52 * each) * static_cast<double>(each),
+              clocks_of(GetParam(), wanted));
   }
 }
 
@@ -183,7 +206,7 @@ TEST_P(Derivatives, AsOftenAsTheyAreAsked) {
   std::size_t expected = 0;
   run.send_bspline();
   for (int packet = 0; packet < 24; ++packet) {
-    const auto wanted = static_cast<Results>(random.below(3));
+    const auto wanted = static_cast<Results>(random.below(4));
     const auto vertices = make_stimulus("random", run.codec(), random.between(1, 3), packet + 1);
     run.send(interleaved_packet(vertices, OutsideMode::kClamp, wanted));
     if (random.chance(0.4)) run.send_bspline();
@@ -198,20 +221,21 @@ TEST_P(Derivatives, WithoutTheirFunctionsAreBlank) {
   const auto vertices = make_stimulus("random", run.codec(), 3, 1);
   run.send_bspline();
   run.send(coefficients_packet(watertight_bspline(run.codec()), run.codec()));
-  for (const Results wanted : {Results::kDerivatives, Results::kDeterminant, Results::kPosition}) {
+  for (const Results wanted : {Results::kDerivatives, Results::kDeterminant,
+                               Results::kDeterminantAlone, Results::kPosition}) {
     run.send(interleaved_packet(vertices, OutsideMode::kClamp, wanted));
   }
   ASSERT_TRUE(run.run());
   const std::vector<Beat>& results = run.bench().results();
-  ASSERT_EQ(results.size(), 12U + 6U + 3U);
+  ASSERT_EQ(results.size(), 12U + 6U + 3U + 3U);
   for (std::size_t r = 0; r < results.size(); ++r) {
-    const bool blank = r < 18;
+    const bool blank = r < 21;
     EXPECT_EQ(results[r].words[3] >> 16, blank ? kStatusUnloaded >> 16 : 0U) << "result " << r;
     if (blank) {
       EXPECT_EQ(results[r].words[0], run.codec().is_float() ? 0x7FC00000U : 0U);
     }
   }
-  EXPECT_EQ(run.bench().events()[event::kNoCoefficients], 6U)
+  EXPECT_EQ(run.bench().events()[event::kNoCoefficients], 9U)
       << "vertices before what they want of coefficients";
 }
 

@@ -29,12 +29,12 @@ void ExpandRun::send_packed(const std::vector<PackedVertex>& vertices, const Pag
 
 PageVertices ExpandRun::random_flags(tb::Random& random, const LatticeWords& lattice) const {
   PageVertices how;
-  if (has(model::kDerivativesFeature)) how.results = static_cast<Results>(random.below(3));
+  if (has(model::kDerivativesFeature)) how.results = static_cast<Results>(random.below(4));
   how.large = is_large(lattice) || (has(model::kLargeFeature) && random.chance(0.5));
   how.count = has(model::kMarksFeature) && random.chance(0.5);
   how.interrupt = has(model::kMarksFeature) && random.chance(0.5);
   how.fourth = !lattice.fourth.empty() && random.chance(0.5);
-  if (how.fourth && how.results == Results::kDeterminant) how.results = Results::kPosition;
+  if (how.fourth && has_determinant(how.results)) how.results = Results::kPosition;
   return how;
 }
 

@@ -17,9 +17,9 @@ struct Answer {
   std::size_t results;
 };
 const std::map<std::string, Answer> kAnswers = {
-    {"cg1_resident", {6, 3}},     {"cg1_interleaved", {7, 3}}, {"cg1_positions", {5, 6}},
-    {"cg1_derivatives", {2, 30}}, {"cg1_expanded", {0, 42}},   {"tree8_resident", {6, 3}},
-    {"tree8_interleaved", {7, 3}}};
+    {"cg1_resident", {8, 3}},     {"cg1_interleaved", {9, 3}}, {"cg1_positions", {7, 6}},
+    {"cg1_derivatives", {4, 30}}, {"cg1_expanded", {0, 48}},   {"tree8_resident", {8, 3}},
+    {"tree8_interleaved", {9, 3}}};
 
 class Features : public ::testing::TestWithParam<PageBuild> {
  protected:
@@ -49,7 +49,8 @@ TEST_P(Features, EachPacket) {
     send(coefficients_packet(functions, codec_));
   }
   send(lattice_packet(lattice));
-  for (const Results results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant}) {
+  for (const Results results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant,
+                                Results::kDeterminantAlone}) {
     send(vertices_packet(random_vertices(codec_, random, lattice.dims, 3), OutsideMode::kClamp,
                          results));
     send(interleaved_packet(make_stimulus("random", codec_, 3, 1), OutsideMode::kClamp, results));

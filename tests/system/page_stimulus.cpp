@@ -81,7 +81,9 @@ std::vector<Beat> PagePackets::vertices(int page) {
   PageVertices how;
   how.mode = static_cast<OutsideMode>(random_.below(4));
   if (has(model::kDerivativesFeature)) how.results = static_cast<Results>(random_.below(2));
-  if (has(model::kDeterminantFeature) && random_.chance(0.2)) how.results = Results::kDeterminant;
+  if (has(model::kDeterminantFeature) && random_.chance(0.3)) {
+    how.results = random_.chance(0.5) ? Results::kDeterminant : Results::kDeterminantAlone;
+  }
   how.every = random_.chance(0.3);
   how.count = has(model::kMarksFeature) && random_.chance(0.5);
   how.interrupt = has(model::kMarksFeature) && random_.chance(0.5);

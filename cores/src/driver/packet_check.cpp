@@ -58,9 +58,8 @@ void require(const CoreIdentity& core, const Feature& feature) {
 void check_results(const CoreIdentity& core, std::uint32_t word) {
   const auto results = static_cast<Results>(word >> 8 & 3);
   if (results == Results::kPosition) return;
-  if (results > Results::kDeterminant) throw DriverError("results 3: 0, 1 and 2 are possible");
   require(core, kResultDerivatives);
-  if (results == Results::kDeterminant) require(core, kResultDeterminant);
+  if (has_determinant(results)) require(core, kResultDeterminant);
 }
 
 void check_points(const CoreIdentity& core, std::uint32_t word, bool large) {

@@ -8,9 +8,8 @@ bool StreamModel::known(const Beat& header) const {
   const std::uint32_t asked = header.words[2] >> 8 & 3;
   const bool results = asked == static_cast<std::uint32_t>(Results::kDerivatives)
                            ? has(kDerivativesFeature)
-                       : asked == static_cast<std::uint32_t>(Results::kDeterminant)
-                           ? has(kDeterminantFeature)
-                           : asked == static_cast<std::uint32_t>(Results::kPosition);
+                       : has_determinant(static_cast<Results>(asked)) ? has(kDeterminantFeature)
+                                                                      : true;
   switch (static_cast<Opcode>(header.words[0] & 0xFF)) {
     case Opcode::kCoefficients:
       return has(kDerivativesFeature) || (header.words[2] & kDerivativesFollow) == 0;

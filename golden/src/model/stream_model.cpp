@@ -182,8 +182,7 @@ bool StreamModel::start_vertices(Opcode opcode, int number) {
   if (resident_ && number < static_cast<int>(pages_.size()) && pages_[number].loaded) {
     page_ = &pages_[number];
   }
-  if (flagged(kFourthFlag) &&
-      (page_ == nullptr || !page_->fourth || wanted_ == Results::kDeterminant)) {
+  if (flagged(kFourthFlag) && (page_ == nullptr || !page_->fourth || has_determinant(wanted_))) {
     return refuse(event::kNoFourth);
   }
   if (opcode == Opcode::kGrid) {

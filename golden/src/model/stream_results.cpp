@@ -48,7 +48,7 @@ Beat StreamModel::blank_result(Beat result) const {
 }
 
 Beat StreamModel::evaluated(Beat result, int part, bool fourth) {
-  const bool determinant = part > 0 && wanted_ == Results::kDeterminant;
+  const bool determinant = has_determinant(wanted_) && part == results_of(wanted_) - 1;
   VertexWords vertex =
       resident_ ? with_support(*page_, {vertex_.local, vertex_.cell}, fourth) : vertex_;
   vertex.derivative = part == 0 ? VertexWords::kPosition : part - 1;
@@ -69,8 +69,7 @@ void StreamModel::put(Beat& result, const ResultWords& words, int components) {
 
 /// Whether the vertex may be evaluated with others of its page, behind it.
 bool StreamModel::can_wait() const {
-  return resident_ && spans_.spans() == 1 && !flagged(kFourthFlag) &&
-         wanted_ != Results::kDeterminant;
+  return resident_ && spans_.spans() == 1 && !flagged(kFourthFlag) && !has_determinant(wanted_);
 }
 
 /// Keeps the vertex, whose results come next, for `evaluate_waiting`.

@@ -142,14 +142,15 @@ TEST_P(Axi, VerticesAreCountedNotResults) {
                                Functions::kDerivativesToo));
   run.send_lattice(5);
   std::uint64_t vertices = 0;
-  for (const Results results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant}) {
+  for (const Results results : {Results::kPosition, Results::kDerivatives, Results::kDeterminant,
+                                Results::kDeterminantAlone}) {
     for (const OutsideMode mode : {OutsideMode::kClamp, OutsideMode::kBlank}) {
       run.send(vertices_packet(run.vertices(7), mode, results));
       vertices += 7;
     }
   }
   ASSERT_TRUE(run.go());
-  EXPECT_EQ(run.checked(), 2 * 7 * (1 + 4 + 2));
+  EXPECT_EQ(run.checked(), 2 * 7 * (1 + 4 + 2 + 1));
   EXPECT_EQ(run.driver().counters().vertices, vertices);
   EXPECT_TRUE(run.clean());
 }

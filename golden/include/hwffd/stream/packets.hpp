@@ -28,14 +28,21 @@ enum class OutsideMode : std::uint8_t {
 
 /// What comes back for a vertex, in a header of vertices.
 enum class Results : std::uint8_t {
-  kPosition = 0,     ///< q
-  kDerivatives = 1,  ///< q, dq/ds, dq/dt, dq/du: four results
-  kDeterminant = 2   ///< q, then det J as word x with kStatusFolded: two results
+  kPosition = 0,         ///< q
+  kDerivatives = 1,      ///< q, dq/ds, dq/dt, dq/du: four results
+  kDeterminant = 2,      ///< q, then det J as word x with kStatusFolded: two results
+  kDeterminantAlone = 3  ///< det J without q
 };
+
+/// Whether det J is among them.
+constexpr bool has_determinant(Results results) {
+  return results == Results::kDeterminant || results == Results::kDeterminantAlone;
+}
 
 /// How many results a vertex has.
 constexpr int results_of(Results results) {
-  return results == Results::kPosition ? 1 : results == Results::kDerivatives ? 4 : 2;
+  constexpr int kResults[] = {1, 4, 2, 1};
+  return kResults[static_cast<int>(results)];
 }
 
 /// Whether a packet of coefficients brings the derivatives of the functions, too.
