@@ -98,6 +98,7 @@ number/ffd_num_centre.v
 number/ffd_num_coordinate.v
 number/ffd_num_cumulate.v
 number/ffd_num_cut.v
+number/ffd_num_half.v
 number/ffd_num_in.v
 number/ffd_num_latencies.v
 number/ffd_num_less.v
@@ -156,6 +157,7 @@ stream/ffd_stream_expand.v
 stream/ffd_stream_framer.v
 stream/ffd_stream_functions.v
 stream/ffd_stream_grid.v
+stream/ffd_stream_halves.v
 stream/ffd_stream_header.v
 stream/ffd_stream_ingress.v
 stream/ffd_stream_intake.v

@@ -246,6 +246,7 @@ module ffd_bus_core #(
     .features_interleaved_i  (`FFD_FEATURE_INTERLEAVED(FEATURES) != 0),
     .features_derivatives_i  (`FFD_FEATURE_DERIVATIVES(FEATURES) != 0),
     .features_determinant_i  (`FFD_FEATURE_DETERMINANT(FEATURES) != 0),
+    .features_halves_i       (`FFD_FEATURE_HALVES(FEATURES) != 0),
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),

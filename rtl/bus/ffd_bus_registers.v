@@ -76,6 +76,7 @@ module ffd_bus_registers #(
   input  wire        features_interleaved_i,
   input  wire        features_derivatives_i,
   input  wire        features_determinant_i,
+  input  wire        features_halves_i,
   input  wire [15:0] limits2_pages_i,
   input  wire [7:0]  limits2_spans_i,
   input  wire [5:0]  limits2_count_width_i,
@@ -799,9 +800,10 @@ module ffd_bus_registers #(
     ({32 {at_control_q}} & {29'h0, 1'b0, 1'b0, 1'b0}) |
     ({32 {at_status_q}} & {22'h0, status_start_refused_q, status_done_q, 4'h0,
       status_ring_running_i, status_stopped_i, status_idle_i, status_busy_i}) |
-    ({32 {at_features_q}} & {20'h0, features_determinant_i, features_derivatives_i,
-      features_interleaved_i, features_resident_i, 1'h0, features_marks_i, features_packed_i,
-      features_grids_i, features_spans_i, features_fourth_i, features_large_i, features_pages_i}) |
+    ({32 {at_features_q}} & {19'h0, features_halves_i, features_determinant_i,
+      features_derivatives_i, features_interleaved_i, features_resident_i, 1'h0, features_marks_i,
+      features_packed_i, features_grids_i, features_spans_i, features_fourth_i, features_large_i,
+      features_pages_i}) |
     ({32 {at_limits2_q}} & {1'h0, limits2_hardened_i, limits2_count_width_i, limits2_spans_i,
       limits2_pages_i}) |
     ({32 {at_ring_log2_size_q}} & {28'h0, ring_log2_size_o}) |

@@ -7,9 +7,10 @@
 `define FFD_USER_STATUS      21:16 // the status bits that are known before evaluation
 `define FFD_USER_BLANK       22    // the result has no coordinates
 `define FFD_USER_LAST        23    // of the last vertex of its packet
-`define FFD_USER_BANK        24    // of coefficients that it reads
-`define FFD_USER_BUFFER      25    // of the resident lattice that it reads
-`define FFD_USER_RESIDENT    26    // its points are those of the resident lattice, else of a slot
+`define FFD_USER_HALF        24    // its result is half a beat
+`define FFD_USER_BANK        25    // of coefficients that it reads
+`define FFD_USER_BUFFER      26    // of the resident lattice that it reads
+`define FFD_USER_RESIDENT    27    // its points are those of the resident lattice, else of a slot
 `define FFD_STATUS_SATURATED 0     // a coordinate did not fit its word
 `define FFD_STATUS_CLAMPED   1     // a coordinate was outside and is clamped
 `define FFD_STATUS_NAN       2     // a coordinate is not a number
@@ -58,7 +59,7 @@
 `define FFD_USER_OUTSIDE     19    // of user's status
 `define FFD_USER_TRUNCATED   20    // of user's status
 `define FFD_USER_UNLOADED    21    // of user's status
-`define FFD_USER_W           27    // width
+`define FFD_USER_W           28    // width
 `define FFD_RETIRE_W         3     // width
 `define FFD_STATUS_W         7     // width
 `define FFD_PACKET_W         11    // width

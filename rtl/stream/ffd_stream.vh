@@ -50,11 +50,12 @@
   (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
 `define FFD_FEATURES 3840
 `define FFD_FEATURES_BAD(FEATURES) \
-  ((FEATURES) < 256 || (FEATURES) / 256 > `FFD_FEATURES / 256 \
+  ((FEATURES) % 4096 < 256 || (FEATURES) >= 8192 \
    || (FEATURES) / 128 % 2 != 0 \
    || (`FFD_FEATURE_EXPANDED(FEATURES) && (FEATURES) / 256 % 2 == 0) \
-   || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 == 2 \
-   || (((FEATURES) % 8 != 0 || `FFD_FEATURE_MARKS(FEATURES) != 0) \
+   || (FEATURES) / 256 % 4 == 0 || (FEATURES) / 1024 % 4 == 2 \
+   || (((FEATURES) % 8 != 0 || `FFD_FEATURE_MARKS(FEATURES) != 0 \
+        || `FFD_FEATURE_HALVES(FEATURES) != 0) \
        && ((FEATURES) % 2 == 0 || (FEATURES) / 256 % 2 == 0)))
 
 // Bits of an index of a point or a cell along an axis; those above four, which go from the vertex

@@ -112,12 +112,15 @@ module ffd_stream_decoder #(
   reg                   resident_q;
   reg  [1:0]            mode_q;
   reg  [1:0]            results_q;
+  reg                   half_q;
   reg  [EXPONENT_W-1:0] exponent_q;
   always @(posedge clk) begin
     if (take && header) begin
       resident_q <= packet[`FFD_PACKET_VERTICES] || packet[`FFD_PACKET_PAGE_VERTICES];
       mode_q     <= beat_data_i[65:64];
       results_q  <= beat_data_i[73:72];
+      half_q     <= `FFD_FEATURE_HALVES(FEATURES) != 0 && packet[`FFD_PACKET_PAGE_VERTICES]
+                 && beat_data_i[22];
       exponent_q <= beat_data_i[96 +: EXPONENT_W] & {EXPONENT_W{`FFD_FORMAT_BLOCK(FORMAT)}};
     end
   end
@@ -364,6 +367,7 @@ module ffd_stream_decoder #(
     .places_i            (places),
     .changed_i           (changed_q || !resident_q),
     .results_i           (results_q),
+    .half_i              (half_q),
     .exponent_i          (resident_q ? lattice_exponent : exponent_q),
     .vertex_there_i      (vertex_there),
     .finish_there_i      (finish_there),

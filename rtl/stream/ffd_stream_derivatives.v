@@ -14,9 +14,9 @@
 // Formats:    bank {u, t, s}, each FFD_PLACE_W; source {again, that of the decoder}: 1 where
 //             the points are read once more, so that a slot is freed behind the last time; column 0
 //             a result of its own, 1 to 3 a column of J, from whose three comes one result; of one
-//             pass 3: det J too, 2: det J alone; user {result_final, that of the decoder}: 1 with the vertex's last
-//             evaluation. The bit of source that asks for the fourth component (ffd_stream.vh)
-//             becomes the one that says that this evaluation is of it.
+//             pass 3: det J too, 2: det J alone; user {result_final, that of the decoder}: 1 with
+//             the vertex's last evaluation. The bit of source that asks for the fourth component
+//             (ffd_stream.vh) becomes the one that says that this evaluation is of it.
 // Pipeline:   combinational but for the count of evaluations.
 // Freezes:    s_vertex_ready is 0 until the last evaluation is taken.
 // Parameters: FEATURES as in ffd_stream.vh; SOURCE_W >= 3: of the decoder's source; USER_W >= 1

@@ -6,8 +6,9 @@
 // point), never what the datapath made of half a vertex. Beside a determinant y and z are 0.
 //
 // Formats:    flags {folded, nan, saturated}; user as FFD_USER_*.
-// What packets ask for behind their last result, ffd_stream_marks adds.
-// Pipeline:   1 clock: the last register of the stream; with marks 2.
+// Of packets with the flag H ffd_stream_halves makes beats of two results. What packets ask for
+// behind their last result, ffd_stream_marks adds.
+// Pipeline:   1 clock: the last register of the stream; with halves and with marks one more each.
 // Freezes:    s_word_ready is 0 while a beat waits to be taken.
 // Parameters: FORMAT as in ffd_num.vh; FEATURES and INSIDE as in ffd_stream_marks.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
@@ -53,9 +54,17 @@ module ffd_stream_encoder #(
   reg [15:0] tag_q;
   reg        valid_q;
   reg        last_q;
+  reg        half_q;
+  reg        blank_q;
+  reg        first_q;
+  reg        final_q;
   wire       ready;
+  wire         half_valid;
+  wire         half_ready;
+  wire [127:0] half_data;
+  wire         half_last;
   assign s_word_ready = !valid_q || ready;
-  assign idle_o       = !valid_q && !m_beat_valid;
+  assign idle_o       = !valid_q && !half_valid && !m_beat_valid;
 
   always @(posedge clk) begin
     if (rst) valid_q <= 1'b0;
@@ -75,8 +84,32 @@ module ffd_stream_encoder #(
       status_q <= {1'b0, s_word_user[`FFD_USER_STATUS]} | raised;
       tag_q    <= s_word_user[`FFD_USER_TAG];
       last_q   <= s_word_user[`FFD_USER_LAST] && s_word_final;
+      half_q   <= s_word_user[`FFD_USER_HALF];
+      blank_q  <= blank;
+      first_q  <= !s_word_determinant;
+      final_q  <= s_word_final;
     end
   end
+
+  ffd_stream_halves #(
+    .FORMAT  (FORMAT),
+    .FEATURES(FEATURES)
+  ) u_halves (
+    .clk         (clk),
+    .rst         (rst),
+    .s_beat_valid(valid_q),
+    .s_beat_ready(ready),
+    .s_beat_data ({9'd0, status_q, tag_q, words_q}),
+    .s_beat_last (last_q),
+    .s_beat_half (half_q),
+    .s_beat_blank(blank_q),
+    .s_beat_first(first_q),
+    .s_beat_final(final_q),
+    .m_beat_valid(half_valid),
+    .m_beat_ready(half_ready),
+    .m_beat_data (half_data),
+    .m_beat_last (half_last)
+  );
 
   ffd_stream_marks #(
     .FEATURES(FEATURES),
@@ -87,10 +120,10 @@ module ffd_stream_encoder #(
     .valid_i     (valid_i),
     .data_i      (data_i),
     .frame_i     (frame_i),
-    .s_beat_valid(valid_q),
-    .s_beat_ready(ready),
-    .s_beat_data ({9'd0, status_q, tag_q, words_q}),
-    .s_beat_last (last_q),
+    .s_beat_valid(half_valid),
+    .s_beat_ready(half_ready),
+    .s_beat_data (half_data),
+    .s_beat_last (half_last),
     .m_beat_valid(m_beat_valid),
     .m_beat_ready(m_beat_ready),
     .m_beat_data (m_beat_data),

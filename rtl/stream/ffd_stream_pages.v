@@ -67,6 +67,7 @@ module ffd_stream_pages #(
   localparam AXIS_W     = `FFD_AXIS_W(AXIS);
   localparam LARGE      = `FFD_FEATURE_LARGE(FEATURES);
   localparam FOURTH     = `FFD_FEATURE_FOURTH(FEATURES);
+  localparam HALVES     = `FFD_FEATURE_HALVES(FEATURES);
   localparam BLOCK      = `FFD_FORMAT_BLOCK(FORMAT);
   localparam EXPONENT_W = `FFD_EXPONENT_W;
   localparam COUNT_W    = PLACE_W + 1;
@@ -97,10 +98,12 @@ module ffd_stream_pages #(
 
   // Flags that this opcode has not, and bits that nothing means.
   wire        marks = vertices && `FFD_FEATURE_MARKS(FEATURES) != 0;
-  wire [15:0] flags = {10'd0, {2{marks}}, LARGE != 0 && !part, 1'b0, FOURTH != 0, vertices};
+  wire [15:0] flags = {9'd0, HALVES != 0 && vertices, {2{marks}}, LARGE != 0 && !part, 1'b0,
+                       FOURTH != 0, vertices};
   wire        strange = (data_i[31:16] & ~flags) != 16'd0
                      || (part && data_i[95:82] != 14'd0)
                      || (vertices && (data_i[95:74] != 22'd0 || data_i[71:66] != 6'd0))
+                     || (HALVES != 0 && data_i[22] && (data_i[17] || data_i[72]))
                      || (lattice ? data_i[127] || data_i[95:88] != 8'd0
                                  : data_i[127:106] != 22'd0);
   wire [19:0] place_end = {2'd0, data_i[81:64]} + {1'b0, data_i[50:32]};

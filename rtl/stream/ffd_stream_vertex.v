@@ -45,6 +45,7 @@ module ffd_stream_vertex #(
   input  wire [`FFD_PLACES_W(SPANS)-1:0]      places_i,  // a clock behind vertex_there_i
   input  wire                                 changed_i,
   input  wire [1:0]                           results_i,
+  input  wire                                 half_i,
   input  wire [`FFD_EXPONENT_W-1:0]           exponent_i,
   input  wire                                 vertex_there_i,
   input  wire                                 finish_there_i,
@@ -89,7 +90,7 @@ module ffd_stream_vertex #(
 
   // ---- what came with the vertex's beat
 
-  localparam KNOWN_W = 1 + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + 5 + 16;
+  localparam KNOWN_W = 1 + 1 + 2 + `FFD_EXPONENT_W + SOURCE_W + 1 + 1 + 12 + 5 + 16;
   localparam NUMBERS_W = 3 * WEIGHT_W;
   wire [KNOWN_W-1:0]         known;
   wire [NUMBERS_W-1:0]       coordinates;
@@ -104,8 +105,8 @@ module ffd_stream_vertex #(
   ) u_known (
     .clk(clk),
     .rst(1'b0),
-    .d_i({refused_i, results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i, clamp_i,
-          refuse_i, no_functions_i, no_lattice_i, tag_i}),
+    .d_i({half_i, refused_i, results_i, exponent_i, source_i, bank_i, changed_i, cell_i, beyond_i,
+          clamp_i, refuse_i, no_functions_i, no_lattice_i, tag_i}),
     .q_o(known)
   );
 
@@ -163,8 +164,9 @@ module ffd_stream_vertex #(
   wire                       no_lattice;
   wire [15:0]                tag;
   wire                       refused;
-  assign {refused, results, exponent, source, bank, changed, cell_index, beyond, clamp, refuse,
-          no_functions, no_lattice, tag} = known_q;
+  wire                       half;
+  assign {half, refused, results, exponent, source, bank, changed, cell_index, beyond, clamp,
+          refuse, no_functions, no_lattice, tag} = known_q;
   assign held_cell_o = cell_index;
   assign held_slot_o = source[SLOT_W-1:0];
 
@@ -176,7 +178,8 @@ module ffd_stream_vertex #(
   wire [5:0] status    = {unloaded, truncated, out, nan_q, out && clamp, 1'b0};
 
   // The buffer is that bit of the source where there is one.
-  wire [`FFD_USER_W-1:0] user = {resident, source[0], bank, final_q, blank, status, tag};
+  wire [`FFD_USER_W-1:0] user = {resident, source[0], bank, half, final_q, blank, status,
+                                  tag};
 
   // The head of the queue waits in a register, near to the evaluator.
   localparam PLACES_W = `FFD_PLACES_W(SPANS);

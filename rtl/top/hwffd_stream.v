@@ -187,12 +187,35 @@ module hwffd_stream #(
   wire                              evaluating, forming, decoder_idle, encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
+  // Whether a word saturates when it is rounded for half a beat.
+  wire [2:0]                        narrowed;
+  genvar c;
+  generate
+    for (c = 0; c < 3; c = c + 1) begin : gen_narrowed
+      if (`FFD_FEATURE_HALVES(FEATURES) != 0) begin : gen_half
+        wire [19:0] half;
+        ffd_num_half #(
+          .FORMAT(FORMAT)
+        ) u_half (
+          .word_i     (result_words[32*c +: 32]),
+          .half_o     (half),
+          .saturated_o(narrowed[c])
+        );
+        wire unused_ok = &{1'b0, half};
+      end else begin : gen_whole
+        assign narrowed[c] = 1'b0;
+      end
+    end
+  endgenerate
+  wire                              narrows   = result_user[`FFD_USER_HALF] && !result_determinant;
+  wire                              saturates = result_flags[0] || (narrows && |narrowed);
+
   // Of the bank and buffer that a vertex has read, a clock after it has left.
   reg                               retire_q, saturated_q;
   reg  [2:0]                        retire_user_q;
   always @(posedge clk) begin
     retire_q      <= leave && result_final && !rst;
-    saturated_q   <= leave && result_flags[0] && !result_user[`FFD_USER_BLANK] && !rst;
+    saturated_q   <= leave && saturates && !result_user[`FFD_USER_BLANK] && !rst;
     retire_user_q <= result_user[`FFD_USER_RETIRE(USER_W)];
   end
 
@@ -404,7 +427,7 @@ module hwffd_stream #(
     .s_word_valid      (result_valid),
     .s_word_ready      (result_ready),
     .s_word_data       (result_words),
-    .s_word_flags      (result_flags),
+    .s_word_flags      ({result_flags[2:1], saturates}),
     .s_word_determinant(result_determinant || result_fourth),
     .s_word_final      (result_final),
     .s_word_user       (result_user),

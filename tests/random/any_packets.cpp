@@ -91,6 +91,7 @@ PageVertices AnyPackets::flags(int page) {
   if (has(model::kDeterminantFeature) && !how.fourth && random_.chance(0.3)) {
     how.results = random_.chance(0.5) ? Results::kDeterminant : Results::kDeterminantAlone;
   }
+  how.half = has(model::kHalvesFeature) && !how.fourth && random_.chance(0.3);
   return how;
 }
 

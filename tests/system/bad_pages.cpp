@@ -75,6 +75,11 @@ std::vector<BadPage> bad_pages(const WordCodec& codec, const LatticeWords& latti
     if ((core.features & model::kMarksFeature) != 0) continue;
     bad.push_back({"R or I of vertices", header(of_page, 0, flag), kUnknownOpcode});
   }
+  bad.push_back({"H of a part", header(part, 0, kHalfFlag), kUnknownOpcode});
+  bad.push_back({"H of a page", header(load, 0, kHalfFlag), kUnknownOpcode});
+  if ((core.features & model::kHalvesFeature) == 0) {
+    bad.push_back({"H of vertices", header(of_page, 0, kHalfFlag), kUnknownOpcode});
+  }
   const Code none = (core.features & model::kFourthFeature) != 0 ? kNoFourth : kUnknownOpcode;
   bad.push_back({"fourth component of points", header(part, 0, kFourthFlag), none});
   bad.push_back({"fourth component of vertices", header(of_page, 0, kFourthFlag), none});

@@ -35,6 +35,8 @@ PageVertices ExpandRun::random_flags(tb::Random& random, const LatticeWords& lat
   how.interrupt = has(model::kMarksFeature) && random.chance(0.5);
   how.fourth = !lattice.fourth.empty() && random.chance(0.5);
   if (how.fourth && has_determinant(how.results)) how.results = Results::kPosition;
+  how.half =
+      has(model::kHalvesFeature) && !how.fourth && can_be_halved(how.results) && random.chance(0.5);
   return how;
 }
 
@@ -54,8 +56,8 @@ void ExpandRun::send_functions() {
 }
 
 std::size_t ExpandRun::results(std::size_t vertices, const PageVertices& how) const {
-  return vertices * static_cast<std::size_t>(results_of(how.results)) * (how.fourth ? 2 : 1) +
-         (how.count ? 1 : 0);
+  const std::size_t each = static_cast<std::size_t>(results_of(how.results)) * (how.fourth ? 2 : 1);
+  return (how.half ? (vertices + 1) / 2 : vertices * each) + (how.count ? 1 : 0);
 }
 
 ::testing::AssertionResult ExpandRun::twice(const std::vector<std::size_t>& counts) {

@@ -253,13 +253,14 @@ TEST_P(BadGrids, AreRefusedWhole) {
   for (std::size_t beats = 5; beats < 8; ++beats) add_beats("too long", beats, kPacketLong, 8);
   add_header("E", 0, kEveryFlag);
   add_header("P", 0, kPackedFlag);
-  add_header("an unknown flag", 0, 1U << 22);
+  add_header("an unknown flag", 0, 1U << 23);
   add_header("a mode", 2, 1);
   add_header("a bit of word 2", 2, 1U << 16);
   if (!run_.has(model::kPagesFeature)) add_header("a page", 0, 1U << 8);
   if (!run_.has(model::kFourthFeature)) add_header("Q", 0, kFourthFlag);
   if (!run_.has(model::kLargeFeature)) add_header("L", 0, kLargeFlag);
   if (!run_.has(model::kMarksFeature)) add_header("R", 0, kCountFlag);
+  if (!run_.has(model::kHalvesFeature)) add_header("H", 0, kHalfFlag);
   if (!run_.has(model::kDerivativesFeature)) add_header("derivatives", 2, 1U << 8);
   if (!run_.has(model::kDeterminantFeature)) add_header("det J alone", 2, 3U << 8);
   const std::size_t bad = bad_.size();

@@ -90,6 +90,7 @@ std::vector<Beat> PagePackets::vertices(int page) {
   how.large = has(model::kLargeFeature) && random_.chance(0.7);
   how.fourth = has(model::kFourthFeature) &&
                random_.chance(known && !lattices_[page].fourth.empty() ? 0.8 : 0.1);
+  how.half = has(model::kHalvesFeature) && random_.chance(0.3);
   auto some = random_vertices(codec_, random_, dims, random_.between(1, 9), true);
   for (VertexBeat& vertex : some) {
     if (random_.chance(0.1)) vertex.cell[random_.below(3)] = static_cast<int>(random_.below(64));

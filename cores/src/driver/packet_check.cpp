@@ -45,9 +45,10 @@ constexpr Feature kFlagged[] = {
     {HWFFD_FEATURES_LARGE_MASK, "large lattices", "cut the lattice into pages"},
     {HWFFD_FEATURES_MARKS_MASK, "counts a packet", "give each packet a run of its own"},
     {HWFFD_FEATURES_MARKS_MASK, "interrupts a packet", "wait for the end of the run"},
+    {HWFFD_FEATURES_HALVES_MASK, "results of two vertices a beat", "take a result a beat"},
 };
 /// Which of them opcodes 5 to 9 have.
-constexpr std::uint32_t kFlagsOf[] = {0x0A, 0x02, 0x3F, 0x3A, 0x01};
+constexpr std::uint32_t kFlagsOf[] = {0x0A, 0x02, 0x7F, 0x7A, 0x01};
 
 void require(const CoreIdentity& core, const Feature& feature) {
   if ((core.features & feature.mask) == feature.mask) return;
@@ -127,6 +128,11 @@ void check_packet(const CoreIdentity& core, const PacketHeader& header) {
   const bool packed = (header[0] & kPackedFlag) != 0;
   if (opcode >= Opcode::kPage && opcode <= Opcode::kSpans) check_flags(core, header[0]);
   if (packed && large) throw DriverError("packed vertices of a large lattice: send P or L");
+  const bool half =
+      opcode >= Opcode::kPageVertices && opcode <= Opcode::kGrid && (header[0] & kHalfFlag) != 0;
+  const bool fits =
+      can_be_halved(static_cast<Results>(header[2] >> 8 & 3)) && (header[0] & kFourthFlag) == 0;
+  if (half && !fits) throw DriverError("H is of positions, or of them and det J: clear it");
   switch (opcode) {
     case Opcode::kCoefficients:
       if ((header[2] >> 31) != 0) require(core, kFunctionDerivatives);

@@ -47,6 +47,7 @@ bool StreamModel::known_of_page(const Beat& header) const {
   const bool large = (header.words[0] & kLargeFlag) != 0;
   if (opcode == Opcode::kPageVertices && has(kPackedFeature) && !large) flags |= kPackedFlag;
   if (opcode == Opcode::kPageVertices && has(kMarksFeature)) flags |= kCountFlag | kInterruptFlag;
+  if (opcode == Opcode::kPageVertices && known_halves(header)) flags |= kHalfFlag;
   const std::uint32_t second = opcode == Opcode::kPage     ? 0x00FFFFFF   // points an axis
                                : opcode == Opcode::kPoints ? 0x0003FFFF   // place
                                                            : 0x00000303;  // results, mode
@@ -61,9 +62,17 @@ bool StreamModel::known_grid(const Beat& header) const {
   if (has(kPagesFeature)) {
     flags |= 0xFF00 | (has(kFourthFeature) ? kFourthFlag : 0) |
              (has(kLargeFeature) ? kLargeFlag : 0) |
-             (has(kMarksFeature) ? kCountFlag | kInterruptFlag : 0);
+             (has(kMarksFeature) ? kCountFlag | kInterruptFlag : 0) |
+             (known_halves(header) ? kHalfFlag : 0);
   }
   return (header.words[0] & ~flags) == 0 && (header.words[2] & ~0x300U) == 0;
+}
+
+/// Whether results of two vertices a beat are possible: positions, or they and det J, without a
+/// fourth component.
+bool StreamModel::known_halves(const Beat& header) const {
+  return has(kHalvesFeature) && (header.words[0] & kFourthFlag) == 0 &&
+         can_be_halved(static_cast<Results>(header.words[2] >> 8 & 3));
 }
 
 /// Whether the packet under way has two vertices a beat.

@@ -177,6 +177,7 @@ bool StreamModel::start_vertices(Opcode opcode, int number) {
   wanted_ = static_cast<Results>(header_.words[2] >> 8 & 3);
   resident_ = opcode != Opcode::kInterleaved;
   packet_results_ = 0;
+  low_half_.reset();
   number_ = 0;
   page_ = nullptr;
   if (resident_ && number < static_cast<int>(pages_.size()) && pages_[number].loaded) {

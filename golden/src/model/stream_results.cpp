@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hwffd/model/stream_model.hpp"
+#include "hwffd/stream/halves.hpp"
 
 namespace hwffd::model {
 
@@ -27,10 +28,12 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
                     (out ? kStatusOutside : 0) | (truncated ? kStatusTruncated : 0) |
                     (unloaded ? kStatusUnloaded : 0);
   const bool blank = truncated || unloaded || outside_.nan || refused;
-  const bool later = !blank && can_wait();
+  const bool halves = flagged(kHalfFlag);
+  const bool later = !blank && !halves && can_wait();
   if (later) wait();
   if (!blank) use_spans();
-  for (int part = 0; part < results_of(wanted_); ++part) {
+  if (halves) put_half(result, blank, last);
+  for (int part = 0; part < results_of(wanted_) && !halves; ++part) {
     for (const bool fourth : {false, true}) {
       if (fourth && !flagged(kFourthFlag)) continue;
       results_.push_back(blank   ? blank_result(result)
@@ -40,6 +43,38 @@ void StreamModel::finish_vertex(bool truncated, bool last) {
     }
   }
   if (last) end_results(results_, packet_results_, flags());
+}
+
+/// The result of a vertex as half a beat, which leaves with its second half or with the packet.
+void StreamModel::put_half(const Beat& result, bool blank, bool last) {
+  HalfResult half;
+  half.blank = blank;
+  half.outside = (result.words[3] & kStatusOutside) != 0;
+  if (!blank) {
+    const Beat position = evaluated(result, 0, false);
+    const bool saturated = (position.words[3] & kStatusSaturated) != 0;
+    half.saturated = saturated;
+    for (int c = 0; c < 3; ++c) {
+      const HalfWord word = half_word(position.words[c]);
+      half.words[c] = word.value;
+      half.saturated |= word.saturated;
+    }
+    events_[event::kSaturated] += half.saturated && !saturated ? 1 : 0;
+    if (wanted_ == Results::kDeterminant) {
+      half.folded = (evaluated(result, 1, false).words[3] & kStatusFolded) != 0;
+    }
+  }
+  const std::uint64_t bits = half_bits(half);
+  if (!low_half_ && !last) {
+    low_half_ = bits;
+    return;
+  }
+  const std::uint64_t low = low_half_.value_or(bits), high = low_half_ ? bits : kNoHalf;
+  low_half_.reset();
+  results_.push_back({{static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32),
+                       static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)},
+                      false});
+  ++packet_results_;
 }
 
 Beat StreamModel::blank_result(Beat result) const {

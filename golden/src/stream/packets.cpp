@@ -144,7 +144,8 @@ std::vector<Beat> page_vertices_packet(int page, const std::vector<VertexBeat>& 
                                              how.mode, how.results)};
   beats[0].words[0] = page_word(Opcode::kPageVertices, page) | (how.every ? kEveryFlag : 0) |
                       (how.fourth ? kFourthFlag : 0) | (how.large ? kLargeFlag : 0) |
-                      (how.count ? kCountFlag : 0) | (how.interrupt ? kInterruptFlag : 0);
+                      (how.count ? kCountFlag : 0) | (how.interrupt ? kInterruptFlag : 0) |
+                      (how.half ? kHalfFlag : 0);
   for (const VertexBeat& vertex : vertices) {
     beats.push_back(how.large ? large_beat_of(vertex) : beat_of(vertex));
   }

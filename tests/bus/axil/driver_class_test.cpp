@@ -52,7 +52,8 @@ TEST_F(DriverClass, KnowsEachFeature) {
       {"resident", HWFFD_FEATURES_RESIDENT_MASK},
       {"interleaved", HWFFD_FEATURES_INTERLEAVED_MASK},
       {"derivatives", HWFFD_FEATURES_DERIVATIVES_MASK},
-      {"determinant", HWFFD_FEATURES_DETERMINANT_MASK}};
+      {"determinant", HWFFD_FEATURES_DETERMINANT_MASK},
+      {"halves", HWFFD_FEATURES_HALVES_MASK}};
   EXPECT_THROW(driver_.check({1, 0, 0, 0}), DriverError) << "probe comes first";
   for (const auto& [name, mask] : features) {
     const std::string port = std::string("features_") + name + "_i";

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::uint32_t kToday = 0xF00;  // resident, interleaved, derivatives, determinant
 constexpr std::uint32_t kEvery = 1U << 16, kFourth = 1U << 17, kPacked = 1U << 18,
-                        kLarge = 1U << 19, kResult = 1U << 20, kInterrupt = 1U << 21;
+                        kLarge = 1U << 19, kResult = 1U << 20, kInterrupt = 1U << 21,
+                        kHalf = 1U << 22;
+constexpr std::uint32_t kAll = 0x1FFF;
 constexpr std::uint32_t kDerivativesFollow = 1U << 31;
 
 CoreIdentity core_with(std::uint32_t features) {
@@ -58,6 +60,8 @@ const Wanted kPackets[] = {
     {{7 | kPacked, 2, 0x200, 0}, 0xD21},
     {{7 | kResult, 2, 0, 0}, 0x141},
     {{7 | kInterrupt, 2, 0, 0}, 0x141},
+    {{7 | kHalf, 2, 0, 0}, 0x1101},
+    {{8 | kHalf | 0x300, 0x10008, 0x200, 1}, 0x1D11},
     {{3 | kPacked, 5, 2, 0}, 0x120},
     {{8, 0x10008, 0x100, 1}, 0x510},
     {{8 | 0x300, 0x10008, 0, 1}, 0x111},
@@ -69,26 +73,26 @@ TEST(PacketCheck, AsksForNoMoreThanAPacketWants) {
   for (const Wanted& packet : kPackets) {
     // Lattices and vertices have somewhere to be, whatever else is not there.
     EXPECT_EQ(complaint(core_with(packet.features), packet.header), "") << packet.header[0];
-    EXPECT_EQ(complaint(core_with(0xFFF), packet.header), "") << packet.header[0];
+    EXPECT_EQ(complaint(core_with(kAll), packet.header), "") << packet.header[0];
   }
 }
 
 TEST(PacketCheck, NamesEachFeatureThatIsMissing) {
   unsigned refused = 0;
   for (const Wanted& packet : kPackets) {
-    for (unsigned bit = 0; bit < 12; ++bit) {
+    for (unsigned bit = 0; bit < 13; ++bit) {
       const std::uint32_t feature = 1U << bit;
       const bool wanted = (packet.features & feature) != 0;
       // Opcodes 5 to 8 say pages or grids; the lattice behind them is the core's affair.
       if (!wanted || (bit == 8 && (packet.header[0] & 0xFF) > 4)) continue;
-      const std::string said = complaint(core_with(0xFFF & ~feature), packet.header);
+      const std::string said = complaint(core_with(kAll & ~feature), packet.header);
       const std::string cure = "or build it with FEATURES + " + std::to_string(feature);
       EXPECT_NE(said.find("this core has no "), std::string::npos) << said;
       EXPECT_NE(said.find(cure), std::string::npos) << said << " / " << cure;
       ++refused;
     }
   }
-  EXPECT_EQ(refused, 38U);
+  EXPECT_EQ(refused, 45U);
 }
 
 TEST(PacketCheck, SaysItInOneLine) {
@@ -100,15 +104,15 @@ TEST(PacketCheck, SaysItInOneLine) {
   EXPECT_EQ(complaint(core_with(kToday), {2, 0, 0x111010, 0}),
             "17 points along axis u: this core takes 4 to 16; make the lattice smaller, or build "
             "with AXIS");
-  EXPECT_EQ(complaint(core_with(0xFFF), {5, 0, 0x042804, 0}),
+  EXPECT_EQ(complaint(core_with(kAll), {5, 0, 0x042804, 0}),
             "40 points along axis t: this core takes 4 to 32 without flag L of opcode 5");
-  EXPECT_EQ(complaint(core_with(0xFFF), {5 | kLarge, 0, 0x044104, 0}),
+  EXPECT_EQ(complaint(core_with(kAll), {5 | kLarge, 0, 0x044104, 0}),
             "65 points along axis t: this core takes 4 to 64; make the lattice smaller, or build "
             "with AXIS");
 }
 
 TEST(PacketCheck, KnowsTheLimits) {
-  const CoreIdentity core = core_with(0xFFF & ~HWFFD_FEATURES_LARGE_MASK);
+  const CoreIdentity core = core_with(kAll & ~HWFFD_FEATURES_LARGE_MASK);
   for (const std::uint32_t points : {0x040403U, 0x040304U, 0x030404U, 0x040411U, 0x110404U}) {
     EXPECT_NE(complaint(core, {2, 0, points, 0}), "") << points;
     EXPECT_NE(complaint(core, {5, 0, points, 0}), "") << points;
@@ -122,7 +126,10 @@ TEST(PacketCheck, KnowsTheLimits) {
        {PacketHeader{8, 0x10000, 0, 1}, PacketHeader{8, 1, 0, 1}, PacketHeader{8, 0x10001, 0, 0}}) {
     EXPECT_NE(complaint(core, header), "") << "no vertex";
   }
-  EXPECT_NE(complaint(core_with(0xFFF), {7 | kPacked | kLarge, 2, 0, 0}), "") << "P and L";
+  EXPECT_NE(complaint(core_with(kAll), {7 | kPacked | kLarge, 2, 0, 0}), "") << "P and L";
+  EXPECT_NE(complaint(core_with(kAll), {7 | kHalf, 2, 0x100, 0}), "") << "H of derivatives";
+  EXPECT_NE(complaint(core_with(kAll), {7 | kHalf, 2, 0x300, 0}), "") << "H of det J alone";
+  EXPECT_NE(complaint(core_with(kAll), {7 | kHalf | kFourth, 2, 0, 0}), "") << "H and Q";
   EXPECT_EQ(complaint(core, {9, 4, 5 << 8, 0}), "");
   EXPECT_NE(complaint(core, {9, 5, 5 << 8, 0}), "");
   EXPECT_NE(complaint(core, {9, 0xFFFFFFFF, 1 << 8, 0}), "") << "no wrap";
@@ -132,14 +139,14 @@ TEST(PacketCheck, KnowsTheLimits) {
 }
 
 TEST(PacketCheck, KnowsTheFlagsOfEachOpcode) {
-  const std::uint32_t flags[] = {0x0A, 0x02, 0x3F, 0x3A, 0x01};  // of opcodes 5 to 9
+  const std::uint32_t flags[] = {0x0A, 0x02, 0x7F, 0x7A, 0x01};  // of opcodes 5 to 9
   for (std::uint32_t opcode = 1; opcode <= 9; ++opcode) {
     const std::uint32_t word = opcode <= 2 || opcode == 5 ? kPoints : 0;
     for (unsigned flag = 0; flag < 16; ++flag) {
       const bool known = opcode < 5 || (flags[opcode - 5] >> flag & 1) != 0;
       const PacketHeader header{opcode | 0x10000U << flag, 0x10001 & (opcode == 8 ? ~0U : 1U), word,
                                 opcode == 8 ? 1U : 0U};
-      EXPECT_EQ(complaint(core_with(0xFFF), header).empty(), known) << opcode << " " << flag;
+      EXPECT_EQ(complaint(core_with(kAll), header).empty(), known) << opcode << " " << flag;
     }
   }
 }

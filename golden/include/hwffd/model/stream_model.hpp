@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hwffd/model/evaluator.hpp"
@@ -87,6 +88,7 @@ class StreamModel {
   bool known(const Beat& header) const;
   bool known_of_page(const Beat& header) const;
   bool known_grid(const Beat& header) const;
+  bool known_halves(const Beat& header) const;
   bool packed() const;
   std::uint32_t flags() const;
   bool flagged(std::uint32_t flag) const { return (flags() & flag) != 0; }
@@ -115,6 +117,7 @@ class StreamModel {
   void evaluate_waiting();
   void put(Beat& result, const ResultWords& words, int components);
   void finish_vertex(bool truncated, bool last);
+  void put_half(const Beat& result, bool blank, bool last);
   Beat blank_result(Beat result) const;
   Beat evaluated(Beat result, int part, bool fourth);
   int header_exponent() const;
@@ -138,7 +141,8 @@ class StreamModel {
   std::vector<Beat> results_;
   StreamEvents events_{};
   std::uint64_t vertices_ = 0;
-  std::uint32_t packet_results_ = 0;  // of the packet under way
+  std::uint32_t packet_results_ = 0;       // of the packet under way
+  std::optional<std::uint64_t> low_half_;  // of a beat of two vertices, the first one
   State state_ = State::kHeader;
   Beat header_;
   int beat_ = 0;

@@ -18,6 +18,7 @@ enum Feature : std::uint32_t {
   kInterleavedFeature = 1U << 9,
   kDerivativesFeature = 1U << 10,
   kDeterminantFeature = 1U << 11,
+  kHalvesFeature = 1U << 12,
 };
 
 }  // namespace hwffd::model

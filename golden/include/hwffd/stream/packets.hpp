@@ -18,6 +18,7 @@ constexpr std::uint32_t kPackedFlag = 1U << 18;  ///< hwffd/stream/packed.hpp; o
 constexpr std::uint32_t kLargeFlag = 1U << 19;   ///< more than 32 points an axis, tags of 14 bits
 constexpr std::uint32_t kCountFlag = 1U << 20;   ///< results end with a unit that counts them
 constexpr std::uint32_t kInterruptFlag = 1U << 21;  ///< an interrupt when the results are in memory
+constexpr std::uint32_t kHalfFlag = 1U << 22;       ///< hwffd/stream/halves.hpp
 
 /// What becomes of a vertex outside the lattice, in a header of vertices. All modes flag it.
 enum class OutsideMode : std::uint8_t {
@@ -37,6 +38,11 @@ enum class Results : std::uint8_t {
 /// Whether det J is among them.
 constexpr bool has_determinant(Results results) {
   return results == Results::kDeterminant || results == Results::kDeterminantAlone;
+}
+
+/// Whether two vertices of them fit a beat (`kHalfFlag`): positions, with the sign of det J or not.
+constexpr bool can_be_halved(Results results) {
+  return results == Results::kPosition || results == Results::kDeterminant;
 }
 
 /// How many results a vertex has.
@@ -144,6 +150,7 @@ struct PageVertices {
   bool every = false;      ///< no count: vertices come until tlast
   bool count = false;      ///< a unit behind the results says how many they are
   bool interrupt = false;  ///< one comes when the last result is in memory
+  bool half = false;       ///< a result beat is two vertices (hwffd/stream/halves.hpp)
 };
 
 /// Of a core with pages: the packet of vertices of one of them, 1 + n beats, in the order given.
