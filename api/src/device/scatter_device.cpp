@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "device/function_words.hpp"
 #include "device/gradient_sums.hpp"
@@ -11,6 +12,7 @@
 #include "hwffd/error.hpp"
 #include "hwffd/model/scatter.hpp"
 #include "hwffd/stream/gradients.hpp"
+#include "hwffd/stream/large_lattice.hpp"
 
 namespace hwffd {
 namespace {
@@ -35,31 +37,51 @@ class ScatterDevice final : public Device {
     evaluates_nothing();
   }
 
+  /// A lattice that is larger than a page of the core goes there in parts, whose sums are added.
   Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
                        const Points& gradient, const Blending& blending) override {
-    if (*std::max_element(dims.begin(), dims.end()) > kAxisPoints) {
-      throw Error(fmt::format(
-          "{}: a lattice of {} x {} x {} points, and its pages have up to {} an axis; take device "
-          "model, which has the same bits",
-          name(), dims[0], dims[1], dims[2], kAxisPoints));
-    }
-    const int width = WordCodec(row_.format).weight_fraction() + 2;
+    const WordCodec codec(row_.format);
+    const int width = codec.weight_fraction() + 2;
     GradientSums sums(row_.format, width, dims, gradient);
-    const auto vertices_of_a_page = static_cast<std::size_t>(model::scatter_exact_vertices(width));
-    // A page is collected while the next one fills.
-    std::vector<Beat> commands =
-        coefficients_packet(function_words(blending, WordCodec(row_.format), row_, name()));
-    std::size_t collects = 0;
-    for (std::size_t first = 0; first < vertices.size(); first += vertices_of_a_page, ++collects) {
-      const std::size_t end = std::min(vertices.size(), first + vertices_of_a_page);
-      append_page(commands, static_cast<int>(collects % kPages), dims, vertices, first, end, sums);
+    const std::vector<LatticePage> pages =
+        pages_of({dims, std::vector<std::array<std::uint32_t, 3>>(sums.points())});
+    const PagedVertices paged = by_page(vertex_beats(vertices, codec), dims);
+    const auto most = static_cast<std::size_t>(model::scatter_exact_vertices(width));
+
+    std::vector<Beat> commands = coefficients_packet(function_words(blending, codec, row_, name()));
+    std::vector<const LatticePage*> collects;
+    std::size_t sent = 0;
+    for (const std::size_t p : paged.sent) {
+      const std::vector<VertexBeat>& of_page = paged.of_page[p];
+      Gradients how;
+      how.dims = pages[p].lattice.dims;
+      for (std::size_t first = 0; first < of_page.size(); first += most) {
+        std::vector<GradientBeats> some;
+        for (std::size_t v = first; v < std::min(of_page.size(), first + most); ++v) {
+          some.push_back({of_page[v], sums.words(paged.from[sent++])});
+        }
+        // One is collected while the next one fills.
+        const int page = static_cast<int>(collects.size() % kPages);
+        append(commands, gradients_packet(page, some, how));
+        append(commands, collect_packet(page));
+        collects.push_back(&pages[p]);
+      }
     }
-    const std::vector<Beat> results = answer(commands, collects * sums.points());
-    for (std::size_t r = 0; r < results.size(); ++r) {
-      const auto& words = results[r].words;
-      sums.add(r % sums.points(), {words[0], words[1], words[2]});
-      const bool told = results[r].last && (words[3] & kStatusSaturated) != 0;
-      counts_.saturated += told ? 1 : 0;
+
+    std::size_t count = 0;
+    for (const LatticePage* page : collects) count += page->lattice.points.size();
+    const std::vector<Beat> results = answer(commands, count);
+    auto result = results.begin();
+    for (const LatticePage* page : collects) {
+      for (const Index3& at : places(page->lattice.dims)) {
+        const Index3& from = page->origin;
+        const int row = (from[0] + at[0]) * dims[1] + from[1] + at[1];
+        const int point = row * dims[2] + from[2] + at[2];
+        sums.add(static_cast<std::size_t>(point),
+                 {result->words[0], result->words[1], result->words[2]});
+        ++result;
+      }
+      counts_.saturated += (std::prev(result)->words[3] & kStatusSaturated) != 0 ? 1 : 0;
     }
     return sums.result();
   }
@@ -67,23 +89,6 @@ class ScatterDevice final : public Device {
  private:
   [[noreturn]] void evaluates_nothing() const {
     throw Error(name() + ": pulls gradients back, and evaluates nothing; take another device");
-  }
-
-  /// Gradients of a page, and its collect.
-  void append_page(std::vector<Beat>& commands, int page, const Index3& dims,
-                   const std::vector<Embedded>& vertices, std::size_t first, std::size_t end,
-                   const GradientSums& sums) const {
-    const std::vector<VertexBeat> beats =
-        vertex_beats({vertices.begin() + static_cast<std::ptrdiff_t>(first),
-                      vertices.begin() + static_cast<std::ptrdiff_t>(end)},
-                     WordCodec(row_.format));
-    std::vector<GradientBeats> some;
-    some.reserve(beats.size());
-    for (const VertexBeat& beat : beats) some.push_back({beat, sums.words(first + some.size())});
-    Gradients how;
-    how.dims = dims;
-    append(commands, gradients_packet(page, some, how));
-    append(commands, collect_packet(page));
   }
 
   /// The results of commands that have so many, each of a point, the tags of a page in order.

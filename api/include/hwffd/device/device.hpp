@@ -163,9 +163,8 @@ const std::vector<std::string>& device_kinds();
 std::vector<std::string> device_rows(const std::string& kind);
 
 /// A device that pulls gradients back, of a kind: the reference, the model of `affine` in fx17, or
-/// the simulated core `hwffd_scatter` with the same bits. That evaluates nothing, takes up to
-/// kAxisPoints points an axis, and counts as saturated each page of sums that a vertex with a
-/// saturation went to, one of 16,384 vertices.
+/// the simulated core `hwffd_scatter` with the same bits. That evaluates nothing, and counts as
+/// saturated each page of sums, of up to 16,384 vertices, to which one that saturated went.
 /// @throws UsageError for an unknown kind, and for `rtl` where no simulated hardware is there
 std::unique_ptr<Device> make_pull_back_device(const std::string& kind);
 
