@@ -8,8 +8,8 @@
 //             adds nothing without functions. Each event is a pulse of event_o (FFD_EVENT_*) with
 //             the packet's number since reset and the beat's in it.
 // Formats:    as in ffd_scatter_vertex and ffd_scatter_pages; entry {shift, c3, c2, c1, c0}.
-// Pipeline:   a vertex is offered 5 clocks behind the beat of its gradient; II 2. Events
-//             FFD_IN_LATENCY behind their beat.
+// Pipeline:   a vertex is offered 5 clocks behind the beat of its gradient, with WAITING above 16
+//             in 6; II 2. Events FFD_IN_LATENCY behind the clock in which their beat goes on.
 // Freezes:    s_beat_ready is 0 while two beats wait: a header for what ffd_scatter_pages says, the
 //             last axis of a grid for its check, 20 clocks, a gradient for room.
 // Cuts:       s_beat_ready and outputs follow registers through gates, none an input of its stream.

@@ -6,7 +6,8 @@
 //             of each axis {derivative, bank}; along 0 for the position, 1 to 3 for the derivative
 //             along s, t, u, which takes the derivatives of that axis's functions.
 // Pipeline:   cell_i, page_i, along_i and bank_i with finish_i, numbers LATENCY clocks behind
-//             vertex_i and finish_i; a vertex is offered 3 clocks behind those of its gradient.
+//             vertex_i and finish_i; a vertex is offered 2 clocks behind those of its gradient,
+//             with WAITING above 16 in 3.
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the core.
 // Parameters: FORMAT fixed point, AXIS as in ffd_scatter_header, PAGE_W >= 1, LATENCY >= 1, WAITING
 //             a power of two >= 2.
