@@ -14,7 +14,7 @@ def test_rows_of_this_tree():
     assert len(names) == len(set(names)) >= 40
     assert {subject.target for subject in subjects} == set(synthesis.TARGETS)
     assert {subject.top for subject in subjects} == {
-        synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM,
+        synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM, synthesis.SCATTER,
         *synthesis.FLOAT_UNITS}
     assert {subject.row.name for subject in subjects if subject.top == synthesis.SYSTEM} >= {
         row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}

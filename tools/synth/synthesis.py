@@ -15,8 +15,10 @@ from tools.synth import chips, engine, liberty, mapped_netlist, timing, variants
 from tools.tables import configurations
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
-BUS = "hwffd_stream_bus"
-TOPS = (CORE, BUS, SYSTEM)  # of variants
+BUS, SCATTER = "hwffd_stream_bus", "hwffd_scatter"
+TOPS = (CORE, BUS, SYSTEM, SCATTER)  # of variants
+# What scatter has of the parameters of a row.
+OF_SCATTER = ("FORMAT", "EVALUATOR", "MUL_LATENCY", "ADD_LATENCY", "AXIS", "PAGES", "WAITING")
 TARGETS = (*mapped_netlist.TARGETS, *chips.TARGETS)
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")
@@ -86,6 +88,11 @@ class Subject:
         """The word of a variant, and what that means; None of a row as it stands."""
         is_one = isinstance(self.row, variants.Variant)
         return (self.row.variant, self.row.meaning) if is_one else (None, None)
+
+    @property
+    def parameters(self):
+        known = self.row.parameters
+        return {name: known[name] for name in OF_SCATTER if name in known} if self.top == SCATTER else known
 
     @property
     def fixed(self):
@@ -220,7 +227,7 @@ class Synthesis:
     def _steps(subject):
         """What follows, up to the netlist."""
         parameters = "".join(
-            f" -chparam {name} {value}" for name, value in subject.row.parameters.items())
+            f" -chparam {name} {value}" for name, value in subject.parameters.items())
         patterns = " ".join(f"*{unit}" for unit in UNITS)
         return [
             f"hierarchy -check -top {subject.top}{parameters}",
