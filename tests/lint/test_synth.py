@@ -361,7 +361,7 @@ def interrupt(tree, number):
     ("basic-fx18-overlapped,more,hwffd_stream,,-", "parameters '': NAME=NUMBER"),
     ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=256,-", ":2: parameters 'FEATURES=256': NAME=NUMBER"),
     ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=resident+page,-",
-     "csv:2: parameters: FEATURES=resident.page: unknown feature 'page': some of pages, large, .*, determinant wanted"),
+     "csv:2: parameters: FEATURES=resident.page: unknown feature 'page': some of pages, large, .*, halves wanted"),
     ("basic-fx18-overlapped,more,hwffd_stream,FEATURES=pages+pages,-", "FEATURES=pages.pages: twice 'pages'"),
     ("basic-fx18-overlapped,more,hwffd_stream,A=1,-\n" * 2, "is there twice")))
 def test_variants_that_make_no_sense(tree, line, wrong):
