@@ -100,12 +100,13 @@ class Draw:
         """What is built around the evaluator."""
         has = {name: self._chance(share) for name, share in {
             "resident": 0.95, "interleaved": 0.6, "derivatives": 0.5, "determinant": 0.6, "pages": 0.6,
-            "spans": 0.3, "grids": 0.35, "packed": 0.35, "large": 0.06, "fourth": 0.4, "marks": 0.6}.items()}
+            "spans": 0.3, "grids": 0.35, "packed": 0.35, "large": 0.06, "fourth": 0.4, "marks": 0.6,
+            "halves": 0.3}.items()}
         has["interleaved"] = has["interleaved"] or not has["resident"]
         has["determinant"] = has["determinant"] and has["derivatives"]
         for name in ("pages", "grids", "packed"):
             has[name] = has[name] and has["resident"]
-        for name in ("large", "fourth", "marks"):
+        for name in ("large", "fourth", "marks", "halves"):
             has[name] = has[name] and has["pages"]
         if "FEATURES" in fixed:
             has = {name: bool(fixed["FEATURES"] & bit) for name, bit in features.BITS.items()}
