@@ -139,6 +139,7 @@ scatter/ffd_scatter_core.v
 scatter/ffd_scatter_decoder.v
 scatter/ffd_scatter_encoder.v
 scatter/ffd_scatter_expand.v
+scatter/ffd_scatter_fork.v
 scatter/ffd_scatter_framer.v
 scatter/ffd_scatter_header.v
 scatter/ffd_scatter_inside.v
@@ -175,6 +176,7 @@ stream/ffd_stream_sums.v
 stream/ffd_stream_units_in.v
 stream/ffd_stream_units_out.v
 stream/ffd_stream_vertex.v
+top/hwffd_adjoint.v
 top/hwffd_axi.v
 top/hwffd_scatter.v
 top/hwffd_stream.v

@@ -6,7 +6,8 @@
 //
 // Bad input:  a vertex outside is brought inside or adds nothing, by the mode of its packet; it
 //             adds nothing without functions. Each event is a pulse of event_o (FFD_EVENT_*) with
-//             the packet's number since reset and the beat's in it.
+//             the packet's number since reset and the beat's in it. With BESIDE 1 an evaluator is
+//             on the same stream, which tells of coefficients and of all that is unknown here.
 // Formats:    as in ffd_scatter_vertex and ffd_scatter_pages; entry {shift, c3, c2, c1, c0}.
 // Pipeline:   a vertex is offered 5 clocks behind the beat of its gradient, with WAITING above 16
 //             in 6; II 2. Events FFD_IN_LATENCY behind the clock in which their beat goes on.
@@ -14,7 +15,7 @@
 //             last axis of a grid for its check, 20 clocks, a gradient for room.
 // Cuts:       s_beat_ready and outputs follow registers through gates, none an input of its stream.
 // Parameters: FORMAT, PAGES as in ffd_scatter_pages; EVALUATOR pipelined or powers; AXIS 4 to 32;
-//             WAITING as in ffd_scatter_vertex; INSIDE >= the most vertices inside.
+//             WAITING as in ffd_scatter_vertex; INSIDE >= the most vertices inside; BESIDE 0, 1.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,6 +30,7 @@ module ffd_scatter_decoder #(
   parameter PAGES     = 2,
   parameter WAITING   = 16,
   parameter INSIDE    = 80,
+  parameter BESIDE    = 0,
   parameter PAGE_W    = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W   = 3 * `FFD_AXIS_W(AXIS)
 ) (
@@ -284,7 +286,7 @@ module ffd_scatter_decoder #(
     .SPANS  (1),
     .LATENCY(LATENCY),
     .AXIS   (AXIS),
-    .SUMS   (EVALUATOR != `FFD_EVALUATOR_POWERS ? 1 : 0)
+    .SUMS   (EVALUATOR != `FFD_EVALUATOR_POWERS && BESIDE == 0 ? 1 : 0)
   ) u_functions (
     .clk           (clk),
     .rst           (rst),
@@ -442,6 +444,7 @@ module ffd_scatter_decoder #(
 
   // ---- events and their place, LATENCY behind their beat
 
+  wire                   own = packet[`FFD_PACKET_GRADIENTS] || packet[`FFD_PACKET_COLLECT];
   reg  [`FFD_EVENTS-1:0] raised;
   wire [`FFD_EVENTS-1:0] told;
   reg  [`FFD_EVENTS-1:0] others;
@@ -450,13 +453,13 @@ module ffd_scatter_decoder #(
   always @* begin
     raised = {`FFD_EVENTS{1'b0}};
     if (go) begin
-      raised[`FFD_EVENT_UNKNOWN_OPCODE]                 = verdict[0];
+      raised[`FFD_EVENT_UNKNOWN_OPCODE]                 = verdict[0] && !(BESIDE != 0 && !own);
       raised[`FFD_EVENT_NO_LATTICE]                     = verdict[1];
       raised[`FFD_EVENT_LATTICE_SIZE]                   = verdict[2];
       raised[`FFD_STREAM_EVENT(`FFD_EVENT_PAGE_POINTS)] = verdict[3];
     end
-    raised[`FFD_EVENT_PACKET_SHORT]                  = is_short;
-    raised[`FFD_EVENT_PACKET_LONG]                   = is_long;
+    raised[`FFD_EVENT_PACKET_SHORT]                  = is_short && !(BESIDE != 0 && coefficients);
+    raised[`FFD_EVENT_PACKET_LONG]                   = is_long && !(BESIDE != 0 && coefficients);
     raised[`FFD_EVENT_NO_COEFFICIENTS]               = finish && no_functions;
     raised[`FFD_EVENT_CELL_OUTSIDE]                  = finish && beyond_q;
     raised[`FFD_EVENT_COORDINATE_OUTSIDE]            = finish && outside_q;

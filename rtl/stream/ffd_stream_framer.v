@@ -20,7 +20,8 @@
 // Bad input:  an unknown opcode or kind of results, bad dimensions, spans beyond SPANS, and beats
 //             after a packet's end belong to nothing, up to tlast. A tlast inside a vertex ends it.
 //             With refuse_i the packet whose header is held belongs to nothing either. Whether such
-//             a header is too short is known there.
+//             a header is too short is known there. With BESIDE 1 gradients and collects are those
+//             of a scatter core on the same stream: they belong to nothing, and are no event.
 // Formats:    frame_o as FFD_FRAME_* in ffd_fields.vh.
 // Pipeline:   frame_o in the clock of its beat; taken is the clock in which it goes on.
 // Parameters: those of ffd_stream_header.
@@ -32,7 +33,8 @@
 module ffd_stream_framer #(
   parameter AXIS     = 16,
   parameter FEATURES = `FFD_FEATURES,
-  parameter SPANS    = 1
+  parameter SPANS    = 1,
+  parameter BESIDE   = 0
 ) (
   input  wire                      clk,
   input  wire                      rst,
@@ -63,7 +65,8 @@ module ffd_stream_framer #(
   ffd_stream_header #(
     .AXIS    (AXIS),
     .FEATURES(FEATURES),
-    .SPANS   (SPANS)
+    .SPANS   (SPANS),
+    .BESIDE  (BESIDE)
   ) u_header (
     .data_i  (data_i),
     .packet_i(packet_i),
@@ -198,6 +201,7 @@ module ffd_stream_framer #(
 
   wire payload = function_q || point_q || vertex_q || points_q;
   wire refused = !(is_coefficients || good_lattice || of_vertices || is_part || good_spans);
+  wire other   = BESIDE != 0 && (packet_i[`FFD_PACKET_GRADIENTS] || packet_i[`FFD_PACKET_COLLECT]);
   wire nothing = (of_vertices || is_part || is_spans) && none;
   wire finish  = (vertex && (!own || last_i)) || (points_q && (top || last_i));
 
@@ -212,7 +216,7 @@ module ffd_stream_framer #(
   assign frame_o[`FFD_FRAME_POINTS]   = points_q;
   assign frame_o[`FFD_FRAME_FINISH]   = finish;
   assign frame_o[`FFD_FRAME_FINAL]    = final_item || (last_i && !(spans_q && function_q));
-  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans;
+  assign frame_o[`FFD_FRAME_UNKNOWN]  = header_q && refused && !is_lattice && !is_spans && !other;
   assign frame_o[`FFD_FRAME_SHORT]    = (payload && last_i && !payload_done && !no_grid)
                                      || (header_q && !of_page && !refused && (last_i || nothing));
   assign frame_o[`FFD_FRAME_LONG]     = (done && !behind) || (vertex_q && as == `FFD_AS_LONG);

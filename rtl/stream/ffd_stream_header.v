@@ -8,7 +8,8 @@
 //             their headers say, ffd_stream_pages checks.
 // Pipeline:   combinational.
 // Parameters: AXIS 4 to 32, or to 64 where FEATURES says so, the most points an axis of a lattice;
-//             FEATURES as in ffd_stream.vh, with the bit of spans where SPANS is above 1.
+//             FEATURES as in ffd_stream.vh, with the bit of spans where SPANS is above 1; BESIDE 1:
+//             a scatter core on the same stream wants derivatives, so coefficients may have them.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,7 +18,8 @@
 module ffd_stream_header #(
   parameter AXIS     = 16,
   parameter FEATURES = `FFD_FEATURES,
-  parameter SPANS    = 1
+  parameter SPANS    = 1,
+  parameter BESIDE   = 0
 ) (
   input  wire [127:0]             data_i,
   input  wire [`FFD_PACKET_W-1:0] packet_i,
@@ -67,7 +69,7 @@ module ffd_stream_header #(
   endgenerate
 
   assign kind_o[`FFD_KIND_COEFFICIENTS] = packet_i[`FFD_PACKET_COEFFICIENTS]
-                                       && (DERIVATIVES != 0 || !twice);
+                                       && (DERIVATIVES != 0 || BESIDE != 0 || !twice);
   assign kind_o[`FFD_KIND_LATTICE]      = packet_i[`FFD_PACKET_LATTICE] || page;
   assign kind_o[`FFD_KIND_DIMENSIONS]   = &good;
   assign kind_o[`FFD_KIND_VERTICES]     = (packet_i[`FFD_PACKET_VERTICES] || of_page)

@@ -8,7 +8,8 @@
 // Formats:    frame_o as FFD_FRAME_*.
 // Pipeline:   as ffd_stream_intake; with ffd_stream_expand a clock more.
 // Freezes:    s_beat_ready is 0 while a beat is held, and while ffd_stream_expand has other beats.
-// Parameters: those of ffd_stream_expand; SPANS as in ffd_stream_functions.
+// Parameters: those of ffd_stream_expand; SPANS as in ffd_stream_functions, BESIDE in
+//             ffd_stream_framer.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -21,6 +22,7 @@ module ffd_stream_ingress #(
   parameter AXIS       = 16,
   parameter SPANS      = 1,
   parameter GRID_LIMIT = 48,
+  parameter BESIDE     = 0,
   parameter PLACE_W    = 3 * `FFD_AXIS_W(AXIS)
 ) (
   input  wire                     clk,
@@ -61,7 +63,8 @@ module ffd_stream_ingress #(
   wire [`FFD_PACKET_W-1:0] s_packet;
   wire [`FFD_PACKET_W-1:0] packet;
   ffd_stream_opcode #(
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .SCATTER (BESIDE)
   ) u_opcode (
     .opcode_i(s_beat_data[7:0]),
     .packet_o(s_packet)
@@ -112,7 +115,8 @@ module ffd_stream_ingress #(
   ffd_stream_framer #(
     .AXIS    (AXIS),
     .FEATURES(FEATURES),
-    .SPANS   (SPANS)
+    .SPANS   (SPANS),
+    .BESIDE  (BESIDE)
   ) u_framer (
     .clk     (clk),
     .rst     (rst),

@@ -5,8 +5,8 @@
 //
 // Formats:    packet as FFD_PACKET_* in ffd_fields.vh, bit n for opcode n + 1.
 // Pipeline:   combinational.
-// Parameters: FEATURES as in ffd_stream.vh; SCATTER 1: gradients and collects, coefficients, and no
-//             other, FEATURES 0.
+// Parameters: FEATURES as in ffd_stream.vh, 0 where there are coefficients alone; SCATTER 1:
+//             gradients and collects too.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

@@ -11,7 +11,9 @@
 //             idle_o: no packet, vertex or collect is under way, no page is swept.
 // Parameters: FORMAT 12 to 18, fixed point; EVALUATOR pipelined or powers; latencies as in the
 //             rows of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1
-//             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath.
+//             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath;
+//             BESIDE 1: an evaluator is on the same stream (hwffd_adjoint), which tells of
+//             coefficients and of all other packets.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -26,7 +28,8 @@ module hwffd_scatter #(
   parameter ADD_LATENCY = 1,
   parameter AXIS        = 16,
   parameter PAGES       = 2,
-  parameter WAITING     = 16
+  parameter WAITING     = 16,
+  parameter BESIDE      = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -100,7 +103,8 @@ module hwffd_scatter #(
     .AXIS     (AXIS),
     .PAGES    (PAGES),
     .WAITING  (WAITING),
-    .INSIDE   (INSIDE)
+    .INSIDE   (INSIDE),
+    .BESIDE   (BESIDE)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),

@@ -16,7 +16,8 @@
 //             >= 2, the most vertices before them; FEATURES, what is built, as in ffd_stream.vh;
 //             SPANS 1 to 128, runs of cells of an axis with functions of their own; GRID_LIMIT 0 to
 //             48, log2 of the most vertices of a grid; HARDENED 0, or 1: points have a parity, and
-//             upset_o is a pulse for one that is wrong.
+//             upset_o is a pulse for one that is wrong; BESIDE 1: a scatter core is on the same
+//             stream (hwffd_adjoint), whose packets pass without an event.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -41,7 +42,8 @@ module hwffd_stream #(
   parameter FEATURES        = `FFD_FEATURES,
   parameter SPANS           = 1,
   parameter GRID_LIMIT      = 48,
-  parameter HARDENED        = 0
+  parameter HARDENED        = 0,
+  parameter BESIDE          = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -83,6 +85,9 @@ module hwffd_stream #(
   localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
+  // Whether functions must sum to one, here or in the scatter core beside.
+  localparam SUMS         = `FFD_FUNCTIONS_SUM(ORG, EVALUATOR)
+                         || (BESIDE != 0 && EVALUATOR != `FFD_EVALUATOR_POWERS) ? 1 : 0;
   // Of a read: whether it is the vertex's last, its source, and whether it may find no points.
   localparam READ_W       = SOURCE_W + 1 + HARDENED;
 
@@ -108,7 +113,8 @@ module hwffd_stream #(
     .FEATURES  (FEATURES),
     .AXIS      (AXIS),
     .SPANS     (SPANS),
-    .GRID_LIMIT(GRID_LIMIT)
+    .GRID_LIMIT(GRID_LIMIT),
+    .BESIDE    (BESIDE)
   ) u_ingress (
     .clk          (clk),
     .rst          (rst),
@@ -229,7 +235,7 @@ module hwffd_stream #(
     .AXIS       (AXIS),
     .INSIDE     (INSIDE),
     .SPANS      (SPANS),
-    .SUMS       (`FFD_FUNCTIONS_SUM(ORG, EVALUATOR) ? 1 : 0)
+    .SUMS       (SUMS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
