@@ -23,8 +23,14 @@ constexpr bool kHasUpset = false;
 template <class VDut>
 constexpr bool kHasUpset<VDut, std::void_t<decltype(std::declval<VDut>().upset_o)>> = true;
 
-/// `StreamCore` over any Verilated `hwffd_stream` or `hwffd_scatter`: `VDut` is the class that
-/// Verilator made.
+/// Whether it has a pin grid_stop_i.
+template <class VDut, class = void>
+constexpr bool kHasGridStop = false;
+template <class VDut>
+constexpr bool kHasGridStop<VDut, std::void_t<decltype(std::declval<VDut>().grid_stop_i)>> = true;
+
+/// `StreamCore` over any Verilated `hwffd_stream`, `hwffd_scatter` or `hwffd_adjoint`: `VDut` is
+/// the class that Verilator made.
 ///
 /// Starts with the clock low, in reset, nothing offered and nothing taken.
 template <class VDut>
@@ -36,7 +42,7 @@ class VerilatedStreamCore final : public StreamCore {
     dut_->aresetn = 0;
     dut_->s_axis_tvalid = 0;
     dut_->m_axis_tready = 0;
-    dut_->grid_stop_i = 0;
+    drive_grid_stop(false);
     dut_->eval();
   }
 
@@ -47,7 +53,9 @@ class VerilatedStreamCore final : public StreamCore {
     dut_->s_axis_tlast = beat.last ? 1 : 0;
   }
   void drive_output_ready(bool ready) override { dut_->m_axis_tready = ready ? 1 : 0; }
-  void drive_grid_stop(bool stop) override { dut_->grid_stop_i = stop ? 1 : 0; }
+  void drive_grid_stop(bool stop) override {
+    if constexpr (kHasGridStop<VDut>) dut_->grid_stop_i = stop ? 1 : 0;
+  }
 
   void settle() override {
     dut_->aclk = 0;
