@@ -79,6 +79,9 @@ module ffd_scatter_decoder #(
     begin : gen_bad_evaluator
       ERROR_ffd_scatter_decoder_evaluator_must_be_pipelined_or_powers u_error ();
     end
+    if (BESIDE != 0 && BESIDE != 1) begin : gen_bad_beside
+      ERROR_ffd_scatter_decoder_beside_must_be_0_or_1 u_error ();
+    end
   endgenerate
 
   localparam POINT_W  = `FFD_POINT_W(FORMAT);

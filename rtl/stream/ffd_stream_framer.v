@@ -53,6 +53,12 @@ module ffd_stream_framer #(
   output wire                      expects_o, // a vertex
   output wire                      idle_o
 );
+  generate
+    if (BESIDE != 0 && BESIDE != 1) begin : gen_bad_beside
+      ERROR_ffd_stream_framer_beside_must_be_0_or_1 u_error ();
+    end
+  endgenerate
+
   localparam AXIS_W      = `FFD_AXIS_W(AXIS);
   localparam PAGES       = `FFD_FEATURE_PAGES(FEATURES);
   localparam INTERLEAVED = `FFD_FEATURE_INTERLEAVED(FEATURES);

@@ -15,11 +15,6 @@ using model::ScatterEvent;
 
 constexpr unsigned kOverflow = stream_event(event::kPageOverflowed);
 
-/// Whether the place of an event says where its packet is.
-bool has_place(const ScatterEvent& event) {
-  return event.event != event::kSaturated && event.event != kOverflow;
-}
-
 std::vector<ScatterEvent> with_place(const std::vector<ScatterEvent>& events) {
   std::vector<ScatterEvent> some;
   std::copy_if(events.begin(), events.end(), std::back_inserter(some), has_place);
@@ -48,6 +43,10 @@ void EventLog::clock() {
     log_.push_back({event, place.packet, place.beat});
   }
   core_->clock();
+}
+
+bool has_place(const ScatterEvent& event) {
+  return event.event != event::kSaturated && event.event != kOverflow;
 }
 
 std::string sorted_text(std::vector<ScatterEvent> events) {

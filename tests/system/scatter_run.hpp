@@ -43,6 +43,8 @@ class EventLog final : public cores::StreamCore {
   std::vector<model::ScatterEvent> log_;
 };
 
+/// Whether the place of an event says where its packet is.
+bool has_place(const model::ScatterEvent& event);
 /// The same text for the same events, whatever their order.
 std::string sorted_text(std::vector<model::ScatterEvent> events);
 

@@ -65,9 +65,10 @@ class Space:
         self.formats = {member.number: member for member in formats.read().by_name.values()}
         stream = self._stream()
         limit = _table([Parameter("GRID_LIMIT", values.of(Between(0, 48)), "ffd_stream_grid_limit_must_be_0_to_48")])
+        beside = _table([Parameter("BESIDE", values.of(0, 1), "ffd_stream_framer_beside_must_be_0_or_1")])
         bus = self._bus()
         self.parameters = {
-            "hwffd_stream": {**stream, **limit},
+            "hwffd_stream": {**stream, **limit, **beside},
             "hwffd_stream_bus": {**stream, **limit, **_table([Parameter(
                 "DATA_WIDTH", values.of(64, 128, 256), "hwffd_stream_bus_data_width_.*")])},
             "hwffd_wishbone": bus,
