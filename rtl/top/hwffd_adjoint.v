@@ -12,8 +12,8 @@
 //             half in bit 0; idle_o: both halves are, and no packet is under way. vertex_o and
 //             upset_o are the evaluator's.
 // Parameters: those of hwffd_stream but SPANS, of which there is one, and SCATTER_PAGES, those of
-//             sums, 1 to 256. What one half refuses, this does: FORMAT 12 to 18, EVALUATOR pipelined
-//             or powers, AXIS 4 to 32. WAITING is of each half, HARDENED of the evaluator's points.
+//             sums, 1 to 256. What one half refuses, this does: FORMAT 12 to 18, EVALUATOR
+//             pipelined or powers, AXIS 4 to 32. WAITING is of each half, HARDENED of points.
 // Model:      golden/include/hwffd/model/stream_model.hpp, scatter_stream.hpp.
 // Test:       tests/system/adjoint_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
