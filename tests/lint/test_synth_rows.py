@@ -15,6 +15,7 @@ def test_rows_of_this_tree():
     assert {subject.target for subject in subjects} == set(synthesis.TARGETS)
     assert {subject.top for subject in subjects} == {
         synthesis.ORGANIZATION, synthesis.CORE, synthesis.BUS, synthesis.SYSTEM, synthesis.SCATTER,
+        synthesis.ADJOINT,
         *synthesis.FLOAT_UNITS}
     assert {subject.row.name for subject in subjects if subject.top == synthesis.SYSTEM} >= {
         row.name for row in configurations.read() if row.top == "axi" and row.schedule == "overlapped"}

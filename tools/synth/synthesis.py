@@ -15,8 +15,8 @@ from tools.synth import chips, engine, liberty, mapped_netlist, timing, variants
 from tools.tables import configurations
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
-BUS, SCATTER = "hwffd_stream_bus", "hwffd_scatter"
-TOPS = (CORE, BUS, SYSTEM, SCATTER)  # of variants
+BUS, SCATTER, ADJOINT = "hwffd_stream_bus", "hwffd_scatter", "hwffd_adjoint"
+TOPS = (CORE, BUS, SYSTEM, SCATTER, ADJOINT)  # of variants
 # What scatter has of the parameters of a row.
 OF_SCATTER = ("FORMAT", "EVALUATOR", "MUL_LATENCY", "ADD_LATENCY", "AXIS", "PAGES", "WAITING")
 TARGETS = (*mapped_netlist.TARGETS, *chips.TARGETS)
