@@ -52,7 +52,7 @@ module formal_stream_decoder #(
   wire [1:0]              slot_phase;
   wire                    m_valid;
   wire                    m_ready;
-  wire [82:0]             m_word;
+  wire [83:0]             m_word;
   wire                    slot_free;
   wire                    rooms;
   wire                    free;
@@ -184,7 +184,7 @@ module formal_stream_decoder #(
     .want_retire   (want_retire),
     .s_vertex_valid(m_valid),
     .s_vertex_ready(m_ready),
-    .s_vertex_word ({m_word[82:80], m_word[43:41]}),
+    .s_vertex_word ({m_word[83:81], m_word[43:41]}),
     .free_o        (free),
     .retire_o      (retire),
     .a_there_o     (there[0]),
@@ -223,7 +223,7 @@ module formal_stream_decoder #(
   reg         first_q = 1'b1;
   reg         rst_q;
   reg         held_q;
-  reg  [82:0] held_word_q;
+  reg  [83:0] held_word_q;
   reg  [4:0]  wait_q;      // clocks in which a beat was not taken
   reg  [2:0]  hidden_q;    // clocks in which a vertex was inside and none offered
   reg         taken_q;     // a beat left the converters
@@ -273,8 +273,8 @@ module formal_stream_decoder #(
     buffer_free: assert (!buffer_clash);
     slot_unused: assert (!slot_clash);
     changed: assert (!m_valid || m_word[39] || !head[28]);
-    bank_order: assert (!m_valid || (m_word[40] == head[29] && m_word[80] == head[29]));
-    buffer_order: assert (!m_valid || !head[32] || {m_word[82:81], m_word[41]}
+    bank_order: assert (!m_valid || (m_word[40] == head[29] && m_word[81] == head[29]));
+    buffer_order: assert (!m_valid || !head[32] || {m_word[83:82], m_word[41]}
                                                    == {1'b1, head[30], head[30]});
     slot_order: assert (!m_valid || head[32] || m_word[42:41] == head[31:30]);
     point_inside: assert (!lattice_write || (lattice_at[3:0] <= size_1_q[3:0]

@@ -53,7 +53,7 @@ module formal_stream_framer #(
   wire [11:0] size         = {data[67:64] - 4'd1, data[75:72] - 4'd1, data[83:80] - 4'd1};
   wire        good         = data[71:64] >= 4 && data[71:64] <= AXIS && data[79:72] >= 4
                           && data[79:72] <= AXIS && data[87:80] >= 4 && data[87:80] <= AXIS;
-  wire        of_vertices  = (opcode == 3 || opcode == 4) && data[73:72] != 3;
+  wire        of_vertices  = opcode == 3 || opcode == 4;
   wire        accepted     = opcode == 1 || (opcode == 2 && good) || of_vertices;
   wire        none         = of_vertices && data[63:32] == 0;
 

@@ -38,7 +38,7 @@ module model_decoder #(
   output wire [1:0]              slot_phase_o,
   output wire                    m_valid,
   input  wire                    m_ready,
-  output wire [82:0]             m_word,
+  output wire [83:0]             m_word,
   output wire                    slot_free_o,
   output wire                    rooms_o,
   input  wire                    free_i,
@@ -104,7 +104,7 @@ module model_decoder #(
     .m_vertex_changed    (m_word[39]),
     .m_vertex_results    (m_word[55:54]),
     .m_vertex_exponent   (m_word[53:44]),
-    .m_vertex_user       (m_word[82:56]),
+    .m_vertex_user       (m_word[83:56]),
     .slot_free_o         (slot_free_o),
     .rooms_o             (rooms_o),
     .slot_free_i         (free_i),
@@ -136,17 +136,17 @@ module model_decoder #(
   (* hierconn *) wire [7:0]  \u_dut.u_sideband.u_page.gen_stage[1].data_q ;
   (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_single.u_load.gen_stage[0].data_q ;
   (* hierconn *) wire [2:0]  \u_dut.u_functions.gen_single.u_load.gen_stage[1].data_q ;
-  (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
-  (* hierconn *) wire [50:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
-  (* hierconn *) wire [50:0] \u_dut.u_vertex.known_q ;
+  (* hierconn *) wire [51:0] \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
+  (* hierconn *) wire [51:0] \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
+  (* hierconn *) wire [51:0] \u_dut.u_vertex.known_q ;
   (* hierconn *) wire        \u_dut.u_vertex.whole_q , \u_dut.u_vertex.final_q ;
   (* hierconn *) wire        \u_dut.u_vertex.queue_ready ;
   (* hierconn *) wire [1:0]  \u_dut.u_vertex.waiting_q ;
   (* hierconn *) wire [1:0]  \u_dut.u_vertex.u_queue.write_q , \u_dut.u_vertex.u_queue.read_q ;
-  (* hierconn *) wire [82:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
-  (* hierconn *) wire [82:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
-  wire [82:0] memory_0 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
-  wire [82:0] memory_1 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
+  (* hierconn *) wire [83:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
+  (* hierconn *) wire [83:0] \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
+  wire [83:0] memory_0 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[0] ;
+  wire [83:0] memory_1 = \u_dut.u_vertex.u_queue.u_memory.gen_slice[0].memory_q[1] ;
   wire [14:0] taken_0  = \u_dut.u_sideband.u_taken.gen_stage[0].data_q ;
   wire [14:0] taken_1  = \u_dut.u_sideband.u_taken.gen_stage[1].data_q ;
   wire [14:0] place_0  = \u_dut.u_sideband.u_place.gen_stage[0].data_q ;
@@ -155,9 +155,9 @@ module model_decoder #(
   wire [7:0]  page_1   = \u_dut.u_sideband.u_page.gen_stage[1].data_q ;
   wire [2:0]  loads_0  = \u_dut.u_functions.gen_single.u_load.gen_stage[0].data_q ;
   wire [2:0]  loads_1  = \u_dut.u_functions.gen_single.u_load.gen_stage[1].data_q ;
-  wire [50:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
-  wire [50:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
-  wire [50:0] known    = \u_dut.u_vertex.known_q ;
+  wire [51:0] known_0  = \u_dut.u_vertex.u_known.gen_stage[0].data_q ;
+  wire [51:0] known_1  = \u_dut.u_vertex.u_known.gen_stage[1].data_q ;
+  wire [51:0] known    = \u_dut.u_vertex.known_q ;
   wire        whole    = \u_dut.u_vertex.whole_q ;
   wire [1:0]  waiting  = \u_dut.u_vertex.waiting_q ;
   wire [1:0]  read     = \u_dut.u_vertex.u_queue.read_q ;
@@ -260,12 +260,12 @@ module model_decoder #(
     at = all >> (number[1:0] * 49);
   endfunction
   // The fields of an entry in the words of known, of the queue, and of what retires.
-  function [34:0] of_known(input [50:0] word);
+  function [34:0] of_known(input [51:0] word);
     of_known = {word[49:48], word[37:21], word[15:0]};
   endfunction
-  function same_word(input [82:0] word, input [48:0] entry);
+  function same_word(input [83:0] word, input [48:0] entry);
     same_word = {word[79], word[55:54], word[43:27], word[71:56]} == {entry[48], entry[34:0]}
-             && word[82:80] == {entry[32], entry[30], entry[29]};
+             && word[83:81] == {entry[32], entry[30], entry[29]};
   endfunction
   function retires(input [5:0] word, input [48:0] entry);
     retires = word == {entry[32], entry[30], entry[29], entry[32:30]};
@@ -277,7 +277,7 @@ module model_decoder #(
 
   assign head_o = at(list, out);
   wire [48:0] e_first = at(list, out_head);
-  wire [50:0] newest  = vertex_0 ? known_0 : vertex_1 ? known_1 : known;
+  wire [51:0] newest  = vertex_0 ? known_0 : vertex_1 ? known_1 : known;
   wire [48:0] e_whole = at(list, out_queue);
   wire [48:0] e_1     = at(list, out_whole);
   wire [48:0] e_0     = at(list, out_whole + finish_1);
