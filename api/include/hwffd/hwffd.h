@@ -119,7 +119,8 @@ int hwffd_evaluate(hwffd_lattice* lattice, const hwffd_embedding* embeddings, si
  * embeddings, x, y, z for each, that with respect to the control points. The bits are the same for
  * embeddings in any order; where the control points are now does not matter.
  * @param device  what adds up: "reference", "model" for that of the organization affine in fx17, or
- * "rtl" for the simulated core with the same bits; NULL: hwffd_lattice_device(), which must be a device that can
+ * "rtl" for the simulated core with the same bits; NULL: hwffd_lattice_device(), which must be a
+ * device that can do so
  * @param out     x, y, z for each control point of the lattice
  */
 int hwffd_pull_back(hwffd_lattice* lattice, const char* device, const hwffd_embedding* embeddings,
