@@ -5,7 +5,8 @@
 // point by point in local order and read back by bank, N points a clock and port, READ_LATENCY 2.
 //
 // Formats:    results of a vertex side by side, the position lowest; those that the organization
-//             does not give in one pass are 0.
+//             does not give in one pass are 0. The result of a second vertex stands in the second
+//             place.
 // Parameters: a row of configurations.csv; 256 supports.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -39,6 +40,7 @@ module ffd_bench_evaluator #(
   input  wire         s_vertex_valid,
   output wire         s_vertex_ready,
   input  wire [95:0]  s_vertex_words,
+  input  wire [31:0]  s_vertex_second,  // s of a second vertex
   input  wire [11:0]  s_vertex_cell,
   input  wire [7:0]   s_vertex_support,
   input  wire [5:0]   s_vertex_bank,
@@ -59,20 +61,21 @@ module ffd_bench_evaluator #(
   wire [3*POINT_W-1:0]              point;
   wire [3*WEIGHT_W-1:0]             coordinates;
 
-  // The words that come, and their roles: coordinates, points, coefficients from the lowest on.
-  wire [10*32-1:0]      words = {load_words_i, write_words_i, s_vertex_words};
-  wire [10*POINT_W-1:0] numbers;
+  // The words that come, and their roles: coordinates, points, coefficients from the lowest on, and
+  // the second coordinate.
+  wire [11*32-1:0]      words = {s_vertex_second, load_words_i, write_words_i, s_vertex_words};
+  wire [11*POINT_W-1:0] numbers;
 
   genvar i;
   generate
-    for (i = 0; i < 10; i = i + 1) begin : gen_number
+    for (i = 0; i < 11; i = i + 1) begin : gen_number
       wire nan;
       wire outside;
       ffd_num_in #(
         .FORMAT(FORMAT)
       ) u_in (
         .clk       (clk),
-        .role_i    (i < 3 ? `FFD_ROLE_COORDINATE : i < 6 ? `FFD_ROLE_POINT : `FFD_ROLE_COEFFICIENT),
+        .role_i    (i < 3 || i == 10 ? `FFD_ROLE_COORDINATE : i < 6 ? `FFD_ROLE_POINT : `FFD_ROLE_COEFFICIENT),
         .clear_i   (1'b0),
         .clamp_i   (1'b0),
         .one_i     (1'b0),
@@ -108,8 +111,10 @@ module ffd_bench_evaluator #(
   end
 
   localparam RESULTS = `FFD_RESULTS(`FFD_ORG_JACOBIAN(ORG));
+  localparam PAIRS   = `FFD_ORG_PAIRS(ORG) ? 1 : 0;
   wire [RESULTS*96-1:0] result_words;
   wire [RESULTS*3-1:0]  result_flags;
+  wire [97:0]           result_second;
   wire        determinant;
   wire        result_last;
   wire        evaluating;
@@ -146,7 +151,8 @@ module ffd_bench_evaluator #(
     .USER_W         (16),
     .IN_FLIGHT      (256),
     .RESULTS        (RESULTS),
-    .DETERMINANT    (0)
+    .DETERMINANT    (0),
+    .PAIRS          (PAIRS)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -162,6 +168,7 @@ module ffd_bench_evaluator #(
     .s_vertex_bank       (s_vertex_bank),
     .s_vertex_exponent   (s_vertex_exponent),
     .s_vertex_changed    (s_vertex_changed),
+    .s_vertex_second     (numbers[10*POINT_W +: WEIGHT_W]),
     .s_vertex_column     (2'd0),
     .s_vertex_user       (s_vertex_tag),
     .read_o              (read),
@@ -178,7 +185,8 @@ module ffd_bench_evaluator #(
     .m_result_flags      (result_flags),
     .m_result_determinant(determinant),
     .m_result_last       (result_last),
-    .m_result_user       (m_result_tag)
+    .m_result_user       (m_result_tag),
+    .m_result_second     (result_second)
   );
 
   genvar r;
@@ -187,6 +195,9 @@ module ffd_bench_evaluator #(
       if (r < RESULTS) begin : gen_given
         assign m_result_words[96*r +: 96] = result_words[96*r +: 96];
         assign m_result_flags[2*r +: 2]   = result_flags[3*r +: 2];
+      end else if (r == 1 && PAIRS != 0) begin : gen_second
+        assign m_result_words[96*r +: 96] = result_second[95:0];
+        assign m_result_flags[2*r +: 2]   = result_second[97:96];
       end else begin : gen_not
         assign m_result_words[96*r +: 96] = 96'd0;
         assign m_result_flags[2*r +: 2]   = 2'd0;
@@ -195,7 +206,7 @@ module ffd_bench_evaluator #(
   endgenerate
 
   wire unused_ok = &{1'b0, determinant, result_last, result_flags, evaluating, forming, read, read_last, read_cell,
-                     numbers};
+                     numbers, result_second};
 endmodule
 
 `default_nettype wire

@@ -50,7 +50,7 @@ def search(options, name):
 
 
 def chosen(options, row):
-    return (not options.form or row.form == options.form) and (
+    return (not options.form or options.form in (row.form, rows.searched(row.form))) and (
         not options.format or row.format == options.format)
 
 

@@ -6,6 +6,7 @@
 #include "hwffd/model/org_affine.hpp"
 #include "hwffd/model/org_cg.hpp"
 #include "pairs.hpp"
+#include "scatter_climb.hpp"
 
 namespace hwffd::certified {
 namespace {
@@ -147,6 +148,22 @@ class FixedFacts {
 
   void run() {
     if (!wanted("format", name_)) return;
+    if constexpr (F::kWeightFraction + 2 < kLeastComposed) {
+      if (!wanted("form", "scatter")) return;
+      axis("affine", horner_, {0, 1, 2, 3}, true);
+      scatter("scatter", false);
+      axis("powers", Powers<F>(), {kNone}, true);
+      scatter("scatter powers", true);
+    } else {
+      run_composed();
+    }
+  }
+
+ private:
+  /// Forms but scatter are of rows from here on; narrower words have scatter alone.
+  static constexpr int kLeastComposed = 16;
+
+  void run_composed() {
     const bool contracts = wanted("form", "factored");
     if (contracts || wanted("form", "product")) {
       axis("bspline", horner_, {kNone}, true);
@@ -157,20 +174,28 @@ class FixedFacts {
       }
     }
     if constexpr (!std::is_same_v<F, Block32>) {
-      if (wanted("form", "affine")) {
+      constexpr bool kScatters = F::kWeightFraction + 2 <= model::kScatterMostWidth;
+      const bool scatters = kScatters && wanted("form", "scatter");
+      if (wanted("form", "affine") || scatters) {
         axis("affine", horner_, {0, 1, 2, 3}, true);
-        add<model::OrgAffine>("affine");
+        if (wanted("form", "affine")) add<model::OrgAffine>("affine");
+        if constexpr (kScatters) {
+          if (scatters) scatter("scatter", false);
+        }
       }
-      if (wanted("form", "powers") && name_ != "fx16") {
+      const bool powers = wanted("form", "powers") && name_ != "fx16";
+      if (powers || scatters) {
         axis("powers", Powers<F>(), {kNone}, true);
-        add<model::OrgPowers>("powers");
+        if (powers) add<model::OrgPowers>("powers");
+        if constexpr (kScatters) {
+          if (scatters) scatter("scatter powers", true);
+        }
       }
       if (wanted("form", "nested")) nested();
     }
     families();
   }
 
- private:
   bool wanted(const char* what, const std::string& name) const {
     const std::string& only = what == std::string("form") ? effort_.form : effort_.format;
     return only.empty() || only == name;
@@ -223,6 +248,22 @@ class FixedFacts {
                     [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
     const Witness witness =
         climb<F, Organization>(name_, triple, plain_weight, effort_.steps, engine);
+    facts_.forms.push_back({form, name_, witness});
+  }
+
+  /// The transpose of `affine`, at the coordinates of the weights that were looked at last.
+  void scatter(const std::string& form, bool powers) {
+    auto engine = seeded(name_ + form);
+    const Triple triple =
+        best_triple(candidates_, {}, static_cast<int>(effort_.starts), engine,
+                    [](const Triple& t) { return exact_distance(t[0], t[1], t[2]); });
+    model::CoefficientBank<F> bank;
+    const AxisWords words = encode(watertight_bspline(WordCodec(name_)), WordCodec(name_));
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int l = 0; l < 4; ++l) bank.load(axis, l, words.degree, words.shift, words.word[l]);
+    }
+    const Witness witness =
+        ScatterClimb<F>(bank, powers).run(triple, candidates_, effort_.steps, engine);
     facts_.forms.push_back({form, name_, witness});
   }
 
@@ -318,6 +359,10 @@ class FixedFacts {
 }  // namespace
 
 void find_fixed_facts(const Effort& effort, Facts& facts) {
+  FixedFacts<Fixed<12>>("fx12", effort, facts).run();
+  FixedFacts<Fixed<13>>("fx13", effort, facts).run();
+  FixedFacts<Fixed<14>>("fx14", effort, facts).run();
+  FixedFacts<Fixed<15>>("fx15", effort, facts).run();
   FixedFacts<Fixed<16>>("fx16", effort, facts).run();
   FixedFacts<Fixed<17>>("fx17", effort, facts).run();
   FixedFacts<Fixed<18>>("fx18", effort, facts).run();

@@ -86,8 +86,9 @@ def faults(result):
 
 def searched(form):
     """The form that the search knows a row's form by."""
-    if form.startswith("weights"):
-        return "weights"
+    for several in ("weights", "scatter"):
+        if form.startswith(several):
+            return several
     return form.split(" by ")[0]
 
 
@@ -151,6 +152,8 @@ def fixed_row(name, form, known, witness, fact):
     def theorem(bound):
         if name == "nested":
             return forms.nested_theorem(rounds, known, bound).text()
+        if name.startswith("scatter"):
+            return forms.scatter_theorem(rounds, known, bound).text()
         return forms.fixed_theorem(formula if name == "product" else "factored", rounds, known, bound).text()
 
     return Row(name, form.name, hypothesis, witness,

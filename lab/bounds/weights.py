@@ -43,7 +43,7 @@ class Format:
 
 
 FORMATS = {f.name: f for f in (
-    Format("fx16", 14, 14), Format("fx17", 15, 15), Format("fx18", 16, 16), Format("fx32", 30, 30),
+    *(Format(f"fx{width}", width - 2, width - 2) for width in range(12, 17)), Format("fx17", 15, 15), Format("fx18", 16, 16), Format("fx32", 30, 30),
     Format("bfp32", 33, 30), Format("fp32", 0, 24), Format("fp32-fused", 0, 24, True))}
 
 

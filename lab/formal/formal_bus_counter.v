@@ -22,6 +22,7 @@ module formal_bus_counter #(
     .clk    (clk),
     .rst    (rst),
     .event_i(event_in),
+    .second_i(1'b0),
     .clear_i(clear),
     .latch_i(latch),
     .low_o  (low),

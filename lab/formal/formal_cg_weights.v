@@ -92,6 +92,7 @@ module formal_cg_weights #(
     .s_vertex_source     (colour),
     .s_vertex_bank       ({6{colour}}),
     .s_vertex_changed    (1'b0),
+    .s_vertex_second     (9'd0),
     .read_o              (),
     .read_last_o         (),
     .read_source_o       (),
@@ -101,7 +102,8 @@ module formal_cg_weights #(
     .forming_o           (),
     .result_valid_o      (combined),
     .result_sum_o        (combination),
-    .result_jacobian_o   ()
+    .result_jacobian_o   (),
+    .result_second_o     ()
   );
 
   // ---- names of registers

@@ -112,6 +112,7 @@ module formal_product_form #(
     .s_vertex_source     (colour), \
     .s_vertex_bank       ({6{colour}}), \
     .s_vertex_changed    (1'b0), \
+    .s_vertex_second     (coordinates[8:0]), \
     .read_o              (read), \
     .read_last_o         (read_last), \
     .read_source_o       (read_source), \
@@ -121,7 +122,8 @@ module formal_product_form #(
     .forming_o           (forming), \
     .result_valid_o      (result), \
     .result_sum_o        (sum), \
-    .result_jacobian_o   (jacobian)
+    .result_jacobian_o   (jacobian), \
+    .result_second_o     ()
 
   generate
     if (CG != 0) begin : gen_cg

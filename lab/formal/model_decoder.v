@@ -82,6 +82,7 @@ module model_decoder #(
     .beat_valid_i        (s_valid),
     .beat_data_i         (s_data),
     .beat_last_i         (s_last),
+    .beat_second_i       (33'd0),
     .beat_frame_i        (s_frame),
     .beat_held_i         (1'b0),  // of a page
     .go_o                (go_o),

@@ -31,7 +31,8 @@ cores::Schedule schedule_of(const tb::ScheduleRecorder& recorded) {
   }
   schedule.steps = entries_of(recorded.steps(), recorded);
   schedule.sums = recorded.sums();
-  schedule.results = recorded.results();
+  for (std::size_t vertex = 0; vertex < recorded.results().size(); ++vertex)
+    schedule.results.push_back({recorded.results()[vertex], vertex});
   schedule.end = std::numeric_limits<std::uint64_t>::max();
   return schedule;
 }

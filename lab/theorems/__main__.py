@@ -15,12 +15,12 @@ import json
 import pathlib
 import sys
 
-from lab.theorems import fixed, floating, lemmas, powers, prove, seams, solve, words
+from lab.theorems import fixed, floating, lemmas, powers, prove, scatter, seams, solve, words
 from tools import command_line, whole_file
 from tools.project_root import ROOT
 
-EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *words.THEOREMS, *seams.THEOREMS,
-              *floating.THEOREMS)
+EVERYTHING = (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *scatter.THEOREMS, *words.THEOREMS,
+              *seams.THEOREMS, *floating.THEOREMS)
 
 
 def chosen(options):

@@ -18,7 +18,8 @@ from tools.rtl import rtl_sources
 
 # What holds words, by unit: its outputs are inputs of the unit, any words.
 BOXES = {"ffd_eval_poly_pipelined": "ffd_eval_coefficient_file"}
-FOLDERS = ("rtl/number", "rtl/common", "rtl/evaluator")
+FOLDERS = ("rtl/number", "rtl/common", "rtl/evaluator", "rtl/scatter")
+HEADERS = (*FOLDERS, "rtl/stream")
 
 
 class TheoremError(Exception):
@@ -64,7 +65,7 @@ def _sources(bug, folder):
 def _elaborated(wanted, bug, folder):
     """The flat netlists as yosys writes them, of (unit, parameters)."""
     folder.mkdir(parents=True, exist_ok=True)
-    includes = " ".join(f"-I {ROOT / part}" for part in FOLDERS)
+    includes = " ".join(f"-I {ROOT / part}" for part in HEADERS)
     steps = [f"read_verilog -defer {includes} " + " ".join(map(str, _sources(bug, folder))),
              "design -save sources"]
     outs = [folder / f"netlist-{place}.json" for place in range(len(wanted))]

@@ -7,20 +7,24 @@
 // take for right; no tool that makes hardware defines it.
 //
 // Pipeline:   READ_LATENCY registers, II 1, never frozen; contents are not reset.
-// Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1.
+// simulator defines FFD_SIMULATION it gives the complement of the old word, which no test could
+//             of this file, and chooses by its parameters. tools/rtl/memories.py prints which a
+//             configuration has.
+// Parameters: WIDTH >= 1, DEPTH >= 2 words, READ_LATENCY 0 or 1; RAM_STYLE, what synthesis is told:
+//             "auto", or a word that the tool knows, as "block" or "distributed".
 // Not checked: an address of DEPTH or more reads an undefined word; that none is written there, by
 //             FFD_ASSERTIONS.
 // Model:      none (storage only).  Test: every system test.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_assert.vh"
-`include "ffd_assert.vh"
 
 module ffd_mem_sdp #(
   parameter WIDTH        = 32,
   parameter DEPTH        = 16,
   parameter READ_LATENCY = 1,
-  parameter ADDRESS_W    = $clog2(DEPTH)
+  parameter ADDRESS_W    = $clog2(DEPTH),
+  parameter RAM_STYLE    = "auto"
 ) (
   input  wire                 clk,
   input  wire                 write_i,
@@ -48,6 +52,7 @@ module ffd_mem_sdp #(
   localparam MOST = DEPTH > 8192 ? 1 : DEPTH > 4096 ? 2 : DEPTH > 2048 ? 4 : WIDTH;
 `endif
   localparam SLICES = (WIDTH + MOST - 1) / MOST;
+  wire unused_style = &{1'b0, RAM_STYLE};  // to simulators
 
 `ifdef FFD_ASSERTIONS
   // It has no reset: what a pipeline held before its own has left it after some clocks.
@@ -63,7 +68,7 @@ module ffd_mem_sdp #(
     for (s = 0; s < SLICES; s = s + 1) begin : gen_slice
       localparam LOW     = s * MOST;
       localparam SLICE_W = WIDTH - LOW < MOST ? WIDTH - LOW : MOST;
-      (* no_rw_check *)
+      (* no_rw_check, ram_style = RAM_STYLE *)
       reg [SLICE_W-1:0] memory_q [0:DEPTH-1];
 
       always @(posedge clk) begin

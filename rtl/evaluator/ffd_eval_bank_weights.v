@@ -4,9 +4,8 @@
 // weights then (ffd_eval_axis_weights): a rotation of weights, so that no point is ever moved.
 //
 // FOLD 1, 2:  12 evaluators; t and s are evaluated that much later.
-// FOLD 3 on:  4 evaluators; the first three steps of a vertex evaluate u, t, s. The four weights
-//             travel on beside the contraction, and each axis holds its own for the steps of the
-//             vertex. step_i is 3 in other steps.
+// FOLD 3 on:  4 evaluators; the first three steps of a vertex evaluate u, t, s, whose weights
+//             travel beside the contraction (ffd_eval_travel). step_i is 3 in other steps.
 //
 // Pipeline:   step 0 | FFD_CHOICE_LATENCY | FFD_POLY_LATENCY: weights of u, for FOLD clocks;
 //             those of t and s later. A step a clock, those of a vertex one after the other; never
@@ -122,49 +121,25 @@ module ffd_eval_bank_weights #(
     end
   endgenerate
 
-  // Folded, the weights of an axis come a clock after those of the axis before and are wanted
-  // DISTANCE clocks after them.
-  genvar stage;
   generate
     if (SETS == 3) begin : gen_ready
       assign weights_o = evaluated;
       wire unused_ok = &{1'b0, step_i, cell_i};
     end else begin : gen_travel
-      for (stage = 0; stage < 3; stage = stage + 1) begin : gen_stage
-        localparam [1:0] OWN_STEP = stage;
-        wire [1:0]            step;
-        wire [4*WEIGHT_W-1:0] weights;
-        wire                  own = step == OWN_STEP;
-        reg  [4*WEIGHT_W-1:0] held_q;
-
-        if (stage == 0) begin : gen_first
-          assign weights = evaluated;
-          ffd_num_delay #(
-            .WIDTH  (2),
-            .LATENCY(CHOICE + POLY_LATENCY)
-          ) u_step (
-            .clk(clk),
-            .rst(1'b0),
-            .d_i(step_i),
-            .q_o(step)
-          );
-        end else begin : gen_next
-          ffd_num_delay #(
-            .WIDTH  (2 + 4 * WEIGHT_W),
-            .LATENCY(DISTANCE - 1)
-          ) u_weights (
-            .clk(clk),
-            .rst(1'b0),
-            .d_i({gen_stage[stage-1].step, gen_stage[stage-1].weights}),
-            .q_o({step, weights})
-          );
-        end
-
-        always @(posedge clk) begin
-          if (own) held_q <= weights;
-        end
-        assign weights_o[4*(2-stage)*WEIGHT_W +: 4*WEIGHT_W] = own ? weights : held_q;
-      end
+      wire [4*WEIGHT_W-1:0] of_s;
+      wire [4*WEIGHT_W-1:0] of_t;
+      wire [4*WEIGHT_W-1:0] of_u;
+      ffd_eval_travel #(
+        .WIDTH   (4 * WEIGHT_W),
+        .LATENCY (CHOICE + POLY_LATENCY),
+        .DISTANCE(DISTANCE)
+      ) u_travel (
+        .clk      (clk),
+        .step_i   (step_i),
+        .weights_i(evaluated),
+        .weights_o({of_s, of_t, of_u})
+      );
+      assign weights_o = {of_u, of_t, of_s};
       wire unused_ok = &{1'b0, cell_i};
     end
   endgenerate

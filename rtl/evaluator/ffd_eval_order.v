@@ -7,13 +7,16 @@
 // they leave one after the other, as many as the vertex wants: its position; that and its three
 // derivatives; that and det J; or det J alone. RESULTS 4: all leave at once.
 //
+// With PAIRS the result of a second vertex goes beside each one, and leaves with it.
+//
 // Formats:    words {z, y, x} of each result, flags {folded, nan, saturated} of each; of a
-//             determinant the words are {any, any, det J}.
+//             determinant the words are {any, any, det J}. Of a second vertex {nan, saturated,
+//             words}.
 // Pipeline:   3 clocks from a word to its result.
 // Freezes:    a result waits for m_result_ready; nothing behind takes notice.
 // Parameters: SUMS 1 or 4; RESULTS 1 or SUMS; USER_W >= 1; DEPTH a power of two >= 4, the most
 //             vertices inside; DETERMINANT 0, or 1 with RESULTS 1; APART 0: determinants come
-//             before the next sum, so SUMS 1 needs one queue only.
+//             before the next sum, so SUMS 1 needs one queue only. PAIRS 0, or 1 with SUMS 1.
 // Not checked: room, which who lets vertices in must count.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system, tests/evaluator.
 // SPDX-License-Identifier: Apache-2.0
@@ -26,7 +29,8 @@ module ffd_eval_order #(
   parameter USER_W      = 16,
   parameter DEPTH       = 16,
   parameter DETERMINANT = 1,
-  parameter APART       = 1
+  parameter APART       = 1,
+  parameter PAIRS       = 0
 ) (
   input  wire                  clk,
   input  wire                  rst,
@@ -40,6 +44,7 @@ module ffd_eval_order #(
   input  wire [SUMS*96-1:0]    words_i,
   input  wire [SUMS-1:0]       saturated_i,
   input  wire [SUMS-1:0]       nan_i,
+  input  wire [97:0]           second_i,
   input  wire                  determinant_valid_i,
   input  wire [31:0]           determinant_i,
   input  wire [2:0]            determinant_flags_i,
@@ -49,10 +54,12 @@ module ffd_eval_order #(
   output wire [RESULTS*3-1:0]  m_result_flags,
   output wire                  m_result_determinant,
   output wire                  m_result_last,  // of the results of its user word
-  output wire [USER_W-1:0]     m_result_user
+  output wire [USER_W-1:0]     m_result_user,
+  output wire [97:0]           m_result_second
 );
   localparam WORDS_W  = SUMS * 96;
-  localparam RESULT_W = 1 + 3 * SUMS + WORDS_W;
+  localparam OWN_W    = 1 + 3 * SUMS + WORDS_W;
+  localparam RESULT_W = OWN_W + 98 * PAIRS;
   localparam TOGETHER = SUMS == 1 && APART == 0;  // both kinds in one queue
 
   generate
@@ -87,10 +94,22 @@ module ffd_eval_order #(
 
   wire                own   = TOGETHER && determinant_valid_i;
   wire [RESULT_W-1:0] queued;
-  assign queued[RESULT_W-1]           = own;
+  assign queued[OWN_W-1]              = own;
   assign queued[WORDS_W +: 3 * SUMS]  = own ? {SUMS{determinant_flags_i}} : flags;
   assign queued[WORDS_W-1:32]         = words_i[WORDS_W-1:32];
   assign queued[31:0]                 = own ? determinant_i : words_i[31:0];
+
+  wire [RESULT_W-1:0] head_result;
+  generate
+    if (PAIRS != 0) begin : gen_second
+      assign queued[RESULT_W-1 -: 98] = second_i;
+      assign m_result_second          = head_result[RESULT_W-1 -: 98];
+    end else begin : gen_no_second
+      assign m_result_second = 98'd0;
+      wire unused_second = &{1'b0, second_i};
+    end
+  endgenerate
+  assign {result_determinant, result_flags, result_words} = head_result[OWN_W-1:0];
 
   ffd_stream_queue #(
     .WIDTH(RESULT_W),
@@ -103,7 +122,7 @@ module ffd_eval_order #(
     .s_word_data (queued),
     .m_word_valid(result_valid),
     .m_word_ready(result_ready),
-    .m_word_data ({result_determinant, result_flags, result_words})
+    .m_word_data (head_result)
   );
 
   // A user word is there whenever its result is. Beside it what it wants, as far as that is not

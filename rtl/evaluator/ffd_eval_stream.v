@@ -14,9 +14,13 @@
 // results leave one after the other with one user word, as ffd_eval_order has them, or with
 // RESULTS 4 all at once.
 //
+// With PAIRS a second vertex may come with each one (ffd_org_ports.vh), and its result leaves with
+// the other's: both are one vertex for all counts here.
+//
 // Formats:    coordinates {u, t, s} as weights, cell {k, j, i}, points as the organization reads
 //             them, results {z, y, x} as stream words with {folded, nan, saturated}; of a
-//             determinant {any, any, det J}, folded where that is not positive.
+//             determinant {any, any, det J}, folded where that is not positive. Of a second
+//             vertex {nan, saturated, words}.
 // Pipeline:   the organization's, ffd_eval_words', and 3 clocks in the result queue; det J after
 //             ffd_eval_determinant. Where a vertex enters in every other clock at most, it is
 //             offered to the organization a clock after it came: what is in front and what is
@@ -24,8 +28,8 @@
 // Freezes:    s_vertex_ready is 0 while IN_FLIGHT vertices are inside; nothing inside ever stops.
 // Parameters: IN_FLIGHT a power of two >= 4, more than the organization's pipeline holds at full
 //             rate; RESULTS 1, or with the Jacobian and without DETERMINANT 4; DETERMINANT 0 or 1;
-//             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 3; the
-//             others are the organization's.
+//             SPANS 1 to 128, above 1 only in the overlapped schedule and not with EVALUATOR 3;
+//             PAIRS 0, or 1 where FFD_ORG_PAIRS; the others are the organization's.
 // Model:      golden/include/hwffd/model/evaluator.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -41,7 +45,8 @@ module ffd_eval_stream #(
   parameter IN_FLIGHT       = 16,
   parameter RESULTS         = 1,
   parameter DETERMINANT     = 1,
-  parameter SPANS           = 1
+  parameter SPANS           = 1,
+  parameter PAIRS           = 0
 ) (
   input  wire                                            clk,
   input  wire                                            rst,
@@ -56,6 +61,7 @@ module ffd_eval_stream #(
   input  wire [SOURCE_W-1:0]                             s_vertex_source,
   input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
   input  wire                                            s_vertex_changed,
+  input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]                s_vertex_second,
   input  wire [1:0]                                      s_vertex_column,
   input  wire [`FFD_EXPONENT_W-1:0]                      s_vertex_exponent,
   input  wire [USER_W-1:0]                               s_vertex_user,
@@ -73,7 +79,8 @@ module ffd_eval_stream #(
   output wire [RESULTS*3-1:0]                            m_result_flags,
   output wire                                            m_result_determinant,
   output wire                                            m_result_last,
-  output wire [USER_W-1:0]                               m_result_user
+  output wire [USER_W-1:0]                               m_result_user,
+  output wire [97:0]                                     m_result_second
 );
   localparam SUM_W    = `FFD_SUM_W(FORMAT);
   localparam COUNT_W  = $clog2(IN_FLIGHT) + 1;
@@ -156,6 +163,7 @@ module ffd_eval_stream #(
   wire               sum_valid;
   wire [3*SUM_W-1:0] sum;
   wire [9*SUM_W-1:0] jacobian;
+  wire [3*SUM_W-1:0] second;
 
   ffd_org_select #(
     `include "ffd_row_arguments.vh"
@@ -176,6 +184,7 @@ module ffd_eval_stream #(
     .s_vertex_source     (s_vertex_source),
     .s_vertex_bank       (s_vertex_bank),
     .s_vertex_changed    (s_vertex_changed),
+    .s_vertex_second     (s_vertex_second),
     .read_o              (read_o),
     .read_last_o         (read_last_o),
     .read_source_o       (read_source_o),
@@ -185,7 +194,8 @@ module ffd_eval_stream #(
     .forming_o           (forming_o),
     .result_valid_o      (sum_valid),
     .result_sum_o        (sum),
-    .result_jacobian_o   (jacobian)
+    .result_jacobian_o   (jacobian),
+    .result_second_o     (second)
   );
 
   // Which column a sum is of, and the exponent of its points: where there is such a thing.
@@ -249,6 +259,31 @@ module ffd_eval_stream #(
         .saturated_o (saturated[r]),
         .nan_o       (nan[r])
       );
+    end
+  endgenerate
+
+  wire [97:0] second_words;
+  generate
+    if (PAIRS != 0) begin : gen_second
+      wire second_valid;  // that of the first
+      ffd_eval_words #(
+        .FORMAT         (FORMAT),
+        .CONVERT_LATENCY(CONVERT_LATENCY)
+      ) u_words (
+        .clk         (clk),
+        .rst         (rst),
+        .sum_valid_i (1'b0),
+        .sum_i       (second),
+        .exponent_i  (exponent),
+        .word_valid_o(second_valid),
+        .words_o     (second_words[95:0]),
+        .saturated_o (second_words[96]),
+        .nan_o       (second_words[97])
+      );
+      wire unused_second = &{1'b0, second_valid};
+    end else begin : gen_no_second
+      assign second_words = 98'd0;
+      wire unused_second = &{1'b0, second};
     end
   endgenerate
 
@@ -340,7 +375,8 @@ module ffd_eval_stream #(
     .USER_W     (USER_W),
     .DEPTH      (IN_FLIGHT),
     .DETERMINANT(DETERMINANT),
-    .APART      (DETERMINANT != 0 && `FFD_RESULT_INTERVAL(ORG, N) <= LATEST)
+    .APART      (DETERMINANT != 0 && `FFD_RESULT_INTERVAL(ORG, N) <= LATEST),
+    .PAIRS      (PAIRS)
   ) u_order (
     .clk                 (clk),
     .rst                 (rst),
@@ -353,6 +389,7 @@ module ffd_eval_stream #(
     .words_i             (words),
     .saturated_i         (saturated),
     .nan_i               (nan),
+    .second_i            (second_words),
     .determinant_valid_i (determinant_valid),
     .determinant_i       (determinant),
     .determinant_flags_i (determinant_flags),
@@ -362,7 +399,8 @@ module ffd_eval_stream #(
     .m_result_flags      (m_result_flags),
     .m_result_determinant(m_result_determinant),
     .m_result_last       (m_result_last),
-    .m_result_user       (m_result_user)
+    .m_result_user       (m_result_user),
+    .m_result_second     (m_result_second)
   );
 
   wire unused_ok = &{1'b0, word_valid, sums};

@@ -11,6 +11,9 @@
 // planes of the next rows are read while the vertices of this one pass, and a row takes as many
 // clocks as it has vertices, or four for each plane that it wants, whichever is more.
 //
+// With PAIRS a second vertex of the same cell comes and goes with each one: evaluators and
+// contractions along s are there twice, and the clocks of a row are those of its pairs.
+//
 // Formats, rounding: those of ffd_eval_affine and ffd_eval_quarters; docs/numerics.md section 4.
 //             The bits are those of `affine`, however it is folded.
 // Schedule:   a vertex every clock, a plane every four.
@@ -21,7 +24,7 @@
 // Ring:       each bank of s has its last 16 points, numbered modulo 16; taking a vertex moves to
 //             the next one of the banks that it replaces. Of each bank at most 15 planes are asked
 //             for and not yet taken, so none overwrites a point that a vertex in the queue wants.
-// Parameters: those of ffd_org_affine, which checks them; N 4. EVALUATOR not iterative.
+// Parameters: those of ffd_org_affine, which checks them; N 4. EVALUATOR not iterative. PAIRS 0, 1.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -30,6 +33,7 @@
 `include "ffd_eval.vh"
 
 module ffd_eval_walk #(
+  parameter PAIRS           = 0,
   parameter FORMAT          = 17,
   parameter N               = 4,
   parameter PORTS           = 1,
@@ -54,7 +58,7 @@ module ffd_eval_walk #(
   localparam SUM_W        = `FFD_SUM_W(FORMAT);
   localparam PLACE_W      = `FFD_PLACE_W(SPANS);
   localparam ROW_W        = 2 * WEIGHT_W + 8 + SOURCE_W + 2 * PLACE_W;  // what a row shares
-  localparam OWN_W        = WEIGHT_W + PLACE_W;
+  localparam OWN_W        = (1 + PAIRS) * WEIGHT_W + PLACE_W;
   localparam QUEUE        = 64;
   localparam REQUESTS     = 16;
   localparam RING         = 16;
@@ -70,6 +74,7 @@ module ffd_eval_walk #(
   wire [ROW_W-1:0] offered = {s_vertex_coordinates[WEIGHT_W +: 2*WEIGHT_W], s_vertex_cell[11:4],
                               s_vertex_source, s_vertex_bank[PLACE_W +: 2*PLACE_W]};
   wire [3:0]       i       = s_vertex_cell[3:0];
+  wire [OWN_W-1:0] own;       // {coordinates of s, the second one on top, place of its functions}
   reg              held_q;
   reg              known_q;   // the vertex before, in what a row shares
   reg  [ROW_W-1:0] row_q;
@@ -102,7 +107,7 @@ module ffd_eval_walk #(
     if (s_vertex_ready && s_vertex_valid) begin
       row_q   <= offered;
       i_q     <= i;
-      own_q   <= {s_vertex_coordinates[0 +: WEIGHT_W], s_vertex_bank[0 +: PLACE_W]};
+      own_q   <= own;
       count_q <= !(stays && near) ? 3'd4 : by[4] ? {1'b0, back[1:0]} : {1'b0, by[1:0]};
       first_q <= !(stays && near) || by[4] ? 2'd0 : 2'd0 - by[1:0];
     end
@@ -350,30 +355,35 @@ module ffd_eval_walk #(
     taken_residue_q <= queue_residue;
   end
 
-  wire [4*WEIGHT_W-1:0] own_weights;
+  wire [(1+PAIRS)*4*WEIGHT_W-1:0] own_weights;  // of each vertex
 
-  ffd_eval_axis_weights #(
-    .AFFINE         (1),
-    .FORMAT         (FORMAT),
-    .EVALUATOR      (EVALUATOR),
-    .MUL_LATENCY    (MUL_LATENCY),
-    .ADD_LATENCY    (ADD_LATENCY),
-    .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY),
-    .SPANS          (SPANS)
-  ) u_own_weights (
-    .clk           (clk),
-    .load_i        (load_i && load_axis_i == 2'd0),
-    .load_axis_i   (load_axis_i),
-    .load_address_i(load_address_i),
-    .load_entry_i  (load_entry_i),
-    .start_i       (1'b1),
-    .axis_i        (2'd0),
-    .coordinate_i  (taken_own_q[PLACE_W +: WEIGHT_W]),
-    .residue_i     (taken_residue_q),
-    .bank_i        (taken_own_q[0 +: PLACE_W]),
-    .weights_o     (own_weights)
-  );
+  genvar v;
+  generate
+    for (v = 0; v <= PAIRS; v = v + 1) begin : gen_own
+      ffd_eval_axis_weights #(
+        .AFFINE         (1),
+        .FORMAT         (FORMAT),
+        .EVALUATOR      (EVALUATOR),
+        .MUL_LATENCY    (MUL_LATENCY),
+        .ADD_LATENCY    (ADD_LATENCY),
+        .FMA_LATENCY    (FMA_LATENCY),
+        .CONVERT_LATENCY(CONVERT_LATENCY),
+        .SPANS          (SPANS)
+      ) u_weights (
+        .clk           (clk),
+        .load_i        (load_i && load_axis_i == 2'd0),
+        .load_axis_i   (load_axis_i),
+        .load_address_i(load_address_i),
+        .load_entry_i  (load_entry_i),
+        .start_i       (1'b1),
+        .axis_i        (2'd0),
+        .coordinate_i  (taken_own_q[PLACE_W + v*WEIGHT_W +: WEIGHT_W]),
+        .residue_i     (taken_residue_q),
+        .bank_i        (taken_own_q[0 +: PLACE_W]),
+        .weights_o     (own_weights[v*4*WEIGHT_W +: 4*WEIGHT_W])
+      );
+    end
+  endgenerate
 
   // ---- the ring of each bank of s
 
@@ -445,8 +455,9 @@ module ffd_eval_walk #(
 
   // ---- the contractions of a component: along u, t and s
 
-  wire [3*SUM_W-1:0] sum;        // along t
-  wire               sum_valid;  // for whoever draws the schedule
+  wire [3*SUM_W-1:0]           sum;        // along t
+  wire                         sum_valid;  // for whoever draws the schedule
+  wire [(1+PAIRS)*3*SUM_W-1:0] sums;       // along s, of each vertex
 
   ffd_num_delay #(
     .WIDTH  (1),
@@ -515,16 +526,18 @@ module ffd_eval_walk #(
         .point_o(plane[c*POINT_W +: POINT_W])
       );
 
-      ffd_eval_affine #(
-        .FORMAT     (FORMAT),
-        .MUL_LATENCY(MUL_LATENCY),
-        .ADD_LATENCY(ADD_LATENCY)
-      ) u_along_s (
-        .clk      (clk),
-        .weights_i(own_weights),
-        .points_i (points_s),
-        .sums_o   (result_sum_o[c*SUM_W +: SUM_W])
-      );
+      for (v = 0; v <= PAIRS; v = v + 1) begin : gen_vertex
+        ffd_eval_affine #(
+          .FORMAT     (FORMAT),
+          .MUL_LATENCY(MUL_LATENCY),
+          .ADD_LATENCY(ADD_LATENCY)
+        ) u_along_s (
+          .clk      (clk),
+          .weights_i(own_weights[v*4*WEIGHT_W +: 4*WEIGHT_W]),
+          .points_i (points_s),
+          .sums_o   (sums[(3*v+c)*SUM_W +: SUM_W])
+        );
+      end
     end
   endgenerate
 
@@ -539,6 +552,18 @@ module ffd_eval_walk #(
     .q_o(result_valid_o)
   );
 
+  generate
+    if (PAIRS != 0) begin : gen_pairs
+      assign own = {s_vertex_second, s_vertex_coordinates[0 +: WEIGHT_W],
+                    s_vertex_bank[0 +: PLACE_W]};
+      assign result_second_o = sums[3*SUM_W*PAIRS +: 3*SUM_W];
+    end else begin : gen_alone
+      assign own = {s_vertex_coordinates[0 +: WEIGHT_W], s_vertex_bank[0 +: PLACE_W]};
+      assign result_second_o = {3 * SUM_W {1'b0}};
+      wire unused_second = &{1'b0, s_vertex_second};
+    end
+  endgenerate
+  assign result_sum_o      = sums[3*SUM_W-1:0];
   assign result_jacobian_o = {9 * SUM_W {1'b0}};
   assign forming_o         = 1'b0;
   wire unused_ok = &{1'b0, requests_ready, queue_ready, step_first, sum_valid,

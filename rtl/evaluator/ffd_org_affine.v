@@ -10,7 +10,8 @@
 // Jacobian:   in one pass of 144 multiplications a component; derivative weights leave P3 out.
 // Schedule, pipeline, freezes, ports: those of ffd_org_factored; in sequence of ffd_eval_serial.
 // Parameters: as there, and FORMAT 8 to 32. FOLD also 4, and 64: in sequence, N is then 1, LANES
-//             unused; and 16, along rows of vertices: ffd_eval_walk, N 4, one lane.
+//             unused; and 16, along rows of vertices: ffd_eval_walk, N 4, one lane, or two for
+//             pairs of vertices.
 // Not checked: that the functions loaded sum to one; bank 3 has what the others leave, and
 //             ffd_stream_sums tells.
 // Model:      golden/include/hwffd/model/org_affine.hpp.  Test: tests/evaluator, tests/system.
@@ -45,10 +46,11 @@ module ffd_org_affine #(
       ) u_serial (
         `include "ffd_org_connections.vh"
       );
-    end else if (FOLD == 16 && LANES != 1) begin : gen_bad_lanes
-      ERROR_ffd_org_affine_folded_by_16_has_one_lane u_error ();
+    end else if (FOLD == 16 && LANES != 1 && LANES != 2) begin : gen_bad_lanes
+      ERROR_ffd_org_affine_folded_by_16_has_one_lane_or_two u_error ();
     end else if (FOLD == 16) begin : gen_walk
       ffd_eval_walk #(
+        .PAIRS(LANES - 1),
         `include "ffd_org_arguments.vh"
       ) u_walk (
         `include "ffd_org_connections.vh"

@@ -377,10 +377,11 @@ module ffd_org_cg #(
     .result_sum_o  (result_sum_o)
   );
 
-  wire unused_ok = &{1'b0, s_vertex_changed, fill_first, filled_room};
+  wire unused_ok = &{1'b0, s_vertex_changed, s_vertex_second, fill_first, filled_room};
 
   assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
+  assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
 
   `FFD_ASSERT(a_set_is_filled_and_none_was_free,
               !ahead_last || filled_room)

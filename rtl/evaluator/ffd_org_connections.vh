@@ -14,6 +14,7 @@
 .s_vertex_source     (s_vertex_source),
 .s_vertex_bank       (s_vertex_bank),
 .s_vertex_changed    (s_vertex_changed),
+.s_vertex_second     (s_vertex_second),
 .read_o              (read_o),
 .read_last_o         (read_last_o),
 .read_source_o       (read_source_o),
@@ -23,4 +24,5 @@
 .forming_o           (forming_o),
 .result_valid_o      (result_valid_o),
 .result_sum_o        (result_sum_o),
-.result_jacobian_o   (result_jacobian_o)
+.result_jacobian_o   (result_jacobian_o),
+.result_second_o     (result_second_o)

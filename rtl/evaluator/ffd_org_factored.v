@@ -75,6 +75,7 @@ module ffd_org_factored #(
   wire [LANES-1:0]          sum_valid;
   wire [LANES*WIDTH-1:0]    sum;
   wire [LANES*3*WIDTH-1:0]  jacobian;
+  wire [LANES*WIDTH-1:0]    second;  // all 0
 
   genvar lane;
   generate
@@ -110,6 +111,7 @@ module ffd_org_factored #(
         .s_vertex_source     (s_vertex_source),
         .s_vertex_bank       (s_vertex_bank),
         .s_vertex_changed    (s_vertex_changed),
+        .s_vertex_second     (s_vertex_second),
         .read_o              (read[lane]),
         .read_last_o         (read_last[lane]),
         .read_source_o       (read_source[lane*SOURCE_W +: SOURCE_W]),
@@ -119,15 +121,17 @@ module ffd_org_factored #(
         .forming_o           (forming),
         .result_valid_o      (sum_valid[lane]),
         .result_sum_o        (sum[lane*WIDTH +: WIDTH]),
-        .result_jacobian_o   (jacobian[lane*3*WIDTH +: 3*WIDTH])
+        .result_jacobian_o   (jacobian[lane*3*WIDTH +: 3*WIDTH]),
+        .result_second_o     (second[lane*WIDTH +: WIDTH])
       );
       wire unused_ok = &{1'b0, forming};
     end
   endgenerate
 
-  assign s_vertex_ready = |(ready & turn);
-  assign forming_o      = 1'b0;
-
+  assign s_vertex_ready  = |(ready & turn);
+  assign forming_o       = 1'b0;
+  assign result_second_o = second[0 +: WIDTH];
+  wire unused_second = &{1'b0, second};
   generate
     if (LANES == PORTS) begin : gen_own_reads
       assign read_o        = read;

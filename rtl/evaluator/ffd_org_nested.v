@@ -187,7 +187,8 @@ module ffd_org_nested #(
   );
 
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
-  wire unused_ok = &{1'b0, step_first};
+  assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
+  wire unused_ok = &{1'b0, s_vertex_second, step_first};
 endmodule
 
 `default_nettype wire

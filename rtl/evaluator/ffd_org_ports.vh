@@ -23,6 +23,10 @@ input  wire [SOURCE_W-1:0]                             s_vertex_source,
 input  wire [3*`FFD_PLACE_W(SPANS)-1:0]                s_vertex_bank,
 input  wire                                            s_vertex_changed,
 
+// Of an organization that takes two vertices at once (FFD_ORG_PAIRS), the coordinate s of a second
+// one, which has all else of the first. Where there is none it is any.
+input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]                s_vertex_second,
+
 // The points wanted, N from index on, at each of PORTS ports; last: the vertex reads no more, of
 // one vertex in a clock. They come as {z, y, x} each, exactly READ_LATENCY clocks later, always.
 output wire [PORTS-1:0]                                read_o,
@@ -37,7 +41,8 @@ output wire                                            forming_o,
 
 // The sum {z, y, x}, for one clock, in the order of the vertices; and where an organization gives
 // the Jacobian in the same pass, the sums of the derivatives {u, t, s}, else 0. It is asked for by
-// places of derivatives on all three axes.
+// places of derivatives on all three axes. With it the sum of a second vertex, else 0.
 output wire                                            result_valid_o,
 output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_sum_o,
-output wire [9*`FFD_SUM_W(FORMAT)-1:0]                 result_jacobian_o
+output wire [9*`FFD_SUM_W(FORMAT)-1:0]                 result_jacobian_o,
+output wire [3*`FFD_SUM_W(FORMAT)-1:0]                 result_second_o

@@ -3,7 +3,7 @@
 // ORG is 0 basic (N 1), 1 cg1 (N 1), 3 cg3 (N 1), 4 tree, 5 parallel (N 64), 6 factored (N 64), 7
 // factored/3 (N 32), 8 nested (N 4), 9 nested/3 (N 4), 10 affine (N 64), 11 affine/3 (N 32), 12
 // affine/3x2 (N 64), 13 affine/64 (N 1), 14 affine/2 (N 32), 15 affine/6 (N 32), 16 affine/4 (N
-// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 32), 20 jet/3 (N 32), 22 walk (N 4).
+// 16), 17 affine/4x3 (N 16), 18 jacobian/3 (N 32), 20 jet/3 (N 32), 22 walk (N 4), 23 walk/2 (N 4).
 // Made from rtl/organizations.csv by tools/tables/generated_files.py; changes here are lost.
 //
 // Ports, pipeline, parameters: those of every organization (docs/architecture.md).
@@ -49,7 +49,8 @@ module ffd_org_select #(
         ORG == 17 && N != 16 ||
         ORG == 18 && N != 32 ||
         ORG == 20 && N != 32 ||
-        ORG == 22 && N != 4) begin : gen_bad_n
+        ORG == 22 && N != 4 ||
+        ORG == 23 && N != 4) begin : gen_bad_n
       ERROR_ffd_org_select_n_is_not_that_of_the_organization u_error ();
     end
     if (ORG == 0) begin : gen_basic
@@ -187,6 +188,14 @@ module ffd_org_select #(
     end else if (ORG == 22) begin : gen_walk
       ffd_org_affine #(
         .FOLD(16),
+        `include "ffd_org_arguments.vh"
+      ) u_org (
+        `include "ffd_org_connections.vh"
+      );
+    end else if (ORG == 23) begin : gen_walk_by_2
+      ffd_org_affine #(
+        .FOLD(16),
+        .LANES(2),
         `include "ffd_org_arguments.vh"
       ) u_org (
         `include "ffd_org_connections.vh"

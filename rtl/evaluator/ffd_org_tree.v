@@ -96,7 +96,8 @@ module ffd_org_tree #(
   // The first of this step's banks; unit e of an axis takes the e-th from there.
   wire [6+STEP_W-1:0] shifted = {6'd0, step} << $clog2(N);
   wire [5:0]          index   = shifted[5:0];
-  wire                unused_ok = &{1'b0, s_vertex_changed, shifted[6+STEP_W-1:6]};
+  wire                unused_ok = &{1'b0, s_vertex_changed, s_vertex_second,
+                                    shifted[6+STEP_W-1:6]};
 
   wire [UNITS_S*WEIGHT_W-1:0] weights_s;
   wire [UNITS_T*WEIGHT_W-1:0] weights_t;
@@ -200,6 +201,7 @@ module ffd_org_tree #(
 
   assign forming_o         = 1'b0;
   assign result_jacobian_o = {9 * `FFD_SUM_W(FORMAT) {1'b0}};
+  assign result_second_o   = {3 * `FFD_SUM_W(FORMAT) {1'b0}};
 endmodule
 
 `default_nettype wire

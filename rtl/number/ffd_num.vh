@@ -44,6 +44,9 @@
 `define FFD_PART_W(FORMAT)   (`FFD_FIXED_W(FORMAT) + 1)
 `define FFD_PART_BAD(FORMAT) ((FORMAT) < 12 || (FORMAT) > 18)
 
+// Of a sum of parts, and of what it is expanded into: in the units of a part.
+`define FFD_WIDE_W 35
+
 // The exponent of a block: signed; points below 2^exponent fit. Other formats ignore it.
 `define FFD_EXPONENT_W 10
 

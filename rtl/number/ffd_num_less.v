@@ -1,9 +1,12 @@
 // ffd_num_less: part - part -> part, of one bank what it has more than those below it
 //
-// Formats:    fxW only: Q2.(W-1) - Q2.(W-1) -> Q2.(W-1), without a flag as in ffd_num_share.
-// Rounding:   none; saturated outside [-2, 2), which saturated_o says, or saturated_i beside it.
-// Pipeline:   LATENCY registers, II 1, never frozen.
-// Parameters: FORMAT 12 to 18, LATENCY >= 1.
+// Formats:    fxW only: Q2.(W-1) - Q2.(W-1) -> Q2.(W-1), without a flag as in ffd_num_share. Or of
+//             wide parts, in the same units, as many bits as PART_W says.
+// Rounding:   none; saturated outside what PART_W bits hold, which saturated_o says, or saturated_i
+//             beside it.
+// Pipeline:   LATENCY registers, from 2 on one between difference and saturation. II 1, never
+//             frozen.
+// Parameters: FORMAT 12 to 18, LATENCY >= 1, PART_W >= 2.
 // Model:      golden/include/hwffd/numerics/fixed.hpp (less).  Test: tests/scatter.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -11,17 +14,16 @@
 
 module ffd_num_less #(
   parameter FORMAT  = 17,
-  parameter LATENCY = 1
+  parameter LATENCY = 1,
+  parameter PART_W  = `FFD_PART_W(FORMAT)
 ) (
-  input  wire                            clk,
-  input  wire [`FFD_PART_W(FORMAT)-1:0]  a_i,
-  input  wire [`FFD_PART_W(FORMAT)-1:0]  b_i,
-  input  wire                            saturated_i,
-  output wire [`FFD_PART_W(FORMAT)-1:0]  part_o,
-  output wire                            saturated_o
+  input  wire              clk,
+  input  wire [PART_W-1:0] a_i,
+  input  wire [PART_W-1:0] b_i,
+  input  wire              saturated_i,
+  output wire [PART_W-1:0] part_o,
+  output wire              saturated_o
 );
-  localparam PART_W = `FFD_PART_W(FORMAT);
-
   generate
     if (`FFD_PART_BAD(FORMAT)) begin : gen_bad_format
       ERROR_ffd_num_less_format_must_be_fixed_point_of_12_to_18_bits u_error ();

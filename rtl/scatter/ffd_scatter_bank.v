@@ -4,12 +4,12 @@
 // what comes of it is written two clocks after the read. So a word can be read again in the third
 // clock after, and no sum is handed around the memory.
 //
-// Formats:    word {epoch, sum}, sum of 35 bits in units of 2^-(W-1); part Q2.(W-1).
+// Formats:    word {epoch, sum}, sum of 35 bits and part of PART_W in units of 2^-(W-1).
 // Rounding:   none; modulo 2^35.
-// Pipeline:   read_i | word, fresh_i, part | sum: write_i. II 1, never frozen; a word every third
+// Pipeline:   read_i | epoch_i, part | word_o, sum: write_i. II 1, never frozen; a word every third
 //             clock.
 // Bad input:  a word that is read again before it is written: FFD_ASSERTIONS.
-// Parameters: FORMAT 12 to 18; DEPTH >= 2, in words.
+// Parameters: PART_W 1 to 35; DEPTH >= 2, in words.
 // Model:      golden/include/hwffd/model/scatter.hpp (ScatterPage).  Test: tests/scatter.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,7 +17,7 @@
 `include "ffd_scatter.vh"
 
 module ffd_scatter_bank #(
-  parameter FORMAT    = 17,
+  parameter PART_W    = 18,
   parameter DEPTH     = 512,
   parameter ADDRESS_W = $clog2(DEPTH)
 ) (
@@ -25,26 +25,27 @@ module ffd_scatter_bank #(
   input  wire                             rst,
   input  wire                             read_i,
   input  wire [ADDRESS_W-1:0]             read_address_i,
-  output wire [`FFD_SCATTER_WORD_W-1:0]   word_o,         // as it is read
+  output reg  [`FFD_SCATTER_WORD_W-1:0]   word_o,         // as it is read, a clock later
   input  wire                             epoch_i,        // of its page, with the word
   input  wire                             keep_i,         // the sum stays, else 0
   input  wire                             add_i,          // there is a part, else 0
-  input  wire [`FFD_PART_W(FORMAT)-1:0]   part_i,
+  input  wire [PART_W-1:0]                part_i,
   input  wire                             write_i,        // a clock after the word
   input  wire [ADDRESS_W-1:0]             write_address_i,
   input  wire                             write_epoch_i
 );
-  localparam SUM_W  = `FFD_SCATTER_SUM_W;
-  localparam PART_W = `FFD_PART_W(FORMAT);
+  localparam SUM_W = `FFD_SCATTER_SUM_W;
 
-  reg  [SUM_W-1:0]  sum_q;
+  // What a memory gives comes late in its clock: of it nothing but a register follows.
+  wire [`FFD_SCATTER_WORD_W-1:0] word;
+  reg               keep_q;
   reg  [PART_W-1:0] part_q;
-  wire              keep = keep_i && word_o[SUM_W] == epoch_i;
-  wire [SUM_W-1:0]  sum  = sum_q + {{(SUM_W - PART_W) {part_q[PART_W-1]}}, part_q};
+  wire [SUM_W-1:0]  sum = (word_o[SUM_W-1:0] & {SUM_W{keep_q}})
+                        + {{(SUM_W - PART_W + 1) {part_q[PART_W-1]}}, part_q[PART_W-2:0]};
 
   always @(posedge clk) begin
-    if (!keep) sum_q <= {SUM_W{1'b0}};
-    else sum_q <= word_o[SUM_W-1:0];
+    word_o <= word;
+    keep_q <= keep_i && word[SUM_W] == epoch_i;
   end
   always @(posedge clk) begin
     if (!add_i) part_q <= {PART_W{1'b0}};
@@ -62,7 +63,7 @@ module ffd_scatter_bank #(
     .write_data_i   ({write_epoch_i, sum}),
     .read_i         (read_i),
     .read_address_i (read_address_i),
-    .read_data_o    (word_o)
+    .read_data_o    (word)
   );
 
 `ifdef FFD_ASSERTIONS

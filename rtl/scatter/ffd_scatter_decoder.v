@@ -2,7 +2,8 @@
 //
 // Coefficients are loaded into the bank that no vertex inside reads; vertices before them see the
 // old, vertices after them the new. Words of a function, of a vertex and of a gradient pass one row
-// of converters, in turn; vertices of a grid are made here, and pass it in front of their gradient.
+// of converters, in turn; vertices of a grid, which are made here, have converters of their own.
+// With ROWS one is made in the clock of its gradient, of which one is taken in each clock.
 //
 // Bad input:  a vertex outside is brought inside or adds nothing, by the mode of its packet; it
 //             adds nothing without functions. Each event is a pulse of event_o (FFD_EVENT_*) with
@@ -10,12 +11,15 @@
 //             on the same stream, which tells of coefficients and of all that is unknown here.
 // Formats:    as in ffd_scatter_vertex and ffd_scatter_pages; entry {shift, c3, c2, c1, c0}.
 // Pipeline:   a vertex is offered 5 clocks behind the beat of its gradient, with WAITING above 16
-//             in 6; II 2. Events FFD_IN_LATENCY behind the clock in which their beat goes on.
+//             in 6; II 2, of a grid with ROWS 1. Events FFD_IN_LATENCY behind the clock in which
+//             their beat goes on.
 // Freezes:    s_beat_ready is 0 while two beats wait: a header for what ffd_scatter_pages says, the
 //             last axis of a grid for its check, 20 clocks, a gradient for room.
-// Cuts:       s_beat_ready and outputs follow registers through gates, none an input of its stream.
+// Cuts:       s_beat_ready leaves a register (ffd_scatter_entry), outputs follow registers through
+//             gates, none an input of its stream.
 // Parameters: FORMAT, PAGES as in ffd_scatter_pages; EVALUATOR pipelined or powers; AXIS 4 to 32;
-//             WAITING as in ffd_scatter_vertex; INSIDE >= the most vertices inside; BESIDE 0, 1.
+//             WAITING as in ffd_scatter_vertex; INSIDE >= the most vertices, or rows, inside;
+//             BESIDE, ROWS 0, 1.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -31,6 +35,7 @@ module ffd_scatter_decoder #(
   parameter WAITING   = 16,
   parameter INSIDE    = 80,
   parameter BESIDE    = 0,
+  parameter ROWS      = 0,
   parameter PAGE_W    = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W   = 3 * `FFD_AXIS_W(AXIS)
 ) (
@@ -53,9 +58,13 @@ module ffd_scatter_decoder #(
   output wire [PAGE_W-1:0]                  m_vertex_page,
   output wire [3*`FFD_POINT_W(FORMAT)-1:0]  m_vertex_gradient,
   output wire                               m_vertex_saturated,
+  output wire                               m_vertex_last,  // of its row
   input  wire                               added_i,
   input  wire [PAGE_W-1:0]                  added_page_i,
   input  wire                               added_saturated_i,
+  input  wire                               left_i,
+  input  wire                               layer_saturated_i,
+  input  wire [PAGE_W-1:0]                  layer_page_i,
   output wire                               begin_o,
   output wire [PAGE_W-1:0]                  begin_page_o,
   input  wire                               sweeping_i,
@@ -82,6 +91,9 @@ module ffd_scatter_decoder #(
     if (BESIDE != 0 && BESIDE != 1) begin : gen_bad_beside
       ERROR_ffd_scatter_decoder_beside_must_be_0_or_1 u_error ();
     end
+    if (ROWS != 0 && ROWS != 1) begin : gen_bad_rows
+      ERROR_ffd_scatter_decoder_rows_must_be_0_or_1 u_error ();
+    end
   endgenerate
 
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
@@ -89,28 +101,21 @@ module ffd_scatter_decoder #(
   localparam AXIS_W   = `FFD_AXIS_W(AXIS);
   localparam LATENCY  = `FFD_IN_LATENCY(FORMAT);
 
-  // ---- two beats wait here; none is taken in the first clock after reset
-
-  reg          open_q;
   wire         there;
-  wire         ready;
   wire         take;
   wire [127:0] data;
   wire         last;
-  always @(posedge clk) open_q <= !rst;
-  assign s_beat_ready = ready && open_q;
-  ffd_stream_fifo #(
-    .WIDTH(129),
-    .DEPTH(2)
-  ) u_in (
+  ffd_scatter_entry #(
+    .WIDTH(129)
+  ) u_entry (
     .clk         (clk),
     .rst         (rst),
-    .s_word_valid(s_beat_valid && open_q),
-    .s_word_ready(ready),
-    .s_word_data ({s_beat_last, s_beat_data}),
-    .m_word_valid(there),
-    .m_word_ready(take),
-    .m_word_data ({last, data})
+    .s_beat_valid(s_beat_valid),
+    .s_beat_ready(s_beat_ready),
+    .s_beat_data ({s_beat_last, s_beat_data}),
+    .m_beat_valid(there),
+    .m_beat_ready(take),
+    .m_beat_data ({last, data})
   );
 
   // ---- what each is
@@ -141,6 +146,8 @@ module ffd_scatter_decoder #(
   wire               bad;
   wire               last_made;
   wire               vertex;
+  wire               functions;
+  wire               vertices;
   wire               made;
   wire               room;
   wire               finish;
@@ -148,7 +155,9 @@ module ffd_scatter_decoder #(
   wire               is_short;
   wire               is_long;
   wire               is_bad;
-  ffd_scatter_framer u_framer (
+  ffd_scatter_framer #(
+    .ROWS(ROWS)
+  ) u_framer (
     .clk             (clk),
     .rst             (rst),
     .beat_valid_i    (there),
@@ -173,6 +182,8 @@ module ffd_scatter_decoder #(
     .grid_bad_i      (bad),
     .grid_last_i     (last_made),
     .vertex_o        (vertex),
+    .functions_o     (functions),
+    .vertices_o      (vertices),
     .made_o          (made),
     .room_i          (room),
     .finish_o        (finish),
@@ -181,6 +192,14 @@ module ffd_scatter_decoder #(
     .long_o          (is_long),
     .grid_o          (is_bad)
   );
+
+  // With ROWS the vertex of a grid is in the clock of its gradient. A row ends with its last
+  // vertex or with its packet; others are rows by themselves. Who is inside is known a clock later.
+  wire made_last;
+  wire walk     = ROWS != 0 && made;
+  wire row_last = !walk || made_last || last;
+  reg  come_q;
+  always @(posedge clk) come_q <= finish && adds && row_last && !rst;
 
   // ---- pages, and who is inside
 
@@ -224,6 +243,8 @@ module ffd_scatter_decoder #(
     .added_i          (added_i),
     .added_page_i     (added_page_i),
     .added_saturated_i(added_saturated_i),
+    .layer_saturated_i(layer_saturated_i),
+    .layer_page_i     (layer_page_i),
     .overflowed_o     (overflowed),
     .begin_o          (begin_o),
     .begin_page_o     (begin_page_o),
@@ -246,8 +267,8 @@ module ffd_scatter_decoder #(
   ) u_inside (
     .clk      (clk),
     .rst      (rst),
-    .come_i   (finish && adds),
-    .leave_i  (added_i),
+    .come_i   (come_q),
+    .leave_i  (left_i),
     .bank_i   (change),
     .collect_i(mark),
     .any_o    (any_inside),
@@ -293,7 +314,7 @@ module ffd_scatter_decoder #(
   ) u_functions (
     .clk           (clk),
     .rst           (rst),
-    .take_i        (take),
+    .take_i        (go || function_beat),
     .data_i        (data),
     .frame_i       (frame),
     .degree_o      (degree),
@@ -317,6 +338,8 @@ module ffd_scatter_decoder #(
 
   wire [17:0] grid_cells;
   wire [74:0] grid_coordinates;
+  wire        grid_pair;
+  wire [24:0] grid_second;
   ffd_stream_grid #(
     .AXIS(AXIS)
   ) u_grid (
@@ -330,34 +353,38 @@ module ffd_scatter_decoder #(
     .large_i      (1'b0),
     .last_cell_i  (last_cell),
     .next_i       (made),
+    .pairs_i      (1'b0),
     .checked_o    (checked),
     .bad_o        (bad),
     .last_o       (last_made),
+    .row_last_o   (made_last),
     .cells_o      (grid_cells),
-    .coordinates_o(grid_coordinates)
+    .coordinates_o(grid_coordinates),
+    .pair_o       (grid_pair),
+    .second_o     (grid_second)
   );
+  wire unused_grid = &{1'b0, grid_pair, grid_second};
 
   // ---- where a vertex is
 
-  wire [95:0]        words;
-  wire [PLACE_W-1:0] cell_here;  // brought inside
+  wire [95:0]        made_words;
+  wire [PLACE_W-1:0] cell_made;
+  wire [PLACE_W-1:0] cell_sent;  // brought inside
   wire [2:0]         beyond;
   wire [2:0]         outside;
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
-      wire [31:0]       grid_word;
       wire              nan;
       wire [31:0]       clamped;
-      wire [4:0]        sent = {AXIS_W > 4 && data[124+a], data[112+4*a +: 4]};
+      wire [4:0]        index_sent = {AXIS_W > 4 && data[124+a], data[112+4*a +: 4]};
       wire [5:0]        index_made = grid_cells[6*a +: 6];
-      wire [AXIS_W-1:0] index_here = made ? index_made[AXIS_W-1:0] : sent[AXIS_W-1:0];
       wire [AXIS_W-1:0] index_last = last_cell[AXIS_W*a +: AXIS_W];
       ffd_num_coordinate #(
         .FORMAT(FORMAT)
       ) u_word (
         .coordinate_i(grid_coordinates[25*a +: 25]),
-        .word_o      (grid_word)
+        .word_o      (made_words[32*a +: 32])
       );
       ffd_num_range #(
         .FORMAT(FORMAT)
@@ -367,10 +394,10 @@ module ffd_scatter_decoder #(
         .outside_o(outside[a]),
         .clamped_o(clamped)
       );
-      assign words[32*a +: 32]              = made ? grid_word : data[32*a +: 32];
-      assign beyond[a]                      = !made && index_here > index_last;
-      assign cell_here[AXIS_W*a +: AXIS_W]   = beyond[a] ? index_last : index_here;
-      wire unused_ok = &{1'b0, nan, clamped, sent, index_made};
+      assign cell_made[AXIS_W*a +: AXIS_W] = index_made[AXIS_W-1:0];
+      assign beyond[a]                     = index_sent[AXIS_W-1:0] > index_last;
+      assign cell_sent[AXIS_W*a +: AXIS_W] = beyond[a] ? index_last : index_sent[AXIS_W-1:0];
+      wire unused_ok = &{1'b0, nan, clamped, index_sent, index_made};
     end
   endgenerate
 
@@ -379,13 +406,14 @@ module ffd_scatter_decoder #(
   reg                outside_q;
   always @(posedge clk) begin
     if (vertex) begin
-      cell_q    <= cell_here;
-      beyond_q  <= |beyond;
+      cell_q    <= made ? cell_made : cell_sent;
+      beyond_q  <= !made && |beyond;
       outside_q <= !made && |outside;
     end
   end
   wire no_functions = !loaded || (along != 2'd0 && !derivatives_loaded);
-  assign adds = !no_functions && (clamp || !(beyond_q || outside_q));
+  wire strays       = !walk && (beyond_q || outside_q);
+  assign adds = !no_functions && (clamp || !strays);
 
   // ---- numbers
 
@@ -397,17 +425,43 @@ module ffd_scatter_decoder #(
     .LATENCY(LATENCY)
   ) u_numbers (
     .clk       (clk),
-    .function_i(function_beat),
-    .vertex_i  (vertex),
+    .function_i(functions),
+    .vertex_i  (vertices),
     .degree_i  (degree),
     .clamp_i   (1'b1),
     .beyond_i  (beyond),
-    .data_i    ({data[127:96], words}),
+    .data_i    (data),
     .exponent_i(`FFD_EXPONENT_W'd0),
     .numbers_o (numbers),
     .nan_o     (any_nan),
     .outside_o (any_outside)
   );
+
+  wire [3*WEIGHT_W-1:0] made_numbers;
+  wire [4*POINT_W-1:0]  coordinates;
+  wire                  none_nan;
+  wire                  none_outside;
+  ffd_stream_numbers #(
+    .FORMAT (FORMAT),
+    .LATENCY(LATENCY)
+  ) u_made_numbers (
+    .clk       (clk),
+    .function_i(1'b0),
+    .vertex_i  (1'b1),
+    .degree_i  (2'd0),
+    .clamp_i   (1'b1),
+    .beyond_i  (3'd0),
+    .data_i    ({32'd0, made_words}),
+    .exponent_i(`FFD_EXPONENT_W'd0),
+    .numbers_o (coordinates),
+    .nan_o     (none_nan),
+    .outside_o (none_outside)
+  );
+  generate
+    for (a = 0; a < 3; a = a + 1) begin : gen_number
+      assign made_numbers[a*WEIGHT_W +: WEIGHT_W] = coordinates[a*POINT_W +: WEIGHT_W];
+    end
+  endgenerate
 
   assign load_entry_o[4*WEIGHT_W +: 2] = load_shift;
   genvar w;
@@ -428,11 +482,14 @@ module ffd_scatter_decoder #(
     .rst                 (rst),
     .vertex_i            (vertex),
     .finish_i            (finish && adds),
-    .cell_i              (cell_q),
+    .made_i              (made),
+    .last_i              (row_last),
+    .cell_i              (walk ? cell_made : cell_q),
     .page_i              (page),
     .along_i             (along),
     .bank_i              (bank),
     .numbers_i           (numbers[3*POINT_W-1:0]),
+    .made_numbers_i      (made_numbers),
     .room_o              (room),
     .m_vertex_valid      (m_vertex_valid),
     .m_vertex_ready      (m_vertex_ready),
@@ -442,7 +499,8 @@ module ffd_scatter_decoder #(
     .m_vertex_along      (m_vertex_along),
     .m_vertex_page       (m_vertex_page),
     .m_vertex_gradient   (m_vertex_gradient),
-    .m_vertex_saturated  (m_vertex_saturated)
+    .m_vertex_saturated  (m_vertex_saturated),
+    .m_vertex_last       (m_vertex_last)
   );
 
   // ---- events and their place, LATENCY behind their beat
@@ -464,8 +522,8 @@ module ffd_scatter_decoder #(
     raised[`FFD_EVENT_PACKET_SHORT]                  = is_short && !(BESIDE != 0 && coefficients);
     raised[`FFD_EVENT_PACKET_LONG]                   = is_long && !(BESIDE != 0 && coefficients);
     raised[`FFD_EVENT_NO_COEFFICIENTS]               = finish && no_functions;
-    raised[`FFD_EVENT_CELL_OUTSIDE]                  = finish && beyond_q;
-    raised[`FFD_EVENT_COORDINATE_OUTSIDE]            = finish && outside_q;
+    raised[`FFD_EVENT_CELL_OUTSIDE]                  = finish && beyond_q && !walk;
+    raised[`FFD_EVENT_COORDINATE_OUTSIDE]            = finish && outside_q && !walk;
     raised[`FFD_STREAM_EVENT(`FFD_EVENT_GRID_COUNT)] = is_bad;
   end
   ffd_num_delay #(
@@ -505,7 +563,8 @@ module ffd_scatter_decoder #(
   assign idle_o = !there && between && !moving && !any_inside && !collecting
                && !overflowed;
 
-  wire unused_ok = &{1'b0, functions_busy, places, any_nan, any_outside, numbers};
+  wire unused_ok = &{1'b0, functions_busy, places, any_nan, any_outside, numbers, coordinates,
+                     none_nan, none_outside};
 endmodule
 
 `default_nettype wire

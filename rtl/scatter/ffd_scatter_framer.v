@@ -3,7 +3,7 @@
 //   1  coefficients  12 beats, one a blending function, or 24 with their derivatives
 //   10 gradients     count vertices of two beats: the vertex, and its gradient. Of a grid three
 //                    beats of its axes, then a beat a vertex: in front of each the vertex is made
-//                    here, in a clock without a beat
+//                    here, in a clock without a beat, or with ROWS in the clock of its beat
 //   11 collect       nothing
 // A beat stays until take_o. A header waits for go_i, the last axis until the grid is checked, and
 // a gradient for room.
@@ -11,13 +11,17 @@
 // Bad input:  what header_refused_i or grid_bad_i refuses, and beats after a packet's end, belong
 //             to nothing, up to tlast. A tlast between the beats of a vertex drops that vertex.
 // Formats:    index {derivative, axis, function}, four bits each, as FFD_FRAME_INDEX.
-// Pipeline:   combinational, of a state and the beat; a beat a clock, of a grid one in two clocks.
+// Pipeline:   combinational, of a state and the beat; a beat a clock, of a grid one in two clocks,
+//             with ROWS in each.
 // Freezes:    as above; of any beats none waits for one behind it.
+// Parameters: ROWS 0 or 1.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_scatter_framer (
+module ffd_scatter_framer #(
+  parameter ROWS = 0
+) (
   input  wire        clk,
   input  wire        rst,
   input  wire        beat_valid_i,
@@ -42,7 +46,9 @@ module ffd_scatter_framer (
   input  wire        grid_bad_i,
   input  wire        grid_last_i,       // the vertex that is made is the last
   output wire        vertex_o,          // a vertex is there
-  output wire        made_o,            // of a grid
+  output wire        functions_o,       // a beat, were it there, is a function
+  output wire        vertices_o,        // the coordinates of a vertex
+  output wire        made_o,            // a vertex of a grid is
   input  wire        room_i,
   output wire        finish_o,          // its gradient is
   output wire        full_o,            // it waits for room
@@ -50,41 +56,45 @@ module ffd_scatter_framer (
   output wire        long_o,
   output wire        grid_o
 );
-  localparam [2:0] HEADER   = 3'd0;
-  localparam [2:0] FUNCTION = 3'd1;
-  localparam [2:0] AXES     = 3'd2;
-  localparam [2:0] VERTEX   = 3'd3;
-  localparam [2:0] GRADIENT = 3'd4;
-  localparam [2:0] DONE     = 3'd5;
-  localparam [2:0] DROP     = 3'd6;
+  // A bit for each state: what follows from it has few inputs.
+  localparam [9:0] HEADER   = 10'h001;
+  localparam [9:0] FUNCTION = 10'h002;
+  localparam [9:0] AXES     = 10'h004;
+  localparam [9:0] THIRD    = 10'h008;  // of the axes
+  localparam [9:0] VERTEX   = 10'h010;
+  localparam [9:0] GRADIENT = 10'h020;
+  localparam [9:0] GRID     = 10'h040;  // a vertex is made, without ROWS
+  localparam [9:0] WALK     = 10'h080;  // with ROWS: one is, in the clock of its gradient
+  localparam [9:0] DONE     = 10'h100;
+  localparam [9:0] DROP     = 10'h200;
 
-  reg  [2:0] state_q;
+  reg  [9:0] state_q;
   reg        grid_q;
-  wire       third;     // of the axes
+  wire       in_header, in_function, in_axes, in_third, in_vertex, in_gradient, in_grid;
+  wire       in_walk, in_done, in_drop;
+  assign {in_drop, in_done, in_walk, in_grid, in_gradient, in_vertex, in_third, in_axes,
+          in_function, in_header} = state_q;
+  wire       of_gradient = in_gradient || in_walk;
+  wire       flows       = in_function || in_axes || in_vertex || in_done || in_drop;
   wire       last        = beat_last_i;
   wire       valid       = beat_valid_i;
-  wire       of_function = valid && state_q == FUNCTION;
-  wire       gradient    = valid && state_q == GRADIENT;
-  reg        ready;
-  always @* begin
-    case (state_q)
-      HEADER:   ready = go_i;
-      AXES:     ready = !third || grid_checked_i;
-      VERTEX:   ready = !grid_q;
-      GRADIENT: ready = room_i;
-      default:  ready = 1'b1;
-    endcase
-  end
-  wire take = valid && ready;
+  wire       of_function = valid && in_function;
+  wire       gradient    = valid && of_gradient;
+  // (Only a header goes.)
+  wire       ready       = flows || go_i || (in_third && grid_checked_i)
+                        || (of_gradient && room_i);
+  wire       take        = valid && ready;
 
-  assign take_o     = take;
-  assign idle_o     = state_q == HEADER;
-  assign header_o   = valid && state_q == HEADER;
-  assign function_o = of_function;
-  assign made_o     = state_q == VERTEX && grid_q;
-  assign vertex_o   = state_q == VERTEX && (grid_q || (valid && !last));
-  assign finish_o   = gradient && room_i;
-  assign full_o     = gradient && !room_i;
+  assign take_o      = take;
+  assign idle_o      = in_header;
+  assign header_o    = valid && in_header;
+  assign function_o  = of_function;
+  assign functions_o = in_function;
+  assign vertices_o  = in_vertex;
+  assign made_o      = ROWS == 0 ? in_grid : valid && in_walk && room_i;
+  assign vertex_o    = in_grid || (in_vertex && valid && !last);
+  assign finish_o    = gradient && room_i;
+  assign full_o      = gradient && !room_i;
 
   // ---- functions: the digits of their place
 
@@ -93,8 +103,8 @@ module ffd_scatter_framer (
   reg        derivative_q;
   reg        twice_q;
   wire       functions_top = function_q == 2'd3;
-  wire       axes_top      = axis_q == 2'd2;
-  wire       counts_axes   = take && ((of_function && functions_top) || state_q == AXES);
+  wire       axes_top      = axis_q[1];  // 0, 1 or 2
+  wire       counts_axes   = (of_function && functions_top) || axis;
   assign top_o   = functions_top && axes_top && derivative_q == twice_q;
   assign index_o = {3'd0, derivative_q, 2'd0, axis_q, 2'd0, function_q};
   always @(posedge clk) begin
@@ -110,15 +120,16 @@ module ffd_scatter_framer (
 
   // ---- axes of a grid: the last one stays until they are checked
 
-  wire axis = valid && state_q == AXES;
+  wire axis  = valid && in_axes;
+  wire third = valid && in_third;
+  wire known = third && grid_checked_i;
   reg  third_q;
   reg  checks_q;
-  assign third   = axes_top;
-  assign axis_o  = {3{axis}} & (3'd1 << axis_q);
+  assign axis_o  = {third, {2{axis}} & (2'd1 << axis_q[0])};
   assign check_o = third_q && !checks_q;
   always @(posedge clk) begin
     if (rst) {third_q, checks_q} <= 2'b00;
-    else {third_q, checks_q} <= {axis && third && !take, axis && third_q && !take};
+    else {third_q, checks_q} <= {third && !known, third_q && !known};
   end
 
   // ---- vertices: the number of the next one, from 1 on, and whether this one is the last
@@ -126,12 +137,13 @@ module ffd_scatter_framer (
   reg  [31:0] count_q;
   reg  [31:0] next_q;
   reg         final_q;
+  wire        final_here = in_walk ? grid_last_i : final_q;
   always @(posedge clk) begin
     if (header_o) begin
       grid_q  <= grid_i;
       count_q <= count_i;
       next_q  <= 32'd2;
-      final_q <= count_i == 32'd1;
+      final_q <= count_q == 32'd1;  // a header is there for more than one clock
     end else if (made_o) begin
       final_q <= grid_last_i;
     end else if (finish_o && !grid_q) begin
@@ -142,32 +154,31 @@ module ffd_scatter_framer (
 
   // ---- what comes next
 
-  wire [2:0] first = header_refused_i ? DROP : coefficients_i ? FUNCTION : collect_i ? DONE
+  wire [9:0] first = header_refused_i ? DROP : coefficients_i ? FUNCTION : collect_i ? DONE
                    : none_i ? DROP : grid_q ? AXES : VERTEX;
+  wire [9:0] next  = !grid_q ? VERTEX : ROWS == 0 ? GRID : WALK;
   always @(posedge clk) begin
     if (rst || (take && last)) state_q <= HEADER;
-    else if (made_o) state_q <= GRADIENT;
-    else if (take) begin
-      case (state_q)
-        HEADER:   state_q <= first;
-        FUNCTION: state_q <= top_o ? DONE : FUNCTION;
-        AXES:     state_q <= !third ? AXES : grid_bad_i ? DROP : VERTEX;
-        VERTEX:   state_q <= GRADIENT;
-        GRADIENT: state_q <= final_q ? DONE : VERTEX;
-        default:  state_q <= DROP;
-      endcase
+    else if (take || in_grid) begin
+      state_q <= ({10{in_header}} & first)
+               | ({10{in_function}} & (top_o ? DONE : FUNCTION))
+               | ({10{in_axes}} & (axis_q[0] ? THIRD : AXES))
+               | ({10{in_third}} & (grid_bad_i ? DROP : next))
+               | ({10{in_vertex || in_grid}} & GRADIENT)
+               | ({10{of_gradient}} & (final_here ? DONE : next))
+               | ({10{in_done || in_drop}} & DROP);
     end
   end
 
   // ---- events
 
-  wire headless = take && state_q == HEADER && !header_refused_i && !collect_i
+  wire headless = go_i && !header_refused_i && !collect_i
                && (last || (!coefficients_i && none_i));
-  wire open     = (state_q == FUNCTION && !top_o) || state_q == VERTEX
-               || (state_q == GRADIENT && !final_q) || (state_q == AXES && !grid_o);
-  assign grid_o  = take && state_q == AXES && third && grid_bad_i;
+  wire open     = (in_function && !top_o) || in_vertex || (of_gradient && !final_here)
+               || in_axes || (in_third && !grid_bad_i);
+  assign grid_o  = known && grid_bad_i;
   assign short_o = headless || (take && last && open);
-  assign long_o  = take && state_q == DONE;
+  assign long_o  = valid && in_done;
 endmodule
 
 `default_nettype wire

@@ -1,5 +1,7 @@
 // ffd_scatter_inside: how many vertices are inside, and whether those of a mark still are
 //
+// With rows, how many rows: one comes with its last vertex.
+//
 // Vertices keep their order. So those that were inside at a mark have left when as many have left
 // as were inside then: what overwrites a bank of coefficients waits for those before the change of
 // banks, a collect for those before its header.

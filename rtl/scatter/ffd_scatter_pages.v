@@ -45,7 +45,7 @@ module ffd_scatter_pages #(
   output reg  [1:0]               along_o,
   output reg                      clamp_o,     // mode 0
   output wire [PAGE_W-1:0]        page_o,
-  output wire [PLACE_W-1:0]       last_cell_o,
+  output reg  [PLACE_W-1:0]       last_cell_o,
   // Vertices inside; and those of the core that have added.
   input  wire                     inside_i,
   input  wire                     bank_inside_i,
@@ -53,6 +53,8 @@ module ffd_scatter_pages #(
   input  wire                     added_i,
   input  wire [PAGE_W-1:0]        added_page_i,
   input  wire                     added_saturated_i,
+  input  wire                     layer_saturated_i,  // of a layer of one of its rows
+  input  wire [PAGE_W-1:0]        layer_page_i,
   output reg                      overflowed_o,  // event
   // To the core.
   output wire                     begin_o,
@@ -175,17 +177,26 @@ module ffd_scatter_pages #(
 
   // ---- it goes on
 
-  wire take      = go_o && !refused;
-  wire take_tops = take && gradients;
-  wire zero      = take_tops && begin_q;
-  assign mark_o       = take && collect_o;
+  reg  of_tops_q;
+  reg  of_zero_q;
+  reg  of_mark_q;
+  always @(posedge clk) begin
+    of_tops_q <= !refused && gradients;
+    of_zero_q <= !refused && gradients && begin_q;
+    of_mark_q <= !refused && collect_o;
+  end
+  wire take_tops = go_o && of_tops_q;
+  wire zero      = go_o && of_zero_q;
+  assign mark_o       = go_o && of_mark_q;
   assign begin_o      = zero;
   assign begin_page_o = page_q;
 
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_axis
-      assign last_cell_o[AXIS_W*a +: AXIS_W] = tops_q[AXIS_W*a +: AXIS_W] - NOT_CELLS;
+      always @(posedge clk) begin
+        last_cell_o[AXIS_W*a +: AXIS_W] <= tops_q[AXIS_W*a +: AXIS_W] - NOT_CELLS;
+      end
     end
   endgenerate
 
@@ -261,6 +272,7 @@ module ffd_scatter_pages #(
   end
 
   wire [PAGES-1:0] adds    = {PAGES{added_i}} & (ONE_PAGE << added_page_i);
+  wire [PAGES-1:0] layers  = {PAGES{layer_saturated_i}} & (ONE_PAGE << layer_page_i);
   wire [PAGES-1:0] zeros   = ({PAGES{zero}} & (ONE_PAGE << page_q))
                            | ({PAGES{collects}} & (ONE_PAGE << collect_page_q));
   wire [PAGES-1:0] knows   = {PAGES{take_tops}} & (ONE_PAGE << page_q);
@@ -274,7 +286,7 @@ module ffd_scatter_pages #(
     end else begin
       pages_known_q <= (pages_known_q | knows) & ~forgets;
       fresh_q       <= (fresh_q & ~adds) | zeros;
-      saturated_q   <= (saturated_q | (adds & {PAGES{added_saturated_i}})) & ~zeros;
+      saturated_q   <= (saturated_q | (adds & {PAGES{added_saturated_i}}) | layers) & ~zeros;
       overflowed_q  <= (overflowed_q | (adds & {PAGES{full}})) & ~zeros;
     end
   end

@@ -48,21 +48,22 @@ module ffd_scatter_slots #(
     end
   endgenerate
 
-  wire next = slot_component_o == 2'd2;
+  reg next_q;  // component 2
 
-  assign point_take_o = next && !vertex_valid_i && point_valid_i;
-  assign sweep_take_o = next && !vertex_valid_i && !point_valid_i && sweep_valid_i;
+  assign point_take_o = next_q && !vertex_valid_i && point_valid_i;
+  assign sweep_take_o = next_q && !vertex_valid_i && !point_valid_i && sweep_valid_i;
 
   always @(posedge clk) begin
     if (rst) slot_component_o <= COMPONENT;
-    else slot_component_o <= next ? 2'd0 : slot_component_o + 2'd1;
+    else slot_component_o <= next_q ? 2'd0 : slot_component_o + 2'd1;
   end
+  always @(posedge clk) next_q <= rst ? COMPONENT == 2'd2 : slot_component_o == 2'd1;
   always @(posedge clk) begin
     if (rst) slot_valid_o <= 1'b0;
-    else if (next) slot_valid_o <= vertex_valid_i || point_valid_i || sweep_valid_i;
+    else if (next_q) slot_valid_o <= vertex_valid_i || point_valid_i || sweep_valid_i;
   end
   always @(posedge clk) begin
-    if (next) begin
+    if (next_q) begin
       slot_vertex_o <= vertex_valid_i;
       slot_point_o  <= point_take_o;
       slot_sweep_o  <= sweep_take_o && !sweep_clear_i;
@@ -74,7 +75,7 @@ module ffd_scatter_slots #(
 `ifdef FFD_ASSERTIONS
   reg vertex_q;
   always @(posedge clk) vertex_q <= vertex_valid_i && !rst;
-  `FFD_ASSERT(a_vertex_comes_in_the_middle_of_a_slot, next || !vertex_valid_i || vertex_q)
+  `FFD_ASSERT(a_vertex_comes_in_the_middle_of_a_slot, next_q || !vertex_valid_i || vertex_q)
 `endif
 endmodule
 

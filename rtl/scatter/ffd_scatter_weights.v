@@ -3,8 +3,8 @@
 //   C_0 = w_0    C_1 = saturate(C_0 + w_1)    C_2 = saturate(C_1 + w_2)
 //
 // Three evaluators take the axes in turn, s first, and two adders make sums of what they give. s is
-// expanded as its weights come, t DISTANCE clocks later, u DISTANCE clocks after t. Each axis holds
-// its own for three clocks, those of the components of the vertex.
+// expanded as its weights come, t DISTANCE clocks later, u DISTANCE clocks after t: ffd_eval_travel
+// brings each axis its own for three clocks, those of the components of the vertex.
 //
 // Formats:    coordinates, weights Q2.(W-2). Sums saturate, flagged (ffd_num_cumulate).
 // Pipeline:   step | FFD_SCATTER_WEIGHTS_LATENCY: weights of s, saturated_o of the axis of that
@@ -41,14 +41,7 @@ module ffd_scatter_weights #(
   localparam WEIGHT_W = `FFD_WEIGHT_W(FORMAT);
   localparam PLACE_W  = `FFD_PLACE_W(1);
   localparam TOTAL    = `FFD_SCATTER_WEIGHTS_LATENCY(EVALUATOR, MUL_LATENCY, ADD_LATENCY);
-  localparam OWN_W    = 1 + 3 * WEIGHT_W;
   `FFD_TAKES(TOTAL)
-
-  generate
-    if (DISTANCE < 1) begin : gen_bad_distance
-      ERROR_ffd_scatter_weights_distance_must_be_at_least_1 u_error ();
-    end
-  endgenerate
 
   // ---- the weights of the banks
 
@@ -85,109 +78,40 @@ module ffd_scatter_weights #(
 
   // ---- their sums: that of banks 0 and 1, then of all three
 
-  wire [WEIGHT_W-1:0] two;
-  wire [WEIGHT_W-1:0] third;
-  wire                third_whole;
   wire [WEIGHT_W-1:0] c_0;
   wire [WEIGHT_W-1:0] c_1;
   wire [WEIGHT_W-1:0] c_2;
   wire                whole;
 
-  ffd_num_cumulate #(
-    .FORMAT (FORMAT),
-    .LATENCY(ADD_LATENCY)
-  ) u_two (
-    .clk     (clk),
-    .a_i     (evaluated[0*WEIGHT_W +: WEIGHT_W]),
-    .b_i     (evaluated[1*WEIGHT_W +: WEIGHT_W]),
-    .weight_o(two)
-  );
-
-  // What stands in place of the weight of bank 3 is 1 or 0.
-  ffd_num_delay #(
-    .WIDTH  (1 + WEIGHT_W),
-    .LATENCY(ADD_LATENCY)
-  ) u_third (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({|evaluated[3*WEIGHT_W +: WEIGHT_W], evaluated[2*WEIGHT_W +: WEIGHT_W]}),
-    .q_o({third_whole, third})
-  );
-
-  ffd_num_cumulate #(
-    .FORMAT (FORMAT),
-    .LATENCY(ADD_LATENCY)
-  ) u_three (
-    .clk     (clk),
-    .a_i     (two),
-    .b_i     (third),
-    .weight_o(c_2)
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (1 + WEIGHT_W),
-    .LATENCY(ADD_LATENCY)
-  ) u_c_1 (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i({third_whole, two}),
-    .q_o({whole, c_1})
-  );
-
-  ffd_num_delay #(
-    .WIDTH  (WEIGHT_W),
-    .LATENCY(2 * ADD_LATENCY)
-  ) u_c_0 (
-    .clk(clk),
-    .rst(1'b0),
-    .d_i(evaluated[0*WEIGHT_W +: WEIGHT_W]),
-    .q_o(c_0)
+  ffd_scatter_cumulative #(
+    .FORMAT     (FORMAT),
+    .ADD_LATENCY(ADD_LATENCY)
+  ) u_cumulative (
+    .clk      (clk),
+    .weights_i(evaluated),
+    .sums_o   ({c_2, c_1, c_0}),
+    .whole_o  (whole)
   );
 
   // Whose flag is that of all three.
   assign saturated_o = c_2[WEIGHT_W-1];
 
-  // ---- those of an axis come a clock after those of the axis before, and are wanted DISTANCE
-  // clocks after them
+  // ---- each axis when it is expanded
 
-  genvar axis;
-  generate
-    for (axis = 0; axis < 3; axis = axis + 1) begin : gen_axis
-      localparam [1:0] OWN_STEP = axis;
-      wire [1:0]       step;
-      wire [OWN_W-1:0] weights;
-      wire             own = step == OWN_STEP;
-      reg  [OWN_W-1:0] held_q;
-
-      if (axis == 0) begin : gen_first
-        assign weights = {whole, c_2, c_1, c_0};
-        ffd_num_delay #(
-          .WIDTH  (2),
-          .LATENCY(TOTAL)
-        ) u_step (
-          .clk(clk),
-          .rst(1'b0),
-          .d_i(step_i),
-          .q_o(step)
-        );
-      end else begin : gen_next
-        ffd_num_delay #(
-          .WIDTH  (2 + OWN_W),
-          .LATENCY(DISTANCE - 1)
-        ) u_weights (
-          .clk(clk),
-          .rst(1'b0),
-          .d_i({gen_axis[axis-1].step, gen_axis[axis-1].weights}),
-          .q_o({step, weights})
-        );
-      end
-
-      always @(posedge clk) begin
-        if (own) held_q <= weights;
-      end
-      assign {whole_o[axis], weights_o[3*WEIGHT_W*axis +: 3*WEIGHT_W]} = own ? weights : held_q;
-    end
-  endgenerate
+  wire [3*(1+3*WEIGHT_W)-1:0] travelled;
+  ffd_eval_travel #(
+    .WIDTH   (1 + 3 * WEIGHT_W),
+    .LATENCY (TOTAL),
+    .DISTANCE(DISTANCE)
+  ) u_travel (
+    .clk      (clk),
+    .step_i   (step_i),
+    .weights_i({whole, c_2, c_1, c_0}),
+    .weights_o(travelled)
+  );
+  assign {whole_o[2], weights_o[6*WEIGHT_W +: 3*WEIGHT_W],
+          whole_o[1], weights_o[3*WEIGHT_W +: 3*WEIGHT_W],
+          whole_o[0], weights_o[0*WEIGHT_W +: 3*WEIGHT_W]} = travelled;
 endmodule
 
 `default_nettype wire

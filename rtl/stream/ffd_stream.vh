@@ -49,6 +49,11 @@
 `define FFD_FEATURE_EXPANDED(FEATURES) \
   (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
 `define FFD_FEATURES 3840
+// Whether two neighbours of a row of a grid go through the core at once: the organization takes two
+// vertices, and results of two are one beat.
+`define FFD_PAIRS(ORG, FEATURES) \
+  (`FFD_ORG_PAIRS(ORG) && `FFD_FEATURE_GRIDS(FEATURES) != 0 \
+   && `FFD_FEATURE_HALVES(FEATURES) != 0 ? 1 : 0)
 `define FFD_FEATURES_BAD(FEATURES) \
   ((FEATURES) % 4096 < 256 || (FEATURES) >= 8192 \
    || (FEATURES) / 128 % 2 != 0 \

@@ -8,4 +8,5 @@
 .WAITING          (WAITING),
 .FEATURES         (FEATURES),
 .SPANS            (SPANS),
+.GRID_LIMIT       (GRID_LIMIT),
 .HARDENED         (HARDENED)

@@ -5,6 +5,9 @@
 // of an interleaved vertex go into a free slot. All words of a beat pass one row of converters, and
 // what belongs to it goes beside them.
 //
+// With PAIRS a beat may bring the coordinate s of a second vertex, which passes the converter of
+// the word that has no number, and goes with the first one from there on.
+//
 // Bad input:  banks and buffers cut short never come into use. Each event is a pulse of event_o
 //             (FFD_EVENT_*) with the packet's number since reset and the beat's in it.
 // Formats:    frame as FFD_FRAME_*; numbers_o weights or points, one a word of the beat; source
@@ -17,7 +20,8 @@
 //             that starts where slot_free_o is 1, or ends where rooms_o is, may follow at once.
 // Parameters: FORMAT as in ffd_num.vh, FEATURES as in ffd_stream.vh, SLOTS >= 2, WAITING a power of
 //             two >= 2; PAGES, AXIS as in ffd_stream_pages; INSIDE >= the most vertices inside;
-//             EVERY_CLOCK as in ffd_stream_vertex, SPANS and SUMS in ffd_stream_functions.
+//             EVERY_CLOCK and PAIRS as in ffd_stream_vertex, SPANS and SUMS in
+//             ffd_stream_functions.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -37,6 +41,7 @@ module ffd_stream_decoder #(
   parameter INSIDE      = 152,
   parameter SPANS       = 1,
   parameter SUMS        = 0,
+  parameter PAIRS       = 0,
   parameter PAGE_W      = `FFD_PAGE_NUMBER_W(PAGES),
   parameter PLACE_W     = 3 * `FFD_AXIS_W(AXIS),
   parameter SOURCE_W    = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES)
@@ -46,6 +51,7 @@ module ffd_stream_decoder #(
   input  wire                                 beat_valid_i,
   input  wire [127:0]                         beat_data_i,
   input  wire                                 beat_last_i,
+  input  wire [32:0]                          beat_second_i, // {it is there, word s}
   input  wire [`FFD_FRAME_W-1:0]              beat_frame_i,
   input  wire                                 beat_held_i,   // it waits for go_o
   output wire                                 go_o,
@@ -71,6 +77,7 @@ module ffd_stream_decoder #(
   output wire                                 m_vertex_valid,
   input  wire                                 m_vertex_ready,
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
+  output wire [`FFD_WEIGHT_W(FORMAT):0]       m_vertex_second,   // {it is there, s}
   output wire [11:0]                          m_vertex_cell,
   output wire [SOURCE_W-1:0]                  m_vertex_source,
   output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
@@ -80,6 +87,7 @@ module ffd_stream_decoder #(
   output wire [`FFD_USER_W-1:0]               m_vertex_user,
   output wire                                 lattice_loaded_o,  // that of the last header
   output wire [PLACE_W-1:0]                   last_cell_o,       // {k, j, i}
+  output wire                                 pairs_o,           // of vertices that are evaluated
   output wire                                 slot_free_o,
   output wire                                 rooms_o,
   input  wire                                 slot_free_i,
@@ -92,6 +100,7 @@ module ffd_stream_decoder #(
   output wire                                 idle_o
 );
   localparam POINT_W   = `FFD_POINT_W(FORMAT);
+  localparam WEIGHT_W  = `FFD_WEIGHT_W(FORMAT);
   localparam LATENCY   = `FFD_IN_LATENCY(FORMAT);
   localparam EXPONENT_W = `FFD_EXPONENT_W;
   localparam [1:0] MODE_CLAMP = 2'd0;
@@ -201,6 +210,7 @@ module ffd_stream_decoder #(
 
   assign slot_free_o      = slot_free;
   assign lattice_loaded_o = lattice_loaded;
+  assign pairs_o          = coefficients_loaded;
   wire              waiting;
   wire              any_inside = waiting || evaluating_i;
   ffd_stream_readers u_readers (
@@ -234,6 +244,8 @@ module ffd_stream_decoder #(
 
   // ---- numbers
 
+  wire        pair  = PAIRS != 0 && vertex && beat_second_i[32];
+  wire [31:0] word3 = pair ? beat_second_i[31:0] : beat_data_i[127:96];
   wire       clamp = mode_q == MODE_CLAMP;
   wire [1:0] degree;
   wire       nan;
@@ -248,7 +260,7 @@ module ffd_stream_decoder #(
     .degree_i  (degree),
     .clamp_i   (clamp),
     .beyond_i  (beyond),
-    .data_i    (beat_data_i),
+    .data_i    ({word3, beat_data_i[95:0]}),
     .exponent_i(exponent_q),
     .numbers_o (numbers_o),
     .nan_o     (nan),
@@ -276,7 +288,8 @@ module ffd_stream_decoder #(
   ffd_stream_sideband #(
     .LATENCY(LATENCY),
     .AXIS   (AXIS),
-    .PAGE_W (PAGE_W)
+    .PAGE_W (PAGE_W),
+    .PAIRS  (PAIRS)
   ) u_sideband (
     .clk             (clk),
     .rst             (rst),
@@ -287,6 +300,7 @@ module ffd_stream_decoder #(
     .empty_i         (page_empty),
     .page_i          (new_page),
     .fourth_i        (fourth),
+    .pair_i          (pair),
     .load_o          (load_o),
     .place_o         (place),
     .lattice_write_o (lattice_write_o),
@@ -349,7 +363,8 @@ module ffd_stream_decoder #(
     .LATENCY    (LATENCY),
     .WAITING    (WAITING),
     .EVERY_CLOCK(EVERY_CLOCK),
-    .SPANS      (SPANS)
+    .SPANS      (SPANS),
+    .PAIRS      (PAIRS)
   ) u_vertex (
     .clk                 (clk),
     .rst                 (rst),
@@ -369,11 +384,13 @@ module ffd_stream_decoder #(
     .results_i           (results_q),
     .half_i              (half_q),
     .exponent_i          (resident_q ? lattice_exponent : exponent_q),
+    .pair_i              (pair),
     .vertex_there_i      (vertex_there),
     .finish_there_i      (finish_there),
     .top_i               (finish_top),
     .final_i             (finish_final),
     .numbers_i           (numbers_o[3*POINT_W-1:0]),
+    .second_i            (numbers_o[3*POINT_W +: WEIGHT_W]),
     .nan_i               (nan),
     .outside_i           (outside),
     .held_cell_o         (slot_cell_o),
@@ -384,6 +401,7 @@ module ffd_stream_decoder #(
     .m_vertex_valid      (m_vertex_valid),
     .m_vertex_ready      (m_vertex_ready),
     .m_vertex_coordinates(m_vertex_coordinates),
+    .m_vertex_second     (m_vertex_second),
     .m_vertex_cell       (m_vertex_cell),
     .m_vertex_source     (m_vertex_source),
     .m_vertex_bank       (m_vertex_bank),
@@ -399,7 +417,7 @@ module ffd_stream_decoder #(
   assign event_o = framing | of_vertex | of_functions;
   assign idle_o  = !any_inside && !moving;
 
-  wire unused_ok = &{1'b0, packet};
+  wire unused_ok = &{1'b0, packet, beat_second_i};
 endmodule
 
 `default_nettype wire

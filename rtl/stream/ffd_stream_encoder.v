@@ -5,12 +5,16 @@
 // blank vertex gives blank coordinates (canonical NaN, or 0 in fixed
 // point), never what the datapath made of half a vertex. Beside a determinant y and z are 0.
 //
+// The words of a vertex of a packet with the flag H are rounded to 20 bits, which may saturate, and
+// ffd_stream_halves makes beats of two such results. What packets ask for behind their last result,
+// ffd_stream_marks adds. With PAIRS the position of a second vertex with H may come with one, which
+// shares all of its user word that a half beat has: neither is blank.
+//
 // Formats:    flags {folded, nan, saturated}; user as FFD_USER_*.
-// Of packets with the flag H ffd_stream_halves makes beats of two results. What packets ask for
-// behind their last result, ffd_stream_marks adds.
 // Pipeline:   1 clock: the last register of the stream; with halves and with marks one more each.
 // Freezes:    s_word_ready is 0 while a beat waits to be taken.
-// Parameters: FORMAT as in ffd_num.vh; FEATURES and INSIDE as in ffd_stream_marks.
+// Parameters: FORMAT as in ffd_num.vh, fixed point where FEATURES has halves; FEATURES and
+//             INSIDE as in ffd_stream_marks, PAIRS in ffd_stream_halves.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -20,7 +24,8 @@
 module ffd_stream_encoder #(
   parameter FORMAT   = 18,
   parameter FEATURES = `FFD_FEATURES,
-  parameter INSIDE   = 152
+  parameter INSIDE   = 152,
+  parameter PAIRS    = 0
 ) (
   input  wire                    clk,
   input  wire                    rst,
@@ -31,20 +36,52 @@ module ffd_stream_encoder #(
   input  wire [`FFD_FRAME_W-1:0] frame_i,
   input  wire                    s_word_valid,
   output wire                    s_word_ready,
+  output wire                    saturates_o,   // a word of the result that is there
   input  wire [95:0]             s_word_data,
   input  wire [2:0]              s_word_flags,
   input  wire                    s_word_determinant,
   input  wire                    s_word_final,  // of its vertex, which tlast comes with
   input  wire [`FFD_USER_W-1:0]  s_word_user,
+  input  wire                    s_word_pair,    // there is a second vertex
+  input  wire [97:0]             s_word_second,  // {nan, saturated, words} of it
+  output wire                    second_saturates_o,
   output wire                    m_beat_valid,
   input  wire                    m_beat_ready,
   output wire [127:0]            m_beat_data,
   output wire                    m_beat_last,
   output wire                    m_beat_mark
 );
-  wire       blank = s_word_user[`FFD_USER_BLANK];
-  wire [2:0] flags = s_word_flags & {3{!blank}};
-  wire [6:0] raised = {flags[2], 3'd0, flags[1], 1'b0, flags[0]};
+  // ---- words of results that are half a beat: rounded once more, in their upper 20 bits
+
+  wire        narrows = s_word_user[`FFD_USER_HALF] && !s_word_determinant;
+  wire [95:0] words;
+  wire [2:0]  narrow_saturated;
+  genvar c;
+  generate
+    for (c = 0; c < 3; c = c + 1) begin : gen_word
+      if (`FFD_FEATURE_HALVES(FEATURES) != 0) begin : gen_half
+        wire [19:0] half;
+        ffd_num_half #(
+          .FORMAT(FORMAT)
+        ) u_half (
+          .word_i     (s_word_data[32*c +: 32]),
+          .half_o     (half),
+          .saturated_o(narrow_saturated[c])
+        );
+        assign words[32*c +: 32] = {narrows ? half : s_word_data[32*c+12 +: 20],
+                                    s_word_data[32*c +: 12]};
+      end else begin : gen_full
+        assign words[32*c +: 32]   = s_word_data[32*c +: 32];
+        assign narrow_saturated[c] = 1'b0;
+      end
+    end
+  endgenerate
+
+  wire       blank     = s_word_user[`FFD_USER_BLANK];
+  wire       saturates = s_word_flags[0] || (narrows && |narrow_saturated);
+  wire [2:0] flags     = {s_word_flags[2:1], saturates} & {3{!blank}};
+  wire [6:0] raised    = {flags[2], 3'd0, flags[1], 1'b0, flags[0]};
+  assign saturates_o = flags[0];
 
   // The words y and z are 0 beside a determinant, and where the blank word is.
   wire clear = blank ? `FFD_BLANK_IS_ZERO(FORMAT) : s_word_determinant;
@@ -72,12 +109,12 @@ module ffd_stream_encoder #(
   end
   always @(posedge clk) begin
     if (s_word_ready && blank) words_q[31:0] <= `FFD_BLANK_WORD(FORMAT);
-    else if (s_word_ready) words_q[31:0] <= s_word_data[31:0];
+    else if (s_word_ready) words_q[31:0] <= words[31:0];
   end
   always @(posedge clk) begin
     if (s_word_ready && clear) words_q[95:32] <= 64'd0;
     else if (s_word_ready && blank) words_q[95:32] <= {2{`FFD_BLANK_WORD(FORMAT)}};
-    else if (s_word_ready) words_q[95:32] <= s_word_data[95:32];
+    else if (s_word_ready) words_q[95:32] <= words[95:32];
   end
   always @(posedge clk) begin
     if (s_word_ready) begin
@@ -91,9 +128,42 @@ module ffd_stream_encoder #(
     end
   end
 
+  wire        pair;
+  wire [60:0] second;
+  generate
+    if (PAIRS != 0) begin : gen_second
+      wire [59:0] halves;
+      wire [2:0]  saturated;
+      reg         pair_q;
+      reg  [60:0] second_q;
+      for (c = 0; c < 3; c = c + 1) begin : gen_word
+        ffd_num_half #(
+          .FORMAT(FORMAT)
+        ) u_half (
+          .word_i     (s_word_second[32*c +: 32]),
+          .half_o     (halves[20*c +: 20]),
+          .saturated_o(saturated[c])
+        );
+      end
+      assign second_saturates_o = s_word_pair && (s_word_second[96] || |saturated);
+      always @(posedge clk) begin
+        if (s_word_ready) begin
+          pair_q   <= s_word_pair;
+          second_q <= {s_word_second[96] || |saturated, halves};
+        end
+      end
+      assign pair   = pair_q;
+      assign second = second_q;
+      wire unused_second = &{1'b0, s_word_second[97]};
+    end else begin : gen_no_second
+      assign {second_saturates_o, pair, second} = 63'd0;
+      wire unused_second = &{1'b0, s_word_pair, s_word_second};
+    end
+  endgenerate
+
   ffd_stream_halves #(
-    .FORMAT  (FORMAT),
-    .FEATURES(FEATURES)
+    .FEATURES(FEATURES),
+    .PAIRS   (PAIRS)
   ) u_halves (
     .clk         (clk),
     .rst         (rst),
@@ -105,6 +175,8 @@ module ffd_stream_encoder #(
     .s_beat_blank(blank_q),
     .s_beat_first(first_q),
     .s_beat_final(final_q),
+    .s_beat_pair  (pair),
+    .s_beat_second(second),
     .m_beat_valid(half_valid),
     .m_beat_ready(half_ready),
     .m_beat_data (half_data),

@@ -5,6 +5,9 @@
 // two of one vertex each. The words are those that a driver would send for these vertices one by
 // one. All other packets pass as they came.
 //
+// With PAIRS a grid whose results are half a beat each becomes beats of one or two vertices of a
+// row: the second one brings its coordinate s and has all else of the first.
+//
 // Bad input:  a grid whose packet is too short, or that ffd_stream_grid calls bad, becomes one beat
 //             that belongs to nothing; what is behind a grid is dropped up to tlast. Of a packed
 //             vertex bit 63 refuses it. as_o tells the framer (FFD_AS_*). A header with bits that
@@ -17,7 +20,8 @@
 //             it its lattice, is known.
 // Cuts:       data, valid and last leave registers; s_beat_ready follows m_beat_ready by gates.
 // Parameters: FORMAT as in ffd_num.vh; FEATURES and AXIS as in ffd_stream_header, with one of the
-//             bits of grids and packed vertices; GRID_LIMIT as LIMIT of ffd_stream_grid.
+//             bits of grids and packed vertices; GRID_LIMIT as LIMIT of ffd_stream_grid, PAIRS as
+//             there.
 // Model:      golden/include/hwffd/stream/grid.hpp, packed.hpp.  Test: tests/system/grid_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -28,7 +32,8 @@ module ffd_stream_expand #(
   parameter FORMAT     = 18,
   parameter FEATURES   = `FFD_FEATURES + 48,
   parameter AXIS       = 16,
-  parameter GRID_LIMIT = 48
+  parameter GRID_LIMIT = 48,
+  parameter PAIRS      = 0
 ) (
   input  wire                           clk,
   input  wire                           rst,
@@ -43,11 +48,13 @@ module ffd_stream_expand #(
   output wire [127:0]                   m_beat_header,  // where it is one: data, sooner
   output wire [`FFD_PACKET_W-1:0]       m_beat_packet,
   output wire                           m_beat_last,
+  output wire [32:0]                    m_beat_second,  // {there is a second vertex, its word s}
   output wire [2:0]                     as_o,
   input  wire                           expects_i,    // the framer, a vertex
   input  wire                           header_i,     // one goes on to the decoder
   input  wire                           loaded_i,     // the lattice of that header
   input  wire [3*`FFD_AXIS_W(AXIS)-1:0] last_cell_i,
+  input  wire                           pairs_i,      // functions are there: vertices may be two
   input  wire                           grid_stop_i,
   output wire                           idle_o
 );
@@ -57,7 +64,7 @@ module ffd_stream_expand #(
   localparam LARGE  = `FFD_FEATURE_LARGE(FEATURES);
   localparam [3:0] HEADER = 4'd0;
   localparam [3:0] PASS   = 4'd1;
-  localparam [3:0] PAIRS  = 4'd2;
+  localparam [3:0] SPLIT  = 4'd2;
   localparam [3:0] AXES   = 4'd3;
   localparam [3:0] CHECK  = 4'd4;
   localparam [3:0] CLOSE  = 4'd5;
@@ -80,7 +87,7 @@ module ffd_stream_expand #(
   reg  [3:0]   state_q;
   wire         free = !valid_q || m_beat_ready;
   wire         walks = state_q[3];
-  wire         paired = PACKED != 0 && state_q == PAIRS;
+  wire         paired = PACKED != 0 && state_q == SPLIT;
   wire         pass = state_q == HEADER || state_q == PASS || paired;
   wire         sink = state_q == AXES || state_q[2:1] == DROP[2:1];  // 7 is no state: it drops, too
   wire         take = s_beat_valid && s_beat_ready;
@@ -143,6 +150,8 @@ module ffd_stream_expand #(
   wire        walk_last;
   wire [17:0] grid_cells;
   wire [74:0] grid_coordinates;
+  wire        grid_pair;
+  wire [24:0] grid_second;
   wire        decided = state_q == CHECK && known_q && checked;
   reg         stop_q;    // it ends with its next vertex
   wire        walk_ends  = walk_last || stop_q;
@@ -161,11 +170,19 @@ module ffd_stream_expand #(
   wire checks = state_q == CHECK && known_q && !checks_q;
   always @(posedge clk) checks_q <= state_q == CHECK && (checks_q || checks);
 
+  // Results of two vertices a beat, each a position.
+  reg halves_q;
+  always @(posedge clk) begin
+    if (header) halves_q <= PAIRS != 0 && s_beat_data[22] && s_beat_data[73:72] == 2'd0;
+  end
+
   generate
     if (GRIDS != 0) begin : gen_grid
+      wire row_last;
       ffd_stream_grid #(
         .AXIS (AXIS),
-        .LIMIT(GRID_LIMIT)
+        .LIMIT(GRID_LIMIT),
+        .PAIRS(PAIRS)
       ) u_grid (
         .clk          (clk),
         .rst          (rst),
@@ -177,15 +194,21 @@ module ffd_stream_expand #(
         .large_i      (large_q),
         .last_cell_i  (last_cell_i),
         .next_i       (walk),
+        .pairs_i      (halves_q && pairs_i),
         .checked_o    (checked),
         .bad_o        (bad),
         .last_o       (walk_last),
+        .row_last_o   (row_last),
         .cells_o      (grid_cells),
-        .coordinates_o(grid_coordinates)
+        .coordinates_o(grid_coordinates),
+        .pair_o       (grid_pair),
+        .second_o     (grid_second)
       );
+      wire unused_row = &{1'b0, row_last};
     end else begin : gen_no_grid
       assign {checked, bad, walk_last, grid_cells, grid_coordinates} = {96{1'b0}};
-      wire unused_grid = &{1'b0, checks, walk, loaded_i, last_cell_i};
+      assign {grid_pair, grid_second} = 26'd0;
+      wire unused_grid = &{1'b0, checks, walk, loaded_i, last_cell_i, pairs_i, halves_q};
     end
   endgenerate
 
@@ -235,7 +258,7 @@ module ffd_stream_expand #(
     else if (walks) begin
       if (walk && walk_ends) state_q <= ended_q ? HEADER : DROP;
     end else case (state_q)
-      HEADER: if (take && !s_beat_last) state_q <= grid ? AXES : pairs ? PAIRS : PASS;
+      HEADER: if (take && !s_beat_last) state_q <= grid ? AXES : pairs ? SPLIT : PASS;
       AXES:   if (end_axes) state_q <= CHECK;
       CHECK:  if (decided) state_q <= expects_i && !short_q && !bad ? WALK : CLOSE;
       CLOSE:  if (close) state_q <= ended_q ? HEADER : DROP;
@@ -251,6 +274,26 @@ module ffd_stream_expand #(
   assign m_beat_header = data_q;
   assign as_o         = second_q && !expects_i ? `FFD_AS_NOTHING : as_q;
   assign m_beat_data[127:96] = data_q[127:96];
+  generate
+    if (PAIRS != 0) begin : gen_second
+      reg        pair_q;
+      reg [24:0] neighbour_q;
+      always @(posedge clk) begin
+        if (free) pair_q <= walks && grid_pair;
+        if (free) neighbour_q <= grid_second;
+      end
+      assign m_beat_second[32] = pair_q;
+      ffd_num_coordinate #(
+        .FORMAT(FORMAT)
+      ) u_word (
+        .coordinate_i(neighbour_q),
+        .word_o      (m_beat_second[31:0])
+      );
+    end else begin : gen_no_second
+      assign m_beat_second = 33'd0;
+      wire unused_second = &{1'b0, grid_pair, grid_second};
+    end
+  endgenerate
   genvar a;
   generate
     for (a = 0; a < 3; a = a + 1) begin : gen_word

@@ -1,8 +1,7 @@
 // ffd_stream_marks: the flags R and I of packets of vertices, at their last result
 //
 // Behind the encoder. What a packet of opcode 7 asks for waits in a queue from its last vertex on
-// until its last result. With R that result is no longer the last beat: one more comes, {all ones,
-// 0, 0, results of the packet}. m_beat_mark: the last beat of a packet with I.
+// until its last result, behind which ffd_stream_ending gives it.
 //
 // Formats:    data_i and frame_i of the decoder's beats; beats as those of hwffd_stream.
 // Pipeline:   1 clock, the last register of the stream; II 1, and one more for a count.
@@ -52,8 +51,7 @@ module ffd_stream_marks #(
       wire       queue_ready;
       wire       known;
       wire       pop;
-      wire       interrupt;
-      wire       count;
+      wire [1:0] flags;
 
       always @(posedge clk) begin
         if (valid_i && frame_i[`FFD_FRAME_HEADER]) begin
@@ -72,50 +70,30 @@ module ffd_stream_marks #(
         .s_word_data (flags_q),
         .m_word_valid(known),
         .m_word_ready(pop),
-        .m_word_data ({interrupt, count})
+        .m_word_data (flags)
       );
 
-      // ---- results, and behind the last one their count
+      // ---- results
 
-      reg         valid_q;
-      reg         last_q;
-      reg         mark_q;
-      reg [127:0] data_q;
-      reg         due_q;      // the count comes next
-      reg         first_q;    // the next result is the first of its packet
-      reg [31:0]  count_q;
-      wire        free = !valid_q || m_beat_ready;
-      wire        take = s_beat_valid && s_beat_ready;
+      wire [31:0] number;
+      ffd_stream_ending u_ending (
+        .clk         (clk),
+        .rst         (rst),
+        .flags_i     (flags),
+        .number_o    (number),
+        .ended_o     (pop),
+        .s_beat_valid(s_beat_valid),
+        .s_beat_ready(s_beat_ready),
+        .s_beat_data (s_beat_data),
+        .s_beat_last (s_beat_last),
+        .m_beat_valid(m_beat_valid),
+        .m_beat_ready(m_beat_ready),
+        .m_beat_data (m_beat_data),
+        .m_beat_last (m_beat_last),
+        .m_beat_mark (m_beat_mark)
+      );
 
-      assign s_beat_ready = free && !due_q;
-      assign m_beat_valid = valid_q;
-      assign m_beat_data  = data_q;
-      assign m_beat_last  = last_q;
-      assign m_beat_mark  = mark_q;
-      assign pop          = (take && s_beat_last && !count) || (free && due_q);
-
-      always @(posedge clk) begin
-        if (rst) begin
-          valid_q <= 1'b0;
-          due_q   <= 1'b0;
-          first_q <= 1'b1;
-        end else begin
-          if (free) valid_q <= s_beat_valid || due_q;
-          if (free) due_q <= take && s_beat_last && count;
-          if (take) first_q <= s_beat_last;
-        end
-      end
-
-      always @(posedge clk) begin
-        if (take) count_q <= first_q ? 32'd1 : count_q + 1'b1;
-        if (free) begin
-          data_q <= due_q ? {32'hFFFF_FFFF, 64'd0, count_q} : s_beat_data;
-          last_q <= due_q || (s_beat_last && !count);
-          mark_q <= interrupt && (due_q || (s_beat_last && !count));
-        end
-      end
-
-      wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i, packet};
+      wire unused_ok = &{1'b0, queue_ready, known, data_i, frame_i, packet, number};
       `FFD_ASSERT(a_packet_ends_and_the_queue_is_full,
                   !(valid_i && frame_i[`FFD_FRAME_FINISH] && frame_i[`FFD_FRAME_FINAL])
                   || queue_ready)

@@ -7,7 +7,8 @@
 // Formats:    frame as FFD_FRAME_*; verdict as FFD_PAGE_* and empty, of a header of a page; at
 //             {k, j, i}.
 // Pipeline:   LATENCY; moving: something is on its way, or was in the clock before.
-// Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1.
+// Parameters: LATENCY >= 1; AXIS as in ffd_stream_header; PAGE_W >= 1; PAIRS 0, or 1: a beat may be
+//             one of two vertices, which count as two, and its events are of the second one.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -16,7 +17,8 @@
 module ffd_stream_sideband #(
   parameter LATENCY = 1,
   parameter AXIS    = 16,
-  parameter PAGE_W  = 1
+  parameter PAGE_W  = 1,
+  parameter PAIRS   = 0
 ) (
   input  wire                             clk,
   input  wire                             rst,
@@ -27,6 +29,7 @@ module ffd_stream_sideband #(
   input  wire                             empty_i,
   input  wire [PAGE_W-1:0]                page_i,
   input  wire                             fourth_i,
+  input  wire                             pair_i,
   output wire                             load_o,
   output wire [11:0]                      place_o,   // as FFD_FRAME_INDEX
   output wire                             lattice_write_o,
@@ -127,14 +130,40 @@ module ffd_stream_sideband #(
     event_o[`FFD_STREAM_EVENT(`FFD_EVENT_GRID_COUNT)]  = refused;
   end
 
+  wire [31:0] beat;
   ffd_stream_place u_event_place (
     .clk     (clk),
     .rst     (rst),
     .take_i  (taken),
     .last_i  (taken_last),
     .packet_o(event_packet_o),
-    .beat_o  (event_beat_o)
+    .beat_o  (beat)
   );
+
+  generate
+    if (PAIRS != 0) begin : gen_pairs
+      reg  [31:0] seconds_q;  // vertices of the packet that came with another one
+      wire        taken_pair;
+      wire [31:0] seconds = seconds_q + {31'd0, taken_pair};
+      ffd_num_delay #(
+        .WIDTH  (1),
+        .LATENCY(LATENCY)
+      ) u_pair (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(pair_i),
+        .q_o(taken_pair)
+      );
+      always @(posedge clk) begin
+        if (rst || (taken && taken_last)) seconds_q <= 32'd0;
+        else if (taken) seconds_q <= seconds;
+      end
+      assign event_beat_o = beat + seconds;
+    end else begin : gen_no_pairs
+      assign event_beat_o = beat;
+      wire unused_pair = &{1'b0, pair_i};
+    end
+  endgenerate
 
   // What has been taken is known behind the converters.
   reg [LATENCY:0] moving_q;

@@ -11,7 +11,8 @@
 // Freezes:    room_o is 0 while WAITING vertices are between finish_i and the evaluator.
 // Parameters: FORMAT as in ffd_num.vh, SOURCE_W > SLOT_W >= 1, LATENCY >= 1, WAITING a power of
 //             two >= 2; EVERY_CLOCK 0: vertices are offered in every other clock at most, and
-//             m_vertex_ready then ends at a register. SPANS as in ffd_stream_functions.
+//             m_vertex_ready then ends at a register. SPANS as in ffd_stream_functions; PAIRS 0,
+//             or 1: a vertex may be the first of two, of which the second brings its s.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -27,7 +28,8 @@ module ffd_stream_vertex #(
   parameter LATENCY     = 1,
   parameter WAITING     = 16,
   parameter EVERY_CLOCK = 1,
-  parameter SPANS       = 1
+  parameter SPANS       = 1,
+  parameter PAIRS       = 0
 ) (
   input  wire                                 clk,
   input  wire                                 rst,
@@ -47,11 +49,13 @@ module ffd_stream_vertex #(
   input  wire [1:0]                           results_i,
   input  wire                                 half_i,
   input  wire [`FFD_EXPONENT_W-1:0]           exponent_i,
+  input  wire                                 pair_i,
   input  wire                                 vertex_there_i,
   input  wire                                 finish_there_i,
   input  wire                                 top_i,
   input  wire                                 final_i,
   input  wire [3*`FFD_POINT_W(FORMAT)-1:0]    numbers_i,
+  input  wire [`FFD_WEIGHT_W(FORMAT)-1:0]     second_i,
   input  wire                                 nan_i,
   input  wire                                 outside_i,
   output wire [11:0]                          held_cell_o,
@@ -62,6 +66,7 @@ module ffd_stream_vertex #(
   output reg                                  m_vertex_valid,
   input  wire                                 m_vertex_ready,
   output wire [3*`FFD_WEIGHT_W(FORMAT)-1:0]   m_vertex_coordinates,
+  output wire [`FFD_WEIGHT_W(FORMAT):0]       m_vertex_second,  // {it is there, s}
   output wire [11:0]                          m_vertex_cell,
   output wire [SOURCE_W-1:0]                  m_vertex_source,
   output wire [`FFD_PLACES_W(SPANS)-1:0]      m_vertex_bank,
@@ -183,14 +188,40 @@ module ffd_stream_vertex #(
 
   // The head of the queue waits in a register, near to the evaluator.
   localparam PLACES_W = `FFD_PLACES_W(SPANS);
-  localparam VERTEX_W = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + PLACES_W + 1 + 12
+  localparam ALONE_W  = `FFD_USER_W + 2 + `FFD_EXPONENT_W + SOURCE_W + PLACES_W + 1 + 12
                       + NUMBERS_W;
+  localparam VERTEX_W = ALONE_W + PAIRS * (WEIGHT_W + 1);
   wire [PLACES_W-1:0] places = SPANS == 1 ? {PLACES_W{bank}} : places_i;
   wire                queue_ready;
   wire                next_valid;
   wire                next_ready = !m_vertex_valid || (EVERY_CLOCK != 0 && m_vertex_ready);
+  wire [VERTEX_W-1:0] entering;
   wire [VERTEX_W-1:0] next;
   reg  [VERTEX_W-1:0] vertex_q;
+
+  assign entering[ALONE_W-1:0] = {user, results, exponent, source, places, changed, cell_index,
+                                  coordinates_q};
+  generate
+    if (PAIRS != 0) begin : gen_pairs
+      wire              pair;
+      reg  [WEIGHT_W:0] second_q;
+      ffd_num_delay #(
+        .WIDTH  (1),
+        .LATENCY(LATENCY)
+      ) u_pair (
+        .clk(clk),
+        .rst(1'b0),
+        .d_i(pair_i),
+        .q_o(pair)
+      );
+      always @(posedge clk) if (vertex_there_i) second_q <= {pair, second_i};
+      assign entering[VERTEX_W-1:ALONE_W] = second_q;
+      assign m_vertex_second              = vertex_q[VERTEX_W-1:ALONE_W];
+    end else begin : gen_no_pairs
+      assign m_vertex_second = {(WEIGHT_W + 1) {1'b0}};
+      wire unused_second = &{1'b0, pair_i, second_i};
+    end
+  endgenerate
 
   ffd_stream_fifo #(
     .WIDTH(VERTEX_W),
@@ -200,7 +231,7 @@ module ffd_stream_vertex #(
     .rst         (rst),
     .s_word_valid(whole_q),
     .s_word_ready(queue_ready),
-    .s_word_data ({user, results, exponent, source, places, changed, cell_index, coordinates_q}),
+    .s_word_data (entering),
     .m_word_valid(next_valid),
     .m_word_ready(next_ready),
     .m_word_data (next)
@@ -212,7 +243,7 @@ module ffd_stream_vertex #(
   end
   always @(posedge clk) if (next_ready) vertex_q <= next;
   assign {m_vertex_user, m_vertex_results, m_vertex_exponent, m_vertex_source, m_vertex_bank,
-          m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q;
+          m_vertex_changed, m_vertex_cell, m_vertex_coordinates} = vertex_q[ALONE_W-1:0];
 
   wire unused_ok = &{1'b0, queue_ready, numbers_i, facts, places_i};
 

@@ -5,15 +5,17 @@
 // time: where a packet is the other half's, it waits until all that is before it has left.
 //
 // Formats:    128-bit beats, four little-endian words; fixed-point words (interface.md section 3).
-// Pipeline:   ffd_scatter_fork, then both halves, which see; a clock more than each of them.
+// Pipeline:   ffd_scatter_fork, then both halves, which see; two clocks more than the evaluator,
+//             one more than the scatter core.
 // Freezes:    a stalled output holds back what the half that it comes from holds back.
 // Bad input:  nothing can hang it; see the decoders. event_o and its place are those of both, of
 //             which the evaluator tells of coefficients; wait_o also has a header that waits for a
-//             half in bit 0; idle_o: both halves are, and no packet is under way. vertex_o and
-//             upset_o are the evaluator's.
+//             half in bit 0; idle_o: both halves are, and no packet is under way.
+//             vertex_o, second_o and upset_o are the evaluator's.
 // Parameters: those of hwffd_stream but SPANS, of which there is one, and SCATTER_PAGES, those of
-//             sums, 1 to 256. What one half refuses, this does: FORMAT 12 to 18, EVALUATOR
-//             pipelined or powers, AXIS 4 to 32. WAITING is of each half, HARDENED of points.
+//             sums, 1 to 256; ROWS as in hwffd_scatter. What one half refuses, this does: FORMAT
+//             12 to 18, EVALUATOR pipelined or powers, AXIS 4 to 32. WAITING is of each half,
+//             HARDENED of points.
 // Model:      golden/include/hwffd/model/stream_model.hpp, scatter_stream.hpp.
 // Test:       tests/system/adjoint_test.cpp.
 // SPDX-License-Identifier: Apache-2.0
@@ -25,7 +27,7 @@
 
 module hwffd_adjoint #(
   parameter ORG             = 0,
-  parameter N               = 1,
+  parameter N               = `FFD_ORG_N(ORG),
   parameter FORMAT          = 18,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
@@ -36,6 +38,7 @@ module hwffd_adjoint #(
   parameter AXIS            = 16,
   parameter PAGES           = 2,
   parameter SCATTER_PAGES   = 2,
+  parameter ROWS            = 0,
   parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
   parameter FEATURES        = `FFD_FEATURES,
@@ -58,14 +61,15 @@ module hwffd_adjoint #(
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
+  output wire [1:0]   second_o,
   output wire [2:0]   wait_o,
   output wire         idle_o,
   output wire         upset_o
 );
   wire clk = aclk, rst = !aresetn;
 
-  wire [127:0] in_data;
-  wire         in_last;
+  wire [127:0] evaluator_in_data,   scatter_in_data;
+  wire         evaluator_in_last,   scatter_in_last;
   wire         in_idle;
   wire         in_waits;
   wire         of_scatter;
@@ -92,8 +96,10 @@ module hwffd_adjoint #(
     .m_evaluator_ready(evaluator_in_ready),
     .m_scatter_valid  (scatter_in_valid),
     .m_scatter_ready  (scatter_in_ready),
-    .m_beat_data      (in_data),
-    .m_beat_last      (in_last),
+    .m_evaluator_data (evaluator_in_data),
+    .m_evaluator_last (evaluator_in_last),
+    .m_scatter_data   (scatter_in_data),
+    .m_scatter_last   (scatter_in_last),
     .evaluator_idle_i (evaluator_idle),
     .scatter_idle_i   (scatter_idle),
     .scatter_o        (of_scatter),
@@ -117,8 +123,8 @@ module hwffd_adjoint #(
     .aresetn       (aresetn),
     .s_axis_tvalid (evaluator_in_valid),
     .s_axis_tready (evaluator_in_ready),
-    .s_axis_tdata  (in_data),
-    .s_axis_tlast  (in_last),
+    .s_axis_tdata  (evaluator_in_data),
+    .s_axis_tlast  (evaluator_in_last),
     .m_axis_tvalid (evaluator_out_valid),
     .m_axis_tready (m_axis_tready),
     .m_axis_tdata  (evaluator_out_data),
@@ -129,6 +135,7 @@ module hwffd_adjoint #(
     .event_packet_o(evaluator_packet),
     .event_beat_o  (evaluator_beat),
     .vertex_o      (vertex_o),
+    .second_o      (second_o),
     .wait_o        (evaluator_wait),
     .idle_o        (evaluator_idle),
     .upset_o       (upset_o)
@@ -142,14 +149,15 @@ module hwffd_adjoint #(
     .AXIS       (AXIS),
     .PAGES      (SCATTER_PAGES),
     .WAITING    (WAITING),
+    .ROWS       (ROWS),
     .BESIDE     (1)
   ) u_scatter (
     .aclk          (aclk),
     .aresetn       (aresetn),
     .s_axis_tvalid (scatter_in_valid),
     .s_axis_tready (scatter_in_ready),
-    .s_axis_tdata  (in_data),
-    .s_axis_tlast  (in_last),
+    .s_axis_tdata  (scatter_in_data),
+    .s_axis_tlast  (scatter_in_last),
     .m_axis_tvalid (scatter_out_valid),
     .m_axis_tready (m_axis_tready),
     .m_axis_tdata  (scatter_out_data),

@@ -25,7 +25,7 @@
 module hwffd_axi #(
   parameter SECURE_ONLY       = 0,
   parameter ORG               = 0,
-  parameter N                 = 1,
+  parameter N                 = `FFD_ORG_N(ORG),
   parameter FORMAT            = 18,
   parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
@@ -39,6 +39,7 @@ module hwffd_axi #(
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
   parameter SPANS             = 1,
+  parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
@@ -133,6 +134,56 @@ module hwffd_axi #(
   wire [9:0]  read_word;
   wire [31:0] read_data;
   wire        read_error;
+
+  ffd_channel_check #(
+    .WIDTH(15)
+  ) u_check_aw (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (s_axil_awvalid),
+    .ready_i  (s_axil_awready),
+    .payload_i({s_axil_awprot, s_axil_awaddr})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(36)
+  ) u_check_w (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (s_axil_wvalid),
+    .ready_i  (s_axil_wready),
+    .payload_i({s_axil_wstrb, s_axil_wdata})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(15)
+  ) u_check_ar (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (s_axil_arvalid),
+    .ready_i  (s_axil_arready),
+    .payload_i({s_axil_arprot, s_axil_araddr})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(DATA_WIDTH + 3)
+  ) u_check_r (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (m_axi_rvalid),
+    .ready_i  (m_axi_rready),
+    .payload_i({m_axi_rlast, m_axi_rresp, m_axi_rdata})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(2)
+  ) u_check_b (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (m_axi_bvalid),
+    .ready_i  (m_axi_bready),
+    .payload_i(m_axi_bresp)
+  );
 
   ffd_axil_voted #(
     .ADDRESS_W  (12),

@@ -2,6 +2,8 @@
 //
 // Gradients of vertices in, sums at their control points out (docs/numerics.md section 11): opcodes
 // 1, 10 and 11 of docs/interface.md section 2. All others are unknown. A vertex takes three clocks.
+// With ROWS 1 a row of a grid takes as many as it has vertices, or three for each layer of control
+// points that it touches, whichever is more; its sums are those of section 11, Rows.
 //
 // Formats:    128-bit beats, four little-endian words; fixed-point words (interface.md section 3).
 // Pipeline:   ffd_scatter_decoder, ffd_scatter_core, ffd_scatter_encoder, which see.
@@ -13,12 +15,13 @@
 //             rows of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1
 //             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath;
 //             BESIDE 1: an evaluator is on the same stream (hwffd_adjoint), which tells of
-//             coefficients and of all other packets.
+//             coefficients and of all other packets; ROWS 0 or 1.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 `include "ffd_num.vh"
 `include "ffd_eval.vh"
+`include "ffd_scatter.vh"
 `include "ffd_stream.vh"
 
 module hwffd_scatter #(
@@ -29,7 +32,8 @@ module hwffd_scatter #(
   parameter AXIS        = 16,
   parameter PAGES       = 2,
   parameter WAITING     = 16,
-  parameter BESIDE      = 0
+  parameter BESIDE      = 0,
+  parameter ROWS        = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -52,8 +56,8 @@ module hwffd_scatter #(
   localparam POINT_W  = `FFD_POINT_W(FORMAT);
   localparam PAGE_W   = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W  = 3 * `FFD_AXIS_W(AXIS);
-  // A vertex every three clocks, and the datapath is shorter than three times this.
-  localparam INSIDE   = WAITING + 64;
+  localparam INSIDE   = WAITING
+                      + `FFD_SCATTER_MOVING(ROWS, EVALUATOR, MUL_LATENCY, ADD_LATENCY);
 
   wire clk = aclk, rst = !aresetn;
 
@@ -70,9 +74,13 @@ module hwffd_scatter #(
   wire [PAGE_W-1:0]                 vertex_page;
   wire [3*POINT_W-1:0]              vertex_gradient;
   wire                              vertex_saturated;
+  wire                              vertex_last;
   wire                              added;
   wire [PAGE_W-1:0]                 added_page;
   wire                              added_saturated;
+  wire                              leaves;
+  wire                              layer_saturated;
+  wire [PAGE_W-1:0]                 layer_page;
   wire                              begins;
   wire [PAGE_W-1:0]                 begin_page;
   wire                              sweeping;
@@ -97,6 +105,26 @@ module hwffd_scatter #(
   wire [1:0]                        waits;
   wire [`FFD_EVENTS-1:0]            decoder_event;
 
+  ffd_channel_check #(
+    .WIDTH(129)
+  ) u_check_in (
+    .clk      (clk),
+    .rst      (rst),
+    .valid_i  (s_axis_tvalid),
+    .ready_i  (s_axis_tready),
+    .payload_i({s_axis_tlast, s_axis_tdata})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(130)
+  ) u_check_out (
+    .clk      (clk),
+    .rst      (rst),
+    .valid_i  (m_axis_tvalid),
+    .ready_i  (m_axis_tready),
+    .payload_i({m_axis_tuser, m_axis_tlast, m_axis_tdata})
+  );
+
   ffd_scatter_decoder #(
     .FORMAT   (FORMAT),
     .EVALUATOR(EVALUATOR),
@@ -104,7 +132,8 @@ module hwffd_scatter #(
     .PAGES    (PAGES),
     .WAITING  (WAITING),
     .INSIDE   (INSIDE),
-    .BESIDE   (BESIDE)
+    .BESIDE   (BESIDE),
+    .ROWS     (ROWS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
@@ -125,9 +154,13 @@ module hwffd_scatter #(
     .m_vertex_page       (vertex_page),
     .m_vertex_gradient   (vertex_gradient),
     .m_vertex_saturated  (vertex_saturated),
+    .m_vertex_last       (vertex_last),
     .added_i             (added),
     .added_page_i        (added_page),
     .added_saturated_i   (added_saturated),
+    .left_i              (leaves),
+    .layer_saturated_i   (layer_saturated),
+    .layer_page_i        (layer_page),
     .begin_o             (begins),
     .begin_page_o        (begin_page),
     .sweeping_i          (sweeping),
@@ -153,7 +186,8 @@ module hwffd_scatter #(
     .MUL_LATENCY(MUL_LATENCY),
     .ADD_LATENCY(ADD_LATENCY),
     .AXIS       (AXIS),
-    .PAGES      (PAGES)
+    .PAGES      (PAGES),
+    .ROWS       (ROWS)
   ) u_core (
     .clk                 (clk),
     .rst                 (rst),
@@ -170,9 +204,13 @@ module hwffd_scatter #(
     .s_vertex_page       (vertex_page),
     .s_vertex_gradient   (vertex_gradient),
     .s_vertex_saturated  (vertex_saturated),
+    .s_vertex_last       (vertex_last),
     .added_o             (added),
     .added_page_o        (added_page),
     .added_saturated_o   (added_saturated),
+    .left_o              (leaves),
+    .layer_saturated_o   (layer_saturated),
+    .layer_page_o        (layer_page),
     .begin_i             (begins),
     .begin_page_i        (begin_page),
     .sweeping_o          (sweeping),
@@ -194,7 +232,6 @@ module hwffd_scatter #(
   ffd_scatter_encoder u_encoder (
     .clk             (clk),
     .rst             (rst),
-    .start_i         (collect_valid && collect_ready),
     .tag_i           (collect_tag),
     .flags_i         (collect_flags),
     .status_i        (collect_status),
@@ -213,9 +250,11 @@ module hwffd_scatter #(
     .m_beat_mark     (m_axis_tuser)
   );
 
-  // Of a word that leaves and of a vertex that has added, both in one clock are one pulse.
+  // Of a word that leaves, a vertex that has added and a layer: those of a clock are one pulse.
   reg saturated_q;
-  always @(posedge clk) saturated_q <= (saturates || (added && added_saturated)) && !rst;
+  always @(posedge clk) begin
+    saturated_q <= (saturates || (added && added_saturated) || layer_saturated) && !rst;
+  end
   wire [`FFD_EVENTS-1:0] saturated = {{(`FFD_EVENTS - 1) {1'b0}}, saturated_q};
 
   assign event_o = decoder_event | saturated << `FFD_EVENT_SATURATED;

@@ -9,6 +9,9 @@
 // Bad input:  nothing can hang it; see the decoder. event_o has a pulse for each kind, vertex_o one
 //             for each vertex, a clock after its last result has left the evaluator; wait_o says
 //             what waits (docs/interface.md); idle_o: no packet is under way, no vertex inside.
+// Pairs:      where FFD_PAIRS, two neighbours of a row of a grid with the flag H go through at
+//             once; second_o has pulses for the second one with those for the first: its vertex,
+//             and in bit 1 event 9 of it. Else it is 0.
 // Stop:       grid_stop_i ends a grid that is under way with the next vertex.
 // Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
 //             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
@@ -27,7 +30,7 @@
 
 module hwffd_stream #(
   parameter ORG             = 0,
-  parameter N               = 1,
+  parameter N               = `FFD_ORG_N(ORG),
   parameter FORMAT          = 18,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
@@ -61,6 +64,7 @@ module hwffd_stream #(
   output wire [31:0]  event_packet_o,
   output wire [31:0]  event_beat_o,
   output wire         vertex_o,
+  output wire [1:0]   second_o,      // {event 9, vertex} of a second vertex in the same clock
   output wire [2:0]   wait_o,
   output wire         idle_o,
   output wire         upset_o
@@ -82,7 +86,8 @@ module hwffd_stream #(
   localparam USER_W       = `FFD_USER_W;
   localparam EVALUATIONS  = `FFD_IN_FLIGHT(IN_FLIGHT, ORG, N);
   localparam INSIDE       = `FFD_MOST_INSIDE(EVALUATIONS, WAITING);
-  localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES);
+  localparam PAIRS        = `FFD_PAIRS(ORG, FEATURES);
+  localparam PART_W       = USER_W + 1 + `FFD_FEATURE_FOURTH(FEATURES) + PAIRS;
   localparam PAGE_W       = `FFD_PAGE_NUMBER_W(PAGES);
   localparam PLACE_W      = 3 * `FFD_AXIS_W(AXIS);
   // Whether functions must sum to one, here or in the scatter core beside.
@@ -100,6 +105,7 @@ module hwffd_stream #(
   wire                     in_go;
   wire [127:0]             in_data;
   wire                     in_last;
+  wire [32:0]              in_second;
   wire [`FFD_FRAME_W-1:0]  in_frame;
   wire                     refuse;
   wire                     place_valid;
@@ -107,6 +113,27 @@ module hwffd_stream #(
   wire [PLACE_W-1:0]       tops;
   wire                     lattice_loaded;
   wire [PLACE_W-1:0]       last_cell;
+  wire                     in_pairs;
+
+  ffd_channel_check #(
+    .WIDTH(129)
+  ) u_check_in (
+    .clk      (clk),
+    .rst      (rst),
+    .valid_i  (s_axis_tvalid),
+    .ready_i  (s_axis_tready),
+    .payload_i({s_axis_tlast, s_axis_tdata})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(130)
+  ) u_check_out (
+    .clk      (clk),
+    .rst      (rst),
+    .valid_i  (m_axis_tvalid),
+    .ready_i  (m_axis_tready),
+    .payload_i({m_axis_tuser, m_axis_tlast, m_axis_tdata})
+  );
 
   ffd_stream_ingress #(
     .FORMAT    (FORMAT),
@@ -114,7 +141,8 @@ module hwffd_stream #(
     .AXIS      (AXIS),
     .SPANS     (SPANS),
     .GRID_LIMIT(GRID_LIMIT),
-    .BESIDE    (BESIDE)
+    .BESIDE    (BESIDE),
+    .PAIRS     (PAIRS)
   ) u_ingress (
     .clk          (clk),
     .rst          (rst),
@@ -125,6 +153,7 @@ module hwffd_stream #(
     .beat_valid_o (in_valid),
     .beat_data_o  (in_data),
     .beat_last_o  (in_last),
+    .beat_second_o(in_second),
     .frame_o      (in_frame),
     .held_o       (in_held),
     .go_i         (in_go),
@@ -136,6 +165,7 @@ module hwffd_stream #(
     .rooms_i      (rooms),
     .loaded_i     (lattice_loaded),
     .last_cell_i  (last_cell),
+    .pairs_i      (in_pairs),
     .grid_stop_i  (grid_stop_i),
     .idle_o       (ingress_idle)
   );
@@ -157,6 +187,7 @@ module hwffd_stream #(
   wire [1:0]                        slot_phase;
   wire                              vertex_valid, vertex_ready;
   wire [3*WEIGHT_W-1:0]             vertex_coordinates;
+  wire [WEIGHT_W:0]                 vertex_second;
   wire [11:0]                       vertex_cell;
   wire [SOURCE_W-1:0]               vertex_source;
   wire [`FFD_PLACES_W(SPANS)-1:0]   vertex_bank;
@@ -185,6 +216,8 @@ module hwffd_stream #(
   wire                              result_determinant;
   wire                              result_last;
   wire                              result_fourth;
+  wire                              result_pair;
+  wire [97:0]                       result_second;
   wire [PART_W-1:0]                 result_words_user;
   wire [`FFD_EVENTS-1:0]            decoder_event;
   wire [1:0]                        decoder_wait;
@@ -193,35 +226,16 @@ module hwffd_stream #(
   wire                              evaluating, forming, decoder_idle, encoder_idle;
   wire                              leave  = result_valid && result_ready;
 
-  // Whether a word saturates when it is rounded for half a beat.
-  wire [2:0]                        narrowed;
-  genvar c;
-  generate
-    for (c = 0; c < 3; c = c + 1) begin : gen_narrowed
-      if (`FFD_FEATURE_HALVES(FEATURES) != 0) begin : gen_half
-        wire [19:0] half;
-        ffd_num_half #(
-          .FORMAT(FORMAT)
-        ) u_half (
-          .word_i     (result_words[32*c +: 32]),
-          .half_o     (half),
-          .saturated_o(narrowed[c])
-        );
-        wire unused_ok = &{1'b0, half};
-      end else begin : gen_whole
-        assign narrowed[c] = 1'b0;
-      end
-    end
-  endgenerate
-  wire                              narrows   = result_user[`FFD_USER_HALF] && !result_determinant;
-  wire                              saturates = result_flags[0] || (narrows && |narrowed);
+  wire                              saturates, second_saturates;
 
   // Of the bank and buffer that a vertex has read, a clock after it has left.
   reg                               retire_q, saturated_q;
+  reg  [1:0]                        second_q;
   reg  [2:0]                        retire_user_q;
   always @(posedge clk) begin
     retire_q      <= leave && result_final && !rst;
-    saturated_q   <= leave && saturates && !result_user[`FFD_USER_BLANK] && !rst;
+    saturated_q   <= leave && saturates && !rst;
+    second_q      <= {2{leave && !rst}} & {second_saturates, result_pair};
     retire_user_q <= result_user[`FFD_USER_RETIRE(USER_W)];
   end
 
@@ -235,13 +249,15 @@ module hwffd_stream #(
     .AXIS       (AXIS),
     .INSIDE     (INSIDE),
     .SPANS      (SPANS),
-    .SUMS       (SUMS)
+    .SUMS       (SUMS),
+    .PAIRS      (PAIRS)
   ) u_decoder (
     .clk                 (clk),
     .rst                 (rst),
     .beat_valid_i        (in_valid),
     .beat_data_i         (in_data),
     .beat_last_i         (in_last),
+    .beat_second_i       (in_second),
     .beat_frame_i        (in_frame),
     .beat_held_i         (in_held),
     .go_o                (in_go),
@@ -267,6 +283,7 @@ module hwffd_stream #(
     .m_vertex_valid      (vertex_valid),
     .m_vertex_ready      (vertex_ready),
     .m_vertex_coordinates(vertex_coordinates),
+    .m_vertex_second     (vertex_second),
     .m_vertex_cell       (vertex_cell),
     .m_vertex_source     (vertex_source),
     .m_vertex_bank       (vertex_bank),
@@ -276,6 +293,7 @@ module hwffd_stream #(
     .m_vertex_user       (vertex_user),
     .lattice_loaded_o    (lattice_loaded),
     .last_cell_o         (last_cell),
+    .pairs_o             (in_pairs),
     .slot_free_o         (slot_free),
     .rooms_o             (rooms),
     .slot_free_i         (read_slot_last),
@@ -332,14 +350,21 @@ module hwffd_stream #(
     .m_vertex_user   (part_user)
   );
 
-  // {result_final, fourth component, that of the vertex}
+  // {result_final, a second vertex, fourth component, that of the vertex}
+  assign part_words[PART_W-1]   = part_user[USER_W];
+  assign part_words[USER_W-1:0] = part_user[USER_W-1:0];
   generate
     if (`FFD_FEATURE_FOURTH(FEATURES) != 0) begin : gen_fourth
-      assign part_words    = {part_user[USER_W], part_fourth, part_user[USER_W-1:0]};
-      assign result_fourth = result_words_user[USER_W];
+      assign part_words[USER_W] = part_fourth;
+      assign result_fourth      = result_words_user[USER_W];
     end else begin : gen_no_fourth
-      assign part_words    = part_user;
       assign result_fourth = 1'b0;
+    end
+    if (PAIRS != 0) begin : gen_pairs
+      assign part_words[PART_W-2] = vertex_second[WEIGHT_W];
+      assign result_pair          = result_words_user[PART_W-2];
+    end else begin : gen_no_pairs
+      assign result_pair = 1'b0;
     end
   endgenerate
 
@@ -383,7 +408,8 @@ module hwffd_stream #(
     .USER_W         (PART_W),
     .IN_FLIGHT      (EVALUATIONS),
     .DETERMINANT    (`FFD_FEATURE_DETERMINANT(FEATURES)),
-    .SPANS          (SPANS)
+    .SPANS          (SPANS),
+    .PAIRS          (PAIRS)
   ) u_evaluator (
     .clk                 (clk),
     .rst                 (rst),
@@ -398,6 +424,7 @@ module hwffd_stream #(
     .s_vertex_source     (part_source),
     .s_vertex_bank       (part_bank),
     .s_vertex_changed    (vertex_changed),
+    .s_vertex_second     (vertex_second[WEIGHT_W-1:0]),
     .s_vertex_exponent   (vertex_exponent),
     .s_vertex_column     (part_column),
     .s_vertex_user       (part_words),
@@ -415,14 +442,16 @@ module hwffd_stream #(
     .m_result_flags      (result_flags),
     .m_result_determinant(result_determinant),
     .m_result_last       (result_last),
-    .m_result_user       (result_words_user)
+    .m_result_user       (result_words_user),
+    .m_result_second     (result_second)
   );
 
   // The last register: a beat leaves it when it is taken, or when there was none.
   ffd_stream_encoder #(
     .FORMAT  (FORMAT),
     .FEATURES(FEATURES),
-    .INSIDE  (INSIDE)
+    .INSIDE  (INSIDE),
+    .PAIRS   (PAIRS)
   ) u_encoder (
     .clk               (clk),
     .rst               (rst),
@@ -432,11 +461,15 @@ module hwffd_stream #(
     .frame_i           (in_frame),
     .s_word_valid      (result_valid),
     .s_word_ready      (result_ready),
+    .saturates_o       (saturates),
     .s_word_data       (result_words),
-    .s_word_flags      ({result_flags[2:1], saturates}),
+    .s_word_flags      (result_flags),
     .s_word_determinant(result_determinant || result_fourth),
     .s_word_final      (result_final),
     .s_word_user       (result_user),
+    .s_word_pair       (result_pair),
+    .s_word_second     (result_second),
+    .second_saturates_o(second_saturates),
     .m_beat_valid      (m_axis_tvalid),
     .m_beat_ready      (m_axis_tready),
     .m_beat_data       (m_axis_tdata),
@@ -447,10 +480,11 @@ module hwffd_stream #(
   wire [`FFD_EVENTS-1:0] saturated = {{(`FFD_EVENTS - 1) {1'b0}}, saturated_q};
   assign event_o  = decoder_event | saturated << `FFD_EVENT_SATURATED;
   assign vertex_o = retire_q;
+  assign second_o = second_q;
 
   assign wait_o    = {forming, decoder_wait};
   assign idle_o    = ingress_idle && decoder_idle && encoder_idle;
-  wire unused_ok = &{1'b0, part_fourth};
+  wire unused_ok = &{1'b0, part_fourth, vertex_second};
 endmodule
 
 `default_nettype wire

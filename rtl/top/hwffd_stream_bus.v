@@ -21,7 +21,7 @@
 
 module hwffd_stream_bus #(
   parameter ORG             = 0,
-  parameter N               = 1,
+  parameter N               = `FFD_ORG_N(ORG),
   parameter FORMAT          = 18,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
@@ -57,6 +57,7 @@ module hwffd_stream_bus #(
   output wire [31:0]             event_packet_o,
   output wire [31:0]             event_beat_o,
   output wire                    vertex_o,
+  output wire [1:0]              second_o,
   output wire [2:0]              wait_o,
   output wire                    idle_o,
   output wire                    upset_o
@@ -80,8 +81,27 @@ module hwffd_stream_bus #(
   wire         core_idle;
   wire         out_user;
 
+  ffd_channel_check #(
+    .WIDTH(DATA_WIDTH + 1)
+  ) u_check_in (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (s_axis_tvalid),
+    .ready_i  (s_axis_tready),
+    .payload_i({s_axis_tlast, s_axis_tdata})
+  );
+
+  ffd_channel_check #(
+    .WIDTH(DATA_WIDTH + DATA_WIDTH/8 + 2)
+  ) u_check_out (
+    .clk      (aclk),
+    .rst      (!aresetn),
+    .valid_i  (m_axis_tvalid),
+    .ready_i  (m_axis_tready),
+    .payload_i({m_axis_tuser, m_axis_tlast, m_axis_tkeep, m_axis_tdata})
+  );
+
   hwffd_stream #(
-    .GRID_LIMIT     (GRID_LIMIT),
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
@@ -100,6 +120,7 @@ module hwffd_stream_bus #(
     .event_packet_o(event_packet_o),
     .event_beat_o  (event_beat_o),
     .vertex_o      (vertex_o),
+    .second_o      (second_o),
     .wait_o        (wait_o),
     .idle_o        (core_idle),
     .upset_o       (upset_o)

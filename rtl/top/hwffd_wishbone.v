@@ -13,7 +13,7 @@
 
 module hwffd_wishbone #(
   parameter ORG               = 0,
-  parameter N                 = 1,
+  parameter N                 = `FFD_ORG_N(ORG),
   parameter FORMAT            = 18,
   parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
@@ -27,6 +27,7 @@ module hwffd_wishbone #(
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
   parameter SPANS             = 1,
+  parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,

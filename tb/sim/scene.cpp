@@ -3,7 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "hwffd/device/device.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/lattice_evaluator.hpp"
 
 namespace hwffd::sim {
 namespace {
@@ -21,7 +22,11 @@ Scene make_scene(const std::string& model, const Index3& dims) {
 
 Deformed deform(const Scene& scene, const std::string& deformation) {
   Deformed deformed{deformation, Deformation::parse(deformation).apply(scene.lattice), {}};
-  deformed.exact = make_device({"reference", "", ""})->evaluate(deformed.lattice, scene.vertices);
+  const Oracle::Coefficients bspline = Oracle::uniform_bspline();
+  deformed.exact = evaluate_in(deformed.lattice, scene.vertices, {bspline, bspline, bspline});
+  if (!deformed.exact.allFinite()) {
+    throw Error(deformation + ": a position is not finite; move the lattice less far");
+  }
   return deformed;
 }
 

@@ -19,6 +19,7 @@ cores::EvaluatorCore::Vertex pins_of(const EvaluatorStimulus& stimulus, std::siz
   const EvaluatorVertex& vertex = stimulus.vertices[index];
   cores::EvaluatorCore::Vertex pins;
   pins.words = vertex.local;
+  pins.second = vertex.second.value_or(0);
   for (int axis = 0; axis < 3; ++axis) {
     pins.cell = static_cast<std::uint16_t>(pins.cell | (vertex.cell[axis] & 15) << (4 * axis));
   }
@@ -146,6 +147,9 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t firs
     const cores::EvaluatorCore::Result& got = results_[first + v];
     const bool tag_fits = got.tag == static_cast<std::uint16_t>(v);
     compare_result(stimulus, v, vertex.derivative, {got.words, got.saturated, got.nan}, tag_fits);
+    if (vertex.second) {
+      compare_result(stimulus, v, vertex.derivative, got.along[0], tag_fits, vertex.second);
+    }
     if (!vertex.jacobian) continue;
     for (int axis = 0; axis < 3; ++axis) {
       compare_result(stimulus, v, axis, got.along[axis], tag_fits);
@@ -155,10 +159,11 @@ void EvaluatorBench::compare(const EvaluatorStimulus& stimulus, std::size_t firs
 
 void EvaluatorBench::compare_result(const EvaluatorStimulus& stimulus, std::size_t index,
                                     int derivative, const cores::EvaluatorCore::Derivative& got,
-                                    bool tag_fits) {
+                                    bool tag_fits, std::optional<std::uint32_t> second) {
   const EvaluatorVertex& vertex = stimulus.vertices[index];
   const SupportWords& support = stimulus.supports[vertex.support];
   model::VertexWords words{vertex.local, vertex.cell, support.points};
+  if (second) words.local[0] = *second;
   words.derivative = derivative;
   words.exponent = support.exponent;
   const model::ResultWords expected = model_.evaluate(vertex.bank, words);

@@ -48,6 +48,7 @@ void StreamBench::reset(std::uint64_t cycles) {
   loop_.reset(false);
   events_ = {};
   event_places_ = {};
+  seconds_ = 0;
   waits_ = {};
   was_reset_ = true;
   first_cycle_ = true;
@@ -100,6 +101,9 @@ bool StreamBench::step(SinkMode mode) {
 }
 
 void StreamBench::count_events() {
+  const std::uint32_t second = core_.second();
+  seconds_ += second & 1;
+  events_[stream_event(event::kSaturated)] += second >> 1 & 1;
   const std::uint32_t pulses = core_.events();
   for (int event = 0; event < kStreamEvents && pulses != 0; ++event) {
     if ((pulses >> event & 1) == 0) continue;

@@ -38,6 +38,12 @@ std::vector<Configuration> walk_rows() {
       [](const Configuration& row) { return walks(row) && cores::has_evaluator_core(row); });
 }
 
+/// The rows that this build has and that take a second vertex with each one.
+std::vector<Configuration> pair_rows() {
+  return rows_where(
+      [](const Configuration& row) { return pairs(row) && cores::has_evaluator_core(row); });
+}
+
 /// The rows that this build has, or those of one schedule.
 std::vector<Configuration> built_rows(const std::string& schedule = "") {
   return rows_where([&](const Configuration& row) {
@@ -126,7 +132,9 @@ class Walks : public Evaluator {
 };
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KeepsCell);      // no row of tier sim does
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivesJacobian);  // nor gives that
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Walks);          // nor shares that
+class Pairs : public Walks {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Walks);  // nor shares that
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Pairs);  // nor takes two
 
 TEST_P(Evaluator, BitsUnderRandomStalls) {
   const auto stimulus = draw(share_of(800), tb::seed_from_environment(1));
@@ -313,6 +321,33 @@ TEST_P(Walks, WhatEndsARun) {
   expect_no_mismatch(stimulus.vertices.size());
 }
 
+// A second vertex with some of the first ones, of any coordinate: both have the bits of a vertex by
+// itself, and runs take the clocks of as many single ones.
+TEST_P(Pairs, BitsAndClocksOfSecondVertices) {
+  const std::uint64_t folded = folds(GetParam());
+  std::size_t seconds = 0, before = 0;
+  for (const std::size_t together : {1, 3, 16, 40}) {
+    auto stimulus = draw_runs(share_of(400) / together + 2, together, together);
+    tb::Random random(together);
+    for (auto& vertex : stimulus.vertices) {
+      if (random.chance(0.3)) continue;
+      vertex.second = codec_.coordinate(random.chance(0.1) ? 1.0 : random.unit());
+      ++seconds;
+    }
+    bench_.run(stimulus);
+    const auto& clocks = bench_.result_clocks();
+    for (std::size_t v = before; v + together < clocks.size(); v += together) {
+      EXPECT_EQ(clocks[v + together] - clocks[v], std::max<std::uint64_t>(folded, together))
+          << "run of " << together << ", vertex " << v - before;
+    }
+    before = clocks.size();
+    bench_.run(stimulus, tb::make_throttle("bursts", 5), tb::make_throttle("bernoulli", 6));
+    before = clocks.size();
+  }
+  EXPECT_GT(seconds, 0U);
+  expect_no_mismatch(before + 2 * seconds);
+}
+
 // Four results in one pass, among vertices that want one of them, all with the bits of a pass of
 // its own.
 TEST_P(GivesJacobian, BitsAmongOtherVertices) {
@@ -361,6 +396,7 @@ INSTANTIATE_TEST_SUITE_P(, Evaluator, ::testing::ValuesIn(built_rows()), by_name
 INSTANTIATE_TEST_SUITE_P(, KeepsCell, ::testing::ValuesIn(cell_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, GivesJacobian, ::testing::ValuesIn(jacobian_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, Walks, ::testing::ValuesIn(walk_rows()), by_name);
+INSTANTIATE_TEST_SUITE_P(, Pairs, ::testing::ValuesIn(pair_rows()), by_name);
 INSTANTIATE_TEST_SUITE_P(, PaperSchedule, ::testing::ValuesIn(built_rows("paper")), by_name);
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hwffd/stream/blending.hpp"
+#include "hwffd/stream/events.hpp"
 #include "hwffd/tb/random.hpp"
 
 namespace hwffd::model {
@@ -611,6 +612,224 @@ TEST_F(ScatterStream, AnyOrderGivesTheSameWords) {
     }
     ASSERT_EQ(sums, expected);
   }
+}
+
+/// A core with rows; `model_` is the one without.
+class ScatterRowsStream : public ScatterStream {
+ protected:
+  /// Rows of up to 30 vertices, which stand still, turn back or leap over cells, now and then.
+  Grid long_rows() {
+    const auto cells = static_cast<double>(kRowsDims[0] - 3);
+    const double first = random_.unit() * cells;
+    const double last = random_.chance(0.2) ? first : random_.unit() * cells;
+    return grid_between({first, 0.5, 2.5}, {last, 0.25, 0},
+                        {static_cast<int>(random_.between(1, 30)), 3, 2});
+  }
+  /// What the first gradients of a grid add, each row of them ending where they do.
+  ScatterPage sums_of(const Packet& packet, const Grid& grid, std::size_t gradients,
+                      int along = 0) const {
+    const WordCodec codec("fx17");
+    const auto scatter = make_scatter_model(find_configuration(kRow));
+    for (int axis = 0; axis < 3; ++axis) {
+      scatter->load(axis, encode(family("bspline", codec), codec));
+    }
+    ScatterPage page(17, kRowsDims);
+    ScatterRow row(*scatter);
+    const auto vertices = grid_vertices(grid, kRowsDims, codec);
+    for (std::size_t v = 0; v < gradients; ++v) {
+      const auto& gradient = packet[4 + v].words;
+      page.count(row.add({vertices[v].local,
+                          vertices[v].cell,
+                          {gradient[0], gradient[1], gradient[2]},
+                          along - 1}));
+      if ((v + 1) % grid.count[0] == 0) row.end(page);
+    }
+    row.end(page);
+    return page;
+  }
+  static std::vector<std::array<std::uint32_t, 3>> words_of(ScatterPage page) {
+    std::vector<std::array<std::uint32_t, 3>> all;
+    for (const CollectedPoint& point : page.collect(0)) all.push_back(point.words);
+    return all;
+  }
+
+  static constexpr std::array<int, 3> kRowsDims = {12, 4, 6};
+  ScatterStreamModel rows_{find_configuration(kRow), kAxisPoints, kPages, true};
+};
+
+TEST_F(ScatterRowsStream, AVertexOfAListIsARow) {
+  send_functions();
+  rows_.run(functions("bspline"));
+  for (int packet = 0; packet < 20; ++packet) {
+    Gradients how = to();
+    how.along = packet % 4;
+    how.mode = packet % 3 == 0 ? OutsideMode::kBlank : OutsideMode::kClamp;
+    auto vertices = random_vertices(random_, random_.between(1, 9));
+    if (packet % 2 == 0) vertices[0].cell[packet % 3] = 9;
+    if (packet % 5 == 0) vertices[0].local[packet % 3] = 0x90000000;
+    const Packet list = gradients_packet(0, vertices, how);
+    EXPECT_EQ(rows_.run(list), send(list));
+    EXPECT_EQ(rows_.run(collect_packet(0)), send(collect_packet(0))) << packet;
+  }
+  EXPECT_EQ(rows_.vertices(), model_.vertices());
+  EXPECT_EQ(places(rows_.events()), places(model_.events()));
+  EXPECT_FALSE(model_.events().empty());
+}
+
+TEST_F(ScatterRowsStream, AGridGoesByRows) {
+  constexpr int kRounds = 60;
+  send_functions();
+  rows_.run(functions("bspline"));
+  int other_words = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const Grid grid = long_rows();
+    Gradients how = to(kRowsDims);
+    how.along = round % 4;
+    const Packet packet = grid_packet_of(grid, how);
+    rows_.run(packet);
+    send(packet);
+    const auto by_rows = words(rows_.run(collect_packet(0)));
+    const auto by_vertices = words(send(collect_packet(0)));
+    ASSERT_EQ(by_rows, words_of(sums_of(packet, grid, vertex_count(grid), how.along))) << round;
+    std::array<std::uint32_t, 3> sum{};
+    for (std::size_t p = 0; p < by_rows.size(); ++p) {
+      for (int c = 0; c < 3; ++c) sum[c] += by_rows[p][c] - by_vertices[p][c];
+    }
+    EXPECT_EQ(sum, (std::array<std::uint32_t, 3>{}));
+    other_words += by_rows != by_vertices ? 1 : 0;
+  }
+  EXPECT_GT(other_words, kRounds / 2);
+  EXPECT_EQ(rows_.vertices(), model_.vertices());
+  EXPECT_TRUE(rows_.events().empty());
+}
+
+// Each row in a packet of its own, in any order; and halves of rows, which are rows.
+TEST_F(ScatterRowsStream, RowsMayComeInPacketsOfTheirOwn) {
+  rows_.run(functions("bspline"));
+  for (int round = 0; round < 20; ++round) {
+    const Grid grid = long_rows();
+    const Packet packet = grid_packet_of(grid, to(kRowsDims));
+    rows_.run(packet);
+    const auto expected = words(rows_.run(collect_packet(0)));
+    std::vector<std::uint16_t> order(6);
+    std::iota(order.begin(), order.end(), std::uint16_t{0});
+    for (std::size_t r = 5; r > 0; --r) std::swap(order[r], order[random_.below(r + 1)]);
+    ScatterPage in_halves(17, kRowsDims);
+    for (const std::uint16_t r : order) {
+      Grid row = grid;
+      row.count[1] = row.count[2] = 1;
+      row.start[1] += static_cast<std::uint64_t>(grid.step[1] * (r % 3));
+      row.start[2] += static_cast<std::uint64_t>(grid.step[2] * (r / 3));
+      const auto first = packet.begin() + 4 + r * grid.count[0];
+      const std::vector<Beat> beats(first, first + grid.count[0]);
+      std::vector<std::array<std::uint32_t, 3>> gradients;
+      for (const auto& gradient : words(beats)) gradients.push_back(gradient);
+      rows_.run(gradients_packet(0, row, gradients, to(kRowsDims)));
+      const std::size_t middle = gradients.size() / 2;
+      for (const bool second : {false, true}) {
+        Grid half = row;
+        half.start[0] +=
+            static_cast<std::uint64_t>(second ? grid.step[0] * std::int64_t(middle) : 0);
+        half.count[0] = static_cast<std::uint16_t>(second ? gradients.size() - middle : middle);
+        if (half.count[0] == 0) continue;
+        const auto some = gradients.begin() + static_cast<std::ptrdiff_t>(second ? middle : 0);
+        const auto of_half = gradients_packet(1, half, {some, some + half.count[0]}, to(kRowsDims));
+        rows_.run(of_half);
+        in_halves.join(sums_of(of_half, half, half.count[0]));
+      }
+    }
+    ASSERT_EQ(words(rows_.run(collect_packet(0))), expected) << round;
+    ASSERT_EQ(words(rows_.run(collect_packet(1))), words_of(in_halves)) << round;
+  }
+  EXPECT_TRUE(rows_.events().empty());
+}
+
+// What came is added, and nothing of it is in the row behind.
+TEST_F(ScatterRowsStream, APacketThatEndsWithinARowEndsIt) {
+  const Grid grid = grid_between({0.25, 0.5, 2.5}, {7.75, 0.25, 0}, {5, 3, 2});
+  const Packet packet = grid_packet_of(grid, to(kRowsDims));
+  rows_.run(functions("bspline"));
+  Places expected;
+  std::uint32_t number = 1;
+  for (std::size_t beats = 1; beats <= packet.size() + 2; ++beats) {
+    const std::size_t came = std::min(beats < 4 ? 0 : beats - 4, vertex_count(grid));
+    const auto last = static_cast<std::uint32_t>(beats - 1);
+    rows_.run(sized(packet, beats));
+    if (beats < packet.size()) expected.emplace_back(event::kPacketShort, number, last);
+    if (beats > packet.size()) {
+      expected.emplace_back(event::kPacketLong, number, static_cast<std::uint32_t>(packet.size()));
+    }
+    const auto cut = words(rows_.run(collect_packet(0)));
+    ASSERT_EQ(cut, words_of(sums_of(packet, grid, came))) << beats;
+    rows_.run(sized(packet, beats));
+    if (beats < packet.size()) expected.emplace_back(event::kPacketShort, number + 2, last);
+    if (beats > packet.size()) {
+      expected.emplace_back(event::kPacketLong, number + 2,
+                            static_cast<std::uint32_t>(packet.size()));
+    }
+    rows_.run(packet);
+    ScatterPage both = sums_of(packet, grid, came);
+    both.join(sums_of(packet, grid, vertex_count(grid)));
+    ASSERT_EQ(words(rows_.run(collect_packet(0))), words_of(both)) << beats;
+    number += 5;
+  }
+  EXPECT_EQ(places(rows_.events()), expected);
+}
+
+// A vertex where something along s saturates, and a layer where something along t or u does.
+TEST_F(ScatterRowsStream, VerticesAndLayersThatSaturate) {
+  const Grid grid = grid_between({0.25, 0.5, 0.5}, {2.75, 0.5, 0.75}, {3, 1, 2});
+  const Packet packet = grid_packet_of(grid, to(kRowsDims));
+  for (int axis = 0; axis < 3; ++axis) {
+    ScatterStreamModel model(find_configuration(kRow), kAxisPoints, kPages, true);
+    Packet steep = functions("bspline");
+    // Three of 1.5 are more than a weight, whichever they are.
+    const std::ptrdiff_t first = 1 + 4 * axis;
+    for (std::ptrdiff_t function = 0; function < 4; ++function) {
+      steep.begin()[first + function].words = {0x60000000, 0, 0, 0};
+    }
+    model.run(steep);
+    Places expected = places(model.events());
+    ASSERT_EQ(expected.size(), 1U) << "functions that do not sum up";
+    model.run(packet);
+    // Vertices in cells 0, 1 and 2, six layers a row.
+    for (std::uint32_t beat = 4; beat < 10; ++beat) {
+      if (axis == 0) expected.emplace_back(event::kSaturated, 1, beat);
+      if (axis == 0 || beat % 3 != 0) continue;
+      for (int layer = 0; layer < 6; ++layer) {
+        expected.emplace_back(event::kSaturated, 1, beat);
+      }
+    }
+    EXPECT_EQ(places(model.events()), expected) << "axis " << axis;
+    for (const Beat& beat : model.run(collect_packet(0))) EXPECT_EQ(beat.words[3] >> 16, 1U);
+  }
+}
+
+// It counts vertices, in the middle of a row as anywhere.
+TEST_F(ScatterRowsStream, OverflowIsToldWithinARow) {
+  ScatterStreamModel model(row_of("fx18"), kAxisPoints, kPages, true);
+  model.run(functions("linear"));
+  const Grid grid = grid_between({0, 0, 0}, {1, 0, 0}, {40'000, 2, 1});
+  model.run(gradients_packet(0, grid, {80'000, {0x01000000, 0, 0}}, to(kRowsDims)));
+  EXPECT_EQ(places(model.events()), (Places{{kOverflow, 1, 3 + 65'537}}));
+  for (const Beat& beat : model.run(collect_packet(0))) {
+    EXPECT_EQ(beat.words[3] >> 16, kStatusOverflowed >> 16);
+  }
+}
+
+TEST_F(ScatterRowsStream, AResetEndsARow) {
+  const Grid grid = grid_between({0.25, 0.5, 0.5}, {2.75, 0.5, 0.75}, {5, 2, 2});
+  const Packet packet = grid_packet_of(grid, to(kRowsDims));
+  ScatterStreamModel fresh(find_configuration(kRow), kAxisPoints, kPages, true);
+  rows_.run(functions("bspline"));
+  for (std::size_t beat = 0; beat < 7; ++beat) rows_.accept(packet[beat]);
+  rows_.reset();
+  for (ScatterStreamModel* each : {&rows_, &fresh}) {
+    each->run(functions("bspline"));
+    each->run(packet);
+  }
+  EXPECT_EQ(rows_.run(collect_packet(0)), fresh.run(collect_packet(0)));
+  EXPECT_EQ(rows_.vertices(), 20U);
 }
 
 TEST(ScatterStreamModels, OfCoresThatThereAre) {

@@ -17,6 +17,7 @@
 #include "hwffd/model/organizations.hpp"
 #include "hwffd/oracle/oracle.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "scatter_vertices.hpp"
 #include "share.hpp"
 #include "uniform.hpp"
 
@@ -28,69 +29,7 @@ using model::ScatterModel;
 using model::ScatterPage;
 using model::VertexParts;
 using test::share_of;
-
-constexpr int kWidth = 17;  // of the rows of affine
-constexpr int kPosition = -1;
-using Fx = Fixed<kWidth>;
-const std::vector<std::string> kFamilies = {"bspline", "bernstein", "catmull-rom", "linear",
-                                            "constant"};
-
-AxisWords words_of(const std::string& name, const WordCodec& codec) {
-  return encode(family(name, codec), codec);
-}
-
-std::string format_of(int width) { return "fx" + std::to_string(width); }
-
-std::unique_ptr<ScatterModel> scatter_of(const std::string& name,
-                                         const char* row = "affine-fx17-overlapped") {
-  auto result = model::make_scatter_model(find_configuration(row));
-  const AxisWords words = words_of(name, WordCodec("fx17"));
-  for (int axis = 0; axis < 3; ++axis) result->load(axis, words);
-  return result;
-}
-
-template <class F>
-model::CoefficientBank<F> bank_of(const AxisWords& words) {
-  model::CoefficientBank<F> bank;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int l = 0; l < 4; ++l) {
-      bank.load(axis, l, words.degree, words.shift, words.word[l]);
-      bank.load_derivative(axis, l, words.degree, words.derivative.shift, words.derivative.word[l]);
-    }
-  }
-  return bank;
-}
-
-/// A place anywhere in a lattice of so many cells, now and then on a face; a gradient of any size,
-/// now and then the largest.
-GradientWords random_gradient(std::mt19937_64& engine,
-                              const std::array<int, 3>& cells = {16, 16, 16}) {
-  GradientWords vertex;
-  const unsigned size = engine() % 31;
-  for (int axis = 0; axis < 3; ++axis) {
-    vertex.cell[axis] = static_cast<int>(engine() % static_cast<unsigned>(cells[axis]));
-    vertex.local[axis] = static_cast<std::uint32_t>(engine() % 0x80000001U);
-    if (engine() % 16 == 0) vertex.local[axis] = engine() % 2 == 0 ? 0 : 0x80000000;
-    const auto bits = static_cast<std::int32_t>(engine() >> 32);
-    vertex.gradient[axis] = static_cast<std::uint32_t>(bits >> size);
-    if (engine() % 16 == 0) vertex.gradient[axis] = engine() % 2 == 0 ? 0x80000000 : 0x7FFFFFFF;
-  }
-  return vertex;
-}
-
-double coordinate(std::uint32_t word) { return std::ldexp(static_cast<double>(word), -31); }
-
-Eigen::Vector3d local_of(const GradientWords& vertex) {
-  return {coordinate(vertex.local[0]), coordinate(vertex.local[1]), coordinate(vertex.local[2])};
-}
-
-Eigen::Vector3d gradient_of(const GradientWords& vertex) {
-  Eigen::Vector3d gradient;
-  for (int c = 0; c < 3; ++c) {
-    gradient[c] = std::ldexp(static_cast<std::int32_t>(vertex.gradient[c]), -31);
-  }
-  return gradient;
-}
+using namespace scatter;
 
 /// The largest magnitudes that section 11 takes for granted of weights, all four banks.
 template <int W>
@@ -127,7 +66,7 @@ void check_weights(const std::string& name, bool powers) {
 
 template <int W>
 void check_families() {
-  for (const std::string& name : kFamilies) check_weights<W>(name, false);
+  for (const std::string& name : families()) check_weights<W>(name, false);
   check_weights<W>("bspline", true);
 }
 
@@ -162,7 +101,7 @@ TEST(Scatter, WhatAVertexAddsSumsToItsGradient) {
       }
     }
   };
-  for (const std::string& name : kFamilies) check(*scatter_of(name), name);
+  for (const std::string& name : families()) check(*scatter_of(name), name);
   check(*scatter_of("bspline", "affine-fx17-overlapped-powers"), "powers");
 }
 
@@ -170,7 +109,7 @@ TEST(Scatter, WhatAVertexAddsSumsToItsGradient) {
 // expansions round, and nothing of the other components.
 TEST(Scatter, UnitImpulsesGiveTheWeights) {
   std::mt19937_64 engine(2);
-  for (const std::string& name : kFamilies) {
+  for (const std::string& name : families()) {
     const auto scatter = scatter_of(name);
     const auto bank = bank_of<Fx>(words_of(name, WordCodec("fx17")));
     for (std::uint64_t v = 0; v < share_of(8'000); ++v) {
@@ -332,7 +271,7 @@ struct Adjoint {
 
 TEST(ScatterAdjoint, IsExactWithoutNarrowing) {
   std::mt19937_64 engine(5);
-  for (const std::string& name : kFamilies) {
+  for (const std::string& name : families()) {
     for (std::uint64_t v = 0; v < share_of(8'000); ++v) {
       const Adjoint both(engine, name);
       ASSERT_TRUE(both.exact_position() * both.gradient == both.back<model::ExactParts<Fx>>())
@@ -344,7 +283,7 @@ TEST(ScatterAdjoint, IsExactWithoutNarrowing) {
 TEST(ScatterAdjoint, IsWithinItsBoundWithNarrowing) {
   std::mt19937_64 engine(6);
   double nearest = 0;
-  for (const std::string& name : kFamilies) {
+  for (const std::string& name : families()) {
     const model::OrgAffine<Fx> affine(find_configuration("affine-fx17-overlapped"));
     for (std::uint64_t v = 0; v < share_of(8'000); ++v) {
       const Adjoint both(engine, name);

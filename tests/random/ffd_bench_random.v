@@ -50,6 +50,7 @@ module ffd_bench_random #(
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;
+  wire [1:0]   second;
   wire [2:0]   waits;
   wire         idle;
   wire         upset;
@@ -122,6 +123,7 @@ module ffd_bench_random #(
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
+    .second_o      (second),
     .wait_o        (waits),
     .idle_o        (idle),
     .upset_o       (upset)
@@ -130,8 +132,8 @@ module ffd_bench_random #(
   reg  watched;
   wire check_m = watched && m_valid;
   wire check_e = watched && events != 0;
-  ffd_bench_known #(7, "tready, tvalid, vertex_o, wait_o or idle_o") k_control(
-      aclk, watched, {in_ready, out_valid, vertex, waits, idle});
+  ffd_bench_known #(9, "tready, tvalid, vertex_o, second_o, wait_o or idle_o") k_control(
+      aclk, watched, {in_ready, out_valid, vertex, second, waits, idle});
   ffd_bench_known #(1, "upset_o")               k_upset (aclk, watched, upset);
   ffd_bench_known #(`FFD_EVENTS, "event_o")     k_event (aclk, watched, events);
   ffd_bench_known #(130, "tdata, tlast, tuser") k_result(aclk, check_m, {m_user, m_last, m_data});
@@ -227,7 +229,9 @@ module ffd_bench_random #(
         if (quiet != 0) $display("broken quiet clock %0d", clocks);
       end
       for (k = 0; k < `FFD_EVENTS; k = k + 1) if (events[k]) counts[k] = counts[k] + 1;
+      if (second[1]) counts[`FFD_EVENT_SATURATED] = counts[`FFD_EVENT_SATURATED] + 1;
       if (vertex) counts[`FFD_EVENTS] = counts[`FFD_EVENTS] + 1;
+      if (second[0]) counts[`FFD_EVENTS] = counts[`FFD_EVENTS] + 1;
       for (k = 0; k < 3; k = k + 1) begin
         if (waits[k]) counts[`FFD_EVENTS+1+k] = counts[`FFD_EVENTS+1+k] + 1;
       end

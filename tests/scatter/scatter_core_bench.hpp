@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hwffd/model/organizations.hpp"
@@ -34,8 +35,48 @@ void put_bits(VlWide<Words>& port, int at, int width, std::uint64_t value) {
   }
 }
 
+/// A layer's sum as the core expands it, in whole numbers that never overflow
+/// (docs/numerics.md section 11, Rows).
+template <int Width>
+class WideExpansion {
+ public:
+  using Whole = __int128;
+  /// C_0 to C_2 of an axis, in units of 2^-(Width-2).
+  using Cumulative = std::array<std::int64_t, 3>;
+
+  /// Parts of the four banks of an axis.
+  std::array<std::int64_t, 4> expand(const Cumulative& cumulative, std::int64_t sum, bool to_one) {
+    std::array<std::int64_t, 4> shares;
+    for (int b = 0; b < 3; ++b) {
+      const Whole half = Whole{1} << (Width - 3);
+      shares[b] = saturate((Whole{cumulative[b]} * sum + half) >> (Width - 2));
+    }
+    shares[3] = to_one ? sum : 0;
+    std::array<std::int64_t, 4> parts = shares;
+    for (int b = 1; b < 4; ++b) parts[b] = saturate(Whole{shares[b]} - shares[b - 1]);
+    return parts;
+  }
+  bool saturated() const { return saturated_; }
+
+  /// Modulo 2^35.
+  static std::int64_t wrapped(std::int64_t sum) {
+    const std::uint64_t top = static_cast<std::uint64_t>(sum) << (64 - model::kScatterSumBits);
+    return static_cast<std::int64_t>(top) >> (64 - model::kScatterSumBits);
+  }
+
+ private:
+  std::int64_t saturate(Whole value) {
+    constexpr Whole kMost = (Whole{1} << (model::kScatterSumBits - 1)) - 1;
+    const Whole within = std::clamp(value, -kMost - 1, kMost);
+    saturated_ |= within != value;
+    return static_cast<std::int64_t>(within);
+  }
+  bool saturated_ = false;
+};
+
 /// ffd_scatter_core beside its model: every word of a collect, and of every vertex when it has
-/// added, and whether it saturated. `Setup` is a verilated core and its parameters.
+/// added, and whether it saturated; with rows, when each has left, and how many layers saturated.
+/// `Setup` is a verilated core and its parameters.
 template <class Setup>
 class ScatterCoreBench {
  public:
@@ -56,6 +97,7 @@ class ScatterCoreBench {
     int bank = 0;  ///< of functions
     int page = 0;
     bool saturated = false;  ///< says whoever sends it
+    bool last = true;        ///< of its row
   };
 
   explicit ScatterCoreBench(std::uint64_t seed) : sim_(seed), random_(seed) {
@@ -79,6 +121,10 @@ class ScatterCoreBench {
     sim_->s_collect_valid = 0;
     vertex_.reset();
     due_.clear();
+    row_.clear();
+    rows_.clear();
+    planned_.clear();
+    expected_layers_ = saturated_layers_;
     words_.clear();
     inside_ = {};
     collected_ = -1;
@@ -89,7 +135,7 @@ class ScatterCoreBench {
   void load(int bank, const Functions& functions) {
     for (int axis = 0; axis < 3; ++axis) {
       models_[bank]->load(axis, functions[axis]);
-      model::CoefficientBank<F> entries;
+      model::CoefficientBank<F>& entries = functions_[bank];
       for (int l = 0; l < 4; ++l) {
         const AxisWords& words = functions[axis];
         entries.load(axis, l, words.degree, words.shift, words.word[l]);
@@ -120,10 +166,30 @@ class ScatterCoreBench {
     sim_->s_vertex_along = static_cast<std::uint8_t>(vertex.words.derivative + 1);
     sim_->s_vertex_page = static_cast<std::uint8_t>(vertex.page);
     sim_->s_vertex_saturated = vertex.saturated;
+    sim_->s_vertex_last = vertex.last;
+  }
+
+  /// A vertex or, of a core with rows, a row of some, of which none is offered yet.
+  void plan(int page) {
+    if constexpr (Setup::kRows) {
+      for (const Vertex& vertex : draw_row(page)) planned_.push_back(vertex);
+    } else {
+      planned_.push_back(draw(page));
+    }
+  }
+  void plan(const std::vector<Vertex>& vertices) {
+    planned_.insert(planned_.end(), vertices.begin(), vertices.end());
+  }
+  bool planned() const { return !planned_.empty(); }
+  std::size_t planned_count() const { return planned_.size(); }
+  void offer_planned() {
+    offer(planned_.front());
+    planned_.pop_front();
   }
   /// Whether no vertex of a page is inside or offered, and no collect of it under way.
   bool free(int page) const {
-    return inside_[page] == 0 && collected_ != page && !(vertex_ && vertex_->page == page);
+    return inside_[page] == 0 && collected_ != page && !(vertex_ && vertex_->page == page) &&
+           (planned_.empty() || planned_.front().page != page);
   }
   bool may_begin(int page) { return free(page) && sim_->sweeping_o == 0; }
   bool may_collect(int page) { return free(page) && collected_ < 0; }
@@ -215,12 +281,41 @@ class ScatterCoreBench {
     return vertex;
   }
 
+  /// Of the same t and u, in one direction along s, some cells further or none from one to the
+  /// next.
+  std::vector<Vertex> draw_row(int page) {
+    std::vector<Vertex> row(random_.between(1, random_.chance(0.3) ? 40 : 6));
+    const Vertex first = draw(page);
+    const auto cells = dims_[page][0] - 3;
+    const int direction = random_.chance(0.5) ? 1 : -1;
+    const auto furthest = random_.below(6);
+    int cell = first.words.cell[0];
+    for (Vertex& vertex : row) {
+      vertex = draw(page);
+      const std::uint32_t s = vertex.words.local[0];
+      const auto gradient = vertex.words.gradient;
+      const bool saturated = vertex.saturated;
+      vertex = first;
+      vertex.words.local[0] = s;
+      vertex.words.gradient = gradient;
+      vertex.saturated = saturated;
+      vertex.last = false;
+      vertex.words.cell[0] = cell;
+      if (random_.chance(0.5)) cell += direction * static_cast<int>(random_.below(furthest + 1));
+      cell = std::clamp(cell, 0, cells - 1);
+    }
+    row.back().last = true;
+    return row;
+  }
+
   // ---- what was found
 
   std::uint64_t checked_words() const { return checked_words_; }  ///< points of collects
   std::uint64_t checked_vertices() const { return checked_vertices_; }
   std::uint64_t saturated_vertices() const { return saturated_vertices_; }
   std::uint64_t saturated_words() const { return saturated_words_; }
+  std::uint64_t checked_rows() const { return checked_rows_; }
+  std::uint64_t saturated_layers() const { return saturated_layers_; }
   std::uint64_t mismatches() const { return mismatches_; }
   const std::string& first_mismatch() const { return first_mismatch_; }
 
@@ -268,11 +363,88 @@ class ScatterCoreBench {
 
   void enter() {
     const Vertex& vertex = *vertex_;
-    const model::VertexParts parts = models_[vertex.bank]->parts(vertex.words);
-    pages_[vertex.page]->add(vertex.words.cell, parts);
-    due_.push_back({clock_ + kAdded, vertex.page, parts.saturated || vertex.saturated});
-    ++inside_[vertex.page];
+    if constexpr (Setup::kRows) {
+      if (row_.empty()) ++inside_[vertex.page];
+      row_.push_back(vertex);
+      due_.push_back({0, vertex.page, along_s(vertex).second});
+      if (vertex.last) end_row();
+    } else {
+      const model::VertexParts parts = models_[vertex.bank]->parts(vertex.words);
+      pages_[vertex.page]->add(vertex.words.cell, parts);
+      due_.push_back({clock_ + kAdded, vertex.page, parts.saturated || vertex.saturated});
+      ++inside_[vertex.page];
+    }
     vertex_.reset();
+  }
+
+  std::array<model::CumulativeWeights<F>, 3> cumulative_of(const Vertex& vertex) const {
+    model::LocalVertex<F> local;
+    local.cell = vertex.words.cell;
+    local.derivative = vertex.words.derivative;
+    for (int axis = 0; axis < 3; ++axis)
+      local.local[axis] = F::coordinate(vertex.words.local[axis]);
+    return model::cumulative_of<F>(local, functions_[vertex.bank], Setup::kPowers);
+  }
+
+  /// What a vertex of a row adds to the sums of its four layers, and whether it saturated.
+  using AlongS = std::array<std::array<std::int64_t, 4>, 3>;  ///< of a component and a bank
+  std::pair<AlongS, bool> along_s(const Vertex& vertex) const {
+    const auto cumulative = cumulative_of(vertex)[0];
+    AlongS result;
+    bool saturated = vertex.saturated;
+    for (int c = 0; c < 3; ++c) {
+      const auto parts = model::expanded<model::RoundedParts<F>>(
+          cumulative, F::point(vertex.words.gradient[c]), vertex.words.derivative != 0);
+      for (int b = 0; b < 4; ++b) {
+        result[c][b] = parts[b].value;
+        saturated |= parts[b].saturated;
+      }
+    }
+    return {result, saturated};
+  }
+
+  void end_row() {
+    using Expansion = WideExpansion<kWidth>;
+    const Vertex& of_row = row_.front();
+    const auto& cell = of_row.words.cell;
+    std::array<typename Expansion::Cumulative, 3> weights;
+    bool weights_saturated = false;
+    const auto cumulative = cumulative_of(of_row);
+    for (int axis = 1; axis < 3; ++axis) {
+      for (int b = 0; b < 3; ++b) {
+        weights[axis][b] = cumulative[axis][b].value;
+        weights_saturated |= cumulative[axis][b].saturated;
+      }
+    }
+    for (int layer = 0; layer < dims_[of_row.page][0]; ++layer) {
+      std::array<std::int64_t, 3> sum{};
+      int touched = -1;  // the cell of a vertex that has the layer
+      for (const Vertex& vertex : row_) {
+        const int own = vertex.words.cell[0];
+        if (own > layer || layer > own + 3) continue;
+        touched = own;
+        const AlongS parts = along_s(vertex).first;
+        for (int c = 0; c < 3; ++c) sum[c] = Expansion::wrapped(sum[c] + parts[c][layer % 4]);
+      }
+      if (touched < 0) continue;
+      Expansion expansion;
+      model::VertexParts wide;
+      for (int c = 0; c < 3; ++c) {
+        const auto of_t = expansion.expand(weights[1], sum[c], of_row.words.derivative != 1);
+        for (int t = 0; t < 4; ++t) {
+          const auto of_u = expansion.expand(weights[2], of_t[t], of_row.words.derivative != 2);
+          for (int u = 0; u < 4; ++u) {
+            const int m = model::local_of_bank(t, cell[1]);
+            const int n = model::local_of_bank(u, cell[2]);
+            wide.parts[16 * (layer - touched) + 4 * m + n][c] = of_u[u];
+          }
+        }
+      }
+      pages_[of_row.page]->add({touched, cell[1], cell[2]}, wide);
+      if (expansion.saturated() || weights_saturated) ++expected_layers_;
+    }
+    rows_.push_back(of_row.page);
+    row_.clear();
   }
 
   void expect_words() {
@@ -316,19 +488,43 @@ class ScatterCoreBench {
 
   /// What is there in this clock, before its edge.
   void watch() {
-    const bool nothing = due_.empty() && words_.empty() && sim_->sweeping_o == 0;
+    const bool nothing =
+        due_.empty() && row_.empty() && rows_.empty() && words_.empty() && sim_->sweeping_o == 0;
     if ((sim_->idle_o != 0) != nothing) mismatch("idle");
+    if (nothing && expected_layers_ != saturated_layers_) {
+      mismatch("layers that saturated: " + std::to_string(saturated_layers_) + ", expected " +
+               std::to_string(expected_layers_));
+      expected_layers_ = saturated_layers_;
+    }
     if (sim_->collecting_o != 0 && sim_->collecting_page_o != collected_) mismatch("its page");
-    const bool added = !due_.empty() && due_.front().clock == clock_;
-    if ((sim_->added_o != 0) != added) mismatch("when a vertex has added");
-    if (!added) return;
+    if constexpr (Setup::kRows) {
+      watch_rows();
+      if (sim_->added_o == 0) return;
+      if (due_.empty()) return mismatch("a vertex has added that nobody sent");
+    } else {
+      const bool added = !due_.empty() && due_.front().clock == clock_;
+      if ((sim_->added_o != 0) != added) mismatch("when a vertex has added");
+      if ((sim_->left_o != 0) != added) mismatch("when a vertex has left");
+      if (sim_->layer_saturated_o != 0) mismatch("a layer of no row");
+      if (!added) return;
+      --inside_[due_.front().page];
+    }
     const Due due = due_.front();
     due_.pop_front();
-    --inside_[due.page];
     ++checked_vertices_;
     if (due.saturated) ++saturated_vertices_;
     if (sim_->added_page_o != due.page) mismatch("the page of a vertex");
     if ((sim_->added_saturated_o != 0) != due.saturated) mismatch("whether a vertex saturated");
+  }
+
+  void watch_rows() {
+    if (sim_->layer_saturated_o != 0) ++saturated_layers_;
+    if (sim_->left_o == 0) return;
+    if (rows_.empty()) return mismatch("a row has left that did not end");
+    if (sim_->layer_page_o != rows_.front()) mismatch("the page of a row");
+    --inside_[rows_.front()];
+    rows_.pop_front();
+    ++checked_rows_;
   }
 
   void mismatch(const std::string& what) {
@@ -339,6 +535,7 @@ class ScatterCoreBench {
   tb::Random random_;
   std::string format_;
   std::array<std::unique_ptr<model::ScatterModel>, 2> models_;
+  std::array<model::CoefficientBank<F>, 2> functions_{};
   std::array<std::unique_ptr<model::ScatterPage>, kPages> pages_;
   std::array<std::array<int, 3>, kPages> dims_{};
   std::array<std::array<int, 3>, kPages> last_cell_{};
@@ -346,12 +543,16 @@ class ScatterCoreBench {
   std::optional<Vertex> vertex_;
   bool entered_ = false;
   std::deque<Due> due_;
+  std::vector<Vertex> row_;  ///< that is under way
+  std::deque<int> rows_;     ///< the pages of those that have ended
+  std::deque<Vertex> planned_;
   std::deque<Word> words_;
   std::array<int, kPages> inside_{};
   int collected_ = -1;
   bool planted_ = false;
   std::uint64_t checked_words_ = 0, checked_vertices_ = 0, mismatches_ = 0;
   std::uint64_t saturated_vertices_ = 0, saturated_words_ = 0;
+  std::uint64_t checked_rows_ = 0, saturated_layers_ = 0, expected_layers_ = 0;
   std::string first_mismatch_;
 };
 

@@ -10,10 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "Vscatter_fx12.h"
-#include "Vscatter_fx17.h"
-#include "Vscatter_fx17_powers.h"
-#include "Vscatter_fx18.h"
+#include "Vscatter_core_fx12.h"
+#include "Vscatter_core_fx17.h"
+#include "Vscatter_core_fx17_powers.h"
+#include "Vscatter_core_fx18.h"
+#include "Vscatter_core_rows_fx12.h"
+#include "Vscatter_core_rows_fx17_powers.h"
+#include "Vscatter_core_rows_fx18.h"
 #include "hwffd/stream/blending.hpp"
 #include "scatter_core_bench.hpp"
 #include "share.hpp"
@@ -22,23 +25,29 @@ namespace hwffd::test {
 namespace {
 
 /// As in CMakeLists.txt.
-template <class VDut, int Width, bool Powers, int Mul, int Add, int Axis, int Pages>
+template <class VDut, int Width, bool Powers, int Mul, int Add, int Axis, int Pages,
+          bool Rows = false>
 struct Setup {
   using Dut = VDut;
   static constexpr int kWidth = Width, kMul = Mul, kAdd = Add, kAxis = Axis, kPages = Pages;
-  static constexpr bool kPowers = Powers;
+  static constexpr bool kPowers = Powers, kRows = Rows;
+  static constexpr int kVertexClocks = Rows ? 4 * 3 : 3;  ///< of one by itself: four layers
   static constexpr int kAxisBits = Axis > 16 ? 5 : 4;
   static constexpr int kPlaces = Axis > 16 ? 512 : Axis > 8 ? 64 : 8;  ///< of a page, in a bank
 };
-using Setups = ::testing::Types<Setup<Vscatter_fx12, 12, false, 2, 1, 8, 3>,
-                                Setup<Vscatter_fx17, 17, false, 4, 1, 16, 2>,
-                                Setup<Vscatter_fx17_powers, 17, true, 4, 1, 16, 2>,
-                                Setup<Vscatter_fx18, 18, false, 3, 2, 20, 1>>;
+using Setups = ::testing::Types<Setup<Vscatter_core_fx12, 12, false, 2, 1, 8, 3>,
+                                Setup<Vscatter_core_fx17, 17, false, 4, 1, 16, 2>,
+                                Setup<Vscatter_core_fx17_powers, 17, true, 4, 1, 16, 2>,
+                                Setup<Vscatter_core_fx18, 18, false, 3, 2, 20, 1>,
+                                Setup<Vscatter_core_rows_fx12, 12, false, 2, 1, 8, 3, true>,
+                                Setup<Vscatter_core_rows_fx17_powers, 17, true, 4, 1, 16, 2, true>,
+                                Setup<Vscatter_core_rows_fx18, 18, false, 3, 2, 20, 1, true>>;
 
 struct Name {
   template <class S>
   static std::string GetName(int) {  // NOLINT(readability-identifier-naming): gtest's
-    return "fx" + std::to_string(S::kWidth) + (S::kPowers ? "_powers" : "");
+    return (S::kRows ? "rows_fx" : "fx") + std::to_string(S::kWidth) +
+           (S::kPowers ? "_powers" : "");
   }
 };
 
@@ -98,8 +107,13 @@ class ScatterCore : public ::testing::Test {
       if (source.willing() && !bench_.offering()) {
         const auto page = static_cast<int>(random_.below(S::kPages));
         const bool waits = pending && pending->first == page;
-        if (!waits && !bench_.collected(page)) bench_.offer(bench_.draw(page));
+        if (!bench_.planned() && !waits && !bench_.collected(page)) bench_.plan(page);
+        if (bench_.planned()) bench_.offer_planned();
       }
+      bench_.clock(sink.willing());
+    }
+    while (bench_.planned() || bench_.offering()) {
+      if (!bench_.offering()) bench_.offer_planned();
       bench_.clock(sink.willing());
     }
     bench_.drain(sink);
@@ -139,7 +153,10 @@ TYPED_TEST(ScatterCore, BitsUnderRandomStalls) {
   this->run(clocks, "bursts", "long_stall", 0.02);
   this->run(clocks, "sparse", "bernoulli", 0.002);
   this->expect_no_mismatch();
-  EXPECT_GT(this->bench_.checked_vertices(), clocks / 8);
+  EXPECT_GT(this->bench_.checked_vertices(), clocks / 10);
+  if (TypeParam::kRows) {
+    EXPECT_GT(this->bench_.checked_rows(), clocks / 60);
+  }
   EXPECT_GT(this->begins_, 4U);
 }
 
@@ -159,6 +176,9 @@ TYPED_TEST(ScatterCore, BitsOfAnyFunctions) {
   this->expect_no_mismatch();
   if (!TypeParam::kPowers) {
     EXPECT_GT(this->bench_.saturated_vertices(), this->bench_.checked_vertices() / 4);
+    if (TypeParam::kRows) {
+      EXPECT_GT(this->bench_.saturated_layers(), share_of(1000));
+    }
   }
 }
 
@@ -200,8 +220,8 @@ TYPED_TEST(ScatterCore, EveryCellOfEveryPage) {
   EXPECT_EQ(this->bench_.checked_vertices(), cells);
 }
 
-// A vertex in every third clock, none sooner; with a collect beside it in every sixth. That each
-// has added in its clock is what the bench looks at.
+// A vertex in every third clock, or one that is a row in twelve, none sooner; with a collect beside
+// it in every sixth. That each has added in its clock is what the bench looks at.
 TYPED_TEST(ScatterCore, AVertexEveryThirdClock) {
   this->bench_.drain();
   std::vector<std::uint64_t> entered;
@@ -210,11 +230,57 @@ TYPED_TEST(ScatterCore, AVertexEveryThirdClock) {
     this->bench_.clock();
     if (this->bench_.entered()) entered.push_back(this->bench_.clocks());
   }
-  for (std::size_t v = 1; v < entered.size(); ++v) ASSERT_EQ(entered[v] - entered[v - 1], 3U);
+  // What a core with rows has room for comes sooner.
+  for (std::size_t v = TypeParam::kRows ? 100 : 1; v < entered.size(); ++v) {
+    ASSERT_EQ(entered[v] - entered[v - 1], static_cast<std::uint64_t>(TypeParam::kVertexClocks));
+  }
   while (this->bench_.offering()) this->bench_.clock();
   this->bench_.drain();
   this->collect_all();
   this->expect_no_mismatch();
+}
+
+// A row as often as it may: as many clocks as it has vertices, or three for each of its layers.
+TYPED_TEST(ScatterCore, ARowTakesItsVerticesOrItsLayers) {
+  if constexpr (TypeParam::kRows) {
+    using Row = std::vector<typename TestFixture::Vertex>;
+    this->bench_.drain();
+    int of_vertices = 0, of_layers = 0;
+    for (int shape = 0; shape < 60; ++shape) {
+      constexpr int kAxis = TypeParam::kAxis;
+      this->bench_.resize(0, {kAxis, 4, 4});
+      const Row row = this->bench_.draw_row(0);
+      std::vector<bool> touched(kAxis);
+      for (const auto& vertex : row) {
+        for (int l = 0; l < 4; ++l)
+          touched[static_cast<std::size_t>(vertex.words.cell[0] + l)] = true;
+      }
+      const auto layers =
+          static_cast<std::uint64_t>(std::count(touched.begin(), touched.end(), true));
+      const std::uint64_t clocks = std::max<std::uint64_t>(row.size(), 3 * layers);
+      ++(row.size() > 3 * layers ? of_vertices : of_layers);
+      // Until a row more than it ends waits in front of what is slower.
+      constexpr int kBefore = 280, kRows = 30;
+      std::vector<std::uint64_t> began;
+      while (began.size() < kBefore + kRows + 1) {
+        this->bench_.plan(row);
+        while (this->bench_.planned()) {
+          this->bench_.offer_planned();
+          const bool first = this->bench_.planned_count() + 1 == row.size();
+          while (this->bench_.offering()) this->bench_.clock();
+          if (first) began.push_back(this->bench_.clocks());
+        }
+      }
+      this->bench_.drain();
+      ASSERT_EQ(began[kBefore + kRows] - began[kBefore], kRows * clocks)
+          << row.size() << " vertices, " << layers << " layers";
+      this->bench_.collect(0, 0);
+      this->bench_.drain();
+    }
+    this->expect_no_mismatch();
+    EXPECT_GT(of_vertices, 0);
+    EXPECT_GT(of_layers, 0);
+  }
 }
 
 TYPED_TEST(ScatterCore, ACollectTakesEverySecondSlot) {
@@ -232,19 +298,22 @@ TYPED_TEST(ScatterCore, ACollectTakesEverySecondSlot) {
     } while (this->bench_.collected(0));
     const auto clocks = static_cast<int>(this->bench_.clocks() - start);
     EXPECT_LE(clocks, 6 * kPoints + 100);
-    EXPECT_GE(vertices, clocks / 6 - 1);
+    EXPECT_GE(vertices, clocks / (2 * TypeParam::kVertexClocks) - 1);
     while (this->bench_.offering()) this->bench_.clock();
     this->bench_.drain();
     // Nobody reads the words of another: vertices have all slots.
     this->bench_.collect(0, 0);
-    for (int clock = 0; clock < 200; ++clock) this->bench_.clock(false);
+    for (int clock = 0; clock < 300; ++clock) {
+      if (!this->bench_.offering()) this->bench_.offer(this->bench_.draw(1));
+      this->bench_.clock(false);
+    }
     vertices = 0;
     for (int clock = 0; clock < 300; ++clock) {
       if (!this->bench_.offering()) this->bench_.offer(this->bench_.draw(1));
       this->bench_.clock(false);
       if (this->bench_.entered()) ++vertices;
     }
-    EXPECT_EQ(vertices, 100);
+    EXPECT_EQ(vertices, 300 / TypeParam::kVertexClocks);
     while (this->bench_.offering()) this->bench_.clock();
     this->bench_.drain();
     this->collect_all();
@@ -264,7 +333,7 @@ TYPED_TEST(ScatterCore, ASweepHasThreeClocksAPlace) {
   this->bench_.reset(1);
   clocks = 0;
   for (; this->bench_.sweeping(); ++clocks) {
-    ASSERT_FALSE(this->bench_.ready());
+    ASSERT_TRUE(TypeParam::kRows || !this->bench_.ready());
     this->bench_.clock();
   }
   EXPECT_GE(clocks, 3 * TypeParam::kPages * TypeParam::kPlaces - 2);

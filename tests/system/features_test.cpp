@@ -29,7 +29,7 @@ class Features : public ::testing::TestWithParam<PageBuild> {
   void send(const std::vector<Beat>& beats) { run_->send(beats); }
   void finish() { ASSERT_TRUE(run_->run()); }
   const std::vector<Beat>& results() const { return run_->bench().results(); }
-  std::uint64_t refused() const { return run_->events(event::kUnknownOpcode); }
+  std::uint64_t refused() const { return run_->pulses(event::kUnknownOpcode); }
   bool has(std::uint32_t feature) const { return (GetParam().core.features & feature) != 0; }
 
   const WordCodec codec_{find_configuration(GetParam().row).format};

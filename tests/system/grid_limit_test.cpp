@@ -56,7 +56,7 @@ TEST_P(GridLimit, LongerGridsAreRefusedWhole) {
   }
   send({kMost, kMost, kMost});
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(run.events(event::kGridCount), longer);
+  EXPECT_EQ(run.pulses(event::kGridCount), longer);
   EXPECT_GT(longer, 0U);
   EXPECT_GT(others, 0U);
 }

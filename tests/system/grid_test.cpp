@@ -8,6 +8,7 @@
 #include "bad_packets.hpp"
 #include "expand_run.hpp"
 #include "hwffd/model/schedule.hpp"
+#include "hwffd/stream/halves.hpp"
 #include "named.hpp"
 #include "share.hpp"
 
@@ -300,7 +301,7 @@ TEST_P(BadGrids, WaitBehindVertices) {
     run_.send_grid(many);
   }
   ASSERT_TRUE(run_.run());
-  EXPECT_EQ(run_.events(kPacketShort), 3U);
+  EXPECT_EQ(run_.pulses(kPacketShort), 3U);
   EXPECT_EQ(run_.bench().results().size(), 6 * kMany);
   for (std::size_t grid = 1; grid < 6; ++grid) EXPECT_TRUE(run_.same(0, grid * kMany, kMany));
 }
@@ -313,14 +314,14 @@ TEST_P(BadGrids, NothingLoaded) {
   run_.send_grid(good_);
   ASSERT_TRUE(run_.run());
   EXPECT_EQ(run_.bench().results().size(), 8U);
-  EXPECT_EQ(run_.events(kGridCount), 2U);
+  EXPECT_EQ(run_.pulses(kGridCount), 2U);
   // Without functions its vertices are blank, as any are.
   run_.reset();
   const LatticeWords lattice = run_.random_lattice(random_, dims_);
   run_.send_lattice(lattice);
   run_.send_grid(good_);
   ASSERT_TRUE(run_.run());
-  EXPECT_EQ(run_.events(kNoCoefficients), 8U);
+  EXPECT_EQ(run_.pulses(kNoCoefficients), 8U);
   for (const Beat& result : run_.bench().results()) {
     EXPECT_NE(result.words[3] & kStatusUnloaded, 0U);
   }
@@ -342,7 +343,7 @@ TEST_P(BadGrids, CellsThatHaveNoName) {
   run_.send_grid(grid);
   ASSERT_TRUE(run_.run());
   EXPECT_EQ(run_.bench().results().size(), 4U);
-  EXPECT_EQ(run_.events(kGridCount), 1U);
+  EXPECT_EQ(run_.pulses(kGridCount), 1U);
 }
 
 // Clocks: at the rate of the organization (of rows along s, tests/system/walk_test.cpp); and a grid
@@ -442,7 +443,9 @@ TEST_P(Grids, AStopEndsThem) {
     std::vector<Beat> wanted = sent;
     const auto interval = static_cast<std::uint64_t>(scattered_interval(run.row()));
     const std::uint64_t at = sent.size() + random.below(100 + 2 * vertices_of(grids[0]) * interval);
-    for (const Grid& grid : grids) append(sent, grid_packet(grid, run.page()));
+    PageVertices how;
+    how.half = run.has(model::kHalvesFeature) && round % 2 == 1;
+    for (const Grid& grid : grids) append(sent, grid_packet(grid, run.page(), how));
     const std::unique_ptr<cores::StreamCore> core = GetParam().make(round);
     const Stopped out = stopped_at(*core, random, sent, at);
 
@@ -453,11 +456,12 @@ TEST_P(Grids, AStopEndsThem) {
           std::find_if(begin, out.results.end(), [](const Beat& beat) { return beat.last; });
       ASSERT_NE(last, out.results.end());
       std::vector<VertexBeat> vertices = grid_vertices(grid, lattice.dims, run.codec());
-      const auto made = static_cast<std::size_t>(last - begin) + 1;
+      const std::vector<Beat> results(begin, last + 1);
+      const auto made = how.half ? halves_of(results).size() : results.size();
       ASSERT_LE(made, vertices.size());
       (made < vertices.size() ? stopped : wholes) += 1;
       vertices.resize(made);
-      append(wanted, run.packet_of(vertices));
+      append(wanted, run.packet_of(vertices, how));
       begin = last + 1;
     }
     EXPECT_EQ(out.refusals, stopped);

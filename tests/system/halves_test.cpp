@@ -134,7 +134,7 @@ TEST_P(Halves, RoundingSaturates) {
     EXPECT_EQ(half.words[0], 0x7FFFF);
     EXPECT_TRUE(half.saturated);
   }
-  EXPECT_EQ(run.events(event::kSaturated), vertices.size());
+  EXPECT_EQ(run.pulses(event::kSaturated), vertices.size());
 }
 
 // Half as many beats: a packet of many is as soon done as without H, and R counts beats.
@@ -184,7 +184,7 @@ TEST_P(Halves, OfOtherResultsAreRefused) {
   how.fourth = false;
   run.send(page_vertices_packet(1, vertices, how));
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(run.events(event::kUnknownOpcode), refused);
+  EXPECT_EQ(run.pulses(event::kUnknownOpcode), refused);
   EXPECT_EQ(run.bench().results().size(), 3U);
 }
 

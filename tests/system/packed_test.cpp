@@ -46,7 +46,7 @@ TEST_P(Packed, AreTheVerticesSentOneByOne) {
     }
     ASSERT_TRUE(run.run());
     ASSERT_TRUE(run.twice(counts));
-    EXPECT_EQ(run.events(kGridCount), 0U);
+    EXPECT_EQ(run.pulses(kGridCount), 0U);
   }
 }
 
@@ -85,7 +85,7 @@ TEST_P(Packed, EndsOfACoordinate) {
   for (std::size_t v = 0; v < run.bench().results().size(); v += 2) {
     EXPECT_TRUE(run.same(v, v + 1, 1));
   }
-  EXPECT_EQ(run.events(kCoordinateOutside), outside);
+  EXPECT_EQ(run.pulses(kCoordinateOutside), outside);
 }
 
 // A half with bit 63 is no vertex: blank and flagged, one event each, its neighbours exact.
@@ -169,7 +169,7 @@ TEST_P(Packed, HaveNoFlagL) {
   run.send(packet);
   run.send_vertices(random_vertices(run.codec(), random, lattice.dims, 1));
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(run.events(kUnknownOpcode), 1U);
+  EXPECT_EQ(run.pulses(kUnknownOpcode), 1U);
   EXPECT_EQ(run.bench().results().size(), 1U);
 }
 

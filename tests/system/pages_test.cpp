@@ -98,8 +98,8 @@ TEST_P(TwoPages, PacketsThatAreCutShort) {
   run.send(page_vertices_packet(1, vertices));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.words(0, 4), run.words(4, 4));
-  EXPECT_EQ(run.events(kPacketShort), 2U);
-  EXPECT_EQ(run.events(kNoLattice), 4U);
+  EXPECT_EQ(run.pulses(kPacketShort), 2U);
+  EXPECT_EQ(run.pulses(kNoLattice), 4U);
 }
 
 // One moved point is two beats, and gives the results of the whole lattice loaded anew: each point
@@ -322,7 +322,7 @@ TEST_P(Pages, VerticesUntilTheLastBeat) {
   for (std::size_t r = 0; r < 15; ++r) {
     EXPECT_EQ(run.bench().results()[r].last, r == 6 || r >= 13) << r;
   }
-  EXPECT_EQ(run.events(kPacketShort) + run.events(kPacketLong), 0U);
+  EXPECT_EQ(run.pulses(kPacketShort) + run.pulses(kPacketLong), 0U);
 }
 
 // The fourth component is what the same component gives as x of another lattice; derivatives of it
@@ -389,7 +389,7 @@ TEST_P(Pages, TheLongestAxes) {
     run.send(points_packet(page, random_lattice(run.codec(), random, dims), 0, 0));
   }
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(run.events(kCellOutside), 0U);
+  EXPECT_EQ(run.pulses(kCellOutside), 0U);
 }
 
 /// Most tests want axes of more than four points.

@@ -1,28 +1,29 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <ostream>
-#include <string>
 #include <vector>
 
-#include "hwffd/cores/stream_core.hpp"
+#include "built_core.hpp"
 #include "hwffd/model/configuration.hpp"
 
 namespace hwffd::test {
 
 /// A simulated `hwffd_scatter`.
-struct ScatterBuild {
-  std::string name;   ///< scatter_<first cell of its row in CMakeLists.txt>
+struct ScatterBuild : BuiltCore {
   Configuration row;  ///< as one of `affine`, whose weights it has
   int axis;           ///< points an axis, at most
   int pages;
-  std::unique_ptr<cores::StreamCore> (*make)(std::uint64_t seed);
+  bool rows;  ///< its parameter ROWS: grids go by rows
 };
 
-inline void PrintTo(const ScatterBuild& build, std::ostream* out) { *out << build.name; }
-
-/// All of them, which CMake makes of its table.
+/// All cores of the program, which CMake makes of scatter_cores.csv.
 std::vector<ScatterBuild> scatter_builds();
+
+/// The row of `affine` whose weights a scatter core of that format and evaluator has.
+inline Configuration transposed_row(const char* format, const char* evaluator) {
+  Configuration row = find_configuration("affine-fx17-overlapped");
+  row.format = format;
+  row.evaluator = evaluator;
+  return row;
+}
 
 }  // namespace hwffd::test

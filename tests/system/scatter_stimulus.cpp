@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array<int, 3> kNoDims{};
 
+constexpr auto word_of(Opcode opcode) { return static_cast<std::uint32_t>(opcode); }
+
 std::vector<Beat> with_bits(std::vector<Beat> packet, int word, std::uint32_t bits) {
   packet[0].words[word] ^= bits;
   return packet;
@@ -61,6 +63,44 @@ Grid small_grid(tb::Random& random, const std::array<int, 3>& dims) {
     count[axis] = static_cast<int>(random.between(1, 3));
   }
   return grid_between(first, last, count, 0);
+}
+
+Grid long_rows(tb::Random& random, const std::array<int, 3>& dims, int most) {
+  const double cells = dims[0] - 3;
+  const double first = random.chance(0.2) ? 0 : random.unit() * cells;
+  const double last = random.chance(0.2)   ? cells
+                      : random.chance(0.1) ? first
+                                           : random.unit() * cells;
+  Grid grid = small_grid(random, dims);
+  const auto count = static_cast<int>(random.between(1, static_cast<std::uint64_t>(most)));
+  const Grid along = grid_between({first, 0, 0}, {last, 0, 0}, {count, 1, 1});
+  grid.start[0] = along.start[0];
+  grid.step[0] = along.step[0];
+  grid.count[0] = along.count[0];
+  return grid;
+}
+
+std::vector<Grid> rows_of(const Grid& grid) {
+  std::vector<Grid> rows;
+  for (int c = 0; c < grid.count[2]; ++c) {
+    for (int b = 0; b < grid.count[1]; ++b) {
+      Grid row = grid;
+      row.start[1] += static_cast<std::uint64_t>(b * grid.step[1]);
+      row.start[2] += static_cast<std::uint64_t>(c * grid.step[2]);
+      row.count[1] = row.count[2] = 1;
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+Opcode opcode_of(const std::vector<Beat>& packet) {
+  return static_cast<Opcode>(packet[0].words[0] & 0xFF);
+}
+
+bool is_of_scatter(const std::vector<Beat>& packet) {
+  const Opcode opcode = opcode_of(packet);
+  return opcode == Opcode::kGradients || opcode == Opcode::kCollect;
 }
 
 std::vector<Beat> sized(std::vector<Beat> packet, std::size_t beats) {
@@ -148,7 +188,8 @@ std::vector<Beat> ScatterPackets::vertices(int page) {
 
 std::vector<Beat> ScatterPackets::grid(int page) {
   const Gradients gradients = how(page);
-  Grid grid = small_grid(random_, near_lattice(gradients.dims));
+  const std::array<int, 3> dims = near_lattice(gradients.dims);
+  Grid grid = random_.chance(0.3) ? long_rows(random_, dims, 40) : small_grid(random_, dims);
   if (random_.chance(0.03)) grid.count[random_.below(3)] = 0;
   if (random_.chance(0.05)) grid.start[random_.below(3)] = random_.bits() >> random_.below(24);
   if (random_.chance(0.05)) {
@@ -175,7 +216,10 @@ std::vector<Beat> ScatterPackets::spoil(std::vector<Beat> packet) {
 Beat ScatterPackets::garbage_header() {
   Beat header = {{random_.word(), random_.word(), random_.word(), random_.word()}, false};
   if (random_.chance(0.1)) return header;
-  header.words[0] = random_.pick({1U, 10U, 10U, 10U, 11U, 11U}) |
+  constexpr std::uint32_t kGradients = word_of(Opcode::kGradients);
+  constexpr std::uint32_t kCollect = word_of(Opcode::kCollect);
+  header.words[0] = random_.pick({word_of(Opcode::kCoefficients), kGradients, kGradients,
+                                  kGradients, kCollect, kCollect}) |
                     static_cast<std::uint32_t>(random_.below(3)) << 8;
   if (random_.chance(0.4)) header.words[0] |= kGridGradientsFlag;
   if (random_.chance(0.3)) header.words[0] |= kBeginFlag;
@@ -186,7 +230,7 @@ Beat ScatterPackets::garbage_header() {
                     static_cast<std::uint32_t>(random_.below(4)) << 26;
   header.words[3] = static_cast<std::uint32_t>(random_.below(3));
   if (random_.chance(0.4)) header.words[3] = 0;
-  if ((header.words[0] & 0xFF) == 11) {
+  if ((header.words[0] & 0xFF) == kCollect) {
     header.words[0] &= 0x3FF;
     header.words[1] = 0;
     header.words[2] &= 3;
@@ -226,9 +270,10 @@ std::vector<BadGradients> bad_gradients(const WordCodec& codec, tb::Random& rand
     bad.push_back({name + ", longer", sized(packet, packet.size() + 3), {{code, 0}}});
     bad.push_back({name + ", a header", sized(packet, 1), {{code, 0}}});
   };
-  for (const std::uint32_t opcode : {0U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 12U, 26U, 255U}) {
-    refused("opcode " + std::to_string(opcode), with_bits(some, 0, 10 ^ opcode),
-            event::kUnknownOpcode);
+  // Every opcode that is none of the three, and some beyond the last.
+  for (std::uint32_t opcode : {0U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, kOpcodes + 1, 26U, 255U}) {
+    refused("opcode " + std::to_string(opcode),
+            with_bits(some, 0, word_of(Opcode::kGradients) ^ opcode), event::kUnknownOpcode);
   }
   for (int bit = 16; bit < 32; ++bit) {
     const std::uint32_t flag = 1U << bit;

@@ -9,6 +9,7 @@
 
 #include "hwffd/stream/events.hpp"
 #include "hwffd/stream/gradients.hpp"
+#include "hwffd/stream/opcodes.hpp"
 #include "hwffd/stream/word_codec.hpp"
 #include "hwffd/tb/random.hpp"
 
@@ -31,6 +32,19 @@ std::vector<Beat> random_grid_packet(tb::Random& random, int page, const Grid& g
 
 /// A grid of a few vertices of a lattice.
 Grid small_grid(tb::Random& random, const std::array<int, 3>& dims);
+
+/// One with rows of up to so many vertices, of either direction, which stand still or leap over
+/// cells now and then.
+Grid long_rows(tb::Random& random, const std::array<int, 3>& dims, int most);
+
+/// The rows of a grid in its order, each as a grid by itself.
+std::vector<Grid> rows_of(const Grid& grid);
+
+/// Of the header of a packet.
+Opcode opcode_of(const std::vector<Beat>& packet);
+
+/// Whether it is of gradients or a collect: no evaluator knows it.
+bool is_of_scatter(const std::vector<Beat>& packet);
 
 /// A packet of so many beats: cut, or with beats that belong to nothing behind it.
 std::vector<Beat> sized(std::vector<Beat> packet, std::size_t beats);

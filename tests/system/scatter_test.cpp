@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -16,16 +17,20 @@ namespace hwffd::test {
 namespace {
 
 constexpr std::size_t kVertexBeats = 2;
-constexpr std::uint64_t kSlot = 3;  // clocks of a vertex, or of a point of a collect
+constexpr std::uint64_t kSlot = 3;  // clocks of a vertex or a layer, or of a point of a collect
 
 class Scatter : public ::testing::TestWithParam<ScatterBuild> {
  protected:
   int axis() const { return GetParam().axis; }
   int pages() const { return GetParam().pages; }
+  bool rows() const { return GetParam().rows; }
+  /// Of a vertex of a list: with rows each of its four layers takes a slot.
+  std::uint64_t vertex_clocks() const { return rows() ? 4 * kSlot : kSlot; }
 };
 
 std::size_t points_of(const std::array<int, 3>& dims) {
-  return static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+  const int points = dims[0] * dims[1] * dims[2];
+  return static_cast<std::size_t>(points);
 }
 
 TEST_P(Scatter, AnyPacketsInAnyOrder) {
@@ -100,7 +105,7 @@ TEST_P(Scatter, BadPackets) {
     packets += 4;
   }
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text(expected));
+  EXPECT_TRUE(same_events(run.placed_events(), expected));
   ASSERT_EQ(run.bench().results().size(), (1 + bad.size()) * points);
   for (std::size_t packet = 0; packet < bad.size(); ++packet) {
     EXPECT_EQ(run.words((1 + packet) * points, points), run.words(0, points)) << bad[packet].name;
@@ -123,7 +128,7 @@ TEST_P(Scatter, ACollectThatIsTooLong) {
   run.send(packet);
   run.send(collect_packet(1));
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text({{event::kPacketLong, 2, 1}}));
+  EXPECT_TRUE(same_events(run.placed_events(), {{event::kPacketLong, 2, 1}}));
   EXPECT_EQ(run.bench().results().size(), 161U);
   EXPECT_EQ(run.words(0, 80), run.words(81, 80));
 }
@@ -142,10 +147,10 @@ TEST_P(Scatter, VerticesBeforeTheirFunctions) {
   run.send(gradients_packet(0, vertices, gradients_to(dims)));
   run.send(collect_packet(0));
   ASSERT_TRUE(run.run());
-  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text({{event::kNoCoefficients, 0, 2},
-                                                           {event::kNoCoefficients, 0, 4},
-                                                           {event::kNoCoefficients, 2, 2},
-                                                           {event::kNoCoefficients, 2, 4}}));
+  EXPECT_TRUE(same_events(run.placed_events(), {{event::kNoCoefficients, 0, 2},
+                                                {event::kNoCoefficients, 0, 4},
+                                                {event::kNoCoefficients, 2, 2},
+                                                {event::kNoCoefficients, 2, 4}}));
   for (const auto& words : run.words(0, 64)) {
     EXPECT_EQ(words, (std::array<std::uint32_t, 3>{0, 0, 0}));
   }
@@ -175,7 +180,7 @@ TEST_P(Scatter, FunctionsThatDoNotSumUp) {
   if (looks)
     expected = {{stream_event(event::kFunctionsSum), 3, 8},
                 {stream_event(event::kFunctionsSum), 3, 24}};
-  EXPECT_EQ(sorted_text(run.placed_events()), sorted_text(expected));
+  EXPECT_TRUE(same_events(run.placed_events(), expected));
   EXPECT_EQ(run.words(0, 64) != run.words(64, 64), looks);
 }
 
@@ -261,7 +266,7 @@ TEST_P(Scatter, VerticesOfOneCellFollowEachOther) {
   }
 }
 
-// A grid gives the words of its vertices.
+// A grid gives the words of its vertices; with rows, those of rows of one vertex.
 TEST_P(Scatter, AGridIsItsVertices) {
   tb::Random random(10);
   ScatterRun run(GetParam(), 1, "bursts", "bernoulli");
@@ -272,7 +277,8 @@ TEST_P(Scatter, AGridIsItsVertices) {
     for (int& points : dims) points = static_cast<int>(random.between(4, 8));
     Gradients how = gradients_to(dims);
     how.along = round % 4;
-    const Grid grid = small_grid(random, dims);
+    Grid grid = small_grid(random, dims);
+    if (rows()) grid.count[0] = 1;
     const auto packet = random_grid_packet(random, 0, grid, how);
     std::vector<GradientBeats> vertices;
     for (const VertexBeat& vertex : grid_vertices(grid, dims, run.codec())) {
@@ -291,6 +297,126 @@ TEST_P(Scatter, AGridIsItsVertices) {
     EXPECT_EQ(run.words(first, size), run.words(first + size, size));
     first += 2 * size;
   }
+}
+
+// The rows of a grid in packets of their own, in any order and to any page: the same words when the
+// pages are added.
+TEST_P(Scatter, RowsOfAGridInAnyOrder) {
+  tb::Random random(20);
+  ScatterRun run(GetParam(), 1, "bursts", "always");
+  const std::array<int, 3> dims = {axis(), 4, 5};
+  const std::size_t points = points_of(dims);
+  const std::uint64_t rounds = share_of(60);
+  run.send_functions();
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    Gradients how = gradients_to(dims);
+    how.along = static_cast<int>(round % 4);
+    const Grid grid = long_rows(random, dims, 60);
+    std::vector<std::array<std::uint32_t, 3>> gradients(vertex_count(grid));
+    for (auto& gradient : gradients) gradient = random_gradient(random);
+    run.send(gradients_packet(0, grid, gradients, how));
+    run.send(collect_packet(0));
+    const std::vector<Grid> rows = rows_of(grid);
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t r = rows.size() - 1; r > 0; --r) {
+      std::swap(order[r], order[random.below(r + 1)]);
+    }
+    // So that both pages have points an axis.
+    for (int page = 0; page < 2; ++page) {
+      run.send(sized(gradients_packet(page, grid, gradients, how), 1));
+    }
+    for (const std::size_t row : order) {
+      const auto first = gradients.cbegin() + static_cast<std::ptrdiff_t>(row * grid.count[0]);
+      run.send(gradients_packet(static_cast<int>(random.below(2)), rows[row],
+                                {first, first + grid.count[0]}, how));
+    }
+    for (int page = 0; page < 2; ++page) run.send(collect_packet(page));
+  }
+  ASSERT_TRUE(run.run());
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const auto expected = run.words(3 * points * round, points);
+    auto sums = run.words(3 * points * round + points, points);
+    const auto others = run.words(3 * points * round + 2 * points, points);
+    for (std::size_t p = 0; p < points; ++p) {
+      for (int c = 0; c < 3; ++c) sums[p][c] += others[p][c];
+    }
+    ASSERT_EQ(sums, expected) << "round " << round;
+  }
+}
+
+// A packet that ends within a row has added what came, and nothing of it is in the row behind.
+TEST_P(Scatter, ARowThatIsCut) {
+  tb::Random random(21);
+  ScatterRun run(GetParam(), 1, "bernoulli", "always");
+  const std::array<int, 3> dims = {axis(), 5, 4};
+  const std::size_t points = points_of(dims);
+  const std::uint64_t rounds = share_of(60);
+  run.send_functions();
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    Gradients how = gradients_to(dims);
+    how.along = static_cast<int>(round % 4);
+    const Grid grid = long_rows(random, dims, 30);
+    const auto packet = random_grid_packet(random, 0, grid, how);
+    const std::size_t count = vertex_count(grid);
+    const auto came = static_cast<std::size_t>(random.between(1, count));
+    const auto behind = random_grid_packet(random, 0, long_rows(random, dims, 30), how);
+    run.send(sized(packet, 4 + came));
+    run.send(behind);
+    run.send(collect_packet(0));
+    std::size_t sent = 0;
+    for (Grid row : rows_of(grid)) {
+      if (sent == came) break;
+      row.count[0] = static_cast<std::uint16_t>(std::min<std::size_t>(row.count[0], came - sent));
+      std::vector<std::array<std::uint32_t, 3>> gradients;
+      for (std::size_t v = sent; v < sent + row.count[0]; ++v) {
+        const auto& words = packet[4 + v].words;
+        gradients.push_back({words[0], words[1], words[2]});
+      }
+      run.send(gradients_packet(0, row, gradients, how));
+      sent += row.count[0];
+    }
+    run.send(behind);
+    run.send(collect_packet(0));
+  }
+  ASSERT_TRUE(run.run());
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    ASSERT_EQ(run.words(2 * points * round, points), run.words(2 * points * round + points, points))
+        << "round " << round;
+  }
+}
+
+// Functions that are no family's, and rows as long as there are: sums of layers that no wide part
+// holds when they have been expanded, and sums of more than 35 bits.
+TEST_P(Scatter, LayersThatSaturate) {
+  const int width = std::stoi(GetParam().row.format + 2);
+  if (!rows() || wired_in(GetParam().row) || width < 17) {
+    GTEST_SKIP() << "no rows, no such functions, or sums that are too small";
+  }
+  tb::Random random(22);
+  ScatterRun run(GetParam(), 1);
+  const std::array<int, 3> dims = {4, 5, 6};
+  auto functions =
+      coefficients_packet(family("bspline", run.codec()), run.codec(), Functions::kDerivativesToo);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t function = 0; function < 4; ++function) {
+      functions[1 + 4 * axis + function].words = {function == 0 ? 0x80000000U : 0, 0, 0, 0};
+    }
+  }
+  run.send(functions);
+  for (const int count : {30'000, 65'535}) {
+    const Grid grid = grid_between({0.25, 0.5, 0.5}, {0.75, 1.5, 0.5}, {count, 2, 1});
+    std::vector<std::array<std::uint32_t, 3>> gradients(vertex_count(grid));
+    for (auto& gradient : gradients) {
+      const auto less = static_cast<std::uint32_t>(random.below(0x1000));
+      gradient = {0xB3333333 + less, 0x4CCCCCCC - less, static_cast<std::uint32_t>(random.word())};
+    }
+    run.send(gradients_packet(0, grid, gradients, gradients_to(dims)));
+    run.send(collect_packet(0));
+  }
+  ASSERT_TRUE(run.run());
+  EXPECT_GE(run.pulses(event::kSaturated), 16U);
+  for (const Beat& beat : run.bench().results()) EXPECT_NE(beat.words[3] & kStatusSaturated, 0U);
 }
 
 // Begins that follow each other at once and later, with other points an axis and with vertices that
@@ -364,7 +490,8 @@ TEST_P(Scatter, OverflowIsToldOnce) {
   }
 }
 
-// A vertex takes three clocks, exactly, in its own beats or in those of a grid.
+// A vertex takes three clocks, exactly, in its own beats or in those of a grid. With rows one of a
+// list takes four times that.
 TEST_P(Scatter, AVertexTakesThreeClocks) {
   constexpr std::size_t kVertices = 200;
   tb::Random random(13);
@@ -382,9 +509,49 @@ TEST_P(Scatter, AVertexTakesThreeClocks) {
   const auto& taken = run.bench().accept_clocks();
   for (std::size_t v = 60; v < kVertices; v += 20) {
     EXPECT_EQ(taken[single + kVertexBeats * v] - taken[single + kVertexBeats * (v - 20)],
-              20 * kSlot);
+              20 * vertex_clocks());
+    if (rows()) continue;
     EXPECT_EQ(taken[of_grid + v] - taken[of_grid + v - 20], 20 * kSlot);
   }
+}
+
+// A row of a grid takes a clock a vertex, or three a layer of control points that it touches,
+// whichever is more: one a clock goes into what has room until a row waits in front of its layers.
+TEST_P(Scatter, ARowTakesItsVerticesOrItsLayers) {
+  if (!rows()) GTEST_SKIP() << "no rows";
+  constexpr int kRows = 400;
+  tb::Random random(23);
+  const std::array<int, 3> dims = {axis(), 4, 4};
+  int of_vertices = 0, of_layers = 0;
+  for (std::uint64_t round = 0; round < share_of(24); ++round) {
+    ScatterRun run(GetParam(), round);
+    run.send_functions();
+    Grid grid = long_rows(random, dims, round % 3 == 0 ? 6 : 60);
+    grid.start[1] = grid.start[2] = 0;
+    grid.step[1] = std::int64_t{1} << (kGridFraction - 9);
+    grid.count[1] = kRows;
+    grid.count[2] = 1;
+    std::vector<bool> touched(static_cast<std::size_t>(axis()));
+    const auto vertices = grid_vertices(grid, dims, run.codec());
+    for (std::size_t v = 0; v < grid.count[0]; ++v) {
+      for (int l = 0; l < 4; ++l) touched[static_cast<std::size_t>(vertices[v].cell[0] + l)] = true;
+    }
+    const auto layers =
+        static_cast<std::uint64_t>(std::count(touched.begin(), touched.end(), true));
+    const std::uint64_t clocks = std::max<std::uint64_t>(grid.count[0], kSlot * layers);
+    ++(grid.count[0] > kSlot * layers ? of_vertices : of_layers);
+    const std::size_t first = run.sent() + 4;
+    run.send(random_grid_packet(random, 0, grid, gradients_to(dims)));
+    run.send(collect_packet(0));
+    ASSERT_TRUE(run.run());
+    const auto& taken = run.bench().accept_clocks();
+    constexpr std::size_t kFrom = 330, kMore = 60;
+    EXPECT_EQ(taken[first + (kFrom + kMore) * grid.count[0]] - taken[first + kFrom * grid.count[0]],
+              kMore * clocks)
+        << grid.count[0] << " vertices, " << layers << " layers";
+  }
+  EXPECT_GT(of_vertices, 0);
+  EXPECT_GT(of_layers, 0);
 }
 
 // A point takes a slot where no vertex wants it, and every second one where vertices come.
@@ -409,7 +576,9 @@ TEST_P(Scatter, ClocksOfACollect) {
   EXPECT_EQ(run.bench().clocks_per_result(points + 40, 2 * points - 1), 2.0 * kSlot);
   // Meanwhile vertices have the other slots.
   const auto& taken = run.bench().accept_clocks();
-  EXPECT_EQ(taken[first + kVertexBeats * 140] - taken[first + kVertexBeats * 100], 40 * 2 * kSlot);
+  const std::size_t from = rows() ? 50 : 100, more = rows() ? 16 : 40;
+  EXPECT_EQ(taken[first + kVertexBeats * (from + more)] - taken[first + kVertexBeats * from],
+            more * 2 * vertex_clocks());
 }
 
 // While a page is collected another one fills; vertices of the page itself wait.

@@ -58,7 +58,7 @@ TEST_P(OnePage, AnotherOneIsBeyondTheLast) {
   run.send(page_vertices_packet(0, some));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.words(0, 3), run.words(12, 3));
-  EXPECT_EQ(run.events(event::kNoLattice), 3U * (1 + 1 + 3));
+  EXPECT_EQ(run.pulses(event::kNoLattice), 3U * (1 + 1 + 3));
   for (std::size_t r = 3; r < 12; ++r) {
     EXPECT_EQ(run.bench().results()[r].words[3] >> 16, kStatusUnloaded >> 16) << r;
   }
@@ -111,8 +111,8 @@ TEST_P(OnePage, ALatticeThatIsCutShortLeavesNone) {
   run.send(vertices_packet(some));
   ASSERT_TRUE(run.run());
   EXPECT_EQ(run.words(0, 4), run.words(8, 4));
-  EXPECT_EQ(run.events(event::kPacketShort), 1U);
-  EXPECT_EQ(run.events(event::kNoLattice), 4U);
+  EXPECT_EQ(run.pulses(event::kPacketShort), 1U);
+  EXPECT_EQ(run.pulses(event::kNoLattice), 4U);
   EXPECT_EQ(run.bench().results()[4].words[3] >> 16, kStatusUnloaded >> 16);
 }
 

@@ -25,7 +25,7 @@ class Spans : public ::testing::TestWithParam<PageBuild> {
   /// To the end: every bit of every result, and every event.
   void finish() { ASSERT_TRUE(run_->run()); }
   const std::vector<Beat>& results() const { return run_->bench().results(); }
-  std::uint64_t counted(event::Code code) const { return run_->events(code); }
+  std::uint64_t counted(event::Code code) const { return run_->pulses(code); }
   bool derivatives() const { return (GetParam().core.features & model::kDerivativesFeature) != 0; }
 
   /// Clamped knots at uneven distances, as many cells as a lattice of that size has.

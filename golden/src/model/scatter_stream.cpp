@@ -43,13 +43,15 @@ bool known_collect(const Beat& header, std::uint32_t flags) {
 
 }  // namespace
 
-ScatterStreamModel::ScatterStreamModel(const Configuration& row, int axis_points, int pages)
+ScatterStreamModel::ScatterStreamModel(const Configuration& row, int axis_points, int pages,
+                                       bool rows)
     : scatter_(make_scatter_model(row)),
       codec_(row.format),
       axis_points_(axis_points),
       sums_wanted_(!wired_in(row)),
       pages_(static_cast<std::size_t>(pages)) {
   if (axis_points > kSmallAxisPoints) throw std::invalid_argument("cells that have no name");
+  if (rows) row_.emplace(*scatter_);
 }
 
 void ScatterStreamModel::reset() {
@@ -59,6 +61,7 @@ void ScatterStreamModel::reset() {
   results_.clear();
   events_.clear();
   vertices_ = 0;
+  if (row_) row_.emplace(*scatter_);
   state_ = State::kHeader;
   packet_ = 0;
   beat_ = 0;
@@ -99,6 +102,7 @@ void ScatterStreamModel::accept(const Beat& beat) {
   if (payload && state_ != State::kDone && state_ != State::kDrop) {
     --beat_;
     tell(event::kPacketShort);
+    end_row();
   }
   state_ = State::kHeader;
   ++packet_;
@@ -199,6 +203,7 @@ VertexBeat ScatterStreamModel::next_of_grid() {
 
 void ScatterStreamModel::gradient(const Beat& beat) {
   add(grid_ ? next_of_grid() : vertex_, beat);
+  if (!grid_ || grid_->next[0] == 0) end_row();
   if (--left_ == 0) {
     state_ = State::kDone;
   } else if (!grid_) {
@@ -220,12 +225,25 @@ void ScatterStreamModel::add(const VertexBeat& vertex, const Beat& gradient) {
   tell(event::kCellOutside, outside.cell);
   tell(event::kCoordinateOutside, outside.coordinate);
   if (!functions || (outside.any() && !clamp)) return;
-  const VertexParts parts = scatter_->parts(words);
   const bool overflowed = page_->sums.overflowed();
-  page_->sums.add(words.cell, parts);
+  bool saturated = false;
+  if (row_) {
+    saturated = row_->add(words);
+    page_->sums.count(saturated);
+  } else {
+    const VertexParts parts = scatter_->parts(words);
+    saturated = parts.saturated;
+    page_->sums.add(words.cell, parts);
+  }
   ++vertices_;
-  tell(event::kSaturated, parts.saturated);
+  tell(event::kSaturated, saturated);
   tell(stream_event(event::kPageOverflowed), page_->sums.overflowed() && !overflowed);
+}
+
+/// With the last vertex of a row, or where the packet ends within it.
+void ScatterStreamModel::end_row() {
+  if (!row_ || row_->empty()) return;
+  for (const bool saturated : row_->end(page_->sums)) tell(event::kSaturated, saturated);
 }
 
 bool ScatterStreamModel::start_collect() {

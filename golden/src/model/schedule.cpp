@@ -39,6 +39,8 @@ bool gives_jacobian(const Configuration& row) { return organization_of(row).jaco
 
 bool walks(const Configuration& row) { return organization_of(row).walks; }
 
+bool pairs(const Configuration& row) { return organization_of(row).pairs; }
+
 std::optional<double> paper_clocks(const Configuration& row) {
   return clocks(row, organization_of(row).paper);
 }

@@ -75,6 +75,15 @@ Definition product_program (weight point out : R -> R) :=
   out (sum3 (fun l m n => weight (weight (s l * t m) * u n) * point (P l m n))).
 End Programs.
 
+(** What a part v gives each bank of an axis, and a gradient the banks of three (scatter). *)
+Definition expanded (share : R -> R) (w : nat -> R) (v : R) (b : nat) :=
+  let c0 := share (w 0%nat * v) in
+  let c1 := share ((w 0%nat + w 1%nat) * v) in
+  let c2 := share ((w 0%nat + w 1%nat + w 2%nat) * v) in
+  match b with 0%nat => c0 | 1%nat => c1 - c0 | 2%nat => c2 - c1 | _ => v - c2 end.
+Definition scatter_program (s t u : nat -> R) (g : R) (point share : R -> R) (l m n : nat) :=
+  expanded share u (expanded share t (expanded share s (point g) l) m) n.
+
 (** A cell's polynomial about its centre, then Horner's rule along u, t, s. *)
 Definition horner_program (r : R -> R) (x : R) (c : nat -> R) :=
   r (c 0%nat + x * r (c 1%nat + x * r (c 2%nat + x * c 3%nat))).

@@ -19,12 +19,15 @@ pytestmark = pytest.mark.needs("gappa", "coqc")
 WEIGHTS = {"weights": "bspline", "weight": 1e-4, "word": 1, "error": 2.7e-4, "distance": 6e-4, "reached": 6e-4,
            "pair": 6.3e-4, "bend": 0.0, "coordinates": 1, "all": True}
 FACTS = {"weights": [{**WEIGHTS, "format": "fx16"},
+                     {**WEIGHTS, "format": "fx12", "weights": "affine", "error": 4e-3, "distance": 1e-2, "pair": 0.0},
+                     {**WEIGHTS, "format": "fx12", "weights": "powers", "error": 3e-3, "distance": 8e-3, "pair": 0.0},
                      {**WEIGHTS, "format": "bfp32", "error": 2e-9, "distance": 0.0, "pair": 0.0},
                      {**WEIGHTS, "format": "fx16", "weights": "centred", "distance": 0.0, "pair": 0.0},
                      {**WEIGHTS, "format": "fp32-fused", "error": 2e-7, "distance": 0.0, "pair": 0.0}],
          "forms": [{"form": form, "format": name, "error": 1e-9} for form, name in (
              ("factored", "fx16"), ("product", "fx16"), ("product", "bfp32"), ("factored", "bfp32"),
-             ("nested", "fx16"), ("tree", "fp32-fused"))]}
+             ("nested", "fx16"), ("tree", "fp32-fused"), ("scatter", "fx12"),
+             ("scatter powers", "fx12"))]}
 
 
 @pytest.fixture(name="theory", scope="module")
@@ -56,6 +59,19 @@ def test_a_theorem_from_the_words_on_with_another_rounding_is_refused(theory):
     bound = rows.least(row.script[0], row.name)
     text = gappa.coq_of(row.script[0](bound), row.theorem(bound))
     planted = text.replace("horner_weight (half_up (-14))", "horner_weight (half_up (-13))")
+    assert planted != text
+    assert "Coq refuses" in theory.accepts("planted", planted)
+
+
+@pytest.mark.parametrize("words, others", (
+    ("(half_up (-11))) (fun l m n =>", "(half_up (-10))) (fun l m n =>"), ("S4 u = 1", "S4 u = 2"),
+    ("g * products bs bt bu l m n", "products bs bt bu l m n")))
+def test_a_theorem_of_scatter_with_another_rounding_or_premise_is_refused(theory, words, others):
+    row = next(row for row in COMPOSED if row.form == "scatter")
+    bound = rows.least(row.script[0], row.name)
+    text = gappa.coq_of(row.script[0](bound), row.theorem(bound))
+    assert theory.accepts("whole", text) is None
+    planted = text.replace(words, others)
     assert planted != text
     assert "Coq refuses" in theory.accepts("planted", planted)
 

@@ -11,7 +11,7 @@ import subprocess
 
 import pytest
 
-from lab.theorems import fixed, floating, ieee, lemmas, netlist, powers, prove, seams, terms
+from lab.theorems import fixed, floating, ieee, lemmas, netlist, powers, prove, scatter, seams, terms
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -21,11 +21,12 @@ UNITS = (("ffd_fp_add", {"LATENCY": 3}), ("ffd_fp_mul", {"LATENCY": 2}), ("ffd_f
 
 
 def named(name):
-    return next(theorem for theorem in (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *seams.THEOREMS,
+    return next(theorem for theorem in (*lemmas.LEMMAS, *fixed.THEOREMS, *powers.THEOREMS, *scatter.THEOREMS, *seams.THEOREMS,
                                     *floating.THEOREMS) if theorem.name == name)
 
 
-@pytest.mark.parametrize("name", ("fx.round", "num.add", "fx.sixth", "seam.powers"))
+@pytest.mark.parametrize("name", ("fx.round", "num.add", "fx.sixth", "seam.powers", "num.less",
+                                  "scatter.expand"))
 def test_a_theorem_is_proved_and_its_planted_bug_refuted(name, tmp_path):
     theorem = named(name)
     row = prove.Prover(tmp_path).row(dataclasses.replace(theorem, cases=theorem.cases[:3], also=()))

@@ -339,6 +339,7 @@ struct MakeWalker {
     return std::make_unique<GridWalkerBy<F, OneByOne<F>>>(points, std::move(axes));
   }
 };
+#ifndef HWFFD_NO_LANES
 template <int W>
 struct MakeWalker<Fixed<W>> {
   using F = Fixed<W>;
@@ -354,5 +355,6 @@ struct MakeWalker<Fixed<W>> {
     return std::make_unique<GridWalkerBy<F, OneByOne<F>>>(points, std::move(axes));
   }
 };
+#endif
 
 }  // namespace hwffd::model

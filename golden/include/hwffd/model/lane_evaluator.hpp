@@ -23,16 +23,19 @@
 
 namespace hwffd::model {
 
-/// The format of `F` in lanes, where there is one.
+/// The format of `F` in lanes, where there is one. With HWFFD_NO_LANES there is none: results are
+/// the same, a vertex at a time.
 template <class F>
 struct InLanes {
   static constexpr bool kThere = false;
 };
+#ifndef HWFFD_NO_LANES
 template <int W>
 struct InLanes<Fixed<W>> {
   static constexpr bool kThere = Fixed<W>::kShort;
   using Format = Fixed<W, Lanes>;
 };
+#endif
 
 /// A number format and an organization that evaluate eight vertices at once, with the bits of one:
 /// it is the same source, with `Lanes` for a number.

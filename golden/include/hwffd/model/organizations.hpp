@@ -30,6 +30,7 @@ struct Organization {
   int lanes;          ///< vertices that are evaluated side by side
   bool jacobian;      ///< whether a pass gives the position and its three derivatives
   bool walks;         ///< whether vertices of a row along s share what comes before s
+  bool pairs;         ///< whether two of them that are neighbours in a cell are taken at once
   Clocks paper;       ///< of a vertex at the paper's schedule
   Clocks last;        ///< of the last accumulation, which that formula does not count
   Clocks overlapped;  ///< between vertices when steps overlap; of one cell, if it keeps one

@@ -10,6 +10,7 @@
 #include "hwffd/model/org_powers.hpp"
 #include "hwffd/model/resident_vertex.hpp"
 #include "hwffd/numerics/fixed.hpp"
+#include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packets.hpp"
 
 /// Organization `scatter`, the transpose of `affine`: gradients with respect to positions are added
@@ -50,6 +51,14 @@ struct RoundedParts {
   static Part whole(Part part) { return part; }
 };
 
+/// Parts of a layer's sum, as the hardware has them.
+template <class F>
+struct WideParts : RoundedParts<F> {
+  using Part = typename F::Part;
+  static Part share(typename F::Weight weight, Part part) { return F::wide_share(weight, part); }
+  static Part less(Part a, Part b) { return F::wide_less(a, b); }
+};
+
 /// Parts without any rounding: each expansion has kWeightFraction more digits.
 template <class F>
 struct ExactParts {
@@ -78,23 +87,31 @@ std::array<typename Parts::Part, 4> expanded(
   return banks;
 }
 
-/// A component of a gradient among 64 banks, (s, t, u) in two bits each, u fastest: along s, then
-/// t, then u, 1 -> 4 -> 16 -> 64.
+/// A part among the banks of the axes from `first` to u, two bits each, u fastest: along s, then t,
+/// then u, 1 -> 4 -> 16 -> 64.
 /// @param derivative  the axis along which it is the gradient of the derivative, or -1
-template <class Parts>
-std::array<typename Parts::Part, 64> scattered(
+template <class Parts, int first>
+std::array<typename Parts::Part, 1 << 2 * (3 - first)> scattered_from(
     const std::array<CumulativeWeights<typename Parts::Format>, 3>& cumulative,
-    const typename Parts::Part& gradient, int derivative) {
-  std::array<typename Parts::Part, 64> parts;
-  parts[0] = gradient;
-  for (int axis = 0; axis < 3; ++axis) {
+    const typename Parts::Part& part, int derivative) {
+  std::array<typename Parts::Part, 1 << 2 * (3 - first)> parts;
+  parts[0] = part;
+  for (int axis = first; axis < 3; ++axis) {
     // From behind, so that a part is read before its place is written.
-    for (int i = (1 << (2 * axis)) - 1; i >= 0; --i) {
+    for (int i = (1 << (2 * (axis - first))) - 1; i >= 0; --i) {
       const auto banks = expanded<Parts>(cumulative[axis], parts[i], axis != derivative);
       for (int b = 0; b < 4; ++b) parts[4 * i + b] = banks[b];
     }
   }
   return parts;
+}
+
+/// A component of a gradient among 64 banks, (s, t, u).
+template <class Parts>
+std::array<typename Parts::Part, 64> scattered(
+    const std::array<CumulativeWeights<typename Parts::Format>, 3>& cumulative,
+    const typename Parts::Part& gradient, int derivative) {
+  return scattered_from<Parts, 0>(cumulative, gradient, derivative);
 }
 
 /// The cumulative weights of each axis. Bank 3 is never evaluated, and its flag is not seen.
@@ -121,6 +138,27 @@ struct VertexParts {
   bool saturated = false;
 };
 
+/// What a vertex of a row adds to the sums of the four layers of its support, along s.
+struct VertexLayers {
+  std::array<std::array<std::int64_t, 3>, 4> added{};
+  bool saturated = false;
+};
+
+/// What the sum of a layer adds to the layer's 16 points, in local order, n fastest.
+struct LayerSpread {
+  std::array<std::array<std::int64_t, 3>, 16> added{};
+  bool saturated = false;
+};
+
+/// The places that all rows of a grid have along s, with their weights.
+class RowPlaces {
+ public:
+  virtual ~RowPlaces() = default;
+  /// What a vertex at one of them adds to the sums of its row.
+  virtual VertexLayers layers(std::size_t place,
+                              const std::array<std::uint32_t, 3>& gradient) const = 0;
+};
+
 /// The datapath of a scatter core, whatever the width of its words.
 class ScatterModel {
  public:
@@ -130,6 +168,15 @@ class ScatterModel {
   virtual void load(int axis, const AxisWords& words) = 0;
   /// What a vertex adds. Coordinates outside [0, 1] are clamped, as in mode 0.
   virtual VertexParts parts(const GradientWords& vertex) const = 0;
+  /// Of a core with rows: what a vertex adds to the sums of its row.
+  virtual VertexLayers layers(const GradientWords& vertex) const = 0;
+  /// The same of vertices at these places along s; as long as the model lasts and loads nothing.
+  virtual std::unique_ptr<RowPlaces> row_places(const std::vector<AxisPlace>& places,
+                                                int derivative) const = 0;
+  /// The same: what the sum of a layer adds. Of the vertex nothing counts but where it is along t
+  /// and u, and its derivative.
+  virtual LayerSpread spread(const GradientWords& row,
+                             const std::array<std::int64_t, 3>& sum) const = 0;
 };
 
 /// Whether a row of the table has a transpose: `affine` in fixed point of 12 to 18 bits.
@@ -154,6 +201,11 @@ class ScatterPage {
 
   /// Adds a vertex of a cell that the lattice has.
   void add(const std::array<int, 3>& cell, const VertexParts& vertex);
+  /// Adds what a layer of a row does.
+  /// @param first  its first point: the layer, and the row's cell along t and u
+  void add_layer(const std::array<int, 3>& first, const LayerSpread& layer);
+  /// Counts a vertex of a row.
+  void count(bool saturated);
   /// Adds what another page of as many points has, modulo 2^35.
   void join(const ScatterPage& other);
 
@@ -180,6 +232,7 @@ class ScatterPage {
 
  private:
   void put(std::size_t point, int component, std::uint64_t sum);
+  void add_at(const std::array<int, 3>& at, const std::array<std::int64_t, 3>& added);
   void forget();
 
   int width_;
@@ -189,6 +242,30 @@ class ScatterPage {
   std::size_t swept_;  // words, of the sweep under way
   std::uint64_t vertices_ = 0;
   bool saturated_ = false;
+};
+
+/// The row under way in a core with rows: a sum of 35 bits for each of its layers.
+class ScatterRow {
+ public:
+  explicit ScatterRow(const ScatterModel& scatter) : scatter_(&scatter) {}
+
+  /// Adds a vertex, in any order. All of a row are at the same place along t and u.
+  /// @return whether it saturated
+  bool add(const GradientWords& vertex);
+  /// The same of what it adds.
+  /// @param vertex  whose place along t and u, cell along s and derivative count
+  bool add(const GradientWords& vertex, const VertexLayers& layers);
+  bool empty() const { return layers_.empty(); }
+  /// Adds each layer to a page, and begins the next row.
+  /// @return whether it saturated, of each layer, along s
+  std::vector<bool> end(ScatterPage& page);
+
+ private:
+  const ScatterModel* scatter_;
+  GradientWords row_;
+  std::vector<int> layers_;                        // that have come, in any order
+  std::vector<std::array<std::int64_t, 3>> sums_;  // of each layer of the lattice
+  std::vector<bool> added_;                        // whether it has come
 };
 
 }  // namespace hwffd::model

@@ -26,14 +26,15 @@ struct ScatterEvent {
 
 /// The bit-true model of `hwffd_scatter`: command beats in, result beats out, bad packets included.
 /// docs/interface.md section 2, opcodes 1, 10 and 11. It knows order and bits, not clocks: a vertex
-/// adds at once, and nothing waits.
+/// adds at once, or with its row, and nothing waits.
 class ScatterStreamModel {
  public:
   /// @param row          an organization that has a transpose, whose weights are those
   /// @param axis_points  of a page, at most; up to `kSmallAxisPoints`
+  /// @param rows         whether grids go by rows, and a vertex of a list is a row by itself
   /// @throws std::invalid_argument as `make_scatter_model`, or for more points an axis
   explicit ScatterStreamModel(const Configuration& row, int axis_points = kAxisPoints,
-                              int pages = kPages);
+                              int pages = kPages, bool rows = false);
 
   /// Takes one beat of the command stream.
   void accept(const Beat& beat);
@@ -73,6 +74,7 @@ class ScatterStreamModel {
   void gradient(const Beat& beat);
   VertexBeat next_of_grid();
   void add(const VertexBeat& vertex, const Beat& gradient);
+  void end_row();
   void collect(Page& page);
   bool refuse(unsigned event);
   void tell(unsigned event, bool occurs = true);
@@ -82,7 +84,8 @@ class ScatterStreamModel {
   std::unique_ptr<ScatterModel> scatter_;
   WordCodec codec_;
   int axis_points_;
-  bool sums_wanted_;  // functions must sum to one
+  std::optional<ScatterRow> row_;  // of a core with rows
+  bool sums_wanted_;               // functions must sum to one
   FunctionSums sums_;
   std::array<AxisWords, 3> next_functions_{};  // of the packet under way
   bool loaded_ = false;

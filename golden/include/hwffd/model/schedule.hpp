@@ -28,6 +28,9 @@ bool gives_jacobian(const Configuration& row);
 /// cells.
 bool walks(const Configuration& row);
 
+/// Whether it takes two such vertices of one cell at once.
+bool pairs(const Configuration& row);
+
 /// Clocks of a vertex in the paper's unit times (sections 4.1 to 4.4). Nothing for an organization
 /// that the paper does not have.
 std::optional<double> paper_clocks(const Configuration& row);

@@ -39,12 +39,14 @@ struct Fixed {
   using Sum = Flagged<SumWord, OfSum>;
   using Weight = Number;
   using Point = Number;
-  /// Of what a gradient is expanded into: a bit more than a point, in the same units.
+  /// Of what a gradient is expanded into: a bit more than a point, in the same units. A wide one
+  /// has `kWidePartBits`.
   using Part = Number;
 
   static constexpr int kWeightFraction = W - 2;
   static constexpr int kPointFraction = W - 1;
   static constexpr int kSumFraction = 2 * W - 3;
+  static constexpr int kWidePartBits = 35;
   static constexpr std::uint32_t kBlankWord = 0;
   static constexpr std::uint32_t kOneWord = 0x80000000;
 
@@ -131,6 +133,18 @@ struct Fixed {
   /// The difference of two parts.
   static Part less(Part a, Part b) {
     return with_flag(round_to(static_cast<Wide>(a.value) - b.value, 0, W + 1),
+                     either(a.saturated, b.saturated));
+  }
+
+  /// A weight times a sum of parts, rounded to a wide part.
+  static Part wide_share(Weight weight, Part part) {
+    return with_flag(
+        round_to(static_cast<Wide>(weight.value) * part.value, kWeightFraction, kWidePartBits),
+        either(weight.saturated, part.saturated));
+  }
+  /// The difference of two wide parts.
+  static Part wide_less(Part a, Part b) {
+    return with_flag(round_to(static_cast<Wide>(a.value) - b.value, 0, kWidePartBits),
                      either(a.saturated, b.saturated));
   }
 

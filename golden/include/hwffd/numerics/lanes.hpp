@@ -15,7 +15,9 @@ template <class Word>
 using FlagOf = std::conditional_t<std::is_same_v<Word, Lanes>, Lanes, bool>;
 
 inline bool either(bool a, bool b) { return a || b; }
+#ifndef HWFFD_NO_LANES  // no function takes them
 inline Lanes either(Lanes a, Lanes b) { return a | b; }
+#endif
 
 /// A whole number and whether it, or what it was made of, saturated. What it is the value of makes
 /// types of it that do not mix.

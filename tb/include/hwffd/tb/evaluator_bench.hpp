@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ class EvaluatorBench {
   void run(const EvaluatorStimulus& stimulus, Throttle source = Throttle::always(),
            Throttle sink = Throttle::always(), ScheduleRecorder* recorder = nullptr);
 
-  /// Results, of which a vertex that wants its Jacobian has four.
+  /// Results, of which a vertex that wants its Jacobian has four, and one with a second has two.
   std::uint64_t checked() const { return checked_; }
   std::uint64_t mismatches() const { return mismatches_; }
   const std::string& first_mismatch() const { return first_mismatch_; }
@@ -55,7 +56,8 @@ class EvaluatorBench {
   void take(const cores::EvaluatorCore::Result& result);
   void compare(const EvaluatorStimulus& stimulus, std::size_t first);
   void compare_result(const EvaluatorStimulus& stimulus, std::size_t index, int derivative,
-                      const cores::EvaluatorCore::Derivative& got, bool tag_fits);
+                      const cores::EvaluatorCore::Derivative& got, bool tag_fits,
+                      std::optional<std::uint32_t> second = std::nullopt);
 
   cores::EvaluatorCore& core_;
   model::EvaluatorModel& model_;

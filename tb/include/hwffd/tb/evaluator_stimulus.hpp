@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hwffd/stream/packets.hpp"
@@ -27,6 +28,7 @@ struct EvaluatorVertex {
   int bank = 0;              ///< of the coefficients, 0 or 1
   int derivative = -1;       ///< the axis along which it is differentiated; -1: the position
   bool jacobian = false;     ///< the position and all three in one pass
+  std::optional<std::uint32_t> second = {};  ///< s of a second vertex with it
 };
 
 /// Supports (at most 256) and vertices that read them.

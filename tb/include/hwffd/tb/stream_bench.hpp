@@ -83,6 +83,8 @@ class StreamBench : private cores::StreamParty {
   const std::vector<Beat>& results() const { return monitor_.beats(); }
   /// Pulses of each event since the last reset.
   const std::array<std::uint64_t, kStreamEvents>& events() const { return events_; }
+  /// Second vertices that left with another one, since the last reset.
+  std::uint64_t seconds() const { return seconds_; }
   /// Where the last of an event came from.
   cores::EventPlace event_place(int event) const { return event_places_.at(event); }
   /// Clocks since the last reset in which that bit of wait_o was 1.
@@ -135,6 +137,7 @@ class StreamBench : private cores::StreamParty {
   std::function<void(double)> progress_;
   std::array<std::uint64_t, kStreamEvents> events_{};
   std::array<cores::EventPlace, kStreamEvents> event_places_{};
+  std::uint64_t seconds_ = 0;
   std::array<std::uint64_t, 3> waits_{};
   bool was_reset_ = false;
   bool first_cycle_ = false;

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "climb.hpp"
+#include "coordinates.hpp"
+#include "hwffd/bounds/axis_error.hpp"
+#include "hwffd/model/scatter.hpp"
+
+namespace hwffd::certified {
+
+/// Hill climbing over a vertex and its gradient: the sum of the errors of its 64 parts against the
+/// gradient times equation (1), as the model rounds them. What saturates does not count.
+template <class F>
+class ScatterClimb {
+ public:
+  /// @param powers  the weights are those of the evaluator `powers`, else of the bank
+  ScatterClimb(const model::CoefficientBank<F>& bank, bool powers) : bank_(bank), powers_(powers) {}
+
+  /// From three coordinates with their cells and the largest gradient on, so many steps, and in
+  /// between each axis in turn over all candidates.
+  Witness run(const Triple& start, const std::vector<Candidate>& candidates, std::int64_t steps,
+              std::mt19937_64& engine) {
+    Witness best;
+    for (int axis = 0; axis < 3; ++axis) {
+      best.vertex.local[axis] = start[axis].point.word;
+      best.vertex.cell[axis] = start[axis].cell;
+    }
+    best.result = FixedPoints::top(1, F::kWeightFraction + 2);
+    best.error = error(best);
+    for (std::int64_t step = 0; step < steps; ++step) {
+      if (step % (steps / kRounds + 1) == 0) {
+        for (std::size_t axis = 0; axis < 3; ++axis) over_axis(best, axis, candidates);
+      }
+      Witness probe = best;
+      const auto axis = static_cast<std::size_t>(engine() % 3);
+      switch (engine() % 4) {
+        case 0: {
+          const Candidate& other = candidates[engine() % candidates.size()];
+          probe.vertex.local[axis] = other.point.word;
+          probe.vertex.cell[axis] = other.cell;
+          break;
+        }
+        case 1:
+          probe.vertex.local[axis] = std::min<std::uint32_t>(
+              0x80000000U, FixedPoints::moved(probe.vertex.local[axis] >> 1, engine) << 1);
+          break;
+        case 2:
+          probe.vertex.cell[axis] = static_cast<int>(engine() % 4);
+          break;
+        default:
+          probe.result = FixedPoints::moved(probe.result, engine);
+      }
+      probe.error = error(probe);
+      if (probe.error >= best.error) best = probe;
+    }
+    return best;
+  }
+
+  /// The sum of the 64 errors, 0 where something saturates. The gradient is the word `result`.
+  double error(const Witness& witness) const {
+    using model::LocalVertex;
+    LocalVertex<F> vertex;
+    vertex.cell = witness.vertex.cell;
+    std::array<Four, 3> exact;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t word = witness.vertex.local[axis];
+      vertex.local[axis] = F::coordinate(word);
+      exact[axis] = bounds::bspline(Coordinates<F>::value(word));
+    }
+    const double gradient = std::ldexp(static_cast<std::int32_t>(witness.result), -31);
+    const auto cumulative = model::cumulative_of<F>(vertex, bank_, powers_);
+    const auto parts =
+        model::scattered<model::RoundedParts<F>>(cumulative, F::point(witness.result), -1);
+    double sum = 0;
+    for (int index = 0; index < 64; ++index) {
+      if (parts[index].saturated) return 0;
+      const int l = model::local_of_bank(index >> 4, vertex.cell[0]);
+      const int m = model::local_of_bank(index >> 2, vertex.cell[1]);
+      const int n = model::local_of_bank(index, vertex.cell[2]);
+      const double part =
+          std::ldexp(static_cast<double>(parts[index].value), -(F::kWeightFraction + 1));
+      sum += std::abs(part - gradient * exact[0][l] * exact[1][m] * exact[2][n]);
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr std::int64_t kRounds = 4;
+
+  void over_axis(Witness& best, std::size_t axis, const std::vector<Candidate>& candidates) const {
+    Witness probe = best;
+    for (const Candidate& candidate : candidates) {
+      probe.vertex.local[axis] = candidate.point.word;
+      probe.vertex.cell[axis] = candidate.cell;
+      probe.error = error(probe);
+      if (probe.error > best.error) best = probe;
+    }
+  }
+
+  model::CoefficientBank<F> bank_;
+  bool powers_;
+};
+
+}  // namespace hwffd::certified
