@@ -7,6 +7,7 @@ install(TARGETS hwffd EXPORT hwffd_core LIBRARY DESTINATION ${CMAKE_INSTALL_LIBD
 install(DIRECTORY include/hwffd
   ${hwffd_SOURCE_DIR}/golden/include/hwffd
   ${hwffd_SOURCE_DIR}/geometry/include/hwffd
+  ${hwffd_SOURCE_DIR}/registration/include/hwffd
   ${hwffd_SOURCE_DIR}/cores/include/hwffd
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   PATTERN cores EXCLUDE)  # interfaces of simulated cores

@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 Action add_deform(CLI::App& app);
 Action add_view(CLI::App& app);
 Action add_embed(CLI::App& app);
+Action add_fit(CLI::App& app);
 Action add_lattice(CLI::App& app);
 Action add_check(CLI::App& app);
 Action add_info(CLI::App& app);

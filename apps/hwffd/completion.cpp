@@ -40,7 +40,13 @@ Words formats() {
 
 /// Words that an option takes, where they are known; a file may stand in place of a shape.
 Words values_of(const std::string& option) {
-  if (option == "--device") return device_kinds();
+  if (option == "--device") {
+    Words words = device_kinds();
+    for (const std::string& kind : board_kinds()) {
+      words.push_back(kind.substr(0, kind.find(':') + 1));
+    }
+    return words;
+  }
   if (option == "--family") return Family::names();
   if (option == "--format") return formats();
   if (option == "--outside") return {"keep", "clamp", "fade:"};

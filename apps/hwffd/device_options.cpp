@@ -6,15 +6,17 @@ namespace hwffd::command {
 
 void add_device_options(CLI::App& app, DeviceChoice& choice) {
   CLI::Option* const device =
-      app.add_option("--device", choice.device, "what evaluates: reference (default), model, rtl");
+      app.add_option("--device", choice.device,
+                     "what evaluates: reference (default), model, rtl, or a board behind a serial "
+                     "line, such as serial:/dev/ttyUSB0, or a core under Linux, uio:0");
   app.add_option(
          "--org", choice.org,
-         "organization of a model or rtl: basic (default), cg3, factored/3, ..., or a row of "
-         "hwffd info, such as basic-fp32-overlapped-fmac")
+         "organization of a model, rtl or board: basic (default; of a board what it has as it "
+         "comes), cg3, factored/3, ..., or a row of hwffd info, such as basic-fp32-overlapped-fmac")
       ->needs(device);
   app.add_option(
          "--format", choice.format,
-         "number format of a model or rtl: fp32 (default), bfp32, fx18, fx32; a row has its "
+         "number format of a model, rtl or board: fp32 (default), bfp32, fx18, fx32; a row has its "
          "own")
       ->needs(device);
 }

@@ -37,7 +37,9 @@ Json extent(const Points& points) {
 
 Json build_info() {
   Json devices = Json::object();
-  for (const std::string& kind : device_kinds()) devices[kind] = device_rows(kind);
+  for (const std::vector<std::string>& kinds : {device_kinds(), board_kinds()}) {
+    for (const std::string& kind : kinds) devices[kind] = device_rows(kind);
+  }
   return {{"version", HWFFD_VERSION}, {"devices", std::move(devices)}};
 }
 

@@ -55,8 +55,11 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", HWFFD_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "hwffd COMMAND --help shows the options of a command, with examples. hwffd warp resamples a "
-      "volume, where the Python package is installed; hwffd sim runs the simulated hardware, where "
+      "hwffd COMMAND --help shows the options of a command, with examples. hwffd core writes a "
+      "core "
+      "of one configuration, hwffd warp resamples a volume and hwffd register aligns two, where "
+      "the "
+      "Python package is installed; hwffd sim runs the simulated hardware, where "
       "make sim has built it; any other NAME runs the program hwffd-NAME.");
   std::vector<std::pair<CLI::App*, command::Action>> commands;
   const auto add = [&](const char* name, const char* help, command::Action (*options)(CLI::App&)) {
@@ -66,6 +69,7 @@ int run(int argc, char** argv) {
   add("deform", "move a mesh, or points, by deformed lattices", command::add_deform);
   add("view", "drag the points of a lattice in a window, the mesh follows", command::add_view);
   add("embed", "where vertices lie in a lattice, and how exactly", command::add_embed);
+  add("fit", "find the lattice that takes vertices to given places", command::add_fit);
   add("lattice", "write a lattice file", command::add_lattice);
   add("check", "whether a lattice folds, and its volume", command::add_check);
   add("info", "what a file holds; without a file, what this build has", command::add_info);

@@ -32,7 +32,7 @@ bool is_device(const std::string& path) {
 
 }  // namespace
 
-void check_outputs(const std::vector<Output>& outputs) {
+void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs) {
   std::map<std::string, const char*> options;
   for (const Output& output : outputs) {
     if (output.path.empty() || is_device(output.path)) continue;
@@ -42,6 +42,12 @@ void check_outputs(const std::vector<Output>& outputs) {
     if (!is_new) {
       throw UsageError(fmt::format("{} {}: {} goes there already; name another file", output.option,
                                    output.path, other->second));
+    }
+    for (const std::string& input : inputs) {
+      std::error_code none;
+      if (fs::equivalent(output.path, input, none)) {
+        throw UsageError(output.path + ": is read from; name another file");
+      }
     }
     if (!standard) check_writable(output.path);
   }

@@ -13,8 +13,9 @@ struct Output {
 };
 
 /// Whether all can be written, each in a place of its own: asked before the work.
-/// @throws UsageError for a place that is named twice, Error as check_writable()
-void check_outputs(const std::vector<Output>& outputs);
+/// @param inputs  files that must not be written over
+/// @throws UsageError for a place that is named twice or is an input, Error as check_writable()
+void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs = {});
 
 /// Writes text to a file, whole or not at all, or to standard output.
 /// @throws Error if it cannot be written

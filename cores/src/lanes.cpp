@@ -158,7 +158,7 @@ void add_walk(std::vector<Lane>& lanes, const Configuration& c, const Schedule& 
   constexpr int kComponents = 3;
   Pipeline polynomials(schedule, schedule.polynomials);
   polynomials.pass(lanes, "axis chosen", 1);
-  polynomials.pass(lanes, "3 polynomial evaluators of u and t", polynomial_latency(c));
+  polynomials.pass(lanes, "3 polynomials of u and t", polynomial_latency(c));
   Pipeline points(schedule, schedule.steps);
   points.pass(lanes, count_of(c.n, "point") + " read", 2);
   add_differences(lanes, points, c, kComponents, "u");
@@ -169,12 +169,13 @@ void add_walk(std::vector<Lane>& lanes, const Configuration& c, const Schedule& 
   add_contract(lanes, points, c, kComponents, "t", true);
   const auto before = static_cast<std::uint64_t>(c.mul_latency + 2 * c.add_latency);
   std::vector<Entry> weights, held;
-  for (std::size_t v = 0; v < schedule.results.size(); ++v) {
-    const std::uint64_t multiplied = schedule.results[v] - before;
-    weights.push_back({multiplied - static_cast<std::uint64_t>(polynomial_latency(c)), v});
-    held.push_back({multiplied - static_cast<std::uint64_t>(c.add_latency), v});
+  for (const Entry& result : schedule.results) {
+    const std::uint64_t multiplied = result.clock - before;
+    weights.push_back(
+        {multiplied - static_cast<std::uint64_t>(polynomial_latency(c)), result.vertex});
+    held.push_back({multiplied - static_cast<std::uint64_t>(c.add_latency), result.vertex});
   }
-  Pipeline(schedule, weights).pass(lanes, "3 polynomial evaluators of s", polynomial_latency(c));
+  Pipeline(schedule, weights).pass(lanes, "3 polynomials of s", polynomial_latency(c));
   Pipeline vertices(schedule, held);
   add_differences(lanes, vertices, c, kComponents, "s");
   add_contract(lanes, vertices, c, kComponents, "s");

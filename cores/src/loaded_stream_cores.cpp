@@ -70,9 +70,9 @@ std::unique_ptr<StreamCore> make_stream_core(const Configuration& configuration,
 
 bool has_scatter_core() { return library().make_scatter != nullptr; }
 
-std::unique_ptr<StreamCore> make_scatter_core(std::uint64_t seed) {
+std::unique_ptr<StreamCore> make_scatter_core(bool rows, std::uint64_t seed) {
   if (!has_scatter_core()) throw std::invalid_argument("no core that adds gradients up");
-  return std::unique_ptr<StreamCore>(library().make_scatter(seed));
+  return std::unique_ptr<StreamCore>(library().make_scatter(rows ? 1 : 0, seed));
 }
 
 }  // namespace hwffd::cores

@@ -22,9 +22,9 @@ hwffd::cores::StreamCore* hwffd_rtl_make(const char* row, std::uint64_t seed) {
   }
 }
 
-hwffd::cores::StreamCore* hwffd_rtl_make_scatter(std::uint64_t seed) {
+hwffd::cores::StreamCore* hwffd_rtl_make_scatter(int rows, std::uint64_t seed) {
   try {
-    return hwffd::cores::make_scatter_core(seed).release();
+    return hwffd::cores::make_scatter_core(rows != 0, seed).release();
   } catch (...) {
     return nullptr;
   }

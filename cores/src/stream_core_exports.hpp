@@ -18,8 +18,8 @@ __attribute__((visibility("default"))) int hwffd_rtl_has(const char* row);
 __attribute__((visibility("default"))) hwffd::cores::StreamCore* hwffd_rtl_make(const char* row,
                                                                                 std::uint64_t seed);
 
-/// The same of the core that adds gradients up.
+/// The same of a core that adds gradients up, of grids by rows or not.
 __attribute__((visibility("default"))) hwffd::cores::StreamCore* hwffd_rtl_make_scatter(
-    std::uint64_t seed);
+    int rows, std::uint64_t seed);
 
 }  // extern "C"

@@ -72,7 +72,7 @@ def run(options):
     status = _ended(options.command)
     changed = [name for name in names if _written(fresh.path(name)) not in (None, before[name])]
     for name in changed:
-        if hasattr(MODULES[name], "finished"):
+        if hasattr(MODULES.get(name), "finished"):
             whole_file.write(fresh.path(name), json.dumps(MODULES[name].finished(fresh)) + "\n")
     if changed and options.show:
         options.names = ",".join(changed)

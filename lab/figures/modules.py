@@ -6,10 +6,11 @@ SPDX-License-Identifier: Apache-2.0
 import importlib
 import pathlib
 
+from lab.figures import study_pages
 from tools.reports import report_modules, text_blocks
 
 STUDIES = sorted(path.stem for path in pathlib.Path(__file__).parent.glob("studies/[a-z]*.py"))
-MODULES = {**report_modules.MODULES,
+MODULES = {**report_modules.MODULES, "studies": study_pages,
            **{name: importlib.import_module(f"lab.figures.studies.{name}") for name in STUDIES}}
 # The texts of the product and of the laboratory.
 TEXTS = (*text_blocks.PATTERNS, "lab/**/*.md")
@@ -23,6 +24,7 @@ CHARTS = {
     "structure": ("structure",),
     "compare": ("compare",),
     "tutorial": (),
+    "walk": (),
 }
 
 

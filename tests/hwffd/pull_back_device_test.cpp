@@ -13,6 +13,7 @@
 #include "hwffd/lattice/around.hpp"
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/model/scatter.hpp"
+#include "hwffd/model/scatter_stream.hpp"
 #include "hwffd/on_threads.hpp"
 #include "hwffd/stream/blending.hpp"
 #include "sample_lattices.hpp"
@@ -120,6 +121,45 @@ TEST_F(PullBackDevice, TheSimulatedCoreTakesLatticesOfAnySize) {
   }
 }
 
+// Several slices, one, or some rows of one a page; either way along each axis, small lattices and
+// large ones.
+TEST_F(PullBackDevice, TheSimulatedCoreHasTheBitsOfAModelByRows) {
+  const auto core = make_pull_back_device("rtl", true);
+  const auto model = make_pull_back_device("model", true);
+  std::uint64_t vertices = 0;
+  for (const auto& [dims, count] : {std::pair<Index3, Index3>{{9, 6, 7}, {41, 7, 9}},
+                                    {{4, 4, 4}, {1, 1, 1}},
+                                    {{32, 5, 4}, {130, 150, 3}},
+                                    {{5, 20, 17}, {300, 60, 2}}}) {
+    const std::array<double, 3> first = {0, dims[1] - 3.0, 0.25};
+    const std::array<double, 3> last = {dims[0] - 3.0, 0, dims[2] - 3.5};
+    const Grid grid = grid_between(first, last, count);
+    const Points gradient = Points::Random(static_cast<Eigen::Index>(vertex_count(grid)), 3);
+    EXPECT_EQ(core->pull_back_grid(dims, grid, gradient),
+              model->pull_back_grid(dims, grid, gradient));
+    vertices += vertex_count(grid);
+  }
+  EXPECT_EQ(core->counts().vertices, vertices);
+  EXPECT_GE(core->counts().clocks, vertices);
+  EXPECT_LT(core->counts().clocks, 2 * vertices);
+
+  const GradientScene scene(500);
+  const Index3& dims = scene.lattice.dims();
+  EXPECT_EQ(core->pull_back(dims, scene.vertices, scene.gradient),
+            make_pull_back_device("model")->pull_back(dims, scene.vertices, scene.gradient))
+      << "vertices have the bits of vertices";
+  const std::string refusal =
+      "rtl scatter-fx17: takes by rows lattices of up to 32 points an axis, and rows of up to "
+      "16384 "
+      "vertices; take the device model";
+  EXPECT_ERROR(core->pull_back_grid({33, 4, 4}, grid_between({0, 0, 0}, {1, 1, 1}, {2, 2, 2}),
+                                    Points::Zero(8, 3)),
+               refusal);
+  EXPECT_ERROR(core->pull_back_grid({4, 4, 4}, grid_between({0, 0, 0}, {1, 1, 1}, {16'385, 1, 1}),
+                                    Points::Zero(16'385, 3)),
+               refusal);
+}
+
 TEST_F(PullBackDevice, TheSimulatedCoreTellsOfSaturation) {
   const GradientScene scene(20);
   Oracle::Coefficients steep = Oracle::Coefficients::Zero();
@@ -195,6 +235,73 @@ TEST_F(PullBackDevice, ModelsHaveTheBitsOfAScatterCoreWithTheirWeights) {
   EXPECT_LT(largest_of(exact - added_by_model(scene, "affine-fx17-overlapped", 4)), 0.05);
 }
 
+/// A model that pulls grids back by rows.
+std::unique_ptr<Device> device_by_rows(const char* org = "affine") {
+  DeviceChoice choice{"model", org, "fx17"};
+  choice.rows = true;
+  return make_device(choice);
+}
+
+// Those of the stream model of a core with rows, which collects whole numbers.
+TEST_F(PullBackDevice, ModelsByRowsHaveTheBitsOfACoreWithRows) {
+  const WordCodec codec("fx17");
+  const Index3 dims = {9, 6, 7};
+  const Grid grid = grid_between({0, 3, 1.5}, {6, 0.25, 4}, {41, 7, 9});
+  const Points gradient = 0.9 * Points::Random(41 * 7 * 9, 3);
+  std::vector<std::array<std::uint32_t, 3>> words;
+  for (const auto& of_vertex : gradient.rowwise()) {
+    words.push_back(
+        {codec.point(of_vertex[0]), codec.point(of_vertex[1]), codec.point(of_vertex[2])});
+  }
+  for (const char* org : {"affine", "affine-fx17-overlapped-powers"}) {
+    Gradients how;
+    how.dims = dims;
+    const bool powers = std::string(org) != "affine";
+    model::ScatterStreamModel core(find_configuration(powers ? org : "affine-fx17-overlapped"), 16,
+                                   1, true);
+    core.run(coefficients_packet(watertight_bspline(codec), codec));
+    core.run(gradients_packet(0, grid, words, how));
+    Points expected(9 * 6 * 7, 3);
+    const std::vector<Beat> results = core.run(collect_packet(0));
+    ASSERT_EQ(results.size(), 9U * 6 * 7);
+    for (Eigen::Index point = 0; point < expected.rows(); ++point) {
+      for (int c = 0; c < 3; ++c) {
+        const std::uint32_t word = results[static_cast<std::size_t>(point)].words[c];
+        expected(point, c) = std::ldexp(static_cast<std::int32_t>(word), -16);
+      }
+    }
+    const auto device = device_by_rows(org);
+    EXPECT_EQ(device->pull_back_grid(dims, grid, gradient), expected) << org;
+    EXPECT_EQ(device->counts().vertices, 41U * 7 * 9);
+    const Points by_vertices =
+        make_device({"model", org, "fx17"})->pull_back_grid(dims, grid, gradient);
+    EXPECT_EQ(device->pull_back(dims, places_of(grid, {6, 3, 4}), gradient), by_vertices);
+    const Points exact = make_device({"reference"})->pull_back_grid(dims, grid, gradient);
+    EXPECT_GT(largest_of(expected - by_vertices), 0);
+    EXPECT_LT(largest_of(expected - exact), largest_of(by_vertices - exact)) << org;
+  }
+}
+
+// More rows than a page takes, and rows that are longer than pages.
+TEST_F(PullBackDevice, BitsOfRowsDoNotDependOnThreads) {
+  const Index3 dims = {8, 6, 7};
+  for (const std::array<int, 3>& count :
+       {std::array<int, 3>{300, 40, 12}, std::array<int, 3>{20'000, 3, 2}}) {
+    const Grid grid = grid_between({5, 0, 0}, {0, 3, 4}, count);
+    const Points gradient = Points::Random(static_cast<Eigen::Index>(vertex_count(grid)), 3);
+    set_thread_count(1);
+    const auto device = device_by_rows();
+    const Points expected = device->pull_back_grid(dims, grid, gradient);
+    EXPECT_EQ(device->counts().saturated, 0U);
+    const Points exact = make_device({"reference"})->pull_back_grid(dims, grid, gradient);
+    EXPECT_LT(largest_of(expected - exact), 0.2);
+    for (const std::size_t threads : {2, 3, 5}) {
+      set_thread_count(threads);
+      EXPECT_EQ(device_by_rows()->pull_back_grid(dims, grid, gradient), expected) << threads;
+    }
+  }
+}
+
 // What vertices add sums to their gradients, to the bit of their words.
 TEST_F(PullBackDevice, ModelsConserveGradients) {
   const GradientScene scene(2000);
@@ -240,6 +347,11 @@ TEST_F(PullBackDevice, WhatHasItNotSaysWhatHas) {
   EXPECT_ERROR_PART(pull({"model", "affine", "fx32"}),
                     "has no transpose; take organization affine");
   EXPECT_THROW(make_pull_back_device("fpga"), UsageError);
+  DeviceChoice choice{"model"};
+  choice.rows = true;
+  const Grid grid = grid_between({0, 0, 0}, {1, 1, 1}, {5, 2, 1});
+  EXPECT_ERROR_PART(make_device(choice)->pull_back_grid(dims, grid, scene.gradient),
+                    "has no transpose; take organization affine");
 }
 
 TEST_F(PullBackDevice, RefusesWhatItCannotAdd) {
@@ -252,6 +364,14 @@ TEST_F(PullBackDevice, RefusesWhatItCannotAdd) {
                  "gradient of 9 positions for 10 vertices; give a row for each");
     gradient(4, 1) = std::nan("");
     EXPECT_ERROR(device->pull_back(dims, scene.vertices, gradient), "gradient 4 is not finite");
+    const Grid grid = grid_between({0, 0, 0}, {1, 1, 1}, {5, 2, 1});
+    EXPECT_ERROR(device->pull_back_grid(dims, grid, gradient), "gradient 4 is not finite");
+    EXPECT_ERROR(device->pull_back_grid(dims, grid, gradient.topRows(9)),
+                 "gradient of 9 positions for 10 vertices; give a row for each");
+    EXPECT_ERROR_PART(device->pull_back_grid({4, 4, 3}, grid, gradient), "4 x 4 x 3");
+    EXPECT_ERROR_PART(
+        device->pull_back_grid({4, 4, 4}, grid_between({0, 0, 0}, {1, 2, 1}, {5, 2, 1}), gradient),
+        "is not within the 1 x 1 x 1 cells");
     std::vector<Embedded> away = scene.vertices;
     away[3].cell[2] = 4;
     EXPECT_ERROR_PART(device->pull_back(dims, away, scene.gradient), "vertex 3: cell");

@@ -49,7 +49,7 @@ class Command(CommandTest):
 
     def test_help_has_examples(self):
         self.assertIn("deform", self.good("--help"))
-        for command in ("deform", "embed", "lattice", "check", "info", "completion", "manual"):
+        for command in ("deform", "embed", "fit", "lattice", "check", "info", "completion", "manual"):
             text = self.good(command, "--help")
             self.assertIn("Examples:", text)
             self.assertIn(f"hwffd {command}", text)
@@ -109,6 +109,25 @@ class Command(CommandTest):
             self.assertEqual((result.returncode, result.stdout), (FAILURE, ""))
             self.assertRegex(result.stderr, r"\Ahwffd: a.raw: not a mesh [^\n]* crashed[^\n]*\n\Z")
         self.assertFalse((self.folder / "out.ply").exists())
+
+    def test_fit(self):
+        points = [(math.sin(n), math.cos(3 * n), math.sin(7 * n)) for n in range(200)]
+        (self.folder / "rest.xyz").write_text("".join(f"{x} {y} {z}\n" for x, y, z in points))
+        (self.folder / "there.xyz").write_text("".join(f"{x + 0.1 * y * y} {y} {z - 0.1}\n" for x, y, z in points))
+        text = self.good("fit", "rest.xyz", "there.xyz", "--dims", "5x5x5", "-o", "fitted.json", "--json", "report.json")
+        self.assertRegex(text, r"\Abox 5x5x5: 200 points, 0 outside; rms [0-9.e-]+ -> [0-9.e-]+, largest [0-9.e-]+, \d+ iterations\nproved\n")
+        report = json.loads((self.folder / "report.json").read_text())
+        self.assertLess(report["rms_end"], 0.01 * report["rms_start"])
+        fitted = json.loads((self.folder / "fitted.json").read_text())
+        self.assertEqual((fitted["dims"], len(fitted["points"]), len(fitted["rest"])), ([5, 5, 5], 125, 125))
+        self.assertIn("wrote nothing", self.good("fit", "rest.xyz", "there.xyz"))
+        before = (self.folder / "rest.xyz").read_bytes()
+        for words, status in ((("-o", "rest.xyz"), USAGE), (("--json", "there.xyz"), USAGE), (("--loss", "joy"), USAGE),
+                              (("--loss", "huber"), USAGE), (("--lattice", "sphere", "--penalty", "1"), FAILURE)):
+            result = self.call("fit", "rest.xyz", "there.xyz", *words)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertRegex(result.stderr, r"\Ahwffd: [^\n]+\n\Z")
+        self.assertEqual((self.folder / "rest.xyz").read_bytes(), before)
 
     def test_report(self):
         self.good("deform", "solid.obj", "--deform", "twist:30", "-o", "out.obj", "--json", "r.json")
@@ -438,7 +457,7 @@ class Command(CommandTest):
 
     def test_info_of_the_build(self):
         devices = json.loads(self.good("info", "--json", "-"))["devices"]
-        self.assertEqual(sorted(devices), ["model", "reference", "rtl"])
+        self.assertEqual(sorted(devices), ["model", "reference", "rtl", "serial:PATH", "uio:N"])
         self.assertLessEqual(set(devices["rtl"]), set(devices["model"]))
         self.assertIn("basic-fp32-overlapped", devices["rtl"])
         self.assertIn("basic-fp32-overlapped", self.good("info"))

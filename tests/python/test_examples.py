@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SETTINGS = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "critical"}
 
 
-@pytest.mark.parametrize("name", ["deform", "fit", "with_dask", "with_pyvista", "with_trimesh"])
+@pytest.mark.parametrize("name", ["align_scans", "deform", "fit", "register", "with_dask", "with_pyvista", "with_trimesh"])
 def test_example(name, tmp_path):
     result = subprocess.run([sys.executable, "-B", "-W", "error::UserWarning",
                              ROOT / "examples" / f"{name}.py"], cwd=tmp_path, text=True, check=False,

@@ -15,7 +15,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = pathlib.Path(sys.executable).parent
-PARTS = ("api", "cmake", "cores", "docs", "geometry", "golden", "rtl", "synth", "tools",
+PARTS = ("api", "cmake", "cores", "docs", "geometry", "golden", "registration", "rtl", "synth", "tools",
          "CMakeLists.txt", "LICENSE", "VERSION", "hwffd.core", "pyproject.toml")
 SCENE = """
 import hwffd, numpy as np
@@ -67,13 +67,16 @@ def test_it_has_the_package_and_its_libraries(wheel):
     version = (ROOT / "VERSION").read_text().strip()
     assert wheel.name.startswith(f"pyhwffd-{version}-cp3") and "manylinux" in wheel.name
     names = zipfile.ZipFile(wheel).namelist()
+    sources = [name for name in names if name.startswith("hwffd/sources/")]
+    assert {"hwffd/sources/rtl/top/hwffd_stream.v", "hwffd/sources/tools/standalone/command.py"} < set(sources)
+    names = [name for name in names if name not in sources]
     for name in "__init__.py", "__init__.pyi", "py.typed", "volumes/__init__.py":
         assert f"hwffd/{name}" in names
     libraries = " ".join(names)
     for library in "libhwffd", "libassimp", "libfmt", "libhwy":
         assert library in libraries
     assert not [name for name in names if name.endswith((".hpp", ".cmake", ".cpp", ".pc", ".in"))]
-    assert len(names) < 50
+    assert len(names) < 60
     for name in {PurePosixPath(name).name.split(".so")[0].split("-")[0] for name in names if ".so" in name}:
         assert sum(PurePosixPath(other).name.startswith(f"{name}.") or f"{name}-" in other
                    for other in names) == 1, f"{name}: {names}"
@@ -91,6 +94,7 @@ def environment(wheel, tmp_path_factory):
     def called(*words, **variables):
         return run(python.with_name(words[0]) if words[0] != "python" else python, *words[1:], cwd=folder,
                    env={**clean, **variables})
+    called.programs = python.parent
     return called
 
 
@@ -154,3 +158,16 @@ def test_it_is_used_in_a_new_environment(environment):
                         "text=True, check=False))")
     assert "returncode=1" in lacks and "in.nrrd: is not there" in lacks
     environment("python", ROOT / "examples" / "deform.py")
+
+
+def test_it_writes_standalone_cores(environment, tmp_path):
+    """`pip install pyhwffd[core]`, without the clone."""
+    words = ("core", "--org", "cg1", "--format", "fx18", "--axis", "4", "--features", "resident", "--vertices", "20",
+             "-o", str(tmp_path / "cg1"))
+    lacks = environment("python", "-c", f"import subprocess, sys; print(subprocess.run(['hwffd', *{words!r}], "
+                        "capture_output=True, text=True, check=False).stderr)", PATH=str(environment.programs))
+    assert lacks.startswith("hwffd core: ") and "pip install pyhwffd[core]" in lacks
+    environment("pip", "install", "--quiet", "--disable-pip-version-check", "-r", str(ROOT / "tools" / "requirements-core.txt"))
+    assert environment("hwffd", *words).startswith(f"{tmp_path}/cg1: hwffd_stream, cg1 in fx18, resident: ")
+    run("iverilog", "-g2005", "-o", "tb", "cg1.v", "cg1_tb.v", cwd=tmp_path / "cg1")
+    assert run("vvp", "-N", "tb", cwd=tmp_path / "cg1").startswith("PASS 20 vertices, ")

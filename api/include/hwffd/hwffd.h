@@ -82,9 +82,10 @@ int hwffd_lattice_move(hwffd_lattice* lattice, const double* points);
 int hwffd_lattice_deform(hwffd_lattice* lattice, const char* deformation);
 
 /**
- * What evaluates: "reference" (at first), for which the other words mean nothing, "model" or "rtl".
+ * What evaluates: "reference" (at first), for which the other words mean nothing, "model", "rtl",
+ * a board, "serial:/dev/ttyUSB0", or a core under Linux, "uio:0" (docs/hwffd.md).
  * @param organization  "basic" (at first), "cg3", "factored/3", ..., or a row of `hwffd info`;
- * NULL: as at first
+ * NULL: as at first, or what the board has
  * @param format        "fp32" (at first), "bfp32", "fx18", "fx32"; NULL: as at first, or as the row
  */
 int hwffd_lattice_device(hwffd_lattice* lattice, const char* device, const char* organization,

@@ -349,6 +349,7 @@ void bind_lattice(py::module_& module) {
   bind_making(type);
   bind_around(type);
   bind_space(type);
+  bind_refine(type);
   bind_properties(type);
   type.def(
           "deform",
@@ -360,9 +361,10 @@ void bind_lattice(py::module_& module) {
              return check_folds(of.deformed(), kFoldDepth, of.family()).text();
            }),
            "Whether the deformed lattice folds space: \"proved\" not to, or where.")
-      .def("set_device", &set_device, py::arg("device"), py::arg("org") = "basic",
+      .def("set_device", &set_device, py::arg("device"), py::arg("org") = "",
            py::arg("format") = "", py::arg("pages") = 0, py::arg("axis_points") = kAxisPoints,
-           "model, rtl or reference; pages and axis_points are those of a model's core: lattices "
+           "model, rtl, reference, or a board, serial:/dev/ttyUSB0 or uio:0; pages and axis_points "
+           "are those of a model's core: lattices "
            "that it keeps, and most points of one along an axis")
       .def("set_outside", &set_outside, py::arg("outside"),
            "What points outside do: keep, clamp or fade:WIDTH.")

@@ -59,7 +59,12 @@ void bind_lattice(py::module_& module);
 void bind_around(py::class_<PyLattice>& type);
 /// What a lattice does to space: displacements, the inverse, the bending energy.
 void bind_space(py::class_<PyLattice>& type);
+/// Lattice.refine.
+void bind_refine(py::class_<PyLattice>& type);
 void bind_embedding(py::module_& module);
+void bind_fit(py::module_& module);
+void bind_registration(py::module_& module);
+void bind_core(py::module_& module);
 
 /// The points embedded in the lattice at rest; those that can neither be embedded nor excluded
 /// stay.

@@ -53,6 +53,9 @@ PYBIND11_MODULE(_core, module) {
   python::watch_exit();
   python::bind_lattice(module);
   python::bind_embedding(module);
+  python::bind_fit(module);
+  python::bind_registration(module);
+  python::bind_core(module);
   module.def("set_threads", &set_threads, py::arg("count"),
              "How many threads embed and evaluate; 0: as many as there are cores. No result "
              "depends on it.");

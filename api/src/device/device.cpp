@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "device/reference_device.hpp"
 #include "device/scatter_device.hpp"
+#include "device/serial_stream.hpp"
 #include "device/spread_device.hpp"
 #include "device/stream_device.hpp"
+#include "device/uio_stream.hpp"
 #include "hwffd/cores/scatter_core_factory.hpp"
 #include "hwffd/cores/stream_core_factory.hpp"
 #include "hwffd/error.hpp"
@@ -23,7 +27,8 @@ const char* const kNoHardware =
 
 bool is_there(const std::string& kind, const Configuration& row) {
   if (!overlaps(row)) return false;
-  return kind == "model" || (kind == "rtl" && cores::has_stream_core(row));
+  return kind == "model" || kind == "serial" || kind == "uio" ||
+         (kind == "rtl" && cores::has_stream_core(row));
 }
 
 void check(const Device::Blending& blending) {
@@ -32,11 +37,24 @@ void check(const Device::Blending& blending) {
   }
 }
 
-void check_kind(const std::string& kind) {
-  const std::vector<std::string>& kinds = device_kinds();
+/// @throws UsageError unless the kind is among these
+void check_kind(const std::string& kind, const std::vector<std::string>& kinds) {
   if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
   throw UsageError(
       fmt::format("device '{}' is unknown; one of {}", excerpt(kind), fmt::join(kinds, ", ")));
+}
+
+/// All of them, a board's as "serial:PATH".
+std::vector<std::string> every_kind() {
+  std::vector<std::string> kinds = device_kinds();
+  kinds.insert(kinds.end(), board_kinds().begin(), board_kinds().end());
+  return kinds;
+}
+
+/// What follows the start of a board's name; none where a device is another.
+std::optional<std::string> behind(const std::string& device, std::string_view start) {
+  if (device.compare(0, start.size(), start) != 0) return {};
+  return device.substr(start.size());
 }
 
 /// @throws Error for gradients that are not of so many vertices, or not finite
@@ -189,6 +207,47 @@ const Configuration& row_of(const DeviceChoice& choice) {
   refuse(choice);
 }
 
+/// @throws UsageError where it is said what a board keeps
+void refuse_store(const char* device, const DeviceChoice& choice) {
+  if (choice.pages == 0 && choice.axis_points == kAxisPoints) return;
+  throw UsageError(fmt::format(
+      "device {}: its core has the pages and points an axis that it has; leave both out", device));
+}
+
+/// A core behind UIO, which says which row it is.
+std::unique_ptr<Device> uio_device(const std::string& number, const DeviceChoice& choice) {
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
+    throw UsageError("device uio: needs the number of its file, such as uio:0 for /dev/uio0");
+  }
+  refuse_store("uio", choice);
+  const Configuration* wanted = nullptr;
+  if (!choice.org.empty() || !choice.format.empty()) {
+    DeviceChoice row_choice = choice;
+    row_choice.device = "uio";
+    if (choice.org.empty()) row_choice.org = "basic";
+    wanted = &row_of(row_choice);
+  }
+  const std::string name = "uio:" + number;
+  UioCore core = uio_core(name, uio_access(number), wanted);
+  return std::make_unique<StreamDevice>(name, *core.row, std::move(core.stream));
+}
+
+/// A board behind a serial line. Any row may be in its bitstream; what is not said is the ULX3S's.
+std::unique_ptr<Device> serial_device(const std::string& path, const DeviceChoice& choice) {
+  if (path.empty()) {
+    throw UsageError("device serial: needs the path of its line, such as serial:/dev/ttyUSB0");
+  }
+  refuse_store("serial", choice);
+  DeviceChoice row_choice = choice;
+  row_choice.device = "serial";
+  if (choice.org.empty()) {
+    const std::string row = kSerialRow;
+    row_choice.org = choice.format.empty() ? row : row.substr(0, row.find('-'));
+  }
+  const Configuration& row = row_of(row_choice);
+  return std::make_unique<StreamDevice>("serial:" + path, row, serial_stream(path, row));
+}
+
 /// @throws UsageError for numbers that no core has, or none of this kind
 PointStore store_of(const DeviceChoice& choice) {
   constexpr int kMostPages = 256, kFewestPoints = 7;
@@ -323,8 +382,11 @@ Points Device::pull_back(const Index3& dims, const std::vector<Embedded>& vertic
   check(blending);
   check(dims, vertices);
   check_gradient(gradient, vertices.size());
-  Points pulled = run_pull_back(dims, vertices, gradient, blending);
-  count(vertices.size());
+  return counted(run_pull_back(dims, vertices, gradient, blending), vertices.size());
+}
+
+Points Device::counted(Points pulled, std::size_t vertices) {
+  count(vertices);
   if (!pulled.allFinite()) {
     throw Error("a sum of gradients is beyond what double holds; scale them");
   }
@@ -346,13 +408,31 @@ Points Device::pull_back(const Index3& dims, const std::vector<Embedded>& places
 }
 
 Points Device::pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                              const Blending& blending) {
+  check(blending);
+  Lattice::check_dims(dims);
+  check_grid(grid, dims);
+  check_gradient(gradient, vertex_count(grid));
+  return counted(run_pull_back_grid(dims, grid, gradient, blending), vertex_count(grid));
+}
+
+Points Device::pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
                               const Family& family) {
+  if (family.kind() == Family::Kind::kBspline) {
+    return pull_back_grid(dims, grid, gradient, all_bspline());
+  }
   return pull_back(dims, places_of(grid, family.cells(dims)), gradient, family);
 }
 
 Points Device::run_pull_back(const Index3& /*dims*/, const std::vector<Embedded>& /*vertices*/,
                              const Points& /*gradient*/, const Blending& /*blending*/) {
   throw Error(no_pull_back(name()));
+}
+
+Points Device::run_pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                                  const Blending& blending) {
+  return run_pull_back(dims, places_of(grid, {dims[0] - 3, dims[1] - 3, dims[2] - 3}), gradient,
+                       blending);
 }
 
 Points Device::finite(Points positions) const {
@@ -372,8 +452,14 @@ const std::vector<std::string>& device_kinds() {
   return kinds;
 }
 
+const std::vector<std::string>& board_kinds() {
+  static const std::vector<std::string> kinds{"serial:PATH", "uio:N"};
+  return kinds;
+}
+
 std::vector<std::string> device_rows(const std::string& kind) {
-  check_kind(kind);
+  check_kind(kind, every_kind());
+  if (kind == "serial:PATH") return {kSerialRow};
   std::vector<std::string> names;
   for (const Configuration& row : configurations()) {
     if (is_there(kind, row)) names.emplace_back(row.name);
@@ -381,8 +467,16 @@ std::vector<std::string> device_rows(const std::string& kind) {
   return names;
 }
 
-std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
-  check_kind(choice.device);
+std::unique_ptr<Device> make_device(const DeviceChoice& asked) {
+  if (const std::optional<std::string> path = behind(asked.device, "serial:")) {
+    return serial_device(*path, asked);
+  }
+  if (const std::optional<std::string> number = behind(asked.device, "uio:")) {
+    return uio_device(*number, asked);
+  }
+  check_kind(asked.device, every_kind());
+  DeviceChoice choice = asked;
+  if (choice.org.empty()) choice.org = "basic";
   if (choice.device == "reference") return reference_device();
   if (choice.device == "rtl" && device_rows("rtl").empty()) {
     throw UsageError(kNoHardware);
@@ -392,16 +486,23 @@ std::unique_ptr<Device> make_device(const DeviceChoice& choice) {
   if (choice.device == "rtl") {
     return std::make_unique<StreamDevice>(choice.device, row, rtl_stream(row));
   }
-  return std::make_unique<SpreadDevice>(row, [&row, store] {
-    return std::make_unique<StreamDevice>("model", row, model_stream(row, store));
-  });
+  return std::make_unique<SpreadDevice>(
+      row,
+      [&row, store] {
+        return std::make_unique<StreamDevice>("model", row, model_stream(row, store));
+      },
+      choice.rows);
 }
 
-std::unique_ptr<Device> make_pull_back_device(const std::string& kind) {
-  check_kind(kind);
-  if (kind != "rtl") return make_device({kind, "affine", "fx17"});
-  if (!cores::has_scatter_core()) throw UsageError(kNoHardware);
-  return scatter_device();
+std::unique_ptr<Device> make_pull_back_device(const std::string& kind, bool rows) {
+  check_kind(kind, device_kinds());
+  if (kind == "rtl") {
+    if (!cores::has_scatter_core()) throw UsageError(kNoHardware);
+    return scatter_device(rows);
+  }
+  DeviceChoice choice{kind, "affine", "fx17"};
+  choice.rows = rows && kind == "model";
+  return make_device(choice);
 }
 
 }  // namespace hwffd

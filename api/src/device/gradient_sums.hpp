@@ -31,6 +31,10 @@ class GradientSums {
       sums_[point][c] += static_cast<std::int32_t>(collected[c]);
     }
   }
+  /// Adds the sum of a point.
+  void add_sum(std::size_t point, const std::array<std::int64_t, 3>& sum) {
+    for (std::size_t c = 0; c < 3; ++c) sums_[point][c] += sum[c];
+  }
   /// The sums, m x 3.
   Points result() const;
 

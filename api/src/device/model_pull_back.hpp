@@ -6,6 +6,7 @@
 
 #include "hwffd/lattice/lattice.hpp"
 #include "hwffd/model/configuration.hpp"
+#include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd {
@@ -17,5 +18,10 @@ namespace hwffd {
 Points model_pull_back(const Configuration& row, const Index3& dims,
                        const std::vector<Embedded>& vertices, const Points& gradient,
                        const std::array<AxisWords, 3>& axes, std::uint64_t& saturated);
+
+/// The same of a grid by rows, as a core with ROWS 1 adds them.
+Points model_pull_back_rows(const Configuration& row, const Index3& dims, const Grid& grid,
+                            const Points& gradient, const std::array<AxisWords, 3>& axes,
+                            std::uint64_t& saturated);
 
 }  // namespace hwffd

@@ -98,8 +98,8 @@ std::unique_ptr<CommandStream> rtl_stream(const Configuration& row) {
   return rtl_stream(cores::make_stream_core(row, kSeed), row.name, {});
 }
 
-std::unique_ptr<CommandStream> rtl_scatter_stream(const std::string& name) {
-  return rtl_stream(cores::make_scatter_core(kSeed), name, {});
+std::unique_ptr<CommandStream> rtl_scatter_stream(bool rows, const std::string& name) {
+  return rtl_stream(cores::make_scatter_core(rows, kSeed), name, {});
 }
 
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,

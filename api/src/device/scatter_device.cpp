@@ -17,10 +17,10 @@
 namespace hwffd {
 namespace {
 
-constexpr std::size_t kStepsSeen = 100;  // of progress
-
 class ScatterDevice final : public Device {
  public:
+  explicit ScatterDevice(bool rows) : rows_(rows) {}
+
   std::string name() const override { return "rtl scatter-fx17"; }
 
  protected:
@@ -68,9 +68,63 @@ class ScatterDevice final : public Device {
       }
     }
 
+    add_collected(vertex_core(), commands, collects, dims, sums);
+    return sums.result();
+  }
+
+  /// By rows: slices, or rows of one, as many as a page of the core adds up exactly. No row is cut.
+  Points run_pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                            const Blending& blending) override {
+    if (!rows_) return Device::run_pull_back_grid(dims, grid, gradient, blending);
+    const WordCodec codec(row_.format);
+    const int width = codec.weight_fraction() + 2;
+    const std::int64_t most = model::scatter_exact_vertices(width);
+    if (*std::max_element(dims.begin(), dims.end()) > cores::kScatterRowsAxis ||
+        grid.count[0] > most) {
+      throw Error(fmt::format(
+          "{}: takes by rows lattices of up to {} points an axis, and rows of up to {} vertices; "
+          "take the device model",
+          name(), cores::kScatterRowsAxis, most));
+    }
+    GradientSums sums(row_.format, width, dims, gradient);
+    const LatticePage whole{{}, {dims, std::vector<std::array<std::uint32_t, 3>>(sums.points())}};
+    Gradients how;
+    how.dims = dims;
+
+    std::vector<Beat> commands = coefficients_packet(function_words(blending, codec, row_, name()));
+    std::vector<const LatticePage*> collects;
+    std::size_t sent = 0;
+    const auto rows = static_cast<std::uint32_t>(most / grid.count[0]);  // of a page
+    const std::uint32_t slices = std::max(1U, rows / grid.count[1]);
+    for (std::uint32_t k = 0; k < grid.count[2]; k += slices) {
+      for (std::uint32_t j = 0; j < grid.count[1]; j += rows) {
+        Grid some = grid;
+        some.start[1] += static_cast<std::uint64_t>(grid.step[1]) * j;
+        some.start[2] += static_cast<std::uint64_t>(grid.step[2]) * k;
+        some.count[1] =
+            static_cast<std::uint16_t>(std::min<std::uint32_t>(rows, grid.count[1] - j));
+        some.count[2] =
+            static_cast<std::uint16_t>(std::min<std::uint32_t>(slices, grid.count[2] - k));
+        std::vector<std::array<std::uint32_t, 3>> words;
+        for (std::size_t v = 0; v < vertex_count(some); ++v) words.push_back(sums.words(sent++));
+        const int page = static_cast<int>(collects.size() % kPages);
+        append(commands, gradients_packet(page, some, words, how));
+        append(commands, collect_packet(page));
+        collects.push_back(&whole);
+      }
+    }
+    add_collected(row_core(), commands, collects, dims, sums);
+    return sums.result();
+  }
+
+ private:
+  /// Adds what a core collects, of a lattice page by page.
+  void add_collected(CommandStream& core, const std::vector<Beat>& commands,
+                     const std::vector<const LatticePage*>& collects, const Index3& dims,
+                     GradientSums& sums) {
     std::size_t count = 0;
     for (const LatticePage* page : collects) count += page->lattice.points.size();
-    const std::vector<Beat> results = answer(commands, count);
+    const std::vector<Beat> results = answer(core, commands, count);
     auto result = results.begin();
     for (const LatticePage* page : collects) {
       for (const Index3& at : places(page->lattice.dims)) {
@@ -83,21 +137,21 @@ class ScatterDevice final : public Device {
       }
       counts_.saturated += (std::prev(result)->words[3] & kStatusSaturated) != 0 ? 1 : 0;
     }
-    return sums.result();
   }
 
- private:
   [[noreturn]] void evaluates_nothing() const {
     throw Error(name() + ": pulls gradients back, and evaluates nothing; take another device");
   }
 
   /// The results of commands that have so many, each of a point, the tags of a page in order.
-  std::vector<Beat> answer(const std::vector<Beat>& commands, std::size_t count) {
+  std::vector<Beat> answer(CommandStream& core, const std::vector<Beat>& commands,
+                           std::size_t count) {
     if (count == 0) return {};
     std::vector<Beat> results;
     try {
-      results = stream_->run(
-          commands, count, [&](double done) { show(done); }, shows() ? kStepsSeen : 1);
+      results = core.run(
+          commands, count, [&](double done) { show(done); },
+          shows() ? CommandStream::kStepsSeen : 1);
       std::uint32_t tag = 0;
       bool asked_for = results.size() == count;
       for (const Beat& result : results) {
@@ -111,19 +165,28 @@ class ScatterDevice final : public Device {
             name(), results.size(), count));
       }
     } catch (...) {
-      stream_->reset();
+      core.reset();
       throw;
     }
-    counts_.clocks = stream_->clocks();
+    counts_.clocks = (vertices_ ? vertices_->clocks() : 0) + (grids_ ? grids_->clocks() : 0);
     return results;
   }
 
+  CommandStream& vertex_core() { return ready(vertices_, false); }
+  CommandStream& row_core() { return ready(grids_, true); }
+  /// A core that is made when it is first asked for.
+  CommandStream& ready(std::unique_ptr<CommandStream>& core, bool rows) const {
+    if (!core) core = rtl_scatter_stream(rows, name());
+    return *core;
+  }
+
   Configuration row_ = find_configuration(cores::kScatterRow);
-  std::unique_ptr<CommandStream> stream_ = rtl_scatter_stream("rtl scatter-fx17");
+  bool rows_;
+  std::unique_ptr<CommandStream> vertices_, grids_;
 };
 
 }  // namespace
 
-std::unique_ptr<Device> scatter_device() { return std::make_unique<ScatterDevice>(); }
+std::unique_ptr<Device> scatter_device(bool rows) { return std::make_unique<ScatterDevice>(rows); }
 
 }  // namespace hwffd

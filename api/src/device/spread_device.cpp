@@ -19,8 +19,8 @@ constexpr std::size_t kVerticesOfAThread = 8192;
 
 }  // namespace
 
-SpreadDevice::SpreadDevice(const Configuration& row, Make make)
-    : row_(row), make_(std::move(make)) {
+SpreadDevice::SpreadDevice(const Configuration& row, Make make, bool rows)
+    : row_(row), make_(std::move(make)), rows_(rows) {
   idle_.push_back(make_());
   name_ = idle_.front()->name();
 }
@@ -94,19 +94,36 @@ Points SpreadDevice::run(const std::vector<SupportedVertex>& vertices, const Ble
   return positions;
 }
 
-Points SpreadDevice::run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
-                                   const Points& gradient, const Blending& blending) {
+std::array<AxisWords, 3> SpreadDevice::pull_back_functions(const Blending& blending) const {
   if (!model::has_scatter(row_)) {
     throw Error(name_ +
                 ": has no transpose; take organization affine and format fx17, or device "
                 "reference");
   }
+  return function_words(blending, WordCodec(row_.format), row_, name_);
+}
+
+void SpreadDevice::count_saturated(std::uint64_t vertices) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_.saturated += vertices;
+}
+
+Points SpreadDevice::run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
+                                   const Points& gradient, const Blending& blending) {
   std::uint64_t saturated = 0;
   Points pulled =
-      model_pull_back(row_, dims, vertices, gradient,
-                      function_words(blending, WordCodec(row_.format), row_, name_), saturated);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  counts_.saturated += saturated;
+      model_pull_back(row_, dims, vertices, gradient, pull_back_functions(blending), saturated);
+  count_saturated(saturated);
+  return pulled;
+}
+
+Points SpreadDevice::run_pull_back_grid(const Index3& dims, const Grid& grid,
+                                        const Points& gradient, const Blending& blending) {
+  if (!rows_) return Device::run_pull_back_grid(dims, grid, gradient, blending);
+  std::uint64_t saturated = 0;
+  Points pulled =
+      model_pull_back_rows(row_, dims, grid, gradient, pull_back_functions(blending), saturated);
+  count_saturated(saturated);
   return pulled;
 }
 

@@ -17,7 +17,8 @@ class SpreadDevice final : public Device {
 
   /// @param row  of the models
   /// @param make  one more model; called when a thread needs one
-  SpreadDevice(const Configuration& row, Make make);
+  /// @param rows  whether gradients of grids are pulled back by rows
+  SpreadDevice(const Configuration& row, Make make, bool rows);
 
   std::string name() const override { return name_; }
   bool concurrent() const override { return !shows(); }
@@ -32,6 +33,8 @@ class SpreadDevice final : public Device {
   Points run_grid(const Lattice& lattice, const Grid& grid, const Blending& blending) override;
   Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
                        const Points& gradient, const Blending& blending) override;
+  Points run_pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                            const Blending& blending) override;
 
  private:
   using Part = std::function<void(StreamDevice& model, const std::vector<Embedded>& vertices,
@@ -42,9 +45,15 @@ class SpreadDevice final : public Device {
   std::unique_ptr<StreamDevice> take();
   /// Counts what the model did, and keeps it for the next.
   void give_back(std::unique_ptr<StreamDevice> model);
+  /// Counts what a call saturated.
+  void count_saturated(std::uint64_t vertices);
+  /// The functions of a call that pulls back.
+  /// @throws Error of a row that has no transpose
+  std::array<AxisWords, 3> pull_back_functions(const Blending& blending) const;
 
   Configuration row_;
   Make make_;
+  bool rows_;
   std::string name_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<StreamDevice>> idle_;

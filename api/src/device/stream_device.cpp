@@ -15,7 +15,6 @@ namespace hwffd {
 namespace {
 
 constexpr std::size_t kMostBeats = 4096;  // between two looks at who waits; a model likes many
-constexpr std::size_t kStepsSeen = 100;   // of progress, where somebody wants to know it
 
 class ModelStream final : public CommandStream {
  public:
@@ -110,7 +109,8 @@ std::vector<Beat> StreamDevice::answer(const std::vector<Beat>& commands, const 
   std::vector<Beat> beats;
   try {
     beats = stream_->run(
-        commands, asked.size() * each, [&](double done) { show(done); }, shows() ? kStepsSeen : 1);
+        commands, asked.size() * each, [&](double done) { show(done); },
+        shows() ? CommandStream::kStepsSeen : 1);
     check(beats, asked, each);
   } catch (...) {
     stream_->reset();

@@ -18,6 +18,8 @@ class StreamCore;
 /// Something that takes the command stream of `hwffd_stream` and gives its results.
 class CommandStream {
  public:
+  static constexpr std::size_t kStepsSeen = 100;  ///< of progress, where somebody wants to know it
+
   virtual ~CommandStream() = default;
   /// All that comes back.
   /// @param results  how many beats that should be
@@ -41,8 +43,8 @@ std::unique_ptr<CommandStream> model_stream(const Configuration& row, const Poin
                                             bool grids = false);
 /// Its Verilated RTL, just out of reset.
 std::unique_ptr<CommandStream> rtl_stream(const Configuration& row);
-/// The Verilated core that adds gradients up, just out of reset.
-std::unique_ptr<CommandStream> rtl_scatter_stream(const std::string& name);
+/// A Verilated core that adds gradients up, of grids by rows or not, just out of reset.
+std::unique_ptr<CommandStream> rtl_scatter_stream(bool rows, const std::string& name);
 /// A Verilated core that is there already, and has that store and grids or not.
 std::unique_ptr<CommandStream> rtl_stream(std::unique_ptr<cores::StreamCore> core,
                                           const std::string& name, const PointStore& store,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "hwffd/core_driver.h"
 #include "hwffd/error.hpp"
 #include "hwffd/register_port.hpp"
 #include "hwffd/stream/resident_pages.hpp"
@@ -37,6 +38,7 @@ struct CoreIdentity {
   unsigned pages;          ///< of points, the two buffers of opcode 2 among them; 0: none
   unsigned count_width;    ///< bits of the counts of waits, 8 to 32; 0: there are none
   unsigned spans;          ///< of an axis, each with functions of its own
+  unsigned grid_limit;     ///< a grid has 2^grid_limit vertices at most; 0 without grids
 };
 
 /// A packet's first beat: the four words of its header (docs/interface.md section 2).
@@ -94,7 +96,8 @@ struct CoreErrors {
   std::optional<FirstError> first;
 };
 
-/// The programming sequence of docs/registers.md section 4, step by step:
+/// The programming sequence of docs/registers.md section 4, step by step, by that in C
+/// (`hwffd/core_driver.h`):
 ///
 ///     Driver driver(port);
 ///     driver.probe();
@@ -173,6 +176,12 @@ class Driver {
   /// Step 8: the errors so far, which are cleared; ERROR_COUNT is not.
   CoreErrors take_errors();
 
+  /// Ends the grid that the core is making, without a reset: the next vertex that it makes is the
+  /// last, and ERROR_STATUS.grid_count tells of it. What the grid has made, and all packets behind
+  /// it, have their results, and the run goes on. Where the core is at no grid nothing happens, nor
+  /// to a grid whose header it has not read yet. See step 10.
+  void stop_grid();
+
   /// Step 9; the ring is empty then, and has to be set again. False: still not idle after reading
   /// STATUS `polls` times. A bus that has stopped to answer ends it after the core's time-out; its
   /// slave is to be reset then, too, before the next start.
@@ -194,14 +203,15 @@ class Driver {
   void test_interrupts(std::uint32_t bits);
 
  private:
-  void read_features(CoreIdentity& identity);
-  std::uint32_t status();
+  template <class Step, class... Arguments>
+  hwffd_core_status status_of(const Step& step, Arguments... arguments);
+  template <class Step, class... Arguments>
+  void go(const Step& step, Arguments... arguments);
   std::uint64_t read64(std::uint32_t low);
-  void write64(std::uint32_t low, std::uint64_t value);
 
   RegisterPort& port_;
   std::optional<CoreIdentity> core_;
-  unsigned ring_size_ = 1;  // a power of two; 1 has no room
+  hwffd_core sequence_{};
 };
 
 }  // namespace hwffd

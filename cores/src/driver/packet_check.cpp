@@ -100,9 +100,14 @@ void check_grid(const CoreIdentity& core, const PacketHeader& header) {
   } else if ((header[0] >> 8) != 0) {
     require(core, kSeveralPages);
   }
-  const bool none =
-      (header[1] & 0xFFFF) == 0 || (header[1] >> 16) == 0 || (header[3] & 0xFFFF) == 0;
-  if (none) throw DriverError("a grid without a vertex: each count is 1 to 65535");
+  const std::uint64_t vertices =
+      std::uint64_t{header[1] & 0xFFFF} * (header[1] >> 16) * (header[3] & 0xFFFF);
+  if (vertices == 0) throw DriverError("a grid without a vertex: each count is 1 to 65535");
+  if (vertices > std::uint64_t{1} << core.grid_limit) {
+    throw DriverError("a grid of " + std::to_string(vertices) + " vertices: this core takes 2^" +
+                      std::to_string(core.grid_limit) +
+                      "; send it in parts, or build with GRID_LIMIT");
+  }
   check_results(core, header[2]);
 }
 

@@ -8,7 +8,7 @@
 #include "child.hpp"
 #include "hwffd/error.hpp"
 #include "hwffd/mesh/mesh.hpp"
-#include "mesh/format/document.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/read_scene.hpp"
 #include "read_file.hpp"
 
@@ -92,9 +92,10 @@ Mesh Mesh::load(const fs::path& path) {
   if (!fs::exists(path, ignored)) refuse("no such file");
   if (!fs::is_regular_file(path, ignored)) refuse("not a file");
   std::string bytes = read_file(path);
-  if (!has_reader(path)) return Mesh(read_apart(path, bytes), path);
+  const MeshFormat* format = format_of(path);
+  if (format == nullptr || format->read == nullptr) return Mesh(read_apart(path, bytes), path);
   try {
-    return Mesh(read_document(path, std::move(bytes)), path);
+    return Mesh(read_document(format->read, path, std::move(bytes)), path);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file, error.what()));
   }

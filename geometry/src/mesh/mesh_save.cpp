@@ -8,9 +8,9 @@
 
 #include "hwffd/atomic_file.hpp"
 #include "hwffd/error.hpp"
-#include "hwffd/mesh/extension.hpp"
 #include "hwffd/mesh/mesh.hpp"
 #include "mesh/format/document.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/mesh_writers.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/scene.hpp"
@@ -20,23 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Writer = Files (*)(const Output&);
-
-/// By extension.
-const std::map<std::string, Writer>& writers() {
-  static const std::map<std::string, Writer> kWriters = {
-      {".obj", write_obj},  {".ply", write_ply},   {".off", write_off}, {".stl", write_stl},
-      {".glb", write_gltf}, {".gltf", write_gltf}, {".dae", write_dae}};
-  return kWriters;
+/// What can be written, as in "obj, ply or off".
+std::string written_extensions() {
+  std::vector<std::string> names;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (format.write != nullptr) names.emplace_back(format.extension + 1);
+  }
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} or {}", fmt::join(names, ", "), last);
 }
 
-Writer writer_for(const fs::path& path) {
-  const auto entry = writers().find(extension_of(path));
-  if (entry != writers().end()) return entry->second;
+MeshFormat::Write writer_for(const fs::path& path) {
+  const MeshFormat* format = format_of(path);
+  if (format != nullptr && format->write != nullptr) return format->write;
   const std::string extension = path.extension().string();
-  throw UsageError(fmt::format(
-      "{}: cannot write {}; use the extension obj, ply, off, stl, glb, gltf or dae", path.string(),
-      extension.empty() ? "without an extension" : extension + " meshes"));
+  throw UsageError(fmt::format("{}: cannot write {}; use the extension {}", path.string(),
+                               extension.empty() ? "without an extension" : extension + " meshes",
+                               written_extensions()));
 }
 
 /// A file that is written beside the one that is named never takes the place of one that was read.
@@ -78,14 +79,17 @@ std::vector<std::uint32_t> rows_of(const Output& output) {
   return rows;
 }
 
-bool Mesh::can_save(const fs::path& path) { return writers().count(extension_of(path)) != 0; }
+bool Mesh::can_save(const fs::path& path) {
+  const MeshFormat* format = format_of(path);
+  return format != nullptr && format->write != nullptr;
+}
 
 void Mesh::check_format(const fs::path& path) { writer_for(path); }
 
 bool Mesh::edits(const fs::path& path) const { return document_ && document_->is_of(path); }
 
 std::vector<std::string> Mesh::save(const fs::path& path) const {
-  const Writer write = writer_for(path);
+  const MeshFormat::Write write = writer_for(path);
   const bool is_edit = edits(path);
   Files contents;
   try {

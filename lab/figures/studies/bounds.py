@@ -9,13 +9,13 @@ from tools.reports.text_table import Table, shown
 FORMS = proved.NAMES
 # Of a form, what its ratio shall be at most.
 AIMS = {"factored": 1.2, "product": 1.6, "sequence": 4.0, "tree": 4.0}
-FORMATS = ("fx16", "fx17", "fx18", "fx32", "bfp32", "fp32", "fp32-fused")
+FORMATS = ("fx12", "fx13", "fx14", "fx15", "fx16", "fx17", "fx18", "fx32", "bfp32", "fp32", "fp32-fused")
 FAMILIES = ("bspline", "powers", "bernstein", "hermite", "catmull-rom", "linear")
 
 
 def _unit(name):
     """A unit of a weight."""
-    return 2.0 ** {"fx16": -14, "fx17": -15, "fx18": -16, "fx32": -30, "bfp32": -33}.get(name, -24)
+    return 2.0 ** {**{f"fx{width}": 2 - width for width in range(12, 17)}, "fx17": -15, "fx18": -16, "fx32": -30, "bfp32": -33}.get(name, -24)
 
 
 def _ratio(row):
@@ -55,7 +55,7 @@ def certified(reports):
 def weights(reports):
     """Weights of a family, a format a column: the bound in units, and its ratio to what is reached."""
     rows = {(row["form"], row["format"]): row for row in reports.rows("bounds")}
-    formats = list(dict.fromkeys(row["format"] for row in reports.rows("bounds")))
+    formats = [name for form, name in rows if form == "weights bspline"]
 
     def cell(family, name):
         row = rows.get((f"weights {family}", name))
@@ -102,6 +102,6 @@ def _kind(checked_by):
 
 
 TABLES = {"forms": forms, "weights": weights, "axes": axes, "certified": certified}
-FIGURES = {**{f"ratio_{form}": _largest(form) for form in FORMS}, "missed": _missed,
+FIGURES = {**{f"ratio_{form}": _largest(form) for form in AIMS}, "missed": _missed,
            "hypotheses": lambda reports: sum(bool(row["hypothesis"]) for row in reports.rows("bounds")),
            "certified": _kind("gappa+coq"), "of": lambda reports: len(reports.rows("bounds"))}

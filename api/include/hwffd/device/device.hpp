@@ -92,7 +92,12 @@ class Device {
   /// The same at places in the cells of a family, by default of the uniform B-spline.
   Points pull_back(const Index3& dims, const std::vector<Embedded>& places, const Points& gradient,
                    const Family& family = {});
-  /// At the vertices of a regular grid, s fastest, then t, then u, as evaluate_grid() has them.
+  /// At the vertices of a regular grid, s fastest, then t, then u, as evaluate_grid() has them:
+  /// with the bits of those vertices, but on a model with DeviceChoice::rows.
+  /// @throws Error as evaluate_grid() and pull_back()
+  Points pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                        const Blending& blending);
+  /// In the cells of a family, those of another than the uniform B-spline place by place.
   Points pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
                         const Family& family = {});
 
@@ -114,6 +119,9 @@ class Device {
   /// Unless a device knows better, an Error.
   virtual Points run_pull_back(const Index3& dims, const std::vector<Embedded>& vertices,
                                const Points& gradient, const Blending& blending);
+  /// Unless a device knows better, of the places one by one.
+  virtual Points run_pull_back_grid(const Index3& dims, const Grid& grid, const Points& gradient,
+                                    const Blending& blending);
 
   /// Whether somebody wants to know how far a call is.
   bool shows() const { return progress_ != nullptr; }
@@ -127,6 +135,9 @@ class Device {
   /// @throws Error for a result that is not finite
   Points finite(Points positions) const;
   void count(std::size_t vertices);
+  /// What was pulled back of so many vertices.
+  /// @throws Error for a sum that is not finite
+  Points counted(Points pulled, std::size_t vertices);
 
   Progress progress_;
   std::mutex counting_;
@@ -141,35 +152,49 @@ void check_cell(const Index3& cell, const Index3& cells, std::size_t vertex);
 
 /// Which device is wanted, in words.
 struct DeviceChoice {
-  std::string device = "reference";  ///< "reference", "model" or "rtl"
-  /// Of model and rtl: an organization, basic, cg1, tree4, factored/3, ..., or the name of one of
-  /// device_rows(), such as basic-fp32-overlapped-fmac.
-  std::string org = "basic";
-  /// Of model and rtl: fp32, bfp32, fx18 or fx32; empty for fp32, or what a row named by `org` has.
+  /// "reference", "model", "rtl", or a board: "serial:" and the path of its line,
+  /// or "uio:" and the number of its file /dev/uioN.
+  std::string device = "reference";
+  /// Of all but the reference: an organization, basic, cg1, tree4, factored/3, ..., or the name of
+  /// one of device_rows(), such as basic-fp32-overlapped-fmac. Empty for basic, or for what the
+  /// board has as it comes.
+  std::string org = "";
+  /// Of the same: fp32, bfp32, fx18 or fx32; empty for fp32, or what a row named by `org` has.
   std::string format = "";
   /// Of a model: lattices that its core keeps behind opcodes 5 to 7, 1 to 256; 0: a core without
   /// pages, as those of `rtl` are.
   int pages = 0;
   /// Of a model: most points an axis of such a lattice, 7 to 64. A larger one goes by pages.
   int axis_points = kAxisPoints;
+  /// Of a model that pulls back: grids go by rows, as in a core `hwffd_scatter` with ROWS 1
+  /// (numerics.md section 11). That is faster, and other bits.
+  bool rows = false;
 };
 
-/// The names that DeviceChoice::device takes.
+/// The names that DeviceChoice::device takes, boards aside.
 const std::vector<std::string>& device_kinds();
 
+/// Those of boards, with words in capitals for what names one of them: "serial:PATH",
+/// "uio:N".
+const std::vector<std::string>& board_kinds();
+
 /// The rows of the table, overlapped, that a kind of device has in this build: all for a model,
-/// the verilated ones with streams for the RTL, none for the reference.
+/// the verilated ones with streams for the RTL, none for the reference, for a serial board the one
+/// of its bitstream as it comes, and none for UIO, whose core says what it is.
 /// @throws UsageError for an unknown kind
 std::vector<std::string> device_rows(const std::string& kind);
 
 /// A device that pulls gradients back, of a kind: the reference, the model of `affine` in fx17, or
 /// the simulated core `hwffd_scatter` with the same bits. That evaluates nothing, and counts as
 /// saturated each page of sums, of up to 16,384 vertices, to which one that saturated went.
+/// @param rows  grids go by rows: DeviceChoice::rows, and a core with ROWS 1, which takes lattices
+///   of up to 32 points an axis. The reference, which has but one result, does not look at it.
 /// @throws UsageError for an unknown kind, and for `rtl` where no simulated hardware is there
-std::unique_ptr<Device> make_pull_back_device(const std::string& kind);
+std::unique_ptr<Device> make_pull_back_device(const std::string& kind, bool rows = false);
 
 /// @throws UsageError for an unknown device, and for an organization, format or row that it does
 ///   not have; it lists the devices, organizations or formats that there are
+/// @throws Error for a board that does not answer, or has another row than that
 std::unique_ptr<Device> make_device(const DeviceChoice& choice);
 
 }  // namespace hwffd

@@ -15,11 +15,12 @@ import shutil
 import stat
 import tempfile
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from hwffd import Error, UsageError
 from hwffd.volumes import metaimage, nifti, nrrd
 from hwffd.volumes.itk import from_itk, simple_itk, to_itk
+from hwffd.volumes.links import plain_link
 from hwffd.volumes.locales import plain_numbers
 from hwffd.volumes.volume import Volume
 
@@ -103,8 +104,13 @@ def read(path: os.PathLike[str] | str) -> Volume:
 
 
 def check_writable(path: os.PathLike[str] | str) -> None:
-    """Refuses a file that cannot be written, before there is work to lose."""
+    """Refuses a file of a volume that cannot be written, before there is work to lose."""
     check_suffix(path)
+    check_place(path)
+
+
+def check_place(path: os.PathLike[str] | str) -> None:
+    """Refuses a file of any kind that cannot be written."""
     place = pathlib.Path(path).resolve()
     if not os.access(place.parent, os.W_OK | os.X_OK):
         raise Error(f"{path}: its folder cannot be written to; name another")
@@ -121,8 +127,11 @@ def write(path: os.PathLike[str] | str, volume: Volume) -> None:
     write_all({path: volume})
 
 
-def write_all(volumes: Mapping[os.PathLike[str] | str, Volume]) -> None:
-    """Writes several files, none of which takes its name before all are written."""
+def write_all(volumes: Mapping[os.PathLike[str] | str, Volume],
+              others: Mapping[os.PathLike[str] | str, Callable[[str], None]] | None = None) -> None:
+    """Writes several files, none of which takes its name before all are written.
+
+    others: files that are no volumes, each with what writes it by the name of a new file."""
     folders: list[tuple[pathlib.Path, pathlib.Path]] = []
     dropped: dict[os.PathLike[str] | str, list[str]] = {}
     try:
@@ -134,6 +143,12 @@ def write_all(volumes: Mapping[os.PathLike[str] | str, Volume]) -> None:
             _write_to(folder, place.name, volume)
             held = _FORMATS[_suffix_of(place.name)].read(folder / place.name).fields
             dropped[path] = [name for name, value in volume.metadata.items() if held.get(name) != value]
+        for path, write_new in (others or {}).items():
+            check_place(path)
+            place = pathlib.Path(path).resolve()
+            folder = pathlib.Path(tempfile.mkdtemp(prefix=f".{place.name}.", dir=place.parent))
+            folders.append((folder, place))
+            _write_other(folder, place.name, write_new)
         for folder, place in folders:
             _move(folder, place)
     except (OSError, RuntimeError) as error:
@@ -156,9 +171,7 @@ def _write_to(folder: pathlib.Path, name: str, volume: Volume) -> None:
     form = _FORMATS[suffix]
     pack_later = suffix == ".nii.gz" and bool(volume.metadata)
     header = folder / f"volume{'.nii' if pack_later else suffix}"
-    with tempfile.TemporaryDirectory(prefix="hwffd-") as place, plain_numbers():
-        link = os.path.join(place, "folder")
-        os.symlink(folder, link)
+    with plain_link(folder, "folder") as link, plain_numbers():
         simple_itk().WriteImage(to_itk(volume), os.path.join(link, header.name), True)
     stem = name[:-len(suffix)]
     if suffix in (".nhdr", ".mhd"):
@@ -170,6 +183,14 @@ def _write_to(folder: pathlib.Path, name: str, volume: Volume) -> None:
     for part in list(folder.iterdir()):
         end = part.name.removeprefix("volume")
         part.rename(folder / (name if end == suffix else stem + end))
+
+
+def _write_other(folder: pathlib.Path, name: str, write_new: Callable[[str], None]) -> None:
+    """Has a file written under a name that any library takes, into a folder."""
+    new = f"new{pathlib.PurePath(name).suffix}"
+    with plain_link(folder, "folder") as link:
+        write_new(os.path.join(link, new))
+    (folder / new).rename(folder / name)
 
 
 def _move(folder: pathlib.Path, place: pathlib.Path) -> None:

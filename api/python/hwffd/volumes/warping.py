@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from hwffd import Lattice, UsageError, deform, threads
 from hwffd.volumes.itk import from_itk, to_itk
@@ -181,16 +181,29 @@ def warp(image: Image, lattice: Lattice, *, like: Volume | SimpleITK.Image | Non
                          progress=progress).volume)
 
 
-def displacement_field(grid: Image, lattice: Lattice, *, progress: Progress | None = None) -> Image:
+def displacement_field(grid: Image, lattice: Lattice, *, kind: DTypeLike = np.float64,
+                       progress: Progress | None = None) -> Image:
     """T(x) - x for each voxel x of a grid, in its unit of length, as ITK's displacement fields have
-    it: three components of float64.
+    it: three components.
 
-    grid: a Volume, or an image of SimpleITK, of which the values do not matter; so is the result."""
+    grid: a Volume, or an image of SimpleITK, of which the values do not matter; so is the result.
+    kind: of the numbers."""
     volume, back = _volume_of(grid)
-    field = np.empty((*volume.values.shape[:3], 3))
+    field = np.empty((*volume.values.shape[:3], 3), kind)
     for block, points, moved, _ in _carried(lattice, volume, progress):
         field[block] = moved - points
     return back(Volume(field, volume.origin, volume.spacing, volume.direction))
+
+
+def determinants(grid: Image, lattice: Lattice) -> Image:
+    """det J, by which T changes volumes, at each voxel of a grid, in binary32; 1 where the lattice does not reach. Below 0 the deformation folds.
+
+    grid: a Volume, or an image of SimpleITK, of which the values do not matter; so is the result."""
+    volume, back = _volume_of(grid)
+    result = np.ones(volume.values.shape[:3], np.float32)
+    for block in _blocks(volume.counts):
+        result[block] = lattice.embed(_voxels(volume, block)).determinants(lattice)
+    return back(Volume(result, volume.origin, volume.spacing, volume.direction))
 
 
 def _volume_of(image: Image) -> tuple[Volume, Callable[[Volume], Image]]:

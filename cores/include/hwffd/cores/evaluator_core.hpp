@@ -22,7 +22,8 @@ class EvaluatorCore {
  public:
   struct Vertex {
     std::array<std::uint32_t, 3> words{};  ///< s, t, u as stream words
-    std::uint16_t cell = 0;                ///< {k, j, i}, 4 bits each
+    std::uint32_t second = 0;  ///< s of a second vertex, where the organization takes pairs
+    std::uint16_t cell = 0;    ///< {k, j, i}, 4 bits each
     std::uint8_t support = 0;
     std::uint8_t bank = 0;  ///< {u, t, s}, two bits each: {derivative, bank}; all derivative: four
                             ///< results, where the organization gives the Jacobian
@@ -40,7 +41,8 @@ class EvaluatorCore {
     bool saturated = false;
     bool nan = false;
     std::uint16_t tag = 0;
-    std::array<Derivative, 3> along{};  ///< s, t, u, where the organization gives the Jacobian
+    std::array<Derivative, 3> along{};  ///< s, t, u, where the organization gives the Jacobian;
+                                        ///< that of a second vertex comes in the place of s
   };
 
   virtual ~EvaluatorCore() = default;

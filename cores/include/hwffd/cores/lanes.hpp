@@ -33,7 +33,7 @@ struct Schedule {
   std::optional<std::vector<Entry>> combinations;  ///< where there is a generator of these
   std::vector<Entry> steps;                        ///< ScheduleRecorder::steps
   std::vector<std::uint64_t> sums;
-  std::vector<std::uint64_t> results;  ///< of vertices; of `walk` only they are looked at
+  std::vector<Entry> results;  ///< of vertices; of `walk` only they are looked at
   std::uint64_t begin = 0;
   std::uint64_t end = 0;  ///< the first clock that was not looked at
 };

@@ -40,6 +40,8 @@ class StreamCore {
   virtual Beat output() const = 0;        ///< m_axis_tdata, _tlast and _tuser
   /// event_o: bit n is a pulse of event n. A core without events has none.
   virtual std::uint32_t events() const { return 0; }
+  /// second_o: bit 0 for a second vertex that left, bit 1 for its event kSaturated.
+  virtual std::uint32_t second() const { return 0; }
   /// Where the events of this clock come from: event_packet_o and event_beat_o.
   virtual EventPlace event_place() const { return {}; }
   /// wait_o: bit 0 for what vertices inside still read, bit 1 for room, bit 2 for coefficients.

@@ -50,6 +50,7 @@ class VerilatedEvaluatorCore final : public EvaluatorCore {
   void drive_vertex(bool valid, const Vertex& vertex) override {
     dut_->s_vertex_valid = valid ? 1 : 0;
     for (int i = 0; i < 3; ++i) dut_->s_vertex_words[i] = vertex.words[i];
+    dut_->s_vertex_second = vertex.second;
     dut_->s_vertex_cell = vertex.cell;
     dut_->s_vertex_support = vertex.support;
     dut_->s_vertex_bank = vertex.bank;

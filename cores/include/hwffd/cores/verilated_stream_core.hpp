@@ -29,6 +29,12 @@ constexpr bool kHasGridStop = false;
 template <class VDut>
 constexpr bool kHasGridStop<VDut, std::void_t<decltype(std::declval<VDut>().grid_stop_i)>> = true;
 
+/// Whether it has a pin second_o.
+template <class VDut, class = void>
+constexpr bool kHasSecond = false;
+template <class VDut>
+constexpr bool kHasSecond<VDut, std::void_t<decltype(std::declval<VDut>().second_o)>> = true;
+
 /// `StreamCore` over any Verilated `hwffd_stream`, `hwffd_scatter` or `hwffd_adjoint`: `VDut` is
 /// the class that Verilator made.
 ///
@@ -82,6 +88,13 @@ class VerilatedStreamCore final : public StreamCore {
     return beat;
   }
   std::uint32_t events() const override { return dut_->event_o; }
+  std::uint32_t second() const override {
+    if constexpr (kHasSecond<VDut>) {
+      return dut_->second_o;
+    } else {
+      return 0;
+    }
+  }
   EventPlace event_place() const override { return {dut_->event_packet_o, dut_->event_beat_o}; }
   std::uint32_t waits() const override { return dut_->wait_o; }
   bool upset() const override {

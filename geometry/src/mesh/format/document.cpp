@@ -3,25 +3,14 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "hwffd/error.hpp"
-#include "hwffd/mesh/extension.hpp"
+#include "mesh/formats.hpp"
 #include "mesh/read_scene.hpp"
 
 namespace hwffd {
 namespace {
-
-using Reader = std::unique_ptr<Document> (*)(const std::filesystem::path&, std::string);
-
-/// By extension.
-const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders = {{".glb", read_gltf}, {".gltf", read_gltf},
-                                                         {".obj", read_obj},  {".off", read_off},
-                                                         {".ply", read_ply},  {".stl", read_stl}};
-  return kReaders;
-}
 
 void check_positions(const Points& positions) {
   if (positions.rows() == 0) throw Error(fmt::format("holds no vertices; {}", kAcceptedMeshes));
@@ -71,12 +60,9 @@ void check(const Content& content) {
 
 }  // namespace
 
-bool has_reader(const std::filesystem::path& path) {
-  return readers().count(extension_of(path)) != 0;
-}
-
-std::unique_ptr<Document> read_document(const std::filesystem::path& path, std::string bytes) {
-  std::unique_ptr<Document> document = readers().at(extension_of(path))(path, std::move(bytes));
+std::unique_ptr<Document> read_document(MeshFormat::Read read, const std::filesystem::path& path,
+                                        std::string bytes) {
+  std::unique_ptr<Document> document = read(path, std::move(bytes));
   forget_broken_normals(document->content());
   check(document->content());
   return document;

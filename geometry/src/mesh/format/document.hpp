@@ -56,14 +56,6 @@ class Document {
   std::vector<std::filesystem::path> companions_;
 };
 
-/// Whether a format has a reader of ours, by the extension; Assimp reads the others.
-bool has_reader(const std::filesystem::path& path);
-
-/// Reads a mesh of such a format.
-/// @param path  of the file; companions (mtllib, buffers) are looked for beside it
-/// @throws Error, without the file's name, for what is no such file
-std::unique_ptr<Document> read_document(const std::filesystem::path& path, std::string bytes);
-
 /// The readers, one a format, each in its own file.
 std::unique_ptr<Document> read_obj(const std::filesystem::path& path, std::string bytes);
 std::unique_ptr<Document> read_off(const std::filesystem::path& path, std::string bytes);

@@ -1,0 +1,14 @@
+#include "mesh/formats.hpp"
+
+namespace hwffd {
+
+const std::vector<MeshFormat>& mesh_formats() {
+  static const std::vector<MeshFormat> kFormats{
+      {".obj", read_obj, write_obj},   {".ply", read_ply, write_ply},
+      {".off", read_off, write_off},   {".stl", read_stl, write_stl},
+      {".glb", read_gltf, write_gltf}, {".gltf", read_gltf, write_gltf},
+      {".dae", nullptr, write_dae}};
+  return kFormats;
+}
+
+}  // namespace hwffd

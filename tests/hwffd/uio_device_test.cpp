@@ -1,0 +1,310 @@
+// A core behind registers, a buffer and an interrupt: the sequence of the device `uio` on a
+// Verilated hwffd_axi, and what it refuses. That core stands behind CoreAccess, not behind
+// /dev/uioN: of the access by Linux's files the reading of folders, the mapping and the refusals
+// are tested, by files of a folder of the test; the interrupt of a real uioN is not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "device/core_access.hpp"
+#include "device/row_question.hpp"
+#include "device/uio_stream.hpp"
+#include "hwffd/cores/axi_core_factory.hpp"
+#include "hwffd/error.hpp"
+#include "hwffd/lattice/around.hpp"
+#include "hwffd/lattice/deformation.hpp"
+#include "hwffd/registers.h"
+#include "hwffd/stream/packets.hpp"
+#include "hwffd/tb/axi_system.hpp"
+#include "temp_folder.hpp"
+
+namespace hwffd {
+namespace {
+
+constexpr std::uint64_t kAddress = 0x1'4000'0000;
+constexpr std::uint64_t kBytes = 2 << 20;
+constexpr std::uint64_t kLatestInterrupt = 3'000'000;  // clocks
+
+/// What is wrong with an access, and what it was used for.
+struct Board {
+  explicit Board(const Configuration& row) : core(cores::make_axi_core(row, 5)), system(*core, 5) {
+    allow(kAddress);
+  }
+  void allow(std::uint64_t base) {
+    const AddressWindow buffer{base, base + kBytes - 1};
+    system.allow(buffer, buffer);
+  }
+
+  std::unique_ptr<cores::AxiCore> core;
+  tb::AxiSystem system;
+  std::uint64_t address = kAddress;
+  std::uint64_t bytes = kBytes;
+  std::uint32_t wrong_bits = 0;  // of the register there
+  std::uint32_t wrong_offset = HWFFD_ID_OFFSET;
+  std::uint64_t latest_interrupt = kLatestInterrupt;  // 0: no clock passes
+  bool interrupt_is_wired = true;
+  int interrupts = 0;
+};
+
+class SimulatedAccess final : public CoreAccess {
+ public:
+  explicit SimulatedAccess(Board& board) : board_(board) {}
+
+  std::uint32_t read32(std::uint32_t offset) override {
+    return board_.system.read32(offset) ^ (offset == board_.wrong_offset ? board_.wrong_bits : 0);
+  }
+  void write32(std::uint32_t offset, std::uint32_t value) override {
+    board_.system.write32(offset, value);
+  }
+  std::uint64_t address() const override { return board_.address; }
+  std::uint64_t bytes() const override { return board_.bytes; }
+  void put(std::uint64_t offset, const Words& words) override {
+    ASSERT_LE(offset + 16, board_.bytes);
+    board_.system.memory.set_beat(board_.address + offset, words);
+  }
+  Words get(std::uint64_t offset) override {
+    EXPECT_LE(offset + 16, board_.bytes);
+    return board_.system.memory.beat(board_.address + offset);
+  }
+  void expect_interrupt() override { EXPECT_FALSE(board_.system.interrupt()); }
+  bool wait_interrupt(Milliseconds /*patience*/) override {
+    constexpr std::uint64_t kStep = 100;
+    for (std::uint64_t clock = 0; clock < board_.latest_interrupt; clock += kStep) {
+      board_.system.run(kStep);
+      if (!board_.system.interrupt()) continue;
+      ++board_.interrupts;
+      return board_.interrupt_is_wired;
+    }
+    return false;
+  }
+
+ private:
+  Board& board_;
+};
+
+UioCore core_of(Board& board, const Configuration* wanted = nullptr) {
+  return uio_core("uio:0", std::make_unique<SimulatedAccess>(board), wanted);
+}
+
+Lattice moved(const Index3& dims) {
+  const Points corners = (Points(2, 3) << -1, -1, -1, 1, 1, 1).finished();
+  return Deformation::parse("random:3").apply(lattice_around("box", corners, dims));
+}
+
+std::vector<Embedded> places(std::size_t count, const Index3& dims) {
+  std::vector<Embedded> vertices(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      vertices[v].cell[axis] = static_cast<int>((v / (axis + 1)) % (dims[axis] - 3));
+    }
+    vertices[v].local = Eigen::Vector3d((v % 7) / 7.0, (v % 11) / 11.0, (v % 13) / 13.0);
+  }
+  return vertices;
+}
+
+/// The line with which something is refused.
+std::string refusal(const std::function<void()>& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_status(), 1);
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+const Configuration& fx18() { return find_configuration("basic-fx18-overlapped"); }
+
+TEST(UioDevice, GivesTheBitsOfTheModel) {
+  std::size_t rows = 0, compared = 0;
+  for (const Configuration& row : configurations()) {
+    if (!cores::has_axi_core(row) || !overlaps(row)) continue;
+    Board board(row);
+    UioCore core = core_of(board);
+    StreamDevice device("uio:0", *core.row, std::move(core.stream));
+    EXPECT_EQ(device.name(), std::string("uio:0 ") + row.name);
+    const std::unique_ptr<Device> model = make_device({"model", row.name});
+    const Index3 large{20, 5, 4};  // by pages, in a core that keeps 16 points an axis
+    for (const Index3& dims : {Index3{6, 5, 4}, large}) {
+      const Lattice lattice = moved(dims);
+      const std::vector<Embedded> vertices = places(1100, dims);
+      EXPECT_EQ(device.evaluate(lattice, vertices), model->evaluate(lattice, vertices)) << row.name;
+      compared += vertices.size();
+    }
+    const std::vector<Embedded> few = places(100, {6, 5, 4});
+    const Device::Tangents got = device.tangents(moved({6, 5, 4}), few);
+    const Device::Tangents expected = model->tangents(moved({6, 5, 4}), few);
+    EXPECT_EQ(got.positions, expected.positions) << row.name;
+    EXPECT_EQ(got.jacobians, expected.jacobians) << row.name;
+    compared += few.size();
+    EXPECT_EQ(board.interrupts, 5) << row.name;  // two of the question, one a call
+    EXPECT_EQ(board.system.faults(), "") << row.name;
+    ++rows;
+  }
+  EXPECT_GE(rows, 2U);
+  EXPECT_EQ(compared, rows * 2300);
+}
+
+TEST(UioDevice, MorePacketsThanTheRingHasRoomForGoInSeveralRuns) {
+  constexpr std::size_t kPackets = 300;
+  Board board(fx18());
+  const UioCore core = core_of(board);
+  std::vector<Beat> vertices;
+  for (std::size_t p = 0; p < kPackets; ++p) {
+    append(vertices, vertices_packet({{{static_cast<std::uint32_t>(p << 22), 0, 0}, {}, 7}}));
+  }
+  const auto nothing = [](double) {};
+  const std::unique_ptr<CommandStream> model = model_stream(fx18());
+  ASSERT_TRUE(answers_as(*model, fx18()));  // loads what core_of loaded
+  const std::vector<Beat> results = core.stream->run(vertices, kPackets, nothing, 1);
+  EXPECT_EQ(results.size(), kPackets);
+  EXPECT_EQ(results, model->run(vertices, kPackets, nothing, 1));
+  EXPECT_EQ(board.interrupts, 2 + 2);
+  EXPECT_EQ(board.system.faults(), "");
+}
+
+TEST(UioDevice, MoreBeatsThanTheBufferHasRoomForGoInSeveralRuns) {
+  Board board(fx18());
+  board.bytes = 1 << 20;
+  UioCore core = core_of(board);
+  StreamDevice device("uio:0", *core.row, std::move(core.stream));
+  const std::vector<Embedded> vertices = places(40'000, {6, 5, 4});
+  EXPECT_EQ(device.evaluate(moved({6, 5, 4}), vertices),
+            make_device({"model", "basic", "fx18"})->evaluate(moved({6, 5, 4}), vertices));
+  EXPECT_EQ(board.interrupts, 2 + 2);
+  EXPECT_EQ(board.system.faults(), "");
+}
+
+// A program ends, and the next one finds windows that are locked and a run that is not read.
+TEST(UioDevice, TheNextProgramGoesOn) {
+  Board board(fx18());
+  const Lattice lattice = moved({4, 4, 4});
+  const std::vector<Embedded> vertices = places(20, {4, 4, 4});
+  const Points expected = make_device({"model", "basic", "fx18"})->evaluate(lattice, vertices);
+  for (int program = 0; program < 3; ++program) {
+    UioCore core = core_of(board, &fx18());
+    StreamDevice device("uio:0", *core.row, std::move(core.stream));
+    EXPECT_EQ(device.evaluate(lattice, vertices), expected);
+    board.latest_interrupt = 0;
+    EXPECT_EQ(refusal([&] { device.evaluate(lattice, vertices); }),
+              "uio:0: a run has not ended after 5 s, 0 of 20 results came");
+    board.latest_interrupt = kLatestInterrupt;
+    EXPECT_EQ(device.evaluate(lattice, vertices), expected);
+  }
+  board.address += kBytes;
+  board.allow(board.address);
+  EXPECT_NE(refusal([&] { core_of(board); }).find("windows are locked"), std::string::npos);
+}
+
+TEST(UioDevice, RefusesInALine) {
+  const auto refused = [](const std::function<void(Board&)>& spoil,
+                          const Configuration* wanted = nullptr) {
+    Board board(fx18());
+    spoil(board);
+    return refusal([&] { core_of(board, wanted); });
+  };
+  EXPECT_EQ(refused([](Board& board) { board.wrong_bits = HWFFD_ID_RESET; }),
+            "uio:0: no hwffd here: ID reads 0");
+  EXPECT_EQ(refused([](Board& board) {
+              board.wrong_offset = HWFFD_VERSION_OFFSET;
+              board.wrong_bits = 7U << HWFFD_VERSION_MAJOR_SHIFT;
+            }),
+            "uio:0: registers of version 7, this driver knows 0");
+  EXPECT_EQ(refused([](Board& board) {
+              board.wrong_offset = HWFFD_CONFIG_OFFSET;
+              board.wrong_bits = 0xF0;
+            }),
+            "uio:0: its organization and format are no row of the table");
+  EXPECT_EQ(refused([](Board& board) {
+              board.wrong_offset = HWFFD_CONFIG_OFFSET;
+              board.wrong_bits = (18U ^ 32U) << HWFFD_CONFIG_FORMAT_SHIFT;
+            }),
+            "uio:0: its results are not those of its row");
+  EXPECT_EQ(refused([](Board&) {}, &find_configuration("cg1-fx18-overlapped")),
+            "uio:0: is not cg1-fx18-overlapped");
+  EXPECT_EQ(refused([](Board& board) { board.bytes = 65536; }),
+            "uio:0: its buffer has 65536 bytes, and 1048576 are needed; give u-dma-buf more");
+  EXPECT_EQ(refused([](Board& board) { board.address += 16; }),
+            "uio:0: its buffer is at 0x140000010, which is no multiple of 4096");
+  EXPECT_EQ(refused([](Board& board) { board.interrupt_is_wired = false; }),
+            "uio:0: a run has ended, but no interrupt came for 5 s; see to it in the device tree");
+  EXPECT_EQ(refused([](Board& board) { board.latest_interrupt = 0; }),
+            "uio:0: a run has not ended after 5 s, 0 of 32 results came");
+  EXPECT_EQ(refused([](Board& board) {
+              board.system.memory.fail_read(1, 0, cores::kAxiSlverr);
+            }).substr(0, 50),
+            "uio:0: 0 of 32 results came, ERROR_STATUS 0x8000 a");
+}
+
+/// Folders as Linux has them, with files in place of devices.
+class UioFiles : public ::testing::Test {
+ protected:
+  UioFiles() {
+    for (const char* name : {"dev", "uio/uio3/maps/map0", "buffers/udmabuf3"}) {
+      std::filesystem::create_directories(folder_ / name);
+    }
+    write("uio/uio3/maps/map0/size", "0x0000000000001000\n");
+    write("buffers/udmabuf3/phys_addr", "0x0000000040000000\n");
+    write("buffers/udmabuf3/size", "8192\n");
+    write("dev/uio3", std::string(4096, '\1'));
+    write("dev/udmabuf3", std::string(8192, '\2'));
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::unique_ptr<CoreAccess> access() {
+    return uio_access("3", {folder_ / "dev", folder_ / "uio", folder_ / "buffers"});
+  }
+  /// Without the name of the folder.
+  std::string line() {
+    std::string text = refusal([this] { access(); });
+    const std::string start = (folder_ / "").string();
+    const std::size_t at = text.find(start);
+    return at == std::string::npos ? text : text.erase(at, start.size());
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(UioFiles, AreMapped) {
+  const std::unique_ptr<CoreAccess> board = access();
+  EXPECT_EQ(board->address(), 0x40000000U);
+  EXPECT_EQ(board->bytes(), 8192U);
+  EXPECT_EQ(board->read32(0xFFC), 0x01010101U);
+  board->write32(0x10, 0x48464644);
+  EXPECT_EQ(board->read32(0x10), 0x48464644U);
+  board->put(8176, {1, 2, 3, 4});
+  EXPECT_EQ(board->get(8176), (CoreAccess::Words{1, 2, 3, 4}));
+  EXPECT_EQ(board->get(0), (CoreAccess::Words{0x02020202, 0x02020202, 0x02020202, 0x02020202}));
+  const std::string registers = read_text(folder_ / "dev/uio3");
+  EXPECT_EQ(registers.substr(0x0F, 6), std::string("\1DFFH\1"));
+  EXPECT_EQ(read_text(folder_ / "dev/udmabuf3").substr(8176),
+            std::string("\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0", 16));
+}
+
+TEST_F(UioFiles, ThatAreMissingOrWrongAreNamed) {
+  write("uio/uio3/maps/map0/size", "0x800\n");
+  EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 2048 bytes; the registers take 4096");
+  write("uio/uio3/maps/map0/size", "4 KB\n");
+  EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 4 bytes; the registers take 4096");
+  write("uio/uio3/maps/map0/size", "much\n");
+  EXPECT_EQ(line(), "uio/uio3/maps/map0/size: 'much' is no number");
+  write("uio/uio3/maps/map0/size", "4096\n");
+  write("buffers/udmabuf3/size", "0\n");
+  EXPECT_EQ(line(), "buffers/udmabuf3/size: 0 bytes; a buffer has 1 to 2^32");
+  std::filesystem::remove(folder_ / "buffers/udmabuf3/phys_addr");
+  EXPECT_EQ(line(),
+            "buffers/udmabuf3/phys_addr: cannot be read; is the buffer in the device tree, "
+            "and u-dma-buf loaded?");
+  std::filesystem::remove(folder_ / "dev/uio3");
+  EXPECT_EQ(line(), "dev/uio3: cannot be opened: No such file or directory");
+  std::filesystem::remove_all(folder_ / "uio/uio3");
+  EXPECT_EQ(line(),
+            "uio/uio3/maps/map0/size: cannot be read; is the core in the device tree, and "
+            "uio_pdrv_genirq loaded?");
+}
+
+}  // namespace
+}  // namespace hwffd
