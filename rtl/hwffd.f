@@ -8,12 +8,6 @@
 +incdir+scatter
 +incdir+stream
 lint/hwffd.vlt
-board/ffd_board_bridge.v
-board/ffd_board_icebreaker.v
-board/ffd_board_reset.v
-board/ffd_board_uart_rx.v
-board/ffd_board_uart_tx.v
-board/ffd_board_ulx3s.v
 bus/ffd_axil_slave.v
 bus/ffd_axil_voted.v
 bus/ffd_bus_core.v
@@ -44,6 +38,7 @@ cache/ffd_cache_lane.v
 cache/ffd_cache_points.v
 cache/ffd_cache_stores.v
 cache/ffd_cache_writer.v
+common/ffd_channel_check.v
 common/ffd_hard_copy.v
 common/ffd_hard_triple.v
 common/ffd_mem_sdp.v
@@ -77,6 +72,7 @@ evaluator/ffd_eval_serial_component.v
 evaluator/ffd_eval_serial_weights.v
 evaluator/ffd_eval_stream.v
 evaluator/ffd_eval_summation.v
+evaluator/ffd_eval_travel.v
 evaluator/ffd_eval_tree.v
 evaluator/ffd_eval_trivariate.v
 evaluator/ffd_eval_walk.v
@@ -117,6 +113,7 @@ number/ffd_num_scale.v
 number/ffd_num_share.v
 number/ffd_num_step.v
 number/ffd_num_term.v
+number/ffd_num_wide_share.v
 number/ffd_num_widen.v
 number/fixed/ffd_fx_block.v
 number/fixed/ffd_fx_narrow.v
@@ -136,8 +133,10 @@ scatter/ffd_scatter_bank.v
 scatter/ffd_scatter_choice.v
 scatter/ffd_scatter_collect.v
 scatter/ffd_scatter_core.v
+scatter/ffd_scatter_cumulative.v
 scatter/ffd_scatter_decoder.v
 scatter/ffd_scatter_encoder.v
+scatter/ffd_scatter_entry.v
 scatter/ffd_scatter_expand.v
 scatter/ffd_scatter_fork.v
 scatter/ffd_scatter_framer.v
@@ -145,6 +144,8 @@ scatter/ffd_scatter_header.v
 scatter/ffd_scatter_inside.v
 scatter/ffd_scatter_pages.v
 scatter/ffd_scatter_parts.v
+scatter/ffd_scatter_places.v
+scatter/ffd_scatter_rows.v
 scatter/ffd_scatter_slots.v
 scatter/ffd_scatter_sums.v
 scatter/ffd_scatter_sweep.v
@@ -154,6 +155,7 @@ stream/ffd_stream_buffers.v
 stream/ffd_stream_decoder.v
 stream/ffd_stream_derivatives.v
 stream/ffd_stream_encoder.v
+stream/ffd_stream_ending.v
 stream/ffd_stream_expand.v
 stream/ffd_stream_framer.v
 stream/ffd_stream_functions.v

@@ -6,6 +6,7 @@ SPDX-License-Identifier: Apache-2.0
 import argparse
 import os
 import pathlib
+import re
 import signal
 import sys
 
@@ -27,6 +28,14 @@ class Parser(argparse.ArgumentParser):
     def error(self, message):
         print(f"{self.prog}: {message}", file=sys.stderr)
         sys.exit(2)
+
+
+def assignments(words):
+    """{name: number} of words NAME=NUMBER. Raises Request."""
+    for word in words:
+        if not re.fullmatch(r"[A-Z_]+=\d+", word):
+            raise Request(f"'{word}': NAME=NUMBER wanted")
+    return {name: int(value) for name, value in (word.split("=") for word in words)}
 
 
 def run(parser, work, faults):

@@ -48,6 +48,7 @@ module ffd_board_icebreaker #(
   wire [31:0]  event_packet;
   wire [31:0]  event_beat;
   wire         vertex;
+  wire [1:0]   second;
   wire [2:0]   waits;
   wire         idle;
   wire         upset;
@@ -99,12 +100,14 @@ module ffd_board_icebreaker #(
     .event_packet_o(event_packet),
     .event_beat_o  (event_beat),
     .vertex_o      (vertex),
+    .second_o      (second),
     .wait_o        (waits),
     .idle_o        (idle),
     .upset_o       (upset)
   );
 
-  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, waits, idle, user, upset};
+  wire unused_ok = &{1'b0, events, event_packet, event_beat, vertex, second, waits, idle, user,
+                     upset};
 endmodule
 
 `default_nettype wire

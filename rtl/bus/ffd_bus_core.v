@@ -32,6 +32,7 @@ module ffd_bus_core #(
   parameter WAITING           = 16,
   parameter FEATURES          = `FFD_FEATURES,
   parameter SPANS             = 1,
+  parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
   parameter READ_DEPTH        = 512,
   parameter WRITE_DEPTH       = 512,
@@ -136,6 +137,7 @@ module ffd_bus_core #(
   localparam [31:0] PAGES_WORD     = `FFD_FEATURE_RESIDENT(FEATURES) != 0 ? PAGES : 0;
   localparam [31:0] SPANS_WORD     = SPANS;
   localparam [31:0] COUNT_WORD     = COUNT_WIDTH;
+  localparam [31:0] GRID_WORD      = `FFD_FEATURE_GRIDS(FEATURES) != 0 ? GRID_LIMIT : 0;
   localparam [31:0] PROT_WORD      = AXI_PROT;
   localparam [31:0] CACHE_WORD     = AXI_CACHE;
   localparam [31:0] ID_WORD        = ID;
@@ -172,6 +174,7 @@ module ffd_bus_core #(
 
   wire         start;
   wire         soft_reset;
+  wire         stop_grid;
   wire         busy;
   wire         idle;
   wire         stopped;
@@ -189,6 +192,7 @@ module ffd_bus_core #(
   wire [63:0]  write_first;
   wire [63:0]  write_last;
   wire         vertex;
+  wire [1:0]   second;       // with it; that its words saturate is no error of its own
   wire         stall;
   wire         error_any;
   wire [`FFD_ERRORS-1:0] error_event;
@@ -231,6 +235,7 @@ module ffd_bus_core #(
     .config_evaluator_i      (EVALUATOR_WORD[1:0]),
     .limits_in_flight_i      (IN_FLIGHT_WORD[15:0]),
     .limits_points_axis_i    (AXIS_WORD[7:0]),
+    .limits_grid_limit_i     (GRID_WORD[5:0]),
     .limits2_pages_i         (PAGES_WORD[15:0]),
     .limits2_spans_i         (SPANS_WORD[7:0]),
     .limits2_count_width_i   (COUNT_WORD[5:0]),
@@ -250,6 +255,7 @@ module ffd_bus_core #(
     .control_start_o         (start),
     .control_soft_reset_o    (soft_reset),
     .control_clear_counters_o(clear_counters),
+    .control_stop_grid_o     (stop_grid),
     .status_busy_i           (busy),
     .status_idle_i           (idle),
     .status_stopped_i        (stopped),
@@ -274,8 +280,11 @@ module ffd_bus_core #(
     .write_window_limit_o    (write_last),
     .window_lock_windows_o   (locked),
     .counter_vertices_event_i(vertex),
+    .counter_vertices_second_i(second[0]),
     .counter_stalls_event_i  (stall),
+    .counter_stalls_second_i (1'b0),
     .counter_busy_event_i    (busy),
+    .counter_busy_second_i   (1'b0),
     .wait_input_i            (waits[0 +: 32]),
     .wait_memory_i           (waits[32 +: 32]),
     .wait_evaluator_i        (waits[64 +: 32]),
@@ -490,11 +499,12 @@ module ffd_bus_core #(
     .m_axis_tdata  (result_data),
     .m_axis_tlast  (result_last),
     .m_axis_tuser  (result_mark),
-    .grid_stop_i   (1'b0),
+    .grid_stop_i   (stop_grid),
     .event_o       (core_event),
     .event_packet_o(core_packet),
     .event_beat_o  (core_beat),
     .vertex_o      (vertex),
+    .second_o      (second),
     .wait_o        (core_wait),
     .idle_o        (core_idle),
     .upset_o       (core_upset)
@@ -532,8 +542,8 @@ module ffd_bus_core #(
     .counts_o      (waits)
   );
 
-  wire unused_ok = &{1'b0, irq_enable, result_running, result_busy, read_address,
-                     write_address};
+  wire unused_ok = &{1'b0, irq_enable, result_running, result_busy, read_address, write_address,
+                     second};
 endmodule
 
 `default_nettype wire

@@ -1,6 +1,7 @@
 // ffd_bus_counter: a count of clocks, wider than the bus that reads it
 //
-// Counts the clocks in which event_i is high, modulo 2^WIDTH. latch_i, the read of the low half,
+// Counts the clocks in which event_i is high, and once more those in which second_i is, modulo
+// 2^WIDTH. latch_i, the read of the low half,
 // keeps the high half of the same clock, so that two reads make one number. clear_i sets the count
 // to 0, and an event of the same clock makes it 1 a clock later; what is latched stays.
 //
@@ -17,6 +18,7 @@ module ffd_bus_counter #(
   input  wire        clk,
   input  wire        rst,
   input  wire        event_i,
+  input  wire        second_i,
   input  wire        clear_i,
   input  wire        latch_i,
   output wire [31:0] low_o,
@@ -31,18 +33,22 @@ module ffd_bus_counter #(
   reg  [WIDTH-1:0]  count_q;
   reg  [WIDTH-33:0] high_q;
   reg               event_q;
+  reg               second_q;
 
   always @(posedge clk) begin
     if (rst || clear_i) count_q <= {WIDTH{1'b0}};
+    else if (second_q) count_q <= count_q + {{(WIDTH - 2) {1'b0}}, event_q, !event_q};
     else count_q <= count_q + {{(WIDTH - 1) {1'b0}}, event_q};
   end
 
   always @(posedge clk) begin
     if (rst) begin
-      event_q <= 1'b0;
+      event_q  <= 1'b0;
+      second_q <= 1'b0;
       high_q  <= {(WIDTH - 32) {1'b0}};
     end else begin
-      event_q <= event_i;
+      event_q  <= event_i;
+      second_q <= second_i;
       if (latch_i) high_q <= count_q[WIDTH-1:32];
     end
   end

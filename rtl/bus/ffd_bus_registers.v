@@ -3,10 +3,10 @@
 // Made from rtl/bus/registers.csv by tools/tables/registers.py; changes here are lost.
 //
 // Registers, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
-// a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
-// is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
-// error_address_valid_i is high, an address; error_any_i is high where a bit is. Outputs of w1
-// fields are pulses of one clock.
+// a sticky bit and wins over a write that clears it, _event_i and _second_i are counted in every
+// clock in which they are high; a bit of error_event_i is one error, with packet and beat of the
+// same clock, and, where error_address_valid_i is high, an address; error_any_i is high where a bit
+// is. Outputs of w1 fields are pulses of one clock.
 //
 // Writes and reads come as words, of any bus, and do not wait for each other.
 // In the same clock a read sees what was there before the write.
@@ -57,9 +57,11 @@ module ffd_bus_registers #(
   input  wire [1:0]  config_evaluator_i,
   input  wire [15:0] limits_in_flight_i,
   input  wire [7:0]  limits_points_axis_i,
+  input  wire [5:0]  limits_grid_limit_i,
   output reg         control_start_o,
   output reg         control_soft_reset_o,
   output reg         control_clear_counters_o,
+  output reg         control_stop_grid_o,
   input  wire        status_busy_i,
   input  wire        status_idle_i,
   input  wire        status_stopped_i,
@@ -94,8 +96,11 @@ module ffd_bus_registers #(
   output reg  [63:0] write_window_limit_o,
   output reg         window_lock_windows_o,
   input  wire        counter_vertices_event_i,
+  input  wire        counter_vertices_second_i,
   input  wire        counter_stalls_event_i,
+  input  wire        counter_stalls_second_i,
   input  wire        counter_busy_event_i,
+  input  wire        counter_busy_second_i,
   input  wire [31:0] wait_input_i,
   input  wire [31:0] wait_memory_i,
   input  wire [31:0] wait_evaluator_i,
@@ -432,33 +437,36 @@ module ffd_bus_registers #(
   );
 
   ffd_bus_counter u_counter_vertices (
-    .clk    (clk),
-    .rst    (rst),
-    .event_i(counter_vertices_event_i),
-    .clear_i(control_clear_counters_o),
-    .latch_i(s_read_valid && at_counter_vertices_lo_q),
-    .low_o  (counter_vertices[31:0]),
-    .high_o (counter_vertices[63:32])
+    .clk     (clk),
+    .rst     (rst),
+    .event_i (counter_vertices_event_i),
+    .second_i(counter_vertices_second_i),
+    .clear_i (control_clear_counters_o),
+    .latch_i (s_read_valid && at_counter_vertices_lo_q),
+    .low_o   (counter_vertices[31:0]),
+    .high_o  (counter_vertices[63:32])
   );
 
   ffd_bus_counter u_counter_stalls (
-    .clk    (clk),
-    .rst    (rst),
-    .event_i(counter_stalls_event_i),
-    .clear_i(control_clear_counters_o),
-    .latch_i(s_read_valid && at_counter_stalls_lo_q),
-    .low_o  (counter_stalls[31:0]),
-    .high_o (counter_stalls[63:32])
+    .clk     (clk),
+    .rst     (rst),
+    .event_i (counter_stalls_event_i),
+    .second_i(counter_stalls_second_i),
+    .clear_i (control_clear_counters_o),
+    .latch_i (s_read_valid && at_counter_stalls_lo_q),
+    .low_o   (counter_stalls[31:0]),
+    .high_o  (counter_stalls[63:32])
   );
 
   ffd_bus_counter u_counter_busy (
-    .clk    (clk),
-    .rst    (rst),
-    .event_i(counter_busy_event_i),
-    .clear_i(control_clear_counters_o),
-    .latch_i(s_read_valid && at_counter_busy_lo_q),
-    .low_o  (counter_busy[31:0]),
-    .high_o (counter_busy[63:32])
+    .clk     (clk),
+    .rst     (rst),
+    .event_i (counter_busy_event_i),
+    .second_i(counter_busy_second_i),
+    .clear_i (control_clear_counters_o),
+    .latch_i (s_read_valid && at_counter_busy_lo_q),
+    .low_o   (counter_busy[31:0]),
+    .high_o  (counter_busy[63:32])
   );
 
   // 0x010 CONTROL
@@ -467,10 +475,12 @@ module ffd_bus_registers #(
       control_start_o <= 1'b0;
       control_soft_reset_o <= 1'b0;
       control_clear_counters_o <= 1'b0;
+      control_stop_grid_o <= 1'b0;
     end else begin
       control_start_o <= control_start_asked && !control_start_blocked;
       control_soft_reset_o <= write_control && ones[1];
       control_clear_counters_o <= write_control && ones[2];
+      control_stop_grid_o <= write_control && ones[3];
     end
   end
 
@@ -796,8 +806,8 @@ module ffd_bus_registers #(
     ({32 {at_version_q}} & {16'h0, 8'h2, 8'h0}) |
     ({32 {at_config_q}} & {2'h0, config_evaluator_i, 3'h0, config_schedule_i, config_format_i,
       config_n_i, config_org_i}) |
-    ({32 {at_limits_q}} & {8'h0, limits_points_axis_i, limits_in_flight_i}) |
-    ({32 {at_control_q}} & {29'h0, 1'b0, 1'b0, 1'b0}) |
+    ({32 {at_limits_q}} & {2'h0, limits_grid_limit_i, limits_points_axis_i, limits_in_flight_i}) |
+    ({32 {at_control_q}} & {28'h0, 1'b0, 1'b0, 1'b0, 1'b0}) |
     ({32 {at_status_q}} & {22'h0, status_start_refused_q, status_done_q, 4'h0,
       status_ring_running_i, status_stopped_i, status_idle_i, status_busy_i}) |
     ({32 {at_features_q}} & {19'h0, features_halves_i, features_determinant_i,

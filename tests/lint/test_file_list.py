@@ -17,8 +17,8 @@ module user_top (input wire clk, input wire rst, output wire idle);
   hwffd_stream u_ffd (
     .aclk(clk), .aresetn(!rst), .s_axis_tvalid(1'b0), .s_axis_tready(), .s_axis_tdata(128'd0),
     .s_axis_tlast(1'b0), .m_axis_tvalid(), .m_axis_tready(1'b1), .m_axis_tdata(), .m_axis_tlast(),
-    .m_axis_tuser(), .grid_stop_i(1'b0), .event_o(), .event_packet_o(), .event_beat_o(), .vertex_o(), .wait_o(),
-    .idle_o(idle), .upset_o()
+    .m_axis_tuser(), .grid_stop_i(1'b0), .event_o(), .event_packet_o(), .event_beat_o(), .vertex_o(),
+    .second_o(), .wait_o(), .idle_o(idle), .upset_o()
   );
 endmodule
 """

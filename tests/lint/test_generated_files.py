@@ -12,7 +12,8 @@ import pytest
 from tools import csv_table
 from tools.project_root import ROOT
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations, core_file, formats, generated_files, registers, stream_words, version
+from tools.tables import (
+    configurations, core_file, formats, generated_files, ip_xact, organizations, registers, stream_words, system_rdl, version)
 
 CORE = (ROOT / core_file.NAME).read_text(encoding="utf-8")
 FP32 = "fp32,,0,float,Binary32,Binary32Fused,binary32\n"
@@ -95,18 +96,25 @@ REACHED = (
     (registers.TABLE, (("value,3:0,rw,0", "value,4:0,rw,5"),), {
         "rtl/bus/ffd_bus_registers.v": "ring_log2_size_o <= 5'h5;",
         "cores/include/hwffd/registers.h": "RING_LOG2_SIZE_MASK 0x0000001Fu",
-        "docs/registers.md": "| 4:0 | `value` | rw | 0x5 |"}),
+        "docs/registers.md": "| 4:0 | `value` | rw | 0x5 |",
+        ip_xact.NAME: "<ipxact:value>'h5</ipxact:value>",
+        system_rdl.NAME: "value[4:0] = 5'h5;"}),
     (registers.TABLE, ((",no_lattice,4,", ",without_lattice,4,"),), {
         "rtl/stream/ffd_events.vh": "`define FFD_EVENT_WITHOUT_LATTICE      4\n",
         "golden/include/hwffd/stream/events.hpp": "  kWithoutLattice = 4,\n",
         "cores/include/hwffd/registers.h": "HWFFD_ERROR_STATUS_WITHOUT_LATTICE_SHIFT 4\n",
-        "docs/registers.md": "| 4 | `without_lattice` |"}),
+        "docs/registers.md": "| 4 | `without_lattice` |",
+        ip_xact.NAME: "<ipxact:name>without_lattice</ipxact:name>",
+        system_rdl.NAME: "without_lattice[4:4] = 1'h0;"}),
     (version.FILE, ((str(version.read(ROOT)), "3.41.59"),), {
         version.HEADER: '#define HWFFD_VERSION "3.41.59"\n',
         "cores/include/hwffd/registers.h": "HWFFD_VERSION_MAJOR_RESET 0x3u",
         "rtl/bus/ffd_bus_registers.v": "{16'h3, 8'h29, 8'h3b}",
         "docs/registers.md": "| `minor` | const | 0x29 |",
-        core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"'}),
+        core_file.NAME: 'name: "hwffd:ip:hwffd:3.41.59"',
+        ip_xact.NAME: "<ipxact:version>3.41.59</ipxact:version>",
+        system_rdl.NAME: "minor[15:8] = 8'h29;",
+        version.LITEX: 'VERSION = "3.41.59"\n'}),
 )
 PATHS = list(generated_files.outputs())
 
@@ -200,7 +208,7 @@ def test_formats():
 
 
 def test_what_is_committed_is_up_to_date(call):
-    assert len(PATHS) == 17
+    assert len(PATHS) == 22
     assert call(generated_files.main, "check") == (0, [], [])
     assert call(registers.main, "check") == (0, [], [])
     assert call(registers.main, "list")[1][0] == "0x000 ID value(const)"
@@ -249,6 +257,24 @@ def test_files_and_parameters_of_the_core_file():
     assert {f"rtl/{entry}" for entry in rtl_sources.read_file_list(ROOT / "rtl/hwffd.f")} <= set(files)
     for name in configurations.read()[0].parameters:
         assert re.search(rf"(?m)^  {name}:$", CORE)
+
+
+def test_boards_are_no_part_of_the_core():
+    core, boards = (rtl_sources.read_file_list(ROOT / "rtl" / name) for name in ("hwffd.f", "boards.f"))
+    assert len(core) > 100 and len(boards) > 5
+    assert not [entry for entry in core if "board" in entry]
+    assert "rtl/board" not in CORE
+    assert all(entry.startswith("board/") for entry in boards)
+
+
+def test_n_follows_from_org():
+    text = rtl_sources.strip_comments((ROOT / "rtl/evaluator/ffd_organizations.vh").read_text())
+    arms = re.search(r"`define FFD_ORG_N\(ORG\)(.*?)\n\n", text, re.DOTALL)[1]
+    numbers = {int(org): int(n) for org, n in re.findall(r"\(ORG\) == (\d+) \? (\d+) :", arms)}
+    rows = organizations.read().values()
+    assert numbers == {row.number: row.n for row in rows if row.n} and len(numbers) > 15
+    for top in ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone", "hwffd_adjoint"):
+        assert module_header.read(rtl_sources.Sources(), top).of_org == ("N",)
 
 
 def test_headers_of_the_tops():

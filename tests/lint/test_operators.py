@@ -76,6 +76,8 @@ COUNTED = (
     # Three evaluators for u and t and three for s; three products along u and s, one along t, and of
     # differences and sums each as many additions, along t one more of each.
     ("walk", "walk-fx17-overlapped", (18 + 3 * 7, 18 + 3 * 15), (18 + 3 * 7, 18 + 3 * 15), 6),
+    # Three evaluators of s more, and another contraction along it.
+    ("walk/2", "walk2-fx17-overlapped", (27 + 3 * 10, 27 + 3 * 21), (27 + 3 * 10, 27 + 3 * 21), 9),
     ("affine/4x3", "affine4x3-fx17-overlapped", (3 * 57, 3 * 108), (3 * 57, 3 * 108), 9),
     # Three evaluators of the functions, three of their derivatives; sums of four of 2 x 16 along u,
     # 3 x 4 along t, 4 along s, and differences for 16, 2 x 4 and 3 of them.

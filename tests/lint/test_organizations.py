@@ -14,7 +14,7 @@ HEADER = ",".join(organizations.COLUMNS)
 NUMBERS = {"basic": 0, "cg1": 1, "cg3": 3, "tree": 4, "parallel": 5, "factored": 6,
            "factored/3": 7, "nested": 8, "nested/3": 9, "affine": 10, "affine/3": 11, "affine/3x2": 12,
            "affine/64": 13, "affine/2": 14, "affine/6": 15, "affine/4": 16, "affine/4x3": 17,
-           "jacobian/3": 18, "jet/3": 20, "walk": 22}
+           "jacobian/3": 18, "jet/3": 20, "walk": 22, "walk/2": 23}
 
 ROW = "basic,0,tree SERIAL=1,1,product,1,64 * poly,0,64 * start,,0,0,every,"
 
@@ -42,7 +42,7 @@ BAD = {
     "no such module": (row(module="nothing"), 2, "there is no ffd_org_nothing.v"),
     "no such parameter": (row(module="tree SIZE=1"), 2, "of ffd_org_tree.v: SERIAL, FORMAT"),
     "no value": (row(module="tree SERIAL"), 2, "'SERIAL' is not NAME=NUMBER"),
-    "no such form": (row(form="sum"), 2, "one of product, factored, affine, nested"),
+    "no such form": (row(form="sum"), 2, "unknown form 'sum': one of product, factored, "),
     "units of 0": (row(units="0"), 2, "units is '0', 1 to 999 wanted"),
     "no clocks": (row(overlapped=""), 2, "overlapped: no formula"),
     "paper without the last": (row(last=""), 2, "last: a formula where paper has one"),
@@ -90,13 +90,6 @@ def test_formulas_are_those_of_the_paper(name, paper, with_fused, overlapped):
     assert formulas["paper"].value(**fused) == with_fused
     assert formulas["overlapped"].value(**unfused) == overlapped
     assert organizations.read()["nested/3"].formulas["formed"].value(**unfused) == 238
-
-
-def test_a_formula_is_said_with_what_is_known():
-    rows = organizations.read()
-    assert rows["cg1"].formulas["paper"].said(n=1, poly=6, add=1) == "392"
-    assert rows["tree"].formulas["paper"].said(poly=6, add=1) == "(6 + 3 + log2(n)) * 64 / n"
-    assert [name for name, own in rows.items() if own.has_iterative] == ["basic", "cg1", "cg3", "tree", "parallel", "affine/64"]
 
 
 def test_numbers_are_those_that_software_knows():

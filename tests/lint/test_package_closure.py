@@ -52,7 +52,7 @@ def test_sets_of_the_project():
     assert "verilator" in build and "yosys" not in build
     assert set(build) < {row[0] for row in package_closure.rows_of(package_sets, "test")}
     wanted = {word for line in (ROOT / "Makefile").read_text().splitlines() if line.startswith("\t$(INSTALL)")
-              for word in line.replace("$(CELLS)", "cells").split()[1:]}
+              for word in line.replace("$(CELLS)", "cells").replace("$(ROUTE)", "route").split()[1:]}
     assert wanted <= set(package_sets)
     for path in (ROOT / "tools").glob("requirements-*.txt"):
         assert path.stem.removeprefix("requirements-") in package_sets

@@ -20,7 +20,7 @@ SOURCES = rtl_sources.Sources()
 SPACE = spaces.Space()
 GUARD = re.compile(r"\bERROR_(\w+)")
 # Of tops that share parameters, the one whose parameters are tried.
-OWN = {"hwffd_stream": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream"}
+OWN = {"hwffd_stream": None, "hwffd_scatter": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream"}
 
 
 def guards(top, configuration):
@@ -90,6 +90,14 @@ def _met():
     """What Icarus says of each case."""
     with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
         return list(pool.map(lambda case: guards(case[1], case[2]), CASES))
+
+
+def test_rules_are_printed(capsys):
+    assert spaces.main(["hwffd_axi"]) == 0
+    printed = capsys.readouterr().out.splitlines()
+    assert printed == [rule.text for rule in SPACE.rules_of("hwffd_axi")] and len(printed) > 20
+    assert spaces.main(["hwffd_axe"]) == 2
+    assert "one of hwffd_stream, " in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("top", SPACE.parameters)

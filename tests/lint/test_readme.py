@@ -9,7 +9,7 @@ import subprocess
 
 from tools.project_root import ROOT
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations
+from tools.tables import configurations, organizations
 
 README = (ROOT / "README.md").read_text()
 (VERILOG,) = re.findall(r"^```verilog\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
@@ -39,7 +39,9 @@ def test_verilog_elaborates(checkout):
 def test_verilog_is_the_row_that_it_says():
     (row,) = set(re.findall(r"the row\s+`([\w-]+)`", README))
     given = {name: int(value) for name, value in re.findall(r"\.([A-Z_]+)\((\d+)\)", VERILOG)}
-    defaults = module_header.read(rtl_sources.Sources(), "hwffd_stream").parameters
+    header = module_header.read(rtl_sources.Sources(), "hwffd_stream")
+    (organization,) = (row for row in organizations.read().values() if row.number == given["ORG"])
+    defaults = {**header.parameters, **{name: organization.n for name in header.of_org}}
     wanted = configurations.find(configurations.read(), row).parameters
     assert {**defaults, **given, **wanted} == {**defaults, **given}
 

@@ -118,6 +118,8 @@ def test_the_price_of_a_feature_stands_beside_its_row(reports):
     assert [line[:3] for line in synth_tables.prices(data).rows] == [
         ["`cg1-fx18-overlapped`, `hwffd_stream`", "as in the table", "2,400"],
         ["", "few", "1,700 (-700)"]]
+    assert synth_tables.prices(data, "ecp5", "cg1-fx18-overlapped/hwffd_stream").rows == synth_tables.prices(data).rows
+    assert not synth_tables.prices(data, "ecp5", "cg1-fx18-overlapped/hwffd_axi").rows
     assert [line[0] for line in synth_tables.cores(data).rows] == ["`cg1-fx18-overlapped`"]
     assert "## What features cost" in synth_tables.document(data)
 

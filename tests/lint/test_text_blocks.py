@@ -3,6 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import re
+
 import pytest
 
 from tools.project_root import ROOT
@@ -123,16 +125,23 @@ def test_what_only_others_know_is_left_to_them(blocks):
 def test_every_port_and_parameter_needs_a_meaning():
     blocks = text_blocks.Blocks(ROOT, report_modules.MODULES)
 
-    def fault_of(opening, *lines):
-        text = "\n".join([f"<!-- sources: {opening}", *lines, "-->", "<!-- end sources -->", ""])
-        return "; ".join(message for _, message in blocks.fill(text)[1])
+    def filled(opening, *lines):
+        text = "\n".join([f"<!-- sources: {opening} -->", *lines, "<!-- end sources -->", ""])
+        after, faults = blocks.fill(text)
+        return after, "; ".join(message for _, message in faults)
 
-    ports = ("a*: clock, reset", "s_axis_*: in", "m_axis_*: out", "grid_stop_i: stop", "event_*: event",
-             "vertex_o: vertex", "wait_o: waits", "idle_o: idle", "upset_o: upset")
-    assert fault_of("rtl.ports hwffd_stream", *ports) == ""
-    assert "hwffd_stream.aresetn has no meaning" in fault_of("rtl.ports hwffd_stream", "aclk: clock")
-    assert "hwffd_stream has no nothing_i" in fault_of("rtl.ports hwffd_stream", *ports, "nothing_i: x")
-    assert "has no LATENCY" in fault_of("rtl.parameters hwffd_stream", "*: any", "LATENCY: x")
+    sheet = (ROOT / "docs" / "datasheet.md").read_text()
+    rows = re.search(r"<!-- sources: rtl.ports hwffd_stream -->\n(.*?)<!-- end", sheet, re.DOTALL)[1].splitlines()[2:]
+    short = [re.sub(r" \|.*\| ", " | ", row) for row in rows]
+    after, fault = filled("rtl.ports hwffd_stream", *short)
+    assert (after.splitlines()[3:-1], fault) == (rows, "")
+    assert "hwffd_stream.aresetn has no meaning" in filled("rtl.ports hwffd_stream", short[0], *short[2:])[1]
+    assert "hwffd_stream.aresetn has no meaning" in filled("rtl.ports hwffd_stream", *short[:1], "| `aresetn` | |", *short[2:])[1]
+    assert "hwffd_stream.aclk has 2 meaning" in filled("rtl.ports hwffd_stream", short[0], *short)[1]
+    assert "hwffd_stream has no nothing_i" in filled("rtl.ports hwffd_stream", *short, "| `nothing_i` | x |")[1]
+    assert "of both directions" in filled("rtl.ports hwffd_stream", short[0].replace("`aclk`", "`aclk`, `idle_o`"),
+                                          *(row for row in short[1:] if "idle_o" not in row))[1]
+    assert "hwffd_stream.ORG has no meaning" in filled("rtl.parameters hwffd_stream", "| `LATENCY` | x |")[1]
 
 
 def test_a_text_that_differs_is_named_and_written(checkout, blocks):

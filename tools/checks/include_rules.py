@@ -12,11 +12,13 @@ import re
 ROOMS = {
     "golden": (),
     "geometry": ("golden",),
+    "registration": ("golden", "geometry"),
     "cores": ("golden",),
-    "api": ("golden", "geometry", "cores"),
-    "apps": ("golden", "geometry", "cores", "api"),
-    "tb": ("golden", "geometry", "cores", "api", "apps"),
-    "examples": ("golden", "geometry", "cores", "api", "apps"),
+    "api": ("golden", "geometry", "registration", "cores"),
+    "apps": ("golden", "geometry", "registration", "cores", "api"),
+    "tb": ("golden", "geometry", "registration", "cores", "api", "apps"),
+    "examples": ("golden", "geometry", "registration", "cores", "api", "apps"),
+    "soc": ("golden", "geometry", "registration", "cores", "api", "apps"),
 }
 LABORATORY = "lab"
 # What calls it, and the checks of this.

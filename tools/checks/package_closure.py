@@ -18,7 +18,8 @@ from tools.project_root import ROOT
 # What a bare machine has for the first command (README).
 BARE = ("git", "make", "ca-certificates")
 SET = "test"
-APART = "fresh_machine.py"  # a script that runs at a release, and says itself what it needs
+# Scripts that run at a release, and say themselves what they need.
+APART = ("fresh_machine.py", "picture.py")
 # Programs that are started by their names, and by whom no script asks.
 PROGRAMS = ("git", "sh", "sed", "sort", "awk", "python3", "perl", "ar", "ld", "c++filt", "berkeley-abc")
 _WHICH = re.compile(r"""which\(["']([\w.+-]+)["']\)""")
@@ -72,7 +73,7 @@ def used(root, build, rows):
     words = {command for _, command, *_ in rows if command != "-"} | set(PROGRAMS)
     for folder in ("tools", "tests", "apps"):
         for path in (root / folder).rglob("*"):
-            if path.suffix in ("", ".py") and path.is_file() and path.name != APART:
+            if path.suffix in ("", ".py") and path.is_file() and path.name not in APART:
                 words |= set(_WHICH.findall(path.read_text(encoding="utf-8", errors="replace")))
     tools = (shutil.which(word) for word in words)
     files |= {str(pathlib.Path(tool).resolve()) for tool in tools if tool}

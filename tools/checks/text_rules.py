@@ -7,7 +7,7 @@ import pathlib
 import re
 
 from tools.checks import include_rules, links
-from tools.rtl.rtl_sources import WAIVERS, line_of, read_file_list, read_include_folders, strip_comments
+from tools.rtl.rtl_sources import WAIVERS, line_of, listed, read_include_folders, strip_comments
 
 WIDTH = 100
 OPERATORS = tuple("+-*/%&|^~<>=!?:")
@@ -215,7 +215,7 @@ def file_list(tree):
     if not path.is_file():
         yield name, 1, "missing"
         return
-    entries = read_file_list(path)
+    entries = listed(path.parent)
     for entry in entries:
         if entries.count(entry) > 1:
             yield name, 1, f"{entry} is listed twice"
@@ -223,7 +223,7 @@ def file_list(tree):
             yield name, 1, f"{entry} does not exist"
     for source in tree.verilog:
         if str(source.relative_to(tree.root / "rtl")) not in entries:
-            yield tree.name(source), 1, "not listed in rtl/hwffd.f"
+            yield tree.name(source), 1, "not listed in rtl/hwffd.f or rtl/boards.f"
     folders = read_include_folders(path)
     for folder in folders:
         if not (tree.root / "rtl" / folder).is_dir():

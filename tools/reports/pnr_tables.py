@@ -16,8 +16,9 @@ def listed(_, rows):
                    "to be reached | aim", "reached | reached", *remark)
 
 
-def clocks(reports):
-    return listed(reports, reports.rows("pnr"))
+def clocks(reports, *tops):
+    """Of all rows, or of those with one of these tops."""
+    return listed(reports, [row for row in reports.rows("pnr") if not tops or row["top"] in tops])
 
 
 def _aim(row):

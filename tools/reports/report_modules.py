@@ -11,12 +11,14 @@ SPDX-License-Identifier: Apache-2.0
 import sys
 
 from tools.reports import (
-    glapi_tables, organization_tables, pnr_tables, rtl_tables, structure_tables, synth_tables, tests_tables,
+    glapi_tables, organization_tables, page_tables, pnr_tables, rtl_tables, structure_tables, synth_tables, tests_tables,
     web_tables,
 )
+from tools.reports.text_table import Table, shown
 
 MODULES = {"results": organization_tables, "rtl": rtl_tables, "synth": synth_tables, "pnr": pnr_tables,
-           "structure": structure_tables, "glapi": glapi_tables, "web": web_tables, "tests": tests_tables}
+           "structure": structure_tables, "glapi": glapi_tables, "web": web_tables, "tests": tests_tables,
+           "pages": page_tables}
 
 
 def printed(module, reports):
@@ -26,8 +28,16 @@ def printed(module, reports):
     return "\n".join(make(reports).text() for make in module.TABLES.values())
 
 
+def plain(reports, name):
+    """The rows of a report without a module, a column for each field."""
+    rows = reports.rows(name)
+    return Table(list(rows[0]), [[shown(row.get(field)) for field in rows[0]] for row in rows]).text()
+
+
 def show(reports, names):
     """Prints them, by the modules that `reports` has."""
     for name in names:
-        sys.stdout.write(printed(reports.modules[name], reports).rstrip("\n") + "\n\n")
+        module = reports.modules.get(name)
+        text = printed(module, reports) if module else plain(reports, name)
+        sys.stdout.write(text.rstrip("\n") + "\n\n")
     sys.stdout.flush()

@@ -4,30 +4,27 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import dataclasses
+import re
 
 from tools.reports.results import RequestError
 from tools.reports.text_table import Table
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations, organizations, parameter_space
+from tools.tables import configurations, parameter_space
 
 
 def _meanings(top, names, lines):
-    """name -> meaning, of lines NAME: meaning or PREFIX*: meaning; every line must be of use."""
-    meanings = [[part.strip() for part in line.split(":", 1)] for line in lines]
-    if any(len(pair) != 2 for pair in meanings):
-        raise RequestError(f"{top}: each line is NAME: meaning")
-    by_name, used = {}, set()
+    """[(names, meaning)] of a table as it stands in a text: names in the first column, meaning in the last. Each of
+    `names` must be there once, and nothing else."""
+    cells = [line.strip("|").split("|") for line in lines if line.startswith("| `")]
+    meanings = [(re.findall(r"`(\w+)`", first), last.strip()) for first, *_, last in cells]
+    there = [name for together, meaning in meanings if meaning for name in together]
     for name in names:
-        for pattern, meaning in meanings:
-            if name == pattern or pattern[-1] == "*" and name.startswith(pattern[:-1]):
-                by_name.setdefault(name, meaning)
-                used.add(pattern)
-        if name not in by_name:
-            raise RequestError(f"{top}.{name} has no meaning")
-    for pattern, _ in meanings:
-        if pattern not in used:
-            raise RequestError(f"{top} has no {pattern}")
-    return by_name
+        if there.count(name) != 1:
+            raise RequestError(f"{top}.{name} has {there.count(name) or 'no'} meaning: a row of the table wanted")
+    for name in there:
+        if name not in names:
+            raise RequestError(f"{top} has no {name}")
+    return meanings
 
 
 def _header(reports, top):
@@ -39,31 +36,11 @@ def _header(reports, top):
 
 def parameters(reports, top, lines=()):
     header = _header(reports, top)
-    meaning = _meanings(top, header.parameters, lines)
+    meaning = {name: text for names, text in _meanings(top, header.parameters, lines) for name in names}
     known = _space(top)
     return Table(["parameter", "default", "values", "meaning"], [
-        [f"`{name}`", str(value), str(known.parameters[top][name].values), meaning[name]]
+        [f"`{name}`", "of `ORG`" if name in header.of_org else str(value), str(known.parameters[top][name].values), meaning[name]]
         for name, value in header.parameters.items()])
-
-
-def clocks(reports):
-    """What each organization takes with units of one clock: by the paper's schedule, in which fused units spare an
-    addition, and overlapped, with pipelined and with iterative evaluators."""
-    rows = []
-    for own in organizations.read(reports.root / "rtl").values():
-        n = {"n": own.n} if own.n else {}
-        cells = [own.formulas[column].said(**terms, **n) if own.formulas[column] else "-" for column, terms in (
-            ("paper", {"poly": 6, "add": 1}), ("paper", {"poly": 3, "add": 0}), ("overlapped", {"start": 1}))]
-        iterative = own.formulas["overlapped"].said(start=3, **n) if own.has_iterative else "-"
-        rows.append([f"`{own.name}`", *cells, iterative])
-    return Table(["organization", "paper, clocks a vertex", "fused", "overlapped, clocks between vertices", "iterative"],
-                 rows)
-
-
-def rules(reports, top):
-    """What binds parameters of a top to each other; the guard is the module that stops elaboration."""
-    _header(reports, top)
-    return Table(["rule"], [[rule.text] for rule in _space(top).rules_of(top)])
 
 
 def _space(top):
@@ -74,19 +51,16 @@ def _space(top):
 
 
 def ports(reports, top, lines=()):
-    """A row for each port; ports that a line PREFIX*: meaning names together share a row for each direction."""
-    header = _header(reports, top)
-    meaning = _meanings(top, [port.name for port in header.ports], lines)
-    prefixes = [pattern[:-1] for pattern in (line.split(":", 1)[0].strip() for line in lines) if pattern.endswith("*")]
-    named = {line.split(":", 1)[0].strip() for line in lines}
-    groups = {}
-    for port in header.ports:
-        together = [prefix for prefix in prefixes if port.name.startswith(prefix) and port.name not in named]
-        groups.setdefault((together[0] if together else port.name, port.direction), []).append(port)
-    return Table(["port", "direction", "width", "meaning"], [
-        [", ".join(f"`{port.name}`" for port in group), direction,
-         ", ".join(str(port.width) for port in group), meaning[group[0].name]]
-        for (_, direction), group in groups.items()])
+    """The rows that stand in the text, each of one port or of several of one direction."""
+    by_name = {port.name: port for port in _header(reports, top).ports}
+    table = []
+    for names, meaning in _meanings(top, by_name, lines):
+        directions = {by_name[name].direction for name in names}
+        if len(directions) != 1:
+            raise RequestError(f"{top}: {', '.join(names)} in one row are of both directions")
+        table.append([", ".join(f"`{name}`" for name in names), *directions,
+                      ", ".join(str(by_name[name].width) for name in names), meaning])
+    return Table(["port", "direction", "width", "meaning"], table)
 
 
 def rows(reports):
@@ -95,4 +69,5 @@ def rows(reports):
     return [dataclasses.asdict(row) for row in table]
 
 
-TABLES = {"parameters": parameters, "rules": rules, "ports": ports, "clocks": clocks}
+TABLES = {"parameters": parameters, "ports": ports}
+BY_HAND = ("parameters", "ports")  # their last column

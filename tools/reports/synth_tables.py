@@ -72,8 +72,8 @@ def systems(reports, target="ecp5"):
                    if not row.get("variant")], target)
 
 
-def prices(reports, target="ecp5"):
-    """Cores with a feature more or less than their row, beside that row: what the feature costs."""
+def prices(reports, target="ecp5", *names):
+    """Cores, all or those named ROW/TOP, with a feature more or less than their row, beside that row: what it costs."""
     rows, lines, shown_last = reports.rows("synth", target=target), [], None
     plain = {(row["name"], row["top"]): row for row in rows if not row.get("variant")}
     fields = [field for field in ("lut", "lutram", "ff", "dsp", "bram")
@@ -81,7 +81,7 @@ def prices(reports, target="ecp5"):
     for row in (row for row in rows if row.get("variant")):
         name = row["name"].split("+")[0]
         base = plain.get((name, CORE if row["top"] == BUS else row["top"]))
-        if base is None:
+        if base is None or names and f"{name}/{base['top']}" not in names:
             continue
         if base is not shown_last:
             lines.append([f"`{name}`, `{base['top']}`", "as in the table",

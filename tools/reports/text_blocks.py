@@ -12,7 +12,8 @@
     LINE
     -->                                                (text_expressions.py says what may be there)
 
-    <!-- sources: REPORT.TABLE ARGUMENT ...            of the sources themselves, without a version
+    <!-- sources: REPORT.TABLE ARGUMENT ... -->        of the sources themselves, without a version
+    | a table |                                        the last column of some is written by hand, and stays
     <!-- end sources -->
 
 SPDX-License-Identifier: Apache-2.0
@@ -109,6 +110,13 @@ def _written(reports, what, lines):
     return content.markdown() + "\n"
 
 
+def _by_hand(reports, match):
+    """What stands in a block whose table has a column that is written by hand."""
+    report, _, kind = match["what"].split()[0].partition(".")
+    by_hand = getattr(reports.modules.get(report), "BY_HAND", ())
+    return match["inside"].splitlines() if kind in by_hand else []
+
+
 def closing(release):
     """The line below what is of a release, in words."""
     several = " (several commits)" if release.get("mixed") else ""
@@ -140,7 +148,8 @@ class Blocks:
         """What a block should say. Raises Missing, RequestError and Unknown."""
         lines = [line for line in (match["lines"] or "").splitlines() if line.strip()]
         if match["kind"] == "sources":
-            return _written(results.Results(self.root, modules=self.modules), match["what"], lines)
+            reports = results.Results(self.root, modules=self.modules)
+            return _written(reports, match["what"], lines or _by_hand(reports, match))
         if not match["version"]:
             raise RequestError("a block of results names its version: <!-- results VERSION: ...")
         reports, release = self._release(match["version"])

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 
 from tools import csv_table
 from tools.rtl import rtl_sources
+from tools.tables import organizations
 
 _HEADER = re.compile(r"\bmodule\s+(\w+)\s*#\((.*?)\n\)\s*\((.*?)\n\);", re.DOTALL)
 _PARAMETER = re.compile(r"\s*parameter\s+(\w+)\s*=\s*(\S+)")
 _PORT = re.compile(r"\s*(input|output)\s+wire\s+(?:\[(\d+|`?[A-Z]\w*(?:/8)?-1):0\]\s*)?(\w+)")
+_OF_ORG = "`FFD_ORG_N(ORG)"  # a default that is that of the organization
 _DEFINE = re.compile(r"^`define\s+(\w+)\s+(\d+)\s*$", re.MULTILINE)
 
 
@@ -24,12 +26,14 @@ class Port:
     direction: str
     width: int
     name: str
+    high: str  # its highest bit as the source says it, with parameters; empty where it is one bit
 
 
 @dataclass(frozen=True)
 class Header:
     name: str
     parameters: dict  # name -> default, a number
+    of_org: tuple  # those of them whose default is that of the organization
     ports: tuple
 
 
@@ -58,16 +62,32 @@ def _lists(sources, module):
     return match.group(2).split(","), match.group(3).split(",")
 
 
-def parameters(sources, module):
-    """name -> default, of a module. Raises HeaderError."""
-    constants, found = _constants(sources), {}
+def _defaults(sources, module):
+    """name -> default, as it stands in the source."""
+    defaults = {}
     for part in _lists(sources, module)[0]:
         declared = _PARAMETER.fullmatch(part.rstrip())
         if not declared:
             raise HeaderError(f"{module}: not a parameter: '{part.strip()}'")
-        name, value = declared.groups()
-        found[name] = _number(value, constants, f"{module}.{name}")
-    return found
+        defaults.update([declared.groups()])
+    return defaults
+
+
+def of_org(sources, module):
+    """Names of the parameters whose default is that of the organization."""
+    return tuple(name for name, value in _defaults(sources, module).items() if value == _OF_ORG)
+
+
+def parameters(sources, module):
+    """name -> default, of a module; what the organization decides as it is of the default one. Raises HeaderError."""
+    constants, numbers = _constants(sources), {}
+    for name, value in _defaults(sources, module).items():
+        if value == _OF_ORG:
+            rows = organizations.read(sources.rtl).values()
+            numbers[name] = next(row.n for row in rows if row.number == numbers["ORG"])
+        else:
+            numbers[name] = _number(value, constants, f"{module}.{name}")
+    return numbers
 
 
 def _width(high, of_module, constants, where):
@@ -90,5 +110,6 @@ def read(sources, module):
         if not declared:
             raise HeaderError(f"{module}: not a port: '{part.strip()}'")
         direction, high, name = declared.groups()
-        ports.append(Port(direction, _width(high, of_module, constants, f"{module}: port {name}"), name))
-    return Header(module, of_module, tuple(ports))
+        width = _width(high, of_module, constants, f"{module}: port {name}")
+        ports.append(Port(direction, width, name, str(width - 1) if "`" in (high or "") else high or ""))
+    return Header(module, of_module, of_org(sources, module), tuple(ports))

@@ -22,6 +22,11 @@ _FOLDER = "+incdir+"
 # What Verilator is told of the sources, in the folder of the list: an empty file to other tools.
 WAIVERS = "lint/hwffd.vlt"
 
+# The file lists, and the folder whose sources are not the core's.
+CORE_LIST = "hwffd.f"
+BOARD_LIST = "boards.f"
+BOARDS = "board"
+
 # What a simulator defines so that memories show reads whose word is undefined.
 SIMULATION = "FFD_SIMULATION"
 # And so that it ends where something happens that cannot happen.
@@ -70,31 +75,46 @@ def read_include_folders(path):
     return [entry[len(_FOLDER):] for entry in _entries(path) if entry.startswith(_FOLDER)]
 
 
-def file_list_text(folder):
-    """What rtl/hwffd.f must be: what Verilator is told, every source in the folders of rtl/, and the
-    folders with headers."""
-    folder = pathlib.Path(folder)
-    sources = sorted(folder.glob("*/**/*.v"))
-    folders = sorted({path.parent for path in folder.glob("*/**/*.vh")})
-    lines = [_FOLDER + str(path.relative_to(folder)) for path in folders]
-    lines += [WAIVERS] if (folder / WAIVERS).is_file() else []
-    lines += [str(path.relative_to(folder)) for path in sources]
-    return """// Every source of the core and every folder with headers, one a line, relative to this folder:
-// `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
-// not matter, but for the first one, which is Verilator's.
+def _list_text(about, lines):
+    return f"""{about}
 // Made by tools/tables/generated_files.py from what is there; changes here are lost.
 """ + "\n".join(lines) + "\n"
 
 
+def file_list_texts(folder):
+    """Name of each file list -> what it must be. The core's: what Verilator is told, every source in the folders of
+    rtl/ but that of the boards, and the folders with headers."""
+    folder = pathlib.Path(folder)
+    sources = [path.relative_to(folder) for path in sorted(folder.glob("*/**/*.v"))]
+    folders = sorted({path.parent for path in folder.glob("*/**/*.vh")})
+    lines = [_FOLDER + str(path.relative_to(folder)) for path in folders]
+    lines += [WAIVERS] if (folder / WAIVERS).is_file() else []
+    lines += [str(path) for path in sources if path.parts[0] != BOARDS]
+    texts = {CORE_LIST: _list_text("""\
+// Every source of the core and every folder with headers, one a line, relative to this folder:
+// `verilator -F rtl/hwffd.f` takes it as it is; rtl/file_list prints it with whole paths. Order does
+// not matter, but for the first one, which is Verilator's.""", lines)}
+    boards = [str(path) for path in sources if path.parts[0] == BOARDS]
+    if boards:
+        texts[BOARD_LIST] = _list_text("""\
+// The tops of boards and what only they use, relative to this folder, beside hwffd.f.""", boards)
+    return texts
+
+
+def listed(folder):
+    """The sources of all file lists of a folder, in their order."""
+    return [entry for name in (CORE_LIST, BOARD_LIST) if (folder / name).is_file() for entry in read_file_list(folder / name)]
+
+
 class Sources:
-    """The modules of rtl/hwffd.f and what each of them instantiates, directly or not."""
+    """The modules of the file lists and what each of them instantiates, directly or not."""
 
     def __init__(self, root=ROOT):
         self.root = pathlib.Path(root)
         self.rtl = self.root / "rtl"
         self.files = {}  # module -> path
         self._words, self._needed = {}, {}
-        for entry in read_file_list(self.rtl / "hwffd.f"):
+        for entry in listed(self.rtl):
             path = self.rtl / entry
             if not path.is_file():
                 continue  # the text rules say so
@@ -208,6 +228,18 @@ def yosys(sources, jobs, language=VERILOG):
         if language is VERILOG:  # nothing is left of the language behind `hierarchy`
             script += ["proc", "check -assert"]
     return ["yosys", "-Q", "-T", "-q", "-p", "; ".join(script)]
+
+
+def elaboration(sources, top, parameters):
+    """The steps of yosys that read a top with what it needs, and give its parameters, {name: number}, these values."""
+    folders = "".join(f" -I {folder}" for folder in sources.includes)
+    values = "".join(f" -chparam {name} {value}" for name, value in parameters.items())
+    return [f"read_verilog{folders} {' '.join(sources.needed(top))}", f"hierarchy -check -top {top}{values}"]
+
+
+def module_of(name):
+    """The module's own name, of which yosys makes $paramod$HASH\\name or $paramod\\name\\W=..., and RTLIL \\name."""
+    return name.split("\\")[1] if "\\" in name else name
 
 
 def run(command, folder=None):

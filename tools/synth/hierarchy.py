@@ -9,17 +9,13 @@ SPDX-License-Identifier: Apache-2.0
 from collections import Counter
 from dataclasses import dataclass, field
 
+from tools.rtl.rtl_sources import module_of
 from tools.synth import mapped_netlist
 
 TARGET = "ecp5"
 FIELDS = ("lut", "ff", "dsp", "bram")  # of a node; LUTs include those used as memory
 SHOWN = ("lut", "dsp", "bram")         # of which 1 % keeps a node from being folded
 SMALL = 0.01
-
-
-def module_of(name):
-    """The module's own name, of which yosys makes $paramod$HASH\\name or $paramod\\name\\W=..."""
-    return name.split("\\")[1] if name.startswith("$paramod") else name
 
 
 @dataclass

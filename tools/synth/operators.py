@@ -19,6 +19,7 @@ import tempfile
 
 from tools import csv_table
 from tools.rtl import rtl_sources
+from tools.rtl.rtl_sources import module_of
 from tools.tables import configurations
 
 TOP = "ffd_org_select"
@@ -40,11 +41,6 @@ EVALUATOR = "ffd_eval_poly"
 POWERS = "ffd_eval_powers"  # the four polynomials of an axis
 PRODUCT = "ffd_num_mul"
 TREE = "ffd_org_tree"
-
-
-def module_of(name):
-    """The module's own name without what yosys puts before a parametrized one."""
-    return name.rsplit("\\", 1)[-1]
 
 
 class Design:

@@ -18,7 +18,7 @@ ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS, SCATTER, ADJOINT = "hwffd_stream_bus", "hwffd_scatter", "hwffd_adjoint"
 TOPS = (CORE, BUS, SYSTEM, SCATTER, ADJOINT)  # of variants
 # What scatter has of the parameters of a row.
-OF_SCATTER = ("FORMAT", "EVALUATOR", "MUL_LATENCY", "ADD_LATENCY", "AXIS", "PAGES", "WAITING")
+OF_SCATTER = ("FORMAT", "EVALUATOR", "MUL_LATENCY", "ADD_LATENCY", "AXIS", "PAGES", "WAITING", "ROWS")
 TARGETS = (*mapped_netlist.TARGETS, *chips.TARGETS)
 CELLS = liberty.TARGET
 ICE40 = ("up5k", "hx8k")

@@ -80,6 +80,7 @@ def _organization(o):
     module = " ".join([o.module, *(f"{name}={value}" for name, value in o.parameters.items())])
     return (f'      {{"{o.name}", {o.number}, "{module}", {o.n or 0}, Form::k{o.form.capitalize()},'
             f" {o.fold}, {o.lanes}, {str(o.jacobian).lower()}, {str(o.walks).lower()},"
+            f" {str(o.pairs).lower()},"
             f" {', '.join(map(clocks, o.formulas.values()))}, {o.seam_float},"
             f' {o.seam_fixed}, "{text("overlapped")}", "{text("formed")}"}},')
 

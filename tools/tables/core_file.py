@@ -24,6 +24,7 @@ CAPI=2:
 # SPDX-License-Identifier: Apache-2.0
 name: "hwffd:ip:hwffd:{version}"
 description: Free-form deformation of vertices by a lattice of 64 control points a cell
+license: Apache-2.0
 
 filesets:
   rtl:
@@ -94,12 +95,13 @@ def text(root):
     """What hwffd.core must be."""
     sources = rtl_sources.Sources(root)
     stream, axi = (module_header.parameters(sources, top) for top in TOPS)
+    of_org = module_header.of_org(sources, TOPS[1])
     row = configurations.read(root / "rtl" / "configurations.csv")[0].parameters
     parameters = []
     for name, value in axi.items():
         where = "rtl/configurations.csv" if name in row else "docs/interface.md"
         parameters += [f"  {name}:", "    datatype: int", "    paramtype: vlogparam",
-                       f"    description: {value} if not given; {where}"]
+                       f"    description: {'that of ORG' if name in of_org else value} if not given; {where}"]
     return _TEXT.format(
         generated=GENERATED, version=version.read(root), simulation=rtl_sources.SIMULATION,
         rtl="\n".join(_rtl_lines(root)), example="\n".join(_example_lines()),

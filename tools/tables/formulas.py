@@ -9,7 +9,6 @@ SPDX-License-Identifier: Apache-2.0
 import ast
 import math
 import operator
-import re
 
 from tools.csv_table import TableError
 
@@ -58,13 +57,6 @@ class Formula:
             return terms[node.id] if isinstance(node, ast.Name) else node.value
 
         return of(self._tree)
-
-    def said(self, **terms):
-        """As the table has it with these values of terms, or its value where no other term is left."""
-        names = {node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)} - set(_FUNCTIONS)
-        if names <= set(terms):
-            return f"{self.value(**terms):g}"
-        return re.sub(r"\b[a-z]\w*", lambda word: str(terms.get(word[0], word[0])), self.text)
 
     def cpp(self):
         """An expression of doubles."""

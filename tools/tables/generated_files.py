@@ -9,7 +9,8 @@ import sys
 from tools import csv_table
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
-from tools.tables import core_file, formats, organization_rtl, registers, stream_words, version
+from tools.tables import (
+    bender, core_file, formats, ip_xact, organization_rtl, registers, stream_words, system_rdl, version)
 
 # What each of them is made from, and how. A checkout without that has no such files. The list of files
 # comes after them, since it names them, and behind it what is made of it.
@@ -21,8 +22,11 @@ _SOURCES = (
         stream_words.HEADER: stream_words.header_text(stream_words.read(root)),
         stream_words.OPCODES: stream_words.opcodes_text(stream_words.read(root))}),
     (registers.TABLE, registers.outputs),
-    (organization_rtl.TABLE, lambda root: {"rtl/hwffd.f": rtl_sources.file_list_text(root / "rtl")}),
-    (version.FILE, lambda root: {core_file.NAME: core_file.text(root)}),
+    (organization_rtl.TABLE, lambda root: {
+        f"rtl/{name}": text for name, text in rtl_sources.file_list_texts(root / "rtl").items()}),
+    (version.FILE, lambda root: {
+        core_file.NAME: core_file.text(root), bender.NAME: bender.text(root), ip_xact.NAME: ip_xact.text(root),
+        system_rdl.NAME: system_rdl.text(root), version.LITEX: version.litex_text(version.read(root))}),
 )
 
 

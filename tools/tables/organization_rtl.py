@@ -93,6 +93,8 @@ def header_text(rtl):
         lines = (" || ".join(tests[i:i + 6]) for i in range(0, len(tests), 6))
         return " || \\\n    ".join(lines)
 
+    numbers = "".join(f"(ORG) == {row.number} ? {row.n} : " + ("\\\n    " if index % 4 == 3 else "")
+                      for index, row in enumerate(row for row in rows if row.n))
     ports = "".join(f"(ORG) == {row.number} ? {row.ports} : " for row in rows if row.ports > 1)
     return f"""// What kind an organization is, by its number.
 // Made from rtl/{organizations.TABLE} {GENERATED}
@@ -108,12 +110,20 @@ def header_text(rtl):
 `define FFD_ORG_AFFINE(ORG) \\
   ({any_of(lambda row: row.of_form.completes)})
 
+// How many points it takes in a clock; four, the functions of an axis, where it may be any.
+`define FFD_ORG_N(ORG) \\
+  ({numbers}4)
+
 // At how many ports it reads points.
 `define FFD_ORG_PORTS(ORG) ({ports}1)
 
 // One pass of it gives the position and its three derivatives.
 `define FFD_ORG_JACOBIAN(ORG) \\
   ({any_of(lambda row: row.jacobian)})
+
+// It takes a second vertex of the same cell of a row with each one.
+`define FFD_ORG_PAIRS(ORG) \\
+  ({any_of(lambda row: row.pairs)})
 
 `endif
 """

@@ -99,11 +99,6 @@ class Organization:
         return self.of_form.contracts and self.fold != 64
 
     @property
-    def has_iterative(self):
-        """Whether it has the iterative evaluator too."""
-        return not self.weighs_axes and not self.keeps_cell
-
-    @property
     def in_sequence(self):
         """Whether it contracts a point at a time."""
         return self.of_form.contracts and self.fold == 64
@@ -121,6 +116,11 @@ class Organization:
     def walks(self):
         """Whether vertices of a row along s share what comes before s, and neighbouring cells most of it."""
         return self.of_form.contracts and self.fold == 16
+
+    @property
+    def pairs(self):
+        """Whether it takes two vertices of a cell at once, which neighbour along s."""
+        return self.walks and self.lanes == 2
 
     @property
     def jacobian(self):

@@ -142,7 +142,9 @@ def products(organization, n):
 
 
 def size(space, configuration):
-    """Of a configuration's arithmetic: about how many multipliers of 18 bits."""
+    """Of a configuration's arithmetic: about how many multipliers of 18 bits. The transpose has no organization."""
+    if "ORG" not in configuration:
+        return 63 if configuration["ROWS"] == 0 else 43
     number_format = space.formats[configuration["FORMAT"]]
     return products(space.organizations[configuration["ORG"]], configuration["N"]) * (4 if number_format.words != "fixed" else 1 if number_format.width <= 18 else 3)
 

@@ -1,12 +1,14 @@
 """What the parameters of the tops may be: the range of each, and the rules between them.
 
-This is the one description of the legal space. The data sheet's tables of parameters and rules are made of
-it, random configurations are drawn from it (tests/random), and the guards of the RTL are held to it: what it
+    python3 -m tools.tables.parameter_space TOP     prints the rules of a top
+
+This is the one description of the legal space. The data sheet's table of parameters is made of it, random configurations are drawn from it (tests/random), and the guards of the RTL are held to it: what it
 refuses stops elaboration at a guard of the name that stands here, and what it takes passes (tests/lint).
 
 SPDX-License-Identifier: Apache-2.0
 """
 
+import sys
 from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Callable
@@ -19,6 +21,7 @@ PIPELINED, ITERATIVE, POWERS = EVALUATORS.values()
 OVERLAPPED = SCHEDULES.index("overlapped")
 FP32 = 0
 TIMEOUT_MOST = 1 << 30
+WIDEST_TRANSPOSED = 18  # bits of a word of gradients
 
 
 @dataclass(frozen=True)
@@ -64,13 +67,13 @@ class Space:
         self.organizations = {organization.number: organization for organization in organizations.read().values()}
         self.formats = {member.number: member for member in formats.read().by_name.values()}
         stream = self._stream()
-        limit = _table([Parameter("GRID_LIMIT", values.of(Between(0, 48)), "ffd_stream_grid_limit_must_be_0_to_48")])
         beside = _table([Parameter("BESIDE", values.of(0, 1), "ffd_stream_framer_beside_must_be_0_or_1")])
         bus = self._bus()
         self.parameters = {
-            "hwffd_stream": {**stream, **limit, **beside},
-            "hwffd_stream_bus": {**stream, **limit, **_table([Parameter(
+            "hwffd_stream": {**stream, **beside},
+            "hwffd_stream_bus": {**stream, **_table([Parameter(
                 "DATA_WIDTH", values.of(64, 128, 256), "hwffd_stream_bus_data_width_.*")])},
+            "hwffd_scatter": self._scatter(),
             "hwffd_wishbone": bus,
             "hwffd_axi": {**bus, **_table([Parameter(
                 "SECURE_ONLY", values.of(0, 1), "ffd_axil_slave_secure_only_.*")])},
@@ -118,7 +121,23 @@ class Space:
             Parameter("FEATURES", values.of(Between(256, sum(features.BITS.values()))),
                       "ffd_stream_header_features_are_unknown"),
             Parameter("SPANS", values.of(Between(1, 128)), "ffd_eval_stream_spans_must_be_1_to_128"),
+            Parameter("GRID_LIMIT", values.of(Between(0, 48)), "ffd_stream_(ingress_)?grid_limit_must_be_0_to_48"),
             Parameter("HARDENED", values.of(0, 1), "ffd_cache_stores_hardened_must_be_0_or_1"),
+        ])
+
+    def _scatter(self):
+        """Of the transpose, which is of fixed point."""
+        widths = [number for number, member in self.formats.items() if member.words == "fixed" and number <= WIDEST_TRANSPOSED]
+        return _table([
+            Parameter("FORMAT", values.of(*widths), "ffd_num_cumulate_format_must_be_.*"),
+            Parameter("EVALUATOR", values.of(PIPELINED, POWERS), "ffd_scatter_decoder_evaluator_must_be_.*"),
+            Parameter("MUL_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
+            Parameter("ADD_LATENCY", values.of(Between(1)), "ffd_num_\\w*latenc(y|ies)_must_be_at_least_1"),
+            Parameter("AXIS", values.of(Between(4, 32)), "ffd_scatter_header_axis_must_be_4_to_32"),
+            Parameter("PAGES", values.of(Between(1, 256)), "ffd_scatter_pages_pages_must_be_1_to_256"),
+            Parameter("WAITING", values.of(Powers(2)), "ffd_stream_fifo_depth_must_be_a_power_of_two"),
+            Parameter("BESIDE", values.of(0, 1), "ffd_scatter_decoder_beside_must_be_0_or_1"),
+            Parameter("ROWS", values.of(0, 1), "ffd_scatter_(core|decoder)_rows_must_be_0_or_1"),
         ])
 
     def _bus(self):
@@ -292,3 +311,17 @@ def _bus_rules():
 
 def _table(parameters):
     return {parameter.name: parameter for parameter in parameters}
+
+
+def main(arguments):
+    """What binds parameters of a top to each other, a line each; the exit status."""
+    known = Space()
+    if len(arguments) != 1 or arguments[0] not in known.parameters:
+        print(f"parameter_space: a top is wanted, one of {', '.join(known.parameters)}", file=sys.stderr)
+        return 2
+    print("\n".join(rule.text for rule in known.rules_of(arguments[0])))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -30,10 +30,10 @@ HEADER = """\
 // {generated}
 //
 // Registers, hardware side: docs/registers.md. _i and _o of a field are its value, _set_i sets
-// a sticky bit and wins over a write that clears it, _event_i is counted in every clock in which it
-// is high; a bit of error_event_i is one error, with packet and beat of the same clock, and, where
-// error_address_valid_i is high, an address; error_any_i is high where a bit is. Outputs of w1
-// fields are pulses of one clock.
+// a sticky bit and wins over a write that clears it, _event_i and _second_i are counted in every
+// clock in which they are high; a bit of error_event_i is one error, with packet and beat of the
+// same clock, and, where error_address_valid_i is high, an address; error_any_i is high where a bit
+// is. Outputs of w1 fields are pulses of one clock.
 //
 // Writes and reads come as words, of any bus, and do not wait for each other.
 // In the same clock a read sees what was there before the write.

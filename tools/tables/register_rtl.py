@@ -223,17 +223,19 @@ class _Rtl:
         if bits != "[31:0]":
             return
         self.port("input  wire", 1, f"{name}_event_i")
+        self.port("input  wire", 1, f"{name}_second_i")
         register = next(r for r in self.registers if r.name == field.register)
         self.states.append(f"  wire [63:0] {name};")
         self.counters.append(f"""\
   ffd_bus_counter u_{name} (
-    .clk    (clk),
-    .rst    (rst),
-    .event_i({name}_event_i),
-    .clear_i(control_clear_counters_o),
-    .latch_i(s_read_valid && at_{register.name.lower()}_q),
-    .low_o  ({name}[31:0]),
-    .high_o ({name}[63:32])
+    .clk     (clk),
+    .rst     (rst),
+    .event_i ({name}_event_i),
+    .second_i({name}_second_i),
+    .clear_i (control_clear_counters_o),
+    .latch_i (s_read_valid && at_{register.name.lower()}_q),
+    .low_o   ({name}[31:0]),
+    .high_o  ({name}[63:32])
   );""")
 
     def events(self, register):

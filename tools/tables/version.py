@@ -11,6 +11,7 @@ from tools.csv_table import TableError, read_text
 
 FILE = "VERSION"
 HEADER = "api/include/hwffd/version.h"
+LITEX = "soc/litex_hwffd/litex_hwffd/version.py"
 
 
 class Version(NamedTuple):
@@ -50,3 +51,8 @@ def header_text(version):
               "#define HWFFD_VERSION_AT_LEAST(major, minor, patch) \\",
               "  (HWFFD_VERSION_NUMBER >= (major)*10000 + (minor)*100 + (patch))"]
     return "\n".join([*lines, "", "#endif"]) + "\n"
+
+
+def litex_text(version):
+    return (f'"""Made from {FILE} by tools/tables/generated_files.py; changes here are lost.\n\n'
+            f'SPDX-License-Identifier: Apache-2.0\n"""\n\nVERSION = "{version}"\n')

@@ -1,0 +1,63 @@
+"""What ffd_channel_check sees of a channel, in a simulator that knows X, and that it is empty elsewhere.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import pytest
+
+from tools.project_root import ROOT
+from tools.rtl import rtl_sources
+
+# Clocks of {valid, ready, payload}, behind a reset of two.
+BENCH = """
+module bench;
+  reg clk = 1'b0, rst = 1'b1, valid = 1'b0, ready = 1'b0;
+  reg [3:0] payload = 4'd0;
+  ffd_channel_check #(.WIDTH(4)) u_check (
+    .clk(clk), .rst(rst), .valid_i(valid), .ready_i(ready), .payload_i(payload));
+  always #5 clk = !clk;
+  task next(input v, input r, input [3:0] p);
+    begin valid <= v; ready <= r; payload <= p; @(posedge clk); end
+  endtask
+  initial begin
+    repeat (2) @(posedge clk);
+    rst <= 1'b0;
+{}
+    repeat (2) @(posedge clk);
+    $display("at the end");
+    $finish;
+  end
+endmodule
+"""
+GOOD = (("1'b0", "1'b1", "4'd3"), ("1'b1", "1'b0", "4'd5"), ("1'b1", "1'b0", "4'd5"), ("1'b1", "1'b1", "4'd5"),
+        ("1'b1", "1'b1", "4'd6"), ("1'b0", "1'b0", "4'd1"), ("1'b0", "1'b0", "4'd2"), ("1'b1", "1'b0", "4'bx"),
+        ("1'b1", "1'b1", "4'bx"))
+BAD = {
+    "valid_is_unknown": (2, ("1'bx", "1'b0", "4'd5")),
+    "ready_is_unknown": (2, ("1'b1", "1'bx", "4'd5")),
+    "valid_falls_before_ready": (2, ("1'b0", "1'b0", "4'd5")),
+    "payload_changes_before_ready": (2, ("1'b1", "1'b0", "4'd7")),
+}
+
+
+def simulated(checkout, clocks, *flags):
+    lines = "\n".join(f"    next({', '.join(clock)});" for clock in clocks)
+    checkout.put({"bench.v": BENCH.format(lines)})
+    status, _, errors = checkout.run("iverilog", "-g2005", "-Wall", *flags, f"-I{ROOT / 'rtl' / 'common'}", "-o", "bench", "-s",
+                                     "bench", "bench.v", ROOT / "rtl" / "common" / "ffd_channel_check.v")
+    assert status == 0 and "error" not in errors
+    return checkout.run("vvp", "-n", "-N", "bench")
+
+
+def test_what_keeps_the_rules_runs_to_its_end(checkout):
+    status, printed, _ = simulated(checkout, GOOD, f"-D{rtl_sources.ASSERTIONS}")
+    assert (status, printed.splitlines()) == (0, ["at the end"])
+
+
+@pytest.mark.parametrize("rule", BAD)
+def test_what_breaks_a_rule_ends(checkout, rule):
+    place, clock = BAD[rule]
+    clocks = (*GOOD[:place], clock, *GOOD[place + 1:])
+    status, printed, _ = simulated(checkout, clocks, f"-D{rtl_sources.ASSERTIONS}")
+    assert status != 0 and f"cannot happen: bench.u_check.{rule}" in printed and "at the end" not in printed
+    assert simulated(checkout, clocks)[:2] == (0, "at the end\n")

@@ -1,0 +1,189 @@
+"""The program that writes standalone cores: what it refuses, what it leaves behind, and folders side by side.
+
+SPDX-License-Identifier: Apache-2.0
+"""
+
+import os
+import re
+
+import pytest
+
+from tests.standalone import bench
+from tools.project_root import ROOT
+from tools.standalone import command, configuration, folder
+from tools.tables import parameter_space
+
+SMALL = ("--org", "cg1", "--format", "fx18", "--axis", "4", "--features", "resident", "--vertices", "20")
+
+
+@pytest.fixture
+def made(tmp_path, capsys, monkeypatch):
+    """The program in a folder: (exit status, what it printed, its complaints)"""
+    monkeypatch.chdir(tmp_path)
+
+    def called(*words):
+        status = command.main([str(word) for word in words])
+        captured = capsys.readouterr()
+        return status, captured.out, captured.err
+    return called
+
+
+@pytest.mark.parametrize("words, status, complaint", [
+    (("--org", "walk", "--format", "fp32"), 1, "want fixed point (ORG is 22, FORMAT is 0); the RTL refuses it by "
+     "ERROR_ffd_num_offset_needs_fixed_point"),
+    (("--org", "cg1", "--pages", "300"), 1, "PAGES is 300: 1 to 256 wanted; the RTL refuses it by "
+     "ERROR_ffd_stream_pages_pages_must_be_1_to_256"),
+    (("--org", "cg1", "--format", "fx18", "--n", "4"), 1, "ERROR_ffd_org_select_n_is_not_that_of_the_organization"),
+    (("--org", "affine/64", "--add-latency", "3"), 1, "ERROR_ffd_eval_serial_add_latency_must_be_1"),
+    (("--org", "cg1", "--features", "resident+halves"), 1, "ERROR_ffd_stream_header_features_are_unknown"),
+    (("--org", "walk", "--top", "hwffd_axi", "--data-width", "32"), 1, "ERROR_ffd_dma_width_read_data_width_must_be"),
+    (("--org", "walk", "--format", "fx18"), 1, "no bit-true model of walk in fx18 with these units: it has fx17, fx32"),
+    (("--org", "cg1", "--top", "hwffd_axi", "--set", "BUS_TIMEOUT=3"), 1, "BUS_TIMEOUT is 3: the memory of the testbench pauses"),
+    (("--org", "walker"), 1, "--org walker: unknown organization: one of basic, cg1"),
+    (("--org", "cg2"), 1, "cg2 went with 0.3.0: take cg1"),
+    (("--org", "cg1", "--format", "fx40"), 1, "unknown format 'fx40': fp32, bfp32, or fx12 to fx32"),
+    (("--row", "nothing"), 1, "no configuration named 'nothing'"),
+    (("--org", "cg1", "--features", "resident+more"), 1, "unknown feature 'more'"),
+    (("--org", "cg1", "--set", "MUL_LATENCY"), 1, "--set MUL_LATENCY: NAME=NUMBER wanted"),
+    (("--org", "cg1", "--set", "COLOUR=1"), 1, "--set COLOUR=1: NAME=NUMBER wanted"),
+    (("--org", "cg1", "--prefix", "1st"), 1, "--prefix 1st: lower case letters"),
+    (("--org", "cg1", "--prefix", "module"), 1, "--prefix module: a word of Verilog or C++"),
+    (("--org", "cg1", "--vertices", "0"), 1, "--vertices 0: 1 to 100000 wanted"),
+    (("--org", "cg1", "--data-width", "64"), 1, "--data-width: hwffd_stream has none"),
+    (("--org", "cg1", "--axis", "many"), 2, "argument --axis: 'many' is no number"),
+    (("--colour", "red"), 2, "unrecognized arguments: --colour red"),
+    ((), 1, "--org or --row is wanted"),
+])
+def test_a_core_that_cannot_be_is_one_line(made, tmp_path, words, status, complaint):
+    got, out, errors = made(*words, "-o", "core")
+    assert (got, out) == (status, "") and complaint in errors
+    assert re.fullmatch(r"hwffd core: [^\n]+\n", errors)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_written_is_one_line(made, tmp_path):
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "file").touch()
+    (tmp_path / "file").touch()
+    for path, complaint in (("full", "the folder is not empty"), ("file", "is there, and no folder"),
+                            ("no/core", "there is no folder")):
+        status, out, errors = made(*SMALL, "-o", path)
+        assert (status, out) == (1, "") and complaint in errors and errors.count("\n") == 1
+    assert sorted(os.listdir(tmp_path)) == ["file", "full"] and os.listdir(tmp_path / "full") == ["file"]
+
+
+def test_nothing_is_left_of_a_folder_that_fails(tmp_path, monkeypatch):
+    monkeypatch.setattr(folder.os, "replace", lambda *_: (_ for _ in ()).throw(OSError("no room")))
+    with pytest.raises(OSError, match="no room"):
+        folder.write(tmp_path / "core", {"a": "text"})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_folder_has_what_it_says(made, tmp_path):
+    (tmp_path / "core").mkdir()  # empty
+    status, out, errors = made(*SMALL, "-o", "core")
+    assert (status, errors) == (0, "") and out.startswith("core: hwffd_stream, cg1 in fx18, resident: ")
+    names = {"README.md", "LICENSE", "interface.md", "core.v", "core_tb.v", "core_commands.hex", "core_results.hex",
+             "core_model.hpp", "core.sdc", "core.xdc"}
+    assert set(os.listdir(tmp_path / "core")) == names == set(out.strip().rpartition(": ")[2].split(", "))
+    sheet = (tmp_path / "core" / "README.md").read_text()
+    assert "hwffd core --org cg1 --format fx18 --axis 4 --features resident --vertices 20 -o core" in sheet
+    assert "| 3 | vertices of the lattice | a beat for each vertex |" in sheet and "opcode 4" not in sheet
+    assert "64 clocks from a vertex to the next" in sheet and "No release has mapped this configuration." in sheet
+    assert len(sheet.splitlines()) <= 125  # two pages
+
+
+def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path):
+    assert made("--row", "cg1-fx18-overlapped", "--vertices", "1", "-o", "core")[0] == 0
+    assert re.search(r"^\| ecp5 \| \d+ \| \d+ \| 9 \| \d+ \| \d+\.\d+\.\d+ \|$", (tmp_path / "core" / "README.md").read_text(),
+                     re.MULTILINE)
+
+
+def test_a_word_that_is_wrong_is_seen(tmp_path):
+    core = configuration.of_parameters(
+        parameter_space.Space(), "hwffd_stream", "little",
+        {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 1, "FEATURES": 256, "AXIS": 4})
+    small = bench.Folder(core, tmp_path / "little", 20)
+    assert small.passed()[0] == 20
+    results = tmp_path / "little" / "little_results.hex"
+    lines = results.read_text().splitlines()
+    lines[11] = lines[11][:-1] + ("0" if lines[11][-1] != "0" else "1")
+    results.write_text("\n".join(lines) + "\n")
+    status, output = small.simulated()
+    assert status == 1 and "FAIL result 11 of 20" in output
+
+
+def test_two_cores_are_in_one_design(tmp_path):
+    space, folders = parameter_space.Space(), []
+    for prefix, parameters in (("first", {"ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4}),
+                               ("second", {"ORG": 0, "N": 1, "FORMAT": 0, "FEATURES": 512, "AXIS": 4})):
+        core = configuration.of_parameters(space, "hwffd_stream", prefix, parameters)
+        folders.append(bench.Folder(core, tmp_path / prefix, 10))
+    files = [one.path / f"{one.prefix}.v" for one in folders]
+    for one in folders:
+        assert one.passed(sources=files)[0] == 10
+    # Nothing of one is called as anything of the other.
+    modules = [set(re.findall(r"^module (\w+)", one.text(".v"), re.MULTILINE)) for one in folders]
+    assert modules[0] and not modules[0] & modules[1]
+    both = tmp_path / "both.v"
+    both.write_text("module both;\n  first u_first ();\n  second u_second ();\nendmodule\n")
+    status, output = bench.run("iverilog", "-g2005", "-t", "null", "-s", "both", *files, both)
+    assert (status, output) == (0, "")
+
+
+def test_a_free_parameter_beyond_its_range_stops_elaboration(tmp_path):
+    core = configuration.of_parameters(space := parameter_space.Space(), "hwffd_stream", "little",
+                                       {"ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4})
+    assert space and core.free["MUL_LATENCY"].text == "1 to 8"
+    small = bench.Folder(core, tmp_path / "little", 1)
+    bench_text = small.with_parameters("little", {"MUL_LATENCY": 9})
+    (tmp_path / "tb.v").write_text(bench_text)
+    status, output = bench.run("iverilog", "-g2005", "-t", "null", "-s", "little_tb", small.path / "little.v", tmp_path / "tb.v")
+    assert status != 0 and "ERROR_little_mul_latency_is_not_one_of_those_above" in output
+
+
+def test_the_page_prints_what_it_says(made, tmp_path):
+    page = (ROOT / "docs" / "standalone.md").read_text(encoding="utf-8")
+    blocks = re.compile(r"\n    hwffd core (.*)\n    (cd .*)\n")
+    ((command_line, tools_line),) = blocks.findall(page)
+    assert blocks.findall((ROOT / "docs" / "integrate.md").read_text(encoding="utf-8")) == [(command_line, tools_line)]
+    (printed,) = re.findall(r"\n```text\n(.*?)```\n", page, re.DOTALL)
+    status, out, errors = made(*command_line.split())
+    assert (status, errors) == (0, "")
+    assert bench.run("sh", "-c", tools_line, cwd=tmp_path) == (0, printed.removeprefix(out)) and printed.startswith(out)
+
+
+@pytest.mark.whole
+def test_a_core_is_mapped(made, tmp_path):
+    """As yosys counts it: some cells are there in any case."""
+    assert made(*SMALL, "--map", "ecp5", "-o", "core")[0] == 0
+    (row,) = re.findall(r"^\| ecp5 \| (\d+) \| (\d+) \| (\d+) \| (\d+) \| Yosys [\d.]+ \|$",
+                        (tmp_path / "core" / "README.md").read_text(), re.MULTILINE)
+    luts, registers, multipliers, memories = map(int, row)
+    assert luts > 500 and registers > 500 and multipliers >= 6 and memories >= 1
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("top", configuration.TOPS)
+def test_verilator_says_the_same_as_icarus(tmp_path, top):
+    core = configuration.of_parameters(parameter_space.Space(), top, "little", {
+        "ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4})
+    little = bench.Folder(core, tmp_path / "little", 20)
+    passed = little.passed()
+    status, output = bench.run("verilator", "--binary", "--timing", "--top-module", "little_tb", "little.v", "little_tb.v",
+                               cwd=little.path)
+    assert status == 0, output
+    status, output = bench.run("obj_dir/Vlittle_tb", cwd=little.path)
+    assert status == 0 and bench.numbers(output) == passed
+
+
+def test_constraints_have_every_port(made, tmp_path):
+    assert made(*SMALL, "--top", "hwffd_axi", "-o", "core")[0] == 0
+    header = re.search(r"\nmodule core #\(.*?\n\);", (tmp_path / "core" / "core.v").read_text(), re.DOTALL)[0]
+    for suffix in "sdc", "xdc":
+        text = (tmp_path / "core" / f"core.{suffix}").read_text()
+        for direction in "input", "output":
+            ports = set(re.findall(rf"^  {direction} +wire +(?:\[\d+:0\] +)?(\w+)", header, re.MULTILINE)) - {"aclk"}
+            (line,) = re.findall(rf"^set {direction}s \[get_ports {{ (.*) }}\]$", text, re.MULTILINE)
+            assert {name.removesuffix("[*]") for name in line.split()} == ports
+        assert "set_false_path -to [get_ports irq_o]" in text
