@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help sim web hwffd glapi plates mass-spring synth synth-check synth-baseline structure boards pnr docs test test-all random lint clean
+.PHONY: help sim web hwffd glapi plates mass-spring soc synth synth-check synth-baseline structure boards pnr docs test test-all random lint clean
 
 # A build with waveforms is one of its own, so that the ordinary one stays as it is.
 tracing =
@@ -41,6 +41,7 @@ help:
 	@echo '  make hwffd          the command hwffd, the library, the Python module; PREFIX= installs them'
 	@echo '  make plates         the ten plates of the paper, drawn from the simulated hardware'
 	@echo '  make mass-spring    an example: a mesh in a lattice of masses and springs'
+	@echo '  make soc            a processor deforms a mesh through the core: LiteX, simulated; BOARD=ulx3s routes it'
 	@echo '  make glapi          the OpenGL calls and their errors, beside those of Mesa'
 	@echo '  make clean          remove build/ and build-trace/'
 	@echo 'Check it'
@@ -114,6 +115,16 @@ mass-spring:
 	$(CONFIGURE)
 	$(COMPILE) --target hwffd-example-mass-spring
 	@$(BUILD)/examples/hwffd-example-mass-spring
+
+# On a board it is placed and routed, else simulated.
+soc: TIER = sim
+ROUTE = $(if $(call given,BOARD),route)
+soc:
+	$(INSTALL) soc $(ROUTE)
+	$(CONFIGURE)
+	$(COMPILE) --target hwffd-soc-scene
+	@$(BUILD)/venv/bin/python -B -m soc$(if $(call given,BOARD),.route,.simulate) -j $(JOBS) \
+	  --maker $(BUILD)/soc/hwffd-soc-scene $(call arguments,board:BOARD model:MODEL deform:DEFORM lattice:LATTICE)
 
 glapi:
 	$(INSTALL) build module

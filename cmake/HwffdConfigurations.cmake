@@ -1,5 +1,5 @@
 # The table of configurations, rtl/configurations.csv, as CMake needs it:
-#   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f
+#   HWFFD_RTL_SOURCES                     every source of rtl/hwffd.f and rtl/boards.f
 #   HWFFD_CONFIGURATION_IDENTIFIERS       all rows
 #   HWFFD_TIER_IDENTIFIERS                those of this build's tier
 #   HWFFD_STREAM_IDENTIFIERS              those of them that are verilated with their streams
@@ -28,7 +28,7 @@ set(table ${HWFFD_RTL_DIR}/configurations.csv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${HWFFD_RTL_DIR}/evaluator/ffd_org_tree.v ${HWFFD_RTL_DIR}/organizations.csv
   ${HWFFD_RTL_DIR}/gone.csv ${HWFFD_RTL_DIR}/formats.csv ${HWFFD_RTL_DIR}/stream/fields.csv
-  ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/bus/registers.csv
+  ${table} ${HWFFD_RTL_DIR}/hwffd.f ${HWFFD_RTL_DIR}/boards.f ${HWFFD_RTL_DIR}/bus/registers.csv
   ${HWFFD_RTL_DIR}/bus/registers_preamble.md ${hwffd_SOURCE_DIR}/VERSION)
 file(GLOB modules CONFIGURE_DEPENDS ${hwffd_SOURCE_DIR}/tools/tables/*.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${modules}
@@ -51,4 +51,6 @@ hwffd_generate(build ${HWFFD_GENERATED_DIR} --tier ${HWFFD_TIER} ${HWFFD_SELECTI
 include(${HWFFD_GENERATED_DIR}/configurations.cmake)
 
 file(STRINGS ${HWFFD_RTL_DIR}/hwffd.f HWFFD_RTL_SOURCES REGEX "^[^/+].*[.]v$")
+file(STRINGS ${HWFFD_RTL_DIR}/boards.f boards REGEX "^[^/+].*[.]v$")
+list(APPEND HWFFD_RTL_SOURCES ${boards})
 list(TRANSFORM HWFFD_RTL_SOURCES PREPEND ${HWFFD_RTL_DIR}/)

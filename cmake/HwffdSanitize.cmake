@@ -49,7 +49,8 @@ function(hwffd_sanitize)
   endforeach()
 endfunction()
 
-# The libraries in a property of a library, the copies in place of those that have one.
+# The libraries in a property of a library, the copies in place of those that have one. What depends on the program is
+# left out: the caller says which it is.
 function(hwffd_sanitized_links result library property)
   get_target_property(links ${library} ${property})
   set(replaced "")
@@ -60,7 +61,7 @@ function(hwffd_sanitized_links result library property)
     elseif(name MATCHES "^hwffd_")
       message(FATAL_ERROR "hwffd_sanitize(${library}): it links ${name}, which has no sanitized copy; "
         "list ${name} before it, or the two kinds of memory meet in one program")
-    elseif(link)
+    elseif(link AND NOT link MATCHES "TARGET_PROPERTY")
       list(APPEND replaced ${link})
     endif()
   endforeach()

@@ -21,6 +21,7 @@ import subprocess
 import sys
 import time
 
+from lab.figures import study_pages
 from lab.figures.modules import MODULES, missing
 from tools import command_line, csv_table, whole_file
 from tools.reports import results
@@ -38,7 +39,7 @@ PROGRAMS = {"verilator": "--version", "iverilog": "-V", "yosys": "-V", "nextpnr-
 def read(path):
     """command -> [(name, report)] in the order of the table. Raises TableError."""
     by_command = {}
-    for _, row in csv_table.read(path, ("name", "report", "command")):
+    for _, row in csv_table.read(path, study_pages.COLUMNS):
         by_command.setdefault(row["command"], []).append((row["name"], row["report"]))
     return by_command
 

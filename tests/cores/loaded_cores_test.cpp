@@ -35,7 +35,7 @@ TEST(LoadedCores, NoneIsMadeWithAWaveformOrOfAnotherRow) {
 
 #if !HWFFD_IS_THERE
 TEST(LoadedCores, NoneAddsGradientsUp) {
-  EXPECT_THROW(make_scatter_core(1), std::invalid_argument);
+  EXPECT_THROW(make_scatter_core(false, 1), std::invalid_argument);
 }
 #endif
 
@@ -51,17 +51,19 @@ TEST(LoadedCores, Run) {
   EXPECT_FALSE(core->output_valid());
 }
 
-TEST(LoadedCores, OneAddsGradientsUp) {
-  const std::unique_ptr<StreamCore> core = make_scatter_core(1);
-  int clocks = 0;
-  for (; clocks < 4 || (!core->idle() && clocks < 10'000); ++clocks) {
-    core->drive_reset(clocks < 2);
-    core->settle();
-    core->clock();
+TEST(LoadedCores, TwoAddGradientsUp) {
+  for (const bool rows : {false, true}) {
+    const std::unique_ptr<StreamCore> core = make_scatter_core(rows, 1);
+    int clocks = 0;
+    for (; clocks < 4 || (!core->idle() && clocks < 10'000); ++clocks) {
+      core->drive_reset(clocks < 2);
+      core->settle();
+      core->clock();
+    }
+    EXPECT_GT(clocks, 200) << "a sweep comes first";
+    EXPECT_TRUE(core->idle());
+    EXPECT_FALSE(core->output_valid());
   }
-  EXPECT_GT(clocks, 200) << "a sweep comes first";
-  EXPECT_TRUE(core->idle());
-  EXPECT_FALSE(core->output_valid());
 }
 
 /// What it exports tells nothing by exceptions.

@@ -8,6 +8,7 @@ SPDX-License-Identifier: Apache-2.0
 
 import contextlib
 import io
+import math
 import os
 import pathlib
 import re
@@ -51,6 +52,10 @@ def folder(tmp_path, arguments):
     head = SimpleITK.GetImageFromArray([[[float(i + j * k) for i in range(8)] for j in range(9)] for k in range(10)])
     for name in ("head.nrrd", "head.nii.gz"):
         SimpleITK.WriteImage(head, str(there / name))
+    waves = [[[math.sin(i / 3) + math.cos(j / 4) * math.sin(k / 5) for i in range(33)] for j in range(32)] for k in range(32)]
+    for name, first in ("fixed", 0), ("moving", 1):
+        image = SimpleITK.GetImageFromArray([[row[first:first + 32] for row in plane] for plane in waves])
+        SimpleITK.WriteImage(image, str(there / f"{name}.nii.gz"))
     command = arguments[1]
     for words in (("--dims", "6x6x6", "-o", "rest.json"),
                   ("--dims", "6x6x6", "--deform", "twist:30", "-o", "moved.json")):

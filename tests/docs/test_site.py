@@ -14,7 +14,8 @@ import pytest
 from apps.docs import bindings, doxygen, flowchart, python_reference, staging
 from tools.project_root import ROOT
 
-HEADERS = ("apps/docs", "api/include", "api/gl/include", "cores/include", "geometry/include", "golden/include")
+HEADERS = ("apps/docs", "api/include", "api/gl/include", "cores/include", "geometry/include", "golden/include",
+           "registration/include")
 HEADER = """#pragma once
 /// @file
 /// What is planted here.
@@ -172,7 +173,7 @@ def test_the_page_of_python_has_every_name_with_its_words(site):
 def test_the_reference_has_every_header_and_its_links_lead_to_pages(site):
     pages = {path.name: path.read_text() for path in (site / "docs/docs/reference/cpp").glob("*.html")}
     assert 'href="driver_8hpp.html"' in pages["index.html"] and "classhwffd_1_1Driver.html" in pages
-    for folder in ("api/include", "api/gl/include", "geometry/include", "golden/include"):
+    for folder in ("api/include", "api/gl/include", "geometry/include", "golden/include", "registration/include"):
         for path in (ROOT / folder).rglob("*.h*"):
             assert f">{path.name}<" in pages["files.html"], path
     links = {link for text in pages.values() for link in re.findall(r'href="\.\./\.\./([^"#]*)"', text)}

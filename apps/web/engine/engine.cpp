@@ -11,6 +11,7 @@
 #include "hwffd/lattice/deformation.hpp"
 #include "hwffd/model/schedule.hpp"
 #include "hwffd/stream/blending.hpp"
+#include "hwffd/stream/grid.hpp"
 #include "hwffd/stream/packets.hpp"
 
 namespace hwffd::web {
@@ -30,6 +31,18 @@ void compare(Deformed& deformed, const std::vector<std::size_t>& vertices,
       if (deformed.mismatches++ == 0) deformed.first = Mismatch{vertices[v], word, got, expected};
     }
   }
+}
+
+/// Rows of a grid of a lattice from face to face, with as many vertices in a cell as the planes of
+/// control points take clocks that a row wants.
+Grid rows_of(const Index3& dims) {
+  constexpr int kPlane = 4, kFirst = 3;  // clocks; planes of a row beside one a cell
+  const std::array<int, 3> cells = {dims[0] - kFirst, dims[1] - kFirst, dims[2] - kFirst};
+  const int in_cell = (kPlane * (cells[0] + kFirst) + cells[0] - 1) / cells[0];
+  return grid_between(
+      {0, 0, 0},
+      {static_cast<double>(cells[0]), static_cast<double>(cells[1]), static_cast<double>(cells[2])},
+      {in_cell * cells[0], 4, 4});
 }
 
 bool is_saturated(const Beat& result) { return (result.words[3] & kStatusSaturated) != 0; }
@@ -133,6 +146,14 @@ Traffic Engine::deform(std::vector<std::size_t> vertices, const StreamWords& wor
   return {std::move(packets), std::move(expected), std::move(vertices)};
 }
 
+Traffic Engine::rows(const WordCodec& codec) {
+  const std::vector<VertexBeat> vertices = grid_vertices(rows_of(dims_), dims_, codec);
+  Traffic traffic{vertices_packets(vertices), {}, std::vector<std::size_t>(vertices.size())};
+  traffic.results = model_->run(traffic.commands);
+  std::iota(traffic.vertices.begin(), traffic.vertices.end(), std::size_t{0});
+  return traffic;
+}
+
 Deformed Engine::deform() {
   check_mesh();
   if (core_ == nullptr) throw Error("mesh: there is no core to deform it; open one first");
@@ -155,7 +176,7 @@ Deformed Engine::deform() {
   const std::size_t gaps = std::max<std::size_t>(all.size(), 2) - 1;
   deformed.clocks_per_vertex =
       static_cast<double>(deformed.clocks - deformed.first_result) / static_cast<double>(gaps);
-  inside_->begin(std::move(*first));
+  inside_->begin(walks(*row_) ? rows(codec) : std::move(*first));
   return deformed;
 }
 

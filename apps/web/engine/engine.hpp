@@ -82,6 +82,8 @@ class Engine {
   /// Sends some vertices behind commands, and adds what comes back. Returns what was sent of them.
   Traffic deform(std::vector<std::size_t> vertices, const StreamWords& words,
                  std::vector<Beat> commands, Deformed& deformed);
+  /// What goes through an organization that walks: rows of vertices of the lattice that it has.
+  Traffic rows(const WordCodec& codec);
 
   const Configuration* row_ = nullptr;
   std::unique_ptr<RunningCore> core_;

@@ -21,7 +21,7 @@ namespace hwffd::web {
 struct Traffic {
   std::vector<Beat> commands;
   std::vector<Beat> results;
-  std::vector<std::size_t> vertices;  ///< the number of each in the mesh
+  std::vector<std::size_t> vertices;  ///< the number of each in the mesh, or in its rows
 };
 
 /// A core in one of its clocks, and what its last clocks were.

@@ -4,6 +4,7 @@
 
 #include "hwffd/error.hpp"
 #include "hwffd/model/organizations.hpp"
+#include "hwffd/model/schedule.hpp"
 
 namespace hwffd::web {
 namespace {
@@ -62,6 +63,10 @@ ScheduleProbes::ScheduleProbes(const SignalTable& signals, const Configuration& 
         {signals.only(instance + ":step_valid_o"), signals.only(instance + ":step_first_o")});
   }
   if (sequencers_.empty()) throw Error("core: built without probes; use cores/rtl/ffd_bench.vlt");
+  if (walks(row)) {
+    walk_ = Walk{probe(signals, {"go"}), probe(signals, {"count_q"}), probe(signals, {"take"}),
+                 probe(signals, {"result_valid_o"})};
+  }
   sequencers_.back().contexts = contexts_of(row);
   for (Sequencer& sequencer : sequencers_) sequencer.turns.resize(sequencer.contexts);
 }
@@ -69,11 +74,26 @@ ScheduleProbes::ScheduleProbes(const SignalTable& signals, const Configuration& 
 void ScheduleProbes::look(Sequencer& sequencer, std::uint64_t clock) {
   if (sequencer.valid.value() == 0) return;
   std::size_t& vertex = sequencer.turns[clock % sequencer.contexts];
-  if (sequencer.first.value() != 0) vertex = sequencer.entered++;
+  if (sequencer.first.value() != 0) {
+    vertex = sequencer.entered++;
+    if (walk_ && !walk_->wanted.empty()) {  // what it counts are planes
+      vertex = walk_->wanted.front();
+      walk_->wanted.pop_front();
+    }
+  }
   sequencer.starts.push_back({clock, vertex});
 }
 
+void ScheduleProbes::look_at_walk(std::uint64_t clock) {
+  if (walk_->takes.value() != 0) walk_->takings.push_back({clock, walk_->taken++});
+  if (walk_->result.value() != 0 && !walk_->latency)
+    walk_->latency = clock - walk_->takings.front().clock;
+  if (walk_->goes.value() == 0) return;
+  walk_->wanted.insert(walk_->wanted.end(), walk_->planes.value(), walk_->entered++);
+}
+
 void ScheduleProbes::sample(std::uint64_t clock) {
+  if (walk_) look_at_walk(clock);
   for (Sequencer& sequencer : sequencers_) look(sequencer, clock);
   const Entries& last = sequencers_.back().starts;
   if (!last.empty() && last.back().clock == clock) on_the_way_.push_back(last.back().vertex);
@@ -89,6 +109,7 @@ void ScheduleProbes::sample(std::uint64_t clock) {
   for (Sequencer& sequencer : sequencers_) forget(sequencer.starts, begin_, of_entry);
   forget(steps_, begin_, of_entry);
   forget(sums_, begin_, [](std::uint64_t at) { return at; });
+  if (walk_) forget(walk_->takings, begin_, of_entry);
 }
 
 cores::Schedule ScheduleProbes::schedule() const {
@@ -97,6 +118,10 @@ cores::Schedule ScheduleProbes::schedule() const {
   if (sequencers_.size() > 1) schedule.combinations = listed(sequencers_.back().starts);
   schedule.steps = listed(steps_);
   schedule.sums = listed(sums_);
+  if (walk_ && walk_->latency) {
+    for (const cores::Entry& taken : walk_->takings)
+      schedule.results.push_back({taken.clock + *walk_->latency, taken.vertex});
+  }
   schedule.begin = begin_;
   schedule.end = end_;
   return schedule;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "hwffd/cores/lanes.hpp"
@@ -25,7 +26,7 @@ class ScheduleProbes {
   void sample(std::uint64_t clock);
 
   /// Vertices that have entered.
-  std::size_t entered() const { return sequencers_.back().entered; }
+  std::size_t entered() const { return walk_ ? walk_->entered : sequencers_.back().entered; }
 
   cores::Schedule schedule() const;
 
@@ -42,9 +43,25 @@ class ScheduleProbes {
     Entries starts{};
   };
 
-  static void look(Sequencer& sequencer, std::uint64_t clock);
+  /// Of `walk`: which vertices want planes of points, and when each is taken out of its queue. Its
+  /// sum comes so many clocks later as that of the first one did.
+  struct Walk {
+    cores::Signal goes;    ///< a vertex, into the queue
+    cores::Signal planes;  ///< that it wants, 0 to 4
+    cores::Signal takes;   ///< one, out of it
+    cores::Signal result;
+    std::size_t entered = 0;
+    std::size_t taken = 0;
+    std::deque<std::size_t> wanted{};  ///< for each plane that is to come, its vertex
+    Entries takings{};
+    std::optional<std::uint64_t> latency{};
+  };
+
+  void look(Sequencer& sequencer, std::uint64_t clock);
+  void look_at_walk(std::uint64_t clock);
 
   std::vector<Sequencer> sequencers_;  ///< polynomials, and behind them combinations if there are
+  std::optional<Walk> walk_;
   cores::Signal step_;
   cores::Signal sum_;
   std::deque<std::size_t> on_the_way_;  ///< vertices of steps that have begun

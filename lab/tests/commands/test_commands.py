@@ -31,8 +31,8 @@ def test_a_study_builds_one_program_and_runs_it(lab, programs, name):
 
 
 def test_a_study_of_the_table_needs_no_rule(lab, programs, checkout):
-    checkout.put({"lab/release/studies.csv": "name,report,command\nfee,fee,make -C lab fee\nfoe,foe,make -C lab foe\n"
-                                             "words,words,make words\n", "lab/foe/CMakeLists.txt": ""})
+    checkout.put({"lab/release/studies.csv": "name,report,command,page,question,takes\nfee,fee,make -C lab fee,,,\n"
+                                             "foe,foe,make -C lab foe,foe.md,How?,days\nwords,words,make words,,,\n", "lab/foe/CMakeLists.txt": ""})
     programs(lab__fee="echo fee", build__lab__foe__hwffd_foe="echo foe")
     assert lab("fee")[1][-1] == "fee" and not any(line.startswith("cmake") for line in lab("fee")[1])
     lines = lab("foe")[1]
@@ -45,6 +45,14 @@ def test_compare_builds_its_program_and_runs_it_beside_others(lab, programs):
     lines = lab("compare")[1]
     assert lines[-2].endswith(" --target hwffd-compare hwffd_python")
     assert lines[-1] == "compare"
+
+
+def test_align_builds_the_module_and_hands_on_its_budget(lab, programs):
+    programs(lab__align=SHOW)
+    lines = lab("align", "MINUTES=2")[1]
+    assert lines[-2].endswith(" --target hwffd_python")
+    assert lines[-1] == "<--minutes><2>"
+    assert lab("align")[1][-1] != lines[-1]
 
 
 def test_bfp_selects_rows_of_its_format(lab, programs):

@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 import pytest
 from matplotlib import pyplot
 
-from lab.figures.charts import timeline
+from lab.figures.charts import timeline, walk
 from lab.figures.charts.labels import Labels
 from lab.figures.modules import CHARTS
 from tests.support import report_samples as samples
@@ -36,6 +36,7 @@ WORDS = {
     "rounding.svg": ("exact", "rounded to 4 bits behind the point"),
     "packet.svg": ("opcode 3", "vertex 1, tlast"),
     "board.svg": ("host.py", "FPGA"),
+    "walk-rows.svg": ("bank 3 holds", "plane 6", "3 stays", "cell 3", "the next row"),
 }
 
 
@@ -88,6 +89,20 @@ def test_the_last_operation_to_enter_counts():
 def test_vertices_have_colours_in_their_order():
     assert timeline.in_order([{"spans": [[4, 5, 5], [0, 4, 213]]}, {"spans": [[6, 7, 39], [5, 6, 213]]}]) == {
         213: 0, 5: 1, 39: 2}
+
+
+def test_a_plane_is_held_from_the_cell_where_it_is_new_until_it_is_replaced():
+    taken = list(range(100, 100 + 2 * walk.VERTICES))
+    planes = {plane: (bank, begin - 100, end - 100, fresh - 100) for bank, plane, _, begin, end, fresh in walk.held(0, taken)}
+    assert planes == {0: (0, 0, 7, 7), 1: (1, 0, 14, 7), 2: (2, 0, 21, 7), 3: (3, 0, 28, 7), 4: (0, 7, 28, 14),
+                      5: (1, 14, 28, 21), 6: (2, 21, 28, 28)}
+
+
+def test_what_is_drawn_of_a_row_is_a_plane_every_four_clocks_and_a_vertex_every_clock():
+    reads, taken = walk.events()
+    assert [clock for clock, _, _ in reads] == list(range(0, 4 * 2 * walk.PLANES, 4))
+    assert [plane for _, _, plane in reads] == 2 * list(range(walk.PLANES))
+    assert taken == list(range(taken[0], taken[0] + 2 * walk.VERTICES))
 
 
 def test_a_tree_is_shown_with_eight_units_where_there_is_one():

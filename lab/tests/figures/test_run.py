@@ -20,11 +20,11 @@ PLATES = {"plates": [{"file": f"plate{i}.png", "vertices": 1000 + i, "mismatches
 @pytest.fixture
 def study(checkout):
     """Exit status and what is printed of a program that writes a report and ends so."""
-    def run(*options, report=PLATES, status=0):
-        checkout.put({"program.py": WRITE.format(report=report, status=status)
+    def run(*options, report=PLATES, status=0, name="plates"):
+        checkout.put({"program.py": WRITE.replace("plates", name).format(report=report, status=status)
                       if report else f"import sys; sys.exit({status})"})
         status, out, errors = checkout.run(
-            sys.executable, "-B", "-m", "lab.figures", "--root", checkout.root, "run", *options, "plates", "--",
+            sys.executable, "-B", "-m", "lab.figures", "--root", checkout.root, "run", *options, name, "--",
             sys.executable, "program.py")
         return status, out + errors
     return run
@@ -33,6 +33,11 @@ def study(checkout):
 def test_a_report_is_printed(study):
     status, text = study()
     assert status == 0 and "plate9.png" in text
+
+
+def test_a_report_without_a_module_is_printed_as_it_is(study):
+    status, text = study(name="newest", report={"rows": [{"mesh": "cat", "folds": 12}, {"mesh": "horse", "folds": 3}]})
+    assert (status, text.split()) == (0, "mesh folds cat 12 horse 3".split())
 
 
 def test_a_run_that_fails_prints_what_it_wrote(study):

@@ -30,7 +30,7 @@ AxiRun::AxiRun(const Configuration& row, std::unique_ptr<cores::AxiCore> core, s
       core_(std::move(core)),
       system_(std::make_unique<tb::AxiSystem>(*core_, seed)),
       driver_(*system_),
-      model_(row, has.features, has.axis, has.pages, has.spans) {
+      model_(row, has.features, has.axis, has.pages, has.spans, has.grid_limit) {
   system_->memory.set_latency({1, 1 + random_.below(40)});
   system_->set_throttles(throttles);
   set_up();
@@ -66,6 +66,10 @@ void AxiRun::move_to(const Places& places) {
 void AxiRun::send(const std::vector<Beat>& packets) {
   if (driver_.pending() == 0) ring_->set_next_buffer(places_.buffers.base);
   ring_->put(packets);
+  expect(packets);
+}
+
+void AxiRun::expect(const std::vector<Beat>& packets) {
   const std::vector<Beat> results = model_.run(packets);
   expected_.insert(expected_.end(), results.begin(), results.end());
 }

@@ -69,6 +69,8 @@ class AxiRun {
 
   /// Puts packets into memory and ring, and what the model makes of them to the expectations.
   void send(const std::vector<Beat>& packets);
+  /// The latter alone, for packets that lie in memory otherwise.
+  void expect(const std::vector<Beat>& packets);
   void send_bspline();
   /// A random lattice of 4 to `size` points an axis, or of these, which later vertices lie in.
   template <class Size>

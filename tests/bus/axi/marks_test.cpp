@@ -1,21 +1,16 @@
 // A core that counts and interrupts a packet: FEATURES bit 6, with pages.
 #include <gtest/gtest.h>
 
-#include "Vaxi_marks.h"
-#include "axi_run.hpp"
-#include "hwffd/cores/verilated_axi_core.hpp"
+#include "marks_core.hpp"
 
 namespace hwffd::test {
 namespace {
 
-constexpr std::uint32_t kFeatures =
-    model::kAllFeatures | model::kPagesFeature | model::kMarksFeature;
 constexpr std::uint32_t kPacket = HWFFD_IRQ_STATE_PACKET_MASK;
 constexpr std::uint32_t kDescriptor = HWFFD_IRQ_STATE_DESCRIPTOR_MASK;
 
 class AxiMarks : public testing::TestWithParam<std::string> {
  protected:
-  static const Configuration& row() { return find_configuration("basic-fx18-overlapped"); }
   void load() {
     run_.send_bspline();
     lattice_ = random_lattice(run_.codec(), run_.random(), {5, 5, 5});
@@ -31,8 +26,7 @@ class AxiMarks : public testing::TestWithParam<std::string> {
   }
 
   LatticeWords lattice_;
-  AxiRun run_{
-      row(), std::make_unique<cores::VerilatedAxiCore<Vaxi_marks>>(1), 1, GetParam(), {kFeatures}};
+  AxiRun run_ = marks_run(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(, AxiMarks, testing::Values("always", "mixed", "bernoulli"),
                          [](const auto& name) { return name.param; });

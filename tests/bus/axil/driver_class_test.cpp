@@ -2,6 +2,10 @@
 // whole core are in tests/bus/axi.
 #include <gtest/gtest.h>
 
+#include <set>
+#include <stdexcept>
+#include <string>
+
 #include "hwffd/driver.hpp"
 #include "hwffd/registers.h"
 #include "register_bench.hpp"
@@ -18,10 +22,10 @@ class DriverClass : public testing::Test {
 
 TEST_F(DriverClass, KnowsTheCore) {
   const std::pair<const char*, std::uint64_t> parameters[] = {
-      {"config_org_i", 4},          {"config_n_i", 8},         {"config_format_i", 18},
-      {"config_schedule_i", 1},     {"config_evaluator_i", 2}, {"limits_in_flight_i", 16},
-      {"limits_points_axis_i", 9},  {"limits2_pages_i", 300},  {"limits2_spans_i", 128},
-      {"limits2_count_width_i", 17}};
+      {"config_org_i", 4},           {"config_n_i", 8},          {"config_format_i", 18},
+      {"config_schedule_i", 1},      {"config_evaluator_i", 2},  {"limits_in_flight_i", 16},
+      {"limits_points_axis_i", 9},   {"limits2_pages_i", 300},   {"limits2_spans_i", 128},
+      {"limits2_count_width_i", 17}, {"limits_grid_limit_i", 45}};
   for (const auto& [port, value] : parameters) bench_.inputs()[port] = value;
   const CoreIdentity core = driver_.probe();
   EXPECT_EQ(core.version_major, unsigned{PROJECT_VERSION_MAJOR});
@@ -38,6 +42,7 @@ TEST_F(DriverClass, KnowsTheCore) {
   EXPECT_EQ(core.pages, 300u);
   EXPECT_EQ(core.spans, 128u);
   EXPECT_EQ(core.count_width, 17u);
+  EXPECT_EQ(core.grid_limit, 45u);
 }
 
 TEST_F(DriverClass, KnowsEachFeature) {
@@ -93,6 +98,58 @@ TEST(DriverProbe, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(core.spans, 1u);
   port.version += 1u << HWFFD_VERSION_MAJOR_SHIFT;
   EXPECT_THROW(driver.probe(), DriverError);
+}
+
+/// Throws at one access, counted from 0.
+class FailingPort final : public RegisterPort {
+ public:
+  explicit FailingPort(int place) : place_(place) {}
+  std::uint32_t read32(std::uint32_t offset) override {
+    access();
+    return offset == HWFFD_ID_OFFSET ? HWFFD_ID_RESET : 0;
+  }
+  void write32(std::uint32_t, std::uint32_t) override { access(); }
+  int accesses() const { return accesses_; }
+
+ private:
+  void access() {
+    if (accesses_++ == place_) throw std::out_of_range("no such access");
+  }
+  int place_;
+  int accesses_ = 0;
+};
+
+// The sequence is C: nothing is thrown through it, and nothing is lost in it.
+TEST(DriverPort, WhatItThrowsComesThroughAtOnce) {
+  int places = 0;
+  for (int place = 0;; ++place) {
+    FailingPort port(place);
+    Driver driver(port);
+    try {
+      driver.probe();
+      driver.set_windows({0, 15}, {0, 15});
+      driver.set_ring({0, 1});
+      driver.set_results({0, 16});
+      driver.push(1);
+      driver.start();
+      driver.take_errors();
+      break;
+    } catch (const std::out_of_range& error) {
+      EXPECT_EQ(error.what(), std::string("no such access"));
+      EXPECT_EQ(port.accesses(), place + 1) << "it went on";
+      ++places;
+    }
+  }
+  EXPECT_GT(places, 30);
+}
+
+TEST(DriverPort, EachStatusHasALineOfItsOwn) {
+  std::set<std::string> lines;
+  for (int status = HWFFD_CORE_OK; status <= HWFFD_CORE_LATE; ++status) {
+    const std::string line = hwffd_core_text(static_cast<hwffd_core_status>(status));
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    EXPECT_TRUE(lines.insert(line).second) << line;
+  }
 }
 
 TEST_F(DriverClass, SetsAndLocksTheWindows) {
@@ -194,6 +251,14 @@ TEST_F(DriverClass, TakesErrorsOnceAndCounts) {
   EXPECT_EQ(driver_.counters().busy, 100u);
   EXPECT_EQ(driver_.counters().vertices + driver_.counters().stalls, 0u);
   EXPECT_EQ(driver_.result_count(), 7u);
+}
+
+TEST_F(DriverClass, AStopOfAGridIsAPulseAndNothingElse) {
+  driver_.stop_grid();
+  driver_.stop_grid();
+  for (const char* pulse : {"start", "soft_reset", "clear_counters"})
+    EXPECT_EQ(bench_.high_clocks(std::string("control_") + pulse + "_o"), 0u) << pulse;
+  EXPECT_EQ(bench_.high_clocks("control_stop_grid_o"), 2u);
 }
 
 TEST_F(DriverClass, TestsInterrupts) {

@@ -1,6 +1,8 @@
 // What the driver refuses to send to a core that was built without it, by the packet's header.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "hwffd/driver.hpp"
 #include "hwffd/registers.h"
 #include "hwffd/stream/opcodes.hpp"
@@ -22,6 +24,7 @@ CoreIdentity core_with(std::uint32_t features) {
   core.points_axis = (features & HWFFD_FEATURES_RESIDENT_MASK) != 0 ? most : 0;
   core.pages = 4;
   core.spans = 9;
+  core.grid_limit = (features & HWFFD_FEATURES_GRIDS_MASK) != 0 ? 48 : 0;
   return core;
 }
 
@@ -136,6 +139,34 @@ TEST(PacketCheck, KnowsTheLimits) {
   EXPECT_EQ(complaint(core, {3, 1, 0x300, 0}), "");
   EXPECT_NE(complaint(core, {0, 0, 0, 0}), "");
   EXPECT_NE(complaint(core, {kOpcodes + 1, 0, 0, 0}), "");
+}
+
+// Counts whose product is the limit, and one more of each; then limits that only the most reaches.
+TEST(PacketCheck, RefusesGridsBeyondTheLimit) {
+  constexpr std::uint32_t kMost = 0xFFFF;
+  const auto grid = [](std::uint32_t s, std::uint32_t t, std::uint32_t u) {
+    return PacketHeader{8, t << 16 | s, 0, u};
+  };
+  CoreIdentity core = core_with(kAll);
+  EXPECT_EQ(complaint(core, grid(kMost, kMost, kMost)), "");
+  const auto refused = [&](const PacketHeader& header) {
+    return complaint(core, header).find("build with GRID_LIMIT") != std::string::npos;
+  };
+  for (core.grid_limit = 0; core.grid_limit <= 45; ++core.grid_limit) {
+    const unsigned limit = core.grid_limit;
+    const std::uint32_t s = 1U << (limit + 2) / 3, t = 1U << (limit + 1) / 3, u = 1U << limit / 3;
+    EXPECT_EQ(complaint(core, grid(s, t, u)), "") << limit;
+    for (const PacketHeader& more : {grid(s + 1, t, u), grid(s, t + 1, u), grid(s, t, u + 1)})
+      EXPECT_TRUE(refused(more)) << limit;
+  }
+  for (core.grid_limit = 46; core.grid_limit < 48; ++core.grid_limit) {
+    EXPECT_EQ(complaint(core, grid(kMost, kMost, 0x4000)), "");
+    EXPECT_TRUE(refused(grid(kMost, kMost, kMost)));
+  }
+  core.grid_limit = 10;
+  EXPECT_EQ(complaint(core, grid(25, 41, 1)),
+            "a grid of 1025 vertices: this core takes 2^10; send it in parts, or build with "
+            "GRID_LIMIT");
 }
 
 TEST(PacketCheck, KnowsTheFlagsOfEachOpcode) {

@@ -119,7 +119,7 @@ void RegisterModel::record(const PortValues& inputs, bool held, bool clear) {
 void RegisterModel::count(const PortValues& inputs, bool clear) {
   for (auto& [port, counter] : counters_) {
     counter.value = clear ? 0 : counter.value + counter.event;
-    counter.event = inputs.at(port + "_event_i");
+    counter.event = inputs.at(port + "_event_i") + inputs.at(port + "_second_i");
   }
 }
 

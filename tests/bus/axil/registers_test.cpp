@@ -120,6 +120,7 @@ TEST(Table, PortsAreThoseOfTheDesign) {
   for (const RegisterField& field : register_table()) {
     if (field.access == "ro") inputs.insert(field.port + "_i");
     if (field.access == "counter") inputs.insert(field.port + "_event_i");
+    if (field.access == "counter") inputs.insert(field.port + "_second_i");
     const bool own = field.linked("with").empty() && field.access == "w1c" &&
                      field.path != "STATUS.start_refused";
     if (own) inputs.insert(field.port + "_set_i");

@@ -39,7 +39,7 @@ TEST(Counter, CarriesIntoItsHighHalfAndLatchesIt) {
   auto sim = near_the_edge<Vbus_counter>([](auto& dut) { return dut.low_o; }, 1u << 20);
   ASSERT_NE(sim, nullptr);
   auto& dut = sim->dut();
-  dut.event_i = 0;
+  dut.event_i = dut.second_i = 0;
   dut.latch_i = 1;
   sim->tick();  // and an event of before is counted
   sim->tick();
@@ -87,7 +87,7 @@ TEST(Counter, EqualsTheModelFromAnyState) {
     tb::Sim<Vbus_counter> sim(seed);
     auto& dut = sim.dut();
     dut.rst = 0;
-    dut.event_i = 0;
+    dut.event_i = dut.second_i = 0;
     dut.clear_i = 0;
     dut.latch_i = 1;
     sim.tick();  // an event of before is counted
@@ -96,16 +96,17 @@ TEST(Counter, EqualsTheModelFromAnyState) {
     std::uint64_t latched = count;
     ones |= count;
     zeros |= ~count;
-    bool event = false;
+    unsigned events = 0;
     for (int clock = 0; clock < 50; ++clock) {
       dut.event_i = random.chance(0.5) ? 1 : 0;
+      dut.second_i = random.chance(0.3) ? 1 : 0;
       dut.latch_i = random.chance(0.3) ? 1 : 0;
       dut.clear_i = random.chance(0.03) ? 1 : 0;
       dut.rst = random.chance(0.03) ? 1 : 0;
       const bool cleared = dut.rst != 0 || dut.clear_i != 0;
       latched = dut.rst != 0 ? 0 : dut.latch_i != 0 ? count : latched;
-      count = cleared ? 0 : count + (event ? 1 : 0);
-      event = dut.rst == 0 && dut.event_i != 0;
+      count = cleared ? 0 : count + events;
+      events = dut.rst != 0 ? 0U : 0U + dut.event_i + dut.second_i;
       sim.tick();
       ASSERT_EQ(dut.low_o, static_cast<std::uint32_t>(count)) << seed << ", clock " << clock;
       ASSERT_EQ(dut.high_o, static_cast<std::uint32_t>(latched >> 32))
@@ -304,6 +305,7 @@ TEST(RegisterBlock, CountsAreReadInTheirHighBits) {
   auto& dut = sim.dut();
   const auto events = [&](bool now) {
     dut.counter_vertices_event_i = dut.counter_stalls_event_i = dut.counter_busy_event_i = now;
+    dut.counter_vertices_second_i = dut.counter_stalls_second_i = dut.counter_busy_second_i = 0;
     dut.error_event_i = now ? kAllErrors : 0;
   };
   const auto get = [&](unsigned offset) {

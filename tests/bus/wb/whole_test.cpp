@@ -4,6 +4,7 @@
 
 #include "Vwishbone.h"
 #include "axi_run.hpp"
+#include "grid_stop.hpp"
 #include "hwffd/cores/verilated_axi_core.hpp"
 #include "wishbone_master.hpp"
 
@@ -126,9 +127,13 @@ class WishboneCore final : public cores::AxiCore {
   Bridge bridge_;
 };
 
+/// CMakeLists.txt.
 AxiRun wishbone_run(std::uint64_t seed, const std::string& throttles) {
+  PageCore core;
+  core.features = model::kAllFeatures | model::kGridsFeature;
+  core.grid_limit = 9;
   return {find_configuration("basic-fx18-overlapped"), std::make_unique<WishboneCore>(seed), seed,
-          throttles};
+          throttles, core};
 }
 
 TEST(WishboneWhole, GivesTheModelsBits) {
@@ -173,6 +178,19 @@ TEST(WishboneWhole, BurstsOfAllLengths) {
     longest = std::max(longest, burst.beats);
   }
   EXPECT_GT(longest, 128U);
+  EXPECT_TRUE(run.ends_well());
+}
+
+TEST(WishboneWhole, StopsAGridByARegister) {
+  AxiRun run = wishbone_run(11, "mixed");
+  EXPECT_EQ(run.driver().probe().grid_limit, 9U);
+  GridStop stop;
+  const Grid grid = grid_between({0, 0, 0}, {1, 1, 1}, {8, 8, 8});
+  ASSERT_TRUE(stop_grid_at(run, GridStore::kResident, grid, 6000, stop));
+  EXPECT_TRUE(stop.stopped);
+  run.send(grid_packet(grid_between({0, 0, 0}, {1, 1, 0}, {27, 19, 1})));
+  ASSERT_TRUE(run.go());
+  EXPECT_EQ(run.driver().take_errors().status, 1U << kGridCount) << "513 vertices";
   EXPECT_TRUE(run.ends_well());
 }
 

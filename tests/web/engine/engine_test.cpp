@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <sstream>
@@ -134,10 +137,11 @@ TEST_P(EachCore, TheTimelineShowsTheInterval) {
   std::set<std::size_t> vertices;
   for (const auto& span : spans) vertices.insert(span.vertex);
   const bool barrel = GetParam().n == 1;
-  const double interval = expected_interval(GetParam());
+  const double interval = walks(GetParam()) ? 1 : expected_interval(GetParam());
   const double turns = barrel ? GetParam().add_latency : 1;
+  const double off = walks(GetParam()) ? 2.5 : 1.5;  // the header of a packet takes a clock, too
   EXPECT_NEAR(static_cast<double>(vertices.size()) * interval, Inside::kTimeline + turns * interval,
-              1.5 * interval);
+              off * interval);
 }
 
 // Whatever of a vertex lies before the clocks that are kept, the probes fit the row's latencies.
@@ -295,6 +299,84 @@ TEST(Engine, BadInputIsRefusedInASentence) {
   EXPECT_EQ(engine.deform().mismatches, 0U);
 }
 
+// Along rows as many vertices pass as there are clocks, and of a row, of two cells here, five
+// planes are read; each belongs to the vertex that wants it first.
+TEST(Walk, GoesAlongRowsInside) {
+  const Configuration& row = find_configuration("walk-fx17-overlapped");
+  if (!cores::has_stream_core(row)) GTEST_SKIP() << "not in this build";
+  constexpr std::uint64_t kRow = 20, kRows = 10;  // clocks of one; of them looked at
+  Engine engine;
+  prepare(engine, row, "twist:40");
+  engine.deform();
+  engine.inside().run(2000);
+  const std::uint64_t before = engine.inside().snapshot().vertices;
+  engine.inside().run(kRow * kRows);
+  const Snapshot shown = engine.inside().snapshot();
+  EXPECT_EQ(shown.vertices - before, kRow * kRows);
+  EXPECT_EQ(shown.mismatches, 0U);
+  const auto lane = std::find_if(shown.lanes.begin(), shown.lanes.end(), [](const auto& of) {
+    return of.name.find("product along u") != std::string::npos ||
+           of.name.find("products along u") != std::string::npos;
+  });
+  ASSERT_NE(lane, shown.lanes.end());
+  std::map<std::size_t, std::size_t> steps;  // of each vertex that wants planes
+  for (const auto& span : lane->spans) ++steps[span.vertex];
+  std::size_t whole = 0;
+  for (const auto& [vertex, count] : steps) {
+    const std::size_t planes = vertex % kRow == 0 ? 4 : vertex % kRow == kRow / 2 ? 1 : 0;
+    EXPECT_GT(planes, 0U) << vertex;
+    EXPECT_LE(count, 4 * planes) << vertex;
+    whole += count == 4 * planes ? 1 : 0;
+  }
+  EXPECT_GE(whole, 2 * kRows - 3);
+}
+
+/// Two rows of a lattice of four cells along s, clock by clock: "read" in the first of the four
+/// clocks of a plane, with its bank and its number along s; "taken", with the vertex.
+std::string rows_inside() {
+  constexpr std::uint64_t kClocks = 130;
+  constexpr std::size_t kPlanes = 2 * (4 + 3), kTaken = 2 * 4 * 7;
+  Engine engine;
+  engine.open("walk-fx17-overlapped");
+  engine.set_mesh(cloud());
+  engine.set_dims({7, 4, 4});
+  engine.deform();
+  Inside& inside = engine.inside();
+  const auto signal = [&](const char* name) {
+    return inside.signals().only(std::string("u_walk:") + name);
+  };
+  const cores::Signal valid = signal("step_valid"), first = signal("step_first"),
+                      bank = signal("bank"), cell = signal("cell_index"), take = signal("take");
+  const std::uint64_t start = inside.snapshot().clock;
+  std::ostringstream rows;
+  rows << "what,clock,bank,number\n";
+  std::size_t vertex = 0, planes = 0;
+  for (std::uint64_t clock = 0; clock < kClocks && vertex < kTaken; ++clock) {
+    inside.run(1);
+    const std::uint64_t now = inside.snapshot().clock - start;
+    if (valid.value() != 0 && first.value() != 0 && planes++ < kPlanes) {
+      const std::uint64_t at = cell.value() & 15;
+      rows << "read," << now << ',' << bank.value() << ',' << at + (bank.value() - at) % 4 << '\n';
+    }
+    if (take.value() != 0) rows << "taken," << now << ",," << vertex++ << '\n';
+  }
+  EXPECT_EQ(inside.snapshot().mismatches, 0U);
+  return rows.str();
+}
+
+// What docs/organizations/walk-rows.svg is drawn from is what the core does. Where that changes on
+// purpose, the file is what this test has left beside its program.
+TEST(Walk, RowsAreThoseOfThePicture) {
+  if (!cores::has_stream_core(find_configuration("walk-fx17-overlapped")))
+    GTEST_SKIP() << "not in this build";
+  std::ifstream file(HWFFD_WALK_ROWS);
+  const std::string drawn((std::istreambuf_iterator<char>(file)), {});
+  const std::string rows = rows_inside();
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 2 * (7 + 28));
+  EXPECT_EQ(rows, drawn) << "now in walk_rows.csv";
+  if (rows != drawn) std::ofstream("walk_rows.csv") << rows;
+}
+
 TEST(RowTexts, SayWhatARowIs) {
   EXPECT_EQ(title_of(find_configuration("basic-fp32-overlapped")), "basic, single precision");
   EXPECT_EQ(title_of(find_configuration("factored3-fx18-overlapped")),
@@ -303,6 +385,8 @@ TEST(RowTexts, SayWhatARowIs) {
   EXPECT_EQ(formula_of(find_configuration("factored3-fx18-overlapped")), "3");
   EXPECT_EQ(formula_of(find_configuration("nested3-fx18-overlapped")),
             "3 within a cell, 210 + 4 * (read + contract) = 254 at the next");
+  EXPECT_EQ(formula_of(find_configuration("walk-fx17-overlapped")),
+            "16 in any order, 1 along rows");
 }
 
 }  // namespace

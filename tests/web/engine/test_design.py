@@ -14,7 +14,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SVG = "{http://www.w3.org/2000/svg}"
-ROWS = ("factored3-fx18-overlapped", "cg1-fx18-overlapped")
+ROWS = ("factored3-fx18-overlapped", "cg1-fx18-overlapped", "walk-fx17-overlapped")
 
 
 def run(folder, *rows):
@@ -52,9 +52,10 @@ def test_blocks_are_those_of_the_cpp(design, row):
 
 
 def test_only_what_is_elaborated_is_drawn(design):
-    factored, cg1 = (blocks(design[0][row]) for row in ROWS)
+    factored, cg1, walk = (blocks(design[0][row]) for row in ROWS)
     assert "sum-u" in factored and "sum-u" not in cg1
     assert "generator" in cg1 and "generator" not in factored
+    assert {"row", "planes", "vertex-s"} <= set(walk) and not {"row", "planes", "vertex-s"} & (set(cg1) | set(factored))
     names = {text.text for text in factored["memory"].iter(f"{SVG}text")}
     assert names == {"Memories x 32"}
 
