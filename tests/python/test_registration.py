@@ -263,7 +263,6 @@ def test_bad_input_is_one_line(changes, text):
 
 
 def test_memory_stays_below_six_times_the_fixed_volume():
-    import resource  # pylint: disable=import-outside-toplevel
     import subprocess
     import sys
     code = """
@@ -280,6 +279,5 @@ before = peak()
 hwffd.register(fixed, moving, spacing=20, levels=2, iterations=2)
 print((peak() - before) / fixed.nbytes)
 """
-    assert resource.RUSAGE_SELF == 0
     output = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
     assert float(output) < 4, output  # beside the two volumes

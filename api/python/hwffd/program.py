@@ -5,6 +5,7 @@ SPDX-License-Identifier: Apache-2.0
 """
 
 import importlib
+import signal
 import sys
 
 from hwffd import __version__
@@ -32,4 +33,7 @@ def main() -> int:
               file=sys.stderr)
         return USAGE
     del sys.argv[1]
-    return importlib.import_module(_PROGRAMS[word][0]).main()
+    before = signal.signal(signal.SIGINT, signal.SIG_DFL)  # an interrupt of the imports ends it without a traceback
+    module = importlib.import_module(_PROGRAMS[word][0])
+    signal.signal(signal.SIGINT, before)
+    return module.main()
