@@ -16,6 +16,38 @@ function(hwffd_features result where names)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
+# hwffd_feature_parameters(<result> <top> <parameter>...)
+#
+# The parameters, NAME=value, of a top; of a core its features as numbers by their names, the usual where FEATURES is not
+# among them.
+function(hwffd_feature_parameters result top)
+  set(parameters "")
+  set(number "")
+  foreach(parameter IN LISTS ARGN)
+    if(parameter MATCHES "^FEATURES=([0-9]+)$")
+      set(number ${CMAKE_MATCH_1})
+    elseif(parameter MATCHES "^FEATURES=([a-z+]+)$")
+      hwffd_features(number ${top} ${CMAKE_MATCH_1})
+    else()
+      list(APPEND parameters ${parameter})
+    endif()
+  endforeach()
+  if(top IN_LIST HWFFD_CORES)
+    if(number STREQUAL "")
+      hwffd_features(number ${top} ${HWFFD_USUAL_FEATURES})
+    endif()
+    foreach(name IN LISTS HWFFD_FEATURES)
+      if(DEFINED HWFFD_PARAMETER_OF_${name})
+        math(EXPR bit "(${number} & ${HWFFD_FEATURE_${name}}) / ${HWFFD_FEATURE_${name}}")
+        list(APPEND parameters ${HWFFD_PARAMETER_OF_${name}}=${bit})
+      endif()
+    endforeach()
+  elseif(NOT number STREQUAL "")
+    list(APPEND parameters FEATURES=${number})
+  endif()
+  set(${result} ${parameters} PARENT_SCOPE)
+endfunction()
+
 # hwffd_row(<where> <head> <row>)
 #
 # A row of a table, whose head names its columns; a comma, or blanks, stand between its cells. It sets a variable of

@@ -14,7 +14,7 @@ import sys
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
 from tools.synth import synthesis
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 
 def steps(row, out, planted=()):
@@ -23,7 +23,7 @@ def steps(row, out, planted=()):
     sources = rtl_sources.Sources()
     files = [own.get(pathlib.Path(path).name, path) for path in sources.needed(synthesis.CORE)]
     folders = " ".join(f"-I {folder}" for folder in sources.includes)
-    parameters = "".join(f" -chparam {name} {value}" for name, value in row.parameters.items())
+    parameters = "".join(f" -chparam {name} {value}" for name, value in features.of_top(synthesis.CORE, row.parameters).items())
     return [f"read_verilog {folders} {' '.join(map(str, files))}",
             f"hierarchy -check -top {synthesis.CORE}{parameters}", f"rename -top {synthesis.CORE}",
             "proc", f'write_cxxrtl -header -noflatten -g0 "{out}"']

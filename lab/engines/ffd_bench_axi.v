@@ -104,7 +104,9 @@ module ffd_bench_axi #(
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
     .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY)
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .DERIVATIVES    (1),
+    .DETERMINANT    (1)
   ) u_core (
     .aclk          (aclk),
     .aresetn       (aresetn),

@@ -58,7 +58,9 @@ module ffd_bench_stream #(
     .MUL_LATENCY    (MUL_LATENCY),
     .ADD_LATENCY    (ADD_LATENCY),
     .FMA_LATENCY    (FMA_LATENCY),
-    .CONVERT_LATENCY(CONVERT_LATENCY)
+    .CONVERT_LATENCY(CONVERT_LATENCY),
+    .DERIVATIVES    (1),
+    .DETERMINANT    (1)
   )
 `endif
   u_core (

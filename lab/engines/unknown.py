@@ -14,6 +14,7 @@ from lab.engines import icarus, planted, registers
 from tools.project_root import ROOT
 from tools.rtl import rtl_sources
 from tools.synth import netlist
+from tools.tables import features
 
 HERE = pathlib.Path(__file__).resolve().parent
 WATCH = "ffd_bench_registers"
@@ -62,7 +63,7 @@ class Subject:
 def in_sources(subject):
     """The Unknown of the sources. The registers are those of sources without a fault."""
     sources = rtl_sources.Sources()
-    places_by_name = registers.find(sources, subject.top, subject.row.parameters, subject.folder)
+    places_by_name = registers.find(sources, subject.top, features.of_top(subject.top, subject.row.parameters), subject.folder)
     watch = subject.folder / f"{WATCH}.v"
     bench = subject.bench
     watch.write_text(registers.watch(places_by_name, f"{bench}.u_core", f"{bench}.aclk", f"{bench}.settled"),

@@ -19,7 +19,7 @@ import sys
 
 from tools.project_root import ROOT, without_blanks
 from tools.rtl import rtl_sources
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 REGISTERS, MEMORIES, ADDRESS, BIT = "upset_register", "upset_memory", "upset_address", "upset_bit"
 HERE = "upset_here"  # of a memory
@@ -191,7 +191,7 @@ def main():
         row = configurations.find(configurations.read(), options.row)
         more = dict(word.split("=", 1) for word in options.parameter)
         options.out.parent.mkdir(parents=True, exist_ok=True)
-        write(options.top, {**row.parameters, **more}, options.out.resolve())
+        write(options.top, {**features.of_top(options.top, row.parameters), **more}, options.out.resolve())
     except (NetlistError, configurations.TableError, OSError, ValueError) as error:
         print(f"netlist: {error}", file=sys.stderr)
         return 1

@@ -5,9 +5,8 @@
 // smallest whose queues are in block memory.
 //
 // Formats:    frames of ffd_board_bridge; 8 data bits, no parity, 1 stop bit.
-// Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING, FEATURES as in hwffd_stream;
-//             CLOCKS a bit (12 are 1 Mbaud at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks
-//             are 87 ms).
+// Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING as in hwffd_stream; CLOCKS a bit
+//             (12 are 1 Mbaud at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks are 87 ms).
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/boards.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -27,7 +26,6 @@ module ffd_board_icebreaker #(
   parameter AXIS            = 4,
   parameter IN_FLIGHT       = 32,
   parameter WAITING         = 2,
-  parameter FEATURES        = 256,
   parameter CLOCKS          = 12,
   parameter PAUSE_W         = 20
 ) (
@@ -82,7 +80,7 @@ module ffd_board_icebreaker #(
     .AXIS           (AXIS),
     .IN_FLIGHT      (IN_FLIGHT),
     .WAITING        (WAITING),
-    .FEATURES       (FEATURES)
+    .INTERLEAVED    (0)
   ) u_core (
     .aclk          (clk),
     .aresetn       (!rst),

@@ -65,7 +65,9 @@ module ffd_board_ulx3s #(
   hwffd_stream #(
     `include "ffd_row_arguments.vh"
     .AXIS           (AXIS),
-    .IN_FLIGHT      (IN_FLIGHT)
+    .IN_FLIGHT      (IN_FLIGHT),
+    .DERIVATIVES    (1),
+    .DETERMINANT    (1)
   ) u_core (
     .aclk          (clk),
     .aresetn       (!rst),

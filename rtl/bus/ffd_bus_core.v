@@ -30,7 +30,16 @@ module ffd_bus_core #(
   parameter PAGES             = 2,
   parameter IN_FLIGHT         = 0,
   parameter WAITING           = 16,
-  parameter FEATURES          = `FFD_FEATURES,
+  parameter RESIDENT          = 1,
+  parameter INTERLEAVED       = 1,
+  parameter PAGED             = 0,
+  parameter FOURTH            = 0,
+  parameter GRIDS             = 0,
+  parameter PACKED            = 0,
+  parameter MARKS             = 0,
+  parameter DERIVATIVES       = 0,
+  parameter DETERMINANT       = 0,
+  parameter HALVES            = 0,
   parameter SPANS             = 1,
   parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
@@ -126,6 +135,7 @@ module ffd_bus_core #(
     end
   endgenerate
 
+  localparam FEATURES     = `FFD_FEATURES_NAMED;
   localparam [31:0] ORG_WORD       = ORG;
   localparam [31:0] N_WORD         = N;
   localparam [31:0] FORMAT_WORD    = FORMAT;

@@ -15,4 +15,9 @@
 `define FFD_FEATURE_DERIVATIVES(FEATURES) (((FEATURES) >> 10) % 2)
 `define FFD_FEATURE_DETERMINANT(FEATURES) (((FEATURES) >> 11) % 2)
 `define FFD_FEATURE_HALVES(FEATURES)      (((FEATURES) >> 12) % 2)
+// FEATURES of a module with the parameters of hwffd_stream.
+`define FFD_FEATURES_NAMED ((PAGED != 0 ? 1 : 0) + (AXIS > 32 ? 2 : 0) + (FOURTH != 0 ? 4 : 0) \
+  + (SPANS > 1 ? 8 : 0) + (GRIDS != 0 ? 16 : 0) + (PACKED != 0 ? 32 : 0) + (MARKS != 0 ? 64 : 0) \
+  + (RESIDENT != 0 ? 256 : 0) + (INTERLEAVED != 0 ? 512 : 0) + (DERIVATIVES != 0 ? 1024 : 0) + \
+  (DETERMINANT != 0 ? 2048 : 0) + (HALVES != 0 ? 4096 : 0))
 `endif

@@ -26,9 +26,9 @@
 `include "ffd_stream.vh"
 
 module hwffd_adjoint #(
-  parameter ORG             = 0,
+  parameter ORG             = 22,
   parameter N               = `FFD_ORG_N(ORG),
-  parameter FORMAT          = 18,
+  parameter FORMAT          = 17,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
   parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
   parameter MUL_LATENCY     = 2,
@@ -41,9 +41,19 @@ module hwffd_adjoint #(
   parameter ROWS            = 0,
   parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES,
+  parameter RESIDENT        = 1,
+  parameter INTERLEAVED     = 0,
+  parameter PAGED           = 0,
+  parameter FOURTH          = 0,
+  parameter GRIDS           = 1,
+  parameter PACKED          = 0,
+  parameter MARKS           = 0,
+  parameter DERIVATIVES     = 0,
+  parameter DETERMINANT     = 0,
+  parameter HALVES          = 0,
   parameter GRID_LIMIT      = 48,
-  parameter HARDENED        = 0
+  parameter HARDENED        = 0,
+  parameter RESET_REGISTER  = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -66,7 +76,18 @@ module hwffd_adjoint #(
   output wire         idle_o,
   output wire         upset_o
 );
-  wire clk = aclk, rst = !aresetn;
+  localparam SPANS = 1;  // of the transpose, too
+
+  wire clk = aclk;
+  wire rst;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
 
   wire [127:0] evaluator_in_data,   scatter_in_data;
   wire         evaluator_in_last,   scatter_in_last;
@@ -108,19 +129,11 @@ module hwffd_adjoint #(
   );
 
   hwffd_stream #(
-    `include "ffd_row_arguments.vh"
-    .AXIS           (AXIS),
-    .PAGES          (PAGES),
-    .IN_FLIGHT      (IN_FLIGHT),
-    .WAITING        (WAITING),
-    .FEATURES       (FEATURES),
-    .SPANS          (1),
-    .GRID_LIMIT     (GRID_LIMIT),
-    .HARDENED       (HARDENED),
-    .BESIDE         (1)
+    .BESIDE           (1),
+    `include "ffd_stream_arguments.vh"
   ) u_evaluator (
     .aclk          (aclk),
-    .aresetn       (aresetn),
+    .aresetn       (!rst),
     .s_axis_tvalid (evaluator_in_valid),
     .s_axis_tready (evaluator_in_ready),
     .s_axis_tdata  (evaluator_in_data),
@@ -153,7 +166,7 @@ module hwffd_adjoint #(
     .BESIDE     (1)
   ) u_scatter (
     .aclk          (aclk),
-    .aresetn       (aresetn),
+    .aresetn       (!rst),
     .s_axis_tvalid (scatter_in_valid),
     .s_axis_tready (scatter_in_ready),
     .s_axis_tdata  (scatter_in_data),

@@ -24,11 +24,11 @@
 
 module hwffd_axi #(
   parameter SECURE_ONLY       = 0,
-  parameter ORG               = 0,
+  parameter ORG               = 1,
   parameter N                 = `FFD_ORG_N(ORG),
   parameter FORMAT            = 18,
   parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
+  parameter EVALUATOR         = `FFD_EVALUATOR_ITERATIVE,
   parameter MUL_LATENCY       = 2,
   parameter ADD_LATENCY       = 1,
   parameter FMA_LATENCY       = 0,
@@ -37,7 +37,16 @@ module hwffd_axi #(
   parameter PAGES             = 2,
   parameter IN_FLIGHT         = 0,
   parameter WAITING           = 16,
-  parameter FEATURES          = `FFD_FEATURES,
+  parameter RESIDENT          = 1,
+  parameter INTERLEAVED       = 1,
+  parameter PAGED             = 0,
+  parameter FOURTH            = 0,
+  parameter GRIDS             = 0,
+  parameter PACKED            = 0,
+  parameter MARKS             = 0,
+  parameter DERIVATIVES       = 0,
+  parameter DETERMINANT       = 0,
+  parameter HALVES            = 0,
   parameter SPANS             = 1,
   parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
@@ -54,7 +63,8 @@ module hwffd_axi #(
   parameter DATA_WIDTH        = 128,
   parameter ID_WIDTH          = 1,
   parameter ID                = 0,
-  parameter HARDENED          = 0
+  parameter HARDENED          = 0,
+  parameter RESET_REGISTER    = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -135,11 +145,21 @@ module hwffd_axi #(
   wire [31:0] read_data;
   wire        read_error;
 
+  wire rst;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
+
   ffd_channel_check #(
     .WIDTH(15)
   ) u_check_aw (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (s_axil_awvalid),
     .ready_i  (s_axil_awready),
     .payload_i({s_axil_awprot, s_axil_awaddr})
@@ -149,7 +169,7 @@ module hwffd_axi #(
     .WIDTH(36)
   ) u_check_w (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (s_axil_wvalid),
     .ready_i  (s_axil_wready),
     .payload_i({s_axil_wstrb, s_axil_wdata})
@@ -159,7 +179,7 @@ module hwffd_axi #(
     .WIDTH(15)
   ) u_check_ar (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (s_axil_arvalid),
     .ready_i  (s_axil_arready),
     .payload_i({s_axil_arprot, s_axil_araddr})
@@ -169,7 +189,7 @@ module hwffd_axi #(
     .WIDTH(DATA_WIDTH + 3)
   ) u_check_r (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (m_axi_rvalid),
     .ready_i  (m_axi_rready),
     .payload_i({m_axi_rlast, m_axi_rresp, m_axi_rdata})
@@ -179,7 +199,7 @@ module hwffd_axi #(
     .WIDTH(2)
   ) u_check_b (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (m_axi_bvalid),
     .ready_i  (m_axi_bready),
     .payload_i(m_axi_bresp)
@@ -242,7 +262,7 @@ module hwffd_axi #(
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
-    .aresetn       (aresetn),
+    .aresetn       (!rst),
     .awake_i       (awake),
     .upset_i       (upset),
     .sleep_o       (sleep_o),

@@ -15,7 +15,7 @@
 //             rows of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1
 //             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath;
 //             BESIDE 1: an evaluator is on the same stream (hwffd_adjoint), which tells of
-//             coefficients and of all other packets; ROWS 0 or 1.
+//             coefficients and of all other packets; ROWS 0 or 1; RESET_REGISTER as in hwffd_stream.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -25,15 +25,16 @@
 `include "ffd_stream.vh"
 
 module hwffd_scatter #(
-  parameter FORMAT      = 17,
-  parameter EVALUATOR   = `FFD_EVALUATOR_PIPELINED,
-  parameter MUL_LATENCY = 4,
-  parameter ADD_LATENCY = 1,
-  parameter AXIS        = 16,
-  parameter PAGES       = 2,
-  parameter WAITING     = 16,
-  parameter BESIDE      = 0,
-  parameter ROWS        = 0
+  parameter FORMAT         = 17,
+  parameter EVALUATOR      = `FFD_EVALUATOR_PIPELINED,
+  parameter MUL_LATENCY    = 4,
+  parameter ADD_LATENCY    = 1,
+  parameter AXIS           = 16,
+  parameter PAGES          = 2,
+  parameter WAITING        = 16,
+  parameter BESIDE         = 0,
+  parameter ROWS           = 0,
+  parameter RESET_REGISTER = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -59,7 +60,8 @@ module hwffd_scatter #(
   localparam INSIDE   = WAITING
                       + `FFD_SCATTER_MOVING(ROWS, EVALUATOR, MUL_LATENCY, ADD_LATENCY);
 
-  wire clk = aclk, rst = !aresetn;
+  wire clk = aclk;
+  wire rst;
 
   wire                              load;
   wire [1:0]                        load_axis;
@@ -104,6 +106,14 @@ module hwffd_scatter #(
   wire                              decoder_idle, core_idle, encoder_idle;
   wire [1:0]                        waits;
   wire [`FFD_EVENTS-1:0]            decoder_event;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
 
   ffd_channel_check #(
     .WIDTH(129)

@@ -13,14 +13,17 @@
 //             once; second_o has pulses for the second one with those for the first: its vertex,
 //             and in bit 1 event 9 of it. Else it is 0.
 // Stop:       grid_stop_i ends a grid that is under way with the next vertex.
-// Parameters: a row of configurations.csv; AXIS 4 to 32, with large lattices to 64, the most points
-//             an axis of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT
-//             a power of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one
-//             >= 2, the most vertices before them; FEATURES, what is built, as in ffd_stream.vh;
+// Parameters: a row of configurations.csv; AXIS 4 to 32, with pages to 64, the most points an axis
+//             of a resident lattice; PAGES 1 to 256, 2 where there are no pages; IN_FLIGHT a power
+//             of two >= 4, the most evaluations inside, 0: what ORG needs; WAITING, one >= 2, the
+//             most vertices before them; RESIDENT to HALVES 0 or 1, what is built: vertices of a
+//             resident lattice and with their own points, pages, a fourth component, grids, packed
+//             vertices, counts and interrupts of packets, derivatives, det J, two results a beat;
 //             SPANS 1 to 128, runs of cells of an axis with functions of their own; GRID_LIMIT 0 to
 //             48, log2 of the most vertices of a grid; HARDENED 0, or 1: points have a parity, and
 //             upset_o is a pulse for one that is wrong; BESIDE 1: a scatter core is on the same
-//             stream (hwffd_adjoint), whose packets pass without an event.
+//             stream (hwffd_adjoint), whose packets pass without an event; RESET_REGISTER 0 or
+//             1, as REGISTERED of ffd_reset.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -29,11 +32,11 @@
 `include "ffd_stream.vh"
 
 module hwffd_stream #(
-  parameter ORG             = 0,
+  parameter ORG             = 1,
   parameter N               = `FFD_ORG_N(ORG),
   parameter FORMAT          = 18,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_ITERATIVE,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
@@ -42,11 +45,21 @@ module hwffd_stream #(
   parameter PAGES           = 2,
   parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES,
+  parameter RESIDENT        = 1,
+  parameter INTERLEAVED     = 1,
+  parameter PAGED           = 0,
+  parameter FOURTH          = 0,
+  parameter GRIDS           = 0,
+  parameter PACKED          = 0,
+  parameter MARKS           = 0,
+  parameter DERIVATIVES     = 0,
+  parameter DETERMINANT     = 0,
+  parameter HALVES          = 0,
   parameter SPANS           = 1,
   parameter GRID_LIMIT      = 48,
   parameter HARDENED        = 0,
-  parameter BESIDE          = 0
+  parameter BESIDE          = 0,
+  parameter RESET_REGISTER  = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -81,6 +94,8 @@ module hwffd_stream #(
                           : FMA_LATENCY > ADD_LATENCY ? FMA_LATENCY : ADD_LATENCY;
   localparam SLOTS        = ACCUMULATE + 4;
   localparam SLOT_W       = $clog2(SLOTS);
+  // What is built, as the modules within take it.
+  localparam FEATURES     = `FFD_FEATURES_NAMED;
   // Of a vertex; of an evaluation one more, and the user word another with a fourth component.
   localparam SOURCE_W     = `FFD_SOURCE_W(SLOTS, PAGES, AXIS, FEATURES);
   localparam USER_W       = `FFD_USER_W;
@@ -96,7 +111,15 @@ module hwffd_stream #(
   // Of a read: whether it is the vertex's last, its source, and whether it may find no points.
   localparam READ_W       = SOURCE_W + 1 + HARDENED;
 
-  wire clk = aclk, rst = !aresetn;
+  generate
+    if ((RESIDENT | INTERLEAVED | PAGED | FOURTH | GRIDS | PACKED | MARKS | DERIVATIVES
+         | DETERMINANT | HALVES) / 2 != 0) begin : gen_bad_features
+      ERROR_hwffd_stream_features_must_be_0_or_1 u_error ();
+    end
+  endgenerate
+
+  wire clk = aclk;
+  wire rst;
   wire                     ingress_idle;
   wire                     slot_free;
   wire                     rooms;
@@ -114,6 +137,14 @@ module hwffd_stream #(
   wire                     lattice_loaded;
   wire [PLACE_W-1:0]       last_cell;
   wire                     in_pairs;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
 
   ffd_channel_check #(
     .WIDTH(129)

@@ -20,11 +20,11 @@
 `include "ffd_stream.vh"
 
 module hwffd_stream_bus #(
-  parameter ORG             = 0,
+  parameter ORG             = 1,
   parameter N               = `FFD_ORG_N(ORG),
   parameter FORMAT          = 18,
   parameter SCHEDULE        = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR       = `FFD_EVALUATOR_PIPELINED,
+  parameter EVALUATOR       = `FFD_EVALUATOR_ITERATIVE,
   parameter MUL_LATENCY     = 2,
   parameter ADD_LATENCY     = 1,
   parameter FMA_LATENCY     = 0,
@@ -33,11 +33,21 @@ module hwffd_stream_bus #(
   parameter PAGES           = 2,
   parameter IN_FLIGHT       = 0,
   parameter WAITING         = 16,
-  parameter FEATURES        = `FFD_FEATURES,
+  parameter RESIDENT        = 1,
+  parameter INTERLEAVED     = 1,
+  parameter PAGED           = 0,
+  parameter FOURTH          = 0,
+  parameter GRIDS           = 0,
+  parameter PACKED          = 0,
+  parameter MARKS           = 0,
+  parameter DERIVATIVES     = 0,
+  parameter DETERMINANT     = 0,
+  parameter HALVES          = 0,
   parameter SPANS           = 1,
   parameter GRID_LIMIT      = 48,
   parameter HARDENED        = 0,
-  parameter DATA_WIDTH      = 64
+  parameter DATA_WIDTH      = 64,
+  parameter RESET_REGISTER  = 0
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,
@@ -81,11 +91,21 @@ module hwffd_stream_bus #(
   wire         core_idle;
   wire         out_user;
 
+  wire rst;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
+
   ffd_channel_check #(
     .WIDTH(DATA_WIDTH + 1)
   ) u_check_in (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (s_axis_tvalid),
     .ready_i  (s_axis_tready),
     .payload_i({s_axis_tlast, s_axis_tdata})
@@ -95,7 +115,7 @@ module hwffd_stream_bus #(
     .WIDTH(DATA_WIDTH + DATA_WIDTH/8 + 2)
   ) u_check_out (
     .clk      (aclk),
-    .rst      (!aresetn),
+    .rst      (rst),
     .valid_i  (m_axis_tvalid),
     .ready_i  (m_axis_tready),
     .payload_i({m_axis_tuser, m_axis_tlast, m_axis_tkeep, m_axis_tdata})
@@ -105,7 +125,7 @@ module hwffd_stream_bus #(
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
-    .aresetn       (aresetn),
+    .aresetn       (!rst),
     .s_axis_tvalid (in_valid),
     .s_axis_tready (in_ready),
     .s_axis_tdata  (in_data),
@@ -152,7 +172,7 @@ module hwffd_stream_bus #(
         .WIDTH(DATA_WIDTH)
       ) u_in (
         .clk         (aclk),
-        .rst         (!aresetn),
+        .rst         (rst),
         .idle_o      (in_idle),
         .s_beat_valid(s_axis_tvalid),
         .s_beat_ready(s_axis_tready),
@@ -169,7 +189,7 @@ module hwffd_stream_bus #(
         .WIDTH(DATA_WIDTH)
       ) u_out (
         .clk         (aclk),
-        .rst         (!aresetn),
+        .rst         (rst),
         .idle_o      (out_idle),
         .s_unit_valid(out_valid),
         .s_unit_ready(out_ready),

@@ -12,11 +12,11 @@
 `include "ffd_stream.vh"
 
 module hwffd_wishbone #(
-  parameter ORG               = 0,
+  parameter ORG               = 1,
   parameter N                 = `FFD_ORG_N(ORG),
   parameter FORMAT            = 18,
   parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
+  parameter EVALUATOR         = `FFD_EVALUATOR_ITERATIVE,
   parameter MUL_LATENCY       = 2,
   parameter ADD_LATENCY       = 1,
   parameter FMA_LATENCY       = 0,
@@ -25,7 +25,16 @@ module hwffd_wishbone #(
   parameter PAGES             = 2,
   parameter IN_FLIGHT         = 0,
   parameter WAITING           = 16,
-  parameter FEATURES          = `FFD_FEATURES,
+  parameter RESIDENT          = 1,
+  parameter INTERLEAVED       = 1,
+  parameter PAGED             = 0,
+  parameter FOURTH            = 0,
+  parameter GRIDS             = 0,
+  parameter PACKED            = 0,
+  parameter MARKS             = 0,
+  parameter DERIVATIVES       = 0,
+  parameter DETERMINANT       = 0,
+  parameter HALVES            = 0,
   parameter SPANS             = 1,
   parameter GRID_LIMIT        = 48,
   parameter MAX_BURST         = 256,
@@ -42,7 +51,8 @@ module hwffd_wishbone #(
   parameter DATA_WIDTH        = 128,
   parameter ID_WIDTH          = 1,
   parameter ID                = 0,
-  parameter HARDENED          = 0
+  parameter HARDENED          = 0,
+  parameter RESET_REGISTER    = 0
 ) (
   input  wire         aclk,
   input  wire         aresetn,
@@ -110,6 +120,16 @@ module hwffd_wishbone #(
   wire [31:0] read_data;
   wire        read_error;
 
+  wire rst;
+
+  ffd_reset #(
+    .REGISTERED(RESET_REGISTER)
+  ) u_reset (
+    .clk     (aclk),
+    .resetn_i(aresetn),
+    .rst_o   (rst)
+  );
+
   ffd_bus_core #(
     .MAX_BURST        (MAX_BURST),
     .READ_DEPTH       (READ_DEPTH),
@@ -128,7 +148,7 @@ module hwffd_wishbone #(
     `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
-    .aresetn       (aresetn),
+    .aresetn       (!rst),
     .awake_i       (awake),
     .upset_i       (upset),
     .sleep_o       (sleep_o),

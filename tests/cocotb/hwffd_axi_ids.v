@@ -81,6 +81,8 @@ module hwffd_axi_ids #(
     .MUL_LATENCY    (2),
     .ADD_LATENCY    (1),
     .CONVERT_LATENCY(1),
+    .DERIVATIVES    (1),
+    .DETERMINANT    (1),
     .ADDRESS_WIDTH  (ADDRESS_WIDTH),
     .DATA_WIDTH     (DATA_WIDTH)
   ) u_core (

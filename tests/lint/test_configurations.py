@@ -216,3 +216,27 @@ message("${{parameters}} ${{PAGES}}")
     done = subprocess.run(["cmake", "-P", str(tmp_path / "row.cmake")], capture_output=True, text=True, check=False)
     assert (done.returncode == 0) == (not wrong)
     assert (wrong or "FEATURES=257;PAGES=2 2") in " ".join(done.stderr.split())
+
+
+@pytest.mark.parametrize("given, wanted", (
+    ("FEATURES=pages+resident AXIS=8", "AXIS=8;PAGED=1;RESIDENT=1"),
+    ("FEATURES=256", "PAGED=0;RESIDENT=1"),
+    ("AXIS=8", "AXIS=8;PAGED=1;RESIDENT=0")))
+def test_features_are_parameters_of_a_core(tmp_path, given, wanted):
+    (tmp_path / "core.cmake").write_text(f"""
+include({ROOT}/cmake/HwffdTable.cmake)
+set(HWFFD_CORES core)
+set(HWFFD_USUAL_FEATURES pages)
+set(HWFFD_FEATURES pages large resident)
+set(HWFFD_FEATURE_pages 1)
+set(HWFFD_FEATURE_large 2)
+set(HWFFD_FEATURE_resident 256)
+set(HWFFD_PARAMETER_OF_pages PAGED)
+set(HWFFD_PARAMETER_OF_resident RESIDENT)
+hwffd_feature_parameters(of_core core {given})
+hwffd_feature_parameters(of_part part {given})
+message("${{of_core}} ${{of_part}}")
+""")
+    done = subprocess.run(["cmake", "-P", str(tmp_path / "core.cmake")], capture_output=True, text=True, check=True)
+    within = given.replace("pages+resident AXIS=8", "257").replace("FEATURES=257", "AXIS=8;FEATURES=257")
+    assert done.stderr.strip() == f"{wanted} {within}"

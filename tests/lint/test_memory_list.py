@@ -20,18 +20,18 @@ def of(top, **given):
 def test_points_of_a_lattice():
     """Two buffers of 16 x 16 x 16 points, one memory a lane; pages make it deeper."""
     for org, lanes in ((1, 1), (7, 32), (10, 64)):
-        shaped = of("hwffd_stream", ORG=org, FEATURES=256, FORMAT=18 if org < 10 else 17)
+        shaped = of("hwffd_stream", ORG=org, INTERLEAVED=0, EVALUATOR=0, FORMAT=18 if org < 10 else 17)
         points = {shape: places["ffd_cache_lane"] for shape, places in shaped.items() if places["ffd_cache_lane"]}
         bits = sum(shape.bits * count for shape, count in points.items())
         assert sum(points.values()) == lanes
         assert bits == 2 * 16 ** 3 * (WORD if org < 10 else WORD - 3)
-    four = of("hwffd_stream", ORG=1, FEATURES=257, PAGES=4)
+    four = of("hwffd_stream", ORG=1, PAGED=1, PAGES=4)
     assert max(shape.depth for shape in four) == 4 * 16 ** 3
 
 
 def test_what_is_left_out_has_no_memory():
-    places = [sum(of("hwffd_stream", ORG=1, FEATURES=features).values(), start=memories.Counter())["ffd_cache_beats"]
-              for features in (256, 768)]
+    places = [sum(of("hwffd_stream", ORG=1, INTERLEAVED=interleaved).values(), start=memories.Counter())["ffd_cache_beats"]
+              for interleaved in (0, 1)]
     assert places[0] == 0 and places[1] > 0
 
 

@@ -20,7 +20,8 @@ SOURCES = rtl_sources.Sources()
 SPACE = spaces.Space()
 GUARD = re.compile(r"\bERROR_(\w+)")
 # Of tops that share parameters, the one whose parameters are tried.
-OWN = {"hwffd_stream": None, "hwffd_scatter": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream"}
+OWN = {"hwffd_stream": None, "hwffd_scatter": None, "hwffd_axi": "hwffd_stream", "hwffd_stream_bus": "hwffd_stream",
+       "hwffd_adjoint": "hwffd_stream"}
 
 
 def guards(top, configuration):
@@ -39,8 +40,8 @@ def cases():
     for top, base in OWN.items():
         draw = parameter_draws.Draw(SPACE, top, random.Random(top))
         own = [parameter for name, parameter in SPACE.parameters[top].items()
-               if base is None or name not in SPACE.parameters[base]]
-        names = {parameter.name for parameter in own}
+               if base is None or parameter != SPACE.parameters[base].get(name)]
+        names = set(SPACE.parameters[top]) - set(SPACE.parameters[base] if base else ())
         for parameter in own:
             collected += [(f"{parameter.name}={value}", top, draw.beyond(parameter, value), parameter.guard)
                           for value in parameter.beyond()]

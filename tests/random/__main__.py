@@ -103,9 +103,10 @@ class Campaign:
 
 def known(parameters):
     """(seed, configuration) of each row of regressions.csv."""
-    for where, cells in csv_table.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *parameters, "shown")):
-        cells["FEATURES"] = features.value(cells["FEATURES"], where)
-        yield int(cells["SEED"]), {name: int(cells[name]) for name in parameters}
+    columns = [name for name in parameters if name not in features.PARAMETERS.values()]
+    for where, cells in csv_table.read(pathlib.Path(__file__).with_name("regressions.csv"), ("SEED", *columns, "features", "shown")):
+        yield int(cells["SEED"]), {**{name: int(cells[name]) for name in columns},
+                                   **features.parameters_of(features.value(cells["features"], where))}
 
 
 def seed_of_sources():

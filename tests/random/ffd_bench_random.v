@@ -21,18 +21,29 @@
 
 module ffd_bench_random #(
   `include "ffd_row_parameters.vh"
-  parameter AXIS       = 16,
-  parameter PAGES      = 2,
-  parameter IN_FLIGHT  = 0,
-  parameter WAITING    = 16,
-  parameter FEATURES   = `FFD_FEATURES,
-  parameter SPANS      = 1,
-  parameter HARDENED   = 0,
-  parameter DATA_WIDTH = 128,
-  parameter BEATS      = 1,
-  parameter SEED       = 1,
-  parameter PATIENCE   = 40000
+  parameter AXIS           = 16,
+  parameter PAGES          = 2,
+  parameter IN_FLIGHT      = 0,
+  parameter WAITING        = 16,
+  parameter RESIDENT       = 1,
+  parameter INTERLEAVED    = 1,
+  parameter PAGED          = 0,
+  parameter FOURTH         = 0,
+  parameter GRIDS          = 0,
+  parameter PACKED         = 0,
+  parameter MARKS          = 0,
+  parameter DERIVATIVES    = 0,
+  parameter DETERMINANT    = 0,
+  parameter HALVES         = 0,
+  parameter SPANS          = 1,
+  parameter HARDENED       = 0,
+  parameter RESET_REGISTER = 0,
+  parameter DATA_WIDTH     = 128,
+  parameter BEATS          = 1,
+  parameter SEED           = 1,
+  parameter PATIENCE       = 40000
 );
+  localparam GRID_LIMIT = 48;  // refuses none
   localparam STUCK = 300;  // clocks without a beat in, after which a late sink begins
   localparam TAIL  = 64;   // clocks in which no result may come any more
 
@@ -95,15 +106,9 @@ module ffd_bench_random #(
   );
 
   hwffd_stream_bus #(
-    `include "ffd_row_arguments.vh"
-    .AXIS           (AXIS),
-    .PAGES          (PAGES),
-    .IN_FLIGHT      (IN_FLIGHT),
-    .WAITING        (WAITING),
-    .FEATURES       (FEATURES),
-    .SPANS          (SPANS),
-    .HARDENED       (HARDENED),
-    .DATA_WIDTH     (DATA_WIDTH)
+    .RESET_REGISTER   (RESET_REGISTER),
+    .DATA_WIDTH       (DATA_WIDTH),
+    `include "ffd_stream_arguments.vh"
   ) u_core (
     .aclk          (aclk),
     .aresetn       (aresetn),
@@ -189,7 +194,7 @@ module ffd_bench_random #(
     clocks   <= clocks + 1;
     bursting <= $random(seed) % 16 == 0 ? !bursting : bursting;
     idle_q   <= idle === 1'b1;
-    watched  <= watched || !aresetn;
+    watched  <= watched || (!aresetn && clocks >= RESET_REGISTER);
     holds    <= aresetn && m_valid === 1'b1 && !m_ready;
     held     <= {m_user, m_last, m_data};
     unmoved  <= s_valid && s_ready === 1'b1 ? 0 : unmoved + 1;

@@ -10,6 +10,7 @@ import subprocess
 from dataclasses import dataclass
 
 from tools.rtl import rtl_sources
+from tools.tables import features
 from tools.tables.configurations import SCHEDULES, evaluator_of
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -77,7 +78,7 @@ class Legal:
         process([stream.program, "--org", self.organization.name, "--n", p["N"],
                  "--format", self.space.formats[p["FORMAT"]].name, "--schedule", SCHEDULES[p["SCHEDULE"]],
                  "--evaluator", evaluator_of(p["EVALUATOR"]), "--fma", p["FMA_LATENCY"],
-                 "--features", p["FEATURES"], "--axis", p["AXIS"], "--pages", p["PAGES"], "--spans", p["SPANS"],
+                 "--features", features.number_of(p), "--axis", p["AXIS"], "--pages", p["PAGES"], "--spans", p["SPANS"],
                  "--interval", interval * (8 if p["SCHEDULE"] else 1), "--parts", stream.parts,
                  "--seed", stream.seed, "--folder", ".",
                  *(("--other", other[0], "--other-n", other[1]) if other else ())], self.folder, "words")

@@ -52,7 +52,6 @@ def made(tmp_path, capsys, monkeypatch):
     (("--org", "cg1", "--data-width", "64"), 1, "--data-width: hwffd_stream has none"),
     (("--org", "cg1", "--axis", "many"), 2, "argument --axis: 'many' is no number"),
     (("--colour", "red"), 2, "unrecognized arguments: --colour red"),
-    ((), 1, "--org or --row is wanted"),
 ])
 def test_a_core_that_cannot_be_is_one_line(made, tmp_path, words, status, complaint):
     got, out, errors = made(*words, "-o", "core")
@@ -102,7 +101,7 @@ def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path):
 def test_a_word_that_is_wrong_is_seen(tmp_path):
     core = configuration.of_parameters(
         parameter_space.Space(), "hwffd_stream", "little",
-        {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 1, "FEATURES": 256, "AXIS": 4})
+        {"ORG": 1, "N": 1, "FORMAT": 18, "INTERLEAVED": 0, "AXIS": 4})
     small = bench.Folder(core, tmp_path / "little", 20)
     assert small.passed()[0] == 20
     results = tmp_path / "little" / "little_results.hex"
@@ -115,8 +114,8 @@ def test_a_word_that_is_wrong_is_seen(tmp_path):
 
 def test_two_cores_are_in_one_design(tmp_path):
     space, folders = parameter_space.Space(), []
-    for prefix, parameters in (("first", {"ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4}),
-                               ("second", {"ORG": 0, "N": 1, "FORMAT": 0, "FEATURES": 512, "AXIS": 4})):
+    for prefix, parameters in (("first", {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4}),
+                               ("second", {"ORG": 0, "N": 1, "FORMAT": 0, "EVALUATOR": 0, "RESIDENT": 0, "AXIS": 4})):
         core = configuration.of_parameters(space, "hwffd_stream", prefix, parameters)
         folders.append(bench.Folder(core, tmp_path / prefix, 10))
     files = [one.path / f"{one.prefix}.v" for one in folders]
@@ -133,7 +132,7 @@ def test_two_cores_are_in_one_design(tmp_path):
 
 def test_a_free_parameter_beyond_its_range_stops_elaboration(tmp_path):
     core = configuration.of_parameters(space := parameter_space.Space(), "hwffd_stream", "little",
-                                       {"ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4})
+                                       {"ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4})
     assert space and core.free["MUL_LATENCY"].text == "1 to 8"
     small = bench.Folder(core, tmp_path / "little", 1)
     bench_text = small.with_parameters("little", {"MUL_LATENCY": 9})
@@ -167,7 +166,7 @@ def test_a_core_is_mapped(made, tmp_path):
 @pytest.mark.parametrize("top", configuration.TOPS)
 def test_verilator_says_the_same_as_icarus(tmp_path, top):
     core = configuration.of_parameters(parameter_space.Space(), top, "little", {
-        "ORG": 1, "N": 1, "FORMAT": 18, "FEATURES": 256, "AXIS": 4})
+        "ORG": 1, "N": 1, "FORMAT": 18, "EVALUATOR": 0, "INTERLEAVED": 0, "AXIS": 4})
     little = bench.Folder(core, tmp_path / "little", 20)
     passed = little.passed()
     status, output = bench.run("verilator", "--binary", "--timing", "--top-module", "little_tb", "little.v", "little_tb.v",

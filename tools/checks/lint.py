@@ -19,7 +19,7 @@ from tools.checks import clang_tidy, package_closure, text_rules
 from tools.project_root import ROOT
 from tools.reports import report_modules, text_blocks
 from tools.rtl import module_header, rtl_sources
-from tools.tables import configurations, generated_files
+from tools.tables import configurations, features, generated_files
 
 TOP = "hwffd_stream"
 SYSTEM = "hwffd_axi"  # the same rows, which it hands on: those of tier sim will do
@@ -87,7 +87,7 @@ def rtl_jobs(sources, every=False):
 
 
 def subject(top, row):
-    return f"{top} ({row.name})", top, row.assignments()
+    return f"{top} ({row.name})", top, [f"{name}={value}" for name, value in features.of_top(top, row.parameters).items()]
 
 
 def integrator_jobs(sources, top, axes):

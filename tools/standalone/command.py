@@ -57,7 +57,7 @@ def parser(prog):
     add("--prefix", help="name of the top, and in front of its modules (default: that of the folder)")
     add("--top", choices=configuration.TOPS, default=configuration.TOPS[0], help="default: %(default)s")
     add("--row", metavar="NAME", help="a row of the table of configurations, which other options change")
-    add("--org", help="organization, such as cg1, walk or factored/3")
+    add("--org", help=f"organization, such as walk or factored/3 (default: {configuration.DEFAULT_ORG})")
     add("--format", help="number format: fp32, bfp32, or fx12 to fx32")
     add("--n", type=_number, help="control points taken in one clock, where the organization has a choice")
     add("--schedule", choices=configurations.SCHEDULES)

@@ -14,7 +14,7 @@ from tools.standalone import elaboration
 from tools.tables import configurations, features, formats, organizations, parameter_space
 
 TOPS = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone")
-DEFAULT_FEATURES = "resident+interleaved+derivatives+determinant"
+DEFAULT_ORG, DEFAULT_FEATURES = "cg1", "resident+interleaved"
 # Options that are columns of configurations.csv, and the parameters that each sets.
 ROW_OPTIONS = {"n": "N", "schedule": "SCHEDULE", "evaluator": "EVALUATOR", "mul_latency": "MUL_LATENCY",
                "add_latency": "ADD_LATENCY", "fma_latency": "FMA_LATENCY", "convert_latency": "CONVERT_LATENCY"}
@@ -85,8 +85,8 @@ class Core:
 
     @property
     def has(self):
-        """Names of what FEATURES has."""
-        return [name for name, bit in features.BITS.items() if self.parameters["FEATURES"] & bit]
+        """Names of its features."""
+        return features.names_of(self.parameters)
 
     @property
     def evaluator(self):
@@ -110,12 +110,11 @@ def _row(options, known):
     rows = configurations.read()
     if options.row:
         return configurations.find(rows, options.row)
-    if not options.org:
-        raise Refused("--org or --row is wanted: the organization, or a row of the table of configurations")
-    if options.org not in known:
-        configurations.gone.refuse(options.org)
-        raise Refused(f"--org {options.org}: unknown organization: one of {', '.join(known)}")
-    rows = [row for row in rows if row.org == options.org]
+    org = options.org or DEFAULT_ORG
+    if org not in known:
+        configurations.gone.refuse(org)
+        raise Refused(f"--org {org}: unknown organization: one of {', '.join(known)}")
+    rows = [row for row in rows if row.org == org]
     for column in ("format", "n", "schedule", "evaluator"):
         wanted = getattr(options, column)
         rows = [row for row in rows if wanted is None or getattr(row, column) == wanted] or rows
@@ -128,10 +127,7 @@ def _features(options):
     if options.features:
         return options.features
     wanted = DEFAULT_FEATURES
-    large, pages = (options.axis or 0) > 32, options.pages not in (None, 2)
-    wanted += "+pages" if large or pages else ""
-    wanted += "+large" if large else ""
-    return wanted + ("+spans" if (options.spans or 1) > 1 else "")
+    return wanted + ("+pages" if (options.axis or 0) > 32 or options.pages not in (None, 2) else "")
 
 
 def _settings(options, known):
@@ -182,7 +178,7 @@ def _free(space, top, parameters):
     for name, values in FREE.items():
         if name in LATENCIES or name not in parameters or parameters[name] not in values:
             continue
-        if name == "GRID_LIMIT" and not parameters["FEATURES"] & features.BITS["grids"]:
+        if name == "GRID_LIMIT" and not parameters["GRIDS"]:
             continue
         if isinstance(values, range):
             found[name] = Free(name, values)
@@ -204,7 +200,7 @@ def core(options):
     for option, name in ROW_OPTIONS.items():
         if getattr(options, option) is not None:
             parameters[name] = value_of(option, getattr(options, option))
-    parameters["FEATURES"] = features.value(_features(options), "--features")
+    parameters.update(features.parameters_of(features.value(_features(options), "--features")))
     for name in ("axis", "pages", "spans", "data_width"):
         if getattr(options, name) is not None:
             if name.upper() not in defaults:

@@ -34,6 +34,7 @@ _BUS_PORTS = (("s_axil_", "AXI4-Lite slave: the registers"), ("m_axi_", "AXI4 ma
               ("sleep_o", "the clock may stop while it is 1"), ("s_axis_tkeep", "which bytes of a beat are there"),
               ("m_axis_tkeep", "which bytes of a beat are there"))
 _SIZE = ("lut", "ff", "dsp", "bram")
+_VARIANTS = {features.USUAL: None, "resident+interleaved": "positions"}  # as measured rows call what is built
 _RESULTS = ROOT / "docs" / "results"
 
 
@@ -119,16 +120,13 @@ def _is_row(core, row):
     return all(core.parameters[name] == value for name, value in row.parameters.items())
 
 
-def _variant_features(core):
-    return core.parameters["FEATURES"] == features.value("resident+interleaved+derivatives+determinant", "here")
-
-
 def mapped(core):
     """Rows of the table of sizes: where a release has measured this very core."""
     usual = {name: value for name, value in core.defaults.items()
-             if name not in ("ORG", "N", "FORMAT", "SCHEDULE", "EVALUATOR", *configurations.NUMBERS)
+             if name not in ("ORG", "N", "FORMAT", "SCHEDULE", "EVALUATOR", *configurations.NUMBERS, *features.PARAMETERS.values())
              and not name.endswith("_LATENCY")}
-    if any(core.parameters[name] != value for name, value in usual.items()):
+    built = "+".join(core.has)
+    if built not in _VARIANTS or any(core.parameters[name] != value for name, value in usual.items()):
         return []
     names = [row.name for row in configurations.read() if _is_row(core, row)]
     found = []
@@ -136,7 +134,7 @@ def mapped(core):
         report = json.loads((_RESULTS / release / "synth.json").read_text(encoding="utf-8"))
         found = [[row["target"], *("-" if row[size] is None else str(row[size]) for size in _SIZE), release]
                  for row in report["rows"] if row["name"] in names and row["top"] == core.top
-                 and row["variant"] is None and not row["flat"]] or found
+                 and row["variant"] == _VARIANTS[built] and not row["flat"]] or found
     return found
 
 

@@ -8,7 +8,7 @@ import re
 
 from tools.project_root import ROOT
 from tools.standalone import templates
-from tools.tables import configuration_texts as texts, configurations
+from tools.tables import configuration_texts as texts, configurations, features
 
 # What StreamModel consists of; the headers that these include come in front of them.
 _SOURCES = ("model/configuration", "model/resident_vertex", "model/stream_headers", "model/stream_model",
@@ -59,6 +59,6 @@ def text(core, version):
     space = f"{core.prefix}_golden"
     golden = re.sub(r"\bhwffd\b(?=::| \{|;)", space, "\n".join(flat.pieces))
     golden = re.sub(r"\bHWFFD_(?=[A-Z])", f"{core.prefix.upper()}_", golden)
-    return templates.text("model.hpp.jinja", core=core, version=version, golden=golden, space=space,
+    return templates.text("model.hpp.jinja", core=core, features=features.number_of(core.parameters), version=version, golden=golden, space=space,
                           standard=sorted(flat.standard | {"cstdint", "vector", "memory", "array", "utility"}),
                           guard=f"{core.prefix.upper()}_MODEL")

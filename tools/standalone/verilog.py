@@ -214,7 +214,7 @@ class _TopWriter(_Writer):
     def _meaning(self, name):
         core = self.core
         meaning = {"ORG": core.organization.name, "FORMAT": core.number_format.name, "SCHEDULE": core.schedule,
-                   "EVALUATOR": core.evaluator, "FEATURES": "+".join(core.has)}.get(name)
+                   "EVALUATOR": core.evaluator}.get(name)
         return f"  // {meaning}" if meaning else ""
 
     def _port(self, node):

@@ -55,7 +55,7 @@ def sample(core, vertices):
     parameters = core.parameters
     commands, results, count, first, errors = _library().core_sample(
         org=core.organization.name, n=parameters["N"], format=core.number_format.name,
-        powers=core.evaluator == "powers", fused=parameters["FMA_LATENCY"] > 0, features=parameters["FEATURES"],
+        powers=core.evaluator == "powers", fused=parameters["FMA_LATENCY"] > 0, features=features.number_of(parameters),
         axis=parameters["AXIS"], pages=parameters["PAGES"], spans=parameters["SPANS"],
         grid_limit=parameters["GRID_LIMIT"], vertices=vertices, seed=SEED)
     return Sample(_units(commands), _units(results), count, first, errors)

@@ -22,7 +22,7 @@ from tools.progress import Progress
 from tools.reports.text_table import Table
 from tools.rtl import rtl_sources
 from tools.synth import engine
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 TOP = "hwffd_stream"
 ROW = "cg1-fx18-overlapped"
@@ -85,7 +85,7 @@ def work(options, root):
     if not shutil.which("yosys"):
         raise engine.EngineError("yosys not found: run tools/install engine")
     row = configurations.find(configurations.read(root / "rtl" / "configurations.csv"), options.row)
-    parameters = {**row.parameters, **command_line.assignments(options.parameters)}
+    parameters = {**features.of_top(TOP, row.parameters), **command_line.assignments(options.parameters)}
     progress, rows = Progress(), []
     with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
         results = pool.map(lambda family: mapped(root, family, TOP, parameters), FAMILIES)

@@ -19,7 +19,7 @@ from tools.reports import structure_tables
 from tools.reports.results import Results
 from tools.rtl import rtl_sources
 from tools.synth import hierarchy, mapped_netlist
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 # (top, row, whether documents show it)
 DESIGNS = (
@@ -44,7 +44,7 @@ def netlist(sources, top, row, folder):
     out, log = (folder / f"{top}-{row.name}.{suffix}" for suffix in ("netlist", "log"))
     files, headers = (" ".join(os.path.relpath(path, sources.root) for path in paths)
                       for paths in (sources.needed(top), sources.includes))
-    values = "".join(f" -chparam {name} {value}" for name, value in row.parameters.items())
+    values = "".join(f" -chparam {name} {value}" for name, value in features.of_top(top, row.parameters).items())
     steps = [
         f"read_verilog {''.join(f'-I {path} ' for path in headers.split())}{files}",
         f"hierarchy -check -top {top}{values}",

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from tools import csv_table
 from tools.rtl import digest, elaboration, rtl_sources
 from tools.synth import chips, engine, liberty, mapped_netlist, timing, variants
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 ORGANIZATION, CORE, SYSTEM = "ffd_org_select", "hwffd_stream", "hwffd_axi"
 BUS, SCATTER, ADJOINT = "hwffd_stream_bus", "hwffd_scatter", "hwffd_adjoint"
@@ -91,7 +91,7 @@ class Subject:
 
     @property
     def parameters(self):
-        known = self.row.parameters
+        known = features.of_top(self.top, self.row.parameters)
         return {name: known[name] for name in OF_SCATTER if name in known} if self.top == SCATTER else known
 
     @property

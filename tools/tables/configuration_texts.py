@@ -26,8 +26,11 @@ def cmake_text(configurations, tiered, streams, buses, selected):
         lines.append(f"set(HWFFD_CONFIGURATION_OPTIONS_{c.identifier} {'WIDE' if c.wide else ''})")
         lines.append(
             f"set(HWFFD_CONFIGURATION_PARAMETERS_{c.identifier} {' '.join(c.assignments())})")
+    lines.append(f"set(HWFFD_CORES {' '.join(features.CORES)})")
+    lines.append(f"set(HWFFD_USUAL_FEATURES {features.USUAL})")
     lines.append(f"set(HWFFD_FEATURES {' '.join(features.BITS)})")
     lines += [f"set(HWFFD_FEATURE_{name} {bit})" for name, bit in features.BITS.items()]
+    lines += [f"set(HWFFD_PARAMETER_OF_{name} {parameter})" for name, parameter in features.PARAMETERS.items()]
     return "\n".join(lines) + "\n"
 
 

@@ -1,4 +1,5 @@
-"""FEATURES by names, `pages+resident`: which bit each of them is, the register of that name in rtl/bus/registers.csv says.
+"""What a core has, by names, `pages+resident`: which bit of the register FEATURES each of them is, rtl/bus/registers.csv
+says; a parameter of the tops each of them is, but for two that follow from others.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -7,6 +8,11 @@ from tools.csv_table import TableError
 from tools.tables import register_texts, registers
 
 BITS = {field.name: field.mask for field in register_texts.features(registers.read())}
+CORES = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone", "hwffd_adjoint")  # whose parameters they are
+USUAL = "resident+interleaved+derivatives+determinant"  # of rows of tables that do not say
+
+_FOLLOW = {"large": lambda parameters: parameters["AXIS"] > 32, "spans": lambda parameters: parameters["SPANS"] > 1}
+PARAMETERS = {name: "PAGED" if name == "pages" else name.upper() for name in BITS if name not in _FOLLOW}
 
 
 def value(text, where):
@@ -17,3 +23,32 @@ def value(text, where):
             raise TableError(f"{where}: FEATURES={text}: {'twice' if name in BITS else 'unknown feature'} '{name}': "
                              f"some of {', '.join(BITS)} wanted, with + between")
     return sum(BITS[name] for name in names)
+
+
+def parameters_of(number):
+    """{parameter: 0 or 1} of such a number."""
+    return {parameter: int(number & BITS[name] != 0) for name, parameter in PARAMETERS.items()}
+
+
+def has(parameters, name):
+    """Whether a core with these parameters has a feature."""
+    return _FOLLOW[name](parameters) if name in _FOLLOW else parameters[PARAMETERS[name]] != 0
+
+
+def names_of(parameters):
+    """Names of what a core with these parameters has."""
+    return [name for name in BITS if has(parameters, name)]
+
+
+def number_of(parameters):
+    """The word of a core with these parameters, that of the register FEATURES."""
+    return sum(BITS[name] for name in names_of(parameters))
+
+
+def of_top(top, parameters):
+    """The parameters of a row of a table as a top takes them: of a core what it has by names, in place of FEATURES, or
+    the usual."""
+    if top not in CORES:
+        return parameters
+    others = {name: number for name, number in parameters.items() if name != "FEATURES"}
+    return {**parameters_of(parameters.get("FEATURES", value(USUAL, "USUAL"))), **others}

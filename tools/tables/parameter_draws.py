@@ -108,11 +108,10 @@ class Draw:
             has[name] = has[name] and has["resident"]
         for name in ("large", "fourth", "marks", "halves"):
             has[name] = has[name] and has["pages"]
-        if "FEATURES" in fixed:
-            has = {name: bool(fixed["FEATURES"] & bit) for name, bit in features.BITS.items()}
+        has |= {name: bool(fixed[parameter]) for name, parameter in features.PARAMETERS.items() if parameter in fixed}
         axis = self.random.choice((4, 4, 4, 5, 6, 7, 8, 9, 12, 16, 17, 20))
         return {
-            "FEATURES": sum(bit for name, bit in features.BITS.items() if has[name]),
+            **{parameter: int(has[name]) for name, parameter in features.PARAMETERS.items()},
             "AXIS": self.random.choice((33, 40, 64)) if has["large"] else axis,
             "PAGES": self.random.choice((1, 1, 2, 2, 3, 3, 4, 5, 7)) if has["pages"] else 2,
             "SPANS": self.random.choice((2, 3, 4, 5, 8, 13, 16)) if has["spans"] else 1,

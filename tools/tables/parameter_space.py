@@ -39,6 +39,9 @@ class Parameter:
         return [value for value in self.values.beyond() if value not in self.without]
 
 
+RESET_REGISTER = Parameter("RESET_REGISTER", values.of(0, 1), "ffd_reset_registered_must_be_0_or_1")
+
+
 @dataclass(frozen=True)
 class Rule:
     """What parameters are bound to together, in words; whether a configuration keeps to it; and the
@@ -74,6 +77,7 @@ class Space:
             "hwffd_stream_bus": {**stream, **_table([Parameter(
                 "DATA_WIDTH", values.of(64, 128, 256), "hwffd_stream_bus_data_width_.*")])},
             "hwffd_scatter": self._scatter(),
+            "hwffd_adjoint": self._adjoint(stream, self._scatter()),
             "hwffd_wishbone": bus,
             "hwffd_axi": {**bus, **_table([Parameter(
                 "SECURE_ONLY", values.of(0, 1), "ffd_axil_slave_secure_only_.*")])},
@@ -118,11 +122,12 @@ class Space:
             Parameter("IN_FLIGHT", values.of(0, Powers(4)),
                       "ffd_(eval_stream_in_flight_.*|stream_fifo_depth_must_be_a_power_of_two)"),
             Parameter("WAITING", values.of(Powers(2)), "ffd_stream_fifo_depth_must_be_a_power_of_two"),
-            Parameter("FEATURES", values.of(Between(256, sum(features.BITS.values()))),
-                      "ffd_stream_header_features_are_unknown"),
+            *(Parameter(name, values.of(0, 1), "hwffd_stream_features_must_be_0_or_1")
+              for name in features.PARAMETERS.values()),
             Parameter("SPANS", values.of(Between(1, 128)), "ffd_eval_stream_spans_must_be_1_to_128"),
             Parameter("GRID_LIMIT", values.of(Between(0, 48)), "ffd_stream_(ingress_)?grid_limit_must_be_0_to_48"),
             Parameter("HARDENED", values.of(0, 1), "ffd_cache_stores_hardened_must_be_0_or_1"),
+            RESET_REGISTER,
         ])
 
     def _scatter(self):
@@ -138,7 +143,16 @@ class Space:
             Parameter("WAITING", values.of(Powers(2)), "ffd_stream_fifo_depth_must_be_a_power_of_two"),
             Parameter("BESIDE", values.of(0, 1), "ffd_scatter_decoder_beside_must_be_0_or_1"),
             Parameter("ROWS", values.of(0, 1), "ffd_scatter_(core|decoder)_rows_must_be_0_or_1"),
+            RESET_REGISTER,
         ])
+
+    @staticmethod
+    def _adjoint(stream, scatter):
+        """Of both on one stream: what one half refuses, it does."""
+        pages = scatter["PAGES"]
+        return {**{name: parameter for name, parameter in stream.items() if name != "SPANS"},
+                **{name: scatter[name] for name in ("FORMAT", "EVALUATOR", "AXIS", "ROWS")},
+                **_table([Parameter("SCATTER_PAGES", pages.values, pages.guard)])}
 
     def _bus(self):
         """Of ffd_bus_core, which both tops with registers have."""
@@ -234,45 +248,33 @@ class Space:
 
     def _store_rules(self):
         """Of what is built around the evaluator."""
-        has, of = _has, self.organizations
+        of = self.organizations
         return [
-            Rule("FEATURES has resident or interleaved, no determinant without derivatives, and no other bits", ("FEATURES",),
-                 lambda p: (has(p, "resident") or has(p, "interleaved")) and not (
-                     p.FEATURES & ~sum(features.BITS.values())) and (
-                     has(p, "derivatives") or not has(p, "determinant")),
+            Rule("RESIDENT or INTERLEAVED is 1", ("RESIDENT", "INTERLEAVED"),
+                 lambda p: p.RESIDENT or p.INTERLEAVED, "ffd_stream_header_features_are_unknown"),
+            Rule("DETERMINANT wants DERIVATIVES", ("DETERMINANT", "DERIVATIVES"),
+                 lambda p: p.DERIVATIVES or not p.DETERMINANT, "ffd_stream_header_features_are_unknown"),
+            Rule("PAGED, GRIDS and PACKED want RESIDENT", ("PAGED", "GRIDS", "PACKED", "RESIDENT"),
+                 lambda p: p.RESIDENT or not (p.PAGED or p.GRIDS or p.PACKED), "ffd_stream_header_features_are_unknown"),
+            Rule("AXIS above 32, FOURTH, MARKS and HALVES want PAGED", ("AXIS", "FOURTH", "MARKS", "HALVES", "PAGED"),
+                 lambda p: p.PAGED or not (p.AXIS > 32 or p.FOURTH or p.MARKS or p.HALVES),
                  "ffd_stream_header_features_are_unknown"),
-            Rule("FEATURES has none of pages, grids and packed without resident", ("FEATURES",),
-                 lambda p: has(p, "resident") or not any(has(p, feature) for feature in ("pages", "grids", "packed")),
-                 "ffd_stream_header_features_are_unknown"),
-            Rule("FEATURES has none of large, fourth, marks and halves without pages", ("FEATURES",),
-                 lambda p: has(p, "pages") or not any(has(p, feature) for feature in ("large", "fourth", "marks", "halves")),
-                 "ffd_stream_header_features_are_unknown"),
-            Rule("FEATURES has halves with fixed point only", ("FEATURES", "FORMAT"),
-                 lambda p: not has(p, "halves") or self.words(p) == "fixed", "ffd_num_half_needs_fixed_point"),
-            Rule("AXIS is above 32 where FEATURES has large, and only there", ("FEATURES", "AXIS"),
-                 lambda p: (p.AXIS > 32) == has(p, "large"), "ffd_(stream_header|cache_points)_axis_.*"),
-            Rule("PAGES is 2 without pages in FEATURES", ("FEATURES", "PAGES"),
-                 lambda p: has(p, "pages") or p.PAGES == 2,
-                 "ffd_stream_resident_has_two_buffers_without_pages"),
-            Rule("SPANS is above 1 where FEATURES has spans, and only there", ("FEATURES", "SPANS"),
-                 lambda p: (p.SPANS > 1) == has(p, "spans"),
-                 "ffd_stream_header_spans_and_their_feature_come_together"),
+            Rule("HALVES wants fixed point", ("HALVES", "FORMAT"),
+                 lambda p: not p.HALVES or self.words(p) == "fixed", "ffd_num_half_needs_fixed_point"),
+            Rule("PAGES is 2 without PAGED", ("PAGED", "PAGES"),
+                 lambda p: p.PAGED or p.PAGES == 2, "ffd_stream_resident_has_two_buffers_without_pages"),
             Rule("SPANS above 1 wants the overlapped schedule", ("SPANS", "SCHEDULE"),
                  lambda p: p.SPANS == 1 or p.SCHEDULE == OVERLAPPED,
                  "ffd_eval_stream_spans_want_the_overlapped_schedule"),
             Rule(f"SPANS above 1 wants EVALUATOR {PIPELINED} or {ITERATIVE}", ("SPANS", "EVALUATOR"),
                  lambda p: p.SPANS == 1 or p.EVALUATOR != POWERS,
                  "ffd_eval_stream_spans_want_functions_that_are_loaded"),
-            Rule("with interleaved in FEATURES, PAGES and AXIS give a place to each interleaved vertex inside: five, or of "
+            Rule("with INTERLEAVED, PAGES and AXIS give a place to each interleaved vertex inside: five, or of "
                  "organizations that accumulate four more than ADD_LATENCY or FMA_LATENCY",
-                 ("ORG", "N", "ADD_LATENCY", "FMA_LATENCY", "FEATURES", "AXIS", "PAGES"),
-                 lambda p: not has(p, "interleaved") or _slot_bits(p, of[p.ORG]) <= _place_bits(p),
+                 ("ORG", "N", "ADD_LATENCY", "FMA_LATENCY", "INTERLEAVED", "AXIS", "PAGES"),
+                 lambda p: not p.INTERLEAVED or _slot_bits(p, of[p.ORG]) <= _place_bits(p),
                  "ffd_cache_points_has_more_slots_than_places"),
         ]
-
-
-def _has(p, feature):
-    return p.FEATURES & features.BITS[feature] != 0
 
 
 def _bits(count):

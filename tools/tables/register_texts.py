@@ -3,6 +3,8 @@
 SPDX-License-Identifier: Apache-2.0
 """
 
+import textwrap
+
 from tools.tables.register_rtl import GENERATED
 
 
@@ -82,18 +84,27 @@ def features(registers):
     return [field for register in registers if register.name == "FEATURES" for field in register.fields]
 
 
+def condition(feature):
+    """When a core has a feature, of its parameters."""
+    return {"large": "AXIS > 32", "spans": "SPANS > 1", "pages": "PAGED != 0"}.get(feature, f"{feature.upper()} != 0")
+
+
 def features_rtl_text(registers):
     lines = [f"`define {f'FFD_FEATURE_{field.name.upper()}(FEATURES)':<33} (((FEATURES) >> {field.low}) % 2)"
              for field in features(registers)]
+    # A term of the sum stays on one line.
+    terms = [f"({condition(field.name)} ? {field.mask} : 0)".replace(" ", "~") for field in features(registers)]
+    word = textwrap.wrap(f"`define FFD_FEATURES_NAMED ({' + '.join(terms)})", 94)
     return "\n".join([f"// {GENERATED}", "// What a core has, bits of FEATURES; docs/interface.md section 1.",
-                      "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_FEATURES_VH", "`define FFD_FEATURES_VH",
-                      *lines, "`endif"]) + "\n"
+                      "// SPDX-License-Identifier: Apache-2.0", "`ifndef FFD_FEATURES_VH", "`define FFD_FEATURES_VH", *lines,
+                      "// FEATURES of a module with the parameters of hwffd_stream.",
+                      " \\\n  ".join(word).replace("~", " "), "`endif"]) + "\n"
 
 
 def features_header_text(registers):
     lines = [f"  k{field.name.capitalize()}Feature = 1U << {field.low}," for field in features(registers)]
     return "\n".join([f"// {GENERATED}", "#pragma once", "", "#include <cstdint>", "", "namespace hwffd::model {", "",
-                      "/// What a core has, as the parameter FEATURES of `hwffd_stream` says it.",
+                      "/// What a core has, as the register FEATURES says it.",
                       "enum Feature : std::uint32_t {", *lines, "};", "", "}  // namespace hwffd::model"]) + "\n"
 
 

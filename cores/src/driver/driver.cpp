@@ -129,8 +129,7 @@ std::array<std::uint32_t, 4> Driver::descriptor(std::uint64_t address, std::uint
   const std::string text = hwffd_core_text(status);
   if (status == HWFFD_CORE_AREA) throw DriverError("descriptor: " + text);
   if (status != HWFFD_CORE_NO_MARKS) throw DriverError(text);
-  throw DriverError(text + ", or build it with FEATURES + " +
-                    std::to_string(HWFFD_FEATURES_MARKS_MASK));
+  throw DriverError(text + ", or build it with MARKS = 1");
 }
 
 void Driver::push(unsigned descriptors) {

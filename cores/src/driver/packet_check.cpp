@@ -16,36 +16,40 @@ struct Feature {
   std::uint32_t mask;
   const char* name;
   const char* instead;
+  const char* built;  // with which parameter a core has it
 };
 
 constexpr Feature kResidentLattices{HWFFD_FEATURES_RESIDENT_MASK, "resident lattices",
-                                    "send interleaved vertices"};
+                                    "send interleaved vertices", "RESIDENT = 1"};
 constexpr Feature kInterleavedVertices{HWFFD_FEATURES_INTERLEAVED_MASK, "interleaved vertices",
-                                       "send a lattice and its vertices"};
+                                       "send a lattice and its vertices", "INTERLEAVED = 1"};
 constexpr Feature kFunctionDerivatives{HWFFD_FEATURES_DERIVATIVES_MASK, "derivatives",
-                                       "send coefficients without theirs"};
+                                       "send coefficients without theirs", "DERIVATIVES = 1"};
 constexpr Feature kResultDerivatives{HWFFD_FEATURES_DERIVATIVES_MASK, "derivatives",
-                                     "ask for positions"};
+                                     "ask for positions", "DERIVATIVES = 1"};
 constexpr Feature kResultDeterminant{HWFFD_FEATURES_DETERMINANT_MASK, "determinant",
-                                     "ask for positions"};
+                                     "ask for positions", "DETERMINANT = 1"};
 constexpr Feature kSeveralPages{HWFFD_FEATURES_PAGES_MASK, "pages",
-                                "send whole lattices (opcodes 2, 3)"};
+                                "send whole lattices (opcodes 2, 3)", "PAGED = 1"};
 constexpr Feature kPackedVertices{HWFFD_FEATURES_PACKED_MASK, "packed vertices",
-                                  "send one vertex a beat"};
-constexpr Feature kGrids{HWFFD_FEATURES_GRIDS_MASK, "grids", "send their vertices"};
+                                  "send one vertex a beat", "PACKED = 1"};
+constexpr Feature kGrids{HWFFD_FEATURES_GRIDS_MASK, "grids", "send their vertices", "GRIDS = 1"};
 constexpr Feature kFunctionSpans{HWFFD_FEATURES_SPANS_MASK, "spans",
-                                 "send functions of every cell (opcode 1)"};
+                                 "send functions of every cell (opcode 1)", "SPANS above 1"};
 
 /// Flags of a header's word 0 by their bits, from this one on (docs/interface.md section 2).
 constexpr unsigned kFirstFlag = 16;
 constexpr Feature kFlagged[] = {
-    {0, "", ""},  // that of its opcode will do
-    {HWFFD_FEATURES_FOURTH_MASK, "fourth component", "send it as x of a second lattice"},
+    {0, "", "", ""},  // that of its opcode will do
+    {HWFFD_FEATURES_FOURTH_MASK, "fourth component", "send it as x of a second lattice",
+     "FOURTH = 1"},
     kPackedVertices,
-    {HWFFD_FEATURES_LARGE_MASK, "large lattices", "cut the lattice into pages"},
-    {HWFFD_FEATURES_MARKS_MASK, "counts a packet", "give each packet a run of its own"},
-    {HWFFD_FEATURES_MARKS_MASK, "interrupts a packet", "wait for the end of the run"},
-    {HWFFD_FEATURES_HALVES_MASK, "results of two vertices a beat", "take a result a beat"},
+    {HWFFD_FEATURES_LARGE_MASK, "large lattices", "cut the lattice into pages", "AXIS above 32"},
+    {HWFFD_FEATURES_MARKS_MASK, "counts a packet", "give each packet a run of its own",
+     "MARKS = 1"},
+    {HWFFD_FEATURES_MARKS_MASK, "interrupts a packet", "wait for the end of the run", "MARKS = 1"},
+    {HWFFD_FEATURES_HALVES_MASK, "results of two vertices a beat", "take a result a beat",
+     "HALVES = 1"},
 };
 /// Which of them opcodes 5 to 9 have.
 constexpr std::uint32_t kFlagsOf[] = {0x0A, 0x02, 0x7F, 0x7A, 0x01};
@@ -53,7 +57,7 @@ constexpr std::uint32_t kFlagsOf[] = {0x0A, 0x02, 0x7F, 0x7A, 0x01};
 void require(const CoreIdentity& core, const Feature& feature) {
   if ((core.features & feature.mask) == feature.mask) return;
   throw DriverError(std::string("this core has no ") + feature.name + ": " + feature.instead +
-                    ", or build it with FEATURES + " + std::to_string(feature.mask));
+                    ", or build it with " + feature.built);
 }
 
 void check_results(const CoreIdentity& core, std::uint32_t word) {

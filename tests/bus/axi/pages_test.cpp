@@ -254,7 +254,7 @@ TEST_F(AxiPages, TheDriverMakesWhatTheCoreTakes) {
   large.large = true;
   EXPECT_EQ(complaint([&] { driver.page_vertices(0, some, large); }),
             "this core has no large lattices: cut the lattice into pages, or build it with "
-            "FEATURES + 2");
+            "AXIS above 32");
   auto far = some;
   far[2].cell[1] = 16;
   EXPECT_EQ(complaint([&] { driver.page_vertices(0, far); }),

@@ -10,6 +10,11 @@
 namespace hwffd::test {
 namespace {
 
+/// With which parameter a core has each feature, by its bit.
+constexpr const char* kParameters[] = {
+    "PAGED = 1",       "AXIS above 32",   "FOURTH = 1", "SPANS above 1", "GRIDS = 1",
+    "PACKED = 1",      "MARKS = 1",       "",           "RESIDENT = 1",  "INTERLEAVED = 1",
+    "DERIVATIVES = 1", "DETERMINANT = 1", "HALVES = 1"};
 constexpr std::uint32_t kToday = 0xF00;  // resident, interleaved, derivatives, determinant
 constexpr std::uint32_t kEvery = 1U << 16, kFourth = 1U << 17, kPacked = 1U << 18,
                         kLarge = 1U << 19, kResult = 1U << 20, kInterrupt = 1U << 21,
@@ -89,7 +94,7 @@ TEST(PacketCheck, NamesEachFeatureThatIsMissing) {
       // Opcodes 5 to 8 say pages or grids; the lattice behind them is the core's affair.
       if (!wanted || (bit == 8 && (packet.header[0] & 0xFF) > 4)) continue;
       const std::string said = complaint(core_with(kAll & ~feature), packet.header);
-      const std::string cure = "or build it with FEATURES + " + std::to_string(feature);
+      const std::string cure = std::string("or build it with ") + kParameters[bit];
       EXPECT_NE(said.find("this core has no "), std::string::npos) << said;
       EXPECT_NE(said.find(cure), std::string::npos) << said << " / " << cure;
       ++refused;
@@ -100,10 +105,10 @@ TEST(PacketCheck, NamesEachFeatureThatIsMissing) {
 
 TEST(PacketCheck, SaysItInOneLine) {
   EXPECT_EQ(complaint(core_with(0x300), {3, 5, 0x100, 0}),
-            "this core has no derivatives: ask for positions, or build it with FEATURES + 1024");
+            "this core has no derivatives: ask for positions, or build it with DERIVATIVES = 1");
   EXPECT_EQ(complaint(core_with(0x100), {4, 5, 0, 0}),
             "this core has no interleaved vertices: send a lattice and its vertices, or build it "
-            "with FEATURES + 512");
+            "with INTERLEAVED = 1");
   EXPECT_EQ(complaint(core_with(kToday), {2, 0, 0x111010, 0}),
             "17 points along axis u: this core takes 4 to 16; make the lattice smaller, or build "
             "with AXIS");

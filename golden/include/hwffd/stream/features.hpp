@@ -5,7 +5,7 @@
 
 namespace hwffd::model {
 
-/// What a core has, as the parameter FEATURES of `hwffd_stream` says it.
+/// What a core has, as the register FEATURES says it.
 enum Feature : std::uint32_t {
   kPagesFeature = 1U << 0,
   kLargeFeature = 1U << 1,
