@@ -224,6 +224,7 @@ message("${{parameters}} ${{PAGES}}")
     ("AXIS=8", "AXIS=8;PAGED=1;RESIDENT=0")))
 def test_features_are_parameters_of_a_core(tmp_path, given, wanted):
     (tmp_path / "core.cmake").write_text(f"""
+cmake_minimum_required(VERSION 3.18)
 include({ROOT}/cmake/HwffdTable.cmake)
 set(HWFFD_CORES core)
 set(HWFFD_USUAL_FEATURES pages)
