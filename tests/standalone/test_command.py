@@ -92,10 +92,27 @@ def test_the_folder_has_what_it_says(made, tmp_path):
     assert len(sheet.splitlines()) <= 125  # two pages
 
 
-def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path):
-    assert made("--row", "cg1-fx18-overlapped", "--vertices", "1", "-o", "core")[0] == 0
-    assert re.search(r"^\| ecp5 \| \d+ \| \d+ \| 9 \| \d+ \| \d+\.\d+\.\d+ \|$", (tmp_path / "core" / "README.md").read_text(),
-                     re.MULTILINE)
+@pytest.mark.parametrize("words, multipliers", [((), 6), (("--features", "resident+interleaved+derivatives+determinant"), 9)])
+def test_a_core_that_a_release_has_mapped_has_its_size(made, tmp_path, words, multipliers):
+    assert made(*words, "--vertices", "1", "-o", "core")[0] == 0
+    assert re.search(rf"^\| ecp5 \| \d+ \| \d+ \| {multipliers} \| \d+ \| \d+\.\d+\.\d+ \|$",
+                     (tmp_path / "core" / "README.md").read_text(), re.MULTILINE)
+
+
+def test_the_latency_is_that_of_the_testbench(made, tmp_path, monkeypatch):
+    assert made(*SMALL, "--simulate", "-o", "core")[0] == 0
+    status, printed = bench.run("sh", "-c", "iverilog -g2005 -o tb core.v core_tb.v && vvp -N tb", cwd=tmp_path / "core")
+    vertices, _, clocks, latency = bench.numbers(printed)
+    assert (status, vertices) == (0, 20)
+    assert f"takes {clocks:,} clocks for 20 vertices" in (text := (tmp_path / "core" / "README.md").read_text())
+    assert f"by itself comes {latency} clocks after" in " ".join(text.split())
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert made(*SMALL, "--simulate", "-o", "other") == (1, "", "hwffd core: --simulate: iverilog is not there; install it, "
+                                                         "or leave the option out\n")
+
+
+def test_the_core_without_an_option_gives_positions(made):
+    assert made("--vertices", "2", "-o", "core")[1].startswith("core: hwffd_stream, cg1 in fx18, resident+interleaved: ")
 
 
 def test_a_word_that_is_wrong_is_seen(tmp_path):

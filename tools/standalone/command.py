@@ -11,7 +11,7 @@ import sys
 
 from tools import command_line
 from tools.csv_table import TableError
-from tools.standalone import configuration, folder, mapping
+from tools.standalone import configuration, folder, mapping, simulation
 from tools.tables import configurations, features
 
 _EXAMPLES = """examples:
@@ -58,7 +58,8 @@ def parser(prog):
     add("--top", choices=configuration.TOPS, default=configuration.TOPS[0], help="default: %(default)s")
     add("--row", metavar="NAME", help="a row of the table of configurations, which other options change")
     add("--org", help=f"organization, such as walk or factored/3 (default: {configuration.DEFAULT_ORG})")
-    add("--format", help="number format: fp32, bfp32, or fx12 to fx32")
+    add("--format", help="number format: fp32, bfp32, or fx12 to fx32 (default: that of the first row of the "
+        "organization)")
     add("--n", type=_number, help="control points taken in one clock, where the organization has a choice")
     add("--schedule", choices=configurations.SCHEDULES)
     add("--evaluator", choices=configurations.EVALUATORS)
@@ -72,6 +73,7 @@ def parser(prog):
     add("--data-width", type=_number, help="bits of the bus of hwffd_stream_bus or of the DMA: 64, 128 or 256")
     add("--set", action="append", default=[], metavar="NAME=NUMBER", help="any other parameter of the top")
     add("--map", choices=mapping.TARGETS, help="maps the core by yosys, and says its size on that target in the data sheet")
+    add("--simulate", action="store_true", help="runs the testbench in Icarus, and says the latency in the data sheet")
     add("--vertices", type=_number, default=1000, help="of the testbench (default: %(default)s)")
     return arguments
 
@@ -94,8 +96,9 @@ def run(words, prog):
         raise configuration.Refused(f"--vertices {options.vertices}: 1 to 100000 wanted")
     folder.check(options.output)
     mapping.check(options.map)
+    simulation.check(options.simulate)
     core = configuration.core(options)
-    texts = folder.files(core, options.vertices, options.map)
+    texts = folder.files(core, options.vertices, options.map, options.simulate)
     folder.write(options.output, texts)
     print(f"{options.output}: {core.top}, {core.organization.name} in {core.number_format.name}, "
           f"{'+'.join(core.has)}: {', '.join(texts)}")

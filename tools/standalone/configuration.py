@@ -14,7 +14,7 @@ from tools.standalone import elaboration
 from tools.tables import configurations, features, formats, organizations, parameter_space
 
 TOPS = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone")
-DEFAULT_ORG, DEFAULT_FEATURES = "cg1", "resident+interleaved"
+DEFAULT_ORG, DEFAULT_FORMAT, DEFAULT_FEATURES = "cg1", "fx18", "resident+interleaved"
 # Options that are columns of configurations.csv, and the parameters that each sets.
 ROW_OPTIONS = {"n": "N", "schedule": "SCHEDULE", "evaluator": "EVALUATOR", "mul_latency": "MUL_LATENCY",
                "add_latency": "ADD_LATENCY", "fma_latency": "FMA_LATENCY", "convert_latency": "CONVERT_LATENCY"}
@@ -116,7 +116,7 @@ def _row(options, known):
         raise Refused(f"--org {org}: unknown organization: one of {', '.join(known)}")
     rows = [row for row in rows if row.org == org]
     for column in ("format", "n", "schedule", "evaluator"):
-        wanted = getattr(options, column)
+        wanted = getattr(options, column) or (DEFAULT_FORMAT if column == "format" and not options.org else None)
         rows = [row for row in rows if wanted is None or getattr(row, column) == wanted] or rows
     # Overlapped is what a core is made for; the paper's schedule is there to compare with.
     return sorted(rows, key=lambda row: row.schedule != configurations.SCHEDULES[0])[0]

@@ -34,7 +34,8 @@ _BUS_PORTS = (("s_axil_", "AXI4-Lite slave: the registers"), ("m_axi_", "AXI4 ma
               ("sleep_o", "the clock may stop while it is 1"), ("s_axis_tkeep", "which bytes of a beat are there"),
               ("m_axis_tkeep", "which bytes of a beat are there"))
 _SIZE = ("lut", "ff", "dsp", "bram")
-_VARIANTS = {features.USUAL: None, "resident+interleaved": "positions"}  # as measured rows call what is built
+# How names of measured rows end, by what is built.
+_VARIANTS = {features.USUAL: "", "resident+interleaved": "+positions", "resident": "+resident"}
 _RESULTS = ROOT / "docs" / "results"
 
 
@@ -128,13 +129,13 @@ def mapped(core):
     built = "+".join(core.has)
     if built not in _VARIANTS or any(core.parameters[name] != value for name, value in usual.items()):
         return []
-    names = [row.name for row in configurations.read() if _is_row(core, row)]
+    names = [row.name + _VARIANTS[built] for row in configurations.read() if _is_row(core, row)]
     found = []
     for release in sorted(path.name for path in _RESULTS.iterdir() if (path / "synth.json").is_file()):
         report = json.loads((_RESULTS / release / "synth.json").read_text(encoding="utf-8"))
         found = [[row["target"], *("-" if row[size] is None else str(row[size]) for size in _SIZE), release]
                  for row in report["rows"] if row["name"] in names and row["top"] == core.top
-                 and row["variant"] == _VARIANTS[built] and not row["flat"]] or found
+                 and not row["flat"]] or found
     return found
 
 
@@ -154,12 +155,22 @@ def _memories(design):
     return Table(["memories", "bits of a word", "words", "read"], rows).markdown()
 
 
-def files(core, design, sample, version, target=None, here=None):
-    """name -> text; `here`: what mapping.of counted on that target"""
+def _latency(run):
+    """A sentence: what a run of the testbench said, or that it says it."""
+    if run is None:
+        return ("The testbench prints the latency of a vertex by itself, in clocks from the beat that completes it to its "
+                "result; `--simulate` writes it here.")
+    text = f"In {run.simulator} the testbench takes {run.clocks:,} clocks for {run.vertices:,} vertices, pauses included"
+    return text + (f"; the result of a vertex by itself comes {run.latency} clocks after the beat that completes it."
+                   if run.latency else ".")
+
+
+def files(core, design, sample, version, target=None, here=None, run=None):
+    """name -> text; `here`: what mapping.of counted on that target; `run`: of simulation.of"""
     words = dict(zip(("coordinate", "coefficient", "point"), _WORDS[core.number_format.words]))
     return {"README.md": templates.text(
         "datasheet.md", core=core, version=version, ports=_ports(design), packets=_packets(core),
-        results=_results(core), events=_events(core), clocks=_clocks(core), size=_size(core, target, here), memories=_memories(design), words=words,
+        results=_results(core), events=_events(core), clocks=_clocks(core), latency=_latency(run), size=_size(core, target, here), memories=_memories(design), words=words,
         sample=sample, modules=len(design.modules)), "interface.md": _interface()}
 
 

@@ -8,14 +8,15 @@ import pathlib
 import shutil
 import tempfile
 
-from tools.standalone import constraints, datasheet, elaboration, mapping, model_header, testbench, verilog, words
+from tools.standalone import constraints, datasheet, elaboration, mapping, model_header, simulation, testbench, verilog, words
 from tools.standalone.configuration import Refused
 from tools.tables import version as versions
 from tools.project_root import ROOT
 
 
-def files(core, vertices, target=None):
-    """name -> text; `target`, one of mapping.TARGETS, is mapped for the data sheet. Raises TableError."""
+def files(core, vertices, target=None, simulate=False):
+    """name -> text. For the data sheet `target`, one of mapping.TARGETS, is mapped, and the testbench simulated. Raises
+    TableError."""
     version = versions.read(ROOT)
     try:
         design = elaboration.of_core(core)
@@ -23,10 +24,11 @@ def files(core, vertices, target=None):
         raise Refused(str(error)) from error
     sample = words.sample(core, vertices)
     source = verilog.text(core, design, version)
+    run = {f"{core.prefix}.v": source, **testbench.files(core, design, sample, version)}
     texts = {
-        **datasheet.files(core, design, sample, version, target, mapping.of(core, source, target) if target else None),
-        f"{core.prefix}.v": source,
-        **testbench.files(core, design, sample, version),
+        **datasheet.files(core, design, sample, version, target, mapping.of(core, source, target) if target else None,
+                          simulation.of(core, run) if simulate else None),
+        **run,
         f"{core.prefix}_model.hpp": model_header.text(core, version),
         **constraints.files(core, design),
         "LICENSE": _text_of("LICENSE"),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from tools.project_root import ROOT
 from tools.standalone.configuration import Refused
+from tools.tables import features
 
 UNIT = 128  # bits of a beat of docs/interface.md
 SEED = 1
