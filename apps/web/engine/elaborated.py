@@ -9,6 +9,8 @@ import tempfile
 import xml.etree.ElementTree as xml
 from collections import Counter
 
+from tools.tables import features
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TOP = "hwffd_stream"
 
@@ -20,7 +22,8 @@ class ElaborationError(Exception):
 def _command(row, out):
     return ["verilator", "--xml-only", "--xml-output", str(out), "--Mdir", str(out.parent),
             "--default-language", "1364-2005", "-Wno-lint", "-Wno-fatal", "-DFFD_SIMULATION",
-            "-F", "rtl/hwffd.f", "--top-module", TOP, *(f"-G{word}" for word in row.assignments())]
+            "-F", "rtl/hwffd.f", "--top-module", TOP,
+            *(f"-G{name}={value}" for name, value in features.of_top(TOP, row.parameters).items())]
 
 
 class Tree:
