@@ -113,7 +113,7 @@ module hwffd_stream #(
 
   generate
     if ((RESIDENT | INTERLEAVED | PAGED | FOURTH | GRIDS | PACKED | MARKS | DERIVATIVES
-         | DETERMINANT | HALVES) / 2 != 0) begin : gen_bad_features
+         | DETERMINANT | HALVES) >> 1 != 0) begin : gen_bad_features
       ERROR_hwffd_stream_features_must_be_0_or_1 u_error ();
     end
   endgenerate
