@@ -76,7 +76,7 @@ module ffd_bus_core #(
   output wire [31:0]  s_read_data,
   output wire         s_read_error,
   input  wire         awake_i,  // a word comes, or is answered
-  input  wire         upset_i,  // a copy of the slave differed
+  input  wire         upset_i,  // a copy of a register of the top or its slave differed
   output wire         sleep_o,
   output wire         irq_o,
   output wire [ID_WIDTH-1:0] m_axi_arid,

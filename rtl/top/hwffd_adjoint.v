@@ -80,13 +80,15 @@ module hwffd_adjoint #(
 
   wire clk = aclk;
   wire rst;
+  wire unused_differs;  // 0: its register is not held three times
 
   ffd_reset #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(unused_differs)
   );
 
   wire [127:0] evaluator_in_data,   scatter_in_data;

@@ -146,13 +146,16 @@ module hwffd_axi #(
   wire        read_error;
 
   wire rst;
+  wire reset_differs;
 
   ffd_reset #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (HARDENED)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(reset_differs)
   );
 
   ffd_channel_check #(
@@ -264,7 +267,7 @@ module hwffd_axi #(
     .aclk          (aclk),
     .aresetn       (!rst),
     .awake_i       (awake),
-    .upset_i       (upset),
+    .upset_i       (upset || reset_differs),
     .sleep_o       (sleep_o),
     .irq_o         (irq_o),
     .s_clearing    (clearing),

@@ -62,6 +62,7 @@ module hwffd_scatter #(
 
   wire clk = aclk;
   wire rst;
+  wire unused_differs;  // 0: its register is not held three times
 
   wire                              load;
   wire [1:0]                        load_axis;
@@ -110,9 +111,10 @@ module hwffd_scatter #(
   ffd_reset #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(unused_differs)
   );
 
   ffd_channel_check #(

@@ -120,6 +120,7 @@ module hwffd_stream #(
 
   wire clk = aclk;
   wire rst;
+  wire unused_differs;  // 0: its register is not held three times
   wire                     ingress_idle;
   wire                     slot_free;
   wire                     rooms;
@@ -141,9 +142,10 @@ module hwffd_stream #(
   ffd_reset #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(unused_differs)
   );
 
   ffd_channel_check #(

@@ -92,13 +92,15 @@ module hwffd_stream_bus #(
   wire         out_user;
 
   wire rst;
+  wire unused_differs;  // 0: its register is not held three times
 
   ffd_reset #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(unused_differs)
   );
 
   ffd_channel_check #(

@@ -121,13 +121,16 @@ module hwffd_wishbone #(
   wire        read_error;
 
   wire rst;
+  wire reset_differs;
 
   ffd_reset #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (HARDENED)
   ) u_reset (
-    .clk     (aclk),
-    .resetn_i(aresetn),
-    .rst_o   (rst)
+    .clk      (aclk),
+    .resetn_i (aresetn),
+    .rst_o    (rst),
+    .differs_o(reset_differs)
   );
 
   ffd_bus_core #(
@@ -196,7 +199,7 @@ module hwffd_wishbone #(
     .m_axi_bresp   (m_axi_bresp)
   );
 
-  assign upset = 1'b0;    // there is one slave only
+  assign upset = reset_differs;  // there is one slave only
 
   ffd_wb_slave #(
     .ADDRESS_W(12)
