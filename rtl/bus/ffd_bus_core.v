@@ -9,7 +9,7 @@
 // Cuts:       every output but the answers to words leaves a register, or is a constant.
 // Not checked: nothing on a bus can hang it but a slave that does not answer, and that only for
 //             BUS_TIMEOUT clocks.
-// Parameters: as in hwffd_axi, without SECURE_ONLY.
+// Parameters: as in hwffd_axi, without SECURE_ONLY and RESET_REGISTER.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/bus/axi.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -17,11 +17,11 @@
 `include "ffd_stream.vh"
 
 module ffd_bus_core #(
-  parameter ORG               = 0,
-  parameter N                 = 1,
+  parameter ORG               = 1,
+  parameter N                 = `FFD_ORG_N(ORG),
   parameter FORMAT            = 18,
   parameter SCHEDULE          = `FFD_SCHEDULE_OVERLAPPED,
-  parameter EVALUATOR         = `FFD_EVALUATOR_PIPELINED,
+  parameter EVALUATOR         = `FFD_EVALUATOR_ITERATIVE,
   parameter MUL_LATENCY       = 2,
   parameter ADD_LATENCY       = 1,
   parameter FMA_LATENCY       = 0,

@@ -45,7 +45,8 @@
 `define FFD_RESULTS_ALONE       2'd3  // det J without the position
 
 // Of FEATURES (ffd_features.vh): grids or packed vertices, which ffd_stream_expand makes; what a
-// core has unless told; and what it cannot have.
+// module by itself has unless told, which is more than the core without a parameter; and what it
+// cannot have.
 `define FFD_FEATURE_EXPANDED(FEATURES) \
   (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
 `define FFD_FEATURES 3840
