@@ -49,6 +49,9 @@ def test_a_row_has_the_usual_features_unless_it_says():
     few = features.of_top(TOP, {"ORG": 3, "FEATURES": features.value("resident", "here")})
     assert "FEATURES" not in few and sum(few[name] for name in features.PARAMETERS.values()) == 1
     assert features.of_top("ffd_stream_header", {"FEATURES": 256}) == {"FEATURES": 256}
+    for given in {"FEATURES": features.value("resident+spans", "here")}, {"SPANS": 2}:
+        with pytest.raises(TableError, match="spans where, and only where, SPANS > 1"):
+            features.of_top(TOP, given)
 
 
 @pytest.mark.parametrize("text, complaint", [("resident+page", "unknown feature 'page'"), ("pages+pages", "twice 'pages'")])

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from tools.csv_table import TableError
 from tools.rtl import module_header, rtl_sources
 from tools.standalone import elaboration
-from tools.tables import configurations, features, formats, organizations, parameter_space
+from tools.tables import configurations, features, formats, organizations, parameter_space, register_texts
 
 TOPS = ("hwffd_stream", "hwffd_stream_bus", "hwffd_axi", "hwffd_wishbone")
 DEFAULT_ORG, DEFAULT_FORMAT, DEFAULT_FEATURES = "cg1", "fx18", "resident+interleaved"
@@ -207,6 +207,9 @@ def core(options):
                 raise Refused(f"--{name.replace('_', '-')}: {options.top} has none")
             parameters[name.upper()] = getattr(options, name)
     parameters.update(_settings(options, defaults))
+    for name in features.followed(options.features or ""):
+        if not features.has(parameters, name):
+            raise Refused(f"--features {options.features}: {name} needs {register_texts.condition(name)}")
     refuse_faults(space, options.top, parameters)
     return of_parameters(space, options.top, options.prefix, parameters, options.command_line)
 

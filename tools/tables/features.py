@@ -35,6 +35,11 @@ def has(parameters, name):
     return _FOLLOW[name](parameters) if name in _FOLLOW else parameters[PARAMETERS[name]] != 0
 
 
+def followed(text):
+    """Of such names those that are no parameter, since they follow from others."""
+    return [name for name in text.split("+") if name in _FOLLOW]
+
+
 def names_of(parameters):
     """Names of what a core with these parameters has."""
     return [name for name in BITS if has(parameters, name)]
@@ -47,8 +52,12 @@ def number_of(parameters):
 
 def of_top(top, parameters):
     """The parameters of a row of a table as a top takes them: of a core what it has by names, in place of FEATURES, or
-    the usual."""
+    the usual. Raises TableError where those that follow are not as the row says."""
     if top not in CORES:
         return parameters
     others = {name: number for name, number in parameters.items() if name != "FEATURES"}
-    return {**parameters_of(parameters.get("FEATURES", value(USUAL, "USUAL"))), **others}
+    wanted = parameters.get("FEATURES", value(USUAL, "USUAL"))
+    for name in _FOLLOW:
+        if _FOLLOW[name]({"AXIS": 16, "SPANS": 1, **others}) != (wanted & BITS[name] != 0):
+            raise TableError(f"{top}: FEATURES have {name} where, and only where, {register_texts.condition(name)}")
+    return {**parameters_of(wanted), **others}
