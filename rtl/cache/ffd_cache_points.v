@@ -31,7 +31,7 @@
 
 module ffd_cache_points #(
   parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter N        = 1,
   parameter SLOTS    = 3,
   parameter SLOT_W   = $clog2(SLOTS),

@@ -15,7 +15,7 @@
 
 module ffd_cache_stores #(
   parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter PORTS    = 1,
   parameter N        = 1,
   parameter SLOTS    = 3,

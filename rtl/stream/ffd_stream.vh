@@ -49,7 +49,7 @@
 // cannot have.
 `define FFD_FEATURE_EXPANDED(FEATURES) \
   (`FFD_FEATURE_GRIDS(FEATURES) != 0 || `FFD_FEATURE_PACKED(FEATURES) != 0)
-`define FFD_FEATURES 3840
+`define FFD_FEATURES_USUAL 3840
 // Whether two neighbours of a row of a grid go through the core at once: the organization takes two
 // vertices, and results of two are one beat.
 `define FFD_PAIRS(ORG, FEATURES) \

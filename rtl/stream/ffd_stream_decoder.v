@@ -31,7 +31,7 @@
 
 module ffd_stream_decoder #(
   parameter FORMAT      = 18,
-  parameter FEATURES    = `FFD_FEATURES,
+  parameter FEATURES    = `FFD_FEATURES_USUAL,
   parameter SLOTS       = 3,
   parameter SLOT_W      = $clog2(SLOTS),
   parameter WAITING     = 16,

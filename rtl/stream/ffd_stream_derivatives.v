@@ -28,7 +28,7 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_derivatives #(
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SOURCE_W = 2,
   parameter USER_W   = 27,
   parameter SPANS    = 1,

@@ -23,7 +23,7 @@
 
 module ffd_stream_encoder #(
   parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter INSIDE   = 152,
   parameter PAIRS    = 0
 ) (

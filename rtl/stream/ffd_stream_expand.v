@@ -30,7 +30,7 @@
 
 module ffd_stream_expand #(
   parameter FORMAT     = 18,
-  parameter FEATURES   = `FFD_FEATURES + 48,
+  parameter FEATURES   = `FFD_FEATURES_USUAL + 48,
   parameter AXIS       = 16,
   parameter GRID_LIMIT = 48,
   parameter PAIRS      = 0

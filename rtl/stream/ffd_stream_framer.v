@@ -32,7 +32,7 @@
 
 module ffd_stream_framer #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SPANS    = 1,
   parameter BESIDE   = 0
 ) (

@@ -18,7 +18,7 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_halves #(
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter PAIRS    = 0
 ) (
   input  wire         clk,

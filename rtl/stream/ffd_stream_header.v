@@ -17,7 +17,7 @@
 
 module ffd_stream_header #(
   parameter AXIS     = 16,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SPANS    = 1,
   parameter BESIDE   = 0
 ) (
@@ -34,7 +34,7 @@ module ffd_stream_header #(
       ERROR_ffd_stream_header_spans_and_their_feature_come_together u_error ();
     end
     if (`FFD_FEATURES_BAD(FEATURES)) begin : gen_bad_features
-      ERROR_ffd_stream_header_features_are_unknown u_error ();
+      ERROR_ffd_stream_header_features_do_not_go_together u_error ();
     end
   endgenerate
 

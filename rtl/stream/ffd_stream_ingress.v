@@ -18,7 +18,7 @@
 
 module ffd_stream_ingress #(
   parameter FORMAT     = 18,
-  parameter FEATURES   = `FFD_FEATURES,
+  parameter FEATURES   = `FFD_FEATURES_USUAL,
   parameter AXIS       = 16,
   parameter SPANS      = 1,
   parameter GRID_LIMIT = 48,

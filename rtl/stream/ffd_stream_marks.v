@@ -15,7 +15,7 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_marks #(
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter INSIDE   = 152
 ) (
   input  wire                    clk,

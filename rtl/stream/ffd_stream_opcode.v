@@ -13,7 +13,7 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_opcode #(
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SCATTER  = 0
 ) (
   input  wire [7:0]               opcode_i,

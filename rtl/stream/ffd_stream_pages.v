@@ -27,7 +27,7 @@
 
 module ffd_stream_pages #(
   parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES + 1,
+  parameter FEATURES = `FFD_FEATURES_USUAL + 1,
   parameter PAGES    = 2,
   parameter AXIS     = 16,
   parameter INSIDE   = 152,

@@ -17,7 +17,7 @@
 
 module ffd_stream_resident #(
   parameter FORMAT   = 18,
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SLOTS    = 3,
   parameter PAGES    = 2,
   parameter AXIS     = 16,

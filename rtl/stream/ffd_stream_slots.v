@@ -12,7 +12,7 @@
 `include "ffd_stream.vh"
 
 module ffd_stream_slots #(
-  parameter FEATURES = `FFD_FEATURES,
+  parameter FEATURES = `FFD_FEATURES_USUAL,
   parameter SLOTS  = 3,
   parameter SLOT_W = $clog2(SLOTS)
 ) (

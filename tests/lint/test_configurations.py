@@ -221,16 +221,19 @@ message("${{parameters}} ${{PAGES}}")
 @pytest.mark.parametrize("given, wanted", (
     ("FEATURES=pages+resident AXIS=8", "AXIS=8;PAGED=1;RESIDENT=1"),
     ("FEATURES=256", "PAGED=0;RESIDENT=1"),
-    ("AXIS=8", "AXIS=8;PAGED=1;RESIDENT=0")))
+    ("AXIS=8", "AXIS=8;PAGED=1;RESIDENT=0"),
+    ("AXIS=8 FEATURES=large", "core: large in FEATURES and AXIS above 32 come together; AXIS is 8"),
+    ("SPANS=2 FEATURES=1", "core: spans in FEATURES and SPANS above 1 come together; SPANS is 2")))
 def test_features_are_parameters_of_a_core(tmp_path, given, wanted):
     (tmp_path / "core.cmake").write_text(f"""
 cmake_minimum_required(VERSION 3.18)
 include({ROOT}/cmake/HwffdTable.cmake)
 set(HWFFD_CORES core)
 set(HWFFD_USUAL_FEATURES pages)
-set(HWFFD_FEATURES pages large resident)
+set(HWFFD_FEATURES pages large spans resident)
 set(HWFFD_FEATURE_pages 1)
 set(HWFFD_FEATURE_large 2)
+set(HWFFD_FEATURE_spans 8)
 set(HWFFD_FEATURE_resident 256)
 set(HWFFD_PARAMETER_OF_pages PAGED)
 set(HWFFD_PARAMETER_OF_resident RESIDENT)
@@ -238,6 +241,10 @@ hwffd_feature_parameters(of_core core {given})
 hwffd_feature_parameters(of_part part {given})
 message("${{of_core}} ${{of_part}}")
 """)
-    done = subprocess.run(["cmake", "-P", str(tmp_path / "core.cmake")], capture_output=True, text=True, check=True)
+    done = subprocess.run(["cmake", "-P", str(tmp_path / "core.cmake")], capture_output=True, text=True, check=False)
+    if "together" in wanted:
+        assert done.returncode != 0 and wanted in " ".join(done.stderr.split())
+        return
+    assert done.returncode == 0
     within = given.replace("pages+resident AXIS=8", "257").replace("FEATURES=257", "AXIS=8;FEATURES=257")
     assert done.stderr.strip() == f"{wanted} {within}"

@@ -35,7 +35,7 @@ def made(tmp_path, capsys, monkeypatch):
      "ERROR_ffd_stream_pages_pages_must_be_1_to_256"),
     (("--org", "cg1", "--format", "fx18", "--n", "4"), 1, "ERROR_ffd_org_select_n_is_not_that_of_the_organization"),
     (("--org", "affine/64", "--add-latency", "3"), 1, "ERROR_ffd_eval_serial_add_latency_must_be_1"),
-    (("--org", "cg1", "--features", "resident+halves"), 1, "ERROR_ffd_stream_header_features_are_unknown"),
+    (("--org", "cg1", "--features", "resident+halves"), 1, "ERROR_ffd_stream_header_features_do_not_go_together"),
     (("--features", "resident+pages+large"), 1, "--features resident+pages+large: large needs AXIS > 32"),
     (("--features", "resident+spans", "--spans", "1"), 1, "--features resident+spans: spans needs SPANS > 1"),
     (("--org", "walk", "--top", "hwffd_axi", "--data-width", "32"), 1, "ERROR_ffd_dma_width_read_data_width_must_be"),

@@ -251,14 +251,14 @@ class Space:
         of = self.organizations
         return [
             Rule("RESIDENT or INTERLEAVED is 1", ("RESIDENT", "INTERLEAVED"),
-                 lambda p: p.RESIDENT or p.INTERLEAVED, "ffd_stream_header_features_are_unknown"),
+                 lambda p: p.RESIDENT or p.INTERLEAVED, "ffd_stream_header_features_do_not_go_together"),
             Rule("DETERMINANT wants DERIVATIVES", ("DETERMINANT", "DERIVATIVES"),
-                 lambda p: p.DERIVATIVES or not p.DETERMINANT, "ffd_stream_header_features_are_unknown"),
+                 lambda p: p.DERIVATIVES or not p.DETERMINANT, "ffd_stream_header_features_do_not_go_together"),
             Rule("PAGED, GRIDS and PACKED want RESIDENT", ("PAGED", "GRIDS", "PACKED", "RESIDENT"),
-                 lambda p: p.RESIDENT or not (p.PAGED or p.GRIDS or p.PACKED), "ffd_stream_header_features_are_unknown"),
+                 lambda p: p.RESIDENT or not (p.PAGED or p.GRIDS or p.PACKED), "ffd_stream_header_features_do_not_go_together"),
             Rule("AXIS above 32, FOURTH, MARKS and HALVES want PAGED", ("AXIS", "FOURTH", "MARKS", "HALVES", "PAGED"),
                  lambda p: p.PAGED or not (p.AXIS > 32 or p.FOURTH or p.MARKS or p.HALVES),
-                 "ffd_stream_header_features_are_unknown"),
+                 "ffd_stream_header_features_do_not_go_together"),
             Rule("HALVES wants fixed point", ("HALVES", "FORMAT"),
                  lambda p: not p.HALVES or self.words(p) == "fixed", "ffd_num_half_needs_fixed_point"),
             Rule("PAGES is 2 without PAGED", ("PAGED", "PAGES"),
