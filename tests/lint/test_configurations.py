@@ -125,7 +125,8 @@ def test_smallest_tier(script, words, tier):
 
 def test_parameters(script):
     words = ("ORG=4 N=4 FORMAT=18 SCHEDULE=1 EVALUATOR=1 MUL_LATENCY=5 ADD_LATENCY=4 FMA_LATENCY=0 "
-             "CONVERT_LATENCY=3")
+             "CONVERT_LATENCY=3 PAGED=0 FOURTH=0 GRIDS=0 PACKED=0 MARKS=0 RESIDENT=1 INTERLEAVED=1 DERIVATIVES=1 "
+             "DETERMINANT=1 HALVES=0")
     for option, prefix in (((), ""), (("--fusesoc",), "--"), (("--verilator",), "-G")):
         assert script("parameters", *option, "good-row", text=ROWS)[1] == " ".join(
             prefix + word for word in words.split()) + "\n"

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from tools import csv_table
 from tools.csv_table import TableError, write_if_changed
 from tools.project_root import ROOT
-from tools.tables import configuration_texts as texts, formats, gone, organizations
+from tools.tables import configuration_texts as texts, features, formats, gone, organizations
 from tools.tables.organizations import Organization
 
 TABLE = ROOT / "rtl" / "configurations.csv"
@@ -233,7 +233,7 @@ def parser():
     commands = arguments.add_subparsers(dest="command", required=True, metavar="COMMAND")
     listing = commands.add_parser("list", help="print the names of a tier (default: all)")
     smallest = commands.add_parser("tier", help="print the smallest tier that has such rows")
-    parameters = commands.add_parser("parameters", help="print a row's parameters, NAME=value ...")
+    parameters = commands.add_parser("parameters", help="print the parameters of a core of a row, NAME=value ...")
     parameters.add_argument("name")
     styles = parameters.add_mutually_exclusive_group()
     styles.add_argument("--verilator", dest="prefix", action="store_const", const="-G",
@@ -269,8 +269,8 @@ def main(arguments=None):
         elif options.command == "tier":
             print(smallest_tier(rows, options))
         elif options.command == "parameters":
-            assignments = find(rows, options.name).assignments()
-            print(" ".join(options.prefix + word for word in assignments))
+            of_core = features.of_top(features.CORES[0], find(rows, options.name).parameters)
+            print(" ".join(f"{options.prefix}{name}={value}" for name, value in of_core.items()))
         elif options.command == "factory":
             write_if_changed(options.out, texts.factory_text(
                 [find(rows, name) for name in options.rows], "stream", options.suffix))

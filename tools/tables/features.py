@@ -60,4 +60,4 @@ def of_top(top, parameters):
     for name in _FOLLOW:
         if _FOLLOW[name]({"AXIS": 16, "SPANS": 1, **others}) != (wanted & BITS[name] != 0):
             raise TableError(f"{top}: FEATURES have {name} where, and only where, {register_texts.condition(name)}")
-    return {**parameters_of(wanted), **others}
+    return {**others, **{name: has for name, has in parameters_of(wanted).items() if name not in others}}
