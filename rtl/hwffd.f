@@ -169,6 +169,7 @@ stream/ffd_stream_locate.v
 stream/ffd_stream_marks.v
 stream/ffd_stream_numbers.v
 stream/ffd_stream_opcode.v
+stream/ffd_stream_packet_check.v
 stream/ffd_stream_pages.v
 stream/ffd_stream_place.v
 stream/ffd_stream_readers.v

@@ -137,6 +137,14 @@ module hwffd_scatter #(
     .payload_i({m_axis_tuser, m_axis_tlast, m_axis_tdata})
   );
 
+  ffd_stream_packet_check u_check_packets (
+    .clk     (clk),
+    .rst     (rst),
+    .event_i (event_o),
+    .packet_i(event_packet_o),
+    .beat_i  (event_beat_o)
+  );
+
   ffd_scatter_decoder #(
     .FORMAT   (FORMAT),
     .EVALUATOR(EVALUATOR),

@@ -1,4 +1,5 @@
-"""What ffd_channel_check sees of a channel, in a simulator that knows X, and that it is empty elsewhere.
+"""What ffd_channel_check sees of a channel and ffd_stream_packet_check of packets, in a simulator that knows X, and that
+they are empty elsewhere.
 
 SPDX-License-Identifier: Apache-2.0
 """
@@ -61,3 +62,37 @@ def test_what_breaks_a_rule_ends(checkout, rule):
     status, printed, _ = simulated(checkout, clocks, f"-D{rtl_sources.ASSERTIONS}")
     assert status != 0 and f"cannot happen: bench.u_check.{rule}" in printed and "at the end" not in printed
     assert simulated(checkout, clocks)[:2] == (0, "at the end\n")
+
+
+PACKETS = """
+module bench;
+  reg clk = 1'b0, rst = 1'b1;
+  reg [15:0] events = 16'hFFFF;
+  ffd_stream_packet_check u_check (
+    .clk(clk), .rst(rst), .event_i(events), .packet_i(32'd7), .beat_i(32'd2));
+  always #5 clk = !clk;
+  initial begin
+    repeat (2) @(posedge clk);
+    rst <= 1'b0;
+    events <= 16'd1 << {};
+    repeat (3) @(posedge clk);
+    $display("at the end");
+    $finish;
+  end
+endmodule
+"""
+COMPUTED = (8, 9, 15)  # a coordinate that is clamped, a result that saturates, a page of sums
+
+
+@pytest.mark.parametrize("number", range(16))
+def test_a_bad_packet_ends(checkout, number):
+    checkout.put({"bench.v": PACKETS.format(number)})
+    for flags in ((), ("-DFFD_PACKET_ASSERTIONS",)):
+        status, _, errors = checkout.run("iverilog", "-g2005", "-Wall", *flags, f"-I{ROOT / 'rtl' / 'stream'}", "-o", "bench", "-s",
+                                         "bench", "bench.v", ROOT / "rtl" / "stream" / "ffd_stream_packet_check.v")
+        assert status == 0 and "error" not in errors
+        status, printed, _ = checkout.run("vvp", "-n", "-N", "bench")
+        if flags and number not in COMPUTED:
+            assert status != 0 and f"bad packet 7, beat 2: event {number}, bench.u_check" in printed
+        else:
+            assert (status, printed) == (0, "at the end\n")
