@@ -71,7 +71,8 @@ void AxiChecker::report(AxiRule rule, std::uint64_t cycle, const std::string& wh
 
 void AxiChecker::check_reset(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset) {
   if (lite_) return check_lite_reset(pins, cycle, in_reset);
-  if (!was_in_reset_) return;  // the first edge in reset clears; what is there before is no fault
+  // The first edge in reset clears; what is there before is no fault.
+  if (edges_in_reset_ < limits_.reset_edges) return;
   if (pins.ar.valid || pins.aw.valid || pins.w.valid) {
     report(AxiRule::kReset, cycle, "ARVALID, AWVALID or WVALID");
   }
@@ -90,7 +91,7 @@ void AxiChecker::check_lite_reset(const cores::AxiPins& pins, std::uint64_t cycl
     low("WVALID", pins.w.valid);
     low("ARVALID", pins.ar.valid);
   }
-  if (!was_in_reset_) return;
+  if (edges_in_reset_ < limits_.reset_edges) return;
   low("BVALID", pins.b.valid);
   low("RVALID", pins.r.valid);
   low("AWREADY", pins.aw.ready);
@@ -226,8 +227,8 @@ void AxiChecker::observe_writes(const cores::AxiPins& pins, std::uint64_t cycle)
 }
 
 void AxiChecker::observe(const cores::AxiPins& pins, std::uint64_t cycle, bool in_reset) {
-  if (in_reset || was_in_reset_) check_reset(pins, cycle, in_reset);
-  was_in_reset_ = in_reset;
+  if (in_reset || edges_in_reset_ > 0) check_reset(pins, cycle, in_reset);
+  edges_in_reset_ = in_reset ? edges_in_reset_ + 1 : 0;
   reset_seen_ = reset_seen_ || in_reset;
   if (in_reset) {
     reads_.clear();

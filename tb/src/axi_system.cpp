@@ -13,13 +13,16 @@ AxiSystem::AxiSystem(cores::AxiCore& core, std::uint64_t seed)
       core_(core),
       random_(derive_seed(seed, 2)),
       registers_(derive_seed(seed, 3)) {
+  AxiChecker::Limits of_registers;
+  of_registers.reset_edges = core_.reset_edges();
+  register_checker.set_limits(of_registers);
   allow({}, {});
   reset();
 }
 
 void AxiSystem::allow(const AddressWindow& read, const AddressWindow& write) {
   bus_checker.set_limits({kMaxBurst, kOutstanding, kOutstanding, read.base, read.limit, write.base,
-                          write.limit, core_.data_width()});
+                          write.limit, core_.data_width(), core_.reset_edges()});
 }
 
 void AxiSystem::set_throttles(const std::string& name) {

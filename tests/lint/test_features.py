@@ -13,7 +13,7 @@ from tools.rtl import module_header, rtl_sources
 from tools.tables import features, parameter_draws, parameter_space
 
 TOP = "hwffd_stream"
-CORES = 12
+CORES = 4
 
 
 def simulated(verilog, folder):

@@ -9,7 +9,7 @@ import re
 import pytest
 
 from tools.checks import clang_tidy
-from tools.tables import configurations
+from tools.tables import configurations, features
 
 MODULE = """\
 // SPDX-License-Identifier: Apache-2.0
@@ -26,7 +26,7 @@ endmodule
 
 `default_nettype wire
 """
-NAMES = [*configurations.read()[0].parameters, "AXIS", "HARDENED"]
+NAMES = [*configurations.read()[0].parameters, "AXIS", "HARDENED", *features.PARAMETERS.values()]
 TOP_PARAMETERS = ",\n  parameter ".join(f"{name} = 1" for name in NAMES)
 USED_PARAMETERS = "\n    + ".join(name for name in NAMES if name != "MUL_LATENCY")
 TOP_BODY = f"""\

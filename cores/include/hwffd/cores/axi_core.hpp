@@ -21,6 +21,8 @@ class AxiCore {
   virtual bool interrupt() const = 0;
   /// Bits of data of the bus.
   virtual unsigned data_width() const { return 128; }
+  /// Edges of aclk with aresetn low until the core is in reset: two with RESET_REGISTER.
+  virtual unsigned reset_edges() const { return 1; }
 };
 
 }  // namespace hwffd::cores

@@ -16,8 +16,10 @@ namespace hwffd::cores {
 template <class VDut>
 class VerilatedAxiCore final : public AxiCore {
  public:
-  /// @param seed  start values of the registers, so that a missing reset shows
-  explicit VerilatedAxiCore(std::uint64_t seed) : dut_(seed) {
+  /// @param seed         start values of the registers, so that a missing reset shows
+  /// @param reset_edges  as AxiCore says
+  explicit VerilatedAxiCore(std::uint64_t seed, unsigned reset_edges = 1)
+      : dut_(seed), reset_edges_(reset_edges) {
     dut_->aclk = 0;
     dut_->aresetn = 0;
     dut_->eval();
@@ -46,6 +48,7 @@ class VerilatedAxiCore final : public AxiCore {
   }
   bool interrupt() const override { return dut_->irq_o != 0; }
   unsigned data_width() const override { return 8 * sizeof(dut_->m_axi_wdata); }
+  unsigned reset_edges() const override { return reset_edges_; }
   const VDut& dut() const { return *dut_; }
 
   /// Writes a waveform from now on; throws as Waveform::open does.
@@ -53,6 +56,7 @@ class VerilatedAxiCore final : public AxiCore {
 
  private:
   VerilatedModel<VDut> dut_;
+  unsigned reset_edges_;
   Waveform waveform_;
 };
 

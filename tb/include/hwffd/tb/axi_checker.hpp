@@ -55,6 +55,7 @@ class AxiChecker {
     std::uint64_t read_first = 0, read_last = ~std::uint64_t{0};
     std::uint64_t write_first = 0, write_last = ~std::uint64_t{0};
     std::uint64_t width = 128;
+    std::uint64_t reset_edges = 1;
   };
   explicit AxiChecker(bool lite = false) : lite_(lite) {}
   void set_limits(const Limits& limits) { limits_ = limits; }
@@ -105,7 +106,7 @@ class AxiChecker {
   bool lite_;
   Limits limits_;
   bool reset_seen_ = false;
-  bool was_in_reset_ = false;
+  std::uint64_t edges_in_reset_ = 0;  // before this one
   bool before_known_ = false;
   cores::AxiPins before_;
   bool ready_may_fall_ = false;
