@@ -43,7 +43,7 @@ common/ffd_hard_copy.v
 common/ffd_hard_triple.v
 common/ffd_mem_sdp.v
 common/ffd_num_delay.v
-common/ffd_reset.v
+common/ffd_reset_register.v
 common/ffd_stream_deep_fifo.v
 common/ffd_stream_fifo.v
 common/ffd_stream_queue.v

@@ -5,8 +5,9 @@
 // smallest whose queues are in block memory.
 //
 // Formats:    frames of ffd_board_bridge; 8 data bits, no parity, 1 stop bit.
-// Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING as in hwffd_stream; CLOCKS a bit
-//             (12 are 1 Mbaud at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks are 87 ms).
+// Parameters: a row of configurations.csv; AXIS, IN_FLIGHT, WAITING as in hwffd_stream; CLOCKS a
+//             bit (12 are 1 Mbaud at 12 MHz), PAUSE_W as in ffd_board_bridge (2^20 clocks are
+//             87 ms).
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/boards.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none

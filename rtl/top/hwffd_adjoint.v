@@ -82,7 +82,7 @@ module hwffd_adjoint #(
   wire rst;
   wire unused_differs;  // 0: its register is not held three times
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
     .clk      (aclk),

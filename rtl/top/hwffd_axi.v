@@ -148,7 +148,7 @@ module hwffd_axi #(
   wire rst;
   wire reset_differs;
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER),
     .HARDENED  (HARDENED)
   ) u_reset (

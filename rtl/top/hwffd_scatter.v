@@ -15,7 +15,8 @@
 //             rows of affine in configurations.csv; AXIS 4 to 32, the most points an axis; PAGES 1
 //             to 256; WAITING a power of two >= 2, the most vertices in front of the datapath;
 //             BESIDE 1: an evaluator is on the same stream (hwffd_adjoint), which tells of
-//             coefficients and of all other packets; ROWS 0 or 1; RESET_REGISTER as in hwffd_stream.
+//             coefficients and of all other packets; ROWS 0 or 1; RESET_REGISTER as in
+//             hwffd_stream.
 // Model:      golden/include/hwffd/model/scatter_stream.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -108,7 +109,7 @@ module hwffd_scatter #(
   wire [1:0]                        waits;
   wire [`FFD_EVENTS-1:0]            decoder_event;
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
     .clk      (aclk),

@@ -23,7 +23,7 @@
 //             48, log2 of the most vertices of a grid; HARDENED 0, or 1: points have a parity, and
 //             upset_o is a pulse for one that is wrong; BESIDE 1: a scatter core is on the same
 //             stream (hwffd_adjoint), whose packets pass without an event; RESET_REGISTER 0 or
-//             1, as REGISTERED of ffd_reset.
+//             1, as REGISTERED of ffd_reset_register.
 // Model:      golden/include/hwffd/model/stream_model.hpp.  Test: tests/system.
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
@@ -139,7 +139,7 @@ module hwffd_stream #(
   wire [PLACE_W-1:0]       last_cell;
   wire                     in_pairs;
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
     .clk      (aclk),

@@ -94,7 +94,7 @@ module hwffd_stream_bus #(
   wire rst;
   wire unused_differs;  // 0: its register is not held three times
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER)
   ) u_reset (
     .clk      (aclk),

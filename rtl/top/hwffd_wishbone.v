@@ -123,7 +123,7 @@ module hwffd_wishbone #(
   wire rst;
   wire reset_differs;
 
-  ffd_reset #(
+  ffd_reset_register #(
     .REGISTERED(RESET_REGISTER),
     .HARDENED  (HARDENED)
   ) u_reset (

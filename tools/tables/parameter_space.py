@@ -39,7 +39,7 @@ class Parameter:
         return [value for value in self.values.beyond() if value not in self.without]
 
 
-RESET_REGISTER = Parameter("RESET_REGISTER", values.of(0, 1), "ffd_reset_registered_must_be_0_or_1")
+RESET_REGISTER = Parameter("RESET_REGISTER", values.of(0, 1), "ffd_reset_register_registered_must_be_0_or_1")
 
 
 @dataclass(frozen=True)

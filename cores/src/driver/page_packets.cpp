@@ -30,8 +30,9 @@ void check_cells(const CoreIdentity& core, const std::vector<VertexBeat>& vertic
 PointStore Driver::store() const {
   if (!core_) throw DriverError("the core is not known yet: probe it first");
   if (core_->points_axis == 0) {
-    throw DriverError("this core keeps no lattice: send interleaved vertices, or build it with "
-                      "RESIDENT = 1");
+    throw DriverError(
+        "this core keeps no lattice: send interleaved vertices, or build it with "
+        "RESIDENT = 1");
   }
   PointStore store;
   store.axis_points = static_cast<int>(core_->points_axis);

@@ -1,11 +1,11 @@
-// ffd_reset: the reset of a core, with a register of its own or without
+// ffd_reset_register: the reset of a core, with a register of its own or without
 //
 // A register drives the many flip-flops that are reset, so that the wire which brings aresetn need
 // not: reset begins and ends a clock later. In the clock behind the first edge the core still works
 // and may hand over a beat, so reset must last two edges then; without the register one is enough.
 //
-// With HARDENED the register is held three times, so that no flip resets the core; differs_o: one of
-// the three differs.
+// With HARDENED the register is held three times, so that no flip resets the core; differs_o: one
+// of the three differs.
 //
 // Pipeline:   REGISTERED clocks.
 // Parameters: REGISTERED 0 or 1; HARDENED 0 or 1.
@@ -13,7 +13,7 @@
 // SPDX-License-Identifier: Apache-2.0
 `default_nettype none
 
-module ffd_reset #(
+module ffd_reset_register #(
   parameter REGISTERED = 0,
   parameter HARDENED   = 0
 ) (
@@ -24,7 +24,7 @@ module ffd_reset #(
 );
   generate
     if (REGISTERED != 0 && REGISTERED != 1) begin : gen_bad_registered
-      ERROR_ffd_reset_registered_must_be_0_or_1 u_error ();
+      ERROR_ffd_reset_register_registered_must_be_0_or_1 u_error ();
     end
     if (REGISTERED == 0) begin : gen_wire
       assign rst_o     = !resetn_i;
