@@ -83,7 +83,8 @@ module hwffd_adjoint #(
   wire unused_differs;  // 0: its register is not held three times
 
   ffd_reset_register #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (0)
   ) u_reset (
     .clk      (aclk),
     .resetn_i (aresetn),

@@ -110,7 +110,8 @@ module hwffd_scatter #(
   wire [`FFD_EVENTS-1:0]            decoder_event;
 
   ffd_reset_register #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (0)
   ) u_reset (
     .clk      (aclk),
     .resetn_i (aresetn),

@@ -140,7 +140,8 @@ module hwffd_stream #(
   wire                     in_pairs;
 
   ffd_reset_register #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (0)
   ) u_reset (
     .clk      (aclk),
     .resetn_i (aresetn),

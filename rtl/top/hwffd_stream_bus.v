@@ -95,7 +95,8 @@ module hwffd_stream_bus #(
   wire unused_differs;  // 0: its register is not held three times
 
   ffd_reset_register #(
-    .REGISTERED(RESET_REGISTER)
+    .REGISTERED(RESET_REGISTER),
+    .HARDENED  (0)
   ) u_reset (
     .clk      (aclk),
     .resetn_i (aresetn),

@@ -58,7 +58,8 @@ WORDS = """\
     {{8 {s_write_strobe[3]}}, {8 {s_write_strobe[2]}}, {8 {s_write_strobe[1]}},
      {8 {s_write_strobe[0]}}};
   // What the high half of an address may hold.
-  localparam [31:0] HIGH = 32'hffff_ffff >> (64 - ADDRESS_WIDTH);
+  localparam [63:0] MOST = 64'hffff_ffff_ffff_ffff >> (64 - ADDRESS_WIDTH);
+  localparam [31:0] HIGH = MOST[63:32];
   wire [31:0] high_data = s_write_data & HIGH;
 """
 STORED = """\
